@@ -1,0 +1,16 @@
+//! Frames, poses, polygons, meshes, and the footprint that a tool's mesh leaves on a surface.
+
+mod polygon;
+mod pose;
+
+pub use polygon::{Bounds2, Edge, Polygon, Region};
+pub use pose::{PlanarPose, Pose, wrap_angle};
+
+/// A point in a plane [m].
+pub type Point2 = nalgebra::Point2<f64>;
+/// A vector in a plane [m].
+pub type Vector2 = nalgebra::Vector2<f64>;
+/// A point in space [m].
+pub type Point3 = nalgebra::Point3<f64>;
+/// A vector in space [m].
+pub type Vector3 = nalgebra::Vector3<f64>;

@@ -1,0 +1,226 @@
+//! Polygons with holes and regions made of several of them.
+
+use super::{Point2, Vector2};
+
+/// One straight piece of a boundary; the interior lies to its left.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Edge {
+    /// Where the edge begins [m].
+    pub start: Point2,
+    /// Where the edge ends [m].
+    pub end: Point2,
+}
+
+impl Edge {
+    /// Distance from a point to the closed edge [m].
+    pub fn distance(&self, point: Point2) -> f64 {
+        let along: Vector2 = self.end - self.start;
+        let squared = along.norm_squared();
+        let t = if squared > 0.0 {
+            ((point - self.start).dot(&along) / squared).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        (point - (self.start + along * t)).norm()
+    }
+}
+
+/// A simple polygon with holes. The outer ring runs counter-clockwise, the holes clockwise.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Polygon {
+    outer: Vec<Point2>,
+    holes: Vec<Vec<Point2>>,
+}
+
+impl Polygon {
+    /// Builds a polygon and turns its rings the right way round. Rings are closed implicitly.
+    pub fn new(outer: Vec<Point2>, holes: Vec<Vec<Point2>>) -> Self {
+        let turned = |ring: Vec<Point2>, counter_clockwise: bool| {
+            if (signed_area(&ring) > 0.0) == counter_clockwise {
+                ring
+            } else {
+                ring.into_iter().rev().collect()
+            }
+        };
+        Self {
+            outer: turned(outer, true),
+            holes: holes.into_iter().map(|hole| turned(hole, false)).collect(),
+        }
+    }
+
+    /// An axis-aligned rectangle centred on the origin, `size` = extent along x and y [m].
+    pub fn rectangle(size: Vector2) -> Self {
+        let (x, y) = (size.x / 2.0, size.y / 2.0);
+        Self::new(
+            vec![
+                Point2::new(-x, -y),
+                Point2::new(x, -y),
+                Point2::new(x, y),
+                Point2::new(-x, y),
+            ],
+            Vec::new(),
+        )
+    }
+
+    /// The outer ring, counter-clockwise.
+    pub fn outer(&self) -> &[Point2] {
+        &self.outer
+    }
+
+    /// The holes, clockwise.
+    pub fn holes(&self) -> &[Vec<Point2>] {
+        &self.holes
+    }
+
+    /// Outer ring first, then the holes.
+    pub fn rings(&self) -> impl Iterator<Item = &[Point2]> {
+        std::iter::once(self.outer.as_slice()).chain(self.holes.iter().map(Vec::as_slice))
+    }
+
+    /// All edges: the outer ring's in order (edge i starts at vertex i), then the holes'.
+    pub fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
+        self.rings().flat_map(|ring| {
+            (0..ring.len()).map(move |i| Edge {
+                start: ring[i],
+                end: ring[(i + 1) % ring.len()],
+            })
+        })
+    }
+
+    /// Area without the holes [m²].
+    pub fn area(&self) -> f64 {
+        self.rings().map(signed_area).sum()
+    }
+
+    /// Whether the point lies inside (even–odd rule; points on the boundary fall to either side).
+    pub fn contains(&self, point: Point2) -> bool {
+        let mut inside = false;
+        for Edge { start, end } in self.edges() {
+            if (start.y > point.y) != (end.y > point.y) {
+                let x = start.x + (point.y - start.y) / (end.y - start.y) * (end.x - start.x);
+                inside ^= point.x < x;
+            }
+        }
+        inside
+    }
+}
+
+/// Several disjoint polygons, such as the footprint of a brush.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Region {
+    polygons: Vec<Polygon>,
+}
+
+impl Region {
+    /// A region from disjoint polygons.
+    pub fn new(polygons: Vec<Polygon>) -> Self {
+        Self { polygons }
+    }
+
+    /// The pieces.
+    pub fn polygons(&self) -> &[Polygon] {
+        &self.polygons
+    }
+
+    /// All edges of all pieces.
+    pub fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
+        self.polygons.iter().flat_map(Polygon::edges)
+    }
+
+    /// Area of all pieces [m²].
+    pub fn area(&self) -> f64 {
+        self.polygons.iter().map(Polygon::area).sum()
+    }
+
+    /// Whether any piece contains the point.
+    pub fn contains(&self, point: Point2) -> bool {
+        self.polygons.iter().any(|polygon| polygon.contains(point))
+    }
+
+    /// Distance from the point to the nearest boundary [m]; infinite for an empty region.
+    pub fn boundary_distance(&self, point: Point2) -> f64 {
+        self.edges()
+            .map(|edge| edge.distance(point))
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    /// Smallest axis-aligned box round all pieces; `None` for an empty region.
+    pub fn bounds(&self) -> Option<Bounds2> {
+        Bounds2::of(self.polygons.iter().flat_map(|p| p.outer().iter().copied()))
+    }
+}
+
+/// An axis-aligned box in the plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds2 {
+    /// Smallest x and y [m].
+    pub min: Point2,
+    /// Largest x and y [m].
+    pub max: Point2,
+}
+
+impl Bounds2 {
+    /// The box round the points; `None` if there are none.
+    pub fn of(points: impl IntoIterator<Item = Point2>) -> Option<Self> {
+        points.into_iter().fold(None, |bounds, p| {
+            Some(match bounds {
+                None => Self { min: p, max: p },
+                Some(b) => Self {
+                    min: b.min.inf(&p),
+                    max: b.max.sup(&p),
+                },
+            })
+        })
+    }
+
+    /// Extent along x and y [m].
+    pub fn size(&self) -> Vector2 {
+        self.max - self.min
+    }
+
+    /// The middle of the box [m].
+    pub fn center(&self) -> Point2 {
+        nalgebra::center(&self.min, &self.max)
+    }
+}
+
+/// Shoelace area of a ring: positive when it runs counter-clockwise [m²].
+fn signed_area(ring: &[Point2]) -> f64 {
+    let Some(&origin) = ring.first() else {
+        return 0.0;
+    };
+    ring.windows(2)
+        .map(|pair| (pair[0] - origin).perp(&(pair[1] - origin)))
+        .sum::<f64>()
+        / 2.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square_with_hole() -> Polygon {
+        let hole = Polygon::rectangle(Vector2::new(1.0, 1.0)).outer().to_vec();
+        let outer = Polygon::rectangle(Vector2::new(2.0, 2.0)).outer().to_vec();
+        Polygon::new(outer.into_iter().rev().collect(), vec![hole])
+    }
+
+    #[test]
+    fn a_hole_is_taken_from_the_area_and_not_contained() {
+        let polygon = square_with_hole();
+        assert!((polygon.area() - 3.0).abs() < 1e-12);
+        assert!(!polygon.contains(Point2::origin()));
+        assert!(polygon.contains(Point2::new(0.75, 0.0)));
+        assert!(!polygon.contains(Point2::new(1.25, 0.0)));
+    }
+
+    #[test]
+    fn the_interior_lies_left_of_every_edge() {
+        let polygon = square_with_hole();
+        for edge in polygon.edges() {
+            let along = edge.end - edge.start;
+            let left = Vector2::new(-along.y, along.x).normalize() * 1e-6;
+            assert!(polygon.contains(nalgebra::center(&edge.start, &edge.end) + left));
+        }
+    }
+}

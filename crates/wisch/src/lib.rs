@@ -1,0 +1,17 @@
+//! wisch lets a robot understand wiping: dirt as particles, tools as what they do to them.
+//!
+//! The data walks one way, and every stage imports only the stages before it:
+//!
+//! ```text
+//! geometry → represent → plan
+//! ```
+//!
+//! Nothing here reads a clock, a file or the network. Files reach the library as bytes through
+//! `represent::Assets`; randomness comes in as a seed.
+//!
+//! Method: Leidner, Bartels, Bejjani, Albu-Schäffer, Beetz, *Cognition-enabled robotic wiping*,
+//! Robotics and Autonomous Systems 114 (2019). `PAPER.md` maps its sections and equations to items.
+//!
+//! Units are SI and radians; frames are named in the identifiers (`surface_from_tool`).
+
+pub mod geometry;
