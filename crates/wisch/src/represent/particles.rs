@@ -1,0 +1,150 @@
+//! The particle distribution (1): dirt as points on the surface, and what became of each.
+
+use crate::geometry::Point2;
+
+/// Most particles a distribution may hold.
+pub const MAX_PARTICLES: usize = 20_000_000;
+
+/// What became of a particle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Fate {
+    /// It still lies on the surface.
+    #[default]
+    OnSurface,
+    /// A tool took it up.
+    Absorbed,
+    /// It was pushed over an edge of the surface's outline.
+    OffSurface {
+        /// Index of that edge, see [`crate::geometry::Polygon::edges`].
+        edge: u16,
+    },
+}
+
+/// Why particles were refused.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ParticleError {
+    /// A coordinate is NaN or infinite.
+    #[error("particle {index}: position ({x}, {y}) m is not finite")]
+    NotFinite {
+        /// Index of the particle.
+        index: usize,
+        /// Its x [m].
+        x: f64,
+        /// Its y [m].
+        y: f64,
+    },
+    /// More particles than [`MAX_PARTICLES`].
+    #[error("{count} particles exceed the limit of {MAX_PARTICLES}")]
+    TooMany {
+        /// How many were given.
+        count: usize,
+    },
+}
+
+/// N points (x, y) in the surface frame [m] and their fates; paper (1).
+///
+/// The three fates always add up to the initial number: [`ParticleTally::initial`] is constant.
+///
+/// ```
+/// use wisch::{geometry::Point2, represent::ParticleDistribution};
+/// let crumbs = ParticleDistribution::new(&[Point2::new(0.1, 0.0), Point2::new(0.0, 0.1)])?;
+/// assert_eq!(crumbs.tally().remaining, 2);
+/// # Ok::<(), wisch::represent::ParticleError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ParticleDistribution {
+    pub(super) x: Vec<f64>,
+    pub(super) y: Vec<f64>,
+    pub(super) fate: Vec<Fate>,
+}
+
+/// How many particles met which fate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct ParticleTally {
+    /// Particles there were at the beginning.
+    pub initial: usize,
+    /// Particles that still lie on the surface.
+    pub remaining: usize,
+    /// Particles that a tool took up.
+    pub absorbed: usize,
+    /// Particles that left the surface over any edge.
+    pub off_surface: usize,
+}
+
+impl ParticleDistribution {
+    /// Particles lying on the surface at the given points [m].
+    ///
+    /// # Errors
+    /// A point that is not finite, or more than [`MAX_PARTICLES`] points.
+    pub fn new(points: &[Point2]) -> Result<Self, ParticleError> {
+        if points.len() > MAX_PARTICLES {
+            return Err(ParticleError::TooMany {
+                count: points.len(),
+            });
+        }
+        if let Some((index, p)) = points
+            .iter()
+            .enumerate()
+            .find(|(_, p)| !(p.x.is_finite() && p.y.is_finite()))
+        {
+            return Err(ParticleError::NotFinite {
+                index,
+                x: p.x,
+                y: p.y,
+            });
+        }
+        Ok(Self {
+            x: points.iter().map(|p| p.x).collect(),
+            y: points.iter().map(|p| p.y).collect(),
+            fate: vec![Fate::OnSurface; points.len()],
+        })
+    }
+
+    /// Number of particles, whatever their fate.
+    pub fn len(&self) -> usize {
+        self.fate.len()
+    }
+
+    /// Whether there are no particles at all.
+    pub fn is_empty(&self) -> bool {
+        self.fate.is_empty()
+    }
+
+    /// Position of particle `index` in the surface frame [m]; for one that is gone, where it went.
+    pub fn position(&self, index: usize) -> Point2 {
+        Point2::new(self.x[index], self.y[index])
+    }
+
+    /// Fate of particle `index`.
+    pub fn fate(&self, index: usize) -> Fate {
+        self.fate[index]
+    }
+
+    /// All particles in order: position [m] and fate.
+    pub fn iter(&self) -> impl Iterator<Item = (Point2, Fate)> + '_ {
+        (0..self.len()).map(|i| (self.position(i), self.fate[i]))
+    }
+
+    /// Positions of the particles that still lie on the surface [m].
+    pub fn remaining(&self) -> impl Iterator<Item = Point2> + '_ {
+        self.iter()
+            .filter(|(_, fate)| *fate == Fate::OnSurface)
+            .map(|(position, _)| position)
+    }
+
+    /// Counts the fates.
+    pub fn tally(&self) -> ParticleTally {
+        let mut tally = ParticleTally {
+            initial: self.len(),
+            ..ParticleTally::default()
+        };
+        for fate in &self.fate {
+            match fate {
+                Fate::OnSurface => tally.remaining += 1,
+                Fate::Absorbed => tally.absorbed += 1,
+                Fate::OffSurface { .. } => tally.off_surface += 1,
+            }
+        }
+        tally
+    }
+}

@@ -1,0 +1,304 @@
+//! The effect model against closed forms, and the laws that hold for any stroke.
+
+use proptest::prelude::*;
+use std::f64::consts::{FRAC_PI_2, PI};
+use wisch::geometry::{PlanarPose, Point2, Polygon, Pose, Region, Vector2};
+use wisch::represent::{
+    EffectModel, Fate, Interaction, ParticleDistribution, ParticleField, Surface, ToolMotion,
+};
+
+/// How far two computations of the same motion may lie apart [m].
+const SAME: f64 = 1e-4;
+
+fn sponge() -> Region {
+    Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))])
+}
+
+/// Two tufts side by side and a ring: separate pieces and a hole.
+fn brush() -> Region {
+    let moved = |size: f64, x: f64, y: f64| -> Vec<Point2> {
+        Polygon::rectangle(Vector2::new(size, size))
+            .outer()
+            .iter()
+            .map(|p| p + Vector2::new(x, y))
+            .collect()
+    };
+    Region::new(vec![
+        Polygon::new(moved(0.02, 0.0, 0.04), vec![]),
+        Polygon::new(moved(0.02, 0.01, -0.04), vec![]),
+        Polygon::new(moved(0.04, -0.01, 0.0), vec![moved(0.02, -0.01, 0.0)]),
+    ])
+}
+
+fn board(half: f64) -> Surface {
+    Surface {
+        name: "board".into(),
+        outline: Polygon::rectangle(Vector2::new(2.0 * half, 2.0 * half)),
+        world_from_surface: Pose::identity(),
+        skim_edges: vec![0],
+    }
+}
+
+fn pose(x: f64, y: f64, heading: f64) -> PlanarPose {
+    PlanarPose::new(Point2::new(x, y), heading)
+}
+
+fn wiped(
+    footprint: &Region,
+    interaction: Interaction,
+    points: &[Point2],
+    motions: &[ToolMotion],
+) -> ParticleDistribution {
+    let surface = board(1.0);
+    let mut field = ParticleField::new(&ParticleDistribution::new(points).unwrap());
+    let mut model = EffectModel::new(footprint, interaction);
+    for motion in motions {
+        model.apply(&mut field, &surface, motion);
+    }
+    field.distribution()
+}
+
+/// The same motion in `pieces` equal parts.
+fn split(motion: ToolMotion, pieces: usize) -> Vec<ToolMotion> {
+    let at = |i: usize| {
+        let t = i as f64 / pieces as f64;
+        PlanarPose::new(
+            motion.from.position + (motion.to.position - motion.from.position) * t,
+            motion.from.heading + (motion.to.heading - motion.from.heading) * t,
+        )
+    };
+    (0..pieces)
+        .map(|i| ToolMotion {
+            from: at(i),
+            to: at(i + 1),
+        })
+        .collect()
+}
+
+#[test]
+fn a_push_carries_what_it_meets_to_its_leading_edge() {
+    let points = [
+        Point2::new(0.1, 0.0),    // ahead: met
+        Point2::new(0.0, 0.02),   // under the sponge when it comes down: carried
+        Point2::new(-0.04, 0.0),  // behind: stays
+        Point2::new(0.1, 0.056),  // beside: stays
+        Point2::new(0.336, 0.0),  // ahead, out of reach: stays
+        Point2::new(0.334, 0.05), // ahead, just in reach
+    ];
+    let motion = ToolMotion {
+        from: pose(0.0, 0.0, 0.0),
+        to: pose(0.3, 0.0, 0.0),
+    };
+    let after = wiped(&sponge(), Interaction::Push, &points, &[motion]);
+    for (i, x) in [0.335, 0.335, -0.04, 0.1, 0.336, 0.335]
+        .into_iter()
+        .enumerate()
+    {
+        assert!((after.position(i).x - x).abs() < 1e-8, "particle {i}");
+        assert_eq!(after.position(i).y, points[i].y);
+    }
+}
+
+#[test]
+fn a_particle_in_a_hole_rides_on_the_edge_behind_it() {
+    // The ring spans x −0.03..0.01 with a hole at −0.02..0.00.
+    let points = [Point2::new(-0.01, 0.0)];
+    let motion = ToolMotion {
+        from: pose(0.0, 0.0, 0.0),
+        to: pose(0.1, 0.0, 0.0),
+    };
+    let after = wiped(&brush(), Interaction::Push, &points, &[motion]);
+    assert!((after.position(0).x - 0.08).abs() < 1e-8);
+}
+
+#[test]
+fn what_is_left_behind_stays_when_the_tool_turns_back() {
+    let points = [Point2::new(0.1, 0.0)];
+    let there = ToolMotion {
+        from: pose(0.0, 0.0, 0.0),
+        to: pose(0.2, 0.0, 0.0),
+    };
+    let back = ToolMotion {
+        from: there.to,
+        to: there.from,
+    };
+    let after = wiped(&sponge(), Interaction::Push, &points, &[there, back]);
+    assert!((after.position(0).x - 0.235).abs() < 1e-8);
+}
+
+#[test]
+fn a_blade_turning_on_the_spot_carries_particles_round() {
+    let blade = Region::new(vec![Polygon::rectangle(Vector2::new(0.002, 0.2))]);
+    let radius = 0.08;
+    let points = [Point2::new(radius * 0.3f64.cos(), radius * 0.3f64.sin())];
+    // The blade stands along y; its right half (toward −y) sweeps towards +x.
+    let motion = ToolMotion {
+        from: pose(0.0, 0.0, 0.0),
+        to: pose(0.0, 0.0, FRAC_PI_2 + 1.0),
+    };
+    let after = wiped(&blade, Interaction::Push, &points, &[motion]);
+    // It rides on the blade's face at its radius; the blade's arm then points to 1 rad.
+    let at = after.position(0);
+    assert!((at.coords.norm() - radius).abs() < 1e-8);
+    let face_ahead = (0.001 / radius).asin();
+    assert!((at.y.atan2(at.x) - (1.0 + face_ahead)).abs() < 1e-6);
+}
+
+#[test]
+fn absorbing_deletes_what_lies_under_the_swept_area() {
+    let points: Vec<Point2> = (0..40)
+        .flat_map(|i| {
+            (0..40).map(move |j| Point2::new(i as f64 * 0.01 - 0.2, j as f64 * 0.01 - 0.2))
+        })
+        .collect();
+    let motion = ToolMotion {
+        from: pose(-0.051, 0.0, 0.0),
+        to: pose(0.103, 0.0, 0.0),
+    };
+    let after = wiped(&sponge(), Interaction::Absorb, &points, &[motion]);
+    for (i, p) in points.iter().enumerate() {
+        let under = p.x > -0.086 && p.x < 0.138 && p.y.abs() < 0.055;
+        assert_eq!(after.fate(i) == Fate::Absorbed, under, "{p}");
+    }
+}
+
+#[test]
+fn particles_leave_over_the_edge_that_their_way_crosses() {
+    let surface = board(0.2);
+    let points = [Point2::new(0.0, 0.0)];
+    let mut field = ParticleField::new(&ParticleDistribution::new(&points).unwrap());
+    let down = ToolMotion {
+        from: pose(0.0, 0.05, -FRAC_PI_2),
+        to: pose(0.0, -0.2, -FRAC_PI_2),
+    };
+    let effect = EffectModel::new(&sponge(), Interaction::Push).apply(&mut field, &surface, &down);
+    assert_eq!(effect.off_surface, 1);
+    assert_eq!(field.distribution().fate(0), Fate::OffSurface { edge: 0 });
+}
+
+#[test]
+fn the_effect_does_not_depend_on_the_order_of_the_particles() {
+    let points: Vec<Point2> = (0..300)
+        .map(|i| {
+            let a = i as f64 * 2.399_963;
+            Point2::new(a.cos(), a.sin()) * (0.3 * (i as f64 / 300.0).sqrt())
+        })
+        .collect();
+    let motions = [
+        ToolMotion {
+            from: pose(-0.2, 0.0, 0.0),
+            to: pose(0.1, 0.05, 0.8),
+        },
+        ToolMotion {
+            from: pose(0.1, 0.05, 0.8),
+            to: pose(0.0, 0.2, 2.0),
+        },
+    ];
+    let forward = wiped(&brush(), Interaction::Push, &points, &motions);
+    let reversed: Vec<Point2> = points.iter().rev().copied().collect();
+    let backward = wiped(&brush(), Interaction::Push, &reversed, &motions);
+    for i in 0..points.len() {
+        assert_eq!(forward.position(i), backward.position(points.len() - 1 - i));
+    }
+}
+
+fn any_motion() -> impl Strategy<Value = ToolMotion> {
+    (
+        -0.2..0.2f64,
+        -0.2..0.2f64,
+        -PI..PI,
+        -0.3..0.3f64,
+        -0.3..0.3f64,
+        prop_oneof![Just(0.0), -3.0..3.0f64],
+    )
+        .prop_map(|(x, y, heading, dx, dy, turn)| ToolMotion {
+            from: pose(x, y, heading),
+            to: pose(x + dx, y + dy, heading + turn),
+        })
+}
+
+fn any_points() -> impl Strategy<Value = Vec<Point2>> {
+    prop::collection::vec(
+        (-0.5..0.5f64, -0.5..0.5f64).prop_map(|(x, y)| Point2::new(x, y)),
+        0..150,
+    )
+}
+
+fn any_tool() -> impl Strategy<Value = Region> {
+    prop_oneof![Just(sponge()), Just(brush())]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    #[test]
+    fn particles_are_conserved(points in any_points(), motions in prop::collection::vec(any_motion(), 1..6), tool in any_tool(), absorb: bool) {
+        let interaction = if absorb { Interaction::Absorb } else { Interaction::Push };
+        let surface = board(0.25);
+        let points: Vec<Point2> = points.into_iter().map(|p| p * 0.5).collect();
+        let mut field = ParticleField::new(&ParticleDistribution::new(&points).unwrap());
+        let mut model = EffectModel::new(&tool, interaction);
+        for motion in &motions {
+            model.apply(&mut field, &surface, motion);
+            let after = field.distribution();
+            let tally = after.tally();
+            prop_assert_eq!(tally.initial, points.len());
+            prop_assert_eq!(tally.initial, tally.remaining + tally.absorbed + tally.off_surface);
+            prop_assert_eq!(tally.remaining, field.remaining());
+            for (p, fate) in after.iter() {
+                let inside = p.x.abs() <= 0.25 && p.y.abs() <= 0.25;
+                prop_assert!(inside || fate != Fate::OnSurface, "{p} {fate:?}");
+            }
+        }
+    }
+
+    /// Halving a motion, and halving it again, changes nothing: there is no step size.
+    #[test]
+    fn splitting_a_motion_changes_nothing(points in any_points(), motion in any_motion(), tool in any_tool()) {
+        let whole = wiped(&tool, Interaction::Push, &points, &[motion]);
+        for pieces in [2, 4, 32] {
+            let parts = wiped(&tool, Interaction::Push, &points, &split(motion, pieces));
+            for i in 0..points.len() {
+                let apart = (whole.position(i) - parts.position(i)).norm();
+                prop_assert!(apart < SAME, "particle {i} {}: {} vs {} in {pieces} pieces", points[i], whole.position(i), parts.position(i));
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_pushed_stays_under_the_tool(points in any_points(), motion in any_motion(), tool in any_tool()) {
+        prop_assume!((motion.to.position - motion.from.position).norm() > 1e-3);
+        let after = wiped(&tool, Interaction::Push, &points, &[motion]);
+        for (p, _) in after.iter() {
+            let in_tool = motion.to.inverse_transform(p);
+            prop_assert!(!tool.contains(in_tool) || tool.boundary_distance(in_tool) < 1e-9, "{p}");
+        }
+    }
+
+    /// A turn too slight to matter is a translation.
+    #[test]
+    fn the_two_computations_agree_where_they_meet(points in any_points(), motion in any_motion()) {
+        prop_assume!((motion.to.position - motion.from.position).norm() > 1e-3);
+        let straight = ToolMotion { to: PlanarPose { heading: motion.from.heading, ..motion.to }, ..motion };
+        let slight = ToolMotion { to: PlanarPose { heading: motion.from.heading + 1e-7, ..motion.to }, ..motion };
+        let a = wiped(&sponge(), Interaction::Push, &points, &[straight]);
+        let b = wiped(&sponge(), Interaction::Push, &points, &[slight]);
+        for i in 0..points.len() {
+            prop_assert!((a.position(i) - b.position(i)).norm() < SAME, "{} vs {}", a.position(i), b.position(i));
+        }
+    }
+
+    #[test]
+    fn the_effect_moves_with_the_frame(points in any_points(), motion in any_motion(), shift in (-0.1..0.1f64, -0.1..0.1f64), angle in -PI..PI) {
+        let frame = pose(shift.0, shift.1, angle);
+        let moved = |p: PlanarPose| PlanarPose::new(frame.transform(p.position), p.heading + angle);
+        let there: Vec<Point2> = points.iter().map(|p| frame.transform(*p)).collect();
+        let a = wiped(&brush(), Interaction::Push, &points, &[motion]);
+        let b = wiped(&brush(), Interaction::Push, &there, &[ToolMotion { from: moved(motion.from), to: moved(motion.to) }]);
+        for i in 0..points.len() {
+            if a.fate(i) == Fate::OnSurface && b.fate(i) == Fate::OnSurface {
+                prop_assert!((frame.transform(a.position(i)) - b.position(i)).norm() < SAME);
+            }
+        }
+    }
+}
