@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 use wisch::geometry::{PlanarPose, Point2, Polygon, Pose, Region, Vector2};
 use wisch::represent::{
-    EffectModel, Fate, Interaction, ParticleDistribution, ParticleField, Surface, ToolMotion,
+    EffectModel, Fate, Effect, ParticleDistribution, ParticleField, Surface, ToolMotion,
 };
 
 /// How far two computations of the same motion may lie apart [m].
@@ -45,7 +45,7 @@ fn pose(x: f64, y: f64, heading: f64) -> PlanarPose {
 
 fn wiped(
     footprint: &Region,
-    interaction: Interaction,
+    interaction: Effect,
     points: &[Point2],
     motions: &[ToolMotion],
 ) -> ParticleDistribution {
@@ -89,7 +89,7 @@ fn a_push_carries_what_it_meets_to_its_leading_edge() {
         from: pose(0.0, 0.0, 0.0),
         to: pose(0.3, 0.0, 0.0),
     };
-    let after = wiped(&sponge(), Interaction::Push, &points, &[motion]);
+    let after = wiped(&sponge(), Effect::Push, &points, &[motion]);
     for (i, x) in [0.335, 0.335, -0.04, 0.1, 0.336, 0.335]
         .into_iter()
         .enumerate()
@@ -107,7 +107,7 @@ fn a_particle_in_a_hole_rides_on_the_edge_behind_it() {
         from: pose(0.0, 0.0, 0.0),
         to: pose(0.1, 0.0, 0.0),
     };
-    let after = wiped(&brush(), Interaction::Push, &points, &[motion]);
+    let after = wiped(&brush(), Effect::Push, &points, &[motion]);
     assert!((after.position(0).x - 0.08).abs() < 1e-8);
 }
 
@@ -122,7 +122,7 @@ fn what_is_left_behind_stays_when_the_tool_turns_back() {
         from: there.to,
         to: there.from,
     };
-    let after = wiped(&sponge(), Interaction::Push, &points, &[there, back]);
+    let after = wiped(&sponge(), Effect::Push, &points, &[there, back]);
     assert!((after.position(0).x - 0.235).abs() < 1e-8);
 }
 
@@ -136,7 +136,7 @@ fn a_blade_turning_on_the_spot_carries_particles_round() {
         from: pose(0.0, 0.0, 0.0),
         to: pose(0.0, 0.0, FRAC_PI_2 + 1.0),
     };
-    let after = wiped(&blade, Interaction::Push, &points, &[motion]);
+    let after = wiped(&blade, Effect::Push, &points, &[motion]);
     // It rides on the blade's face at its radius; the blade's arm then points to 1 rad.
     let at = after.position(0);
     assert!((at.coords.norm() - radius).abs() < 1e-8);
@@ -155,7 +155,7 @@ fn absorbing_deletes_what_lies_under_the_swept_area() {
         from: pose(-0.051, 0.0, 0.0),
         to: pose(0.103, 0.0, 0.0),
     };
-    let after = wiped(&sponge(), Interaction::Absorb, &points, &[motion]);
+    let after = wiped(&sponge(), Effect::Absorb, &points, &[motion]);
     for (i, p) in points.iter().enumerate() {
         let under = p.x > -0.086 && p.x < 0.138 && p.y.abs() < 0.055;
         assert_eq!(after.fate(i) == Fate::Absorbed, under, "{p}");
@@ -171,7 +171,7 @@ fn particles_leave_over_the_edge_that_their_way_crosses() {
         from: pose(0.0, 0.05, -FRAC_PI_2),
         to: pose(0.0, -0.2, -FRAC_PI_2),
     };
-    let effect = EffectModel::new(&sponge(), Interaction::Push).apply(&mut field, &surface, &down);
+    let effect = EffectModel::new(&sponge(), Effect::Push).apply(&mut field, &surface, &down);
     assert_eq!(effect.off_surface, 1);
     assert_eq!(field.distribution().fate(0), Fate::OffSurface { edge: 0 });
 }
@@ -194,9 +194,9 @@ fn the_effect_does_not_depend_on_the_order_of_the_particles() {
             to: pose(0.0, 0.2, 2.0),
         },
     ];
-    let forward = wiped(&brush(), Interaction::Push, &points, &motions);
+    let forward = wiped(&brush(), Effect::Push, &points, &motions);
     let reversed: Vec<Point2> = points.iter().rev().copied().collect();
-    let backward = wiped(&brush(), Interaction::Push, &reversed, &motions);
+    let backward = wiped(&brush(), Effect::Push, &reversed, &motions);
     for i in 0..points.len() {
         assert_eq!(forward.position(i), backward.position(points.len() - 1 - i));
     }
@@ -233,7 +233,7 @@ proptest! {
 
     #[test]
     fn particles_are_conserved(points in any_points(), motions in prop::collection::vec(any_motion(), 1..6), tool in any_tool(), absorb: bool) {
-        let interaction = if absorb { Interaction::Absorb } else { Interaction::Push };
+        let interaction = if absorb { Effect::Absorb } else { Effect::Push };
         let surface = board(0.25);
         let points: Vec<Point2> = points.into_iter().map(|p| p * 0.5).collect();
         let mut field = ParticleField::new(&ParticleDistribution::new(&points).unwrap());
@@ -255,9 +255,9 @@ proptest! {
     /// Halving a motion, and halving it again, changes nothing: there is no step size.
     #[test]
     fn splitting_a_motion_changes_nothing(points in any_points(), motion in any_motion(), tool in any_tool()) {
-        let whole = wiped(&tool, Interaction::Push, &points, &[motion]);
+        let whole = wiped(&tool, Effect::Push, &points, &[motion]);
         for pieces in [2, 4, 32] {
-            let parts = wiped(&tool, Interaction::Push, &points, &split(motion, pieces));
+            let parts = wiped(&tool, Effect::Push, &points, &split(motion, pieces));
             for i in 0..points.len() {
                 let apart = (whole.position(i) - parts.position(i)).norm();
                 prop_assert!(apart < SAME, "particle {i} {}: {} vs {} in {pieces} pieces", points[i], whole.position(i), parts.position(i));
@@ -268,7 +268,7 @@ proptest! {
     #[test]
     fn nothing_pushed_stays_under_the_tool(points in any_points(), motion in any_motion(), tool in any_tool()) {
         prop_assume!((motion.to.position - motion.from.position).norm() > 1e-3);
-        let after = wiped(&tool, Interaction::Push, &points, &[motion]);
+        let after = wiped(&tool, Effect::Push, &points, &[motion]);
         for (p, _) in after.iter() {
             let in_tool = motion.to.inverse_transform(p);
             prop_assert!(!tool.contains(in_tool) || tool.boundary_distance(in_tool) < 1e-9, "{p}");
@@ -281,8 +281,8 @@ proptest! {
         prop_assume!((motion.to.position - motion.from.position).norm() > 1e-3);
         let straight = ToolMotion { to: PlanarPose { heading: motion.from.heading, ..motion.to }, ..motion };
         let slight = ToolMotion { to: PlanarPose { heading: motion.from.heading + 1e-7, ..motion.to }, ..motion };
-        let a = wiped(&sponge(), Interaction::Push, &points, &[straight]);
-        let b = wiped(&sponge(), Interaction::Push, &points, &[slight]);
+        let a = wiped(&sponge(), Effect::Push, &points, &[straight]);
+        let b = wiped(&sponge(), Effect::Push, &points, &[slight]);
         for i in 0..points.len() {
             prop_assert!((a.position(i) - b.position(i)).norm() < SAME, "{} vs {}", a.position(i), b.position(i));
         }
@@ -293,8 +293,8 @@ proptest! {
         let frame = pose(shift.0, shift.1, angle);
         let moved = |p: PlanarPose| PlanarPose::new(frame.transform(p.position), p.heading + angle);
         let there: Vec<Point2> = points.iter().map(|p| frame.transform(*p)).collect();
-        let a = wiped(&brush(), Interaction::Push, &points, &[motion]);
-        let b = wiped(&brush(), Interaction::Push, &there, &[ToolMotion { from: moved(motion.from), to: moved(motion.to) }]);
+        let a = wiped(&brush(), Effect::Push, &points, &[motion]);
+        let b = wiped(&brush(), Effect::Push, &there, &[ToolMotion { from: moved(motion.from), to: moved(motion.to) }]);
         for i in 0..points.len() {
             if a.fate(i) == Fate::OnSurface && b.fate(i) == Fate::OnSurface {
                 prop_assert!((frame.transform(a.position(i)) - b.position(i)).norm() < SAME);

@@ -21,7 +21,7 @@ pub(super) const CLEARANCE: f64 = 1e-9;
 
 /// What contact with the tool does to the medium.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Interaction {
+pub enum Effect {
     /// The tool takes the particle up.
     Absorb,
     /// The tool pushes the particle along.
@@ -71,7 +71,7 @@ pub struct MotionEffect {
 ///     from: PlanarPose::new(Point2::new(0.0, 0.0), 0.0),
 ///     to: PlanarPose::new(Point2::new(0.1, 0.0), 0.0),
 /// };
-/// let effect = EffectModel::new(&sponge, Interaction::Push).apply(&mut field, &board, &stroke);
+/// let effect = EffectModel::new(&sponge, Effect::Push).apply(&mut field, &board, &stroke);
 /// assert_eq!(effect.pushed, 1);
 /// // It rides on the leading edge, half the sponge's depth ahead of the tool centre point.
 /// assert!((field.distribution().position(0).x - 0.135).abs() < 1e-8);
@@ -79,7 +79,7 @@ pub struct MotionEffect {
 /// ```
 #[derive(Debug, Clone)]
 pub struct EffectModel {
-    interaction: Interaction,
+    kind: Effect,
     edges: Vec<Edge>,
     /// Largest distance of the footprint from the tool centre point [m].
     reach: f64,
@@ -88,15 +88,15 @@ pub struct EffectModel {
 }
 
 impl EffectModel {
-    /// The effect of a tool with this footprint (tool frame) on a medium with this interaction.
-    pub fn new(footprint: &Region, interaction: Interaction) -> Self {
+    /// The effect of a tool with this footprint (tool frame) on a medium with this effect.
+    pub fn new(footprint: &Region, kind: Effect) -> Self {
         let edges: Vec<Edge> = footprint.edges().collect();
         let reach = edges
             .iter()
             .map(|edge| edge.start.coords.norm())
             .fold(0.0, f64::max);
         Self {
-            interaction,
+            kind,
             chords: ChordTable::for_edges(edges.len()),
             edges,
             reach,
@@ -149,20 +149,20 @@ impl EffectModel {
             let relative = position - motion.from.position;
             let (ahead, lateral) = (relative.dot(&along), relative.dot(&side));
             let chords = self.chords.at(lateral);
-            match self.interaction {
-                Interaction::Absorb => {
+            match self.kind {
+                Effect::Absorb => {
                     if chords.covers(ahead, length) {
                         field.remove(slot, position, Fate::Absorbed);
                         effect.absorbed += 1;
                     }
                 }
-                Interaction::Push if length > 0.0 => {
+                Effect::Push if length > 0.0 => {
                     if let Some(carried) = chords.carried(ahead, length) {
                         let to = position + along * (carried - ahead);
                         settle(field, surface, slot, &[position, to], &mut effect);
                     }
                 }
-                Interaction::Push => {}
+                Effect::Push => {}
             }
         }
         effect
@@ -196,14 +196,14 @@ impl EffectModel {
             if corridor.distance(position) > self.reach {
                 continue;
             }
-            match self.interaction {
-                Interaction::Absorb => {
+            match self.kind {
+                Effect::Absorb => {
                     if turning.touches(position) {
                         field.remove(slot, position, Fate::Absorbed);
                         effect.absorbed += 1;
                     }
                 }
-                Interaction::Push => {
+                Effect::Push => {
                     if let Ride::Carried { path } = turning.ride(position) {
                         settle(field, surface, slot, path.points(), &mut effect);
                     }

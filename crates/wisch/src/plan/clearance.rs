@@ -1,0 +1,157 @@
+//! The collision sphere: where a tool's sweep stays clear of the scene; paper §3.2, Fig. 3.
+//!
+//! Only geometry above the surface counts: what lies below its plane supports the surface (the table
+//! under a chopping board) and cannot touch a tool that stands on it.
+
+use super::PlanError;
+use crate::geometry::{Edge, Mesh, Point2, Point3};
+use crate::represent::Surface;
+use parry3d_f64::math::Vector;
+use parry3d_f64::query::PointQuery;
+use parry3d_f64::shape::TriMesh;
+
+/// Geometry closer to the surface's plane than this counts as part of it [m].
+const SKIN: f64 = 1e-4;
+/// Shortest step of the march along an edge [m]: an intrusion thinner than this may be missed.
+const MARCH_STEP: f64 = 1e-3;
+
+/// The target surface and the scene above it, in the surface frame.
+#[derive(Clone)]
+pub struct FreeSpace {
+    surface: Surface,
+    radius: f64,
+    geometry: Option<TriMesh>,
+    /// Per object, the outline of its solid in the plane of the surface (unordered edges).
+    sections: Vec<Vec<Edge>>,
+}
+
+impl FreeSpace {
+    /// Prepares the scene for a collision sphere of `radius` r_s [m].
+    ///
+    /// `scene`: meshes in the surface frame, without robot, tool and target surface.
+    ///
+    /// # Errors
+    /// [`PlanError::Scene`] if the collision library refuses the geometry.
+    pub fn new<'a>(
+        surface: &Surface,
+        scene: impl IntoIterator<Item = &'a Mesh>,
+        radius: f64,
+    ) -> Result<Self, PlanError> {
+        let mut corners: Vec<Vector> = Vec::new();
+        let mut sections = Vec::new();
+        for mesh in scene {
+            for triangle in mesh.clipped_above(SKIN) {
+                corners.extend(triangle.map(|p| Vector::new(p.x, p.y, p.z)));
+            }
+            sections.push(section(mesh));
+        }
+        let triangles = (0..corners.len() as u32 / 3)
+            .map(|i| [3 * i, 3 * i + 1, 3 * i + 2])
+            .collect::<Vec<_>>();
+        let geometry = if triangles.is_empty() {
+            None
+        } else {
+            Some(
+                TriMesh::new(corners, triangles)
+                    .map_err(|error| PlanError::Scene(error.to_string()))?,
+            )
+        };
+        Ok(Self {
+            surface: surface.clone(),
+            radius,
+            geometry,
+            sections,
+        })
+    }
+
+    /// The collision sphere's radius r_s [m].
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// The target surface.
+    pub fn surface(&self) -> &Surface {
+        &self.surface
+    }
+
+    /// Distance from a point of the surface's plane to the scene above it [m]; 0 inside an object.
+    pub fn distance(&self, point: Point2) -> f64 {
+        if self.is_occupied(point) {
+            return 0.0;
+        }
+        self.geometry.as_ref().map_or(f64::INFINITY, |geometry| {
+            geometry
+                .distance_to_local_point(Vector::new(point.x, point.y, 0.0), false)
+                .abs()
+        })
+    }
+
+    /// Whether an object of the scene stands on this point.
+    pub fn is_occupied(&self, point: Point2) -> bool {
+        self.sections.iter().any(|edges| {
+            edges
+                .iter()
+                .filter(|e| (e.start.y > point.y) != (e.end.y > point.y))
+                .filter(|e| {
+                    let share = (point.y - e.start.y) / (e.end.y - e.start.y);
+                    point.x < e.start.x + share * (e.end.x - e.start.x)
+                })
+                .count()
+                % 2
+                == 1
+        })
+    }
+
+    /// Whether the collision sphere at this point of the plane touches nothing.
+    pub fn is_clear(&self, point: Point2) -> bool {
+        self.distance(point) >= self.radius
+    }
+
+    /// Whether a node may stand here: on the surface, its sphere touching nothing.
+    pub fn is_free(&self, point: Point2) -> bool {
+        self.surface.outline.contains(point) && self.is_clear(point)
+    }
+
+    /// Whether the collision sphere can be moved straight from `a` to `b`.
+    ///
+    /// Marches by the distance to the scene: a step as long as the free space ahead is safe.
+    pub fn is_clear_between(&self, a: Point2, b: Point2) -> bool {
+        if self.geometry.is_none() {
+            return true;
+        }
+        let length = (b - a).norm();
+        let mut at = 0.0;
+        loop {
+            let point = a + (b - a) * if length > 0.0 { at / length } else { 0.0 };
+            let margin = self.distance(point) - self.radius;
+            if margin < 0.0 {
+                return false;
+            }
+            if at >= length {
+                return true;
+            }
+            at = (at + margin.max(MARCH_STEP)).min(length);
+        }
+    }
+}
+
+/// Where a mesh cuts the plane just above the surface.
+fn section(mesh: &Mesh) -> Vec<Edge> {
+    let cut = |a: Point3, b: Point3| {
+        ((a.z > SKIN) != (b.z > SKIN)).then(|| {
+            let share = (SKIN - a.z) / (b.z - a.z);
+            Point2::new(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y))
+        })
+    };
+    mesh.corners()
+        .filter_map(|[a, b, c]| {
+            let mut cuts = [(a, b), (b, c), (c, a)]
+                .into_iter()
+                .filter_map(|(p, q)| cut(p, q));
+            Some(Edge {
+                start: cuts.next()?,
+                end: cuts.next()?,
+            })
+        })
+        .collect()
+}

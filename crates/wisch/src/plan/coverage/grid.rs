@@ -1,0 +1,29 @@
+//! The discretised grid: uninformed, as long as the surface is wide.
+
+use crate::geometry::{Bounds2, Point2};
+use crate::plan::FreeSpace;
+
+/// Centres of square cells of pitch r_s that are free.
+///
+/// ⌊length / r_s⌋ cells per side of the outline's bounding box, centred on it (at least one), row by
+/// row along x.
+pub fn grid(space: &FreeSpace) -> Vec<Point2> {
+    let Some(bounds) = Bounds2::of(space.surface().outline.outer().iter().copied()) else {
+        return Vec::new();
+    };
+    let pitch = space.radius();
+    let cells = |length: f64| ((length / pitch) as usize).max(1);
+    let (columns, rows) = (cells(bounds.size().x), cells(bounds.size().y));
+    let center = bounds.center();
+    let offset = |i: usize, count: usize| (i as f64 - (count as f64 - 1.0) / 2.0) * pitch;
+    (0..rows)
+        .flat_map(|row| (0..columns).map(move |column| (row, column)))
+        .map(|(row, column)| {
+            Point2::new(
+                center.x + offset(column, columns),
+                center.y + offset(row, rows),
+            )
+        })
+        .filter(|&node| space.is_free(node))
+        .collect()
+}

@@ -1,0 +1,52 @@
+//! The semantic directed graph (3): nodes are places of the tool centre point, edges motions in contact.
+
+use crate::geometry::Point2;
+use crate::represent::GoalState;
+
+/// What a node stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NodeRole {
+    /// Covers a part of the surface.
+    Coverage,
+    /// Where the particles are to end: n_goal, or a place beyond an edge over which they are skimmed.
+    Goal,
+}
+
+/// A place of the tool centre point on the surface's plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Node {
+    /// In the surface frame [m].
+    pub position: Point2,
+    /// What it stands for.
+    pub role: NodeRole,
+}
+
+/// SDG = {P, S_g, G_s} without its inputs: the nodes, the directed edges, and the goal state they serve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SemanticDirectedGraph {
+    /// All nodes, coverage nodes first.
+    pub nodes: Vec<Node>,
+    /// Directed edges (from, to): the tool moves that way in contact.
+    pub edges: Vec<(usize, usize)>,
+    /// The geometric goal state.
+    pub goal: GoalState,
+    /// Longest edge allowed, l_max [m]; `None` where the policy does not limit it.
+    pub max_edge_length: Option<f64>,
+    /// Nodes that no valid edge connects to the goal.
+    pub unreachable: Vec<usize>,
+}
+
+impl SemanticDirectedGraph {
+    /// Position of a node in the surface frame [m].
+    pub fn position(&self, node: usize) -> Point2 {
+        self.nodes[node].position
+    }
+
+    /// The node that `node` leads to, in a tree.
+    pub fn successor(&self, node: usize) -> Option<usize> {
+        self.edges
+            .iter()
+            .find(|(from, _)| *from == node)
+            .map(|&(_, to)| to)
+    }
+}

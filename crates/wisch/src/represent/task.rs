@@ -1,0 +1,65 @@
+//! A task as it is meant: everything resolved, checked and in SI units.
+
+use super::{Action, ParticleDistribution, SceneObject, Surface};
+use crate::geometry::{Mesh, Point2, Region, Vector2};
+
+/// A tool as the planner sees it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tool {
+    /// Its name in the knowledge base.
+    pub name: String,
+    /// Where it touches the surface, in the tool frame.
+    pub footprint: Region,
+    /// Area of effect D_aoe: depth along and width across the motion [m].
+    pub area_of_effect: Vector2,
+}
+
+impl Tool {
+    /// Radius r_s = ‖D_aoe‖ / 2 of the collision sphere [m].
+    pub fn collision_radius(&self) -> f64 {
+        self.area_of_effect.norm() / 2.0
+    }
+
+    /// Whether half a turn about the tool centre point maps the footprint onto itself.
+    pub fn is_half_turn_symmetric(&self) -> bool {
+        let corners: Vec<Point2> = self.footprint.edges().map(|edge| edge.start).collect();
+        corners
+            .iter()
+            .all(|a| corners.iter().any(|b| (a.coords + b.coords).norm() < 1e-6))
+    }
+}
+
+/// What is to be wiped, where, with what, and to what end.
+#[derive(Debug, Clone)]
+pub struct Task {
+    /// Its name.
+    pub name: String,
+    /// What is to be done.
+    pub action: Action,
+    /// The target surface.
+    pub surface: Surface,
+    /// What stands round it: without robot, tool and the object that carries the surface.
+    pub scene: Vec<SceneObject>,
+    /// The tool.
+    pub tool: Tool,
+    /// Name of the medium.
+    pub medium: String,
+    /// The dirt as it is believed to lie.
+    pub particles: ParticleDistribution,
+    /// n_goal for a collect, in the surface frame [m]; `None` leaves the choice to the planner.
+    pub collect_goal: Option<Point2>,
+    /// Where the tool starts, in the surface frame [m].
+    pub tool_start: Point2,
+    /// Seed of everything random in this task.
+    pub seed: u64,
+}
+
+impl Task {
+    /// The scene's meshes in the surface frame.
+    pub fn scene_in_surface(&self) -> impl Iterator<Item = Mesh> + '_ {
+        let surface_from_world = self.surface.world_from_surface.inverse();
+        self.scene
+            .iter()
+            .map(move |object| object.mesh.transformed(&(surface_from_world * object.world_from_object)))
+    }
+}
