@@ -37,6 +37,7 @@ const BROOM_PITCH: [f64; 2] = [0.0115, 0.011];
 pub const BROOM_TUFT_RADIUS: f64 = 0.0045;
 
 /// A 0.06 × 0.40 m head on bristles of some 60 mm, in hexagonal tufts that taper towards the tip.
+/// Every second row is shifted by half a spacing, so that no lane along x stays open.
 fn broom() -> Result<Mesh, MeshError> {
     const BRISTLES: f64 = 0.060;
     let tufts = lattice(BROOM_TUFTS, BROOM_PITCH)
@@ -44,6 +45,9 @@ fn broom() -> Result<Mesh, MeshError> {
         .map(|(i, center)| {
             // Worn unevenly by 0 to 1 mm; the first tuft, full length, touches first.
             let wear = 1e-4 * f64::from(i as u32 * 7 % 11);
+            let row = i as u32 / BROOM_TUFTS[1];
+            let shift = BROOM_PITCH[1] / if row % 2 == 0 { 4.0 } else { -4.0 };
+            let center = center + Vector2::new(0.0, shift);
             let tip = polygon(6, BROOM_TUFT_RADIUS, center);
             let root = polygon(6, 1.1 * BROOM_TUFT_RADIUS, center);
             loft(&[(tip, wear), (root, BRISTLES + SUNK)])

@@ -149,8 +149,7 @@ impl Mesh {
         }
         for (vertex, point) in vertices.iter().enumerate() {
             for (axis, value) in [('x', point.x), ('y', point.y), ('z', point.z)] {
-                // Negated, so that NaN is refused too.
-                if !(value.abs() <= MAX_COORDINATE) {
+                if value.is_nan() || value.abs() > MAX_COORDINATE {
                     return Err(MeshError::CoordinateOutOfRange {
                         vertex,
                         axis,

@@ -35,8 +35,9 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, MeshError> {
         Some(nodes) => scene.place(nodes, metres_from_file, &mut soup)?,
         // Without a scene there is nothing to place the geometries with.
         None => {
-            let own: Vec<_> = scene.geometries.values().flatten().copied().collect();
-            append(&mut soup, &own, &metres_from_file)?;
+            for own in &scene.geometries {
+                append(&mut soup, own, &metres_from_file)?;
+            }
         }
     }
     let triangles = (0..soup.len() as u32)
@@ -79,7 +80,7 @@ fn metres_per_unit(document: &Document) -> Result<f64, MeshError> {
 struct Scene<'d, 'a> {
     document: &'d Document<'a>,
     /// In document order, so that results do not depend on hashing.
-    geometries: std::collections::BTreeMap<usize, Soup>,
+    geometries: Vec<Soup>,
     geometry_by_id: HashMap<&'a str, usize>,
     node_by_id: HashMap<&'a str, &'d Element<'a>>,
 }
@@ -96,7 +97,7 @@ impl<'d, 'a> Scene<'d, 'a> {
         let arrays: HashMap<&str, &Element> = by_id("float_array");
         let mut scene = Self {
             document,
-            geometries: Default::default(),
+            geometries: Vec::new(),
             geometry_by_id: HashMap::new(),
             node_by_id: by_id("node"),
         };
@@ -110,7 +111,7 @@ impl<'d, 'a> Scene<'d, 'a> {
             if count > MAX_TRIANGLES {
                 return Err(MeshError::TooManyTriangles { count });
             }
-            scene.geometries.insert(index, soup);
+            scene.geometries.push(soup);
             if let Some(id) = geometry.attribute("id") {
                 scene.geometry_by_id.insert(id, index);
             }
@@ -171,7 +172,7 @@ impl<'d, 'a> Scene<'d, 'a> {
                                 id().unwrap_or_default()
                             ))
                         })?;
-                        append(soup, &self.geometries[index], &metres_from_parent)?;
+                        append(soup, &self.geometries[*index], &metres_from_parent)?;
                     }
                     _ => {}
                 }

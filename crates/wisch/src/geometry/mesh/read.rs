@@ -71,7 +71,7 @@ impl Mesh {
 
 fn parse_stl(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let scene = if is_ascii_stl(bytes) {
-        mesh_loader::stl::from_slice(&with_named_solids(bytes)?)
+        mesh_loader::stl::from_slice(&with_plain_solids(bytes)?)
     } else {
         mesh_loader::stl::from_slice(&exact_binary_stl(bytes)?)
     };
@@ -118,24 +118,32 @@ fn exact_binary_stl(bytes: &[u8]) -> Result<Vec<u8>, MeshError> {
     Ok(exact)
 }
 
-/// The text with a name after each bare "solid", which mesh-loader insists on.
-fn with_named_solids(bytes: &[u8]) -> Result<Vec<u8>, MeshError> {
-    let mut named = Vec::with_capacity(bytes.len() + 16);
+/// The text with plain solid lines. For a solid without a name, or with one that is not ASCII,
+/// mesh-loader would fall back to reading the text as binary triangles.
+fn with_plain_solids(bytes: &[u8]) -> Result<Vec<u8>, MeshError> {
+    let mut plain = Vec::with_capacity(bytes.len() + 16);
     let mut solids = 0;
     for line in bytes.split_inclusive(|b| matches!(b, b'\n' | b'\r')) {
-        let trimmed = line.trim_ascii();
-        solids += usize::from(trimmed.starts_with(b"solid"));
-        named.extend(if trimmed == b"solid" {
-            b"solid -\n"
+        let trimmed = line.trim_ascii_start();
+        if trimmed.starts_with(b"solid") {
+            solids += 1;
+            plain.extend(b"solid -\n");
+        } else if trimmed.starts_with(b"endsolid") {
+            plain.extend(b"endsolid\n");
         } else {
-            line
-        });
+            plain.extend(line);
+        }
     }
     checked_parts("solids", solids)?;
-    Ok(named)
+    Ok(plain)
 }
 
 fn parse_obj(bytes: &[u8]) -> Result<Mesh, MeshError> {
+    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+        // mesh-loader would decode it, past the counts below.
+        let reason = "UTF-16 is not read, save it as UTF-8".to_owned();
+        return Err(MeshError::Syntax { reason });
+    }
     let (mut triangles, mut parts) = (0, 0);
     for line in bytes.split(|b| matches!(b, b'\n' | b'\r')) {
         let mut words = line

@@ -191,6 +191,12 @@ fn all_formats_give_the_same_box() {
         (with_trailer, MeshFormat::Stl),
         (ascii_stl(&mesh).into_bytes(), MeshFormat::Stl),
         (
+            ascii_stl(&mesh)
+                .replace("solid", "solid Bürste")
+                .into_bytes(),
+            MeshFormat::Stl,
+        ),
+        (
             ascii_stl(&mesh).replace('\n', "\r\n").into_bytes(),
             MeshFormat::Stl,
         ),
@@ -231,12 +237,14 @@ fn several_meshes_in_a_file_become_one() {
 
 #[test]
 fn collada_places_nested_nodes_in_metres() {
-    let nodes = r##"<node><translate>5 0 1000</translate><node><rotate>0 0 1 90</rotate>
-        <scale>2 1 1</scale><instance_node url="#n"/></node></node>
-        <node id="n"><matrix>1 0 0 3  0 1 0 0  0 0 1 0  0 0 0 1</matrix></node>"##
-        .replace("</matrix>", r##"</matrix><instance_geometry url="#g"/>"##);
-    let nodes = nodes.replace(r#"<node id="n">"#, r#"<node id="n">"#);
-    let mesh = parse(collada(&box_mesh(), 0.001, &nodes), MeshFormat::Collada).expect("valid");
+    let nodes = r##"
+        <node><translate>5 0 1000</translate>
+          <node><rotate>0 0 1 90</rotate><scale>2 1 1</scale><instance_node url="#n"/></node>
+        </node>
+        <node id="n"><matrix>1 0 0 3  0 1 0 0  0 0 1 0  0 0 0 1</matrix>
+          <instance_geometry url="#g"/>
+        </node>"##;
+    let mesh = parse(collada(&box_mesh(), 0.001, nodes), MeshFormat::Collada).expect("valid");
     // The nested box: x within 3 ± 0.25 doubled and turned to y, raised by 1000 mm.
     let nested =
         Mesh::new(mesh.vertices().to_vec(), mesh.triangles()[..12].to_vec()).expect("valid");
@@ -290,7 +298,7 @@ fn faults_name_mesh_place_and_limit() {
         .chain([r##"<node id="n60"/>"##.to_owned()])
         .collect();
     let names = r##"<source id="w"><Name_array id="x" count="4000000000">a b</Name_array></source><vertices"##;
-    let cases: [(Vec<u8>, MeshFormat, &str); 13] = [
+    let cases: [(Vec<u8>, MeshFormat, &str); 14] = [
         (
             stl[..300].to_vec(),
             MeshFormat::Stl,
@@ -299,6 +307,7 @@ fn faults_name_mesh_place_and_limit() {
         (endless, MeshFormat::Stl, "announces 4294967295 triangles"),
         (b"solid".to_vec(), MeshFormat::Stl, ""),
         (vec![], MeshFormat::Stl, "0 bytes"),
+        (b"\xff\xfef\0".to_vec(), MeshFormat::Obj, "UTF-16"),
         (
             b"solid\nfacet normal 0 0 x".to_vec(),
             MeshFormat::Stl,
@@ -416,7 +425,8 @@ proptest! {
     }
 }
 
-/// No format states a triangle in fewer than two bytes, so memory stays in proportion to the file.
+/// None of the files above can state a triangle in fewer than two bytes (only nodes that are
+/// instanced over and over in COLLADA could), so memory stays in proportion to the file.
 fn triangles_fit(mesh: &Mesh, bytes: usize) -> bool {
     2 * mesh.triangles().len() <= bytes
 }
