@@ -46,7 +46,7 @@ fn broom() -> Result<Mesh, MeshError> {
             // Worn unevenly by 0 to 1 mm; the first tuft, full length, touches first.
             let wear = 1e-4 * f64::from(i as u32 * 7 % 11);
             let row = i as u32 / BROOM_TUFTS[1];
-            let shift = BROOM_PITCH[1] / if row % 2 == 0 { 4.0 } else { -4.0 };
+            let shift = BROOM_PITCH[1] / if row.is_multiple_of(2) { 4.0 } else { -4.0 };
             let center = center + Vector2::new(0.0, shift);
             let tip = polygon(6, BROOM_TUFT_RADIUS, center);
             let root = polygon(6, 1.1 * BROOM_TUFT_RADIUS, center);
