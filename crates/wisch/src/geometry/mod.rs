@@ -1,8 +1,12 @@
 //! Frames, poses, polygons, meshes, and the footprint that a tool's mesh leaves on a surface.
 
+mod footprint;
+mod mesh;
 mod polygon;
 mod pose;
 
+pub use footprint::{FootprintError, MAX_FOOTPRINT_EDGES, MIN_COMPRESSION_DEPTH, footprint};
+pub use mesh::{MAX_COORDINATE, MAX_TRIANGLES, Mesh, MeshError, MeshFormat};
 pub use polygon::{Bounds2, Edge, Polygon, Region};
 pub use pose::{PlanarPose, Pose, wrap_angle};
 
