@@ -143,7 +143,9 @@ impl CostMatrix {
     /// # Ok::<(), wisch::plan::TourError>(())
     /// ```
     pub fn path_cost(&self, path: &[usize]) -> f64 {
-        path.windows(2).map(|step| self.cost(step[0], step[1])).sum()
+        path.windows(2)
+            .map(|step| self.cost(step[0], step[1]))
+            .sum()
     }
 
     /// Cost of visiting the nodes in the given order and returning to the first.

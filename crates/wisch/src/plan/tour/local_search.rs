@@ -12,8 +12,8 @@ use std::collections::VecDeque;
 /// links that one exchange adds by reversals.
 const BREADTH: [usize; 5] = [8, 5, 3, 2, 1];
 
-/// The longest stretch of the tour that a kick moves, in nodes.
-const KICK_REACH: usize = 50;
+/// The most steps of a kick's random walk before it is given up.
+const KICK_WALK: usize = 8;
 
 /// A saving below this share of the costs it was computed from may be rounding.
 const RELATIVE_ROUNDING: f64 = 1e-14;
@@ -73,9 +73,8 @@ impl Neighbours {
         let node_count = problem.node_count();
         let per_node = wanted.min(node_count - 1);
         let mut all = Vec::with_capacity(node_count * per_node);
-        let by_cost = |x: &Neighbour, y: &Neighbour| {
-            x.cost.total_cmp(&y.cost).then(x.node.cmp(&y.node))
-        };
+        let by_cost =
+            |x: &Neighbour, y: &Neighbour| x.cost.total_cmp(&y.cost).then(x.node.cmp(&y.node));
         for from in 0..node_count {
             let mut others: Vec<Neighbour> = (0..node_count)
                 .filter(|&node| node != from)
@@ -458,8 +457,16 @@ impl LocalSearch<'_> {
                 }
                 // Opened behind the joint, the two parts of the ring change places; before it,
                 // each is turned round where it is.
-                let behind = (split + 1, vec![(0, ring_end), (0, ring_end - split - 1), (ring_end - split, ring_end)]);
-                let before = (split > 0).then(|| (split - 1, vec![(0, split - 1), (split, ring_end)]));
+                let behind = (
+                    split + 1,
+                    vec![
+                        (0, ring_end),
+                        (0, ring_end - split - 1),
+                        (ring_end - split, ring_end),
+                    ],
+                );
+                let before =
+                    (split > 0).then(|| (split - 1, vec![(0, split - 1), (split, ring_end)]));
                 for (new_first, turned) in std::iter::once(behind).chain(before) {
                     let new_first = opened.node(&self.tour, new_first);
                     if self.problem.is_fixed(joint.node, new_first) {
@@ -478,42 +485,73 @@ impl LocalSearch<'_> {
         None
     }
 
-    /// Lets two short neighbouring stretches change places (a double bridge); the saving, mostly
-    /// negative. `None` if that would break the fixed edge.
+    /// Cuts the tour behind four nodes close to each other and joins the stretches in the opposite
+    /// order without turning any of them round: a double bridge, which no sequence of exchanges
+    /// makes if each of them leaves a single ring. The saving is mostly negative; `None` if there
+    /// are no four such nodes or the fixed edge would break.
     fn kick(&mut self, rng: &mut ChaCha8Rng) -> Option<f64> {
-        let reach = KICK_REACH.min(self.tour.len() / 3);
-        let start = rng.random_range(0..self.tour.len());
-        let (left, right) = (rng.random_range(1..=reach), rng.random_range(1..=reach));
-        let place = |offset: usize| (start + offset) % self.tour.len();
+        let count = self.tour.len();
+        let mut places = self.places_near_each_other(rng)?;
+        places.sort_unstable();
+        // The longest stretch stays where it is; the other three follow it.
+        let stretch = |k: usize| self.tour.steps(places[k], places[(k + 1) % 4]);
+        let longest = (0..4).max_by_key(|&k| stretch(k))?;
+        places.rotate_left((longest + 1) % 4);
+        let start = places[0];
+        let [_, a, b, c] = places.map(|place| self.tour.steps(start, place));
+
+        let place = |offset: usize| (start + offset) % count;
         let at = |offset: usize| self.tour.order[place(offset)];
-        let [before, left_first, left_last] = [at(0), at(1), at(left)];
-        let [right_first, right_last, after] = [at(left + 1), at(left + right), at(left + right + 1)];
-        let cuts = [
-            (before, left_first),
-            (left_last, right_first),
-            (right_last, after),
-        ];
-        let links = [
-            (before, right_first),
-            (right_last, left_first),
-            (left_last, after),
-        ];
-        if cuts.iter().any(|&(a, b)| self.problem.is_fixed(a, b)) {
+        let cuts = [0, a, b, c].map(|offset| (at(offset), at(offset + 1)));
+        let links = [(0, b + 1), (c, a + 1), (b, 1), (a, c + 1)].map(|(x, y)| (at(x), at(y)));
+        if cuts.iter().any(|&(x, y)| self.problem.is_fixed(x, y)) {
             return None;
         }
-        let cost = |edges: [(usize, usize); 3]| -> f64 {
-            edges.iter().map(|&(a, b)| self.problem.cost(a, b)).sum()
+        let cost = |edges: [(usize, usize); 4]| -> f64 {
+            edges.iter().map(|&(x, y)| self.problem.cost(x, y)).sum()
         };
         let saving = cost(cuts) - cost(links);
-        for (low, high) in [(1, left + right), (1, right), (right + 1, left + right)] {
-            let (low, high) = ((start + low) % self.tour.len(), (start + high) % self.tour.len());
-            self.tour.reverse_recorded(low, high);
+        let (third, second) = (c - b, c - a);
+        for (low, high) in [(1, c), (1, third), (third + 1, second), (second + 1, c)] {
+            self.tour.reverse_recorded(place(low), place(high));
         }
-        for (a, b) in cuts {
-            self.queue.push(a);
-            self.queue.push(b);
+        for (x, y) in cuts {
+            self.queue.push(x);
+            self.queue.push(y);
         }
         Some(saving)
+    }
+
+    /// Places of four different nodes: one anywhere and the ends of random walks from neighbour to
+    /// neighbour that begin there. `None` if the walks meet too often.
+    fn places_near_each_other(&self, rng: &mut ChaCha8Rng) -> Option<[usize; 4]> {
+        let centre = rng.random_range(0..self.tour.len());
+        let mut places = [self.tour.place[centre]; 4];
+        for found in 1..4 {
+            let node = self.walk(centre, rng)?;
+            places[found] = self.tour.place[node];
+            if places[..found].contains(&places[found]) {
+                return None;
+            }
+        }
+        Some(places)
+    }
+
+    /// Where a random walk from neighbour to neighbour ends.
+    fn walk(&self, from: usize, rng: &mut ChaCha8Rng) -> Option<usize> {
+        let mut node = from;
+        for _ in 0..KICK_WALK {
+            let near = self.neighbours.of(node);
+            if near.is_empty() {
+                return None;
+            }
+            let next = near[rng.random_range(0..near.len())].node;
+            // The extra node of an open path is next to everything: it would be a way to anywhere.
+            if next < self.problem.costs.node_count() {
+                node = next;
+            }
+        }
+        Some(node)
     }
 }
 
@@ -562,7 +600,13 @@ fn from_start(problem: &Problem, tour: &ArrayTour) -> Vec<usize> {
     let away = problem
         .fixed_edge()
         .is_none_or(|(start, extra)| tour.previous(start) == extra);
-    let step = |&node: &usize| Some(if away { tour.next(node) } else { tour.previous(node) });
+    let step = |&node: &usize| {
+        Some(if away {
+            tour.next(node)
+        } else {
+            tour.previous(node)
+        })
+    };
     std::iter::successors(Some(problem.start), step)
         .take(problem.costs.node_count())
         .collect()
