@@ -164,13 +164,11 @@ impl CostMatrix {
     }
 }
 
-/// How long and how widely to search; of no effect up to 12 nodes, where the answer is optimal.
+/// How long to search; of no effect up to 12 nodes, where the answer is optimal.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TourConfig {
     /// Random kicks tried per node; time grows in proportion.
     pub kicks_per_node: usize,
-    /// Nearest nodes considered as a node's next stop.
-    pub neighbours: usize,
     /// Seed of the kicks; equal seeds give equal answers.
     pub seed: u64,
 }
@@ -178,8 +176,7 @@ pub struct TourConfig {
 impl Default for TourConfig {
     fn default() -> Self {
         Self {
-            kicks_per_node: 100,
-            neighbours: 8,
+            kicks_per_node: 25,
             seed: 0,
         }
     }
