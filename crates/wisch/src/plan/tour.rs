@@ -8,8 +8,11 @@
 mod exact;
 mod greedy;
 mod local_search;
+mod problem;
+mod ring;
 
 use crate::geometry::Point2;
+use problem::Problem;
 use thiserror::Error;
 
 /// The most nodes a [`CostMatrix`] may have; its memory grows with their square (200 MB here).
@@ -241,6 +244,11 @@ fn solve(costs: &CostMatrix, start: usize, finish: Finish, config: &TourConfig) 
     if costs.node_count() <= EXACT_NODES {
         exact::solve(costs, start, finish)
     } else {
-        local_search::solve(costs, start, finish, config)
+        let problem = Problem {
+            costs,
+            start,
+            finish,
+        };
+        local_search::solve(&problem, config)
     }
 }

@@ -1,6 +1,6 @@
 //! A first tour: the cheapest edges that fit together, then the loose fragments end to end.
 
-use super::local_search::{Neighbours, Problem};
+use super::problem::{Neighbours, Problem};
 
 /// Fragments of a growing tour: every node has at most two links and no links close a ring.
 struct Fragments {

@@ -1,18 +1,14 @@
 //! Iterated local search: repair a tour by sequential exchanges, kick it somewhere, keep what pays.
-//!
-//! An open path is a closed tour with one more node: it is next to the start by a fixed edge, and it
-//! costs nothing to reach from anywhere. Leaving it out leaves a path with a free end.
 
-use super::{CostMatrix, Finish, TourConfig, greedy};
+use super::problem::{Neighbours, Problem};
+use super::ring::{ArrayTour, Direction, OpenedTour, Reversal};
+use super::{TourConfig, greedy};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::collections::VecDeque;
 
-/// How many of its nearest others a node knows.
-const NEIGHBOUR_COUNT: usize = 8;
-
-/// How many of them are tried at each step of an exchange, and so how many steps it may have.
-/// Wider and deeper searches gave shorter tours for equal kicks, but longer ones for equal time.
+/// How many of a node's neighbours are tried at each step of an exchange, and so how many steps it
+/// may have. Wider and deeper gave shorter tours for equal kicks, but longer ones for equal time.
 const BREADTH: [usize; 3] = [6, 4, 3];
 
 /// Steps of the random walks that choose where to kick.
@@ -20,198 +16,6 @@ const KICK_WALK: usize = 15;
 
 /// A saving below this share of the costs it was computed from may be rounding.
 const RELATIVE_ROUNDING: f64 = 1e-14;
-
-/// A closed tour to be found, of which one edge may be given.
-pub(super) struct Problem<'a> {
-    costs: &'a CostMatrix,
-    start: usize,
-    finish: Finish,
-}
-
-impl Problem<'_> {
-    pub(super) fn node_count(&self) -> usize {
-        match self.finish {
-            Finish::AtStart => self.costs.node_count(),
-            Finish::Anywhere => self.costs.node_count() + 1,
-        }
-    }
-
-    pub(super) fn cost(&self, a: usize, b: usize) -> f64 {
-        if a.max(b) < self.costs.node_count() {
-            self.costs.cost(a, b)
-        } else {
-            0.0
-        }
-    }
-
-    /// The edge that every tour must use.
-    pub(super) fn fixed_edge(&self) -> Option<(usize, usize)> {
-        match self.finish {
-            Finish::AtStart => None,
-            Finish::Anywhere => Some((self.start, self.costs.node_count())),
-        }
-    }
-
-    fn is_fixed(&self, a: usize, b: usize) -> bool {
-        self.fixed_edge()
-            .is_some_and(|edge| edge == (a, b) || edge == (b, a))
-    }
-}
-
-/// A node near another and the cost between them.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Neighbour {
-    pub(super) node: usize,
-    pub(super) cost: f64,
-}
-
-/// For each node its nearest others, nearest first.
-pub(super) struct Neighbours {
-    all: Vec<Neighbour>,
-}
-
-impl Neighbours {
-    fn nearest(problem: &Problem) -> Self {
-        let node_count = problem.node_count();
-        let mut all = Vec::with_capacity(node_count * NEIGHBOUR_COUNT);
-        let by_cost =
-            |x: &Neighbour, y: &Neighbour| x.cost.total_cmp(&y.cost).then(x.node.cmp(&y.node));
-        for from in 0..node_count {
-            let mut others: Vec<Neighbour> = (0..node_count)
-                .filter(|&node| node != from)
-                .map(|node| Neighbour {
-                    node,
-                    cost: problem.cost(from, node),
-                })
-                .collect();
-            others.select_nth_unstable_by(NEIGHBOUR_COUNT, by_cost);
-            others.truncate(NEIGHBOUR_COUNT);
-            others.sort_by(by_cost);
-            all.extend(others);
-        }
-        Self { all }
-    }
-
-    pub(super) fn of(&self, node: usize) -> &[Neighbour] {
-        &self.all[node * NEIGHBOUR_COUNT..][..NEIGHBOUR_COUNT]
-    }
-}
-
-/// A closed tour in an array, with every change on record so that it can be taken back.
-struct ArrayTour {
-    /// Node at each place of the tour.
-    order: Vec<usize>,
-    /// Place of each node.
-    place: Vec<usize>,
-    /// First and last place of the stretches reversed since the last [`ArrayTour::keep`].
-    reversed: Vec<(usize, usize)>,
-}
-
-impl ArrayTour {
-    fn new(order: Vec<usize>) -> Self {
-        let mut place = vec![0; order.len()];
-        for (index, &node) in order.iter().enumerate() {
-            place[node] = index;
-        }
-        Self {
-            order,
-            place,
-            reversed: Vec::new(),
-        }
-    }
-
-    fn len(&self) -> usize {
-        self.order.len()
-    }
-
-    fn next_place(&self, place: usize) -> usize {
-        if place + 1 == self.len() {
-            0
-        } else {
-            place + 1
-        }
-    }
-
-    fn previous_place(&self, place: usize) -> usize {
-        place.checked_sub(1).unwrap_or(self.len() - 1)
-    }
-
-    fn next(&self, node: usize) -> usize {
-        self.order[self.next_place(self.place[node])]
-    }
-
-    fn previous(&self, node: usize) -> usize {
-        self.order[self.previous_place(self.place[node])]
-    }
-
-    /// How many steps lead forward from one place to another.
-    fn steps(&self, from: usize, to: usize) -> usize {
-        if to >= from {
-            to - from
-        } else {
-            to + self.len() - from
-        }
-    }
-
-    /// Reverses the stretch that leads forward from place `first` to place `last`.
-    fn reverse_places(&mut self, first: usize, last: usize) {
-        let (mut low, mut high) = (first, last);
-        for _ in 0..self.steps(first, last).div_ceil(2) {
-            self.order.swap(low, high);
-            self.place[self.order[low]] = low;
-            self.place[self.order[high]] = high;
-            low = self.next_place(low);
-            high = self.previous_place(high);
-        }
-    }
-
-    fn reverse_recorded(&mut self, first: usize, last: usize) {
-        self.reverse_places(first, last);
-        self.reversed.push((first, last));
-    }
-
-    /// Turns a stretch round. Turning the rest instead gives the same ring, read backwards, so the
-    /// shorter of the two is turned.
-    fn reverse(&mut self, reversal: Reversal) {
-        let Reversal {
-            before,
-            first,
-            last,
-            ..
-        } = reversal;
-        let (from, to) = if self.next(before) == first {
-            (self.place[first], self.place[last])
-        } else {
-            (self.place[last], self.place[first])
-        };
-        if 2 * (self.steps(from, to) + 1) <= self.len() {
-            self.reverse_recorded(from, to);
-        } else {
-            self.reverse_recorded(self.next_place(to), self.previous_place(from));
-        }
-    }
-
-    /// Takes back everything since the last [`ArrayTour::keep`].
-    fn take_back(&mut self) {
-        while let Some((first, last)) = self.reversed.pop() {
-            self.reverse_places(first, last);
-        }
-    }
-
-    fn keep(&mut self) {
-        self.reversed.clear();
-    }
-}
-
-/// A stretch of the tour to be turned round, from `first` to `last`, and the nodes beside it. Given by
-/// nodes, it means the same in either reading direction.
-#[derive(Debug, Clone, Copy)]
-struct Reversal {
-    before: usize,
-    first: usize,
-    last: usize,
-    after: usize,
-}
 
 /// Costs taken out of the tour and put into it so far.
 #[derive(Debug, Clone, Copy, Default)]
@@ -239,83 +43,6 @@ impl Saving {
     /// for ever.
     fn pays(self) -> bool {
         self.amount > RELATIVE_ROUNDING * self.magnitude
-    }
-}
-
-#[derive(Debug, Clone, Copy)]
-enum Direction {
-    Forward,
-    Backward,
-}
-
-/// The tour cut open at one edge and read as a path from `first` to `last`, with stretches of it
-/// turned round on paper only: `turned` lists first and last index of each, in order.
-///
-/// Asking for an index or a node costs time in proportion to the stretches turned, not to the nodes.
-struct OpenedTour {
-    first: usize,
-    last: usize,
-    direction: Direction,
-    turned: Vec<(usize, usize)>,
-}
-
-impl OpenedTour {
-    fn index(&self, tour: &ArrayTour, node: usize) -> usize {
-        let (origin, place) = (tour.place[self.first], tour.place[node]);
-        let index = match self.direction {
-            Direction::Forward => tour.steps(origin, place),
-            Direction::Backward => tour.steps(place, origin),
-        };
-        self.turned
-            .iter()
-            .fold(index, |index, &stretch| mirror(index, stretch))
-    }
-
-    fn node(&self, tour: &ArrayTour, index: usize) -> usize {
-        self.node_after(tour, index, self.turned.len())
-    }
-
-    /// The node at an index once the first `turned_count` stretches are turned.
-    fn node_after(&self, tour: &ArrayTour, index: usize, turned_count: usize) -> usize {
-        let index = self.turned[..turned_count]
-            .iter()
-            .rev()
-            .fold(index, |index, &stretch| mirror(index, stretch));
-        let origin = tour.place[self.first];
-        let place = match self.direction {
-            Direction::Forward => origin + index,
-            Direction::Backward => origin + tour.len() - index,
-        };
-        tour.order[if place >= tour.len() {
-            place - tour.len()
-        } else {
-            place
-        }]
-    }
-
-    /// The turns so far as reversals of the closed tour.
-    fn reversals(&self, tour: &ArrayTour) -> Vec<Reversal> {
-        let mut reversals = Vec::with_capacity(self.turned.len());
-        for (count, &(low, high)) in self.turned.iter().enumerate() {
-            if low < high {
-                let before = low.checked_sub(1).unwrap_or(tour.len() - 1);
-                reversals.push(Reversal {
-                    before: self.node_after(tour, before, count),
-                    first: self.node_after(tour, low, count),
-                    last: self.node_after(tour, high, count),
-                    after: self.node_after(tour, high + 1, count),
-                });
-            }
-        }
-        reversals
-    }
-}
-
-fn mirror(index: usize, (low, high): (usize, usize)) -> usize {
-    if (low..=high).contains(&index) {
-        low + high - index
-    } else {
-        index
     }
 }
 
@@ -347,7 +74,19 @@ struct LocalSearch<'a> {
     queue: Queue,
 }
 
-impl LocalSearch<'_> {
+impl<'a> LocalSearch<'a> {
+    fn new(problem: &'a Problem<'a>, neighbours: &'a Neighbours, order: Vec<usize>) -> Self {
+        Self {
+            problem,
+            neighbours,
+            queue: Queue {
+                nodes: order.iter().copied().collect(),
+                waiting: vec![true; order.len()],
+            },
+            tour: ArrayTour::new(order),
+        }
+    }
+
     /// Improves round the queued nodes until no exchange pays; the saving is ≥ 0.
     fn settle(&mut self) -> f64 {
         let mut saved = 0.0;
@@ -556,35 +295,16 @@ impl LocalSearch<'_> {
     }
 }
 
-/// A short order of all nodes that begins at `start`; more nodes than [`NEIGHBOUR_COUNT`].
-pub(super) fn solve(
-    costs: &CostMatrix,
-    start: usize,
-    finish: Finish,
-    config: &TourConfig,
-) -> Vec<usize> {
-    let problem = Problem {
-        costs,
-        start,
-        finish,
-    };
-    let node_count = problem.node_count();
-    let neighbours = Neighbours::nearest(&problem);
-    let order = greedy::tour(&problem, &neighbours);
-    let mut search = LocalSearch {
-        queue: Queue {
-            nodes: order.iter().copied().collect(),
-            waiting: vec![true; node_count],
-        },
-        tour: ArrayTour::new(order),
-        problem: &problem,
-        neighbours: &neighbours,
-    };
+/// A short order of all nodes that begins at the problem's start.
+pub(super) fn solve(problem: &Problem, config: &TourConfig) -> Vec<usize> {
+    let neighbours = Neighbours::nearest(problem);
+    let order = greedy::tour(problem, &neighbours);
+    let mut search = LocalSearch::new(problem, &neighbours, order);
     search.settle();
     search.tour.keep();
 
     let mut rng = ChaCha8Rng::seed_from_u64(config.seed);
-    for _ in 0..config.kicks_per_node.saturating_mul(node_count) {
+    for _ in 0..config.kicks_per_node.saturating_mul(problem.node_count()) {
         if let Some(kicked) = search.kick(&mut rng) {
             if kicked + search.settle() >= 0.0 {
                 search.tour.keep();
@@ -593,7 +313,7 @@ pub(super) fn solve(
             }
         }
     }
-    from_start(&problem, &search.tour)
+    from_start(problem, &search.tour)
 }
 
 /// The nodes in tour order from the start; for an open path, away from the extra node.
@@ -611,4 +331,51 @@ fn from_start(problem: &Problem, tour: &ArrayTour) -> Vec<usize> {
     std::iter::successors(Some(problem.start), step)
         .take(problem.costs.node_count())
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{CostMatrix, Finish};
+    use super::*;
+    use proptest::prelude::*;
+
+    fn cost(problem: &Problem, order: &[usize]) -> f64 {
+        let after = order.iter().cycle().skip(1);
+        order
+            .iter()
+            .zip(after)
+            .map(|(&a, &b)| problem.cost(a, b))
+            .sum()
+    }
+
+    proptest! {
+        #[test]
+        fn claimed_savings_are_real_and_can_be_taken_back(
+            node_count in 13..80_usize,
+            seed: u64,
+            finish in prop_oneof![Just(Finish::AtStart), Just(Finish::Anywhere)],
+        ) {
+            let mut rng = ChaCha8Rng::seed_from_u64(seed);
+            let costs =
+                CostMatrix::from_fn(node_count, |_, _| rng.random_range(-1.0..10.0)).unwrap();
+            let problem = Problem { costs: &costs, start: node_count / 2, finish };
+            let neighbours = Neighbours::nearest(&problem);
+            let order = greedy::tour(&problem, &neighbours);
+            let mut search = LocalSearch::new(&problem, &neighbours, order);
+            for _ in 0..20 {
+                let before = search.tour.order.clone();
+                let saved = search.kick(&mut rng).unwrap_or(0.0) + search.settle();
+                let after = cost(&problem, &search.tour.order);
+                prop_assert!((cost(&problem, &before) - after - saved).abs() < 1e-9);
+                if let Some((a, b)) = problem.fixed_edge() {
+                    prop_assert!(search.tour.next(a) == b || search.tour.previous(a) == b);
+                }
+                if saved < 0.0 {
+                    search.tour.take_back();
+                    prop_assert_eq!(&search.tour.order, &before);
+                }
+                search.tour.keep();
+            }
+        }
+    }
 }
