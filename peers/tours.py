@@ -39,9 +39,12 @@ def read_points(path):
         return [(float(x), float(y)) for x, y in csv.reader(file)]
 
 
+def path_length(points, order):
+    return sum(math.dist(points[a], points[b]) for a, b in zip(order, order[1:]))
+
+
 def length(points, order):
-    closed = list(order) + [order[0]]
-    return sum(math.dist(points[a], points[b]) for a, b in zip(closed, closed[1:]))
+    return path_length(points, [*order, order[0]])
 
 
 def whole_distances(points):
@@ -54,6 +57,15 @@ def lkh(points, runs):
     begin = time.perf_counter()
     closed = elkai.DistanceMatrix(whole_distances(points)).solve_tsp(runs)
     return length(points, closed[:-1]), time.perf_counter() - begin
+
+
+def lkh_open_path(points, runs):
+    """Length of a path from the first point with a free end: every way back to it is free."""
+    import elkai
+
+    distances = [[0, *row[1:]] for row in whole_distances(points)]
+    closed = elkai.DistanceMatrix(distances).solve_tsp(runs)
+    return path_length(points, closed[:-1])
 
 
 def ortools_routing(points, seconds):
@@ -88,8 +100,11 @@ def wisch(path):
 
 def print_best():
     for count in UNIFORM_COUNTS:
-        best, seconds = lkh(read_points(data_file(count)), runs=10)
+        points = read_points(data_file(count))
+        best, seconds = lkh(points, runs=10)
         print(f"uniform{count}: {best:.6f} ({seconds:.1f} s)", flush=True)
+    path = lkh_open_path(read_points(data_file(200)), runs=10)
+    print(f"uniform200, open from the first point: {path:.6f}")
 
 
 def compare():

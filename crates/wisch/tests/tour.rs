@@ -16,6 +16,8 @@ const EIL51_OPTIMUM: f64 = 426.0;
 const UNIFORM200_BEST: f64 = 10.948_860;
 const UNIFORM500_BEST: f64 = 16.241_360;
 const UNIFORM1000_BEST: f64 = 23.031_828;
+/// The same for an open path from the first point.
+const UNIFORM200_OPEN_BEST: f64 = 10.824_554;
 
 /// Slack for the six decimals the lengths above are given with.
 const ROUNDED: f64 = 1e-6;
@@ -149,6 +151,22 @@ fn long_tours_are_within_two_percent_of_the_best_known() {
         assert!(
             (best - ROUNDED..=1.02 * best).contains(&length),
             "{length} where {best} is known"
+        );
+    }
+}
+
+#[test]
+fn long_open_paths_are_within_two_percent_of_the_best_known() {
+    let costs = euclidean(include_str!("data/uniform200.csv"));
+    for seed in 0..5 {
+        let config = TourConfig {
+            seed,
+            ..TourConfig::default()
+        };
+        let length = costs.path_cost(&shortest_path_from(&costs, 0, &config).unwrap());
+        assert!(
+            (UNIFORM200_OPEN_BEST - ROUNDED..=1.02 * UNIFORM200_OPEN_BEST).contains(&length),
+            "{length} where {UNIFORM200_OPEN_BEST} is known, seed {seed}"
         );
     }
 }
