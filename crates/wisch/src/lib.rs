@@ -15,3 +15,4 @@
 //! Units are SI and radians; frames are named in the identifiers (`surface_from_tool`).
 
 pub mod geometry;
+pub mod represent;
