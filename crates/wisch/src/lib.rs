@@ -15,4 +15,5 @@
 //! Units are SI and radians; frames are named in the identifiers (`surface_from_tool`).
 
 pub mod geometry;
+pub mod plan;
 pub mod represent;

@@ -378,9 +378,9 @@ fn entry<'a, T>(
     entries: &'a BTreeMap<String, T>,
     name: &str,
 ) -> Result<&'a T, KnowledgeError> {
-    entries.get(name).ok_or_else(|| {
-        UnknownName::new(kind, name, entries.keys().map(String::as_str)).into()
-    })
+    entries
+        .get(name)
+        .ok_or_else(|| UnknownName::new(kind, name, entries.keys().map(String::as_str)).into())
 }
 
 /// Why knowledge could not be read or does not hold what was asked of it.
@@ -396,7 +396,10 @@ pub enum KnowledgeError {
         message: String,
     },
     /// The file is of a schema that this version does not read.
-    #[error("{at}: schema {found} is not supported, only schema {}", record::SCHEMA)]
+    #[error(
+        "{at}: schema {found} is not supported, only schema {}",
+        record::SCHEMA
+    )]
     Schema {
         /// Where.
         at: Place,
@@ -406,7 +409,8 @@ pub enum KnowledgeError {
     /// A name that could not be one in PDDL, or that has a meaning of its own.
     #[error(
         "{at}: {name:?} is no name: a name is at most {} characters long, starts with a small letter, goes on with small letters, digits, `_` and `-`, and is not {:?}",
-        record::NAME_MAX_LEN, record::ANY_SURFACE
+        record::NAME_MAX_LEN,
+        record::ANY_SURFACE
     )]
     BadName {
         /// Where.
