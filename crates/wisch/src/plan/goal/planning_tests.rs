@@ -126,7 +126,7 @@ fn a_broken_domain_is_told_with_its_place() {
         (
             "(free ?x - block)",
             "(free ?x -)",
-            "domain.pddl:5:44: expected names, then `-` and a type, found something else",
+            "domain.pddl:5:44: expected a name before and a type after every `-`, found a list without",
         ),
         (
             "(free ?x - block)",

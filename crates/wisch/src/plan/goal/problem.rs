@@ -98,8 +98,8 @@ impl Problem {
 /// # Errors
 ///
 /// A problem that does not fit the domain: an unknown name, a wrong number of arguments or a wrong
-/// type, with file, line and column. [`GoalError::TooLarge`] beyond 100 000 states, ten million
-/// transitions, 10 000 grounded actions or 20 000 facts.
+/// type, with file, line and column. [`GoalError::TooLarge`] beyond 100 000 states, 10 000
+/// grounded actions, 20 000 facts, or a few seconds of work.
 ///
 /// ```
 /// use wisch::plan::{Domain, Problem, solve};

@@ -11,8 +11,8 @@ use super::{Domain, GoalError, Problem};
 
 /// Most states a search visits.
 pub(super) const MAX_STATES: usize = 100_000;
-/// Most times an action is applied to a state, whether or not that leads to a new one.
-pub(super) const MAX_TRANSITIONS: usize = 10_000_000;
+/// Most work of a search: facts checked, changed and copied, 64 at a time. A few seconds.
+pub(super) const MAX_WORK: usize = 1_000_000_000;
 /// Most actions with all parameters bound.
 pub(super) const MAX_ACTIONS: usize = 10_000;
 /// Most facts that actions can change; a state holds one bit for each.
@@ -316,14 +316,18 @@ impl<'a> Grounded<'a> {
         let mut came_by: Vec<(usize, usize)> = vec![(0, 0)];
         let mut seen = HashSet::from([first.clone()]);
         let mut queue = VecDeque::from([(0, first)]);
-        let mut transitions = 0;
+        let work_per_state: usize = (self.actions.iter())
+            .map(|action| 1 + action.preconditions.len())
+            .sum();
+        let mut work = 0;
         while let Some((node, state)) = queue.pop_front() {
-            (self.source).check_size("number of transitions", transitions, MAX_TRANSITIONS)?;
+            work += work_per_state;
+            (self.source).check_size("steps of the search", work, MAX_WORK)?;
             for (i, action) in self.actions.iter().enumerate() {
                 if !action.preconditions.iter().all(|&fact| holds(&state, fact)) {
                     continue;
                 }
-                transitions += 1;
+                work += state.len() + action.add.len() + action.delete.len();
                 let next = apply(action, &state);
                 if seen.contains(&next) {
                     continue;

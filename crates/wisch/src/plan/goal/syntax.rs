@@ -3,8 +3,8 @@
 //! `pddl-parser` reads them, a few words at a time. What it stumbles over is kept from it: it says
 //! of most errors neither where nor what, takes everyday names such as `at`, `start` or `problem`
 //! for keywords, skips `(in-package ...)` wherever it stands, and reads quantifiers as atoms. So
-//! [`form::read`](super::form::read) checks the words, and every name goes in behind a capital `N`,
-//! which no keyword has and which no name can have, names being in small letters.
+//! [`form::read`](super::form::read) checks the words, and every name goes in behind a
+//! [`MARK`].
 
 use pddl_parser::domain::expression::Expression;
 use pddl_parser::domain::typed_parameter::TypedParameter;
@@ -13,6 +13,10 @@ use pddl_parser::lexer::TokenStream;
 
 use super::GoalError;
 use super::form::{Form, Source, is_name};
+
+/// Put before names on their way to the parser: no keyword begins with it in any case, and no name
+/// has it in it, names being in small letters.
+const MARK: char = 'X';
 
 /// Words that begin something other than an atom.
 const CONSTRUCTS: [&str; 20] = [
@@ -92,7 +96,7 @@ pub(super) fn typed_list(
             text += " -";
         } else if after_dash {
             let name = form.name().ok_or_else(|| source.expected("a type", form))?;
-            text += &format!(" N{name}");
+            text += &format!(" {MARK}{name}");
             // One type for all names since the last one.
             types.resize(names.len(), form);
         } else {
@@ -101,7 +105,7 @@ pub(super) fn typed_list(
                 Listed::Variables => variable(word),
             };
             let name = name.ok_or_else(|| source.expected(expected, form))?;
-            text += &format!(" ?N{name}");
+            text += &format!(" ?{MARK}{name}");
             names.push(form);
         }
         after_dash = word == "-";
@@ -110,8 +114,9 @@ pub(super) fn typed_list(
     let parameters = match parsed {
         Ok((rest, parameters)) if rest.is_empty() && parameters.len() == names.len() => parameters,
         _ => {
+            let expected = "a name before and a type after every `-`";
             let at = forms.last().map_or(0, |form| form.at);
-            return Err(source.expected_at(at, "names, then `-` and a type", "something else"));
+            return Err(source.expected_at(at, expected, "a list without"));
         }
     };
     Ok(names
@@ -122,7 +127,7 @@ pub(super) fn typed_list(
             name: form.word().unwrap_or_default().to_owned(),
             at: form.at,
             type_name: match parameter.type_ {
-                Type::Simple(name) => name.trim_start_matches('N').to_owned(),
+                Type::Simple(name) => name.replacen(MARK, "", 1),
                 Type::Either(names) => names.concat(),
             },
             type_at: types.get(i).map_or(form.at, |form| form.at),
@@ -144,12 +149,12 @@ pub(super) fn atom(source: Source<'_>, form: &Form) -> Result<Atom, GoalError> {
     if !is_name(head) || ["and", "not", "either"].contains(&head) {
         return Err(source.expected(EXPECTED, form));
     }
-    let mut text = format!("(N{head}");
+    let mut text = format!("({MARK}{head}");
     for argument in arguments {
         let word = argument.word().unwrap_or_default();
         match variable(word) {
-            Some(name) => text += &format!(" ?N{name}"),
-            None if is_name(word) => text += &format!(" N{word}"),
+            Some(name) => text += &format!(" ?{MARK}{name}"),
+            None if is_name(word) => text += &format!(" {MARK}{word}"),
             None => return Err(source.expected("a name or a `?variable`", argument)),
         }
     }
@@ -157,10 +162,10 @@ pub(super) fn atom(source: Source<'_>, form: &Form) -> Result<Atom, GoalError> {
     match Expression::parse_expression(TokenStream::new(&text)) {
         Ok((rest, Expression::Atom { name, parameters })) if rest.is_empty() => Ok(Atom {
             at: form.at,
-            predicate: name.replacen('N', "", 1),
+            predicate: name.replacen(MARK, "", 1),
             arguments: parameters
                 .iter()
-                .map(|parameter| parameter.to_string().replacen('N', "", 1))
+                .map(|parameter| parameter.to_string().replacen(MARK, "", 1))
                 .collect(),
         }),
         _ => Err(source.expected(EXPECTED, form)),

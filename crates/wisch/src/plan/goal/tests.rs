@@ -285,6 +285,37 @@ fn names_that_are_keywords_of_the_parser_are_names_here() {
     assert_eq!(goal.arguments(), arguments);
 }
 
+/// Names go to the parser behind a letter, which once made `ot` the keyword `not`.
+#[test]
+fn what_is_left_of_a_keyword_is_a_name() {
+    let keywords = [
+        "define",
+        "problem",
+        "domain",
+        "and",
+        "not",
+        "either",
+        "assign",
+        "scale-up",
+        "scale-down",
+        "increase",
+        "decrease",
+        "forall",
+        "at",
+        "over",
+        "all",
+        "start",
+        "end",
+    ];
+    for rest in keywords.map(|keyword| &keyword[1..]) {
+        let goal = GoalLiteral::parse(&format!("({rest} {rest})")).unwrap();
+        assert_eq!(
+            (goal.predicate(), goal.arguments()),
+            (rest, &[rest.to_owned()][..])
+        );
+    }
+}
+
 #[test]
 fn texts_beyond_the_limits_are_refused() {
     let deep = format!("{}{}", "(a ".repeat(65), ")".repeat(65));
