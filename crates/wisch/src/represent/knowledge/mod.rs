@@ -120,7 +120,8 @@ pub struct ToolEntry {
     pub mesh_file: String,
     /// How deep it gives way under nominal force, δ [m].
     pub compression_depth_m: f64,
-    /// Its area of effect where that is not the bounding box of the mesh's footprint.
+    /// The rectangle about the TCP on which it acts, where that is not its footprint: a nozzle
+    /// touches with its rim but sucks with all of its mouth.
     pub area_of_effect: Option<AreaOfEffect>,
     /// Free rotation about the surface normal, 0 being the broad side across the motion [rad].
     pub rotation_about_normal: AngleRange,
