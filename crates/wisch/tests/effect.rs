@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 use wisch::geometry::{PlanarPose, Point2, Polygon, Pose, Region, Vector2};
 use wisch::represent::{
-    EffectModel, Fate, Effect, ParticleDistribution, ParticleField, Surface, ToolMotion,
+    Effect, EffectModel, Fate, ParticleDistribution, ParticleField, Surface, ToolMotion,
 };
 
 /// How far two computations of the same motion may lie apart [m].

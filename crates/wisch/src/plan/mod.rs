@@ -3,6 +3,7 @@
 
 mod clearance;
 mod coverage;
+mod goal;
 mod graph;
 mod plan;
 mod predict;
@@ -15,8 +16,12 @@ pub use coverage::{
     CoverageStrategy, DensityMap, KdeConfig, RrtConfig, UnknownStrategy, data_bandwidth, grid, kde,
     rrt,
 };
+pub use goal::{Domain, GoalError, GoalLiteral, Problem, ResolvedGoal, Step, resolve_goal, solve};
 pub use graph::{Node, NodeRole, SemanticDirectedGraph};
 pub use plan::{Plan, PlanConfig, PlanError, plan};
 pub use predict::{Prediction, Progress, predict};
 pub use strokes::{Stroke, TcpWaypoint};
-pub use tour::{CostMatrix, TourConfig, TourError, shortest_path_from, shortest_tour};
+pub use tour::{
+    CostMatrix, MAX_TOUR_COST, MAX_TOUR_NODES, TourConfig, TourError, shortest_path_from,
+    shortest_tour,
+};

@@ -53,7 +53,9 @@ pub enum PlanError {
         radius: f64,
     },
     /// A skim has no edge to push over.
-    #[error("surface \"{surface}\": a skim needs at least one edge in skim_edges with free space beyond it")]
+    #[error(
+        "surface \"{surface}\": a skim needs at least one edge in skim_edges with free space beyond it"
+    )]
     NoSkimEdge {
         /// Name of the surface.
         surface: String,
@@ -96,8 +98,8 @@ impl Plan {
         self.tcp_path()
             .windows(2)
             .map(|leg| {
-                let flat = (leg[1].surface_from_tool.position - leg[0].surface_from_tool.position)
-                    .norm();
+                let flat =
+                    (leg[1].surface_from_tool.position - leg[0].surface_from_tool.position).norm();
                 flat.hypot(leg[1].height - leg[0].height)
             })
             .sum()
@@ -290,7 +292,14 @@ fn skim(
             surface: task.surface.name.clone(),
         });
     }
-    Ok(rooted(task, config, space, nodes, &goals, GoalState::Skimmed))
+    Ok(rooted(
+        task,
+        config,
+        space,
+        nodes,
+        &goals,
+        GoalState::Skimmed,
+    ))
 }
 
 /// Places beyond the skim edges at a pitch of at most r_s, r_s outside the border.
@@ -384,11 +393,7 @@ fn coverage_nodes(positions: Vec<Point2>) -> Vec<Node> {
 }
 
 fn nearest(nodes: &[Point2], to: Point2) -> Option<usize> {
-    (0..nodes.len()).min_by(|&a, &b| {
-        (nodes[a] - to)
-            .norm()
-            .total_cmp(&(nodes[b] - to).norm())
-    })
+    (0..nodes.len()).min_by(|&a, &b| (nodes[a] - to).norm().total_cmp(&(nodes[b] - to).norm()))
 }
 
 fn unreachable_share(graph: &SemanticDirectedGraph, particles: &[Point2], radius: f64) -> f64 {

@@ -3,7 +3,6 @@
 use super::SemanticDirectedGraph;
 use crate::geometry::{PlanarPose, wrap_angle};
 use crate::represent::ToolMotion;
-use std::f64::consts::PI;
 
 /// One motion in contact through a chain of nodes.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,7 +51,6 @@ impl Stroke {
             }
             poses.push(PlanarPose::new(position, heading));
         }
-        debug_assert!(poses.iter().all(|p| p.heading.abs() < 1e3 * PI));
         Self { nodes, poses }
     }
 
@@ -64,12 +62,10 @@ impl Stroke {
         });
         self.poses
             .windows(2)
-            .flat_map(|pair| {
-                let mid = if std::env::var("INPLACE").is_err() {pair[1]} else {PlanarPose { heading: pair[0].heading, ..pair[1] }};
-                [ToolMotion {
+            .map(|pair| ToolMotion {
                 from: pair[0],
-                to: mid,
-            }, ToolMotion { from: mid, to: pair[1]}]})
+                to: pair[1],
+            })
             .chain(touch)
     }
 

@@ -71,7 +71,11 @@ pub(super) fn forest(
 /// From the leaf nearest the tool towards the root, then from the next nearest. A branch ends where
 /// others still have to come in: the last to arrive takes what they brought along, so every edge is
 /// wiped once and nothing is left at a junction.
-pub(super) fn branches(nodes: &[Point2], parent: &[Option<usize>], start: Point2) -> Vec<Vec<usize>> {
+pub(super) fn branches(
+    nodes: &[Point2],
+    parent: &[Option<usize>],
+    start: Point2,
+) -> Vec<Vec<usize>> {
     let mut pending = vec![0usize; nodes.len()];
     for to in parent.iter().flatten() {
         pending[*to] += 1;
@@ -91,7 +95,7 @@ pub(super) fn branches(nodes: &[Point2], parent: &[Option<usize>], start: Point2
             branch.push(next);
             pending[next] -= 1;
             at = next;
-            if pending[next] > 0 && std::env::var("TRUNK").is_err() {
+            if pending[next] > 0 {
                 break;
             }
         }

@@ -12,21 +12,12 @@
 use super::chords::ChordTable;
 use super::field::{ParticleField, Slot};
 use super::turning::{Ride, Turning};
-use super::{Fate, Surface};
+use super::{Effect, Fate, Surface};
 use crate::geometry::{Edge, PlanarPose, Point2, Region, Vector2};
 
 /// Distance kept between a carried particle and the footprint, so that rounding never puts it back
 /// under the tool [m].
 pub(super) const CLEARANCE: f64 = 1e-9;
-
-/// What contact with the tool does to the medium.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Effect {
-    /// The tool takes the particle up.
-    Absorb,
-    /// The tool pushes the particle along.
-    Push,
-}
 
 /// A motion of the tool in contact: position and heading change linearly from one pose to the other.
 ///

@@ -3,6 +3,7 @@
 mod chords;
 mod effect;
 mod field;
+mod knowledge;
 mod metrics;
 mod particles;
 mod scene;
@@ -10,16 +11,15 @@ mod surface;
 mod task;
 mod turning;
 
-pub use effect::{Effect, EffectModel, MotionEffect, ToolMotion};
+pub use effect::{EffectModel, MotionEffect, ToolMotion};
 pub use field::ParticleField;
+pub use knowledge::{
+    Action, AngleRange, AreaOfEffect, Effect, GrainSize, Interaction, KnowledgeBase,
+    KnowledgeError, LogNormal, MediumEntry, MediumKind, Place, RankedTool, SurfaceEntry,
+    SurfaceScope, TiltFreedom, ToolEntry, UnknownName,
+};
 pub use metrics::{GoalState, Performance};
 pub use particles::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError, ParticleTally};
 pub use scene::SceneObject;
 pub use surface::Surface;
 pub use task::{Task, Tool};
-/// Temporary.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
-pub enum Action { Absorb, Collect, Skim }
-#[allow(missing_docs)]
-impl Action { pub fn effect(self) -> Effect { if self == Self::Absorb { Effect::Absorb } else { Effect::Push } } }

@@ -58,8 +58,10 @@ impl Task {
     /// The scene's meshes in the surface frame.
     pub fn scene_in_surface(&self) -> impl Iterator<Item = Mesh> + '_ {
         let surface_from_world = self.surface.world_from_surface.inverse();
-        self.scene
-            .iter()
-            .map(move |object| object.mesh.transformed(&(surface_from_world * object.world_from_object)))
+        self.scene.iter().map(move |object| {
+            object
+                .mesh
+                .transformed(&(surface_from_world * object.world_from_object))
+        })
     }
 }

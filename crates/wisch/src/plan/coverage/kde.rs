@@ -33,7 +33,11 @@ pub fn data_bandwidth(points: &[Point2], radius: f64) -> f64 {
         .sum::<f64>()
         / (2.0 * (count - 1.0));
     let scott = (2.0 * variance).sqrt() * count.powf(-1.0 / 6.0);
-    if scott > 0.0 { scott.min(radius) } else { radius }
+    if scott > 0.0 {
+        scott.min(radius)
+    } else {
+        radius
+    }
 }
 
 /// The density K(x) of (2), sampled on a grid.
@@ -155,11 +159,11 @@ impl DensityMap {
     }
 }
 
-/// Peaks of the density of the particles that no node reaches yet, highest first.
+/// Peaks of the particle density, highest first.
 ///
-/// A node reaches the particles within r_s of it. Each peak keeps the clearance d_s = 2 r_s from the
-/// nodes before it; when no free place is that far from all of them and particles are still out of
-/// reach, the clearance is halved for what is left.
+/// Each peak keeps the clearance d_s = 2 r_s from the nodes before it, until every particle is within
+/// reach (r_s) of a node. Where no free place is left at that clearance and particles are still out of
+/// reach, further peaks keep r_s.
 pub fn kde(space: &FreeSpace, particles: &[Point2], config: &KdeConfig) -> Vec<Point2> {
     let Some(bounds) = Bounds2::of(space.surface().outline.outer().iter().copied()) else {
         return Vec::new();
@@ -168,39 +172,28 @@ pub fn kde(space: &FreeSpace, particles: &[Point2], config: &KdeConfig) -> Vec<P
     let bandwidth = config
         .bandwidth
         .unwrap_or_else(|| data_bandwidth(particles, radius));
+    let density = DensityMap::new(particles, bounds, bandwidth);
+    let (columns, rows) = density.shape();
+    let mut places: Vec<(f64, Point2)> = (0..rows)
+        .flat_map(|row| (0..columns).map(move |column| (column, row)))
+        .map(|(column, row)| {
+            let place = density.sample_position(column, row);
+            (density.sample(column, row), place)
+        })
+        .filter(|(_, place)| space.is_free(*place))
+        .collect();
+    places.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut out_of_reach: Vec<Point2> = particles.to_vec();
     let mut nodes: Vec<Point2> = Vec::new();
-    let mut candidates: Option<Vec<(usize, usize, Point2)>> = None;
-    let mut clearance = 2.0 * radius;
-    while !out_of_reach.is_empty() {
-        let env = |k: &str, d: f64| std::env::var(k).ok().and_then(|v| v.parse().ok()).unwrap_or(d);
-        let bandwidth = bandwidth * env("BW", 1.0);
-        let density = DensityMap::new(if env("STATIC",0.0) > 0.0 { particles } else { &out_of_reach }, bounds, bandwidth);
-        let places = candidates.get_or_insert_with(|| {
-            let (columns, rows) = density.shape();
-            (0..rows)
-                .flat_map(|row| (0..columns).map(move |column| (column, row)))
-                .map(|(column, row)| (column, row, density.sample_position(column, row)))
-                .filter(|(_, _, place)| space.is_free(*place))
-                .collect()
-        });
-        let best = places
-            .iter()
-            .filter(|(_, _, place)| nodes.iter().all(|n| (n - place).norm() >= clearance))
-            .max_by(|a, b| {
-                density
-                    .sample(a.0, a.1)
-                    .total_cmp(&density.sample(b.0, b.1))
-                    .then(b.1.cmp(&a.1))
-                    .then(b.0.cmp(&a.0))
-            });
-        match best {
-            Some(&(_, _, place)) => {
-                nodes.push(place);
-                out_of_reach.retain(|p| (p - place).norm() > radius * env("REACH", 1.0));
+    for clearance in [2.0 * radius, radius] {
+        for &(_, place) in &places {
+            if out_of_reach.is_empty() {
+                return nodes;
             }
-            None if clearance > radius * env("RELAX", 1.0) + 1e-9 => clearance = radius * env("RELAX", 1.0),
-            None => break,
+            if nodes.iter().all(|node| (node - place).norm() >= clearance) {
+                nodes.push(place);
+                out_of_reach.retain(|p| (p - place).norm() > radius);
+            }
         }
     }
     nodes

@@ -27,7 +27,7 @@ impl Default for RrtConfig {
 /// Nodes of a tree that grows from the free place nearest `start` by at most r_s at a time.
 ///
 /// Samples are drawn in cells (those of [`grid`]) that no node covers yet, which biases the tree
-/// towards unexplored regions; a node covers the cells whose centre is within r_s / √2 of it. Growth
+/// towards unexplored regions; a node covers the cells whose centre is within r_s / 2 of it. Growth
 /// ends when every free cell is covered or the budget of samples is spent.
 pub fn rrt(space: &FreeSpace, start: Point2, config: &RrtConfig) -> Vec<Point2> {
     let mut uncovered = grid(space);
@@ -39,7 +39,7 @@ pub fn rrt(space: &FreeSpace, start: Point2, config: &RrtConfig) -> Vec<Point2> 
         return Vec::new();
     };
     let pitch = space.radius();
-    let covers = pitch * std::env::var("COV").map_or(0.707, |v| v.parse::<f64>().unwrap());
+    let covers = pitch / 2.0;
     let budget = config.samples_per_cell * uncovered.len();
     let mut random = ChaCha8Rng::seed_from_u64(config.seed);
     let mut nodes = vec![root];

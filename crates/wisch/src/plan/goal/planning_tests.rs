@@ -1,0 +1,503 @@
+//! Domains and problems of the user's own.
+
+use super::*;
+use proptest::prelude::*;
+
+const BLOCKS: &str = "(define (domain blocks)
+  (:requirements :strips :typing)
+  (:types block - object)
+  (:constants spare - block)
+  (:predicates (on ?x ?y - block) (free ?x - block) (on-table ?x - block))
+  (:action stack
+    :parameters (?x ?y - block)
+    :precondition (and (free ?x) (free ?y) (on-table ?x))
+    :effect (and (on ?x ?y) (not (free ?y)) (not (on-table ?x))))
+  (:action unstack
+    :parameters (?x ?y - block)
+    :precondition (and (free ?x) (on ?x ?y))
+    :effect (and (on-table ?x) (free ?y) (not (on ?x ?y)))))
+";
+
+const TOWER: &str = "(define (problem tower)
+  (:domain blocks)
+  (:objects a b c - block)
+  (:init (on-table b) (on-table c) (on a b) (free a) (free c))
+  (:goal (and (on b c) (on a b))))
+";
+
+fn plan(domain: &str, problem: &str) -> Result<Option<Vec<String>>, GoalError> {
+    let domain = Domain::parse("domain.pddl", domain)?;
+    let plan = solve(&domain, &Problem::parse("problem.pddl", problem)?)?;
+    Ok(plan.map(|plan| plan.iter().map(Step::to_string).collect()))
+}
+
+/// What planning says after one piece of the domain is replaced.
+fn domain_error(piece: &str, by: &str) -> String {
+    assert_eq!(BLOCKS.matches(piece).count(), 1, "{piece} must occur once");
+    plan(&BLOCKS.replace(piece, by), TOWER)
+        .expect_err("the domain is broken")
+        .to_string()
+}
+
+/// The same for the problem.
+fn problem_error(piece: &str, by: &str) -> String {
+    assert_eq!(TOWER.matches(piece).count(), 1, "{piece} must occur once");
+    plan(BLOCKS, &TOWER.replace(piece, by))
+        .expect_err("the problem is broken")
+        .to_string()
+}
+
+#[test]
+fn a_tower_is_taken_apart_and_built() {
+    let expected = ["(unstack a b)", "(stack b c)", "(stack a b)"].map(str::to_owned);
+    assert_eq!(plan(BLOCKS, TOWER).unwrap(), Some(expected.to_vec()));
+}
+
+#[test]
+fn a_goal_that_holds_takes_no_step_and_one_that_cannot_has_no_plan() {
+    let held = TOWER.replace("(and (on b c) (on a b))", "(on a b)");
+    assert_eq!(plan(BLOCKS, &held).unwrap(), Some(vec![]));
+    // Relaxed, each half of this can be reached; together they can't.
+    let circle = TOWER.replace("(and (on b c) (on a b))", "(and (on b c) (on c b))");
+    assert_eq!(plan(BLOCKS, &circle).unwrap(), None);
+    let out_of_reach = TOWER.replace("(and (on b c) (on a b))", "(on spare a)");
+    assert_eq!(plan(BLOCKS, &out_of_reach).unwrap(), None);
+}
+
+#[test]
+fn subtypes_and_constants_count_as_objects() {
+    let domain = "(define (domain d) (:types rag sponge - tool tool) (:constants old - rag)
+        (:predicates (wet ?t - tool) (done))
+        (:action dip :parameters (?t - sponge) :effect (wet ?t))
+        (:action soak :parameters () :effect (wet old))
+        (:action finish :parameters (?t - tool) :precondition (wet ?t) :effect (done)))";
+    let problem = "(define (problem p) (:domain d) (:objects new - rag) (:init) (:goal (done)))";
+    let expected = ["(soak)", "(finish old)"].map(str::to_owned);
+    assert_eq!(plan(domain, problem).unwrap(), Some(expected.to_vec()));
+    // A rag that is new can't get wet.
+    let problem = problem.replace("(done)", "(wet new)");
+    assert_eq!(plan(domain, &problem).unwrap(), None);
+}
+
+#[test]
+fn what_an_action_adds_outlasts_what_it_deletes() {
+    let domain = "(define (domain d) (:predicates (a) (b))
+        (:action go :effect (and (a) (not (a)) (b))))";
+    let problem = "(define (problem p) (:domain d) (:init) (:goal (and (a) (b))))";
+    assert_eq!(
+        plan(domain, problem).unwrap(),
+        Some(vec!["(go)".to_owned()])
+    );
+}
+
+#[test]
+fn a_broken_domain_is_told_with_its_place() {
+    let cases = [
+        (
+            "(define",
+            "(defin",
+            "domain.pddl:1:1: expected `(define (domain name) ...)`, found `(defin ...)`",
+        ),
+        (
+            "(domain blocks)",
+            "(problem blocks)",
+            "domain.pddl:1:9: expected `(domain name)`, found `(problem ...)`",
+        ),
+        (
+            ":predicates",
+            ":predicate",
+            r#"domain.pddl:5:3: unknown section ":predicate"; nearest: :predicates"#,
+        ),
+        (
+            "(free ?x - block)",
+            "free",
+            "domain.pddl:5:35: expected a predicate `(name ?parameter - type ...)`, found `free`",
+        ),
+        (
+            "(free ?x - block)",
+            "(free x - block)",
+            "domain.pddl:5:41: expected a parameter `?name`, or `-` and a type, found `x`",
+        ),
+        (
+            "(free ?x - block)",
+            "(free ?x - blok)",
+            r#"domain.pddl:5:46: unknown type "blok"; nearest: block"#,
+        ),
+        (
+            "(free ?x - block)",
+            "(free ?x -)",
+            "domain.pddl:5:44: expected a name before and a type after every `-`, found a list without",
+        ),
+        (
+            "(free ?x - block)",
+            "(on ?x - block)",
+            "domain.pddl:5:35: predicate on is already defined at domain.pddl:5:16",
+        ),
+        (
+            "block - object",
+            "block - stone",
+            r#"domain.pddl:3:19: unknown type "stone"; nearest: "#,
+        ),
+        (
+            "block - object",
+            "block - stone stone - block",
+            "domain.pddl:3:11: type block is its own ancestor",
+        ),
+        (
+            "block - object",
+            "block block",
+            "domain.pddl:3:17: type block is already defined at domain.pddl:3:11",
+        ),
+        (
+            "(:action unstack",
+            "(:action stack",
+            "domain.pddl:10:3: action stack is already defined at domain.pddl:6:3",
+        ),
+        (
+            "(:action unstack",
+            "(:action (unstack)",
+            "domain.pddl:10:3: expected `(:action name ...)`, found `(:action ...)`",
+        ),
+        (
+            "(free ?x) (on ?x ?y)",
+            "(free ?z) (on ?x ?y)",
+            r#"domain.pddl:12:24: unknown parameter "?z"; nearest: ?x"#,
+        ),
+        (
+            "(free ?x) (on ?x ?y)",
+            "(free sparse) (on ?x ?y)",
+            r#"domain.pddl:12:24: unknown constant "sparse"; nearest: spare"#,
+        ),
+        (
+            "(free ?x) (on ?x ?y)",
+            "(free ?x) (an ?x ?y)",
+            r#"domain.pddl:12:34: unknown predicate "an"; nearest: on"#,
+        ),
+        (
+            "(free ?x) (on ?x ?y)",
+            "(free ?x) (on ?x)",
+            "domain.pddl:12:34: predicate on takes 2 arguments, found 1",
+        ),
+        (
+            ":effect (and (on ?x ?y)",
+            "(and (on ?x ?y)",
+            "domain.pddl:9:5: expected `:parameters`, `:precondition` or `:effect`, found `(and ...)`",
+        ),
+        (
+            "    :effect (and (on ?x ?y) (not (free ?y)) (not (on-table ?x))))",
+            ")",
+            "domain.pddl:6:3: expected `:effect` in the action, found none",
+        ),
+    ];
+    for (piece, by, expected) in cases {
+        let error = domain_error(piece, by);
+        assert!(
+            error.starts_with(expected),
+            "{expected:?} does not begin {error:?}"
+        );
+    }
+}
+
+#[test]
+fn constructs_beyond_typed_strips_are_named() {
+    let cases = [
+        (":strips", ":adl", "domain.pddl:2:18: `:adl`"),
+        (
+            "(:constants",
+            "(:functions (cost)) (:constants",
+            "domain.pddl:4:3: `:functions`",
+        ),
+        (
+            "(:action unstack",
+            "(:durative-action unstack",
+            "domain.pddl:10:3: `:durative-action`",
+        ),
+        (
+            "(free ?x) (on ?x ?y)",
+            "(free ?x) (not (on ?x ?y))",
+            "domain.pddl:12:39: `not` in a precondition",
+        ),
+        (
+            "(free ?x) (on ?x ?y)",
+            "(or (free ?x) (on ?x ?y))",
+            "domain.pddl:12:24: `or`",
+        ),
+        (
+            "(free ?x) (on ?x ?y)",
+            "(= ?x ?y)",
+            "domain.pddl:12:24: `=`",
+        ),
+        (
+            "(free ?x) (on ?x ?y)",
+            "(exists (?z) (on ?x ?z))",
+            "domain.pddl:12:24: `exists`",
+        ),
+        (
+            "(free ?x) (on ?x ?y)",
+            "(forall (?z) (on ?x ?z))",
+            "domain.pddl:12:24: `forall`",
+        ),
+        (
+            "(on-table ?x) (free ?y)",
+            "(when (free ?x) (free ?y))",
+            "domain.pddl:13:18: `when`",
+        ),
+        (
+            "(on-table ?x) (free ?y)",
+            "(increase (cost) 1)",
+            "domain.pddl:13:18: `increase`",
+        ),
+        (
+            "(on-table ?x) (free ?y)",
+            "(not (not (free ?y)))",
+            "domain.pddl:13:23: `(not (not ...))`",
+        ),
+        (
+            "spare - block",
+            "spare - (either block object)",
+            "domain.pddl:4:23: `either`",
+        ),
+    ];
+    for (piece, by, construct) in cases {
+        let expected =
+            format!("{construct} is not supported; typed STRIPS with positive preconditions is");
+        assert_eq!(domain_error(piece, by), expected);
+    }
+    let metric = problem_error("(:goal", "(:metric minimize (cost)) (:goal");
+    assert!(
+        metric.starts_with("problem.pddl:5:3: `:metric` is not supported"),
+        "{metric}"
+    );
+    let negative = problem_error("(and (on b c)", "(and (not (on b c))");
+    assert!(
+        negative.starts_with("problem.pddl:5:20: `not` in a goal is not"),
+        "{negative}"
+    );
+}
+
+#[test]
+fn a_broken_problem_is_told_with_its_place() {
+    let cases = [
+        (
+            "(:domain blocks)",
+            "(:domain bricks)",
+            r#"problem.pddl:2:12: the problem is one of domain "bricks", not of "blocks""#,
+        ),
+        (
+            "(:domain blocks)",
+            "",
+            "problem.pddl:1:1: expected one `(:domain name)`, found none",
+        ),
+        (
+            "a b c - block",
+            "a b c - brick",
+            r#"problem.pddl:3:21: unknown type "brick"; nearest: block"#,
+        ),
+        (
+            "a b c - block",
+            "a b a c - block",
+            "problem.pddl:3:17: object a is already defined at problem.pddl:3:13",
+        ),
+        (
+            "a b c - block",
+            "a b c spare - block",
+            "problem.pddl:3:19: expected an object that is no constant of the domain, found `spare`",
+        ),
+        (
+            "a b c - block",
+            "a b c",
+            "problem.pddl:4:10: b is of type object, which is no block",
+        ),
+        (
+            "(free a)",
+            "(free d)",
+            r#"problem.pddl:4:45: unknown object "d"; nearest: a; known: a, b, c, spare"#,
+        ),
+        (
+            "(free a)",
+            "(fre a)",
+            r#"problem.pddl:4:45: unknown predicate "fre"; nearest: free"#,
+        ),
+        (
+            "(free a)",
+            "(free a b)",
+            "problem.pddl:4:45: predicate free takes 1 arguments, found 2",
+        ),
+        (
+            "(:goal",
+            "(:gaol",
+            r#"problem.pddl:5:3: unknown section ":gaol"; nearest: :goal"#,
+        ),
+        (
+            "(:goal (and (on b c) (on a b)))",
+            "",
+            "problem.pddl:1:1: expected one `(:goal condition)`, found none",
+        ),
+        (
+            "(:goal",
+            "(:goal (free a)) (:goal",
+            "problem.pddl:5:20: section :goal is already defined at problem.pddl:5:3",
+        ),
+        (
+            "(on a b))))",
+            "(on a b)))",
+            "problem.pddl:1:1: expected `)` for this parenthesis, found the end of the text",
+        ),
+    ];
+    for (piece, by, expected) in cases {
+        let error = problem_error(piece, by);
+        assert!(
+            error.starts_with(expected),
+            "{expected:?} does not begin {error:?}"
+        );
+    }
+}
+
+/// A domain whose states are the numbers of so many binary digits.
+fn switches(count: usize, goal: &str) -> (String, String) {
+    let domain = "(define (domain switches) (:predicates (lit ?s) (dark ?s) (never))
+        (:action on :parameters (?s) :precondition (dark ?s) :effect (and (lit ?s) (not (dark ?s))))
+        (:action off :parameters (?s) :precondition (lit ?s) :effect (and (dark ?s) (not (lit ?s))))
+        (:action both :parameters (?s) :precondition (and (lit ?s) (dark ?s)) :effect (never)))";
+    let names: Vec<String> = (0..count).map(|i| format!("s{i}")).collect();
+    let dark: String = names.iter().map(|name| format!("(dark {name})")).collect();
+    let problem = format!(
+        "(define (problem p) (:domain switches) (:objects {}) (:init {dark}) (:goal {goal}))",
+        names.join(" ")
+    );
+    (domain.to_owned(), problem)
+}
+
+#[test]
+fn a_search_is_complete_and_ends_at_its_limit() {
+    let (domain, problem) = switches(10, "(never)");
+    assert_eq!(plan(&domain, &problem).unwrap(), None);
+    let (domain, problem) = switches(17, "(never)");
+    assert_eq!(
+        plan(&domain, &problem).unwrap_err().to_string(),
+        "problem.pddl: number of states: 100001 exceeds the limit of 100000"
+    );
+}
+
+#[test]
+fn grounding_ends_at_its_limits() {
+    let pairs = "(define (domain d) (:predicates (p ?a ?b) (q))
+        (:action go :parameters (?a ?b) :effect (p ?a ?b)))";
+    let names = |count: usize| -> String { (0..count).map(|i| format!("o{i} ")).collect() };
+    let problem = |count: usize| {
+        let names = names(count);
+        format!("(define (problem p) (:domain d) (:objects {names}) (:init) (:goal (q)))")
+    };
+    assert_eq!(
+        plan(pairs, &problem(101)).unwrap_err().to_string(),
+        "problem.pddl: number of grounded actions: 10001 exceeds the limit of 10000"
+    );
+    let many = "(define (domain d) (:predicates (p ?a ?b ?c ?d) (q) (no ?d))
+        (:action go :parameters (?a ?b ?c ?d) :precondition (no ?d) :effect (p ?a ?b ?c ?d)))";
+    let error = plan(many, &problem(101)).unwrap_err().to_string();
+    assert!(
+        error.starts_with("problem.pddl: steps to bind all actions: 2000"),
+        "{error}"
+    );
+    let facts: String = (0..20_001)
+        .map(|i| format!("(p o{} o{})", i % 150, i / 150))
+        .collect();
+    let problem = problem(150).replace("(:init)", &format!("(:init {facts})"));
+    assert_eq!(
+        plan(pairs, &problem).unwrap_err().to_string(),
+        "problem.pddl: number of facts: 20001 exceeds the limit of 20000"
+    );
+    let parameters: String = (0..13).map(|i| format!("?p{i} ")).collect();
+    let wide = pairs.replace("(?a ?b) :", &format!("(?a ?b {parameters}) :"));
+    assert_eq!(
+        Domain::parse("d", &wide).unwrap_err().to_string(),
+        "d: parameters of an action: 15 exceeds the limit of 12"
+    );
+}
+
+/// Applies a plan step by step, with sets of strings for states: an oracle apart from the search.
+fn is_blocks_plan(init: &[&str], plan: &[String], goal: &[&str]) -> bool {
+    let mut state: std::collections::BTreeSet<String> = init.iter().map(|&f| f.into()).collect();
+    for step in plan {
+        let words: Vec<&str> = step.trim_matches(['(', ')']).split(' ').collect();
+        let [action, x, y] = words[..] else {
+            return false;
+        };
+        let [free_x, free_y] = [x, y].map(|b| format!("free {b}"));
+        let (on_table, on) = (format!("on-table {x}"), format!("on {x} {y}"));
+        let (needed, lost, won) = match action {
+            "stack" => (
+                vec![&free_x, &free_y, &on_table],
+                vec![&free_y, &on_table],
+                vec![&on],
+            ),
+            _ => (vec![&free_x, &on], vec![&on], vec![&on_table, &free_y]),
+        };
+        if !needed.into_iter().all(|fact| state.contains(fact)) {
+            return false;
+        }
+        for fact in lost {
+            state.remove(fact);
+        }
+        state.extend(won.into_iter().cloned());
+    }
+    goal.iter().all(|&fact| state.contains(fact))
+}
+
+#[test]
+fn the_oracle_refuses_a_plan_that_skips_a_step() {
+    let init = ["on-table a", "on-table b", "free a", "free b"];
+    assert!(is_blocks_plan(
+        &init,
+        &["(stack a b)".to_owned()],
+        &["on a b"]
+    ));
+    assert!(!is_blocks_plan(
+        &init,
+        &["(unstack a b)".to_owned()],
+        &["on-table a"]
+    ));
+    assert!(!is_blocks_plan(&init, &[], &["on a b"]));
+}
+
+proptest! {
+    /// Blocks on the table can be stacked in any order, one step for each but the lowest.
+    #[test]
+    fn towers_of_any_order_are_built_in_the_fewest_steps(
+        tower in Just(["a", "b", "c", "d", "e"].to_vec()).prop_shuffle(), height in 1..=5_usize
+    ) {
+        let init: Vec<String> = ["a", "b", "c", "d", "e"]
+            .iter()
+            .flat_map(|b| [format!("on-table {b}"), format!("free {b}")])
+            .collect();
+        let goal: Vec<String> =
+            tower[..height].windows(2).map(|pair| format!("on {} {}", pair[1], pair[0])).collect();
+        let list = |facts: &[String]| -> String { facts.iter().map(|f| format!("({f})")).collect() };
+        let problem = format!(
+            "(define (problem p) (:domain blocks) (:objects a b c d e - block) (:init {}) (:goal (and {})))",
+            list(&init), list(&goal)
+        );
+        let plan = plan(BLOCKS, &problem).unwrap().expect("blocks on a table can be stacked");
+        prop_assert_eq!(plan.len(), height - 1);
+        let init: Vec<&str> = init.iter().map(String::as_str).collect();
+        let goal: Vec<&str> = goal.iter().map(String::as_str).collect();
+        prop_assert!(is_blocks_plan(&init, &plan, &goal));
+    }
+
+    #[test]
+    fn no_change_to_a_problem_makes_planning_panic(
+        cuts in prop::collection::vec((0.0..1.0_f64, 0..8_usize, "[()a-c?:\\PC -]{0,6}"), 1..4),
+        in_domain: bool
+    ) {
+        let mut text = if in_domain { BLOCKS } else { TOWER }.to_owned();
+        for (share, length, inserted) in cuts {
+            let start = text.floor_char_boundary((share * text.len() as f64) as usize);
+            let end = text.floor_char_boundary(start + length);
+            text.replace_range(start..end, &inserted);
+        }
+        let result = if in_domain { plan(&text, TOWER) } else { plan(BLOCKS, &text) };
+        if let Err(error) = result {
+            prop_assert!(!error.to_string().is_empty());
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! Typed lists, atoms and literals of PDDL.
+//!
+//! `pddl-parser` reads them, a few words at a time. What it stumbles over is kept from it: it says
+//! of most errors neither where nor what, takes everyday names such as `at`, `start` or `problem`
+//! for keywords, skips `(in-package ...)` wherever it stands, and reads quantifiers as atoms. So
+//! [`form::read`](super::form::read) checks the words, and every name goes in behind a
+//! [`MARK`].
+
+use pddl_parser::domain::expression::Expression;
+use pddl_parser::domain::typed_parameter::TypedParameter;
+use pddl_parser::domain::typing::Type;
+use pddl_parser::lexer::TokenStream;
+
+use super::GoalError;
+use super::form::{Form, Source, is_name};
+
+/// Put before names on their way to the parser: no keyword begins with it in any case, and no name
+/// has it in it, names being in small letters.
+const MARK: char = 'X';
+
+/// Words that begin something other than an atom.
+const CONSTRUCTS: [&str; 20] = [
+    "or",
+    "imply",
+    "exists",
+    "forall",
+    "when",
+    "oneof",
+    "preference",
+    "assign",
+    "increase",
+    "decrease",
+    "scale-up",
+    "scale-down",
+    "=",
+    "<",
+    ">",
+    "<=",
+    ">=",
+    "+",
+    "*",
+    "/",
+];
+
+/// Whether a word begins something other than an atom, beyond `and` and `not`.
+pub(super) fn is_construct(word: &str) -> bool {
+    CONSTRUCTS.contains(&word)
+}
+
+/// A name with its type.
+#[derive(Debug, Clone)]
+pub(super) struct Typed {
+    pub(super) name: String,
+    pub(super) at: usize,
+    pub(super) type_name: String,
+    pub(super) type_at: usize,
+}
+
+/// A predicate with arguments, names or `?variables`.
+#[derive(Debug, Clone)]
+pub(super) struct Atom {
+    pub(super) at: usize,
+    pub(super) predicate: String,
+    pub(super) arguments: Vec<String>,
+}
+
+/// What a typed list gives types to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Listed {
+    /// Types, constants or objects.
+    Names,
+    /// Parameters, `?x`.
+    Variables,
+}
+
+/// Reads `a b - t c`, in which what has no type is an `object`.
+pub(super) fn typed_list(
+    source: Source<'_>,
+    forms: &[Form],
+    listed: Listed,
+) -> Result<Vec<Typed>, GoalError> {
+    let expected = match listed {
+        Listed::Names => "a name, or `-` and a type",
+        Listed::Variables => "a parameter `?name`, or `-` and a type",
+    };
+    let mut text = String::new();
+    let mut names: Vec<&Form> = Vec::new();
+    let mut types: Vec<&Form> = Vec::new();
+    let mut after_dash = false;
+    for form in forms {
+        if form.head().is_some_and(|(head, _)| head == "either") {
+            return Err(source.not_supported(form.at, "`either`"));
+        }
+        let word = form.word().ok_or_else(|| source.expected(expected, form))?;
+        if word == "-" {
+            text += " -";
+        } else if after_dash {
+            let name = form.name().ok_or_else(|| source.expected("a type", form))?;
+            text += &format!(" {MARK}{name}");
+            // One type for all names since the last one.
+            types.resize(names.len(), form);
+        } else {
+            let name = match listed {
+                Listed::Names => form.name(),
+                Listed::Variables => variable(word),
+            };
+            let name = name.ok_or_else(|| source.expected(expected, form))?;
+            text += &format!(" ?{MARK}{name}");
+            names.push(form);
+        }
+        after_dash = word == "-";
+    }
+    let parsed = TypedParameter::parse_typed_parameters(TokenStream::new(&text));
+    let parameters = match parsed {
+        Ok((rest, parameters)) if rest.is_empty() && parameters.len() == names.len() => parameters,
+        _ => {
+            let expected = "a name before and a type after every `-`";
+            let at = forms.last().map_or(0, |form| form.at);
+            return Err(source.expected_at(at, expected, "a list without"));
+        }
+    };
+    Ok(names
+        .iter()
+        .enumerate()
+        .zip(parameters)
+        .map(|((i, form), parameter)| Typed {
+            name: form.word().unwrap_or_default().to_owned(),
+            at: form.at,
+            type_name: match parameter.type_ {
+                Type::Simple(name) => name.replacen(MARK, "", 1),
+                Type::Either(names) => names.concat(),
+            },
+            type_at: types.get(i).map_or(form.at, |form| form.at),
+        })
+        .collect())
+}
+
+fn variable(word: &str) -> Option<&str> {
+    word.strip_prefix('?').filter(|name| is_name(name))
+}
+
+/// Reads `(predicate argument ...)`.
+pub(super) fn atom(source: Source<'_>, form: &Form) -> Result<Atom, GoalError> {
+    const EXPECTED: &str = "an atom `(predicate argument ...)`";
+    let (head, arguments) = form.head().ok_or_else(|| source.expected(EXPECTED, form))?;
+    if is_construct(head) {
+        return Err(source.not_supported(form.at, &format!("`{head}`")));
+    }
+    if !is_name(head) || ["and", "not", "either"].contains(&head) {
+        return Err(source.expected(EXPECTED, form));
+    }
+    let mut text = format!("({MARK}{head}");
+    for argument in arguments {
+        let word = argument.word().unwrap_or_default();
+        match variable(word) {
+            Some(name) => text += &format!(" ?{MARK}{name}"),
+            None if is_name(word) => text += &format!(" {MARK}{word}"),
+            None => return Err(source.expected("a name or a `?variable`", argument)),
+        }
+    }
+    text.push(')');
+    match Expression::parse_expression(TokenStream::new(&text)) {
+        Ok((rest, Expression::Atom { name, parameters })) if rest.is_empty() => Ok(Atom {
+            at: form.at,
+            predicate: name.replacen(MARK, "", 1),
+            arguments: parameters
+                .iter()
+                .map(|parameter| parameter.to_string().replacen(MARK, "", 1))
+                .collect(),
+        }),
+        _ => Err(source.expected(EXPECTED, form)),
+    }
+}
+
+/// An atom that is to be true or false.
+#[derive(Debug, Clone)]
+pub(super) enum Literal {
+    Holds(Atom),
+    HoldsNot(Atom),
+}
+
+/// Reads an atom, `(not atom)`, or an `(and ...)` of these; `()` is nothing.
+pub(super) fn literals(source: Source<'_>, form: &Form) -> Result<Vec<Literal>, GoalError> {
+    if form.list().is_some_and(<[Form]>::is_empty) {
+        return Ok(Vec::new());
+    }
+    match form.head() {
+        Some(("and", forms)) => {
+            let parts: Vec<_> = forms
+                .iter()
+                .map(|form| literals(source, form))
+                .collect::<Result<_, _>>()?;
+            Ok(parts.concat())
+        }
+        Some(("not", [form])) if form.head().is_some_and(|(head, _)| head == "not") => {
+            Err(source.not_supported(form.at, "`(not (not ...))`"))
+        }
+        Some(("not", [form])) => Ok(vec![Literal::HoldsNot(atom(source, form)?)]),
+        Some(("not", _)) => Err(source.expected("`(not atom)`", form)),
+        _ => Ok(vec![Literal::Holds(atom(source, form)?)]),
+    }
+}
+
+/// The same where nothing may be negated.
+pub(super) fn atoms(source: Source<'_>, form: &Form, role: &str) -> Result<Vec<Atom>, GoalError> {
+    literals(source, form)?
+        .into_iter()
+        .map(|literal| match literal {
+            Literal::Holds(atom) => Ok(atom),
+            Literal::HoldsNot(atom) => {
+                Err(source.not_supported(atom.at, &format!("`not` in {role}")))
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,64 @@
+//! How likely a contact of some force has its effect.
+
+/// The distribution of the least normalised contact force f′ at which the tool affects a particle,
+/// ln X ~ N(μ, σ) (equation 12, Fig. 11).
+///
+/// Small σ makes a steep curve: beyond its median nearly every contact works, even a weak one.
+/// Large σ makes a flat one: full force may still do nothing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LogNormal {
+    /// Mean of ln x; exp(μ) is the median of x.
+    pub mu: f64,
+    /// Standard deviation of ln x, above 0.
+    pub sigma: f64,
+}
+
+impl LogNormal {
+    /// P(X ≤ f′): the chance that contact at the normalised force f′ ∈ [0, 1] affects a particle.
+    /// Without force (or with one that is not a number) it is 0.
+    ///
+    /// ```
+    /// use wisch::represent::LogNormal;
+    /// let median = 0.35_f64;
+    /// let likelihood = LogNormal { mu: median.ln(), sigma: 0.25 };
+    /// assert!((likelihood.probability(median) - 0.5).abs() < 1e-12);
+    /// assert_eq!(likelihood.probability(0.0), 0.0);
+    /// ```
+    pub fn probability(&self, normalized_force: f64) -> f64 {
+        if normalized_force > 0.0 {
+            let standard_score = (libm::log(normalized_force) - self.mu) / self.sigma;
+            0.5 * libm::erfc(-standard_score * std::f64::consts::FRAC_1_SQRT_2)
+        } else {
+            0.0
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn the_standard_normal_table_is_met() {
+        // Φ(1), Φ(-2) from Abramowitz & Stegun, table 26.1.
+        let likelihood = LogNormal {
+            mu: 0.0,
+            sigma: 1.0,
+        };
+        let e = std::f64::consts::E;
+        assert!((likelihood.probability(e) - 0.841_344_746_068_543).abs() < 1e-14);
+        assert!((likelihood.probability(e.powi(-2)) - 0.022_750_131_948_179).abs() < 1e-14);
+    }
+
+    proptest! {
+        #[test]
+        fn more_force_is_never_less_likely(
+            mu in -5.0..5.0_f64, sigma in 0.01..5.0_f64, weak in 0.0..1.0_f64, more in 0.0..1.0_f64
+        ) {
+            let likelihood = LogNormal { mu, sigma };
+            let (low, high) = (likelihood.probability(weak), likelihood.probability(weak + more));
+            prop_assert!((0.0..=1.0).contains(&low) && low <= high && high <= 1.0);
+        }
+    }
+}

@@ -1,0 +1,484 @@
+//! What is known of tools, media and surfaces, and of what they do to each other (§4.3, Fig. 11, 13).
+//!
+//! Knowledge comes in as TOML texts and belongs to the objects: an entry per tool, medium and
+//! surface, and an [`Interaction`] per combination that makes sense.
+
+mod likelihood;
+mod record;
+#[cfg(test)]
+mod tests;
+mod text;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+use std::str::FromStr;
+
+pub use likelihood::LogNormal;
+pub use text::{Place, UnknownName};
+
+use crate::geometry::Vector3;
+
+/// What a wiping motion is meant to achieve (§3.1).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Action {
+    /// Take the medium up.
+    Absorb,
+    /// Push the medium together at one place of the surface.
+    Collect,
+    /// Push the medium over an edge of the surface.
+    Skim,
+}
+
+impl Action {
+    /// Every action, in the order of the paper.
+    pub const ALL: [Self; 3] = [Self::Absorb, Self::Collect, Self::Skim];
+
+    /// The action as files and goals write it.
+    ///
+    /// ```
+    /// use wisch::represent::Action;
+    /// assert_eq!(Action::Skim.as_str(), "skim");
+    /// assert_eq!("collect".parse(), Ok(Action::Collect));
+    /// assert_eq!("colect".parse::<Action>().unwrap_err().nearest(), Some("collect"));
+    /// ```
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Absorb => "absorb",
+            Self::Collect => "collect",
+            Self::Skim => "skim",
+        }
+    }
+
+    /// What the tool does to a particle that it touches.
+    pub fn effect(self) -> Effect {
+        match self {
+            Self::Absorb => Effect::Absorb,
+            Self::Collect | Self::Skim => Effect::Push,
+        }
+    }
+}
+
+impl fmt::Display for Action {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.as_str())
+    }
+}
+
+impl FromStr for Action {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        Self::ALL
+            .into_iter()
+            .find(|action| action.as_str() == name)
+            .ok_or_else(|| UnknownName::new("action", name, Self::ALL.map(Self::as_str)))
+    }
+}
+
+/// What happens to a particle under the tool (§3.1).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Effect {
+    /// The particle is deleted.
+    Absorb,
+    /// The particle is carried along with the tool.
+    Push,
+}
+
+/// A range of angles with `min_rad <= max_rad`, both within ±π.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AngleRange {
+    /// Smallest angle [rad].
+    pub min_rad: f64,
+    /// Largest angle [rad].
+    pub max_rad: f64,
+}
+
+/// The part of the surface on which a tool acts, D_aoe (§3.2).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AreaOfEffect {
+    /// Extent across the motion, the tool's broad side [m].
+    pub width_m: f64,
+    /// Extent along the motion [m].
+    pub depth_m: f64,
+}
+
+/// An axis about which a tool may lean while it wipes, such as a window wiper's blade.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TiltFreedom {
+    /// Direction of the axis, a unit vector in the tool frame.
+    pub axis_in_tool: nalgebra::Unit<Vector3>,
+    /// How far the tool may lean; 0 is upright.
+    pub range: AngleRange,
+}
+
+/// A tool that can be grasped.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ToolEntry {
+    /// Its name, also in PDDL.
+    pub name: String,
+    /// The mesh from which its footprint is cut, a path relative to the knowledge files.
+    pub mesh_file: String,
+    /// How deep it gives way under nominal force, δ [m].
+    pub compression_depth_m: f64,
+    /// The rectangle about the TCP on which it acts, where that is not its footprint: a nozzle
+    /// touches with its rim but sucks with all of its mouth.
+    pub area_of_effect: Option<AreaOfEffect>,
+    /// Free rotation about the surface normal, 0 being the broad side across the motion [rad].
+    pub rotation_about_normal: AngleRange,
+    /// The axis about which it may lean; `None` if it has to stay upright.
+    pub tilt: Option<TiltFreedom>,
+    /// How the hand holds it, for people to read.
+    pub grasp: String,
+}
+
+/// The nature of a medium.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum MediumKind {
+    /// Pieces that stay what they are.
+    Solid,
+    /// Drops and films.
+    Liquid,
+    /// Grains too small to be told apart.
+    Powder,
+}
+
+/// The sizes between which a medium's grains lie, `0 < min_m <= max_m`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GrainSize {
+    /// Smallest diameter [m].
+    pub min_m: f64,
+    /// Largest diameter [m].
+    pub max_m: f64,
+}
+
+/// Something that may lie on a surface.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MediumEntry {
+    /// Its name, also in PDDL.
+    pub name: String,
+    /// Its nature.
+    pub kind: MediumKind,
+    /// The sizes of its grains, where it has any.
+    pub grain_size: Option<GrainSize>,
+}
+
+/// A surface that can be wiped.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SurfaceEntry {
+    /// Its name, also in PDDL.
+    pub name: String,
+    /// Coulomb coefficient between the surface and a tool that slides on it [1].
+    pub friction: f64,
+}
+
+/// For which surfaces an interaction is known.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub enum SurfaceScope {
+    /// The surface of that name.
+    Named(String),
+    /// Every surface for which nothing closer is known; `"any"` in files.
+    Any,
+}
+
+impl fmt::Display for SurfaceScope {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Named(name) => name,
+            Self::Any => record::ANY_SURFACE,
+        })
+    }
+}
+
+/// How a tool is used on a medium on a surface, and how well that works.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Interaction {
+    /// The tool.
+    pub tool: String,
+    /// The medium.
+    pub medium: String,
+    /// The surface or surfaces.
+    pub surface: SurfaceScope,
+    /// The actions that make sense, at least one.
+    pub actions: BTreeSet<Action>,
+    /// Force with which the tool is pressed on, the f_min of equation (9) [N].
+    pub press_force_n: f64,
+    /// Cartesian stiffness of the controller [N/m].
+    pub stiffness_n_per_m: f64,
+    /// Damping ratio of the controller [1].
+    pub damping_ratio: f64,
+    /// Weight of the posture task in the null space [1].
+    pub nullspace_posture_weight: f64,
+    /// How deep the tool gives way here: the tool's own δ unless the files say otherwise [m].
+    pub compression_depth_m: f64,
+    /// The chance of an effect over the normalised force.
+    pub likelihood: LogNormal,
+}
+
+/// A tool that can do what was asked, with its prospects.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RankedTool<'a> {
+    /// The tool.
+    pub tool: &'a ToolEntry,
+    /// How to use it.
+    pub interaction: &'a Interaction,
+    /// The chance of an effect at nominal force, P(X ≤ 1).
+    pub probability: f64,
+}
+
+/// Tools, media and surfaces with what they do to each other. Every name it holds resolves.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct KnowledgeBase {
+    tools: BTreeMap<String, ToolEntry>,
+    media: BTreeMap<String, MediumEntry>,
+    surfaces: BTreeMap<String, SurfaceEntry>,
+    /// Tool → medium → surface.
+    interactions: BTreeMap<String, BTreeMap<String, BTreeMap<SurfaceScope, Interaction>>>,
+}
+
+impl KnowledgeBase {
+    /// Reads knowledge from TOML texts, each with the name under which errors speak of it.
+    /// Entries may refer to those of any other text.
+    ///
+    /// # Errors
+    ///
+    /// A text that is not TOML or has other keys than those known, a schema other than 1, a name
+    /// given twice or used without being defined, or a value outside its limits: each with file,
+    /// line and column.
+    ///
+    /// ```
+    /// use wisch::represent::KnowledgeBase;
+    /// let surfaces = "schema = 1\n[[surface]]\nname = \"table\"\nfriction = 0.4\n";
+    /// let knowledge = KnowledgeBase::from_toml(&[("surfaces.toml", surfaces)])?;
+    /// assert_eq!(knowledge.surface("table")?.friction, 0.4);
+    /// let error = knowledge.surface("tabel").unwrap_err();
+    /// assert_eq!(error.to_string(), r#"unknown surface "tabel"; nearest: table"#);
+    /// # Ok::<(), wisch::represent::KnowledgeError>(())
+    /// ```
+    pub fn from_toml(files: &[(&str, &str)]) -> Result<Self, KnowledgeError> {
+        record::read(files)
+    }
+
+    /// The tool of that name.
+    ///
+    /// # Errors
+    ///
+    /// [`KnowledgeError::Unknown`], naming the nearest.
+    pub fn tool(&self, name: &str) -> Result<&ToolEntry, KnowledgeError> {
+        entry("tool", &self.tools, name)
+    }
+
+    /// The medium of that name.
+    ///
+    /// # Errors
+    ///
+    /// [`KnowledgeError::Unknown`], naming the nearest.
+    pub fn medium(&self, name: &str) -> Result<&MediumEntry, KnowledgeError> {
+        entry("medium", &self.media, name)
+    }
+
+    /// The surface of that name.
+    ///
+    /// # Errors
+    ///
+    /// [`KnowledgeError::Unknown`], naming the nearest.
+    pub fn surface(&self, name: &str) -> Result<&SurfaceEntry, KnowledgeError> {
+        entry("surface", &self.surfaces, name)
+    }
+
+    /// All tools, by name.
+    pub fn tools(&self) -> impl Iterator<Item = &ToolEntry> {
+        self.tools.values()
+    }
+
+    /// All media, by name.
+    pub fn media(&self) -> impl Iterator<Item = &MediumEntry> {
+        self.media.values()
+    }
+
+    /// All surfaces, by name.
+    pub fn surfaces(&self) -> impl Iterator<Item = &SurfaceEntry> {
+        self.surfaces.values()
+    }
+
+    /// All interactions, by tool, medium and surface.
+    pub fn interactions(&self) -> impl Iterator<Item = &Interaction> {
+        self.interactions
+            .values()
+            .flat_map(|media| media.values().flat_map(BTreeMap::values))
+    }
+
+    /// How a tool acts on a medium on a surface. What is known of that very surface comes before
+    /// what is known of any.
+    ///
+    /// # Errors
+    ///
+    /// [`KnowledgeError::Unknown`] for a name that is not known, and
+    /// [`KnowledgeError::NoInteraction`] if the three are known but not together.
+    pub fn interaction(
+        &self,
+        tool: &str,
+        medium: &str,
+        surface: &str,
+    ) -> Result<&Interaction, KnowledgeError> {
+        self.tool(tool)?;
+        self.medium(medium)?;
+        self.surface(surface)?;
+        self.known_interaction(tool, medium, surface)
+            .ok_or_else(|| KnowledgeError::NoInteraction {
+                tool: tool.to_owned(),
+                medium: medium.to_owned(),
+                surface: surface.to_owned(),
+                capable: (self.tools.keys())
+                    .filter(|tool| self.known_interaction(tool, medium, surface).is_some())
+                    .cloned()
+                    .collect(),
+            })
+    }
+
+    fn known_interaction(&self, tool: &str, medium: &str, surface: &str) -> Option<&Interaction> {
+        let surfaces = self.interactions.get(tool)?.get(medium)?;
+        surfaces
+            .get(&SurfaceScope::Named(surface.to_owned()))
+            .or_else(|| surfaces.get(&SurfaceScope::Any))
+    }
+
+    /// The tools that can do the action, the likeliest to succeed at nominal force first, ties by
+    /// name. None if there is no such tool.
+    ///
+    /// # Errors
+    ///
+    /// [`KnowledgeError::Unknown`] for a medium or surface that is not known.
+    pub fn tools_for(
+        &self,
+        medium: &str,
+        surface: &str,
+        action: Action,
+    ) -> Result<Vec<RankedTool<'_>>, KnowledgeError> {
+        self.medium(medium)?;
+        self.surface(surface)?;
+        let mut ranked: Vec<RankedTool<'_>> = (self.tools.values())
+            .filter_map(|tool| {
+                let interaction = self.known_interaction(&tool.name, medium, surface)?;
+                interaction.actions.contains(&action).then(|| RankedTool {
+                    tool,
+                    interaction,
+                    probability: interaction.likelihood.probability(NOMINAL_FORCE),
+                })
+            })
+            .collect();
+        ranked.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+        Ok(ranked)
+    }
+}
+
+/// The normalised force f′ of a contact with the force that was asked for (equation 9).
+const NOMINAL_FORCE: f64 = 1.0;
+
+fn entry<'a, T>(
+    kind: &'static str,
+    entries: &'a BTreeMap<String, T>,
+    name: &str,
+) -> Result<&'a T, KnowledgeError> {
+    entries
+        .get(name)
+        .ok_or_else(|| UnknownName::new(kind, name, entries.keys().map(String::as_str)).into())
+}
+
+/// Why knowledge could not be read or does not hold what was asked of it.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum KnowledgeError {
+    /// The text is not TOML, or not the TOML of a knowledge file.
+    #[error("{at}: {message}")]
+    Syntax {
+        /// Where.
+        at: Place,
+        /// What the reader says.
+        message: String,
+    },
+    /// The file is of a schema that this version does not read.
+    #[error(
+        "{at}: schema {found} is not supported, only schema {}",
+        record::SCHEMA
+    )]
+    Schema {
+        /// Where.
+        at: Place,
+        /// The schema of the file.
+        found: i64,
+    },
+    /// A name that could not be one in PDDL, or that has a meaning of its own.
+    #[error(
+        "{at}: {name:?} is no name: a name is at most {} characters long, starts with a small letter, goes on with small letters, digits, `_` and `-`, and is not {:?}",
+        record::NAME_MAX_LEN,
+        record::ANY_SURFACE
+    )]
+    BadName {
+        /// Where.
+        at: Place,
+        /// The name as given.
+        name: String,
+    },
+    /// Two entries say the same of the same.
+    #[error("{at}: {what} is already defined at {first}")]
+    Duplicate {
+        /// The later of the two.
+        at: Place,
+        /// The earlier of the two.
+        first: Place,
+        /// What they define.
+        what: String,
+    },
+    /// An entry refers to something that is not defined.
+    #[error("{at}: {unknown}")]
+    UnknownReference {
+        /// Where.
+        at: Place,
+        /// The name and those near it.
+        unknown: Box<UnknownName>,
+    },
+    /// A number outside its limits.
+    #[error("{at}: {field} = {value} is outside its limits: {limits}")]
+    OutOfRange {
+        /// Where.
+        at: Place,
+        /// The key, which ends in its unit.
+        field: &'static str,
+        /// The value as given.
+        value: f64,
+        /// What it may be.
+        limits: String,
+    },
+    /// An entry contradicts itself or lacks something.
+    #[error("{at}: {problem}")]
+    Inconsistent {
+        /// Where.
+        at: Place,
+        /// What does not fit.
+        problem: String,
+    },
+    /// A look-up of something that is not known.
+    #[error(transparent)]
+    Unknown(Box<UnknownName>),
+    /// The tool, medium and surface are known, but not what they do together.
+    #[error(
+        "nothing is known of {tool} on {medium} on {surface}; tools known for it: {}",
+        if capable.is_empty() { "none".to_owned() } else { capable.join(", ") }
+    )]
+    NoInteraction {
+        /// The tool.
+        tool: String,
+        /// The medium.
+        medium: String,
+        /// The surface.
+        surface: String,
+        /// The tools of which something is known for this medium and surface.
+        capable: Vec<String>,
+    },
+}
+
+impl From<UnknownName> for KnowledgeError {
+    fn from(unknown: UnknownName) -> Self {
+        Self::Unknown(Box::new(unknown))
+    }
+}
