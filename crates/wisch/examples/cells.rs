@@ -21,12 +21,12 @@ fn cyl(name: &str, r: f64, h: f64, at: [f64; 2]) -> SceneObject {
 }
 
 fn pillar(side: f64) -> SceneObject {
-    let mut o = boxed("pillar", [0.06, 0.6, 0.06], [side * 0.485, 0.0, 0.0]);
+    let mut o = boxed("pillar", [0.06, 0.6, 0.06], [side * 0.49, 0.0, 0.0]);
     o.world_from_object.rotation =
-        nalgebra::UnitQuaternion::from_euler_angles(0.0, 0.0, side * 0.12);
+        nalgebra::UnitQuaternion::from_euler_angles(0.0, 0.0, side * 0.1);
     o
 }
-fn task(which: usize, action: Action, seed: u64) -> Task {
+pub fn task(which: usize, action: Action, seed: u64) -> Task {
     let (size, count, scene, goal, start) = match which {
         0 => (
             Vector2::new(0.40, 0.28),
