@@ -54,7 +54,7 @@ pub(super) fn performance(drawing: &Drawing, width: f64) -> Panel {
         0
     };
     let body = html! {
-        text class="text small quiet" x=(px(LEFT - 44.0)) y=(px(TOP - 12.0)) { "at the goal" }
+        text class="text small quiet" x=("12") y=(px(TOP - 12.0)) { (drawing.achieved()) }
         @for quarter in 0..=4 {
             @let y = down(f64::from(quarter) / 4.0);
             path class="rule" d=(format!("M{} {}H{}", px(LEFT), px(y), px(width - RIGHT))) {}

@@ -120,7 +120,7 @@
     find("cursor-dot").setAttribute("cx", round(cx));
     find("cursor-dot").setAttribute("cy", round(cy));
     const strokes = data.motions.length ? data.motions[data.motions.length - 1][8] + 1 : 0;
-    words.textContent = `${(d / 1000).toFixed(2)} m wiped · ${performance.toFixed(1)} % at the goal` +
+    words.textContent = `${(d / 1000).toFixed(2)} m wiped · ${performance.toFixed(1)} % ${words.dataset.achieved}` +
       (stroke >= 0 ? ` · stroke ${stroke + 1} of ${strokes}` : "");
     slider.value = String(Math.round(share * 1000));
   };

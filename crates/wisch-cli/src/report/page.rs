@@ -6,7 +6,7 @@ use super::palette::page_rules;
 use super::panel::{self, WIDTH, caption, density_panel, map, snapshot, snapshots};
 use super::picture::Drawing;
 use super::player::{self, Player};
-use super::view::{View, metres, percent, px};
+use super::view::{View, grouped, metres, percent, px};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use wisch::geometry::Vector2;
 use wisch::represent::GoalState;
@@ -87,23 +87,30 @@ fn account(input: &ReportInput) -> Vec<String> {
     let kept = input.prediction.particles.tally().remaining;
     let all = format!(
         "Of {} particles, {}",
-        performance.initial, performance.achieved
+        grouped(performance.initial),
+        grouped(performance.achieved)
     );
     let mut sentences = vec![match plan.graph.goal {
-        GoalState::Absorbed => format!("{all} are taken up and {kept} stay on the surface."),
+        GoalState::Absorbed => format!(
+            "{all} are taken up and {} stay on the surface.",
+            grouped(kept)
+        ),
         GoalState::Collected { radius, .. } => format!(
             "{all} end within {} m of the goal node and {} lie elsewhere on the surface.",
             metres(radius, 3),
-            kept - performance.achieved.min(kept)
+            grouped(kept - performance.achieved.min(kept))
         ),
         GoalState::Skimmed => {
-            format!("{all} leave the surface over an allowed edge and {kept} stay on it.")
+            format!(
+                "{all} leave the surface over an allowed edge and {} stay on it.",
+                grouped(kept)
+            )
         }
     }];
     if performance.lost > 0 {
         sentences.push(format!(
             "{} fall over an edge where they should not.",
-            performance.lost
+            grouped(performance.lost)
         ));
     }
     if plan.unreachable_share > 0.0 {
@@ -159,7 +166,7 @@ fn surface(drawing: &Drawing) -> Markup {
             @if drawing.thinning > 1 {
                 p class="note" {
                     "Drawn is one particle in " (drawing.thinning) ", evenly over the list; all "
-                    (drawing.input.prediction.performance.initial) " are counted."
+                    (grouped(drawing.input.prediction.performance.initial)) " are counted."
                 }
             }
             @if !panel::numbers_fit(drawing) && !drawing.input.plan.strokes.is_empty() {
@@ -195,7 +202,7 @@ fn effect(drawing: &Drawing) -> Markup {
 /// Surface and tool in motion, slider, and the performance below with a cursor.
 fn player(drawing: &Drawing) -> Markup {
     let frames = drawing.input.frames.all();
-    let view = View::fit(drawing.bounds, 0.0, 0.0, Vector2::new(WIDTH, 520.0));
+    let view = View::centred(drawing.bounds, Vector2::new(WIDTH, 520.0));
     let data = serde_json::to_string(&Player::new(drawing, &view)).unwrap_or_default();
     let step = player::step(drawing);
     let moved = frames
@@ -213,7 +220,7 @@ fn player(drawing: &Drawing) -> Markup {
         noscript { p class="note" { "Without scripts the player stands still; the snapshots below show the same." } }
         div id="player" hidden {
             figure class="scroll" {
-                svg viewBox=(format!("0 0 {} {}", px(view.width()), px(view.height()))) role="img" aria-label="Particles and tool over time" {
+                svg viewBox=(format!("0 0 {} {}", px(WIDTH), px(view.height()))) role="img" aria-label="Particles and tool over time" {
                     (drawing.ground(&view))
                     path id="moving-trail" class="trail" {}
                     path id="moving-left" class="dots-left" stroke-width=(px(2.0 * radius)) {}
@@ -221,14 +228,14 @@ fn player(drawing: &Drawing) -> Markup {
                     path id="moving-lost" class="mark-lost" data-radius=(px(radius)) {}
                     (drawing.obstacles(&view))
                     path id="moving-tool" class="tool" d=(footprint) {}
-                    rect class="rule" x="0.5" y="0.5" width=(px(view.width() - 1.0)) height=(px(view.height() - 1.0)) {}
+                    rect class="rule" x="0.5" y="0.5" width=(px(WIDTH - 1.0)) height=(px(view.height() - 1.0)) {}
                     (view.scale_bar())
                 }
             }
             div class="controls" {
                 button id="play" type="button" { "▶ Play" }
                 input id="slider" type="range" min="0" max="1000" value="0" aria-label="Distance wiped";
-                output id="moment" {}
+                output id="moment" data-achieved=(drawing.achieved()) {}
             }
             figure class="scroll" {
                 svg viewBox=(format!("0 0 {} {}", px(chart.width), px(chart.height))) role="img" aria-label="Performance over distance wiped" {

@@ -52,6 +52,7 @@ const RULES: &str = "\
 .skim-core{fill:none;stroke:{goal};stroke-width:4;stroke-dasharray:10 5}\
 .obstacle{fill:{obstacle};stroke:{obstacle-line};stroke-width:1.5;fill-rule:evenodd}\
 .before{fill:none;stroke:{before};stroke-width:1.1}\
+.on-density .before{stroke:{ink};stroke-opacity:.65}\
 .dots-left{fill:none;stroke:{left};stroke-linecap:round}\
 .dots-done{fill:none;stroke:{done};stroke-linecap:round}\
 .mark-lost{fill:none;stroke:{lost};stroke-width:1.6}\

@@ -11,6 +11,8 @@ use wisch::represent::GoalState;
 
 /// Width of a picture.
 pub(super) const WIDTH: f64 = 760.0;
+/// Where legends begin.
+const MARGIN: f64 = 48.0;
 /// Most height of the surface in it.
 const HEIGHT: f64 = 560.0;
 /// Room for the headline of a picture that stands alone.
@@ -141,8 +143,7 @@ fn legend(drawing: &Drawing, keys: &[Key], left: f64, top: f64, width: f64) -> (
     let (mut x, mut row) = (0.0, 0);
     let mut places = Vec::new();
     for &key in keys {
-        // An upper bound of the width of Inter's letters at 12 units.
-        let wide = 32.0 + 6.7 * key.label(goal).chars().count() as f64 + 14.0;
+        let wide = 31.0 + text_width(key.label(goal)) + 20.0;
         if x > 0.0 && x + wide > width {
             (x, row) = (0.0, row + 1);
         }
@@ -159,6 +160,17 @@ fn legend(drawing: &Drawing, keys: &[Key], left: f64, top: f64, width: f64) -> (
         }
     };
     (body, ROW * rows as f64 + 8.0)
+}
+
+/// About the width of a text of 12 units in Inter and its like.
+fn text_width(text: &str) -> f64 {
+    text.chars()
+        .map(|c| match c {
+            'i' | 'j' | 'l' | 't' | 'f' | 'r' | ' ' | ',' | '.' | '\'' => 4.0,
+            'm' | 'w' => 9.8,
+            _ => 7.0,
+        })
+        .sum()
 }
 
 /// Which marks can occur in a picture of this run.
@@ -256,7 +268,7 @@ pub(super) fn graph(drawing: &Drawing) -> String {
 
 /// Bands of equal density with the nodes on top; paper Fig. 4.
 pub(super) fn density_panel(drawing: &Drawing) -> Panel {
-    let view = View::with_axes(drawing.bounds, Vector2::new(WIDTH, HEIGHT));
+    let view = View::with_axes(drawing.close, Vector2::new(WIDTH, HEIGHT));
     let mut panel = framed(
         drawing,
         &view,
@@ -271,7 +283,7 @@ pub(super) fn density_panel(drawing: &Drawing) -> Panel {
             html! {
                 path class="outline" d=(view.rings(drawing.input.task.surface.outline.rings())) {}
                 (drawing.density(view))
-                (drawing.before(view))
+                g class="on-density" { (drawing.before(view)) }
                 (drawing.nodes(view))
             }
         },
@@ -279,13 +291,13 @@ pub(super) fn density_panel(drawing: &Drawing) -> Panel {
     let (top, cell) = (panel.height, 34.0);
     panel.body = html! {
         (panel.body)
-        g transform=(format!("translate({} {})", px(view.left()), px(top))) {
+        g transform=(format!("translate({} {})", px(MARGIN), px(top))) {
             text class="text" font-size="12" x="0" y="12" { "density, share of its peak" }
             @for band in 1..=BANDS {
-                @let x = 170.0 + cell * (band - 1) as f64;
+                @let x = 180.0 + cell * (band - 1) as f64;
                 rect class=(format!("band-{band}")) x=(px(x)) y="0" width=(px(cell)) height="14" {}
                 text class="text small quiet middle" x=(px(x)) y="28" {
-                    (100 * band / (BANDS + 1)) " %"
+                    (format!("{:.0} %", 100.0 * band as f64 / (BANDS + 1) as f64))
                 }
             }
         }
@@ -310,13 +322,7 @@ fn framed(
     layers: impl FnOnce(&View) -> Markup,
 ) -> Panel {
     let keys = keys(drawing, wanted);
-    let (legend, legend_height) = legend(
-        drawing,
-        &keys,
-        view.left(),
-        view.bottom(),
-        WIDTH - view.left(),
-    );
+    let (legend, legend_height) = legend(drawing, &keys, MARGIN, view.bottom(), WIDTH - MARGIN);
     Panel {
         width: WIDTH,
         height: view.bottom() + legend_height,
@@ -342,24 +348,24 @@ fn inset(view: &View, body: Markup) -> Markup {
 pub(super) fn before_after(drawing: &Drawing) -> String {
     const WIDE: f64 = 1000.0;
     const GAP: f64 = 24.0;
-    let extent = drawing.bounds.size();
+    let extent = drawing.close.size();
     let beside = extent.x < 1.6 * extent.y;
     let size = if beside {
         Vector2::new((WIDE - 3.0 * GAP) / 2.0, HEIGHT)
     } else {
         Vector2::new(WIDE - 2.0 * GAP, 440.0)
     };
-    let first = View::fit(drawing.bounds, GAP, 24.0, size);
+    let first = View::fit(drawing.close, GAP, 24.0, size);
     let second = if beside {
         View::fit(
-            drawing.bounds,
+            drawing.close,
             first.left() + first.width() + GAP,
             24.0,
             size,
         )
     } else {
         let top = first.top() + first.height() + 40.0;
-        View::fit(drawing.bounds, GAP, top, size)
+        View::fit(drawing.close, GAP, top, size)
     };
     let bottom = second.top() + second.height() + 14.0;
     let wanted: Vec<Key> = PARTICLE_KEYS
@@ -393,7 +399,7 @@ pub(super) fn before_after(drawing: &Drawing) -> String {
         height: bottom + legend_height,
         body: html! {
             (frame(&first, "before", drawing.before(&first)))
-            (frame(&second, &format!("after: {} at the goal", percent(performance.ratio())),
+            (frame(&second, &format!("after: {} {}", percent(performance.ratio()), drawing.achieved()),
                 drawing.particles(&second, &drawing.after, drawing.dot_radius(&second, drawing.after.len()))))
             (legend)
         },

@@ -18,6 +18,8 @@ pub(super) struct Drawing<'a> {
     pub(super) input: &'a ReportInput<'a>,
     /// What is shown [m].
     pub(super) bounds: Bounds2,
+    /// What is shown where the tool's start does not matter [m].
+    pub(super) close: Bounds2,
     obstacles: Vec<Vec<Point2>>,
     before: Vec<Point2>,
     unreachable: Vec<Point2>,
@@ -63,7 +65,8 @@ impl<'a> Drawing<'a> {
         };
         Self {
             input,
-            bounds: bounds(input),
+            bounds: bounds(input, Some(input.plan.tool_start)),
+            close: bounds(input, None),
             obstacles,
             before,
             unreachable,
@@ -84,6 +87,15 @@ impl<'a> Drawing<'a> {
             _ if goal.is_met_by(position, fate, surface) => Outcome::Done,
             Fate::OffSurface { .. } => Outcome::Lost,
             Fate::OnSurface => Outcome::Left,
+        }
+    }
+
+    /// What the performance counts, in two or three words.
+    pub(super) fn achieved(&self) -> &'static str {
+        match self.input.plan.graph.goal {
+            GoalState::Absorbed => "taken up",
+            GoalState::Collected { .. } => "at the goal",
+            GoalState::Skimmed => "over the allowed edge",
         }
     }
 
@@ -173,7 +185,7 @@ impl<'a> Drawing<'a> {
     /// Directed edges, an arrow on each.
     pub(super) fn edges(&self, view: &View) -> Markup {
         let graph = &self.input.plan.graph;
-        let size = (0.16 * self.input.plan.collision_radius * view.scale).clamp(3.0, 7.5);
+        let size = (0.13 * self.input.plan.collision_radius * view.scale).clamp(2.5, 7.0);
         let (mut lines, mut arrows) = (Pen::default(), Pen::default());
         for &(from, to) in &graph.edges {
             let (a, b) = (view.at(graph.position(from)), view.at(graph.position(to)));
@@ -320,8 +332,8 @@ impl<'a> Drawing<'a> {
     }
 }
 
-/// The surface with room for the tool round it, the start if it is near, and what was pushed off.
-fn bounds(input: &ReportInput) -> Bounds2 {
+/// The surface with the nodes, what was pushed off, and the tool's start if it is asked for and near.
+fn bounds(input: &ReportInput, tool_start: Option<Point2>) -> Bounds2 {
     let outline = input.task.surface.outline.outer().iter().copied();
     let surface = Bounds2::of(outline.clone()).unwrap_or(Bounds2 {
         min: Point2::new(-0.5, -0.5),
@@ -340,7 +352,7 @@ fn bounds(input: &ReportInput) -> Bounds2 {
     let nodes = input.plan.graph.nodes.iter().map(|n| n.position);
     let moved = input.prediction.particles.iter().map(|(p, _)| p);
     let shown = nodes
-        .chain(std::iter::once(input.plan.tool_start))
+        .chain(tool_start)
         .filter(near)
         .flat_map(|p| around(p, radius))
         .chain(moved.filter(near).flat_map(|p| around(p, 0.2 * radius)))

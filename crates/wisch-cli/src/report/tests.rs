@@ -285,7 +285,7 @@ fn a_hundred_thousand_particles_are_thinned_and_the_page_says_so() {
     let html = page(&run.input());
     assert!(html.len() < 3_000_000, "{} bytes", html.len());
     assert!(html.contains("Drawn is one particle in 20"));
-    assert!(html.contains("100000"));
+    assert!(html.contains("100\u{202f}000"));
     assert!(run.frames.all().len() <= MAX_FRAMES);
     assert!(run.frames.all()[0].particles.len() <= MAX_DRAWN);
 }

@@ -35,10 +35,24 @@ impl View {
         }
     }
 
-    /// As [`View::fit`], with axes taken from the left and from below the box.
+    /// As [`View::fit`] with the corner at the picture's, in the middle of its width.
+    pub(super) fn centred(bounds: Bounds2, size: Vector2) -> Self {
+        let view = Self::fit(bounds, 0.0, 0.0, size);
+        Self {
+            left: (size.x - view.width()) / 2.0,
+            ..view
+        }
+    }
+
+    /// As [`View::centred`], with room for axes on the left and below.
     pub(super) fn with_axes(bounds: Bounds2, size: Vector2) -> Self {
         let inner = Vector2::new(size.x - AXIS_LEFT - 12.0, size.y);
-        Self::fit(bounds, AXIS_LEFT, 10.0, inner)
+        let view = Self::centred(bounds, inner);
+        Self {
+            left: AXIS_LEFT + view.left,
+            top: 10.0,
+            ..view
+        }
     }
 
     /// The same scale round the origin, for what is moved about as a whole.
@@ -129,7 +143,7 @@ impl View {
             @for x in ticks(self.low.x, self.high.x) {
                 @let at = self.at(Point2::new(x, self.low.y)).0;
                 path class="axis" d=(format!("M{} {}v5", px(at), px(bottom))) {}
-                @if at < right - 30.0 {
+                @if at < right - 46.0 {
                     text class="text quiet small middle" x=(px(at)) y=(px(bottom + 17.0)) { (metres(x, digits)) }
                 }
             }
@@ -242,6 +256,19 @@ pub(super) fn metres(value: f64, digits: usize) -> String {
 /// A share as per cent with one decimal.
 pub(super) fn percent(share: f64) -> String {
     format!("{:.1} %", share * 100.0)
+}
+
+/// A count with its thousands set apart.
+pub(super) fn grouped(count: usize) -> String {
+    let digits = count.to_string();
+    let first = digits.len() % 3;
+    digits
+        .char_indices()
+        .flat_map(|(i, digit)| {
+            let gap = i > 0 && i % 3 == first;
+            gap.then_some('\u{202f}').into_iter().chain([digit])
+        })
+        .collect()
 }
 
 /// The round step (1, 2 or 5 times a power of ten) nearest above `wanted`.
