@@ -69,6 +69,12 @@ impl FreeSpace {
         &self.surface
     }
 
+    /// Where each object of the scene stands: the outline of its section with the plane of the surface,
+    /// as unordered edges [m]. An object that does not reach down to the plane has none.
+    pub fn sections(&self) -> &[Vec<Edge>] {
+        &self.sections
+    }
+
     /// Distance from a point of the surface's plane to the scene above it [m]; 0 inside an object.
     pub fn distance(&self, point: Point2) -> f64 {
         if self.is_occupied(point) {
