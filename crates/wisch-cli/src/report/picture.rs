@@ -44,7 +44,14 @@ impl<'a> Drawing<'a> {
         let scene: Vec<_> = task.scene_in_surface().collect();
         // A scene that the collision library refuses has no plan and never comes here.
         let obstacles = FreeSpace::new(&task.surface, &scene, radius)
-            .map(|space| space.sections().iter().flat_map(|e| rings(e)).collect())
+            .map(|space| {
+                space
+                    .occupied()
+                    .sections()
+                    .iter()
+                    .flat_map(|e| rings(e))
+                    .collect()
+            })
             .unwrap_or_default();
         let thinning = thinning(task.particles.len(), MAX_DRAWN);
         let before: Vec<Point2> = task

@@ -69,10 +69,9 @@ impl FreeSpace {
         &self.surface
     }
 
-    /// Where each object of the scene stands: the outline of its section with the plane of the surface,
-    /// as unordered edges [m]. An object that does not reach down to the plane has none.
-    pub fn sections(&self) -> &[Vec<Edge>] {
-        &self.sections
+    /// The part of the surface on which objects of the scene stand.
+    pub fn occupied(&self) -> &OccupiedArea {
+        &self.occupied
     }
 
     /// Distance from a point of the surface's plane to the scene above it [m]; 0 inside an object.

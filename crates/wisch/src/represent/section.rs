@@ -32,6 +32,11 @@ impl OccupiedArea {
         }
     }
 
+    /// Per object that reaches down to the plane, the outline of its section as unordered edges [m].
+    pub fn sections(&self) -> &[Vec<Edge>] {
+        &self.sections
+    }
+
     /// Whether an object stands on this point (even–odd rule per object).
     pub fn contains(&self, point: Point2) -> bool {
         self.sections.iter().any(|edges| {
