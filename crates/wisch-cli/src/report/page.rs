@@ -14,6 +14,8 @@ use wisch::geometry::Vector2;
 use wisch::represent::GoalState;
 
 const STYLE: &str = include_str!("page.css");
+/// Narrower than the surface, so that its numbers can be read on a phone.
+const CHART_WIDTH: f64 = 480.0;
 const SCRIPT: &str = include_str!("page.js");
 
 /// The report as one HTML file: pictures, numbers and the effect over time.
@@ -225,7 +227,7 @@ fn player(drawing: &Drawing) -> Markup {
         .first()
         .map_or(0, |frame| frame.particles.len().div_ceil(step));
     let radius = drawing.dot_radius(&view, moved);
-    let chart = chart::performance(drawing, WIDTH);
+    let chart = chart::performance(drawing, CHART_WIDTH);
     let identity = wisch::geometry::PlanarPose::new(wisch::geometry::Point2::origin(), 0.0);
     let footprint = view
         .at_origin()
@@ -235,7 +237,7 @@ fn player(drawing: &Drawing) -> Markup {
     html! {
         noscript { p class="note" { "Without scripts the player stands still; the snapshots below show the same." } }
         div id="player" hidden {
-            figure class="scroll" {
+            figure class="whole" {
                 svg viewBox=(format!("0 0 {} {}", px(WIDTH), px(view.height()))) role="img" aria-label="Particles and tool over time" {
                     (drawing.ground(&view))
                     path id="moving-trail" class="trail" {}
@@ -254,10 +256,10 @@ fn player(drawing: &Drawing) -> Markup {
                 input id="slider" type="range" min="0" max="1000" value="0" aria-label="Distance wiped";
                 output id="moment" data-achieved=(drawing.achieved()) {}
             }
-            figure class="scroll" {
+            figure class="whole narrow" {
                 svg viewBox=(format!("0 0 {} {}", px(chart.width), px(chart.height))) role="img" aria-label="Performance over distance wiped" {
                     (chart.body)
-                    g id="cursor" data-from=(px(across(0.0, 1.0, WIDTH))) data-to=(px(across(1.0, 1.0, WIDTH)))
+                    g id="cursor" data-from=(px(across(0.0, 1.0, CHART_WIDTH))) data-to=(px(across(1.0, 1.0, CHART_WIDTH)))
                         data-top=(px(down(1.0))) data-bottom=(px(down(0.0))) {
                         path id="cursor-line" class="cursor" {}
                         circle id="cursor-dot" class="cursor-dot" r="5" cy=(px(down(last))) {}

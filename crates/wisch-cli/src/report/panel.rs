@@ -7,6 +7,7 @@ use super::picture::Drawing;
 use super::view::{View, metres, percent, px};
 use maud::{Markup, PreEscaped, html};
 use wisch::geometry::Vector2;
+use wisch::plan::{Node, NodeRole};
 use wisch::represent::GoalState;
 
 /// Width of a picture.
@@ -230,9 +231,13 @@ fn keys(drawing: &Drawing, wanted: &[Key]) -> Vec<Key> {
             }
             Key::Lost => performance.lost > 0,
             Key::Unreachable => drawing.has_unreachable(),
-            Key::Node | Key::Tool => true,
+            Key::Tool => true,
+            Key::Node => !plan.graph.nodes.is_empty(),
             Key::NodeCut => !plan.graph.unreachable.is_empty(),
-            Key::Goal => plan.graph.goal != GoalState::Absorbed,
+            Key::Goal => {
+                let is_goal = |node: &Node| node.role == NodeRole::Goal;
+                plan.graph.nodes.iter().any(is_goal)
+            }
             Key::GoalArea => matches!(plan.graph.goal, GoalState::Collected { .. }),
             Key::Edge => !plan.graph.edges.is_empty(),
             Key::Start | Key::Trail => !plan.strokes.is_empty(),
@@ -319,6 +324,7 @@ pub(super) fn density_panel(drawing: &Drawing) -> Panel {
         &view,
         &[
             Key::Before,
+            Key::Unreachable,
             Key::Node,
             Key::NodeCut,
             Key::Goal,

@@ -314,6 +314,27 @@ fn frames_begin_before_the_first_stroke_and_end_with_the_prediction() {
 }
 
 #[test]
+fn of_many_motions_eighty_moments_are_kept_the_last_among_them() {
+    let large = task(Action::Collect, Vector2::new(2.0, 1.5), Vec::new(), 300);
+    let run = Run::of(large, CoverageStrategy::Grid);
+    let frames = run.frames.all();
+    assert!(
+        run.plan
+            .strokes
+            .iter()
+            .map(|s| s.motions().count())
+            .sum::<usize>()
+            > 2 * MAX_FRAMES
+    );
+    assert_eq!(frames.len(), MAX_FRAMES);
+    assert_eq!(
+        frames[MAX_FRAMES - 1].performance,
+        run.prediction.performance
+    );
+    write("large", &run.input());
+}
+
+#[test]
 fn contours_of_one_particle_are_circles_of_the_radius_that_the_kernel_says() {
     let bandwidth = 0.05;
     let bounds = wisch::geometry::Bounds2 {
