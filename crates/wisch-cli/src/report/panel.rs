@@ -240,7 +240,8 @@ fn keys(drawing: &Drawing, wanted: &[Key]) -> Vec<Key> {
             }
             Key::GoalArea => matches!(plan.graph.goal, GoalState::Collected { .. }),
             Key::Edge => !plan.graph.edges.is_empty(),
-            Key::Start | Key::Trail => !plan.strokes.is_empty(),
+            Key::Start => !plan.strokes.is_empty() && numbers_fit(drawing),
+            Key::Trail => !plan.strokes.is_empty(),
             Key::Lifted => lifted,
             Key::Obstacle => drawing.has_obstacles(),
             Key::SkimEdge => plan.graph.goal == GoalState::Skimmed,
