@@ -159,6 +159,21 @@ fn requests(text: &str) -> Vec<&str> {
 }
 
 #[test]
+fn a_request_would_be_seen() {
+    for bad in [
+        r#"<script src="x.js">"#,
+        "@import 'x.css'",
+        "fetch('https://example.org')",
+    ] {
+        assert_ne!(requests(bad), [""; 0], "{bad}");
+    }
+    assert_eq!(
+        requests(r#"<svg xmlns="http://www.w3.org/2000/svg">"#),
+        [""; 0]
+    );
+}
+
+#[test]
 fn every_kind_of_run_has_a_page_and_pictures_that_decode_to_their_size() {
     let runs = [
         (
