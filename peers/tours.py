@@ -16,6 +16,8 @@ import subprocess
 import sys
 import time
 
+from wisch_examples import example
+
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent
 DATA = REPOSITORY / "crates" / "wisch" / "tests" / "data"
 UNIFORM_COUNTS = (12, 50, 200, 500, 1000)
@@ -92,8 +94,7 @@ def ortools_routing(points, seconds):
 
 
 def wisch(path):
-    command = ["cargo", "run", "--quiet", "--release", "-p", "wisch", "--example", "tour", "--", path]
-    printed = subprocess.run(command, cwd=REPOSITORY, check=True, capture_output=True, text=True)
+    printed = subprocess.run([example("tour"), path], check=True, capture_output=True, text=True)
     tour_length, _, milliseconds = printed.stdout.strip().split(",")
     return float(tour_length), float(milliseconds) / 1000
 

@@ -59,7 +59,13 @@ pub struct GlobalArgs {
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
     /// Whether to use colours; NO_COLOR in the environment turns them off as well
-    #[arg(long, global = true, value_name = "WHEN", default_value = "auto", hide_possible_values = false)]
+    #[arg(
+        long,
+        global = true,
+        value_name = "WHEN",
+        default_value = "auto",
+        hide_possible_values = false
+    )]
     pub color: ColorChoice,
 }
 
@@ -121,7 +127,7 @@ Examples:
     #[command(after_help = "\
 Examples:
   wisch check board.toml
-  wisch check board.toml --strategy kde --set surface.name=table")]
+  wisch check board.toml --strategy kde --set plan.bandwidth_m=0.04")]
     Check(CheckArgs),
 }
 

@@ -37,7 +37,9 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     let file = File::open(path).map_err(failed)?;
     let metadata = file.metadata().map_err(failed)?;
     if metadata.is_dir() {
-        return Err(Failure::new(format!("{shown}: this is a folder, not a file")));
+        return Err(Failure::new(format!(
+            "{shown}: this is a folder, not a file"
+        )));
     }
     let mut bytes = Vec::new();
     // Pipes and devices do not tell their length: count what comes.
@@ -61,7 +63,10 @@ pub fn read_text(path: &Path) -> Result<String, Failure> {
     let bytes = read(path)?;
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
-        let line = 1 + error.as_bytes()[..at].iter().filter(|&&b| b == b'\n').count();
+        let line = 1 + error.as_bytes()[..at]
+            .iter()
+            .filter(|&&b| b == b'\n')
+            .count();
         Failure::new(format!(
             "{}:{line}: byte {at} is not UTF-8 text",
             path.display()
@@ -88,7 +93,10 @@ fn nearest_name(path: &Path) -> Option<String> {
 
 /// Reads what a task file refers to: paths count from the task file's folder.
 pub fn beside(task_file: &Path) -> impl FnMut(&str) -> Result<Vec<u8>, String> + use<> {
-    let folder = task_file.parent().map(Path::to_path_buf).unwrap_or_default();
+    let folder = task_file
+        .parent()
+        .map(Path::to_path_buf)
+        .unwrap_or_default();
     move |path| read(&folder.join(path)).map_err(|failure| failure.to_string())
 }
 
@@ -141,9 +149,7 @@ impl KnowledgeSource {
                 .get_file(path)
                 .map(|file| file.contents().to_vec())
                 .ok_or_else(|| format!("{path}: the built-in knowledge has no such file")),
-            Self::Folder(folder) => {
-                read(&folder.join(path)).map_err(|failure| failure.to_string())
-            }
+            Self::Folder(folder) => read(&folder.join(path)).map_err(|failure| failure.to_string()),
         }
     }
 
@@ -176,10 +182,13 @@ impl KnowledgeSource {
             }
         };
         if let (Self::Folder(folder), true) = (self, texts.is_empty()) {
-            return Err(
-                Failure::new(format!("{}: the folder holds no .toml file", folder.display()))
-                    .with_help("knowledge is tools.toml, media.toml, surfaces.toml and interactions.toml"),
-            );
+            return Err(Failure::new(format!(
+                "{}: the folder holds no .toml file",
+                folder.display()
+            ))
+            .with_help(
+                "knowledge is tools.toml, media.toml, surfaces.toml and interactions.toml",
+            ));
         }
         texts.sort();
         Ok(texts)
@@ -187,5 +196,6 @@ impl KnowledgeSource {
 }
 
 fn is_toml(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension == "toml")
+    path.extension()
+        .is_some_and(|extension| extension == "toml")
 }

@@ -1,14 +1,14 @@
-//! The contents of the files that the program writes and reads: plans, particles, summaries.
+//! The contents of the files that the program writes and reads: plans and summaries.
 //!
-//! SI units, radians; keys end in their unit, and poses say their frames. Nothing in a plan or a
-//! particle file depends on the clock or the machine, so the same task and seed give the same bytes.
+//! SI units, radians; keys end in their unit, and poses say their frames. Nothing in a plan
+//! depends on the clock or the machine, so the same task and seed give the same bytes.
 
 use serde::{Deserialize, Serialize};
 use wisch::geometry::{PlanarPose, Point2};
 use wisch::plan::{
     CoverageStrategy, Node, NodeRole, Plan, SemanticDirectedGraph, Stroke, TcpWaypoint,
 };
-use wisch::represent::{Fate, GoalState, ParticleDistribution, Task};
+use wisch::represent::{GoalState, Task};
 
 /// What `format` says in every plan.json.
 pub const PLAN_FORMAT: &str = "wisch-plan";
@@ -255,7 +255,12 @@ impl PlanRecord {
                 GoalState::Skimmed => GoalRecord::Skimmed,
             },
             nodes: plan.graph.nodes.iter().map(node_record).collect(),
-            edges: plan.graph.edges.iter().map(|&(from, to)| [from, to]).collect(),
+            edges: plan
+                .graph
+                .edges
+                .iter()
+                .map(|&(from, to)| [from, to])
+                .collect(),
             unreachable_nodes: plan.graph.unreachable.clone(),
             unreachable_share: plan.unreachable_share,
             strokes: plan
@@ -408,17 +413,34 @@ impl PlanRecord {
     }
 
     fn check_numbers(&self) -> Result<(), PlanRecordError> {
-        let length = |place: &str, value: f64| {
-            within(place, value, 0.0, MAX_COORDINATE, "0 to 10000 m")
-        };
+        let length =
+            |place: &str, value: f64| within(place, value, 0.0, MAX_COORDINATE, "0 to 10000 m");
         let point = |place: &str, [x, y]: [f64; 2]| {
             let limits = "-10000 to 10000 m";
-            within(&format!("{place}: x"), x, -MAX_COORDINATE, MAX_COORDINATE, limits)?;
-            within(&format!("{place}: y"), y, -MAX_COORDINATE, MAX_COORDINATE, limits)
+            within(
+                &format!("{place}: x"),
+                x,
+                -MAX_COORDINATE,
+                MAX_COORDINATE,
+                limits,
+            )?;
+            within(
+                &format!("{place}: y"),
+                y,
+                -MAX_COORDINATE,
+                MAX_COORDINATE,
+                limits,
+            )
         };
         length("collision_radius_m", self.collision_radius_m)?;
         length("lift_height_m", self.lift_height_m)?;
-        within("unreachable_share", self.unreachable_share, 0.0, 1.0, "0 to 1")?;
+        within(
+            "unreachable_share",
+            self.unreachable_share,
+            0.0,
+            1.0,
+            "0 to 1",
+        )?;
         point("tool_start_in_surface_m", self.tool_start_in_surface_m)?;
         if let GoalRecord::Collected {
             center_in_surface_m,
@@ -513,28 +535,6 @@ fn waypoint_record(waypoint: &TcpWaypoint) -> WaypointRecord {
         height_m: waypoint.height,
         heading_rad: pose.heading,
     }
-}
-
-/// A particle file: particle, x_m, y_m in the surface frame, fate, and the edge of the outline over
-/// which it left.
-pub fn particles_csv(particles: &ParticleDistribution) -> Result<Vec<u8>, csv::Error> {
-    let mut csv = csv::Writer::from_writer(Vec::new());
-    csv.write_record(["particle", "x_m", "y_m", "fate", "edge"])?;
-    for (index, (position, fate)) in particles.iter().enumerate() {
-        let (fate, edge) = match fate {
-            Fate::OnSurface => ("on_surface", String::new()),
-            Fate::Absorbed => ("absorbed", String::new()),
-            Fate::OffSurface { edge } => ("off_surface", edge.to_string()),
-        };
-        csv.write_record([
-            &index.to_string(),
-            &position.x.to_string(),
-            &position.y.to_string(),
-            fate,
-            &edge,
-        ])?;
-    }
-    csv.into_inner().map_err(|error| error.into_error().into())
 }
 
 /// What `--json` prints.

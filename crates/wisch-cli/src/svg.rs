@@ -29,12 +29,21 @@ pub fn footprint_drawing(tool: &Tool) -> String {
     let mut add = |part: String| svg.push_str(&part);
     add(format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{WIDTH}\" viewBox=\"{:.3} {:.3} {:.3} {:.3}\" font-family=\"sans-serif\" font-size=\"{text:.3}\">\n",
-        -half, -half, 2.0 * half, 2.0 * half
+        -half,
+        -half,
+        2.0 * half,
+        2.0 * half
     ));
-    add(format!("<title>Footprint of {}</title>\n", escaped(&tool.name)));
+    add(format!(
+        "<title>Footprint of {}</title>\n",
+        escaped(&tool.name)
+    ));
     add(format!(
         "<rect x=\"{:.3}\" y=\"{:.3}\" width=\"{:.3}\" height=\"{:.3}\" fill=\"#ffffff\"/>\n",
-        -half, -half, 2.0 * half, 2.0 * half
+        -half,
+        -half,
+        2.0 * half,
+        2.0 * half
     ));
     add(format!(
         "<circle r=\"{radius:.3}\" fill=\"none\" stroke=\"#888888\" stroke-width=\"{line:.3}\" stroke-dasharray=\"{0:.3} {0:.3}\"/>\n",
@@ -48,8 +57,15 @@ pub fn footprint_drawing(tool: &Tool) -> String {
     let cross = 3.0 * line;
     add(format!(
         "<path fill=\"none\" stroke=\"#b3261e\" stroke-width=\"{line:.3}\" d=\"M{:.3} 0H{:.3}M0 {:.3}V{:.3}M{:.3} {:.3}L{:.3} 0L{:.3} {:.3}\"/>\n",
-        -cross, 0.9 * half, -cross, cross,
-        0.9 * half - 2.0 * cross, -cross, 0.9 * half, 0.9 * half - 2.0 * cross, cross
+        -cross,
+        0.9 * half,
+        -cross,
+        cross,
+        0.9 * half - 2.0 * cross,
+        -cross,
+        0.9 * half,
+        0.9 * half - 2.0 * cross,
+        cross
     ));
     let bar = round_length(2.0 * half * SCALE_BAR_SHARE);
     let (left, bottom) = (-0.92 * half, 0.92 * half);
@@ -76,7 +92,12 @@ fn outline(tool: &Tool) -> String {
         for (i, Point2 { coords }) in ring.iter().enumerate() {
             let command = if i == 0 { 'M' } else { 'L' };
             // A String takes whatever is written.
-            let _ = write!(path, "{command}{:.4} {:.4}", 1e3 * coords.x, -1e3 * coords.y);
+            let _ = write!(
+                path,
+                "{command}{:.4} {:.4}",
+                1e3 * coords.x,
+                -1e3 * coords.y
+            );
         }
         path.push('Z');
     }

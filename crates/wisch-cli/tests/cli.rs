@@ -40,7 +40,13 @@ fn json(text: &str) -> Value {
 fn names(folder: &Path) -> Vec<String> {
     let mut names: Vec<String> = fs::read_dir(folder)
         .expect("a folder")
-        .map(|entry| entry.expect("an entry").file_name().into_string().expect("text"))
+        .map(|entry| {
+            entry
+                .expect("an entry")
+                .file_name()
+                .into_string()
+                .expect("text")
+        })
         .collect();
     names.sort();
     names
@@ -66,13 +72,25 @@ fn run_writes_everything_and_says_where() {
     assert!(out.contains("performance"), "{out}");
     assert!(out.contains("result/report.html"), "{out}");
     let written = names(&folder.path().join("result"));
-    for name in ["plan.json", "particles-before.csv", "particles-after.csv", "report.html"] {
+    for name in [
+        "plan.json",
+        "particles-before.csv",
+        "particles-after.csv",
+        "report.html",
+    ] {
         assert!(written.iter().any(|n| n == name), "{name} in {written:?}");
     }
     for ending in [".svg", ".png"] {
-        assert!(written.iter().any(|n| n.ends_with(ending)), "{ending} in {written:?}");
+        assert!(
+            written.iter().any(|n| n.ends_with(ending)),
+            "{ending} in {written:?}"
+        );
     }
-    assert_eq!(names(folder.path()), ["board.toml", "result"], "nothing is left behind");
+    assert_eq!(
+        names(folder.path()),
+        ["board.toml", "result"],
+        "nothing is left behind"
+    );
 }
 
 #[test]
@@ -81,11 +99,29 @@ fn the_json_summary_is_one_object_with_its_keys() {
     let (_, out, _) = output(folder.path(), &["run", "board.toml", "--json"]);
     let summary = json(&out);
     for key in [
-        "schema", "task", "action", "strategy", "seed", "particles", "nodes", "edges", "strokes",
-        "unreachable_share", "distance_in_contact_m", "distance_total_m", "predicted_performance",
-        "target_performance", "goal_met", "lost_share", "planning_time_s", "out",
+        "schema",
+        "task",
+        "action",
+        "strategy",
+        "seed",
+        "particles",
+        "nodes",
+        "edges",
+        "strokes",
+        "unreachable_share",
+        "distance_in_contact_m",
+        "distance_total_m",
+        "predicted_performance",
+        "target_performance",
+        "goal_met",
+        "lost_share",
+        "planning_time_s",
+        "out",
     ] {
-        assert!(summary.get(key).is_some_and(|v| !v.is_null()), "{key} in {out}");
+        assert!(
+            summary.get(key).is_some_and(|v| !v.is_null()),
+            "{key} in {out}"
+        );
     }
     let default_out = folder.path().join(summary["out"].as_str().expect("a path"));
     assert!(default_out.starts_with(folder.path().join("out")));
@@ -96,7 +132,7 @@ fn the_json_summary_is_one_object_with_its_keys() {
 fn the_exit_code_follows_the_target() {
     let folder = folder_with_task();
     let run = |target: &str| {
-        let setting = format!("plan.target_performance={target}");
+        let setting = format!("target_performance={target}");
         let (code, out, err) = output(
             folder.path(),
             &["run", "board.toml", "--json", "--set", &setting],
@@ -129,11 +165,19 @@ fn a_plan_can_be_predicted_later_with_the_same_result() {
         );
         let (_, later, err) = output(
             folder.path(),
-            &[&["predict"], &task[..], &["--json", "--out", "later", "--plan", "planned/plan.json"]].concat(),
+            &[
+                &["predict"],
+                &task[..],
+                &["--json", "--out", "later", "--plan", "planned/plan.json"],
+            ]
+            .concat(),
         );
         assert_eq!(err, "");
         let (direct, later) = (json(&direct), json(&later));
-        assert_eq!(direct["predicted_performance"], later["predicted_performance"]);
+        assert_eq!(
+            direct["predicted_performance"],
+            later["predicted_performance"]
+        );
         assert!(later["planning_time_s"].is_null());
         assert_eq!(
             contents(&folder.path().join("direct")),
@@ -147,7 +191,16 @@ fn the_same_task_and_seed_give_the_same_bytes_on_any_number_of_threads() {
     let folder = folder_with_task();
     for strategy in ["grid", "rrt", "kde"] {
         let run = |threads: &str| {
-            let args = ["run", "board.toml", "--strategy", strategy, "--threads", threads, "--out", "result"];
+            let args = [
+                "run",
+                "board.toml",
+                "--strategy",
+                strategy,
+                "--threads",
+                threads,
+                "--out",
+                "result",
+            ];
             output(folder.path(), &args);
             contents(&folder.path().join("result"))
         };
@@ -163,7 +216,10 @@ fn the_same_task_and_seed_give_the_same_bytes_on_any_number_of_threads() {
 fn another_seed_gives_other_particles() {
     let folder = folder_with_task();
     let before = |seed: &str| {
-        output(folder.path(), &["plan", "board.toml", "--seed", seed, "--out", "result"]);
+        output(
+            folder.path(),
+            &["plan", "board.toml", "--seed", seed, "--out", "result"],
+        );
         fs::read(folder.path().join("result/particles-before.csv")).expect("particles")
     };
     assert_ne!(before("1"), before("2"));
@@ -173,14 +229,20 @@ fn another_seed_gives_other_particles() {
 fn particles_are_conserved_in_the_files() {
     let folder = folder_with_task();
     for action in ["absorb", "collect", "skim"] {
-        output(folder.path(), &["run", "board.toml", "--action", action, "--out", "result"]);
+        output(
+            folder.path(),
+            &["run", "board.toml", "--action", action, "--out", "result"],
+        );
         let rows = |name: &str| {
-            let mut csv = csv::Reader::from_path(folder.path().join("result").join(name)).expect("a file");
+            let mut csv =
+                csv::Reader::from_path(folder.path().join("result").join(name)).expect("a file");
             assert_eq!(
                 csv.headers().expect("headers"),
                 ["particle", "x_m", "y_m", "fate", "edge"].as_slice()
             );
-            csv.records().map(|row| row.expect("a row")).collect::<Vec<_>>()
+            csv.records()
+                .map(|row| row.expect("a row"))
+                .collect::<Vec<_>>()
         };
         let (before, after) = (rows("particles-before.csv"), rows("particles-after.csv"));
         assert_eq!(before.len(), after.len());
@@ -205,7 +267,10 @@ fn results_of_an_earlier_run_are_replaced_and_nothing_else() {
     let (code, _, err) = run();
     assert_eq!(code, 2);
     assert!(err.contains("notes.txt"), "{err}");
-    assert_eq!(fs::read_to_string(result.join("notes.txt")).expect("a note"), "mine");
+    assert_eq!(
+        fs::read_to_string(result.join("notes.txt")).expect("a note"),
+        "mine"
+    );
 
     fs::remove_dir_all(&result).expect("removed");
     fs::create_dir(&result).expect("a folder");
@@ -221,7 +286,11 @@ fn results_of_an_earlier_run_are_replaced_and_nothing_else() {
     let (code, _, err) = run();
     assert_eq!(code, 2);
     assert!(err.contains("a file stands there"), "{err}");
-    assert_eq!(names(folder.path()), ["board.toml", "result"], "nothing is left behind");
+    assert_eq!(
+        names(folder.path()),
+        ["board.toml", "result"],
+        "nothing is left behind"
+    );
 }
 
 #[test]
@@ -231,7 +300,14 @@ fn a_failed_run_leaves_earlier_results_alone() {
     let before = contents(&folder.path().join("result"));
     let (code, ..) = output(
         folder.path(),
-        &["run", "board.toml", "--out", "result", "--set", "no.such.key=1"],
+        &[
+            "run",
+            "board.toml",
+            "--out",
+            "result",
+            "--set",
+            "no.such.key=1",
+        ],
     );
     assert_eq!(code, 2);
     assert!(before == contents(&folder.path().join("result")));
@@ -248,9 +324,15 @@ fn new_does_not_overwrite_unless_forced() {
     fs::write(&task, "mine").expect("a file");
     let (code, _, err) = output(folder.path(), &["new", "board.toml"]);
     assert_eq!(code, 2);
-    assert!(err.contains("board.toml") && err.contains("--force"), "{err}");
+    assert!(
+        err.contains("board.toml") && err.contains("--force"),
+        "{err}"
+    );
     assert_eq!(fs::read_to_string(&task).expect("a file"), "mine");
-    assert_eq!(output(folder.path(), &["new", "board.toml", "--force"]).0, 0);
+    assert_eq!(
+        output(folder.path(), &["new", "board.toml", "--force"]).0,
+        0
+    );
     assert_eq!(fs::read_to_string(&task).expect("a task"), template);
 }
 
@@ -259,7 +341,16 @@ fn check_explains_the_task() {
     let folder = folder_with_task();
     let (code, out, err) = output(folder.path(), &["check", "board.toml"]);
     assert_eq!((code, err.as_str()), (0, ""));
-    for word in ["surface", "tool", "r_s", "particles", "obstacles", "free", "nodes", "target"] {
+    for word in [
+        "surface",
+        "tool",
+        "r_s",
+        "particles",
+        "obstacles",
+        "free",
+        "nodes",
+        "target",
+    ] {
         assert!(out.contains(word), "{word} in {out}");
     }
     assert_eq!(names(folder.path()), ["board.toml"], "it writes nothing");
@@ -275,11 +366,18 @@ fn footprints_of_every_tool_are_measured_and_drawn() {
         for word in ["pieces", "holes", "area", "area of effect", "r_s", "d_s"] {
             assert!(out.contains(word), "{word} in {out}");
         }
-        assert!(fs::read_to_string(folder.path().join(svg)).expect("a drawing").starts_with("<svg"));
+        assert!(
+            fs::read_to_string(folder.path().join(svg))
+                .expect("a drawing")
+                .starts_with("<svg")
+        );
     }
     // 0.07 m x 0.11 m, whose diagonal is 0.1304 m.
     let (_, out, _) = output(folder.path(), &["footprint", "sponge"]);
-    assert!(out.contains("0.007700 m2") && out.contains("0.1304 m"), "{out}");
+    assert!(
+        out.contains("0.007700 m2") && out.contains("0.1304 m"),
+        "{out}"
+    );
 }
 
 #[test]
@@ -289,7 +387,10 @@ fn a_mesh_file_has_a_footprint_once_its_depth_is_known() {
     fs::write(folder.path().join("wedge.obj"), wedge).expect("a mesh");
     let (code, _, err) = output(folder.path(), &["footprint", "wedge.obj"]);
     assert_eq!(code, 2);
-    assert!(err.contains("wedge.obj") && err.contains("--compression-depth-m"), "{err}");
+    assert!(
+        err.contains("wedge.obj") && err.contains("--compression-depth-m"),
+        "{err}"
+    );
     let (code, out, _) = output(
         folder.path(),
         &["footprint", "wedge.obj", "--compression-depth-m", "0.002"],
@@ -304,17 +405,29 @@ fn knowledge_may_come_from_a_folder() {
     let folder = folder_with_task();
     let knowledge = concat!(env!("CARGO_MANIFEST_DIR"), "/../../knowledge");
     let run = |extra: &[&str]| {
-        output(folder.path(), &[&["run", "board.toml", "--out", "result"], extra].concat());
+        output(
+            folder.path(),
+            &[&["run", "board.toml", "--out", "result"], extra].concat(),
+        );
         contents(&folder.path().join("result"))
     };
     assert!(run(&[]) == run(&["--knowledge", knowledge]));
-    let (code, _, err) = output(folder.path(), &["run", "board.toml", "--knowledge", "nowhere"]);
+    let (code, _, err) = output(
+        folder.path(),
+        &["run", "board.toml", "--knowledge", "nowhere"],
+    );
     assert_eq!(code, 2);
     assert!(err.contains("nowhere"), "{err}");
     fs::create_dir(folder.path().join("empty")).expect("a folder");
-    let (code, _, err) = output(folder.path(), &["check", "board.toml", "--knowledge", "empty"]);
+    let (code, _, err) = output(
+        folder.path(),
+        &["check", "board.toml", "--knowledge", "empty"],
+    );
     assert_eq!(code, 2);
-    assert!(err.contains("empty: the folder holds no .toml file"), "{err}");
+    assert!(
+        err.contains("empty: the folder holds no .toml file"),
+        "{err}"
+    );
 }
 
 #[test]
@@ -331,8 +444,14 @@ fn quiet_prints_nothing_and_color_is_obeyed() {
     let colored = |args: &[&str]| output(folder.path(), args).2.contains('\x1b');
     for wrong in [["check", "nope.toml"], ["check", "--nope"]] {
         assert!(!colored(&wrong), "{wrong:?}");
-        assert!(colored(&[&wrong[..], &["--color", "always"]].concat()), "{wrong:?}");
-        assert!(!colored(&[&wrong[..], &["--color=never"]].concat()), "{wrong:?}");
+        assert!(
+            colored(&[&wrong[..], &["--color", "always"]].concat()),
+            "{wrong:?}"
+        );
+        assert!(
+            !colored(&[&wrong[..], &["--color=never"]].concat()),
+            "{wrong:?}"
+        );
     }
 }
 
@@ -353,7 +472,12 @@ fn every_help_ends_with_examples() {
 fn a_reader_that_goes_away_is_no_error() {
     let folder = folder_with_task();
     let program = assert_cmd::cargo::cargo_bin!("wisch");
-    for args in ["new", "check board.toml", "run board.toml --json --set plan.target_performance=0.0", "--help"] {
+    for args in [
+        "new",
+        "check board.toml",
+        "run board.toml --json --set target_performance=0.0",
+        "--help",
+    ] {
         let (reader, writer) = std::io::pipe().expect("a pipe");
         drop(reader);
         let output = std::process::Command::new(program)

@@ -91,7 +91,10 @@ fn explanation(prepared: &Prepared, room: &Room, plan: &Plan) -> String {
     let task = &prepared.task;
     let mut lines: Vec<(&str, String)> = vec![("action", action(prepared))];
     if let Some(derived) = &prepared.derived {
-        lines.push(("goal", format!("{}: {}", derived.goal, derived.steps.join(", "))));
+        lines.push((
+            "goal",
+            format!("{}: {}", derived.goal, derived.steps.join(", ")),
+        ));
     }
     lines.push(("surface", surface(task)));
     lines.push(("tool", tool(task)));
@@ -119,10 +122,7 @@ fn explanation(prepared: &Prepared, room: &Room, plan: &Plan) -> String {
             percent(plan.unreachable_share)
         ),
     ));
-    lines.push((
-        "target",
-        percent(prepared.file.target_performance()),
-    ));
+    lines.push(("target", percent(prepared.file.target_performance())));
     let mut text = format!("{}: the task is sound\n", task.name);
     for (name, value) in lines {
         text += &format!("  {name:<10} {value}\n");
@@ -140,10 +140,9 @@ fn action(prepared: &Prepared) -> String {
 
 fn surface(task: &Task) -> String {
     let outline = &task.surface.outline;
-    let size = Bounds2::of(outline.outer().iter().copied())
-        .map_or_else(String::new, |b| {
-            format!("{:.3} x {:.3} m, ", b.size().x, b.size().y)
-        });
+    let size = Bounds2::of(outline.outer().iter().copied()).map_or_else(String::new, |b| {
+        format!("{:.3} x {:.3} m, ", b.size().x, b.size().y)
+    });
     let at = task.surface.world_from_surface.translation.vector;
     let edges = match task.surface.skim_edges.len() {
         0 => "no skim edge".to_owned(),
@@ -199,7 +198,10 @@ fn destination(plan: &Plan) -> String {
         GoalState::Skimmed => {
             let goals = plan.graph.nodes.iter();
             let goals = goals.filter(|node| node.role == NodeRole::Goal).count();
-            format!("every particle over a skim edge, towards {} beyond it", counted(goals, "place"))
+            format!(
+                "every particle over a skim edge, towards {} beyond it",
+                counted(goals, "place")
+            )
         }
     }
 }

@@ -67,7 +67,9 @@ fn of_knowledge(args: &FootprintArgs) -> Result<Touch, Failure> {
             entry.name, entry.mesh_file
         ))
     })?;
-    let depth = args.compression_depth_m.unwrap_or(entry.compression_depth_m);
+    let depth = args
+        .compression_depth_m
+        .unwrap_or(entry.compression_depth_m);
     touch_of(&entry.name, &bytes, format, depth, entry.area_of_effect)
 }
 
@@ -109,6 +111,7 @@ fn touch_of(
     Ok(Touch {
         tool: Tool {
             name: name.to_owned(),
+            mesh,
             footprint,
             area_of_effect: size,
         },
@@ -120,7 +123,12 @@ fn touch_of(
 fn in_words(touch: &Touch, drawing: Option<&Path>) -> String {
     let tool = &touch.tool;
     let pieces = tool.footprint.polygons().len();
-    let holes: usize = tool.footprint.polygons().iter().map(|p| p.holes().len()).sum();
+    let holes: usize = tool
+        .footprint
+        .polygons()
+        .iter()
+        .map(|p| p.holes().len())
+        .sum();
     let size = tool.area_of_effect;
     let radius = tool.collision_radius();
     let mut lines = vec![
@@ -129,20 +137,33 @@ fn in_words(touch: &Touch, drawing: Option<&Path>) -> String {
         ("holes", holes.to_string()),
         (
             "area",
-            format!("{:.6} m2 ({:.1} cm2)", tool.footprint.area(), 1e4 * tool.footprint.area()),
+            format!(
+                "{:.6} m2 ({:.1} cm2)",
+                tool.footprint.area(),
+                1e4 * tool.footprint.area()
+            ),
         ),
         (
             "area of effect",
-            format!("{:.4} m along the motion (x), {:.4} m across it (y)", size.x, size.y),
+            format!(
+                "{:.4} m along the motion (x), {:.4} m across it (y)",
+                size.x, size.y
+            ),
         ),
         ("r_s", format!("{radius:.4} m")),
         ("d_s", format!("{:.4} m", 2.0 * radius)),
     ];
     if touch.by_area_of_effect {
-        lines.push(("note", "it acts on the whole area of effect, not only where it touches".to_owned()));
+        lines.push((
+            "note",
+            "it acts on the whole area of effect, not only where it touches".to_owned(),
+        ));
     }
     if size.amax() > SUSPICIOUS_LENGTH {
-        lines.push(("note", "this is large for a tool: is the mesh in millimetres? wisch takes metres".to_owned()));
+        lines.push((
+            "note",
+            "this is large for a tool: is the mesh in millimetres? wisch takes metres".to_owned(),
+        ));
     }
     if let Some(path) = drawing {
         lines.push(("drawing", path.display().to_string()));

@@ -4,7 +4,10 @@ use crate::args::TaskArgs;
 use crate::assets::{KnowledgeSource, beside, read_text};
 use crate::failure::Failure;
 use wisch::plan::{CoverageStrategy, GoalLiteral, PlanConfig, resolve_goal};
-use wisch::represent::{Action, Intent, KnowledgeBase, Task, TaskFile};
+use wisch::represent::{Action, Intent, KnowledgeBase, Task, TaskFile, UnknownName};
+
+/// What a task gets that asks for none: the paper's plainest, which never leaves a free cell out.
+const DEFAULT_STRATEGY: CoverageStrategy = CoverageStrategy::Grid;
 
 /// A task with what the command line says about it.
 pub struct Prepared {
@@ -56,7 +59,11 @@ impl Prepared {
             )
             .map_err(Failure::new)?;
         let config = PlanConfig {
-            strategy: args.strategy.unwrap_or(file.strategy()),
+            strategy: match (args.strategy, file.strategy()) {
+                (Some(strategy), _) => strategy,
+                (None, Some(name)) => strategy_named(name, &shown)?,
+                (None, None) => DEFAULT_STRATEGY,
+            },
             seed,
             bandwidth: file.bandwidth_m(),
             lift_height: file.lift_height_m(),
@@ -78,6 +85,16 @@ impl Prepared {
     pub fn failure(&self, args: &TaskArgs, error: impl std::fmt::Display) -> Failure {
         Failure::new(format!("{}: {error}", args.task.display()))
     }
+}
+
+fn strategy_named(name: &str, shown: &str) -> Result<CoverageStrategy, Failure> {
+    name.parse().map_err(|_| {
+        let known = CoverageStrategy::ALL.map(CoverageStrategy::as_str);
+        Failure::new(format!(
+            "{shown}: {}",
+            UnknownName::new("strategy", name, known)
+        ))
+    })
 }
 
 fn choose(
@@ -121,7 +138,9 @@ fn choose(
                     "{shown}: --action {action} contradicts the goal {literal}, which takes {}",
                     resolved.action
                 ))
-                .with_help("leave --action out, or state an action in the file in place of the goal"));
+                .with_help(
+                    "leave --action out, or state an action in the file in place of the goal",
+                ));
             }
             Ok(Chosen {
                 action: resolved.action,

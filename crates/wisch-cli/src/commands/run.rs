@@ -9,18 +9,18 @@ use crate::output::{
     OutputFolder, PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE, PLAN_FILE, REPORT_FILE,
 };
 use crate::progress::Progress;
-use crate::records::{
-    PlanRecord, PredictionSummary, SUMMARY_SCHEMA, Summary, particles_csv,
-};
+use crate::records::{PlanRecord, PredictionSummary, SUMMARY_SCHEMA, Summary};
 use crate::report::{self, Frames, ReportInput};
 use crate::terminal::{Outcome, print};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 use wisch::plan::{Plan, Prediction, plan, predict};
-use wisch::represent::ParticleDistribution;
 
 /// Pixels per unit of a picture's own size.
 const PNG_SCALE: f32 = 2.0;
+
+/// Longest name of a folder that is derived from a task's [characters]; file systems take 255 bytes.
+const MAX_NAME_LEN: usize = 60;
 
 /// How far to go.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -93,9 +93,9 @@ fn work(
     progress.say("writing the results");
     let record = PlanRecord::new(&prepared.task, &plan, prepared.config.seed);
     folder.write(PLAN_FILE, json(&record)?)?;
-    folder.write(PARTICLES_BEFORE_FILE, csv(&prepared.task.particles)?)?;
+    folder.write(PARTICLES_BEFORE_FILE, prepared.task.particles.to_csv())?;
     if let Some((prediction, frames)) = &predicted {
-        folder.write(PARTICLES_AFTER_FILE, csv(&prediction.particles)?)?;
+        folder.write(PARTICLES_AFTER_FILE, prediction.particles.to_csv())?;
         write_report(&folder, &prepared, &plan, prediction, frames)?;
     }
     folder.finish()?;
@@ -104,12 +104,17 @@ fn work(
     let prediction = predicted.map(|(prediction, _)| prediction);
     let summary = summary(&prepared, &plan, prediction.as_ref(), planning_time_s, &out);
     if results.json {
-        print(&format!("{}\n", serde_json::to_string(&summary).map_err(internal)?))?;
+        print(&format!(
+            "{}\n",
+            serde_json::to_string(&summary).map_err(internal)?
+        ))?;
     } else if !global.quiet {
         print(&in_words(&summary, &out))?;
     }
     Ok(match summary.prediction {
-        Some(PredictionSummary { goal_met: false, .. }) => Outcome::GoalNotMet,
+        Some(PredictionSummary {
+            goal_met: false, ..
+        }) => Outcome::GoalNotMet,
         _ => Outcome::Done,
     })
 }
@@ -128,7 +133,23 @@ fn out_folder(results: &ResultArgs, prepared: &Prepared) -> PathBuf {
     results
         .out
         .clone()
-        .unwrap_or_else(|| Path::new("out").join(&prepared.task.name))
+        .unwrap_or_else(|| Path::new("out").join(folder_name(&prepared.task.name)))
+}
+
+/// A task's name as that of a folder: a name may be anything, a path may not.
+fn folder_name(task: &str) -> String {
+    let plain = |c: char| {
+        if c.is_alphanumeric() || "-_.".contains(c) {
+            c
+        } else {
+            '-'
+        }
+    };
+    let name: String = task.chars().map(plain).take(MAX_NAME_LEN).collect();
+    match name.trim_start_matches('.') {
+        "" => "task".to_owned(),
+        name => name.to_owned(),
+    }
 }
 
 fn write_report(
@@ -226,7 +247,11 @@ fn summary(
 fn in_words(summary: &Summary, out: &Path) -> String {
     let mut lines = vec![];
     if let Some(prediction) = &summary.prediction {
-        let verdict = if prediction.goal_met { "met" } else { "not met" };
+        let verdict = if prediction.goal_met {
+            "met"
+        } else {
+            "not met"
+        };
         lines.push((
             "performance",
             format!(
@@ -288,12 +313,21 @@ fn json(record: &PlanRecord) -> Result<String, Failure> {
     Ok(text)
 }
 
-fn csv(particles: &ParticleDistribution) -> Result<Vec<u8>, Failure> {
-    particles_csv(particles).map_err(internal)
-}
-
 /// A failure that no input should bring about.
 fn internal(error: impl std::fmt::Display) -> Failure {
     Failure::new(format!("internal error: {error}"))
         .with_help("this is a fault of wisch, not of your files; please report it")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_cannot_lead_out_of_the_folder() {
+        assert_eq!(folder_name("chopping-board"), "chopping-board");
+        assert_eq!(folder_name("../../etc"), "-..-etc");
+        assert_eq!(folder_name(".."), "task");
+        assert_eq!(folder_name("my board/2"), "my-board-2");
+    }
 }

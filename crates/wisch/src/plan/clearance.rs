@@ -4,14 +4,12 @@
 //! under a chopping board) and cannot touch a tool that stands on it.
 
 use super::PlanError;
-use crate::geometry::{Edge, Mesh, Point2, Point3};
-use crate::represent::Surface;
+use crate::geometry::{Mesh, Point2};
+use crate::represent::{OccupiedArea, SURFACE_SKIN, Surface};
 use parry3d_f64::math::Vector;
 use parry3d_f64::query::PointQuery;
 use parry3d_f64::shape::TriMesh;
 
-/// Geometry closer to the surface's plane than this counts as part of it [m].
-const SKIN: f64 = 1e-4;
 /// Shortest step of the march along an edge [m]: an intrusion thinner than this may be missed.
 const MARCH_STEP: f64 = 1e-3;
 
@@ -21,8 +19,7 @@ pub struct FreeSpace {
     surface: Surface,
     radius: f64,
     geometry: Option<TriMesh>,
-    /// Per object, the outline of its solid in the plane of the surface (unordered edges).
-    sections: Vec<Vec<Edge>>,
+    occupied: OccupiedArea,
 }
 
 impl FreeSpace {
@@ -34,16 +31,14 @@ impl FreeSpace {
     /// [`PlanError::Scene`] if the collision library refuses the geometry.
     pub fn new<'a>(
         surface: &Surface,
-        scene: impl IntoIterator<Item = &'a Mesh>,
+        scene: impl IntoIterator<Item = &'a Mesh> + Clone,
         radius: f64,
     ) -> Result<Self, PlanError> {
         let mut corners: Vec<Vector> = Vec::new();
-        let mut sections = Vec::new();
-        for mesh in scene {
-            for triangle in mesh.clipped_above(SKIN) {
+        for mesh in scene.clone() {
+            for triangle in mesh.clipped_above(SURFACE_SKIN) {
                 corners.extend(triangle.map(|p| Vector::new(p.x, p.y, p.z)));
             }
-            sections.push(section(mesh));
         }
         let triangles = (0..corners.len() as u32 / 3)
             .map(|i| [3 * i, 3 * i + 1, 3 * i + 2])
@@ -60,7 +55,7 @@ impl FreeSpace {
             surface: surface.clone(),
             radius,
             geometry,
-            sections,
+            occupied: OccupiedArea::of(scene),
         })
     }
 
@@ -72,6 +67,11 @@ impl FreeSpace {
     /// The target surface.
     pub fn surface(&self) -> &Surface {
         &self.surface
+    }
+
+    /// The part of the surface on which objects of the scene stand.
+    pub fn occupied(&self) -> &OccupiedArea {
+        &self.occupied
     }
 
     /// Distance from a point of the surface's plane to the scene above it [m]; 0 inside an object.
@@ -88,18 +88,7 @@ impl FreeSpace {
 
     /// Whether an object of the scene stands on this point.
     pub fn is_occupied(&self, point: Point2) -> bool {
-        self.sections.iter().any(|edges| {
-            edges
-                .iter()
-                .filter(|e| (e.start.y > point.y) != (e.end.y > point.y))
-                .filter(|e| {
-                    let share = (point.y - e.start.y) / (e.end.y - e.start.y);
-                    point.x < e.start.x + share * (e.end.x - e.start.x)
-                })
-                .count()
-                % 2
-                == 1
-        })
+        self.occupied.contains(point)
     }
 
     /// Whether the collision sphere at this point of the plane touches nothing.
@@ -133,25 +122,4 @@ impl FreeSpace {
             at = (at + margin.max(MARCH_STEP)).min(length);
         }
     }
-}
-
-/// Where a mesh cuts the plane just above the surface.
-fn section(mesh: &Mesh) -> Vec<Edge> {
-    let cut = |a: Point3, b: Point3| {
-        ((a.z > SKIN) != (b.z > SKIN)).then(|| {
-            let share = (SKIN - a.z) / (b.z - a.z);
-            Point2::new(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y))
-        })
-    };
-    mesh.corners()
-        .filter_map(|[a, b, c]| {
-            let mut cuts = [(a, b), (b, c), (c, a)]
-                .into_iter()
-                .filter_map(|(p, q)| cut(p, q));
-            Some(Edge {
-                start: cuts.next()?,
-                end: cuts.next()?,
-            })
-        })
-        .collect()
 }

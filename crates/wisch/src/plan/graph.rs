@@ -1,6 +1,6 @@
 //! The semantic directed graph (3): nodes are places of the tool centre point, edges motions in contact.
 
-use crate::geometry::Point2;
+use crate::geometry::{Edge, Point2};
 use crate::represent::GoalState;
 
 /// What a node stands for.
@@ -48,5 +48,20 @@ impl SemanticDirectedGraph {
             .iter()
             .find(|(from, _)| *from == node)
             .map(|&(_, to)| to)
+    }
+
+    /// Whether a particle lies within `radius` r_s [m] of a connected node or of an edge.
+    pub fn reaches(&self, particle: Point2, radius: f64) -> bool {
+        let near_node = self.nodes.iter().enumerate().any(|(i, node)| {
+            !self.unreachable.contains(&i) && (node.position - particle).norm() <= radius
+        });
+        near_node
+            || self.edges.iter().any(|&(from, to)| {
+                let edge = Edge {
+                    start: self.position(from),
+                    end: self.position(to),
+                };
+                edge.distance(particle) <= radius
+            })
     }
 }

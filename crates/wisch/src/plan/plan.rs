@@ -402,19 +402,7 @@ fn unreachable_share(graph: &SemanticDirectedGraph, particles: &[Point2], radius
     }
     let out_of_reach = particles
         .iter()
-        .filter(|&&particle| {
-            let near_node = graph.nodes.iter().enumerate().any(|(i, node)| {
-                !graph.unreachable.contains(&i) && (node.position - particle).norm() <= radius
-            });
-            let near_edge = graph.edges.iter().any(|&(from, to)| {
-                let edge = Edge {
-                    start: graph.position(from),
-                    end: graph.position(to),
-                };
-                edge.distance(particle) <= radius
-            });
-            !near_node && !near_edge
-        })
+        .filter(|&&particle| !graph.reaches(particle, radius))
         .count();
     out_of_reach as f64 / particles.len() as f64
 }

@@ -17,7 +17,9 @@ pub(super) struct Forest {
 /// Kruskal's algorithm from a virtual root that joins all `roots` at no cost.
 ///
 /// The edges of a minimum spanning tree are the shortest that connect, so allowing edges longer than
-/// `max_length` only where the tree would fall apart is what it does by itself.
+/// `max_length` only where the tree would fall apart is what it does by itself. An edge to a goal beyond
+/// the border counts only as far as it lies on the surface: particles are pushed no further, and by its
+/// full length hardly any tree would start from a goal of its own.
 pub(super) fn forest(
     space: &FreeSpace,
     nodes: &[Point2],
@@ -26,7 +28,14 @@ pub(super) fn forest(
 ) -> Forest {
     let mut pairs: Vec<(f64, usize, usize)> = (0..nodes.len())
         .flat_map(|i| (i + 1..nodes.len()).map(move |j| (i, j)))
-        .map(|(i, j)| ((nodes[i] - nodes[j]).norm(), i, j))
+        .map(|(i, j)| {
+            let on_surface = if space.surface().outline.contains(nodes[i]) {
+                space.surface().length_on_surface(nodes[i], nodes[j])
+            } else {
+                space.surface().length_on_surface(nodes[j], nodes[i])
+            };
+            (on_surface, i, j)
+        })
         .collect();
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
     let mut joined: UnionFind<usize> = UnionFind::new(nodes.len());

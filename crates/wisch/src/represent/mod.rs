@@ -7,8 +7,11 @@ mod knowledge;
 mod metrics;
 mod particles;
 mod scene;
+mod section;
+mod sources;
 mod surface;
 mod task;
+mod task_file;
 mod turning;
 
 pub use effect::{EffectModel, MotionEffect, ToolMotion};
@@ -21,5 +24,11 @@ pub use knowledge::{
 pub use metrics::{GoalState, Performance};
 pub use particles::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError, ParticleTally};
 pub use scene::SceneObject;
+pub use section::{OccupiedArea, SURFACE_SKIN};
+pub use sources::{
+    Cluster, DirtArea, MaskSource, ParticleSource, SourceError, cluster_particles, csv_particles,
+    mask_particles, uniform_particles,
+};
 pub use surface::Surface;
 pub use task::{Task, Tool};
+pub use task_file::{Intent, ReadFile, TaskError, TaskFile};

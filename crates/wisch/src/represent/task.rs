@@ -1,6 +1,6 @@
 //! A task as it is meant: everything resolved, checked and in SI units.
 
-use super::{Action, ParticleDistribution, SceneObject, Surface};
+use super::{Action, Interaction, ParticleDistribution, SceneObject, Surface};
 use crate::geometry::{Mesh, Point2, Region, Vector2};
 
 /// A tool as the planner sees it.
@@ -8,6 +8,8 @@ use crate::geometry::{Mesh, Point2, Region, Vector2};
 pub struct Tool {
     /// Its name in the knowledge base.
     pub name: String,
+    /// Its surface in the tool frame [m].
+    pub mesh: Mesh,
     /// Where it touches the surface, in the tool frame.
     pub footprint: Region,
     /// Area of effect D_aoe: depth along and width across the motion [m].
@@ -44,6 +46,8 @@ pub struct Task {
     pub tool: Tool,
     /// Name of the medium.
     pub medium: String,
+    /// How the tool is used on this medium and surface, and how well that works.
+    pub interaction: Interaction,
     /// The dirt as it is believed to lie.
     pub particles: ParticleDistribution,
     /// n_goal for a collect, in the surface frame [m]; `None` leaves the choice to the planner.

@@ -3,15 +3,18 @@
 use crate::geometry::{Bounds2, Point2};
 use crate::plan::FreeSpace;
 
-/// Centres of square cells of pitch r_s that are free.
+/// Centres of square cells of pitch r_s that are free, row by row along x.
 ///
-/// ⌊length / r_s⌋ cells per side of the outline's bounding box, centred on it (at least one), row by
-/// row along x.
+/// ⌊length / r_s⌋ cells per side of the outline's bounding box, centred on it (at least one).
 pub fn grid(space: &FreeSpace) -> Vec<Point2> {
+    free_cells(space, space.radius())
+}
+
+/// Centres of the square cells of this pitch [m] that are free.
+pub(super) fn free_cells(space: &FreeSpace, pitch: f64) -> Vec<Point2> {
     let Some(bounds) = Bounds2::of(space.surface().outline.outer().iter().copied()) else {
         return Vec::new();
     };
-    let pitch = space.radius();
     let cells = |length: f64| ((length / pitch) as usize).max(1);
     let (columns, rows) = (cells(bounds.size().x), cells(bounds.size().y));
     let center = bounds.center();

@@ -1,6 +1,6 @@
 //! Rapidly exploring random trees (LaValle) over the free surface.
 
-use super::grid;
+use super::grid::free_cells;
 use crate::geometry::Point2;
 use crate::plan::FreeSpace;
 use rand::RngExt;
@@ -19,18 +19,21 @@ impl Default for RrtConfig {
     fn default() -> Self {
         Self {
             seed: 0,
-            samples_per_cell: 400,
+            samples_per_cell: 100,
         }
     }
 }
 
 /// Nodes of a tree that grows from the free place nearest `start` by at most r_s at a time.
 ///
-/// Samples are drawn in cells (those of [`grid`]) that no node covers yet, which biases the tree
-/// towards unexplored regions; a node covers the cells whose centre is within r_s / 2 of it. Growth
-/// ends when every free cell is covered or the budget of samples is spent.
+/// Samples are drawn in cells of pitch r_s / 2 that no node covers yet, which biases the tree towards
+/// unexplored regions; a node covers the cells whose centre is within r_s / √2 of it, about as far as
+/// a footprint reaches on average. Growth ends when every free cell is covered or the budget of samples
+/// is spent.
 pub fn rrt(space: &FreeSpace, start: Point2, config: &RrtConfig) -> Vec<Point2> {
-    let mut uncovered = grid(space);
+    let step = space.radius();
+    let pitch = step / 2.0;
+    let mut uncovered = free_cells(space, pitch);
     let Some(root) = uncovered
         .iter()
         .copied()
@@ -38,8 +41,7 @@ pub fn rrt(space: &FreeSpace, start: Point2, config: &RrtConfig) -> Vec<Point2> 
     else {
         return Vec::new();
     };
-    let pitch = space.radius();
-    let covers = pitch / 2.0;
+    let covers = step * std::f64::consts::FRAC_1_SQRT_2;
     let budget = config.samples_per_cell * uncovered.len();
     let mut random = ChaCha8Rng::seed_from_u64(config.seed);
     let mut nodes = vec![root];
@@ -62,7 +64,7 @@ pub fn rrt(space: &FreeSpace, start: Point2, config: &RrtConfig) -> Vec<Point2> 
             break;
         };
         let towards = sample - near;
-        let node = near + towards * (pitch / towards.norm()).min(1.0);
+        let node = near + towards * (step / towards.norm()).min(1.0);
         let useful = uncovered.iter().any(|cell| (cell - node).norm() <= covers);
         if useful && space.is_free(node) && space.is_clear_between(near, node) {
             uncovered.retain(|cell| (cell - node).norm() > covers);

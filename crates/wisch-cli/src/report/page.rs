@@ -1,0 +1,268 @@
+//! One HTML file that shows a run, and asks nothing of the network.
+
+use super::ReportInput;
+use super::chart::{self, across, down};
+use super::palette::page_rules;
+use super::panel::{self, WIDTH, caption, density_panel, map, snapshot, snapshots};
+use super::picture::Drawing;
+use super::player::{self, Player};
+use super::view::{View, grouped, metres, percent, px};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use wisch::geometry::Vector2;
+use wisch::represent::GoalState;
+
+const STYLE: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("page.js");
+
+/// The report as one HTML file: pictures, numbers and the effect over time.
+pub fn page(input: &ReportInput) -> String {
+    let drawing = Drawing::new(input);
+    html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                title { (input.title) }
+                style { (PreEscaped(page_rules())) (PreEscaped(STYLE)) }
+            }
+            body {
+                main {
+                    (header(input))
+                    (metrics(input))
+                    (surface(&drawing))
+                    (effect(&drawing))
+                    (density(&drawing))
+                    footer class="note" {
+                        "Predicted by wisch with the particle model of Leidner et al., "
+                        cite { "Cognition-enabled robotic wiping" }
+                        ", Robotics and Autonomous Systems 114 (2019). Nothing on this page was measured on a robot."
+                    }
+                }
+            }
+        }
+    }
+    .into_string()
+}
+
+fn header(input: &ReportInput) -> Markup {
+    let task = input.task;
+    let performance = input.prediction.performance;
+    html! {
+        h1 { (input.title) }
+        p class="lead" {
+            b { (task.action.as_str()) } " " (task.medium) " on " (task.surface.name)
+            " with " (task.tool.name) ", nodes placed by " b { (input.plan.strategy.as_str()) }
+        }
+        section class="result" {
+            span class="number-large" { (percent(performance.ratio())) }
+            div {
+                p class="verdict" { (verdict(input)) }
+                @for sentence in account(input) { p { (sentence) } }
+            }
+            div class="bar" { i style=(format!("width:{:.1}%", 100.0 * performance.ratio())) {} }
+        }
+    }
+}
+
+/// The performance in words.
+fn verdict(input: &ReportInput) -> &'static str {
+    let performance = input.prediction.performance;
+    match performance.ratio() {
+        _ if performance.initial == 0 => "There is nothing to wipe.",
+        _ if input.plan.strokes.is_empty() => "The plan has no strokes: nothing will be wiped.",
+        ratio if ratio >= 0.95 => "Nearly everything should end up where it is wanted.",
+        ratio if ratio >= 0.8 => "Most of it should end up where it is wanted.",
+        ratio if ratio >= 0.5 => "More than half of it should end up where it is wanted.",
+        _ => "Less than half of it should end up where it is wanted.",
+    }
+}
+
+/// Where the particles go, counted.
+fn account(input: &ReportInput) -> Vec<String> {
+    let (plan, performance) = (input.plan, input.prediction.performance);
+    if performance.initial == 0 {
+        return Vec::new();
+    }
+    let kept = input.prediction.particles.tally().remaining;
+    let all = format!(
+        "Of {} particles, {}",
+        grouped(performance.initial),
+        grouped(performance.achieved)
+    );
+    let mut sentences = vec![match plan.graph.goal {
+        GoalState::Absorbed => format!(
+            "{all} are taken up and {} stay on the surface.",
+            grouped(kept)
+        ),
+        GoalState::Collected { radius, .. } => format!(
+            "{all} end within {} m of the goal node and {} lie elsewhere on the surface.",
+            metres(radius, 3),
+            grouped(kept - performance.achieved.min(kept))
+        ),
+        GoalState::Skimmed => {
+            format!(
+                "{all} leave the surface over an allowed edge and {} stay on it.",
+                grouped(kept)
+            )
+        }
+    }];
+    if performance.lost > 0 {
+        sentences.push(format!(
+            "{} fall over an edge where they should not.",
+            grouped(performance.lost)
+        ));
+    }
+    if plan.unreachable_share > 0.0 {
+        sentences.push(format!(
+            "{} of the particles lie further than {} m from every planned motion.",
+            percent(plan.unreachable_share),
+            metres(plan.collision_radius, 3)
+        ));
+    }
+    if !plan.graph.unreachable.is_empty() {
+        sentences.push(format!(
+            "No clear way connects {} of {} nodes to the goal.",
+            plan.graph.unreachable.len(),
+            plan.graph.nodes.len()
+        ));
+    }
+    sentences
+}
+
+fn metrics(input: &ReportInput) -> Markup {
+    html! {
+        @if !input.facts.is_empty() {
+            h2 { "In numbers" }
+            table {
+                tbody {
+                    @for (label, value) in input.facts {
+                        tr { th scope="row" { (label) } td { (value) } }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn surface(drawing: &Drawing) -> Markup {
+    let toggles = [
+        ("show-before", "particles before"),
+        ("show-after", "particles after"),
+        ("show-graph", "nodes and edges"),
+        ("show-order", "order of strokes"),
+        ("show-tool", "tool"),
+    ];
+    let panel = map(drawing);
+    html! {
+        section class="map" {
+            h2 { "The surface from above" }
+            div class="toggles" {
+                @for (id, label) in toggles {
+                    label { input type="checkbox" id=(id) checked; (label) }
+                }
+            }
+            figure class="scroll" { (panel.inline("Surface from above: particles before and after, nodes, strokes")) }
+            @if drawing.thinning > 1 {
+                p class="note" {
+                    "Drawn is one particle in " (drawing.thinning) ", evenly over the list; all "
+                    (grouped(drawing.input.prediction.performance.initial)) " are counted."
+                }
+            }
+            @if !panel::numbers_fit(drawing) && !drawing.input.plan.strokes.is_empty() {
+                p class="note" { "The tool is so small beside the surface that the strokes' numbers are left out." }
+            }
+        }
+    }
+}
+
+fn effect(drawing: &Drawing) -> Markup {
+    let frames = drawing.input.frames.all();
+    let moments = snapshots(drawing);
+    html! {
+        h2 { "Effect over time" }
+        @if frames.len() < 2 {
+            p { "No motion was recorded, so there is nothing to play." }
+        } @else {
+            p { "What the tool is predicted to do to the particles, by distance wiped." }
+            (player(drawing))
+            h2 { "At a glance" }
+        }
+        div class="snapshots" {
+            @for frame in moments {
+                figure {
+                    (snapshot(drawing, frame, 300.0).inline(&caption(frame)))
+                    figcaption { (caption(frame)) }
+                }
+            }
+        }
+    }
+}
+
+/// Surface and tool in motion, slider, and the performance below with a cursor.
+fn player(drawing: &Drawing) -> Markup {
+    let frames = drawing.input.frames.all();
+    let view = View::centred(drawing.bounds, Vector2::new(WIDTH, 520.0));
+    let data = serde_json::to_string(&Player::new(drawing, &view)).unwrap_or_default();
+    let step = player::step(drawing);
+    let moved = frames
+        .first()
+        .map_or(0, |frame| frame.particles.len().div_ceil(step));
+    let radius = drawing.dot_radius(&view, moved);
+    let chart = chart::performance(drawing, WIDTH);
+    let identity = wisch::geometry::PlanarPose::new(wisch::geometry::Point2::origin(), 0.0);
+    let footprint = view
+        .at_origin()
+        .footprint(&drawing.input.task.tool.footprint, &identity);
+    let every = drawing.input.frames.thinning() * step;
+    let last = frames.last().map_or(0.0, |frame| frame.performance.ratio());
+    html! {
+        noscript { p class="note" { "Without scripts the player stands still; the snapshots below show the same." } }
+        div id="player" hidden {
+            figure class="scroll" {
+                svg viewBox=(format!("0 0 {} {}", px(WIDTH), px(view.height()))) role="img" aria-label="Particles and tool over time" {
+                    (drawing.ground(&view))
+                    path id="moving-trail" class="trail" {}
+                    path id="moving-left" class="dots-left" stroke-width=(px(2.0 * radius)) {}
+                    path id="moving-done" class="dots-done" stroke-width=(px(2.0 * radius)) {}
+                    path id="moving-lost" class="mark-lost" data-radius=(px(radius)) {}
+                    (drawing.obstacles(&view))
+                    path id="moving-tool" class="tool" d=(footprint) {}
+                    rect class="rule" x="0.5" y="0.5" width=(px(WIDTH - 1.0)) height=(px(view.height() - 1.0)) {}
+                    (view.scale_bar())
+                }
+            }
+            div class="controls" {
+                button id="play" type="button" { "▶ Play" }
+                input id="slider" type="range" min="0" max="1000" value="0" aria-label="Distance wiped";
+                output id="moment" data-achieved=(drawing.achieved()) {}
+            }
+            figure class="scroll" {
+                svg viewBox=(format!("0 0 {} {}", px(chart.width), px(chart.height))) role="img" aria-label="Performance over distance wiped" {
+                    (chart.body)
+                    g id="cursor" data-from=(px(across(0.0, 1.0, WIDTH))) data-to=(px(across(1.0, 1.0, WIDTH)))
+                        data-top=(px(down(1.0))) data-bottom=(px(down(0.0))) {
+                        path id="cursor-line" class="cursor" {}
+                        circle id="cursor-dot" class="cursor-dot" r="5" cy=(px(down(last))) {}
+                    }
+                }
+            }
+        }
+        @if every > 1 {
+            p class="note" { "The player moves one particle in " (every) "; the curve counts all." }
+        }
+        script type="application/json" id="effect-data" { (PreEscaped(data)) }
+        script { (PreEscaped(SCRIPT)) }
+    }
+}
+
+fn density(drawing: &Drawing) -> Markup {
+    html! {
+        h2 { "Where the dirt is densest" }
+        p {
+            "Gaussian kernel density of the particles before wiping, bandwidth "
+            (metres(drawing.bandwidth(), 3)) " m, with the nodes of the plan on top."
+        }
+        figure class="scroll" { (density_panel(drawing).inline("Contours of the particle density with the plan's nodes")) }
+    }
+}

@@ -1,0 +1,102 @@
+//! One look for all pictures: a class per meaning, with a colour for light and one for dark.
+//!
+//! Hues after Okabe and Ito (2008), which colour-blind readers tell apart; shapes repeat what colours say.
+
+use std::fmt::Write;
+
+/// Name of a colour, its value on light and on dark ground.
+const COLOURS: [(&str, &str, &str); 26] = [
+    ("paper", "#ffffff", "#14181d"),
+    ("ink", "#1d242c", "#e8ecf0"),
+    ("quiet", "#5b6672", "#9aa7b4"),
+    ("rule", "#d5dbe1", "#39424c"),
+    ("card", "#f5f7f9", "#1c2229"),
+    ("surface", "#fbf6ec", "#23282e"),
+    ("outline", "#8a7a5c", "#8f8a7c"),
+    ("obstacle", "#a9b0b7", "#59636d"),
+    ("obstacle-line", "#5b6672", "#9aa7b4"),
+    ("before", "#6f7b87", "#93a0ad"),
+    ("left", "#0072b2", "#56b4e9"),
+    ("done", "#009e73", "#2fc79b"),
+    ("lost", "#a3347a", "#e59bc8"),
+    ("node", "#d0390b", "#ff7a45"),
+    ("goal", "#f5d90a", "#f5d90a"),
+    ("goal-line", "#7a6a00", "#f5d90a"),
+    ("tool", "#56b4e9", "#56b4e9"),
+    ("tool-line", "#0b5c8c", "#a6d8f5"),
+    ("band-1", "#eef3f8", "#1d2935"),
+    ("band-2", "#d9e6f1", "#22384b"),
+    ("band-3", "#bfd6e9", "#294a64"),
+    ("band-4", "#9fc3df", "#315d7f"),
+    ("band-5", "#7aaed3", "#3b739d"),
+    ("band-6", "#5596c5", "#498bbb"),
+    ("band-7", "#347cb3", "#64a6d4"),
+    ("band-8", "#1b609a", "#8cc3e8"),
+];
+
+/// Number of bands of the density picture.
+pub(super) const BANDS: usize = 8;
+
+/// What each class of the pictures looks like, colours as `{name}`.
+const RULES: &str = "\
+.ground{fill:{paper}}\
+.text{fill:{ink};font-family:Inter,system-ui,sans-serif;font-size:13px}\
+.strong{font-weight:600}\
+.quiet{fill:{quiet}}\
+.small{font-size:11px}\
+.rule{stroke:{rule};stroke-width:1;fill:none}\
+.axis{stroke:{quiet};stroke-width:1;fill:none}\
+.surface{fill:{surface};stroke:none}\
+.outline{fill:none;stroke:{outline};stroke-width:1.5}\
+.skim-edge{fill:none;stroke:{goal-line};stroke-width:7}\
+.skim-core{fill:none;stroke:{goal};stroke-width:4;stroke-dasharray:10 5}\
+.obstacle{fill:{obstacle};stroke:{obstacle-line};stroke-width:1.5;fill-rule:evenodd}\
+.before{fill:none;stroke:{before};stroke-width:1.1}\
+.on-density .before{stroke:{ink};stroke-opacity:.65}\
+.dots-left{fill:none;stroke:{left};stroke-linecap:round}\
+.dots-done{fill:none;stroke:{done};stroke-linecap:round}\
+.mark-lost{fill:none;stroke:{lost};stroke-width:1.6}\
+.edge{fill:none;stroke:{ink};stroke-width:1.8;stroke-linejoin:round}\
+.arrow{fill:{ink};stroke:none}\
+.lifted{fill:none;stroke:{quiet};stroke-width:1.2;stroke-dasharray:5 4}\
+.node{fill:{node};stroke:{paper};stroke-width:1.2}\
+.node-cut{fill:{paper};stroke:{node};stroke-width:1.8}\
+.number{fill:{paper};font-family:Inter,system-ui,sans-serif;font-weight:600;text-anchor:middle}\
+.goal{fill:{goal};stroke:{goal-line};stroke-width:1.5}\
+.goal-reach{fill:{goal};fill-opacity:.13;stroke:{goal-line};stroke-width:1.5;stroke-dasharray:3 3}\
+.tool{fill:{tool};fill-opacity:.38;stroke:{tool-line};stroke-width:1.6;fill-rule:evenodd}\
+.start{fill:{paper};stroke:{tool-line};stroke-width:2}\
+.trail{fill:none;stroke:{tool-line};stroke-opacity:.55;stroke-width:1.4;stroke-linejoin:round}\
+.curve{fill:none;stroke:{done};stroke-width:2.4;stroke-linejoin:round}\
+.under{fill:{done};fill-opacity:.12;stroke:none}\
+.cursor{stroke:{node};stroke-width:1.6;fill:none}\
+.cursor-dot{fill:{node};stroke:{paper};stroke-width:1.5}\
+.contour{stroke:{paper};stroke-opacity:.35;stroke-width:.6;fill-rule:evenodd}\
+.band-1{fill:{band-1}}.band-2{fill:{band-2}}.band-3{fill:{band-3}}.band-4{fill:{band-4}}\
+.band-5{fill:{band-5}}.band-6{fill:{band-6}}.band-7{fill:{band-7}}.band-8{fill:{band-8}}\
+.end{text-anchor:end}.middle{text-anchor:middle}";
+
+/// The classes with the light colours written out, for a picture that stands alone.
+pub(super) fn standalone_rules() -> String {
+    COLOURS
+        .iter()
+        .fold(RULES.to_owned(), |rules, (name, light, _)| {
+            rules.replace(&format!("{{{name}}}"), light)
+        })
+}
+
+/// The classes and colours of the page, which follows the reader's light or dark scheme.
+pub(super) fn page_rules() -> String {
+    let mut css = String::from(":root{color-scheme:light dark;");
+    for (name, light, _) in COLOURS {
+        let _ = write!(css, "--{name}:{light};");
+    }
+    css.push_str("}@media (prefers-color-scheme:dark){:root{");
+    for (name, _, dark) in COLOURS {
+        let _ = write!(css, "--{name}:{dark};");
+    }
+    css.push_str("}}");
+    css + &COLOURS.iter().fold(RULES.to_owned(), |rules, (name, ..)| {
+        rules.replace(&format!("{{{name}}}"), &format!("var(--{name})"))
+    })
+}

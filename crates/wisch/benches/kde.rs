@@ -1,0 +1,46 @@
+//! Density map and peaks of particles on one square metre.
+
+use divan::{Bencher, black_box};
+use rand::RngExt;
+use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
+use wisch::geometry::{Bounds2, Point2, Polygon, Pose, Vector2};
+use wisch::plan::{DensityMap, FreeSpace, KdeConfig, kde};
+use wisch::represent::Surface;
+
+fn main() {
+    divan::main();
+}
+
+const BANDWIDTH: f64 = 0.05;
+/// r_s of the sponge [m].
+const RADIUS: f64 = 0.0652;
+
+fn points(count: usize) -> Vec<Point2> {
+    let mut random = ChaCha8Rng::seed_from_u64(1);
+    (0..count)
+        .map(|_| Point2::new(random.random::<f64>() - 0.5, random.random::<f64>() - 0.5))
+        .collect()
+}
+
+#[divan::bench(args = [1_000, 100_000, 1_000_000])]
+fn density_map(bencher: Bencher, count: usize) {
+    let points = points(count);
+    let bounds = Bounds2::of(points.iter().copied()).unwrap();
+    bencher.bench(|| DensityMap::new(black_box(&points), bounds, BANDWIDTH));
+}
+
+#[divan::bench(args = [1_000, 100_000, 1_000_000])]
+fn peaks(bencher: Bencher, count: usize) {
+    let points = points(count);
+    let surface = Surface {
+        name: "square".into(),
+        outline: Polygon::rectangle(Vector2::new(1.0, 1.0)),
+        world_from_surface: Pose::identity(),
+        skim_edges: vec![],
+    };
+    let space = FreeSpace::new(&surface, [], RADIUS).unwrap();
+    let config = KdeConfig {
+        bandwidth: Some(BANDWIDTH),
+    };
+    bencher.bench(|| kde(&space, black_box(&points), &config));
+}

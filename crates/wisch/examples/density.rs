@@ -1,0 +1,36 @@
+//! Samples a particle density: `density POINTS.csv BANDWIDTH_M`, with `x,y` [m] on each line.
+//!
+//! Prints `x,y,density` for every sample of the map; the milliseconds taken go to standard error.
+
+use std::time::Instant;
+use wisch::geometry::{Bounds2, Point2};
+use wisch::plan::DensityMap;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let [path, bandwidth] = std::env::args()
+        .skip(1)
+        .collect::<Vec<_>>()
+        .try_into()
+        .map_err(|_| "usage: density POINTS.csv BANDWIDTH_M")?;
+    let mut points = Vec::new();
+    for row in csv::ReaderBuilder::new()
+        .has_headers(false)
+        .from_path(path)?
+        .deserialize()
+    {
+        let (x, y): (f64, f64) = row?;
+        points.push(Point2::new(x, y));
+    }
+    let bounds = Bounds2::of(points.iter().copied()).ok_or("no points")?;
+    let begin = Instant::now();
+    let map = DensityMap::new(&points, bounds, bandwidth.parse()?);
+    eprintln!("{:.3}", begin.elapsed().as_secs_f64() * 1e3);
+    let (columns, rows) = map.shape();
+    for row in 0..rows {
+        for column in 0..columns {
+            let at = map.sample_position(column, row);
+            println!("{},{},{}", at.x, at.y, map.sample(column, row));
+        }
+    }
+    Ok(())
+}

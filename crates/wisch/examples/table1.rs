@@ -1,0 +1,180 @@
+//! The predicted performance of the three scenarios beside the paper's Table 1 (§3.4).
+//!
+//! ```text
+//! cargo run --release --package wisch --example table1 -- [number of seeds, default 5] [first seed, default 1]
+//! ```
+//!
+//! Distances are those in contact. The paper's computation times are of another planner on another
+//! machine, so only ours are printed.
+
+use rayon::prelude::*;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+use wisch::plan::{CoverageStrategy, PlanConfig, plan, predict};
+use wisch::represent::{Action, Intent, KnowledgeBase, Task, TaskFile};
+
+type AnyError = Box<dyn Error + Send + Sync>;
+
+const SCENARIOS: [&str; 3] = ["chopping-board", "table", "windshield"];
+
+/// Table 1, performance [%]: action × scenario × (grid, rrt, kde).
+const PAPER_PERFORMANCE: [[[f64; 3]; 3]; 3] = [
+    [
+        [84.25, 85.00, 95.75],
+        [77.00, 79.50, 70.50],
+        [90.13, 90.50, 91.00],
+    ],
+    [
+        [86.50, 86.75, 90.50],
+        [70.25, 69.25, 41.75],
+        [48.50, 39.25, 62.75],
+    ],
+    [
+        [88.00, 80.25, 97.00],
+        [71.75, 65.50, 53.00],
+        [94.50, 88.50, 88.50],
+    ],
+];
+
+/// Table 1, distance [m]: action × scenario × (grid, rrt, kde).
+const PAPER_DISTANCE: [[[f64; 3]; 3]; 3] = [
+    [[1.52, 1.41, 1.90], [4.34, 4.10, 3.24], [4.44, 4.84, 4.69]],
+    [[1.54, 1.45, 1.90], [3.68, 3.60, 2.92], [4.97, 4.76, 4.22]],
+    [[1.81, 1.62, 2.01], [5.48, 4.95, 3.75], [5.58, 5.65, 5.89]],
+];
+
+/// Mean over the trials of one cell.
+#[derive(Default, Clone, Copy)]
+struct Trial {
+    performance: f64,
+    distance: f64,
+    nodes: f64,
+    unreachable: f64,
+    milliseconds: f64,
+}
+
+fn main() -> Result<(), AnyError> {
+    let mut arguments = std::env::args().skip(1);
+    let count: u64 = arguments.next().map_or(Ok(5), |text| text.parse())?;
+    let first: u64 = arguments.next().map_or(Ok(1), |text| text.parse())?;
+    if count == 0 {
+        return Err("at least one seed is needed".into());
+    }
+
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let knowledge = knowledge(&root.join("knowledge"))?;
+    let scenarios = SCENARIOS
+        .iter()
+        .map(|name| scenario(&root.join(format!("scenarios/{name}.toml"))))
+        .collect::<Result<Vec<_>, _>>()?;
+
+    println!("seeds {first} to {}", first + count - 1);
+    println!(
+        "{:22} {:>7} {:>7}   {:>8} {:>8} {:>6} {:>12} {:>8}",
+        "", "perf %", "paper", "dist m", "paper", "nodes", "unreachable", "ms"
+    );
+    let mut reached = 0;
+    for (a, action) in Action::ALL.into_iter().enumerate() {
+        for (s, (scenario, name)) in scenarios.iter().zip(SCENARIOS).enumerate() {
+            let tasks = (first..first + count)
+                .into_par_iter()
+                .map(|seed| task(scenario, action, seed, &knowledge, &root))
+                .collect::<Result<Vec<Task>, AnyError>>()?;
+            for (k, strategy) in CoverageStrategy::ALL.into_iter().enumerate() {
+                let trials = tasks
+                    .par_iter()
+                    .map(|task| trial(task, strategy, scenario))
+                    .collect::<Result<Vec<Trial>, AnyError>>()?;
+                let mean =
+                    |of: fn(&Trial) -> f64| trials.iter().map(of).sum::<f64>() / count as f64;
+                let performance = mean(|trial| trial.performance);
+                let paper = PAPER_PERFORMANCE[a][s][k];
+                let is_reached = performance >= paper;
+                reached += usize::from(is_reached);
+                println!(
+                    "{action:7} {:10} {strategy:4} {performance:7.2} {paper:7.2} {} {:8.2} {:8.2} {:6.1} {:10.1} % {:8.1}",
+                    name.trim_start_matches("chopping-"),
+                    if is_reached { "≥" } else { "<" },
+                    mean(|trial| trial.distance),
+                    PAPER_DISTANCE[a][s][k],
+                    mean(|trial| trial.nodes),
+                    mean(|trial| trial.unreachable),
+                    mean(|trial| trial.milliseconds),
+                );
+            }
+        }
+    }
+    println!("{reached} of 27 cells reach the paper's performance");
+    Ok(())
+}
+
+fn trial(task: &Task, strategy: CoverageStrategy, file: &TaskFile) -> Result<Trial, AnyError> {
+    let begin = Instant::now();
+    let config = PlanConfig {
+        strategy,
+        seed: task.seed,
+        bandwidth: file.bandwidth_m(),
+        lift_height: file.lift_height_m(),
+    };
+    let plan = plan(task, &config)?;
+    let prediction = predict(task, &plan, |_| ());
+    Ok(Trial {
+        performance: 100.0 * prediction.performance.ratio(),
+        distance: plan.contact_distance(),
+        nodes: plan.graph.nodes.len() as f64,
+        unreachable: 100.0 * plan.unreachable_share,
+        milliseconds: 1e3 * begin.elapsed().as_secs_f64(),
+    })
+}
+
+fn task(
+    scenario: &TaskFile,
+    action: Action,
+    seed: u64,
+    knowledge: &KnowledgeBase,
+    root: &Path,
+) -> Result<Task, AnyError> {
+    let Intent::Action { tool, medium, .. } = scenario.intent() else {
+        return Err(format!("{} names no tool", scenario.name()).into());
+    };
+    let read = |folder: PathBuf| {
+        move |path: &str| std::fs::read(folder.join(path)).map_err(|error| error.to_string())
+    };
+    Ok(scenario.resolve(
+        action,
+        tool,
+        medium,
+        seed,
+        knowledge,
+        &mut read(root.join("scenarios")),
+        &mut read(root.join("knowledge")),
+    )?)
+}
+
+fn scenario(path: &Path) -> Result<TaskFile, AnyError> {
+    let text = text(path)?;
+    Ok(TaskFile::parse(&path.display().to_string(), &text, &[])?)
+}
+
+fn knowledge(folder: &Path) -> Result<KnowledgeBase, AnyError> {
+    let names = [
+        "tools.toml",
+        "media.toml",
+        "surfaces.toml",
+        "interactions.toml",
+    ];
+    let texts = names
+        .iter()
+        .map(|name| text(&folder.join(name)))
+        .collect::<Result<Vec<String>, _>>()?;
+    let files: Vec<(&str, &str)> = names
+        .into_iter()
+        .zip(texts.iter().map(String::as_str))
+        .collect();
+    Ok(KnowledgeBase::from_toml(&files)?)
+}
+
+fn text(path: &Path) -> Result<String, AnyError> {
+    std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()).into())
+}

@@ -1,0 +1,76 @@
+//! Where the objects of a scene stand on the target surface.
+
+use crate::geometry::{Edge, Mesh, Point2, Point3};
+
+/// Geometry closer to the surface's plane than this counts as part of it [m].
+pub const SURFACE_SKIN: f64 = 1e-4;
+
+/// The part of the surface's plane that the solids of a scene cover: per object, its section just
+/// above the plane.
+///
+/// ```
+/// use wisch::geometry::{Mesh, Point2, Pose, Vector3};
+/// use wisch::represent::OccupiedArea;
+/// let cup = Mesh::cylinder(0.04, 0.10, 48)?.transformed(&Pose::translation(0.2, 0.0, 0.05));
+/// let occupied = OccupiedArea::of([&cup]);
+/// assert!(occupied.contains(Point2::new(0.2, 0.03)));
+/// assert!(!occupied.contains(Point2::new(0.2, 0.05)));
+/// # Ok::<(), wisch::geometry::MeshError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct OccupiedArea {
+    /// Per object, the outline of its solid in the plane of the surface (unordered edges).
+    sections: Vec<Vec<Edge>>,
+}
+
+impl OccupiedArea {
+    /// The sections of meshes in the surface frame.
+    pub fn of<'a>(scene_in_surface: impl IntoIterator<Item = &'a Mesh>) -> Self {
+        let sections = scene_in_surface.into_iter().map(section);
+        Self {
+            sections: sections.filter(|edges| !edges.is_empty()).collect(),
+        }
+    }
+
+    /// Per object that reaches down to the plane, the outline of its section as unordered edges [m].
+    pub fn sections(&self) -> &[Vec<Edge>] {
+        &self.sections
+    }
+
+    /// Whether an object stands on this point (even–odd rule per object).
+    pub fn contains(&self, point: Point2) -> bool {
+        self.sections.iter().any(|edges| {
+            edges
+                .iter()
+                .filter(|e| (e.start.y > point.y) != (e.end.y > point.y))
+                .filter(|e| {
+                    let share = (point.y - e.start.y) / (e.end.y - e.start.y);
+                    point.x < e.start.x + share * (e.end.x - e.start.x)
+                })
+                .count()
+                % 2
+                == 1
+        })
+    }
+}
+
+/// Where a mesh cuts the plane just above the surface.
+fn section(mesh: &Mesh) -> Vec<Edge> {
+    let cut = |a: Point3, b: Point3| {
+        ((a.z > SURFACE_SKIN) != (b.z > SURFACE_SKIN)).then(|| {
+            let share = (SURFACE_SKIN - a.z) / (b.z - a.z);
+            Point2::new(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y))
+        })
+    };
+    mesh.corners()
+        .filter_map(|[a, b, c]| {
+            let mut cuts = [(a, b), (b, c), (c, a)]
+                .into_iter()
+                .filter_map(|(p, q)| cut(p, q));
+            Some(Edge {
+                start: cuts.next()?,
+                end: cuts.next()?,
+            })
+        })
+        .collect()
+}

@@ -1,0 +1,231 @@
+//! Where particles come from: spread evenly, in clusters, from a list, a photo, or an estimate.
+
+mod image;
+mod list;
+#[cfg(test)]
+mod tests;
+
+pub use image::{MaskSource, mask_particles};
+pub use list::csv_particles;
+
+use super::{MAX_PARTICLES, OccupiedArea, ParticleDistribution, ParticleError};
+use crate::geometry::{Bounds2, Point2, Polygon, Vector2};
+use rand::{Rng, RngExt};
+use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
+
+/// Stream of the task's seed that places particles; stream 0 is the planner's.
+const PARTICLE_STREAM: u64 = 1;
+/// Draws per particle after which the free area counts as too small to be hit.
+const DRAWS_PER_PARTICLE: usize = 1_000;
+/// Draws that are always made before giving up, however few particles are wanted.
+const MIN_DRAWS: usize = 100_000;
+
+/// How the initial particles are made.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ParticleSource {
+    /// Evenly over the free surface.
+    Uniform {
+        /// How many.
+        count: usize,
+    },
+    /// Heaps.
+    Clusters {
+        /// How many particles in all.
+        count: usize,
+        /// The heaps among which they are shared.
+        clusters: Vec<Cluster>,
+    },
+    /// Listed in a file.
+    Csv {
+        /// Its path, relative to the task file.
+        file: String,
+    },
+    /// Seen in a mask or photo.
+    Image(MaskSource),
+}
+
+/// A heap: normally distributed about its centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cluster {
+    /// Its middle in the surface frame [m].
+    pub center: Point2,
+    /// Standard deviation along x and along y [m].
+    pub sigma: f64,
+    /// Its share of the particles, relative to the other clusters' weights.
+    pub weight: f64,
+}
+
+/// Where dirt can lie: on the surface, but not where an object stands.
+#[derive(Debug, Clone, Copy)]
+pub struct DirtArea<'a> {
+    /// Outline of the surface, in its frame [m].
+    pub outline: &'a Polygon,
+    /// Where objects stand.
+    pub occupied: &'a OccupiedArea,
+}
+
+impl DirtArea<'_> {
+    /// Whether a particle can lie here.
+    pub fn contains(&self, point: Point2) -> bool {
+        self.outline.contains(point) && !self.occupied.contains(point)
+    }
+}
+
+/// Why a source yields no particles.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SourceError {
+    /// The distribution refused them.
+    #[error(transparent)]
+    Particles(#[from] ParticleError),
+    /// A count outside its range.
+    #[error("count = {count} is outside its limits: at least 1 and at most {MAX_PARTICLES}")]
+    Count {
+        /// The count as given.
+        count: usize,
+    },
+    /// Draws hardly ever hit the free surface.
+    #[error(
+        "{draws} draws put only {placed} of {count} particles on the surface: it is covered, or the clusters lie off it"
+    )]
+    NoRoom {
+        /// How many draws were made.
+        draws: usize,
+        /// How many particles found a place.
+        placed: usize,
+        /// How many were wanted.
+        count: usize,
+    },
+    /// A list of particles is not one.
+    #[error("{file}:{line}: {problem}")]
+    Line {
+        /// The file.
+        file: String,
+        /// Line, counted from 1.
+        line: u64,
+        /// What is wrong there.
+        problem: String,
+    },
+    /// A list without a single particle.
+    #[error("{file}: it lists no particle, at least 1 is needed")]
+    EmptyList {
+        /// The file.
+        file: String,
+    },
+    /// An image that cannot be used.
+    #[error("{file}: {problem}")]
+    Image {
+        /// The file.
+        file: String,
+        /// What is wrong with it.
+        problem: String,
+    },
+}
+
+fn generator(seed: u64) -> ChaCha8Rng {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    random.set_stream(PARTICLE_STREAM);
+    random
+}
+
+/// `count` particles spread evenly over the area.
+///
+/// # Errors
+/// A count of 0 or above [`MAX_PARTICLES`], or an area too small to be hit.
+///
+/// ```
+/// use wisch::geometry::{Polygon, Vector2};
+/// use wisch::represent::{DirtArea, OccupiedArea, uniform_particles};
+/// let board = Polygon::rectangle(Vector2::new(0.4, 0.28));
+/// let area = DirtArea { outline: &board, occupied: &OccupiedArea::default() };
+/// assert_eq!(uniform_particles(area, 80, 1)?.len(), 80);
+/// # Ok::<(), wisch::represent::SourceError>(())
+/// ```
+pub fn uniform_particles(
+    area: DirtArea<'_>,
+    count: usize,
+    seed: u64,
+) -> Result<ParticleDistribution, SourceError> {
+    let bounds = Bounds2::of(area.outline.outer().iter().copied()).unwrap_or(Bounds2 {
+        min: Point2::origin(),
+        max: Point2::origin(),
+    });
+    let size = bounds.size();
+    rejection_sampled(area, count, seed, |random| {
+        bounds.min
+            + Vector2::new(
+                size.x * random.random::<f64>(),
+                size.y * random.random::<f64>(),
+            )
+    })
+}
+
+/// `count` particles in heaps; what would lie off the area is drawn again.
+///
+/// # Errors
+/// A count of 0 or above [`MAX_PARTICLES`], or clusters that hardly ever hit the area.
+pub fn cluster_particles(
+    area: DirtArea<'_>,
+    clusters: &[Cluster],
+    count: usize,
+    seed: u64,
+) -> Result<ParticleDistribution, SourceError> {
+    let total: f64 = clusters.iter().map(|cluster| cluster.weight).sum();
+    rejection_sampled(area, count, seed, |random| {
+        let mut share = random.random::<f64>() * total;
+        let chosen = clusters.iter().find(|cluster| {
+            share -= cluster.weight;
+            share < 0.0
+        });
+        let offset = standard_normal_pair(random);
+        match chosen.or(clusters.last()) {
+            Some(cluster) => cluster.center + offset * cluster.sigma,
+            None => Point2::new(f64::NAN, f64::NAN),
+        }
+    })
+}
+
+fn rejection_sampled(
+    area: DirtArea<'_>,
+    count: usize,
+    seed: u64,
+    mut draw: impl FnMut(&mut ChaCha8Rng) -> Point2,
+) -> Result<ParticleDistribution, SourceError> {
+    checked_count(count)?;
+    let mut random = generator(seed);
+    let budget = MIN_DRAWS.max(count.saturating_mul(DRAWS_PER_PARTICLE));
+    let mut points = Vec::with_capacity(count);
+    let mut draws = 0;
+    while points.len() < count {
+        // An area that not one in a hundred thousand draws hits will not fill up either.
+        if draws == budget || (draws == MIN_DRAWS && points.is_empty()) {
+            let placed = points.len();
+            return Err(SourceError::NoRoom {
+                draws,
+                placed,
+                count,
+            });
+        }
+        draws += 1;
+        let point = draw(&mut random);
+        if area.contains(point) {
+            points.push(point);
+        }
+    }
+    Ok(ParticleDistribution::new(&points)?)
+}
+
+fn checked_count(count: usize) -> Result<(), SourceError> {
+    if (1..=MAX_PARTICLES).contains(&count) {
+        Ok(())
+    } else {
+        Err(SourceError::Count { count })
+    }
+}
+
+/// Two independent draws from N(0, 1) (Box and Muller), alike on every platform.
+fn standard_normal_pair(random: &mut impl Rng) -> Vector2 {
+    let radius = (-2.0 * libm::log(1.0 - random.random::<f64>())).sqrt();
+    let angle = std::f64::consts::TAU * random.random::<f64>();
+    Vector2::new(libm::cos(angle), libm::sin(angle)) * radius
+}

@@ -1,0 +1,158 @@
+//! The rules of the house, read off the source: what a stage may import, and what it may not do.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The stages in the order in which data walks through them.
+const STAGES: [&str; 3] = ["geometry", "represent", "plan"];
+
+fn source() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
+}
+
+fn rust_files(folder: &Path) -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            files.extend(rust_files(&path));
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            files.push(path);
+        }
+    }
+    files
+}
+
+/// Code without comments.
+fn code(text: &str) -> String {
+    text.lines()
+        .map(|line| line.split("//").next().unwrap_or(line))
+        .collect::<Vec<_>>()
+        .join("\n")
+}
+
+/// Later stages that a file of `stage` imports.
+fn forward_imports<'a>(stage: &str, text: &'a str) -> Vec<&'a str> {
+    let position = |name: &str| STAGES.iter().position(|s| *s == name);
+    text.match_indices("crate::")
+        .filter_map(|(at, _)| {
+            let rest = &text[at + "crate::".len()..];
+            let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_')?;
+            Some(&rest[..end])
+        })
+        .filter(|name| position(name) > position(stage))
+        .collect()
+}
+
+#[test]
+fn every_folder_is_a_stage_and_imports_only_earlier_ones() {
+    for entry in fs::read_dir(source()).unwrap() {
+        let path = entry.unwrap().path();
+        if !path.is_dir() {
+            continue;
+        }
+        let stage = path.file_name().unwrap().to_str().unwrap();
+        assert!(
+            STAGES.contains(&stage),
+            "{stage} is not in the order of stages"
+        );
+        for file in rust_files(&path) {
+            let text = code(&fs::read_to_string(&file).unwrap());
+            let forward = forward_imports(stage, &text);
+            assert!(forward.is_empty(), "{} imports {forward:?}", file.display());
+        }
+    }
+}
+
+#[test]
+fn a_forward_import_is_noticed() {
+    assert_eq!(
+        forward_imports("represent", "use crate::plan::Plan;"),
+        ["plan"]
+    );
+    assert!(forward_imports("plan", "use crate::geometry::Point2;").is_empty());
+}
+
+#[test]
+fn the_library_reads_no_clock_file_or_network_and_serializes_no_domain_type() {
+    let forbidden = [
+        "std::fs",
+        "std::net",
+        "std::time",
+        "Instant::now",
+        "SystemTime",
+        "thread_rng",
+        "rand::rng()",
+        "Serialize",
+        "todo!",
+        "unimplemented!",
+    ];
+    for file in rust_files(&source()) {
+        let text = code(&fs::read_to_string(&file).unwrap());
+        for word in forbidden {
+            assert!(!text.contains(word), "{} uses {word}", file.display());
+        }
+    }
+}
+
+/// Items named in a text as `stage::…::Name`.
+fn items(text: &str) -> Vec<&str> {
+    text.split('`')
+        .skip(1)
+        .step_by(2)
+        .filter(|word| {
+            STAGES
+                .iter()
+                .any(|stage| word.starts_with(&format!("{stage}::")))
+        })
+        .collect()
+}
+
+fn exists(item: &str) -> bool {
+    let mut parts = item.split("::");
+    let stage = parts.next().unwrap_or_default();
+    let names: Vec<&str> = parts.collect();
+    let text: String = rust_files(&source().join(stage))
+        .iter()
+        .map(|file| code(&fs::read_to_string(file).unwrap()))
+        .collect();
+    !names.is_empty()
+        && names.iter().all(|name| {
+            let declared = |keyword: &str| {
+                text.match_indices(&format!("{keyword} {name}"))
+                    .any(|(at, found)| {
+                        !text[at + found.len()..]
+                            .starts_with(|c: char| c.is_alphanumeric() || c == '_')
+                    })
+            };
+            ["fn", "struct", "enum", "const", "type", "trait"]
+                .into_iter()
+                .any(declared)
+                || text.contains(&format!("    {name},"))
+                || text.contains(&format!("    {name} {{"))
+        })
+}
+
+#[test]
+fn what_paper_md_names_exists() {
+    let paper = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../PAPER.md");
+    let text = fs::read_to_string(paper).unwrap();
+    let items = items(&text);
+    assert!(
+        items.len() > 20,
+        "PAPER.md names only {} items",
+        items.len()
+    );
+    let missing: Vec<&str> = items.into_iter().filter(|item| !exists(item)).collect();
+    assert!(
+        missing.is_empty(),
+        "PAPER.md names what is not there: {missing:?}"
+    );
+}
+
+#[test]
+fn an_item_that_is_not_there_is_noticed() {
+    assert!(exists("represent::EffectModel::apply"));
+    assert!(!exists("represent::EffectModel::undo_everything"));
+    assert_eq!(items("see `plan::grid` and `cargo doc`"), ["plan::grid"]);
+}

@@ -1,0 +1,423 @@
+//! Plans judged by what must hold of them: clearance, coverage, order, and predicted effect.
+
+use proptest::prelude::*;
+use wisch::geometry::{Edge, Mesh, Point2, Polygon, Pose, Region, Vector2, Vector3};
+use wisch::plan::{
+    CoverageStrategy, FreeSpace, KdeConfig, NodeRole, Plan, PlanConfig, PlanError, RrtConfig, grid,
+    kde, plan, predict, rrt,
+};
+use wisch::represent::{
+    Action, Fate, GoalState, ParticleDistribution, Performance, SceneObject, Surface, Task, Tool,
+};
+
+const BOARD: [f64; 2] = [0.40, 0.28];
+
+fn surface([x, y]: [f64; 2]) -> Surface {
+    Surface {
+        name: "board".into(),
+        outline: Polygon::rectangle(Vector2::new(x, y)),
+        world_from_surface: Pose::identity(),
+        skim_edges: vec![0],
+    }
+}
+
+fn sponge() -> Tool {
+    Tool {
+        name: "sponge".into(),
+        footprint: Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))]),
+        area_of_effect: Vector2::new(0.07, 0.11),
+    }
+}
+
+fn cuboid(size: [f64; 3], at: [f64; 3]) -> SceneObject {
+    SceneObject {
+        name: "block".into(),
+        mesh: Mesh::cuboid(Vector3::from(size)).unwrap(),
+        world_from_object: Pose::translation(at[0], at[1], at[2]),
+    }
+}
+
+/// Particles on a fine lattice: every place of the surface counts alike.
+fn lattice([x, y]: [f64; 2], per_side: usize) -> Vec<Point2> {
+    let at = |i: usize, length: f64| ((i as f64 + 0.5) / per_side as f64 - 0.5) * length;
+    (0..per_side)
+        .flat_map(|i| (0..per_side).map(move |j| Point2::new(at(i, x), at(j, y))))
+        .collect()
+}
+
+fn task(action: Action, size: [f64; 2], scene: Vec<SceneObject>) -> Task {
+    Task {
+        name: "test".into(),
+        action,
+        surface: surface(size),
+        scene,
+        tool: sponge(),
+        medium: "breadcrumbs".into(),
+        particles: ParticleDistribution::new(&lattice(size, 12)).unwrap(),
+        collect_goal: Some(Point2::new(0.1, -0.05)),
+        tool_start: Point2::new(0.0, -0.3),
+        seed: 1,
+    }
+}
+
+fn config(strategy: CoverageStrategy) -> PlanConfig {
+    PlanConfig {
+        strategy,
+        seed: 1,
+        bandwidth: None,
+        lift_height: 0.05,
+    }
+}
+
+fn space(task: &Task) -> FreeSpace {
+    let meshes: Vec<Mesh> = task.scene_in_surface().collect();
+    FreeSpace::new(&task.surface, &meshes, task.tool.collision_radius()).unwrap()
+}
+
+/// Everything that is wrong with a plan.
+fn faults(task: &Task, plan: &Plan) -> Vec<String> {
+    let space = space(task);
+    let mut faults = Vec::new();
+    for (i, node) in plan.graph.nodes.iter().enumerate() {
+        let valid = match node.role {
+            NodeRole::Coverage => space.is_free(node.position),
+            NodeRole::Goal => space.is_clear(node.position),
+        };
+        if !valid {
+            faults.push(format!("node {i} touches the scene"));
+        }
+    }
+    for &(from, to) in &plan.graph.edges {
+        if !space.is_clear_between(plan.graph.position(from), plan.graph.position(to)) {
+            faults.push(format!("edge {from} → {to} touches the scene"));
+        }
+    }
+    let mut wiped: Vec<(usize, usize)> = plan
+        .strokes
+        .iter()
+        .flat_map(|stroke| stroke.nodes.windows(2).map(|pair| (pair[0], pair[1])))
+        .collect();
+    let mut edges = plan.graph.edges.clone();
+    wiped.sort_unstable();
+    edges.sort_unstable();
+    if wiped != edges {
+        faults.push("the strokes do not run through every edge once".into());
+    }
+    for (i, stroke) in plan.strokes.iter().enumerate() {
+        for motion in stroke.motions() {
+            let along = motion.to.position - motion.from.position;
+            let heading = motion.from.heading;
+            let ahead = along.x * heading.cos() + along.y * heading.sin();
+            let symmetric = task.action == Action::Absorb;
+            let across = if symmetric { ahead.abs() } else { ahead };
+            if (across - along.norm()).abs() > 1e-9 {
+                faults.push(format!(
+                    "stroke {i} does not begin its edge across the motion"
+                ));
+            }
+        }
+    }
+    faults
+}
+
+#[test]
+fn the_grid_of_the_board_is_four_by_six() {
+    let task = task(Action::Absorb, BOARD, vec![]);
+    let nodes = grid(&space(&task));
+    assert_eq!(nodes.len(), 24);
+    let pitch = task.tool.collision_radius();
+    assert!((nodes[1].x - nodes[0].x - pitch).abs() < 1e-12);
+    let center: Vector2 = nodes.iter().map(|n| n.coords).sum::<Vector2>() / 24.0;
+    assert!(center.norm() < 1e-12);
+}
+
+#[test]
+fn the_sphere_keeps_its_radius_from_a_block() {
+    // The block's face stands at x = 0.1.
+    let task = task(
+        Action::Absorb,
+        BOARD,
+        vec![cuboid([0.1, 0.1, 0.1], [0.15, 0.0, 0.05])],
+    );
+    let space = space(&task);
+    let radius = task.tool.collision_radius();
+    assert!((space.distance(Point2::new(0.0, 0.0)) - 0.1).abs() < 1e-4);
+    assert!(space.is_clear(Point2::new(0.1 - radius - 1e-3, 0.0)));
+    assert!(!space.is_clear(Point2::new(0.1 - radius + 1e-3, 0.0)));
+    assert_eq!(
+        space.distance(Point2::new(0.15, 0.0)),
+        0.0,
+        "inside the block"
+    );
+    let (left, right) = (Point2::new(0.15, -0.12), Point2::new(0.15, 0.12));
+    assert!(space.is_clear(left) && space.is_clear(right));
+    assert!(!space.is_clear_between(left, right), "through the block");
+    assert!(space.is_clear_between(Point2::new(-0.1, -0.1), Point2::new(-0.1, 0.1)));
+}
+
+#[test]
+fn a_shelf_overhead_and_a_table_underneath() {
+    let radius = sponge().collision_radius();
+    let shelf = |height: f64| {
+        let task = task(
+            Action::Absorb,
+            BOARD,
+            vec![cuboid([0.5, 0.5, 0.02], [0.0, 0.0, height + 0.01])],
+        );
+        space(&task)
+    };
+    assert!(shelf(radius + 0.01).is_clear(Point2::origin()));
+    assert!(!shelf(radius - 0.01).is_clear(Point2::origin()));
+    let table = task(
+        Action::Absorb,
+        BOARD,
+        vec![cuboid([2.0, 2.0, 0.1], [0.0, 0.0, -0.07])],
+    );
+    assert!(space(&table).is_clear(Point2::origin()));
+}
+
+#[test]
+fn every_strategy_keeps_clear_and_reaches_most_of_the_surface() {
+    let scene = vec![cuboid([0.08, 0.08, 0.1], [0.1, 0.08, 0.05])];
+    for strategy in CoverageStrategy::ALL {
+        for action in Action::ALL {
+            let task = task(action, [0.6, 0.4], scene.clone());
+            let plan = plan(&task, &config(strategy)).unwrap();
+            assert_eq!(
+                faults(&task, &plan),
+                Vec::<String>::new(),
+                "{strategy} {action}"
+            );
+            assert!(plan.unreachable_share < 0.25, "{strategy} {action}");
+            let prediction = predict(&task, &plan, |_| ());
+            assert!(
+                prediction.performance.ratio() > 0.5,
+                "{strategy} {action}: {:?}",
+                prediction.performance
+            );
+        }
+    }
+}
+
+#[test]
+fn rrt_nodes_grow_by_at_most_the_radius() {
+    let task = task(Action::Absorb, [0.8, 0.5], vec![]);
+    let space = space(&task);
+    let nodes = rrt(&space, task.tool_start, &RrtConfig::default());
+    for i in 1..nodes.len() {
+        let nearest = nodes[..i]
+            .iter()
+            .map(|n| (n - nodes[i]).norm())
+            .fold(f64::INFINITY, f64::min);
+        assert!(nearest <= space.radius() + 1e-12);
+    }
+    for cell in grid(&space) {
+        let covered = nodes
+            .iter()
+            .any(|n| (n - cell).norm() <= space.radius() / 2.0f64.sqrt());
+        assert!(covered, "cell {cell} is not covered");
+    }
+}
+
+#[test]
+fn kde_puts_its_first_node_on_the_heap_and_keeps_clearance() {
+    let task = task(Action::Absorb, BOARD, vec![]);
+    let space = space(&task);
+    let heap = Point2::new(-0.08, 0.03);
+    let mut points = vec![heap; 30];
+    points.push(Point2::new(0.15, -0.1));
+    let nodes = kde(
+        &space,
+        &points,
+        &KdeConfig {
+            bandwidth: Some(0.03),
+        },
+    );
+    assert_eq!(nodes.len(), 2);
+    assert!((nodes[0] - heap).norm() < 0.003);
+    assert!((nodes[1] - points[30]).norm() < 0.003);
+}
+
+#[test]
+fn skim_goals_lie_beyond_the_skim_edge_only() {
+    let task = task(Action::Skim, BOARD, vec![]);
+    let plan = plan(&task, &config(CoverageStrategy::Grid)).unwrap();
+    let goals: Vec<Point2> = plan
+        .graph
+        .nodes
+        .iter()
+        .filter(|n| n.role == NodeRole::Goal)
+        .map(|n| n.position)
+        .collect();
+    let radius = task.tool.collision_radius();
+    assert!(goals.len() as f64 * radius >= BOARD[0]);
+    for goal in goals {
+        assert!((goal.y + BOARD[1] / 2.0 + radius).abs() < 1e-12);
+    }
+    let prediction = predict(&task, &plan, |_| ());
+    for (_, fate) in prediction.particles.iter() {
+        assert!(fate != Fate::Absorbed);
+    }
+    assert!(prediction.performance.ratio() > 0.85);
+}
+
+#[test]
+fn a_goal_inside_an_obstacle_is_refused_with_its_place() {
+    let mut task = task(
+        Action::Collect,
+        BOARD,
+        vec![cuboid([0.05, 0.05, 0.1], [0.1, -0.05, 0.05])],
+    );
+    task.collect_goal = Some(Point2::new(0.1, -0.05));
+    let error = plan(&task, &config(CoverageStrategy::Grid)).unwrap_err();
+    assert!(matches!(error, PlanError::GoalNotFree { .. }));
+    assert!(error.to_string().contains("(0.100, -0.050) m"), "{error}");
+}
+
+#[test]
+fn a_goal_nobody_gave_is_chosen_by_its_effect() {
+    let mut task = task(Action::Collect, BOARD, vec![]);
+    task.collect_goal = None;
+    let chosen = plan(&task, &config(CoverageStrategy::Grid)).unwrap();
+    let best = predict(&task, &chosen, |_| ()).performance.achieved;
+    for goal in [
+        Point2::new(0.1, -0.05),
+        Point2::new(-0.15, 0.08),
+        Point2::origin(),
+    ] {
+        task.collect_goal = Some(goal);
+        let given = plan(&task, &config(CoverageStrategy::Grid)).unwrap();
+        assert!(best + 3 >= predict(&task, &given, |_| ()).performance.achieved);
+    }
+}
+
+#[test]
+fn a_surface_too_crowded_for_the_tool_is_an_error() {
+    let task = task(
+        Action::Absorb,
+        BOARD,
+        vec![cuboid([0.3, 0.2, 0.1], [0.0, 0.0, 0.05])],
+    );
+    let error = plan(&task, &config(CoverageStrategy::Grid)).unwrap_err();
+    assert!(matches!(error, PlanError::NoFreeNode { .. }), "{error}");
+}
+
+#[test]
+fn what_stands_apart_is_reported_as_unreachable() {
+    // A wall across the surface: the far side has nodes but no edge to the goal.
+    let task = task(
+        Action::Collect,
+        [0.8, 0.4],
+        vec![cuboid([0.02, 0.5, 0.1], [-0.1, 0.0, 0.05])],
+    );
+    let plan = plan(&task, &config(CoverageStrategy::Grid)).unwrap();
+    assert!(!plan.graph.unreachable.is_empty());
+    for &i in &plan.graph.unreachable {
+        assert!(plan.graph.position(i).x < -0.1);
+    }
+    assert!(
+        (0.25..=0.5).contains(&plan.unreachable_share),
+        "{}",
+        plan.unreachable_share
+    );
+}
+
+#[test]
+fn performance_counts_what_the_goal_wants() {
+    let surface = surface(BOARD);
+    let points = [
+        Point2::origin(),
+        Point2::new(0.05, 0.0),
+        Point2::new(0.1, 0.0),
+    ];
+    let particles = ParticleDistribution::new(&points).unwrap();
+    let goal = GoalState::Collected {
+        center: Point2::origin(),
+        radius: 0.06,
+    };
+    let collected = Performance::of(&particles, &goal, &surface);
+    assert_eq!(
+        (collected.achieved, collected.initial, collected.lost),
+        (2, 3, 0)
+    );
+    assert_eq!(
+        Performance::of(&particles, &GoalState::Absorbed, &surface).ratio(),
+        0.0
+    );
+}
+
+#[test]
+fn the_path_is_lifted_between_strokes() {
+    let task = task(Action::Collect, BOARD, vec![]);
+    let plan = plan(&task, &config(CoverageStrategy::Grid)).unwrap();
+    let path = plan.tcp_path();
+    assert_eq!(path[0].surface_from_tool.position, task.tool_start);
+    let contact: f64 = path
+        .windows(2)
+        .filter(|leg| leg[0].height == 0.0 && leg[1].height == 0.0)
+        .map(|leg| (leg[1].surface_from_tool.position - leg[0].surface_from_tool.position).norm())
+        .sum();
+    assert!((contact - plan.contact_distance()).abs() < 1e-12);
+    assert!(plan.total_distance() > plan.contact_distance());
+    let touches = path
+        .windows(2)
+        .filter(|leg| leg[0].height > 0.0 && leg[1].height == 0.0)
+        .count();
+    assert_eq!(touches, plan.strokes.len());
+}
+
+#[test]
+fn the_fault_finder_finds_planted_faults() {
+    let scene = vec![cuboid([0.08, 0.08, 0.1], [0.1, 0.08, 0.05])];
+    let task = task(Action::Collect, [0.6, 0.4], scene);
+    let sound = plan(&task, &config(CoverageStrategy::Grid)).unwrap();
+    let mut inside = sound.clone();
+    inside.graph.nodes[0].position = Point2::new(0.1, 0.08);
+    assert!(!faults(&task, &inside).is_empty());
+    let mut skipped = sound.clone();
+    skipped.strokes.pop();
+    assert!(!faults(&task, &skipped).is_empty());
+    let mut turned = sound;
+    turned.strokes[0].poses[0].heading += 0.5;
+    assert!(!faults(&task, &turned).is_empty());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    /// Whatever stands on the surface, no stroke touches it and no particle is forgotten.
+    #[test]
+    fn plans_keep_clear_of_random_scenes(
+        blocks in prop::collection::vec(((0.03..0.15f64, 0.03..0.15f64), (-0.4..0.4f64, -0.25..0.25f64), 0.02..0.3f64, -3.0..3.0f64), 0..5),
+        action in prop::sample::select(Action::ALL.to_vec()),
+        strategy in prop::sample::select(CoverageStrategy::ALL.to_vec()),
+    ) {
+        let scene = blocks
+            .into_iter()
+            .map(|((x, y), (at_x, at_y), height, yaw)| SceneObject {
+                name: "block".into(),
+                mesh: Mesh::cuboid(Vector3::new(x, y, height)).unwrap(),
+                world_from_object: Pose::new(
+                    Vector3::new(at_x, at_y, height / 2.0),
+                    Vector3::z() * yaw,
+                ),
+            })
+            .collect();
+        let mut task = task(action, [0.8, 0.5], scene);
+        task.collect_goal = None;
+        match plan(&task, &config(strategy)) {
+            Ok(plan) => {
+                prop_assert_eq!(faults(&task, &plan), Vec::<String>::new());
+                let after = predict(&task, &plan, |_| ()).particles.tally();
+                prop_assert_eq!(after.initial, after.remaining + after.absorbed + after.off_surface);
+                prop_assert!((0.0..=1.0).contains(&plan.unreachable_share));
+                for edge in &plan.graph.edges {
+                    let edge = Edge { start: plan.graph.position(edge.0), end: plan.graph.position(edge.1) };
+                    prop_assert!(edge.distance(edge.start) == 0.0);
+                }
+            }
+            Err(PlanError::NoFreeNode { .. } | PlanError::NoSkimEdge { .. }) => {}
+            Err(error) => prop_assert!(false, "{error}"),
+        }
+    }
+}
