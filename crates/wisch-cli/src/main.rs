@@ -1,5 +1,25 @@
-//! x
-#[allow(dead_code, unused_imports)] // used by the commands
-mod report;
+//! The program `wisch`: plan, predict and report robotic wiping from the command line.
+//!
+//! `args` is what the user may type; each command has its file in `commands`; `assets` reads files
+//! and the built-in knowledge; `records` are the files' contents; `output` puts them on the disk.
 
-fn main() {}
+mod args;
+mod assets;
+mod commands;
+mod failure;
+mod output;
+mod progress;
+mod records;
+mod report;
+mod svg;
+mod terminal;
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    terminal::run(|| {
+        let cli = args::Cli::read();
+        terminal::prepare(&cli.global)?;
+        commands::run(&cli)
+    })
+}

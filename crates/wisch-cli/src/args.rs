@@ -1,0 +1,266 @@
+//! What the user may type.
+
+use crate::terminal::color_asked_for;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum, ValueHint};
+use std::path::PathBuf;
+use wisch::plan::CoverageStrategy;
+use wisch::represent::Action;
+
+/// Plan robotic wiping and predict what it does to the dirt.
+///
+/// A task file says what is to be wiped, where and with what. wisch places the tool's waypoints on
+/// the surface, joins them to strokes, and plays the strokes through its model of what a tool does
+/// to particles.
+#[derive(Debug, Parser)]
+#[command(
+    name = "wisch",
+    version,
+    max_term_width = 100,
+    arg_required_else_help = true,
+    subcommand_required = true,
+    after_help = "\
+Examples:
+  wisch new board.toml          write a task file with comments to start from
+  wisch check board.toml        say in words what it asks for
+  wisch run board.toml          plan, predict, and write out/<task>/report.html
+
+Exit codes: 0 the goal is met, 1 the goal is not met, 2 an error."
+)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+    /// How to do it.
+    #[command(flatten)]
+    pub global: GlobalArgs,
+}
+
+impl Cli {
+    /// Reads the command line; ends the program where it is help that was asked for, or wrong.
+    pub fn read() -> Self {
+        let command = Self::command().color(match color_asked_for(std::env::args_os()) {
+            ColorChoice::Auto => clap::ColorChoice::Auto,
+            ColorChoice::Always => clap::ColorChoice::Always,
+            ColorChoice::Never => clap::ColorChoice::Never,
+        });
+        Self::from_arg_matches(&command.get_matches()).unwrap_or_else(|error| error.exit())
+    }
+}
+
+/// Options of every command.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Options of every command")]
+pub struct GlobalArgs {
+    /// Print nothing but errors, and the object that --json asks for
+    #[arg(long, short, global = true)]
+    pub quiet: bool,
+    /// How many threads to work with; the results are the same for any number
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Whether to use colours; NO_COLOR in the environment turns them off as well
+    #[arg(
+        long,
+        global = true,
+        value_name = "WHEN",
+        default_value = "auto",
+        hide_possible_values = false
+    )]
+    pub color: ColorChoice,
+}
+
+/// When to use colours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ColorChoice {
+    /// On a terminal.
+    Auto,
+    /// Always.
+    Always,
+    /// Never.
+    Never,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Plan a task and predict what the plan does
+    #[command(after_help = "\
+Examples:
+  wisch run board.toml
+  wisch run board.toml --strategy kde --action collect --seed 7
+  wisch run board.toml --set particles.count=200 --out /tmp/board
+  wisch run board.toml --json | jq .predicted_performance
+
+Exit codes: 0 the predicted performance reaches the task's target, 1 it does not, 2 an error.")]
+    Run(RunArgs),
+    /// Plan a task, without predicting what the plan does
+    #[command(after_help = "\
+Examples:
+  wisch plan board.toml
+  wisch plan board.toml --strategy grid --out plans/board-grid
+  wisch plan board.toml --json | jq .distance_in_contact_m")]
+    Plan(RunArgs),
+    /// Predict what a plan does; without --plan, plan first
+    #[command(after_help = "\
+Examples:
+  wisch predict board.toml
+  wisch predict board.toml --plan out/board/plan.json --out out/board-again
+  wisch predict board.toml --plan plan.json --json | jq .lost_share
+
+Exit codes: 0 the predicted performance reaches the task's target, 1 it does not, 2 an error.")]
+    Predict(PredictArgs),
+    /// Show where a tool touches the surface
+    #[command(after_help = "\
+Examples:
+  wisch footprint sponge
+  wisch footprint brush --svg brush.svg
+  wisch footprint scraper.stl --compression-depth-m 0.002")]
+    Footprint(FootprintArgs),
+    /// Write a task file with comments to start from
+    #[command(after_help = "\
+Examples:
+  wisch new                     print it
+  wisch new board.toml          write it
+  wisch new board.toml --force  write over what is there")]
+    New(NewArgs),
+    /// Check a task and say in words what it asks for
+    #[command(after_help = "\
+Examples:
+  wisch check board.toml
+  wisch check board.toml --strategy kde --set plan.bandwidth_m=0.04")]
+    Check(CheckArgs),
+}
+
+/// Which task, and what to change about it.
+#[derive(Debug, Args)]
+pub struct TaskArgs {
+    /// The task file
+    #[arg(value_name = "TASK", value_hint = ValueHint::FilePath)]
+    pub task: PathBuf,
+    /// How to place the waypoints [default: the task's]
+    #[arg(long, value_name = "STRATEGY", value_parser = strategy_parser())]
+    pub strategy: Option<CoverageStrategy>,
+    /// What to do to the dirt [default: the task's]
+    #[arg(long, value_name = "ACTION", value_parser = action_parser())]
+    pub action: Option<Action>,
+    /// Seed of everything random [default: the task's]
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u64>,
+    /// Change a value of the task file; may be given more than once
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = setting)]
+    pub settings: Vec<(String, String)>,
+    /// Folder with tools, media, surfaces, interactions and the domain [default: built in]
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub knowledge: Option<PathBuf>,
+}
+
+/// Arguments of `run` and `plan`.
+#[derive(Debug, Args)]
+pub struct RunArgs {
+    /// The task.
+    #[command(flatten)]
+    pub task: TaskArgs,
+    /// The results.
+    #[command(flatten)]
+    pub results: ResultArgs,
+}
+
+/// Where the results go.
+#[derive(Debug, Args)]
+pub struct ResultArgs {
+    /// Folder for the results; one of an earlier run is replaced [default: out/<name of the task>]
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub out: Option<PathBuf>,
+    /// Print one JSON object in place of the summary
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `predict`.
+#[derive(Debug, Args)]
+pub struct PredictArgs {
+    /// The task.
+    #[command(flatten)]
+    pub task: TaskArgs,
+    /// The plan to predict, a plan.json of an earlier run [default: plan anew]
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, conflicts_with_all = ["strategy"])]
+    pub plan: Option<PathBuf>,
+    /// The results.
+    #[command(flatten)]
+    pub results: ResultArgs,
+}
+
+/// Arguments of `footprint`.
+#[derive(Debug, Args)]
+pub struct FootprintArgs {
+    /// A tool of the knowledge base, or a mesh file (.stl, .obj or .dae)
+    #[arg(value_name = "TOOL")]
+    pub tool: String,
+    /// How deep the tool gives way [m]; needed for a mesh file [default: the tool's]
+    #[arg(long, value_name = "METRES", allow_negative_numbers = true)]
+    pub compression_depth_m: Option<f64>,
+    /// Draw it into this .svg file
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub svg: Option<PathBuf>,
+    /// Folder with the tools [default: built in]
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub knowledge: Option<PathBuf>,
+}
+
+/// Arguments of `new`.
+#[derive(Debug, Args)]
+pub struct NewArgs {
+    /// Where to write it [default: standard output]
+    #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub file: Option<PathBuf>,
+    /// Write over a file that is there
+    #[arg(long, requires = "file")]
+    pub force: bool,
+}
+
+/// Arguments of `check`.
+#[derive(Debug, Args)]
+pub struct CheckArgs {
+    /// The task.
+    #[command(flatten)]
+    pub task: TaskArgs,
+}
+
+fn strategy_parser() -> impl TypedValueParser<Value = CoverageStrategy> {
+    PossibleValuesParser::new(CoverageStrategy::ALL.map(CoverageStrategy::as_str))
+        .try_map(|name| name.parse())
+}
+
+fn action_parser() -> impl TypedValueParser<Value = Action> {
+    PossibleValuesParser::new(Action::ALL.map(Action::as_str)).try_map(|name| name.parse())
+}
+
+fn setting(text: &str) -> Result<(String, String), String> {
+    let (key, value) = text
+        .split_once('=')
+        .ok_or("it has no \"=\"; write a key of the task file, \"=\" and its value")?;
+    if key.trim().is_empty() {
+        return Err("there is no key before \"=\"".to_owned());
+    }
+    Ok((key.trim().to_owned(), value.trim().to_owned()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn a_setting_splits_at_its_first_equals_sign() {
+        assert_eq!(
+            setting("goal.literal = (a b=c)"),
+            Ok(("goal.literal".to_owned(), "(a b=c)".to_owned()))
+        );
+        assert!(setting("seed").is_err());
+        assert!(setting("=3").is_err());
+    }
+}

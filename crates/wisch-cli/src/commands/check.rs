@@ -1,0 +1,207 @@
+//! `wisch check`: what a task asks for, in words.
+
+use super::prepare::Prepared;
+use super::words::{counted, percent};
+use crate::args::{CheckArgs, GlobalArgs};
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::terminal::{Outcome, print};
+use wisch::geometry::{Bounds2, Point2};
+use wisch::plan::{FreeSpace, NodeRole, Plan, plan};
+use wisch::represent::{GoalState, Task};
+
+/// Points along the longer side of the surface at which free space is looked up.
+const RASTER: usize = 120;
+/// Obstacles that are listed by name.
+const LISTED: usize = 8;
+
+/// Reads and plans the task, and tells what it found.
+pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let progress = Progress::start(global);
+    progress.say("reading the task");
+    let prepared = Prepared::read(&args.task)?;
+    let failure = |error| prepared.failure(&args.task, error);
+    progress.say("looking for free space");
+    let room = Room::of(&prepared.task).map_err(failure)?;
+    progress.say(format!("planning ({})", prepared.strategy()));
+    let plan = plan(&prepared.task, &prepared.config).map_err(failure)?;
+    drop(progress);
+    if !global.quiet {
+        print(&explanation(&prepared, &room, &plan))?;
+    }
+    Ok(Outcome::Done)
+}
+
+/// How much of the surface is free.
+struct Room {
+    /// Share of the surface on which a node may stand.
+    free_share: f64,
+    /// Objects that keep the tool from a part of the surface, with that share.
+    obstacles: Vec<(String, f64)>,
+}
+
+impl Room {
+    fn of(task: &Task) -> Result<Self, wisch::plan::PlanError> {
+        let radius = task.tool.collision_radius();
+        let scene: Vec<_> = task.scene_in_surface().collect();
+        let raster = raster(task);
+        let share = |space: &FreeSpace, wanted: fn(&FreeSpace, Point2) -> bool| {
+            let count = raster.iter().filter(|&&p| wanted(space, p)).count();
+            count as f64 / raster.len().max(1) as f64
+        };
+        let space = FreeSpace::new(&task.surface, &scene, radius)?;
+        let mut obstacles = Vec::new();
+        for (object, mesh) in task.scene.iter().zip(&scene) {
+            let alone = FreeSpace::new(&task.surface, [mesh], radius)?;
+            let kept = share(&alone, |space, p| !space.is_clear(p));
+            if kept > 0.0 {
+                obstacles.push((object.name.clone(), kept));
+            }
+        }
+        Ok(Self {
+            free_share: share(&space, FreeSpace::is_free),
+            obstacles,
+        })
+    }
+}
+
+/// Evenly spaced points on the surface.
+fn raster(task: &Task) -> Vec<Point2> {
+    let outline = &task.surface.outline;
+    let Some(bounds) = Bounds2::of(outline.outer().iter().copied()) else {
+        return Vec::new();
+    };
+    let size = bounds.size();
+    let pitch = size.amax() / RASTER as f64;
+    let steps = |length: f64| ((length / pitch).ceil() as usize).clamp(1, RASTER);
+    let (columns, rows) = (steps(size.x), steps(size.y));
+    (0..columns * rows)
+        .map(|i| {
+            let at = |index: usize, count: usize| (index as f64 + 0.5) / count as f64;
+            Point2::new(
+                bounds.min.x + size.x * at(i % columns, columns),
+                bounds.min.y + size.y * at(i / columns, rows),
+            )
+        })
+        .filter(|&point| outline.contains(point))
+        .collect()
+}
+
+fn explanation(prepared: &Prepared, room: &Room, plan: &Plan) -> String {
+    let task = &prepared.task;
+    let mut lines: Vec<(&str, String)> = vec![("action", action(prepared))];
+    if let Some(derived) = &prepared.derived {
+        lines.push((
+            "goal",
+            format!("{}: {}", derived.goal, derived.steps.join(", ")),
+        ));
+    }
+    lines.push(("surface", surface(task)));
+    lines.push(("tool", tool(task)));
+    lines.push((
+        "particles",
+        format!("{} of {}", task.particles.len(), task.medium),
+    ));
+    lines.push(("obstacles", obstacles(room)));
+    lines.push((
+        "free",
+        format!(
+            "{:.0} % of the surface has room for the tool's centre point",
+            100.0 * room.free_share
+        ),
+    ));
+    lines.push(("to reach", destination(plan)));
+    lines.push((
+        "plan",
+        format!(
+            "{} gives {}, {} and {:.2} m in contact; {} of the particles are out of reach",
+            prepared.strategy(),
+            counted(plan.graph.nodes.len(), "node"),
+            counted(plan.strokes.len(), "stroke"),
+            plan.contact_distance(),
+            percent(plan.unreachable_share)
+        ),
+    ));
+    lines.push(("target", percent(prepared.file.target_performance())));
+    let mut text = format!("{}: the task is sound\n", task.name);
+    for (name, value) in lines {
+        text += &format!("  {name:<10} {value}\n");
+    }
+    text
+}
+
+fn action(prepared: &Prepared) -> String {
+    let task = &prepared.task;
+    format!(
+        "{} {} from {} with {} (seed {})",
+        task.action, task.medium, task.surface.name, task.tool.name, prepared.config.seed
+    )
+}
+
+fn surface(task: &Task) -> String {
+    let outline = &task.surface.outline;
+    let size = Bounds2::of(outline.outer().iter().copied()).map_or_else(String::new, |b| {
+        format!("{:.3} x {:.3} m, ", b.size().x, b.size().y)
+    });
+    let at = task.surface.world_from_surface.translation.vector;
+    let edges = match task.surface.skim_edges.len() {
+        0 => "no skim edge".to_owned(),
+        1 => format!("skim over edge {}", task.surface.skim_edges[0]),
+        _ => format!("skim over edges {:?}", task.surface.skim_edges),
+    };
+    format!(
+        "{}, {size}{:.3} m2, at ({:.3}, {:.3}, {:.3}) m in the world; {edges}",
+        task.surface.name,
+        outline.area(),
+        at.x,
+        at.y,
+        at.z
+    )
+}
+
+fn tool(task: &Task) -> String {
+    let tool = &task.tool;
+    format!(
+        "{}, touches {:.1} cm2 in {}; area of effect {:.3} m along and {:.3} m across the motion; r_s = {:.4} m",
+        tool.name,
+        1e4 * tool.footprint.area(),
+        counted(tool.footprint.polygons().len(), "piece"),
+        tool.area_of_effect.x,
+        tool.area_of_effect.y,
+        tool.collision_radius()
+    )
+}
+
+fn obstacles(room: &Room) -> String {
+    if room.obstacles.is_empty() {
+        return "none near the surface".to_owned();
+    }
+    let mut listed: Vec<String> = room
+        .obstacles
+        .iter()
+        .take(LISTED)
+        .map(|(name, kept)| format!("{name} (keeps the tool from {:.0} %)", 100.0 * kept))
+        .collect();
+    if room.obstacles.len() > LISTED {
+        listed.push(format!("{} more", room.obstacles.len() - LISTED));
+    }
+    listed.join(", ")
+}
+
+fn destination(plan: &Plan) -> String {
+    match plan.graph.goal {
+        GoalState::Absorbed => "every particle taken up".to_owned(),
+        GoalState::Collected { center, radius } => format!(
+            "every particle within {radius:.4} m of ({:.3}, {:.3}) m on the surface",
+            center.x, center.y
+        ),
+        GoalState::Skimmed => {
+            let goals = plan.graph.nodes.iter();
+            let goals = goals.filter(|node| node.role == NodeRole::Goal).count();
+            format!(
+                "every particle over a skim edge, towards {} beyond it",
+                counted(goals, "place")
+            )
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! `wisch footprint`: where a tool touches the surface.
+
+use crate::args::{FootprintArgs, GlobalArgs};
+use crate::assets::{KnowledgeSource, read};
+use crate::failure::Failure;
+use crate::svg::footprint_drawing;
+use crate::terminal::{Outcome, print};
+use std::path::Path;
+use wisch::geometry::{Mesh, MeshFormat, Polygon, Region, Vector2, footprint as mesh_footprint};
+use wisch::represent::{AreaOfEffect, KnowledgeBase, Tool, ToolEntry};
+
+/// A tool longer than this is probably given in millimetres [m].
+const SUSPICIOUS_LENGTH: f64 = 5.0;
+
+/// A tool, and how it came to its footprint.
+struct Touch {
+    tool: Tool,
+    compression_depth: f64,
+    /// Whether it acts on a rectangle and not where it touches.
+    by_area_of_effect: bool,
+}
+
+/// Cuts the footprint, and tells its measures.
+pub fn footprint(args: &FootprintArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    if let Some(path) = args.svg.as_deref() {
+        if path.extension().is_none_or(|ending| ending != "svg") {
+            return Err(Failure::new(format!(
+                "--svg {}: the name does not end in .svg",
+                path.display()
+            )));
+        }
+    }
+    let touch = match MeshFormat::from_file_name(&args.tool) {
+        Some(format) => of_file(&args.tool, format, args.compression_depth_m)?,
+        None => of_knowledge(args)?,
+    };
+    if let Some(path) = &args.svg {
+        std::fs::write(path, footprint_drawing(&touch.tool)).map_err(|error| {
+            Failure::new(format!("{}: cannot write there: {error}", path.display()))
+        })?;
+    }
+    if !global.quiet {
+        print(&in_words(&touch, args.svg.as_deref()))?;
+    }
+    Ok(Outcome::Done)
+}
+
+fn of_file(name: &str, format: MeshFormat, depth: Option<f64>) -> Result<Touch, Failure> {
+    let bytes = read(Path::new(name))?;
+    let Some(depth) = depth else {
+        return Err(Failure::new(format!(
+            "{name}: a mesh alone does not tell how deep the tool gives way"
+        ))
+        .with_help("say it with --compression-depth-m, such as 0.002 for a hard tool"));
+    };
+    touch_of(name, &bytes, format, depth, None)
+}
+
+fn of_knowledge(args: &FootprintArgs) -> Result<Touch, Failure> {
+    let source = KnowledgeSource::new(args.knowledge.as_deref());
+    let knowledge = source.base()?;
+    let entry = tool_entry(&args.tool, &knowledge)?;
+    let bytes = source.asset(&entry.mesh_file).map_err(Failure::new)?;
+    let format = MeshFormat::from_file_name(&entry.mesh_file).ok_or_else(|| {
+        Failure::new(format!(
+            "tool {:?}: {:?} is no mesh file: it does not end in .stl, .obj or .dae",
+            entry.name, entry.mesh_file
+        ))
+    })?;
+    let depth = args
+        .compression_depth_m
+        .unwrap_or(entry.compression_depth_m);
+    touch_of(&entry.name, &bytes, format, depth, entry.area_of_effect)
+}
+
+fn tool_entry<'a>(name: &str, knowledge: &'a KnowledgeBase) -> Result<&'a ToolEntry, Failure> {
+    knowledge.tool(name).map_err(|error| {
+        let failure = Failure::new(error);
+        if Path::new(name).exists() {
+            failure.with_help(format!(
+                "{name:?} is a file, but its name does not end in .stl, .obj or .dae"
+            ))
+        } else {
+            failure.with_help("a mesh file ends in .stl, .obj or .dae")
+        }
+    })
+}
+
+fn touch_of(
+    name: &str,
+    bytes: &[u8],
+    format: MeshFormat,
+    compression_depth: f64,
+    area_of_effect: Option<AreaOfEffect>,
+) -> Result<Touch, Failure> {
+    let in_tool = |error: &dyn std::fmt::Display| Failure::new(format!("{name}: {error}"));
+    let mesh = Mesh::parse(bytes, format, name).map_err(Failure::new)?;
+    let contact = mesh_footprint(&mesh, compression_depth).map_err(|error| in_tool(&error))?;
+    let (footprint, size) = match area_of_effect {
+        Some(AreaOfEffect { width_m, depth_m }) => {
+            let size = Vector2::new(depth_m, width_m);
+            (Region::new(vec![Polygon::rectangle(size)]), size)
+        }
+        None => {
+            let bounds = contact
+                .bounds()
+                .ok_or_else(|| in_tool(&"the footprint is empty"))?;
+            (contact, bounds.size())
+        }
+    };
+    Ok(Touch {
+        tool: Tool {
+            name: name.to_owned(),
+            mesh,
+            footprint,
+            area_of_effect: size,
+        },
+        compression_depth,
+        by_area_of_effect: area_of_effect.is_some(),
+    })
+}
+
+fn in_words(touch: &Touch, drawing: Option<&Path>) -> String {
+    let tool = &touch.tool;
+    let pieces = tool.footprint.polygons().len();
+    let holes: usize = tool
+        .footprint
+        .polygons()
+        .iter()
+        .map(|p| p.holes().len())
+        .sum();
+    let size = tool.area_of_effect;
+    let radius = tool.collision_radius();
+    let mut lines = vec![
+        ("gives way", format!("{:.4} m", touch.compression_depth)),
+        ("pieces", pieces.to_string()),
+        ("holes", holes.to_string()),
+        (
+            "area",
+            format!(
+                "{:.6} m2 ({:.1} cm2)",
+                tool.footprint.area(),
+                1e4 * tool.footprint.area()
+            ),
+        ),
+        (
+            "area of effect",
+            format!(
+                "{:.4} m along the motion (x), {:.4} m across it (y)",
+                size.x, size.y
+            ),
+        ),
+        ("r_s", format!("{radius:.4} m")),
+        ("d_s", format!("{:.4} m", 2.0 * radius)),
+    ];
+    if touch.by_area_of_effect {
+        lines.push((
+            "note",
+            "it acts on the whole area of effect, not only where it touches".to_owned(),
+        ));
+    }
+    if size.amax() > SUSPICIOUS_LENGTH {
+        lines.push((
+            "note",
+            "this is large for a tool: is the mesh in millimetres? wisch takes metres".to_owned(),
+        ));
+    }
+    if let Some(path) = drawing {
+        lines.push(("drawing", path.display().to_string()));
+    }
+    let mut text = format!("{}\n", tool.name);
+    for (name, value) in lines {
+        text += &format!("  {name:<15} {value}\n");
+    }
+    text
+}

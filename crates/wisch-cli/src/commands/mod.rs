@@ -1,0 +1,24 @@
+//! The commands, each in its file.
+
+mod check;
+mod footprint;
+mod new;
+mod prepare;
+mod run;
+mod words;
+
+use crate::args::{Cli, Command};
+use crate::failure::Failure;
+use crate::terminal::Outcome;
+
+/// Does what the command line says.
+pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
+    match &cli.command {
+        Command::Run(args) => run::run(args, &cli.global),
+        Command::Plan(args) => run::plan_only(args, &cli.global),
+        Command::Predict(args) => run::predict_only(args, &cli.global),
+        Command::Footprint(args) => footprint::footprint(args, &cli.global),
+        Command::New(args) => new::new(args, &cli.global),
+        Command::Check(args) => check::check(args, &cli.global),
+    }
+}

@@ -1,0 +1,333 @@
+//! `wisch run`, `wisch plan` and `wisch predict`: the stages, and the folder with their results.
+
+use super::prepare::Prepared;
+use super::words::{counted, percent};
+use crate::args::{GlobalArgs, PredictArgs, ResultArgs, RunArgs, TaskArgs};
+use crate::assets::read_text;
+use crate::failure::Failure;
+use crate::output::{
+    OutputFolder, PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE, PLAN_FILE, REPORT_FILE,
+};
+use crate::progress::Progress;
+use crate::records::{PlanRecord, PredictionSummary, SUMMARY_SCHEMA, Summary};
+use crate::report::{self, Frames, ReportInput};
+use crate::terminal::{Outcome, print};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+use wisch::plan::{Plan, Prediction, plan, predict};
+
+/// Pixels per unit of a picture's own size.
+const PNG_SCALE: f32 = 2.0;
+
+/// Longest name of a folder that is derived from a task's [characters]; file systems take 255 bytes.
+const MAX_NAME_LEN: usize = 60;
+
+/// How far to go.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Extent {
+    Plan,
+    Predict,
+}
+
+/// `wisch run`: plan and predict.
+pub fn run(args: &RunArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    work(&args.task, &args.results, None, Extent::Predict, global)
+}
+
+/// `wisch plan`.
+pub fn plan_only(args: &RunArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    work(&args.task, &args.results, None, Extent::Plan, global)
+}
+
+/// `wisch predict`: plan only where no plan is given.
+pub fn predict_only(args: &PredictArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    work(
+        &args.task,
+        &args.results,
+        args.plan.as_deref(),
+        Extent::Predict,
+        global,
+    )
+}
+
+fn work(
+    task_args: &TaskArgs,
+    results: &ResultArgs,
+    plan_file: Option<&Path>,
+    extent: Extent,
+    global: &GlobalArgs,
+) -> Result<Outcome, Failure> {
+    let progress = Progress::start(global);
+    progress.say("reading the task");
+    let mut prepared = Prepared::read(task_args)?;
+    let given = plan_file
+        .map(|path| given_plan(path, &mut prepared))
+        .transpose()?;
+    let out = out_folder(results, &prepared);
+    // Before the long part: nobody likes to wait for "permission denied".
+    let folder = OutputFolder::begin(&out)?;
+
+    let (plan, planning_time_s) = match given {
+        Some(plan) => (plan, None),
+        None => {
+            progress.say(format!("planning ({})", prepared.strategy()));
+            let start = Instant::now();
+            let plan = plan(&prepared.task, &prepared.config)
+                .map_err(|error| prepared.failure(task_args, error))?;
+            (plan, Some(start.elapsed().as_secs_f64()))
+        }
+    };
+    let predicted = match extent {
+        Extent::Plan => None,
+        Extent::Predict => {
+            progress.say(format!(
+                "predicting {}",
+                counted(plan.strokes.len(), "stroke")
+            ));
+            let mut frames = Frames::new(&prepared.task, &plan);
+            let prediction = predict(&prepared.task, &plan, |p| frames.watch(p));
+            Some((prediction, frames))
+        }
+    };
+
+    progress.say("writing the results");
+    let record = PlanRecord::new(&prepared.task, &plan, prepared.config.seed);
+    folder.write(PLAN_FILE, json(&record)?)?;
+    folder.write(PARTICLES_BEFORE_FILE, prepared.task.particles.to_csv())?;
+    if let Some((prediction, frames)) = &predicted {
+        folder.write(PARTICLES_AFTER_FILE, prediction.particles.to_csv())?;
+        write_report(&folder, &prepared, &plan, prediction, frames)?;
+    }
+    folder.finish()?;
+    drop(progress);
+
+    let prediction = predicted.map(|(prediction, _)| prediction);
+    let summary = summary(&prepared, &plan, prediction.as_ref(), planning_time_s, &out);
+    if results.json {
+        print(&format!(
+            "{}\n",
+            serde_json::to_string(&summary).map_err(internal)?
+        ))?;
+    } else if !global.quiet {
+        print(&in_words(&summary, &out))?;
+    }
+    Ok(match summary.prediction {
+        Some(PredictionSummary {
+            goal_met: false, ..
+        }) => Outcome::GoalNotMet,
+        _ => Outcome::Done,
+    })
+}
+
+/// Reads a plan, and takes over what it was made with.
+fn given_plan(path: &Path, prepared: &mut Prepared) -> Result<Plan, Failure> {
+    let text = read_text(path)?;
+    let in_file = |error| Failure::new(format!("{}: {error}", path.display()));
+    let record = PlanRecord::parse(&text).map_err(in_file)?;
+    let plan = record.to_plan(&prepared.task).map_err(in_file)?;
+    prepared.config.strategy = plan.strategy;
+    Ok(plan)
+}
+
+fn out_folder(results: &ResultArgs, prepared: &Prepared) -> PathBuf {
+    results
+        .out
+        .clone()
+        .unwrap_or_else(|| Path::new("out").join(folder_name(&prepared.task.name)))
+}
+
+/// A task's name as that of a folder: a name may be anything, a path may not.
+fn folder_name(task: &str) -> String {
+    let plain = |c: char| {
+        if c.is_alphanumeric() || "-_.".contains(c) {
+            c
+        } else {
+            '-'
+        }
+    };
+    let name: String = task.chars().map(plain).take(MAX_NAME_LEN).collect();
+    match name.trim_start_matches('.') {
+        "" => "task".to_owned(),
+        name => name.to_owned(),
+    }
+}
+
+fn write_report(
+    folder: &OutputFolder,
+    prepared: &Prepared,
+    plan: &Plan,
+    prediction: &Prediction,
+    frames: &Frames,
+) -> Result<(), Failure> {
+    let title = title(prepared);
+    let facts = facts(prepared);
+    let input = ReportInput {
+        title: &title,
+        task: &prepared.task,
+        plan,
+        prediction,
+        frames,
+        bandwidth: prepared.config.bandwidth,
+        facts: &facts,
+    };
+    for (name, svg) in report::pictures(&input) {
+        folder.write(&format!("{name}.svg"), &svg)?;
+        let png = report::rasterize(&svg, PNG_SCALE).map_err(internal)?;
+        folder.write(&format!("{name}.png"), png)?;
+    }
+    folder.write(REPORT_FILE, report::page(&input))
+}
+
+fn title(prepared: &Prepared) -> String {
+    let task = &prepared.task;
+    format!(
+        "{}: {} {} with {} on {}",
+        task.name, task.action, task.medium, task.tool.name, task.surface.name
+    )
+}
+
+/// What the report says beside its numbers.
+fn facts(prepared: &Prepared) -> Vec<(String, String)> {
+    let mut facts = vec![
+        ("Strategy".to_owned(), prepared.strategy().to_string()),
+        ("Seed".to_owned(), prepared.config.seed.to_string()),
+        (
+            "Target performance".to_owned(),
+            percent(prepared.file.target_performance()),
+        ),
+    ];
+    if let Some(derived) = &prepared.derived {
+        facts.push(("Goal".to_owned(), derived.goal.clone()));
+        facts.push(("Steps".to_owned(), derived.steps.join(" ")));
+    }
+    facts
+}
+
+fn summary(
+    prepared: &Prepared,
+    plan: &Plan,
+    prediction: Option<&Prediction>,
+    planning_time_s: Option<f64>,
+    out: &Path,
+) -> Summary {
+    let task = &prepared.task;
+    let target_performance = prepared.file.target_performance();
+    Summary {
+        schema: SUMMARY_SCHEMA,
+        task: task.name.clone(),
+        action: task.action.to_string(),
+        surface: task.surface.name.clone(),
+        tool: task.tool.name.clone(),
+        medium: task.medium.clone(),
+        strategy: prepared.strategy().to_string(),
+        seed: prepared.config.seed,
+        particles: task.particles.len(),
+        nodes: plan.graph.nodes.len(),
+        edges: plan.graph.edges.len(),
+        strokes: plan.strokes.len(),
+        unreachable_share: plan.unreachable_share,
+        distance_in_contact_m: plan.contact_distance(),
+        distance_total_m: plan.total_distance(),
+        planning_time_s,
+        prediction: prediction.map(|prediction| {
+            let performance = prediction.performance;
+            let predicted_performance = performance.ratio();
+            PredictionSummary {
+                predicted_performance,
+                target_performance,
+                goal_met: predicted_performance >= target_performance,
+                lost_share: performance.lost as f64 / performance.initial.max(1) as f64,
+            }
+        }),
+        out: out.display().to_string(),
+    }
+}
+
+/// The summary for people.
+fn in_words(summary: &Summary, out: &Path) -> String {
+    let mut lines = vec![];
+    if let Some(prediction) = &summary.prediction {
+        let verdict = if prediction.goal_met {
+            "met"
+        } else {
+            "not met"
+        };
+        lines.push((
+            "performance",
+            format!(
+                "{} of {} particles (target {}: {verdict})",
+                percent(prediction.predicted_performance),
+                summary.particles,
+                percent(prediction.target_performance),
+            ),
+        ));
+        lines.push(("lost over an edge", percent(prediction.lost_share)));
+    } else {
+        lines.push(("particles", summary.particles.to_string()));
+    }
+    lines.push(("out of reach", percent(summary.unreachable_share)));
+    lines.push((
+        "graph",
+        format!(
+            "{}, {}, {}",
+            counted(summary.nodes, "node"),
+            counted(summary.edges, "edge"),
+            counted(summary.strokes, "stroke")
+        ),
+    ));
+    lines.push((
+        "distance",
+        format!(
+            "{:.2} m in contact, {:.2} m in all",
+            summary.distance_in_contact_m, summary.distance_total_m
+        ),
+    ));
+    if let Some(time) = summary.planning_time_s {
+        lines.push(("planning time", format!("{time:.3} s")));
+    }
+    let result = match summary.prediction {
+        Some(_) => ("report", REPORT_FILE),
+        None => ("plan", PLAN_FILE),
+    };
+    lines.push((result.0, out.join(result.1).display().to_string()));
+
+    let mut text = format!(
+        "{}: {} {} with {} on {} ({}, seed {})\n",
+        summary.task,
+        summary.action,
+        summary.medium,
+        summary.tool,
+        summary.surface,
+        summary.strategy,
+        summary.seed
+    );
+    for (name, value) in lines {
+        text += &format!("  {name:<18} {value}\n");
+    }
+    text
+}
+
+fn json(record: &PlanRecord) -> Result<String, Failure> {
+    let mut text = serde_json::to_string_pretty(record).map_err(internal)?;
+    text.push('\n');
+    Ok(text)
+}
+
+/// A failure that no input should bring about.
+fn internal(error: impl std::fmt::Display) -> Failure {
+    Failure::new(format!("internal error: {error}"))
+        .with_help("this is a fault of wisch, not of your files; please report it")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_cannot_lead_out_of_the_folder() {
+        assert_eq!(folder_name("chopping-board"), "chopping-board");
+        assert_eq!(folder_name("../../etc"), "-..-etc");
+        assert_eq!(folder_name(".."), "task");
+        assert_eq!(folder_name("my board/2"), "my-board-2");
+    }
+}

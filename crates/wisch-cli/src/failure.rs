@@ -1,0 +1,30 @@
+//! Errors as the user reads them: one sentence, and what to do about it.
+
+use miette::Diagnostic;
+
+/// Why a command could not do its work.
+#[derive(Debug, thiserror::Error, Diagnostic)]
+#[error("{sentence}")]
+pub struct Failure {
+    sentence: String,
+    #[help]
+    help: Option<String>,
+}
+
+impl Failure {
+    /// An error that says what is wrong, where, and what the limit is.
+    pub fn new(sentence: impl std::fmt::Display) -> Self {
+        Self {
+            sentence: sentence.to_string(),
+            help: None,
+        }
+    }
+
+    /// Adds what the user can do about it.
+    pub fn with_help(self, help: impl std::fmt::Display) -> Self {
+        Self {
+            help: Some(help.to_string()),
+            ..self
+        }
+    }
+}

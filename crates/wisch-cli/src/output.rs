@@ -1,0 +1,157 @@
+//! The folder with the results: written beside its place and moved there whole.
+
+use crate::failure::Failure;
+use crate::records::PLAN_FORMAT;
+use serde::Deserialize;
+use std::fs;
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
+
+/// The file by which a folder of results is known.
+pub const PLAN_FILE: &str = "plan.json";
+/// The particles as they are believed to lie.
+pub const PARTICLES_BEFORE_FILE: &str = "particles-before.csv";
+/// The particles as they are predicted to lie.
+pub const PARTICLES_AFTER_FILE: &str = "particles-after.csv";
+/// The report.
+pub const REPORT_FILE: &str = "report.html";
+
+/// A folder of results in the making. Dropped unfinished, it leaves nothing behind.
+pub struct OutputFolder {
+    target: PathBuf,
+    /// Holds `new`, and `old` while folders change places; on the same file system as the target.
+    workplace: TempDir,
+}
+
+impl OutputFolder {
+    /// Begins a folder that is to stand at `target`.
+    ///
+    /// # Errors
+    /// If something else than results of an earlier run stands there, or nothing can be written.
+    pub fn begin(target: &Path) -> Result<Self, Failure> {
+        let target = resolved(target)?;
+        check_replaceable(&target)?;
+        let (Some(parent), Some(name)) = (target.parent(), target.file_name()) else {
+            return Err(Failure::new(format!(
+                "{}: results cannot replace this folder",
+                target.display()
+            )));
+        };
+        fs::create_dir_all(parent).map_err(|error| cannot_write(parent, &error))?;
+        let workplace = tempfile::Builder::new()
+            .prefix(&format!(".{}.", name.to_string_lossy()))
+            .tempdir_in(parent)
+            .map_err(|error| cannot_write(parent, &error))?;
+        let folder = Self { target, workplace };
+        fs::create_dir(folder.new_path())
+            .map_err(|error| cannot_write(&folder.new_path(), &error))?;
+        Ok(folder)
+    }
+
+    /// Adds a file.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn write(&self, name: &str, contents: impl AsRef<[u8]>) -> Result<(), Failure> {
+        fs::write(self.new_path().join(name), contents)
+            .map_err(|error| cannot_write(&self.target.join(name), &error))
+    }
+
+    /// Moves the folder to its place, and what stood there away.
+    ///
+    /// # Errors
+    /// What the system says; then what stood there stands there still.
+    pub fn finish(self) -> Result<(), Failure> {
+        let old = self.workplace.path().join("old");
+        // Someone may have put something there while we were planning.
+        check_replaceable(&self.target)?;
+        let replaced = match fs::rename(&self.target, &old) {
+            Ok(()) => true,
+            Err(error) if error.kind() == ErrorKind::NotFound => false,
+            Err(error) => return Err(cannot_write(&self.target, &error)),
+        };
+        fs::rename(self.new_path(), &self.target).map_err(|error| {
+            if replaced {
+                // If even this fails, the first error is the one to tell.
+                let _ = fs::rename(&old, &self.target);
+            }
+            cannot_write(&self.target, &error)
+        })
+    }
+
+    fn new_path(&self) -> PathBuf {
+        self.workplace.path().join("new")
+    }
+}
+
+/// The absolute path, with a link to a folder followed.
+fn resolved(target: &Path) -> Result<PathBuf, Failure> {
+    match target.canonicalize() {
+        Ok(path) => Ok(path),
+        Err(error) if error.kind() == ErrorKind::NotFound => std::path::absolute(target),
+        Err(error) => Err(error),
+    }
+    .map_err(|error| cannot_write(target, &error))
+}
+
+/// Whether nothing would be lost: there is nothing, an empty folder, or results that we wrote.
+fn check_replaceable(target: &Path) -> Result<(), Failure> {
+    let refuse = |reason: String| {
+        Err(Failure::new(format!("{}: {reason}", target.display()))
+            .with_help("choose another folder with --out, or move this one away"))
+    };
+    let entries = match fs::read_dir(target) {
+        Ok(entries) => entries,
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
+        Err(error) if error.kind() == ErrorKind::NotADirectory => {
+            return refuse("results need a folder, but a file stands there".to_owned());
+        }
+        Err(error) => return Err(cannot_write(target, &error)),
+    };
+    let mut names: Vec<String> = entries
+        .filter_map(|entry| Some(entry.ok()?.file_name().to_string_lossy().into_owned()))
+        .collect();
+    names.sort();
+    if names.is_empty() {
+        return Ok(());
+    }
+    if !is_plan_of_ours(&target.join(PLAN_FILE)) {
+        return refuse(format!(
+            "the folder is not empty and holds no {PLAN_FILE} of wisch, so it is not replaced"
+        ));
+    }
+    match names.iter().find(|name| !is_result_file(name)) {
+        Some(name) => refuse(format!(
+            "the folder also holds {name:?}, which wisch did not write, so it is not replaced"
+        )),
+        None => Ok(()),
+    }
+}
+
+fn is_plan_of_ours(path: &Path) -> bool {
+    #[derive(Deserialize)]
+    struct Marker {
+        format: String,
+    }
+    fs::read(path)
+        .ok()
+        .and_then(|bytes| serde_json::from_slice::<Marker>(&bytes).ok())
+        .is_some_and(|marker| marker.format == PLAN_FORMAT)
+}
+
+/// Whether a file of that name may be one of the results, of which the pictures are many.
+fn is_result_file(name: &str) -> bool {
+    let fixed = [
+        PLAN_FILE,
+        PARTICLES_BEFORE_FILE,
+        PARTICLES_AFTER_FILE,
+        REPORT_FILE,
+    ];
+    fixed.contains(&name) || name.ends_with(".svg") || name.ends_with(".png")
+}
+
+fn cannot_write(path: &Path, error: &io::Error) -> Failure {
+    Failure::new(format!("{}: cannot write there: {error}", path.display()))
+        .with_help("choose another folder with --out")
+}

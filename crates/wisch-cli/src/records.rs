@@ -1,0 +1,593 @@
+//! The contents of the files that the program writes and reads: plans and summaries.
+//!
+//! SI units, radians; keys end in their unit, and poses say their frames. Nothing in a plan
+//! depends on the clock or the machine, so the same task and seed give the same bytes.
+
+use serde::{Deserialize, Serialize};
+use wisch::geometry::{PlanarPose, Point2};
+use wisch::plan::{
+    CoverageStrategy, Node, NodeRole, Plan, SemanticDirectedGraph, Stroke, TcpWaypoint,
+};
+use wisch::represent::{GoalState, Task};
+
+/// What `format` says in every plan.json.
+pub const PLAN_FORMAT: &str = "wisch-plan";
+/// The schema of plan.json that is written and read.
+pub const PLAN_SCHEMA: u32 = 1;
+/// The schema of the object that `--json` prints.
+pub const SUMMARY_SCHEMA: u32 = 1;
+
+/// plan.json.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PlanRecord {
+    /// Always [`PLAN_FORMAT`].
+    pub format: String,
+    /// Always [`PLAN_SCHEMA`].
+    pub schema: u32,
+    /// Name of the task.
+    pub task: String,
+    /// absorb, collect or skim.
+    pub action: String,
+    /// Name of the surface, whose frame all positions are in.
+    pub surface: String,
+    /// Name of the tool, whose frame's origin is the tool centre point.
+    pub tool: String,
+    /// Name of the medium.
+    pub medium: String,
+    /// How the nodes were placed.
+    pub strategy: String,
+    /// Seed of everything random.
+    pub seed: u64,
+    /// Pose of the surface in the world.
+    pub world_from_surface: PoseRecord,
+    /// Where the tool starts, in the surface frame.
+    pub tool_start_in_surface_m: [f64; 2],
+    /// Radius r_s of the collision sphere.
+    pub collision_radius_m: f64,
+    /// How high the tool is lifted between strokes.
+    pub lift_height_m: f64,
+    /// Longest edge that was allowed; null where edges are not limited.
+    pub max_edge_length_m: Option<f64>,
+    /// The goal state.
+    pub goal: GoalRecord,
+    /// The graph's nodes.
+    pub nodes: Vec<NodeRecord>,
+    /// The graph's directed edges, each as the indices of two nodes: from, to.
+    pub edges: Vec<[usize; 2]>,
+    /// Indices of the nodes that no valid edge connects to the goal.
+    pub unreachable_nodes: Vec<usize>,
+    /// Share of the particles that are out of reach of the graph.
+    pub unreachable_share: f64,
+    /// The strokes in their order.
+    pub strokes: Vec<StrokeRecord>,
+    /// The corners of the tool centre point's whole path, lifted moves included.
+    pub tcp_path: Vec<WaypointRecord>,
+}
+
+/// A pose in space.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PoseRecord {
+    /// x, y, z.
+    pub translation_m: [f64; 3],
+    /// Unit quaternion: x, y, z, w.
+    pub rotation_xyzw: [f64; 4],
+}
+
+/// What the plan strives for.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "state", rename_all = "snake_case", deny_unknown_fields)]
+pub enum GoalRecord {
+    /// Every particle taken up.
+    Absorbed,
+    /// Every particle near one place.
+    Collected {
+        /// The place in the surface frame.
+        center_in_surface_m: [f64; 2],
+        /// What is near.
+        radius_m: f64,
+    },
+    /// Every particle pushed over an allowed edge.
+    Skimmed,
+}
+
+/// A node of the graph.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NodeRecord {
+    /// What it stands for.
+    pub role: RoleRecord,
+    /// Its place.
+    pub in_surface_m: [f64; 2],
+}
+
+/// What a node stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RoleRecord {
+    /// Covers a part of the surface.
+    Coverage,
+    /// Where the particles are to end.
+    Goal,
+}
+
+/// One motion in contact.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StrokeRecord {
+    /// Indices of the nodes it runs through.
+    pub nodes: Vec<usize>,
+    /// The tool's pose at each of them.
+    pub surface_from_tool: Vec<PlanarPoseRecord>,
+}
+
+/// A pose in the plane of the surface.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PlanarPoseRecord {
+    /// x of the tool centre point.
+    pub x_m: f64,
+    /// y of the tool centre point.
+    pub y_m: f64,
+    /// From the surface's x axis to the tool's; goes on beyond ±π within a stroke.
+    pub heading_rad: f64,
+}
+
+/// A corner of the tool centre point's path, in the surface frame.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WaypointRecord {
+    /// x of the tool centre point.
+    pub x_m: f64,
+    /// y of the tool centre point.
+    pub y_m: f64,
+    /// Height above the surface; 0 in contact.
+    pub height_m: f64,
+    /// From the surface's x axis to the tool's.
+    pub heading_rad: f64,
+}
+
+/// Why a plan file cannot be used.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PlanRecordError {
+    /// Not JSON, or not a plan's.
+    #[error("line {line}, column {column}: {message}")]
+    Syntax {
+        /// Line, from 1.
+        line: usize,
+        /// Column, from 1.
+        column: usize,
+        /// What the reader says.
+        message: String,
+    },
+    /// Another kind of file.
+    #[error("format {found:?} is not {PLAN_FORMAT:?}: this is no plan of wisch")]
+    Format {
+        /// What it says.
+        found: String,
+    },
+    /// A schema of another version.
+    #[error("schema {found} is not supported, only schema {PLAN_SCHEMA}")]
+    Schema {
+        /// What it says.
+        found: u32,
+    },
+    /// The plan was made for something else.
+    #[error("the plan's {what} is {found:?}, the task's is {expected:?}")]
+    OtherTask {
+        /// What differs.
+        what: &'static str,
+        /// In the plan.
+        found: String,
+        /// In the task.
+        expected: String,
+    },
+    /// A node that does not exist.
+    #[error("{place} names node {index}, but there are {nodes} nodes (counted from 0)")]
+    NoSuchNode {
+        /// Where.
+        place: String,
+        /// The index.
+        index: usize,
+        /// How many there are.
+        nodes: usize,
+    },
+    /// A number outside its limits.
+    #[error("{place} = {value} is outside its limits: {limits}")]
+    OutOfRange {
+        /// Where.
+        place: String,
+        /// The value.
+        value: f64,
+        /// What it may be.
+        limits: &'static str,
+    },
+    /// A stroke whose poses are not one for each node.
+    #[error("strokes[{stroke}] has {nodes} nodes but {poses} poses")]
+    PosesPerNode {
+        /// Index of the stroke.
+        stroke: usize,
+        /// How many nodes.
+        nodes: usize,
+        /// How many poses.
+        poses: usize,
+    },
+    /// A strategy that does not exist.
+    #[error("{0}")]
+    Strategy(String),
+}
+
+/// Largest coordinate in a plan file, either sign [m].
+const MAX_COORDINATE: f64 = wisch::geometry::MAX_COORDINATE;
+/// Largest heading in a plan file, either sign [rad]: beyond it, a turn is lost in rounding.
+const MAX_HEADING: f64 = 1e6;
+
+impl PlanRecord {
+    /// The record of a plan.
+    pub fn new(task: &Task, plan: &Plan, seed: u64) -> Self {
+        let pose = &task.surface.world_from_surface;
+        let (t, r) = (pose.translation.vector, pose.rotation.coords);
+        Self {
+            format: PLAN_FORMAT.to_owned(),
+            schema: PLAN_SCHEMA,
+            task: task.name.clone(),
+            action: task.action.to_string(),
+            surface: task.surface.name.clone(),
+            tool: task.tool.name.clone(),
+            medium: task.medium.clone(),
+            strategy: plan.strategy.to_string(),
+            seed,
+            world_from_surface: PoseRecord {
+                translation_m: [t.x, t.y, t.z],
+                rotation_xyzw: [r.x, r.y, r.z, r.w],
+            },
+            tool_start_in_surface_m: plan.tool_start.into(),
+            collision_radius_m: plan.collision_radius,
+            lift_height_m: plan.lift_height,
+            max_edge_length_m: plan.graph.max_edge_length,
+            goal: match plan.graph.goal {
+                GoalState::Absorbed => GoalRecord::Absorbed,
+                GoalState::Collected { center, radius } => GoalRecord::Collected {
+                    center_in_surface_m: center.into(),
+                    radius_m: radius,
+                },
+                GoalState::Skimmed => GoalRecord::Skimmed,
+            },
+            nodes: plan.graph.nodes.iter().map(node_record).collect(),
+            edges: plan
+                .graph
+                .edges
+                .iter()
+                .map(|&(from, to)| [from, to])
+                .collect(),
+            unreachable_nodes: plan.graph.unreachable.clone(),
+            unreachable_share: plan.unreachable_share,
+            strokes: plan
+                .strokes
+                .iter()
+                .map(|stroke| StrokeRecord {
+                    nodes: stroke.nodes.clone(),
+                    surface_from_tool: stroke.poses.iter().map(planar_pose_record).collect(),
+                })
+                .collect(),
+            tcp_path: plan.tcp_path().iter().map(waypoint_record).collect(),
+        }
+    }
+
+    /// Reads a plan file.
+    ///
+    /// # Errors
+    /// Text that is not a plan of this version. Whether it fits a task, [`Self::to_plan`] says.
+    pub fn parse(text: &str) -> Result<Self, PlanRecordError> {
+        /// What every version of every format has.
+        #[derive(Deserialize)]
+        struct Marker {
+            format: String,
+            schema: u32,
+        }
+        let syntax = |error: serde_json::Error| PlanRecordError::Syntax {
+            line: error.line(),
+            column: error.column(),
+            message: without_place(&error.to_string()).to_owned(),
+        };
+        let marker: Marker = serde_json::from_str(text).map_err(syntax)?;
+        if marker.format != PLAN_FORMAT {
+            return Err(PlanRecordError::Format {
+                found: marker.format,
+            });
+        }
+        if marker.schema != PLAN_SCHEMA {
+            return Err(PlanRecordError::Schema {
+                found: marker.schema,
+            });
+        }
+        serde_json::from_str(text).map_err(syntax)
+    }
+
+    /// The plan for a task.
+    ///
+    /// # Errors
+    /// If it was made for another action, surface, tool or medium, or does not hold together.
+    pub fn to_plan(&self, task: &Task) -> Result<Plan, PlanRecordError> {
+        self.check_task(task)?;
+        self.check_indices()?;
+        self.check_numbers()?;
+        let strategy: CoverageStrategy =
+            self.strategy
+                .parse()
+                .map_err(|error: wisch::plan::UnknownStrategy| {
+                    PlanRecordError::Strategy(error.to_string())
+                })?;
+        Ok(Plan {
+            strategy,
+            graph: SemanticDirectedGraph {
+                nodes: self.nodes.iter().map(node).collect(),
+                edges: self.edges.iter().map(|&[from, to]| (from, to)).collect(),
+                goal: match self.goal {
+                    GoalRecord::Absorbed => GoalState::Absorbed,
+                    GoalRecord::Collected {
+                        center_in_surface_m,
+                        radius_m,
+                    } => GoalState::Collected {
+                        center: center_in_surface_m.into(),
+                        radius: radius_m,
+                    },
+                    GoalRecord::Skimmed => GoalState::Skimmed,
+                },
+                max_edge_length: self.max_edge_length_m,
+                unreachable: self.unreachable_nodes.clone(),
+            },
+            strokes: self
+                .strokes
+                .iter()
+                .map(|stroke| Stroke {
+                    nodes: stroke.nodes.clone(),
+                    poses: stroke.surface_from_tool.iter().map(planar_pose).collect(),
+                })
+                .collect(),
+            collision_radius: self.collision_radius_m,
+            unreachable_share: self.unreachable_share,
+            tool_start: self.tool_start_in_surface_m.into(),
+            lift_height: self.lift_height_m,
+        })
+    }
+
+    fn check_task(&self, task: &Task) -> Result<(), PlanRecordError> {
+        let goal = match self.goal {
+            GoalRecord::Absorbed => "absorb",
+            GoalRecord::Collected { .. } => "collect",
+            GoalRecord::Skimmed => "skim",
+        };
+        for (what, found, expected) in [
+            ("action", self.action.as_str(), task.action.as_str()),
+            ("goal state", goal, task.action.as_str()),
+            ("surface", &self.surface, &task.surface.name),
+            ("tool", &self.tool, &task.tool.name),
+            ("medium", &self.medium, &task.medium),
+        ] {
+            if found != expected {
+                return Err(PlanRecordError::OtherTask {
+                    what,
+                    found: found.to_owned(),
+                    expected: expected.to_owned(),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    fn check_indices(&self) -> Result<(), PlanRecordError> {
+        let nodes = self.nodes.len();
+        let check = |place: String, index: usize| {
+            if index < nodes {
+                return Ok(());
+            }
+            Err(PlanRecordError::NoSuchNode {
+                place,
+                index,
+                nodes,
+            })
+        };
+        for (i, edge) in self.edges.iter().enumerate() {
+            for &index in edge {
+                check(format!("edges[{i}]"), index)?;
+            }
+        }
+        for (i, &index) in self.unreachable_nodes.iter().enumerate() {
+            check(format!("unreachable_nodes[{i}]"), index)?;
+        }
+        for (i, stroke) in self.strokes.iter().enumerate() {
+            for &index in &stroke.nodes {
+                check(format!("strokes[{i}].nodes"), index)?;
+            }
+            if stroke.nodes.len() != stroke.surface_from_tool.len() {
+                return Err(PlanRecordError::PosesPerNode {
+                    stroke: i,
+                    nodes: stroke.nodes.len(),
+                    poses: stroke.surface_from_tool.len(),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    fn check_numbers(&self) -> Result<(), PlanRecordError> {
+        let length =
+            |place: &str, value: f64| within(place, value, 0.0, MAX_COORDINATE, "0 to 10000 m");
+        let point = |place: &str, [x, y]: [f64; 2]| {
+            let limits = "-10000 to 10000 m";
+            within(
+                &format!("{place}: x"),
+                x,
+                -MAX_COORDINATE,
+                MAX_COORDINATE,
+                limits,
+            )?;
+            within(
+                &format!("{place}: y"),
+                y,
+                -MAX_COORDINATE,
+                MAX_COORDINATE,
+                limits,
+            )
+        };
+        length("collision_radius_m", self.collision_radius_m)?;
+        length("lift_height_m", self.lift_height_m)?;
+        within(
+            "unreachable_share",
+            self.unreachable_share,
+            0.0,
+            1.0,
+            "0 to 1",
+        )?;
+        point("tool_start_in_surface_m", self.tool_start_in_surface_m)?;
+        if let GoalRecord::Collected {
+            center_in_surface_m,
+            radius_m,
+        } = self.goal
+        {
+            point("goal.center_in_surface_m", center_in_surface_m)?;
+            length("goal.radius_m", radius_m)?;
+        }
+        for (i, node) in self.nodes.iter().enumerate() {
+            point(&format!("nodes[{i}].in_surface_m"), node.in_surface_m)?;
+        }
+        for (i, stroke) in self.strokes.iter().enumerate() {
+            for (j, pose) in stroke.surface_from_tool.iter().enumerate() {
+                let place = format!("strokes[{i}].surface_from_tool[{j}]");
+                point(&place, [pose.x_m, pose.y_m])?;
+                within(
+                    &format!("{place}.heading_rad"),
+                    pose.heading_rad,
+                    -MAX_HEADING,
+                    MAX_HEADING,
+                    "-1e6 to 1e6 rad",
+                )?;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn within(
+    place: &str,
+    value: f64,
+    least: f64,
+    most: f64,
+    limits: &'static str,
+) -> Result<(), PlanRecordError> {
+    // NaN is not within anything.
+    if (least..=most).contains(&value) {
+        return Ok(());
+    }
+    Err(PlanRecordError::OutOfRange {
+        place: place.to_owned(),
+        value,
+        limits,
+    })
+}
+
+/// serde_json ends its messages in the place, which is told apart here.
+fn without_place(message: &str) -> &str {
+    message
+        .rfind(" at line ")
+        .map_or(message, |end| &message[..end])
+}
+
+fn node_record(node: &Node) -> NodeRecord {
+    NodeRecord {
+        role: match node.role {
+            NodeRole::Coverage => RoleRecord::Coverage,
+            NodeRole::Goal => RoleRecord::Goal,
+        },
+        in_surface_m: node.position.into(),
+    }
+}
+
+fn node(record: &NodeRecord) -> Node {
+    Node {
+        position: record.in_surface_m.into(),
+        role: match record.role {
+            RoleRecord::Coverage => NodeRole::Coverage,
+            RoleRecord::Goal => NodeRole::Goal,
+        },
+    }
+}
+
+fn planar_pose_record(pose: &PlanarPose) -> PlanarPoseRecord {
+    PlanarPoseRecord {
+        x_m: pose.position.x,
+        y_m: pose.position.y,
+        heading_rad: pose.heading,
+    }
+}
+
+fn planar_pose(record: &PlanarPoseRecord) -> PlanarPose {
+    PlanarPose::new(Point2::new(record.x_m, record.y_m), record.heading_rad)
+}
+
+fn waypoint_record(waypoint: &TcpWaypoint) -> WaypointRecord {
+    let pose = &waypoint.surface_from_tool;
+    WaypointRecord {
+        x_m: pose.position.x,
+        y_m: pose.position.y,
+        height_m: waypoint.height,
+        heading_rad: pose.heading,
+    }
+}
+
+/// What `--json` prints.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Summary {
+    /// Always [`SUMMARY_SCHEMA`].
+    pub schema: u32,
+    /// Name of the task.
+    pub task: String,
+    /// absorb, collect or skim.
+    pub action: String,
+    /// Name of the surface.
+    pub surface: String,
+    /// Name of the tool.
+    pub tool: String,
+    /// Name of the medium.
+    pub medium: String,
+    /// How the nodes were placed.
+    pub strategy: String,
+    /// Seed of everything random.
+    pub seed: u64,
+    /// Particles at the beginning.
+    pub particles: usize,
+    /// Nodes of the graph.
+    pub nodes: usize,
+    /// Edges of the graph.
+    pub edges: usize,
+    /// Strokes.
+    pub strokes: usize,
+    /// Share of the particles out of reach of the graph.
+    pub unreachable_share: f64,
+    /// Way in contact.
+    pub distance_in_contact_m: f64,
+    /// Whole way.
+    pub distance_total_m: f64,
+    /// How long planning took; null where a plan was given.
+    pub planning_time_s: Option<f64>,
+    /// What the prediction says; its keys are missing where nothing was predicted.
+    #[serde(flatten)]
+    pub prediction: Option<PredictionSummary>,
+    /// The folder with the results.
+    pub out: String,
+}
+
+/// The part of a summary that takes a prediction.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct PredictionSummary {
+    /// Share of the particles where the action wants them.
+    pub predicted_performance: f64,
+    /// Share from which on the goal is met.
+    pub target_performance: f64,
+    /// Whether the prediction reaches the target.
+    pub goal_met: bool,
+    /// Share pushed over an edge where that is not wanted.
+    pub lost_share: f64,
+}

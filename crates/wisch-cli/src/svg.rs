@@ -1,0 +1,133 @@
+//! The drawing of a footprint.
+
+use std::fmt::Write as _;
+use wisch::geometry::Point2;
+use wisch::represent::Tool;
+
+/// Space round the drawing, as a share of the collision sphere's diameter.
+const MARGIN: f64 = 0.1;
+/// Width of the drawing on a page [pixels].
+const WIDTH: u32 = 640;
+/// The part of the drawing's width that the scale bar may take.
+const SCALE_BAR_SHARE: f64 = 0.4;
+
+/// The footprint, the tool centre point, the collision sphere r_s, the direction of motion, and a
+/// scale. The view is from above with the tool's x axis, the motion, to the right; units are millimetres.
+pub fn footprint_drawing(tool: &Tool) -> String {
+    let mm = |metres: f64| 1e3 * metres;
+    let radius = mm(tool.collision_radius());
+    // A footprint need not lie round the tool centre point.
+    let reach = tool
+        .footprint
+        .edges()
+        .map(|edge| mm(edge.start.coords.amax()))
+        .fold(radius, f64::max);
+    let half = reach * (1.0 + 2.0 * MARGIN);
+    let line = half / 150.0;
+    let text = half / 14.0;
+    let mut svg = String::new();
+    let mut add = |part: String| svg.push_str(&part);
+    add(format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{WIDTH}\" viewBox=\"{:.3} {:.3} {:.3} {:.3}\" font-family=\"sans-serif\" font-size=\"{text:.3}\">\n",
+        -half,
+        -half,
+        2.0 * half,
+        2.0 * half
+    ));
+    add(format!(
+        "<title>Footprint of {}</title>\n",
+        escaped(&tool.name)
+    ));
+    add(format!(
+        "<rect x=\"{:.3}\" y=\"{:.3}\" width=\"{:.3}\" height=\"{:.3}\" fill=\"#ffffff\"/>\n",
+        -half,
+        -half,
+        2.0 * half,
+        2.0 * half
+    ));
+    add(format!(
+        "<circle r=\"{radius:.3}\" fill=\"none\" stroke=\"#888888\" stroke-width=\"{line:.3}\" stroke-dasharray=\"{0:.3} {0:.3}\"/>\n",
+        4.0 * line
+    ));
+    add(format!(
+        "<path fill=\"#2a78b8\" fill-opacity=\"0.55\" stroke=\"#12466f\" stroke-width=\"{line:.3}\" fill-rule=\"evenodd\" d=\"{}\"/>\n",
+        outline(tool)
+    ));
+    // The tool centre point, and the way the tool moves.
+    let cross = 3.0 * line;
+    add(format!(
+        "<path fill=\"none\" stroke=\"#b3261e\" stroke-width=\"{line:.3}\" d=\"M{:.3} 0H{:.3}M0 {:.3}V{:.3}M{:.3} {:.3}L{:.3} 0L{:.3} {:.3}\"/>\n",
+        -cross,
+        0.9 * half,
+        -cross,
+        cross,
+        0.9 * half - 2.0 * cross,
+        -cross,
+        0.9 * half,
+        0.9 * half - 2.0 * cross,
+        cross
+    ));
+    let bar = round_length(2.0 * half * SCALE_BAR_SHARE);
+    let (left, bottom) = (-0.92 * half, 0.92 * half);
+    add(format!(
+        "<path stroke=\"#222222\" stroke-width=\"{:.3}\" d=\"M{left:.3} {bottom:.3}h{bar:.3}\"/>\n",
+        2.0 * line
+    ));
+    add(format!(
+        "<text x=\"{left:.3}\" y=\"{:.3}\" fill=\"#222222\">{bar} mm</text>\n",
+        bottom - 0.4 * text
+    ));
+    add(format!(
+        "<text x=\"{left:.3}\" y=\"{:.3}\" fill=\"#222222\">{}, r_s = {radius:.1} mm</text>\n</svg>\n",
+        -0.92 * half + 0.5 * text,
+        escaped(&tool.name)
+    ));
+    svg
+}
+
+/// All rings as one path. The picture's y axis runs down, the tool's up.
+fn outline(tool: &Tool) -> String {
+    let mut path = String::new();
+    for ring in tool.footprint.polygons().iter().flat_map(|p| p.rings()) {
+        for (i, Point2 { coords }) in ring.iter().enumerate() {
+            let command = if i == 0 { 'M' } else { 'L' };
+            // A String takes whatever is written.
+            let _ = write!(
+                path,
+                "{command}{:.4} {:.4}",
+                1e3 * coords.x,
+                -1e3 * coords.y
+            );
+        }
+        path.push('Z');
+    }
+    path
+}
+
+/// The largest of 1, 2 and 5 times a power of ten that is at most `length`.
+fn round_length(length: f64) -> f64 {
+    let power = 10f64.powf(length.log10().floor());
+    [5.0, 2.0, 1.0]
+        .into_iter()
+        .map(|step| step * power)
+        .find(|&candidate| candidate <= length)
+        .unwrap_or(power)
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scale_bars_are_round() {
+        assert_eq!(round_length(7.3), 5.0);
+        assert_eq!(round_length(49.0), 20.0);
+        assert_eq!(round_length(10.0), 10.0);
+    }
+}

@@ -1,0 +1,124 @@
+//! The program's edge: colours, threads, errors, panics, and the exit code.
+
+use crate::args::{ColorChoice, GlobalArgs};
+use crate::failure::Failure;
+use std::ffi::OsString;
+use std::io::{self, ErrorKind, IsTerminal, Write};
+use std::panic::{self, AssertUnwindSafe};
+use std::process::ExitCode;
+
+/// How a command that worked ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// It did what was asked, or the goal is met.
+    Done,
+    /// It ran, but the goal is not met.
+    GoalNotMet,
+}
+
+const EXIT_GOAL_NOT_MET: u8 = 1;
+const EXIT_ERROR: u8 = 2;
+
+/// Runs the program and turns whatever happens into an exit code: 0 done, 1 goal not met, 2 error.
+pub fn run(program: impl FnOnce() -> Result<Outcome, Failure>) -> ExitCode {
+    panic::set_hook(Box::new(|info| {
+        let place = info
+            .location()
+            .map_or_else(String::new, |at| format!(" at {}:{}", at.file(), at.line()));
+        let cause = info.payload_as_str().unwrap_or("no message");
+        complain(&format!(
+            "internal error{place}: {cause}\n  help: this is a fault of wisch, not of your files; please report it"
+        ));
+    }));
+    // Unwinding, unlike leaving from the hook, lets unfinished output folders be removed.
+    match panic::catch_unwind(AssertUnwindSafe(program)) {
+        Ok(Ok(Outcome::Done)) => ExitCode::SUCCESS,
+        Ok(Ok(Outcome::GoalNotMet)) => ExitCode::from(EXIT_GOAL_NOT_MET),
+        Ok(Err(failure)) => {
+            complain(&format!("{:?}", miette::Report::new(failure)));
+            ExitCode::from(EXIT_ERROR)
+        }
+        Err(_) => ExitCode::from(EXIT_ERROR),
+    }
+}
+
+/// Sets up colours and threads.
+pub fn prepare(args: &GlobalArgs) -> Result<(), Failure> {
+    let color = match args.color {
+        ColorChoice::Always => true,
+        ColorChoice::Never => false,
+        ColorChoice::Auto => {
+            std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
+                && io::stderr().is_terminal()
+        }
+    };
+    // A second hook cannot be set, but neither is there a first.
+    let _ = miette::set_hook(Box::new(move |_| Box::new(OneSentence { color })));
+    if let Some(threads) = args.threads {
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(usize::from(threads))
+            .build_global()
+            .map_err(|error| Failure::new(format!("--threads {threads}: {error}")))?;
+    }
+    Ok(())
+}
+
+/// Shows an error as the command line's own are shown: one line that nothing breaks, so that it can
+/// be searched for, and one with help.
+struct OneSentence {
+    color: bool,
+}
+
+impl miette::ReportHandler for OneSentence {
+    fn debug(
+        &self,
+        error: &dyn miette::Diagnostic,
+        f: &mut std::fmt::Formatter<'_>,
+    ) -> std::fmt::Result {
+        let (red, green, plain) = if self.color {
+            ("\x1b[1;31m", "\x1b[32m", "\x1b[0m")
+        } else {
+            ("", "", "")
+        };
+        write!(f, "{red}error:{plain} {error}")?;
+        match error.help() {
+            Some(help) => write!(f, "\n  {green}help:{plain} {help}"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// What `--color` says, read before the command line is parsed, for the parser's own messages.
+pub fn color_asked_for(args: impl IntoIterator<Item = OsString>) -> ColorChoice {
+    let mut args = args.into_iter().filter_map(|arg| arg.into_string().ok());
+    let mut color = ColorChoice::Auto;
+    while let Some(arg) = args.next() {
+        let value = match arg.strip_prefix("--color") {
+            Some("") => args.next(),
+            Some(value) => value.strip_prefix('=').map(str::to_owned),
+            None => None,
+        };
+        color = match value.as_deref() {
+            Some("always") => ColorChoice::Always,
+            Some("never") => ColorChoice::Never,
+            _ => color,
+        };
+    }
+    color
+}
+
+/// Prints to standard output. A reader that has gone away, as `head` does, is no error.
+pub fn print(text: &str) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::new(format!("standard output: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Prints to standard error, where nobody may be listening.
+fn complain(text: &str) {
+    let _ = writeln!(io::stderr().lock(), "{text}");
+}

@@ -1,0 +1,492 @@
+//! The program in a real temporary directory: what it writes, prints, and how it ends.
+
+use assert_cmd::Command;
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use tempfile::TempDir;
+
+fn wisch(folder: &Path) -> Command {
+    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("wisch"));
+    command.current_dir(folder).env_remove("NO_COLOR");
+    command
+}
+
+/// A folder with the template as board.toml.
+fn folder_with_task() -> TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    wisch(folder.path())
+        .args(["new", "board.toml"])
+        .assert()
+        .code(0);
+    folder
+}
+
+/// Runs the program and returns exit code, standard output and standard error.
+fn output(folder: &Path, args: &[&str]) -> (i32, String, String) {
+    let output = wisch(folder).args(args).output().expect("it runs");
+    (
+        output.status.code().expect("it ends by itself"),
+        String::from_utf8(output.stdout).expect("text"),
+        String::from_utf8(output.stderr).expect("text"),
+    )
+}
+
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).expect("exactly one JSON object")
+}
+
+/// The names in a folder, hidden ones included.
+fn names(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> = fs::read_dir(folder)
+        .expect("a folder")
+        .map(|entry| {
+            entry
+                .expect("an entry")
+                .file_name()
+                .into_string()
+                .expect("text")
+        })
+        .collect();
+    names.sort();
+    names
+}
+
+/// Every file of a folder with its bytes.
+fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
+    names(folder)
+        .into_iter()
+        .map(|name| {
+            let bytes = fs::read(folder.join(&name)).expect("a file");
+            (name, bytes)
+        })
+        .collect()
+}
+
+#[test]
+fn run_writes_everything_and_says_where() {
+    let folder = folder_with_task();
+    let (code, out, err) = output(folder.path(), &["run", "board.toml", "--out", "result"]);
+    assert!(code == 0 || code == 1, "{code}: {err}");
+    assert_eq!(err, "", "nothing of the progress reaches a pipe");
+    assert!(out.contains("performance"), "{out}");
+    assert!(out.contains("result/report.html"), "{out}");
+    let written = names(&folder.path().join("result"));
+    for name in [
+        "plan.json",
+        "particles-before.csv",
+        "particles-after.csv",
+        "report.html",
+    ] {
+        assert!(written.iter().any(|n| n == name), "{name} in {written:?}");
+    }
+    for ending in [".svg", ".png"] {
+        assert!(
+            written.iter().any(|n| n.ends_with(ending)),
+            "{ending} in {written:?}"
+        );
+    }
+    assert_eq!(
+        names(folder.path()),
+        ["board.toml", "result"],
+        "nothing is left behind"
+    );
+}
+
+#[test]
+fn the_json_summary_is_one_object_with_its_keys() {
+    let folder = folder_with_task();
+    let (_, out, _) = output(folder.path(), &["run", "board.toml", "--json"]);
+    let summary = json(&out);
+    for key in [
+        "schema",
+        "task",
+        "action",
+        "strategy",
+        "seed",
+        "particles",
+        "nodes",
+        "edges",
+        "strokes",
+        "unreachable_share",
+        "distance_in_contact_m",
+        "distance_total_m",
+        "predicted_performance",
+        "target_performance",
+        "goal_met",
+        "lost_share",
+        "planning_time_s",
+        "out",
+    ] {
+        assert!(
+            summary.get(key).is_some_and(|v| !v.is_null()),
+            "{key} in {out}"
+        );
+    }
+    let default_out = folder.path().join(summary["out"].as_str().expect("a path"));
+    assert!(default_out.starts_with(folder.path().join("out")));
+    assert!(default_out.join("report.html").is_file());
+}
+
+#[test]
+fn the_exit_code_follows_the_target() {
+    let folder = folder_with_task();
+    let run = |target: &str| {
+        let setting = format!("target_performance={target}");
+        let (code, out, err) = output(
+            folder.path(),
+            &["run", "board.toml", "--json", "--set", &setting],
+        );
+        assert_eq!(err, "");
+        (code, json(&out)["goal_met"].as_bool().expect("a truth"))
+    };
+    assert_eq!(run("0.0"), (0, true));
+    let (_, out, _) = output(folder.path(), &["run", "board.toml", "--json"]);
+    if json(&out)["predicted_performance"].as_f64() < Some(1.0) {
+        assert_eq!(run("1.0"), (1, false));
+    }
+}
+
+#[test]
+fn a_plan_can_be_predicted_later_with_the_same_result() {
+    let folder = folder_with_task();
+    for action in ["absorb", "collect", "skim"] {
+        let task = ["board.toml", "--action", action];
+        let (code, _, err) = output(
+            folder.path(),
+            &[&["plan"], &task[..], &["--out", "planned"]].concat(),
+        );
+        assert_eq!((code, err.as_str()), (0, ""));
+        let planned = folder.path().join("planned");
+        assert_eq!(names(&planned), ["particles-before.csv", "plan.json"]);
+        let (_, direct, _) = output(
+            folder.path(),
+            &[&["run"], &task[..], &["--json", "--out", "direct"]].concat(),
+        );
+        let (_, later, err) = output(
+            folder.path(),
+            &[
+                &["predict"],
+                &task[..],
+                &["--json", "--out", "later", "--plan", "planned/plan.json"],
+            ]
+            .concat(),
+        );
+        assert_eq!(err, "");
+        let (direct, later) = (json(&direct), json(&later));
+        assert_eq!(
+            direct["predicted_performance"],
+            later["predicted_performance"]
+        );
+        assert!(later["planning_time_s"].is_null());
+        assert_eq!(
+            contents(&folder.path().join("direct")),
+            contents(&folder.path().join("later"))
+        );
+    }
+}
+
+#[test]
+fn the_same_task_and_seed_give_the_same_bytes_on_any_number_of_threads() {
+    let folder = folder_with_task();
+    for strategy in ["grid", "rrt", "kde"] {
+        let run = |threads: &str| {
+            let args = [
+                "run",
+                "board.toml",
+                "--strategy",
+                strategy,
+                "--threads",
+                threads,
+                "--out",
+                "result",
+            ];
+            output(folder.path(), &args);
+            contents(&folder.path().join("result"))
+        };
+        let one = run("1");
+        assert!(!one.is_empty());
+        for threads in ["1", "2", "4"] {
+            assert!(one == run(threads), "{strategy} on {threads} threads");
+        }
+    }
+}
+
+#[test]
+fn another_seed_gives_other_particles() {
+    let folder = folder_with_task();
+    let before = |seed: &str| {
+        output(
+            folder.path(),
+            &["plan", "board.toml", "--seed", seed, "--out", "result"],
+        );
+        fs::read(folder.path().join("result/particles-before.csv")).expect("particles")
+    };
+    assert_ne!(before("1"), before("2"));
+}
+
+#[test]
+fn particles_are_conserved_in_the_files() {
+    let folder = folder_with_task();
+    for action in ["absorb", "collect", "skim"] {
+        output(
+            folder.path(),
+            &["run", "board.toml", "--action", action, "--out", "result"],
+        );
+        let rows = |name: &str| {
+            let mut csv =
+                csv::Reader::from_path(folder.path().join("result").join(name)).expect("a file");
+            assert_eq!(
+                csv.headers().expect("headers"),
+                ["particle", "x_m", "y_m", "fate", "edge"].as_slice()
+            );
+            csv.records()
+                .map(|row| row.expect("a row"))
+                .collect::<Vec<_>>()
+        };
+        let (before, after) = (rows("particles-before.csv"), rows("particles-after.csv"));
+        assert_eq!(before.len(), after.len());
+        assert!(before.iter().all(|row| &row[3] == "on_surface"));
+        for (index, row) in after.iter().enumerate() {
+            assert_eq!(row[0], index.to_string());
+            assert_eq!(&row[3] == "off_surface", !row[4].is_empty());
+            assert!(row[1].parse::<f64>().is_ok() && row[2].parse::<f64>().is_ok());
+        }
+    }
+}
+
+#[test]
+fn results_of_an_earlier_run_are_replaced_and_nothing_else() {
+    let folder = folder_with_task();
+    let run = || output(folder.path(), &["run", "board.toml", "--out", "result"]);
+    let result = folder.path().join("result");
+    run();
+    assert_ne!(run().0, 2, "our own results are replaced");
+
+    fs::write(result.join("notes.txt"), "mine").expect("a note");
+    let (code, _, err) = run();
+    assert_eq!(code, 2);
+    assert!(err.contains("notes.txt"), "{err}");
+    assert_eq!(
+        fs::read_to_string(result.join("notes.txt")).expect("a note"),
+        "mine"
+    );
+
+    fs::remove_dir_all(&result).expect("removed");
+    fs::create_dir(&result).expect("a folder");
+    assert_ne!(run().0, 2, "an empty folder is filled");
+
+    fs::write(result.join("plan.json"), "{\"format\": \"other\"}").expect("a plan of others");
+    let (code, _, err) = run();
+    assert_eq!(code, 2);
+    assert!(err.contains("holds no plan.json of wisch"), "{err}");
+
+    fs::remove_dir_all(&result).expect("removed");
+    fs::write(&result, "a file").expect("a file");
+    let (code, _, err) = run();
+    assert_eq!(code, 2);
+    assert!(err.contains("a file stands there"), "{err}");
+    assert_eq!(
+        names(folder.path()),
+        ["board.toml", "result"],
+        "nothing is left behind"
+    );
+}
+
+#[test]
+fn a_failed_run_leaves_earlier_results_alone() {
+    let folder = folder_with_task();
+    output(folder.path(), &["run", "board.toml", "--out", "result"]);
+    let before = contents(&folder.path().join("result"));
+    let (code, ..) = output(
+        folder.path(),
+        &[
+            "run",
+            "board.toml",
+            "--out",
+            "result",
+            "--set",
+            "no.such.key=1",
+        ],
+    );
+    assert_eq!(code, 2);
+    assert!(before == contents(&folder.path().join("result")));
+    assert_eq!(names(folder.path()), ["board.toml", "result"]);
+}
+
+#[test]
+fn new_does_not_overwrite_unless_forced() {
+    let folder = folder_with_task();
+    let task = folder.path().join("board.toml");
+    let template = fs::read_to_string(&task).expect("a task");
+    let (code, printed, _) = output(folder.path(), &["new"]);
+    assert_eq!((code, printed.as_str()), (0, template.as_str()));
+    fs::write(&task, "mine").expect("a file");
+    let (code, _, err) = output(folder.path(), &["new", "board.toml"]);
+    assert_eq!(code, 2);
+    assert!(
+        err.contains("board.toml") && err.contains("--force"),
+        "{err}"
+    );
+    assert_eq!(fs::read_to_string(&task).expect("a file"), "mine");
+    assert_eq!(
+        output(folder.path(), &["new", "board.toml", "--force"]).0,
+        0
+    );
+    assert_eq!(fs::read_to_string(&task).expect("a task"), template);
+}
+
+#[test]
+fn check_explains_the_task() {
+    let folder = folder_with_task();
+    let (code, out, err) = output(folder.path(), &["check", "board.toml"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    for word in [
+        "surface",
+        "tool",
+        "r_s",
+        "particles",
+        "obstacles",
+        "free",
+        "nodes",
+        "target",
+    ] {
+        assert!(out.contains(word), "{word} in {out}");
+    }
+    assert_eq!(names(folder.path()), ["board.toml"], "it writes nothing");
+}
+
+#[test]
+fn footprints_of_every_tool_are_measured_and_drawn() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for tool in ["sponge", "broom", "window_wiper", "brush", "vacuum_nozzle"] {
+        let svg = format!("{tool}.svg");
+        let (code, out, err) = output(folder.path(), &["footprint", tool, "--svg", &svg]);
+        assert_eq!((code, err.as_str()), (0, ""));
+        for word in ["pieces", "holes", "area", "area of effect", "r_s", "d_s"] {
+            assert!(out.contains(word), "{word} in {out}");
+        }
+        assert!(
+            fs::read_to_string(folder.path().join(svg))
+                .expect("a drawing")
+                .starts_with("<svg")
+        );
+    }
+    // 0.07 m x 0.11 m, whose diagonal is 0.1304 m.
+    let (_, out, _) = output(folder.path(), &["footprint", "sponge"]);
+    assert!(
+        out.contains("0.007700 m2") && out.contains("0.1304 m"),
+        "{out}"
+    );
+}
+
+#[test]
+fn a_mesh_file_has_a_footprint_once_its_depth_is_known() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let wedge = "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    fs::write(folder.path().join("wedge.obj"), wedge).expect("a mesh");
+    let (code, _, err) = output(folder.path(), &["footprint", "wedge.obj"]);
+    assert_eq!(code, 2);
+    assert!(
+        err.contains("wedge.obj") && err.contains("--compression-depth-m"),
+        "{err}"
+    );
+    let (code, out, _) = output(
+        folder.path(),
+        &["footprint", "wedge.obj", "--compression-depth-m", "0.002"],
+    );
+    assert_eq!(code, 0);
+    // Half of 0.1 m x 0.1 m.
+    assert!(out.contains("0.005000 m2"), "{out}");
+}
+
+#[test]
+fn knowledge_may_come_from_a_folder() {
+    let folder = folder_with_task();
+    let knowledge = concat!(env!("CARGO_MANIFEST_DIR"), "/../../knowledge");
+    let run = |extra: &[&str]| {
+        output(
+            folder.path(),
+            &[&["run", "board.toml", "--out", "result"], extra].concat(),
+        );
+        contents(&folder.path().join("result"))
+    };
+    assert!(run(&[]) == run(&["--knowledge", knowledge]));
+    let (code, _, err) = output(
+        folder.path(),
+        &["run", "board.toml", "--knowledge", "nowhere"],
+    );
+    assert_eq!(code, 2);
+    assert!(err.contains("nowhere"), "{err}");
+    fs::create_dir(folder.path().join("empty")).expect("a folder");
+    let (code, _, err) = output(
+        folder.path(),
+        &["check", "board.toml", "--knowledge", "empty"],
+    );
+    assert_eq!(code, 2);
+    assert!(
+        err.contains("empty: the folder holds no .toml file"),
+        "{err}"
+    );
+}
+
+#[test]
+fn quiet_prints_nothing_and_color_is_obeyed() {
+    let folder = folder_with_task();
+    for args in [
+        &["run", "board.toml", "--quiet"][..],
+        &["check", "board.toml", "-q"],
+        &["footprint", "sponge", "-q"],
+    ] {
+        let (_, out, err) = output(folder.path(), args);
+        assert_eq!((out.as_str(), err.as_str()), ("", ""), "{args:?}");
+    }
+    let colored = |args: &[&str]| output(folder.path(), args).2.contains('\x1b');
+    for wrong in [["check", "nope.toml"], ["check", "--nope"]] {
+        assert!(!colored(&wrong), "{wrong:?}");
+        assert!(
+            colored(&[&wrong[..], &["--color", "always"]].concat()),
+            "{wrong:?}"
+        );
+        assert!(
+            !colored(&[&wrong[..], &["--color=never"]].concat()),
+            "{wrong:?}"
+        );
+    }
+}
+
+#[test]
+fn every_help_ends_with_examples() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for command in ["run", "plan", "predict", "footprint", "new", "check"] {
+        let (code, out, _) = output(folder.path(), &[command, "--help"]);
+        assert_eq!(code, 0);
+        let (_, examples) = out.split_once("Examples:").expect("examples");
+        assert!(examples.contains(&format!("wisch {command}")), "{examples}");
+    }
+    assert!(output(folder.path(), &["--help"]).1.contains("Examples:"));
+}
+
+#[test]
+#[cfg(unix)]
+fn a_reader_that_goes_away_is_no_error() {
+    let folder = folder_with_task();
+    let program = assert_cmd::cargo::cargo_bin!("wisch");
+    for args in [
+        "new",
+        "check board.toml",
+        "run board.toml --json --set target_performance=0.0",
+        "--help",
+    ] {
+        let (reader, writer) = std::io::pipe().expect("a pipe");
+        drop(reader);
+        let output = std::process::Command::new(program)
+            .args(args.split(' '))
+            .current_dir(folder.path())
+            .stdout(writer)
+            .output()
+            .expect("it runs");
+        assert_eq!(output.status.code(), Some(0), "{args}");
+        assert_eq!(String::from_utf8_lossy(&output.stderr), "", "{args}");
+    }
+}
