@@ -7,7 +7,8 @@ use wisch::plan::{
     kde, plan, predict, rrt,
 };
 use wisch::represent::{
-    Action, Fate, GoalState, ParticleDistribution, Performance, SceneObject, Surface, Task, Tool,
+    Action, Fate, GoalState, Interaction, LogNormal, ParticleDistribution, Performance,
+    SceneObject, Surface, SurfaceScope, Task, Tool,
 };
 
 const BOARD: [f64; 2] = [0.40, 0.28];
@@ -24,6 +25,7 @@ fn surface([x, y]: [f64; 2]) -> Surface {
 fn sponge() -> Tool {
     Tool {
         name: "sponge".into(),
+        mesh: Mesh::cuboid(Vector3::new(0.07, 0.11, 0.05)).unwrap(),
         footprint: Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))]),
         area_of_effect: Vector2::new(0.07, 0.11),
     }
@@ -53,6 +55,21 @@ fn task(action: Action, size: [f64; 2], scene: Vec<SceneObject>) -> Task {
         scene,
         tool: sponge(),
         medium: "breadcrumbs".into(),
+        interaction: Interaction {
+            tool: "sponge".into(),
+            medium: "breadcrumbs".into(),
+            surface: SurfaceScope::Any,
+            actions: Action::ALL.into_iter().collect(),
+            press_force_n: 10.0,
+            stiffness_n_per_m: 500.0,
+            damping_ratio: 0.7,
+            nullspace_posture_weight: 0.1,
+            compression_depth_m: 0.005,
+            likelihood: LogNormal {
+                mu: -1.0,
+                sigma: 0.25,
+            },
+        },
         particles: ParticleDistribution::new(&lattice(size, 12)).unwrap(),
         collect_goal: Some(Point2::new(0.1, -0.05)),
         tool_start: Point2::new(0.0, -0.3),

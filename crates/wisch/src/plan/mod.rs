@@ -5,7 +5,7 @@ mod clearance;
 mod coverage;
 mod goal;
 mod graph;
-mod plan;
+mod planner;
 mod predict;
 mod strokes;
 mod tour;
@@ -18,7 +18,7 @@ pub use coverage::{
 };
 pub use goal::{Domain, GoalError, GoalLiteral, Problem, ResolvedGoal, Step, resolve_goal, solve};
 pub use graph::{Node, NodeRole, SemanticDirectedGraph};
-pub use plan::{Plan, PlanConfig, PlanError, plan};
+pub use planner::{Plan, PlanConfig, PlanError, plan};
 pub use predict::{Prediction, Progress, predict};
 pub use strokes::{Stroke, TcpWaypoint};
 pub use tour::{

@@ -11,7 +11,7 @@
 
 use super::chords::ChordTable;
 use super::field::{ParticleField, Slot};
-use super::turning::{Ride, Turning};
+use super::turning::Turning;
 use super::{Effect, Fate, Surface};
 use crate::geometry::{Edge, PlanarPose, Point2, Region, Vector2};
 
@@ -195,8 +195,8 @@ impl EffectModel {
                     }
                 }
                 Effect::Push => {
-                    if let Ride::Carried { path } = turning.ride(position) {
-                        settle(field, surface, slot, path.points(), &mut effect);
+                    if let Some(way) = turning.ride(position) {
+                        settle(field, surface, slot, way.points(), &mut effect);
                     }
                 }
             }
@@ -219,7 +219,7 @@ fn settle(
             let fate = Fate::OffSurface {
                 edge: u16::try_from(edge).unwrap_or(u16::MAX),
             };
-            field.remove(slot, end, fate);
+            field.remove(slot, leg[1], fate);
             effect.off_surface += 1;
             return;
         }

@@ -2,7 +2,9 @@
 //!
 //! In the tool frame a resting particle runs along a smooth curve, and a carried one rests. Entry into
 //! the footprint is found by bisection with a bound on the curve's deviation from its chord; release
-//! from the leading boundary in closed form. Both are exact to about 1e-9 m whatever the turn.
+//! from the leading boundary in closed form. Where a released particle would be touched again at once,
+//! it slides: it follows the point of the edge that moves along itself, neither towards nor away from
+//! the particle. All of this is exact to about 1e-9 m whatever the turn.
 
 use super::effect::{CLEARANCE, ToolMotion};
 use crate::geometry::{Edge, Point2, Vector2};
@@ -13,17 +15,13 @@ const STRAIGHT: f64 = 1e-12;
 const SHORTEST: f64 = 1e-13;
 /// Entries and releases of one particle in one motion before it is let go.
 const MAX_EVENTS: usize = 64;
+/// Sliding is checked at least once per this turn before its end is bisected [rad].
+const SLIDING_TURN: f64 = 0.02;
+/// A particle this near to the turning point of an edge is at it [m].
+const AT_TURNING_POINT: f64 = 1e-7;
 /// A carried particle's way is sampled at least once per this turn [rad].
 const SAMPLED_TURN: f64 = 0.05;
 const MAX_WAY: usize = 64;
-
-/// What a motion does to one particle.
-pub(super) enum Ride {
-    /// The tool never touches it.
-    Untouched,
-    /// The tool carries it along this way.
-    Carried { path: Way },
-}
 
 /// The way of a carried particle in the surface frame, from where it lay to where it is left.
 pub(super) struct Way {
@@ -36,6 +34,10 @@ impl Way {
         let mut points = [Point2::origin(); MAX_WAY];
         points[0] = start;
         Self { points, len: 1 }
+    }
+
+    fn end(&self) -> Point2 {
+        self.points[self.len - 1]
     }
 
     /// Appends a point; when the way is full the last point gives way, so that the end stays true.
@@ -51,9 +53,9 @@ impl Way {
 
 /// Where on the boundary a particle touches the footprint, in the tool frame.
 #[derive(Clone, Copy)]
-struct Touch {
+struct Touch<'a> {
     point_in_tool: Point2,
-    outward: Vector2,
+    edge: &'a Edge,
 }
 
 /// One motion of a footprint, position and heading linear in t ∈ [0, 1].
@@ -79,41 +81,100 @@ impl<'a> Turning<'a> {
         self.covers(self.in_tool(particle, 0.0)) || self.entry(particle, 0.0, 1.0).is_some()
     }
 
-    /// Follows a particle through the motion.
-    pub(super) fn ride(&self, particle: Point2) -> Ride {
+    /// The way that the tool carries a particle; `None` if it never touches it.
+    pub(super) fn ride(&self, particle: Point2) -> Option<Way> {
         let mut way = Way::from(particle);
-        let mut at = particle;
         let mut t = 0.0;
         let mut touch = self.lifted_onto_boundary(self.in_tool(particle, 0.0));
         for _ in 0..MAX_EVENTS {
             if touch.is_none() {
-                match self.entry(at, t, 1.0) {
-                    Some((entry, new)) => {
-                        t = entry;
-                        touch = Some(new);
-                    }
-                    None => break,
-                }
+                let Some((entry, new)) = self.entry(way.end(), t, 1.0) else {
+                    break;
+                };
+                t = entry;
+                touch = Some(new);
             }
             let Some(held) = touch.take() else { break };
             let release = self.release(held, t).min(1.0);
-            let rest = held.point_in_tool + held.outward * CLEARANCE;
-            let samples = ((self.turn.abs() * (release - t) / SAMPLED_TURN) as usize + 1).min(40);
-            for i in 0..=samples {
-                let share = i as f64 / samples as f64;
-                way.push(self.in_surface(rest, t + (release - t) * share));
-            }
-            at = self.in_surface(rest, release);
+            self.follow(&mut way, t, release, held.edge, |_| held.point_in_tool);
             t = release;
+            let turning_point = self.turning_point(held.edge, release);
+            if (turning_point - held.point_in_tool).norm() < AT_TURNING_POINT {
+                t = self.slides_until(held.edge, release);
+                self.follow(&mut way, release, t, held.edge, |t| {
+                    self.turning_point(held.edge, t)
+                });
+            }
             if t >= 1.0 {
                 break;
             }
         }
-        if way.len == 1 {
-            Ride::Untouched
-        } else {
-            Ride::Carried { path: way }
+        (way.len > 1).then_some(way)
+    }
+
+    /// Appends the way of a particle kept at a point of an edge from one time to another.
+    fn follow(
+        &self,
+        way: &mut Way,
+        from: f64,
+        to: f64,
+        edge: &Edge,
+        point_in_tool: impl Fn(f64) -> Point2,
+    ) {
+        let samples = (self.turn.abs() * (to - from) / SAMPLED_TURN) as usize + 1;
+        let gap = outward(edge) * CLEARANCE;
+        for i in 0..=samples {
+            let t = from + (to - from) * (i as f64 / samples as f64);
+            way.push(self.in_surface(point_in_tool(t) + gap, t));
         }
+    }
+
+    /// The point of an edge's line that has no velocity across the edge, in the tool frame.
+    fn turning_point(&self, edge: &Edge, t: f64) -> Point2 {
+        let normal = outward(edge);
+        let along = Vector2::new(-normal.y, normal.x);
+        let lever = Vector2::new(-edge.start.y, edge.start.x);
+        let s = normal.dot(&self.travel_in_tool(t)) / self.turn + normal.dot(&lever);
+        edge.start + along * s
+    }
+
+    /// Whether a particle at the turning point can neither ride (the boundary there would recede from
+    /// it) nor stay (the boundary would come over it).
+    fn slides(&self, edge: &Edge, t: f64) -> bool {
+        let point = self.turning_point(edge, t);
+        let normal = outward(edge);
+        let along = Vector2::new(-normal.y, normal.x);
+        let s = (point - edge.start).dot(&along);
+        let travel = self.travel_in_tool(t);
+        let advance_if_riding = -self.turn * normal.dot(&Vector2::new(-travel.y, travel.x));
+        let advance_if_resting =
+            advance_if_riding + self.turn * along.dot(&self.velocity(point, t));
+        (0.0..=(edge.end - edge.start).norm()).contains(&s)
+            && advance_if_riding < 0.0
+            && advance_if_resting > 0.0
+    }
+
+    /// Until when a particle released at `from` slides along the edge; `from` if it does not.
+    fn slides_until(&self, edge: &Edge, from: f64) -> f64 {
+        let (mut sliding, mut over) = (from, from);
+        while self.slides(edge, over) {
+            sliding = over;
+            if over >= 1.0 {
+                return 1.0;
+            }
+            over = (over + SLIDING_TURN / self.turn.abs()).min(1.0);
+        }
+        if over > from {
+            while over - sliding > SHORTEST {
+                let middle = (sliding + over) / 2.0;
+                if self.slides(edge, middle) {
+                    sliding = middle;
+                } else {
+                    over = middle;
+                }
+            }
+        }
+        sliding
     }
 
     /// A resting particle at time t, seen from the tool.
@@ -131,14 +192,16 @@ impl<'a> Turning<'a> {
             + Vector2::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y)
     }
 
-    /// Velocity of a point fixed to the tool, in tool coordinates [m per motion].
-    fn velocity(&self, point_in_tool: Point2, t: f64) -> Vector2 {
+    /// The travel in tool coordinates [m].
+    fn travel_in_tool(&self, t: f64) -> Vector2 {
         let (sin, cos) = (self.motion.from.heading + self.turn * t).sin_cos();
         let v = self.travel;
-        Vector2::new(
-            cos * v.x + sin * v.y - self.turn * point_in_tool.y,
-            cos * v.y - sin * v.x + self.turn * point_in_tool.x,
-        )
+        Vector2::new(cos * v.x + sin * v.y, cos * v.y - sin * v.x)
+    }
+
+    /// Velocity of a point fixed to the tool, in tool coordinates [m per motion].
+    fn velocity(&self, point_in_tool: Point2, t: f64) -> Vector2 {
+        self.travel_in_tool(t) + Vector2::new(-point_in_tool.y, point_in_tool.x) * self.turn
     }
 
     fn covers(&self, point_in_tool: Point2) -> bool {
@@ -155,7 +218,7 @@ impl<'a> Turning<'a> {
     }
 
     /// A particle under the footprint when the tool comes down: carried along the motion until outside.
-    fn lifted_onto_boundary(&self, point_in_tool: Point2) -> Option<Touch> {
+    fn lifted_onto_boundary(&self, point_in_tool: Point2) -> Option<Touch<'a>> {
         if !self.covers(point_in_tool) {
             return None;
         }
@@ -173,12 +236,12 @@ impl<'a> Turning<'a> {
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .map(|(s, edge)| Touch {
                 point_in_tool: point_in_tool + along * s,
-                outward: outward(edge),
+                edge,
             })
     }
 
     /// First time in [from, to] at which a resting particle comes under the footprint.
-    fn entry(&self, particle: Point2, from: f64, to: f64) -> Option<(f64, Touch)> {
+    fn entry(&self, particle: Point2, from: f64, to: f64) -> Option<(f64, Touch<'a>)> {
         let (a, b) = (self.in_tool(particle, from), self.in_tool(particle, to));
         let span = to - from;
         // Second derivative of the curve: Coriolis and centripetal parts.
@@ -202,7 +265,7 @@ impl<'a> Turning<'a> {
                 .map(|(share, edge)| {
                     let touch = Touch {
                         point_in_tool: a + (b - a) * share,
-                        outward: outward(edge),
+                        edge,
                     };
                     (from + span * share, touch)
                 });
@@ -216,19 +279,20 @@ impl<'a> Turning<'a> {
     ///
     /// Its advance is |v| cos ψ(t) + c with ψ linear in t, so its zeros are known.
     fn release(&self, touch: Touch, from: f64) -> f64 {
-        if self.velocity(touch.point_in_tool, from).dot(&touch.outward) <= 0.0 {
+        let outward = outward(touch.edge);
+        if self.velocity(touch.point_in_tool, from).dot(&outward) <= 0.0 {
             return from;
         }
         let speed = self.travel.norm();
         let lever = Vector2::new(-touch.point_in_tool.y, touch.point_in_tool.x);
-        let constant = self.turn * lever.dot(&touch.outward);
+        let constant = self.turn * lever.dot(&outward);
         if constant.abs() >= speed {
             return f64::INFINITY;
         }
         let crossing = (-constant / speed).acos();
         let angle_at_zero = self.travel.y.atan2(self.travel.x)
             - self.motion.from.heading
-            - touch.outward.y.atan2(touch.outward.x);
+            - outward.y.atan2(outward.x);
         let period = std::f64::consts::TAU / self.turn.abs();
         [crossing, -crossing]
             .map(|angle| {
