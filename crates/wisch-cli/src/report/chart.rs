@@ -75,5 +75,6 @@ pub(super) fn performance(drawing: &Drawing, width: f64) -> Panel {
         width,
         height: HEIGHT,
         body,
+        keys: Vec::new(),
     }
 }

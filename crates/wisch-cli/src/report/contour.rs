@@ -5,7 +5,7 @@ use wisch::geometry::{Edge, Point2};
 use wisch::plan::DensityMap;
 
 /// Most samples along one side of the map that are looked at.
-const MAX_SAMPLES: usize = 160;
+const MAX_SAMPLES: usize = 320;
 /// Ends closer than this are the same corner [m].
 const SAME: f64 = 1e-7;
 

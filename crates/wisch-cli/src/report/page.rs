@@ -3,7 +3,9 @@
 use super::ReportInput;
 use super::chart::{self, across, down};
 use super::palette::page_rules;
-use super::panel::{self, WIDTH, caption, density_panel, map, snapshot, snapshots};
+use super::panel::{
+    self, WIDTH, caption, density_panel, legend_list, map, moment_keys, snapshot, snapshots,
+};
 use super::picture::Drawing;
 use super::player::{self, Player};
 use super::view::{View, grouped, metres, percent, px};
@@ -12,6 +14,8 @@ use wisch::geometry::Vector2;
 use wisch::represent::GoalState;
 
 const STYLE: &str = include_str!("page.css");
+/// Narrower than the surface, so that its numbers can be read on a phone.
+const CHART_WIDTH: f64 = 480.0;
 const SCRIPT: &str = include_str!("page.js");
 
 /// The report as one HTML file: pictures, numbers and the effect over time.
@@ -92,25 +96,28 @@ fn account(input: &ReportInput) -> Vec<String> {
     );
     let mut sentences = vec![match plan.graph.goal {
         GoalState::Absorbed => format!(
-            "{all} are taken up and {} stay on the surface.",
-            grouped(kept)
+            "{all} {} taken up and {} on the surface.",
+            verb(performance.achieved, "is", "are"),
+            counted(kept, "stays", "stay")
         ),
         GoalState::Collected { radius, .. } => format!(
-            "{all} end within {} m of the goal node and {} lie elsewhere on the surface.",
+            "{all} {} within {} m of the goal node and {} elsewhere on the surface.",
+            verb(performance.achieved, "ends", "end"),
             metres(radius, 3),
-            grouped(kept - performance.achieved.min(kept))
+            counted(kept - performance.achieved.min(kept), "lies", "lie")
         ),
         GoalState::Skimmed => {
             format!(
-                "{all} leave the surface over an allowed edge and {} stay on it.",
-                grouped(kept)
+                "{all} {} the surface over an allowed edge and {} on it.",
+                verb(performance.achieved, "leaves", "leave"),
+                counted(kept, "stays", "stay")
             )
         }
     }];
     if performance.lost > 0 {
         sentences.push(format!(
-            "{} fall over an edge where they should not.",
-            grouped(performance.lost)
+            "{} over an edge where nothing should.",
+            counted(performance.lost, "falls", "fall")
         ));
     }
     if plan.unreachable_share > 0.0 {
@@ -128,6 +135,16 @@ fn account(input: &ReportInput) -> Vec<String> {
         ));
     }
     sentences
+}
+
+/// The verb for one or for many.
+fn verb(count: usize, one: &'static str, many: &'static str) -> &'static str {
+    if count == 1 { one } else { many }
+}
+
+/// A count with its verb.
+fn counted(count: usize, one: &'static str, many: &'static str) -> String {
+    format!("{} {}", grouped(count), verb(count, one, many))
 }
 
 fn metrics(input: &ReportInput) -> Markup {
@@ -163,6 +180,7 @@ fn surface(drawing: &Drawing) -> Markup {
                 }
             }
             figure class="scroll" { (panel.inline("Surface from above: particles before and after, nodes, strokes")) }
+            (legend_list(drawing, &panel.keys))
             @if drawing.thinning > 1 {
                 p class="note" {
                     "Drawn is one particle in " (drawing.thinning) ", evenly over the list; all "
@@ -209,7 +227,7 @@ fn player(drawing: &Drawing) -> Markup {
         .first()
         .map_or(0, |frame| frame.particles.len().div_ceil(step));
     let radius = drawing.dot_radius(&view, moved);
-    let chart = chart::performance(drawing, WIDTH);
+    let chart = chart::performance(drawing, CHART_WIDTH);
     let identity = wisch::geometry::PlanarPose::new(wisch::geometry::Point2::origin(), 0.0);
     let footprint = view
         .at_origin()
@@ -219,7 +237,7 @@ fn player(drawing: &Drawing) -> Markup {
     html! {
         noscript { p class="note" { "Without scripts the player stands still; the snapshots below show the same." } }
         div id="player" hidden {
-            figure class="scroll" {
+            figure class="whole" {
                 svg viewBox=(format!("0 0 {} {}", px(WIDTH), px(view.height()))) role="img" aria-label="Particles and tool over time" {
                     (drawing.ground(&view))
                     path id="moving-trail" class="trail" {}
@@ -232,15 +250,16 @@ fn player(drawing: &Drawing) -> Markup {
                     (view.scale_bar())
                 }
             }
+            (legend_list(drawing, &moment_keys(drawing)))
             div class="controls" {
                 button id="play" type="button" { "▶ Play" }
                 input id="slider" type="range" min="0" max="1000" value="0" aria-label="Distance wiped";
                 output id="moment" data-achieved=(drawing.achieved()) {}
             }
-            figure class="scroll" {
+            figure class="whole narrow" {
                 svg viewBox=(format!("0 0 {} {}", px(chart.width), px(chart.height))) role="img" aria-label="Performance over distance wiped" {
                     (chart.body)
-                    g id="cursor" data-from=(px(across(0.0, 1.0, WIDTH))) data-to=(px(across(1.0, 1.0, WIDTH)))
+                    g id="cursor" data-from=(px(across(0.0, 1.0, CHART_WIDTH))) data-to=(px(across(1.0, 1.0, CHART_WIDTH)))
                         data-top=(px(down(1.0))) data-bottom=(px(down(0.0))) {
                         path id="cursor-line" class="cursor" {}
                         circle id="cursor-dot" class="cursor-dot" r="5" cy=(px(down(last))) {}
@@ -257,12 +276,14 @@ fn player(drawing: &Drawing) -> Markup {
 }
 
 fn density(drawing: &Drawing) -> Markup {
+    let panel = density_panel(drawing);
     html! {
         h2 { "Where the dirt is densest" }
         p {
             "Gaussian kernel density of the particles before wiping, bandwidth "
             (metres(drawing.bandwidth(), 3)) " m, with the nodes of the plan on top."
         }
-        figure class="scroll" { (density_panel(drawing).inline("Contours of the particle density with the plan's nodes")) }
+        figure class="scroll" { (panel.inline("Contours of the particle density with the plan's nodes")) }
+        (legend_list(drawing, &panel.keys))
     }
 }

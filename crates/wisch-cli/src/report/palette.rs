@@ -21,7 +21,7 @@ const COLOURS: [(&str, &str, &str); 26] = [
     ("lost", "#a3347a", "#e59bc8"),
     ("node", "#d0390b", "#ff7a45"),
     ("goal", "#f5d90a", "#f5d90a"),
-    ("goal-line", "#7a6a00", "#f5d90a"),
+    ("goal-line", "#7a6a00", "#a38f00"),
     ("tool", "#56b4e9", "#56b4e9"),
     ("tool-line", "#0b5c8c", "#a6d8f5"),
     ("band-1", "#eef3f8", "#1d2935"),

@@ -7,6 +7,7 @@ use super::picture::Drawing;
 use super::view::{View, metres, percent, px};
 use maud::{Markup, PreEscaped, html};
 use wisch::geometry::Vector2;
+use wisch::plan::{Node, NodeRole};
 use wisch::represent::GoalState;
 
 /// Width of a picture.
@@ -25,6 +26,8 @@ pub(super) struct Panel {
     pub(super) width: f64,
     pub(super) height: f64,
     pub(super) body: Markup,
+    /// What its marks are to be explained by.
+    pub(super) keys: Vec<Key>,
 }
 
 impl Panel {
@@ -34,6 +37,22 @@ impl Panel {
             svg viewBox=(format!("0 0 {} {}", px(self.width), px(self.height))) role="img" aria-label=(label) {
                 (self.body)
             }
+        }
+    }
+
+    /// With its legend below.
+    fn with_legend(self, drawing: &Drawing, left: f64) -> Self {
+        let (legend, height) = legend(
+            drawing,
+            &self.keys,
+            left,
+            self.height,
+            self.width - left - 10.0,
+        );
+        Self {
+            height: self.height + height,
+            body: html! { (self.body) (legend) },
+            ..self
         }
     }
 
@@ -57,7 +76,7 @@ impl Panel {
 
 /// One entry of a legend.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Key {
+pub(super) enum Key {
     Before,
     Left,
     Done,
@@ -73,6 +92,9 @@ enum Key {
     Tool,
     Obstacle,
     SkimEdge,
+    LeftNow,
+    DoneNow,
+    Trail,
 }
 
 impl Key {
@@ -80,7 +102,7 @@ impl Key {
         match (self, goal) {
             (Self::Before, GoalState::Absorbed) => "particle before (empty: taken up)",
             (Self::Before, _) => "particle before",
-            (Self::Left, GoalState::Absorbed) => "still there after",
+            (Self::Left, GoalState::Absorbed) => "after, still there",
             (Self::Left, GoalState::Collected { .. }) => "after, outside the goal",
             (Self::Left, GoalState::Skimmed) => "after, still on the surface",
             (Self::Done, GoalState::Skimmed) => "after, pushed over the allowed edge",
@@ -97,6 +119,11 @@ impl Key {
             (Self::Tool, _) => "tool, to scale",
             (Self::Obstacle, _) => "obstacle",
             (Self::SkimEdge, _) => "edge to push over",
+            (Self::LeftNow, GoalState::Collected { .. }) => "outside the goal",
+            (Self::LeftNow, _) => "on the surface",
+            (Self::DoneNow, GoalState::Skimmed) => "over the allowed edge",
+            (Self::DoneNow, _) => "at the goal",
+            (Self::Trail, _) => "wiped so far",
         }
     }
 
@@ -105,8 +132,8 @@ impl Key {
         html! {
             @match self {
                 Self::Before => circle class="before" cx="12" cy="0" r="3.6" {},
-                Self::Left => path class="dots-left" stroke-width="7" d="M12 0h0" {},
-                Self::Done => path class="dots-done" stroke-width="7" d="M12 0h0" {},
+                Self::Left | Self::LeftNow => path class="dots-left" stroke-width="7" d="M12 0h0" {},
+                Self::Done | Self::DoneNow => path class="dots-done" stroke-width="7" d="M12 0h0" {},
                 Self::Lost => path class="mark-lost" d="M8.5-3.5l7 7m0-7l-7 7" {},
                 Self::Unreachable => {
                     circle class="before" cx="12" cy="0" r="3.6" {}
@@ -124,6 +151,7 @@ impl Key {
                     circle class="node" cx="12" cy="0" r="8" {}
                     text class="number" font-size="10" x="12" y="3.7" { "1" }
                 },
+                Self::Trail => path class="trail" d="M0 0h24" {},
                 Self::Lifted => path class="lifted" d="M0 0h24" {},
                 Self::Tool => rect class="tool" x="4" y="-6" width="16" height="12" {},
                 Self::Obstacle => rect class="obstacle" x="4" y="-6" width="16" height="12" {},
@@ -131,6 +159,21 @@ impl Key {
                     path class="skim-edge" d="M0 0h24" {}
                     path class="skim-core" d="M0 0h24" {}
                 },
+            }
+        }
+    }
+}
+
+/// A legend as a list of the page.
+pub(super) fn legend_list(drawing: &Drawing, keys: &[Key]) -> Markup {
+    let goal = &drawing.input.plan.graph.goal;
+    html! {
+        ul class="legend" {
+            @for key in keys {
+                li {
+                    svg viewBox="0 -9 24 18" width="24" height="18" aria-hidden="true" { (key.sample()) }
+                    (key.label(goal))
+                }
             }
         }
     }
@@ -166,9 +209,9 @@ fn legend(drawing: &Drawing, keys: &[Key], left: f64, top: f64, width: f64) -> (
 fn text_width(text: &str) -> f64 {
     text.chars()
         .map(|c| match c {
-            'i' | 'j' | 'l' | 't' | 'f' | 'r' | ' ' | ',' | '.' | '\'' => 4.0,
-            'm' | 'w' => 9.8,
-            _ => 7.0,
+            'i' | 'j' | 'l' | 't' | 'f' | 'r' | ' ' | ',' | '.' | '\'' => 4.4,
+            'm' | 'w' => 10.4,
+            _ => 7.2,
         })
         .sum()
 }
@@ -182,16 +225,23 @@ fn keys(drawing: &Drawing, wanted: &[Key]) -> Vec<Key> {
         .iter()
         .copied()
         .filter(|key| match key {
-            Key::Before | Key::Left => performance.initial > 0,
-            Key::Done => plan.graph.goal != GoalState::Absorbed && performance.initial > 0,
+            Key::Before | Key::Left | Key::LeftNow => performance.initial > 0,
+            Key::Done | Key::DoneNow => {
+                plan.graph.goal != GoalState::Absorbed && performance.initial > 0
+            }
             Key::Lost => performance.lost > 0,
             Key::Unreachable => drawing.has_unreachable(),
-            Key::Node | Key::Tool => true,
+            Key::Tool => true,
+            Key::Node => !plan.graph.nodes.is_empty(),
             Key::NodeCut => !plan.graph.unreachable.is_empty(),
-            Key::Goal => plan.graph.goal != GoalState::Absorbed,
+            Key::Goal => {
+                let is_goal = |node: &Node| node.role == NodeRole::Goal;
+                plan.graph.nodes.iter().any(is_goal)
+            }
             Key::GoalArea => matches!(plan.graph.goal, GoalState::Collected { .. }),
             Key::Edge => !plan.graph.edges.is_empty(),
-            Key::Start => !plan.strokes.is_empty(),
+            Key::Start => !plan.strokes.is_empty() && numbers_fit(drawing),
+            Key::Trail => !plan.strokes.is_empty(),
             Key::Lifted => lifted,
             Key::Obstacle => drawing.has_obstacles(),
             Key::SkimEdge => plan.graph.goal == GoalState::Skimmed,
@@ -263,6 +313,7 @@ pub(super) fn graph(drawing: &Drawing) -> String {
             (drawing.order(view))
         }
     })
+    .with_legend(drawing, MARGIN)
     .standalone(drawing, "Planned strokes, seen from above")
 }
 
@@ -274,6 +325,7 @@ pub(super) fn density_panel(drawing: &Drawing) -> Panel {
         &view,
         &[
             Key::Before,
+            Key::Unreachable,
             Key::Node,
             Key::NodeCut,
             Key::Goal,
@@ -281,14 +333,14 @@ pub(super) fn density_panel(drawing: &Drawing) -> Panel {
         ],
         |view| {
             html! {
-                path class="outline" d=(view.rings(drawing.input.task.surface.outline.rings())) {}
                 (drawing.density(view))
+                path class="outline" d=(view.rings(drawing.input.task.surface.outline.rings())) {}
                 g class="on-density" { (drawing.before(view)) }
                 (drawing.nodes(view))
             }
         },
     );
-    let (top, cell) = (panel.height, 34.0);
+    let (top, cell) = (panel.height + 6.0, 34.0);
     panel.body = html! {
         (panel.body)
         g transform=(format!("translate({} {})", px(MARGIN), px(top))) {
@@ -302,36 +354,36 @@ pub(super) fn density_panel(drawing: &Drawing) -> Panel {
             }
         }
     };
-    panel.height += 38.0;
+    panel.height += 44.0;
     panel
 }
 
 pub(super) fn density(drawing: &Drawing) -> String {
     let bandwidth = metres(drawing.bandwidth(), 3);
-    density_panel(drawing).standalone(
-        drawing,
-        &format!("Density of the particles (kernel bandwidth {bandwidth} m) and the nodes"),
-    )
+    density_panel(drawing)
+        .with_legend(drawing, MARGIN)
+        .standalone(
+            drawing,
+            &format!("Density of the particles (kernel bandwidth {bandwidth} m) and the nodes"),
+        )
 }
 
-/// Axes, scale bar and legend round what `layers` draws, which is cut off at the view's border.
+/// Axes and scale bar round what `layers` draws, which is cut off at the view's border.
 fn framed(
     drawing: &Drawing,
     view: &View,
     wanted: &[Key],
     layers: impl FnOnce(&View) -> Markup,
 ) -> Panel {
-    let keys = keys(drawing, wanted);
-    let (legend, legend_height) = legend(drawing, &keys, MARGIN, view.bottom(), WIDTH - MARGIN);
     Panel {
         width: WIDTH,
-        height: view.bottom() + legend_height,
+        height: view.bottom(),
         body: html! {
             (inset(view, html! { (layers(view)) (drawing.obstacles(view)) }))
             (view.axes())
             (view.scale_bar())
-            (legend)
         },
+        keys: keys(drawing, wanted),
     }
 }
 
@@ -373,13 +425,6 @@ pub(super) fn before_after(drawing: &Drawing) -> String {
         .chain([Key::Goal, Key::GoalArea, Key::SkimEdge, Key::Obstacle])
         .filter(|&key| key != Key::Goal)
         .collect();
-    let (legend, legend_height) = legend(
-        drawing,
-        &keys(drawing, &wanted),
-        GAP,
-        bottom,
-        WIDE - 2.0 * GAP,
-    );
     let performance = drawing.input.prediction.performance;
     let frame = |view: &View, title: &str, particles: Markup| {
         html! {
@@ -396,14 +441,15 @@ pub(super) fn before_after(drawing: &Drawing) -> String {
             first.width() + 2.0 * GAP
         }
         .max(640.0),
-        height: bottom + legend_height,
+        height: bottom,
         body: html! {
             (frame(&first, "before", drawing.before(&first)))
             (frame(&second, &format!("after: {} {}", percent(performance.ratio()), drawing.achieved()),
                 drawing.particles(&second, &drawing.after, drawing.dot_radius(&second, drawing.after.len()))))
-            (legend)
         },
+        keys: keys(drawing, &wanted),
     }
+    .with_legend(drawing, GAP)
     .standalone(drawing, "Particles before and after, as predicted")
 }
 
@@ -424,6 +470,19 @@ pub(super) fn snapshots<'a>(drawing: &Drawing<'a>) -> Vec<&'a Frame> {
     chosen.dedup();
     chosen.truncate(SNAPSHOTS + 1);
     chosen.iter().map(|&i| &frames[i]).collect()
+}
+
+/// What is seen in a moment of the effect over time.
+pub(super) fn moment_keys(drawing: &Drawing) -> Vec<Key> {
+    let wanted = [
+        Key::LeftNow,
+        Key::DoneNow,
+        Key::Lost,
+        Key::Tool,
+        Key::Trail,
+        Key::Obstacle,
+    ];
+    keys(drawing, &wanted)
 }
 
 /// One moment, small.
@@ -457,6 +516,7 @@ pub(super) fn snapshot(drawing: &Drawing, frame: &Frame, width: f64) -> Panel {
             (inset(&view, body))
             rect class="rule" x="0.5" y="0.5" width=(px(view.width() - 1.0)) height=(px(view.height() - 1.0)) {}
         },
+        keys: Vec::new(),
     }
 }
 
@@ -493,10 +553,7 @@ pub(super) fn effect_over_time(drawing: &Drawing) -> String {
     let chart = chart::performance(drawing, WIDE);
     let (legend, legend_height) = legend(
         drawing,
-        &keys(
-            drawing,
-            &[Key::Left, Key::Done, Key::Lost, Key::Tool, Key::Obstacle],
-        ),
+        &moment_keys(drawing),
         GAP,
         row + 28.0,
         WIDE - 2.0 * GAP,
@@ -515,6 +572,7 @@ pub(super) fn effect_over_time(drawing: &Drawing) -> String {
             (legend)
             g transform=(format!("translate(0 {})", px(chart_top))) { (chart.body) }
         },
+        keys: Vec::new(),
     }
     .standalone(drawing, "Effect over the distance wiped, as predicted")
 }

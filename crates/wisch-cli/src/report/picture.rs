@@ -219,7 +219,7 @@ impl<'a> Drawing<'a> {
             arrows.close();
         }
         html! {
-            path class="edge" d=(lines.path()) {}
+            path class="edge" style=[self.thin(view, "stroke-width:1")] d=(lines.path()) {}
             path class="arrow" d=(arrows.path()) {}
         }
     }
@@ -251,6 +251,11 @@ impl<'a> Drawing<'a> {
         self.input.plan.collision_radius * view.scale >= 22.0
     }
 
+    /// A lighter hand where the tool is small beside the surface and lines lie close.
+    fn thin(&self, view: &View, style: &'static str) -> Option<&'static str> {
+        (!self.numbers_fit(view)).then_some(style)
+    }
+
     /// Lifted moves, and the number of each stroke where it begins.
     pub(super) fn order(&self, view: &View) -> Markup {
         let plan = self.input.plan;
@@ -264,7 +269,7 @@ impl<'a> Drawing<'a> {
         }
         let radius = 2.0 * self.node_radius(view);
         html! {
-            path class="lifted" d=(lifted.path()) {}
+            path class="lifted" style=[self.thin(view, "stroke-width:.6;stroke-opacity:.7")] d=(lifted.path()) {}
             @if self.numbers_fit(view) {
                 @for (i, stroke) in plan.strokes.iter().enumerate() {
                     @if let Some(first) = stroke.poses.first() {

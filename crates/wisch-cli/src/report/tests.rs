@@ -159,6 +159,21 @@ fn requests(text: &str) -> Vec<&str> {
 }
 
 #[test]
+fn a_request_would_be_seen() {
+    for bad in [
+        r#"<script src="x.js">"#,
+        "@import 'x.css'",
+        "fetch('https://example.org')",
+    ] {
+        assert_ne!(requests(bad), [""; 0], "{bad}");
+    }
+    assert_eq!(
+        requests(r#"<svg xmlns="http://www.w3.org/2000/svg">"#),
+        [""; 0]
+    );
+}
+
+#[test]
 fn every_kind_of_run_has_a_page_and_pictures_that_decode_to_their_size() {
     let runs = [
         (
@@ -311,6 +326,27 @@ fn frames_begin_before_the_first_stroke_and_end_with_the_prediction() {
                 .eq(run.prediction.particles.iter())
         );
     }
+}
+
+#[test]
+fn of_many_motions_eighty_moments_are_kept_the_last_among_them() {
+    let large = task(Action::Collect, Vector2::new(2.0, 1.5), Vec::new(), 300);
+    let run = Run::of(large, CoverageStrategy::Grid);
+    let frames = run.frames.all();
+    assert!(
+        run.plan
+            .strokes
+            .iter()
+            .map(|s| s.motions().count())
+            .sum::<usize>()
+            > 2 * MAX_FRAMES
+    );
+    assert_eq!(frames.len(), MAX_FRAMES);
+    assert_eq!(
+        frames[MAX_FRAMES - 1].performance,
+        run.prediction.performance
+    );
+    write("large", &run.input());
 }
 
 #[test]

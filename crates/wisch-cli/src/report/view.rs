@@ -198,6 +198,8 @@ impl Pen {
     }
 
     pub(super) fn ring(&mut self, (x, y): (f64, f64), radius: f64) {
+        // Rounded first: arcs over a chord that is not quite their diameter make no circle.
+        let radius = (radius * 10.0).round() / 10.0;
         let (r, d) = (px(radius), px(2.0 * radius));
         let _ = write!(
             self.0,

@@ -59,7 +59,7 @@ pub enum TaskError {
         found: String,
     },
     /// A number outside its limits.
-    #[error("{at}: {key} = {value} is outside its limits: at least {min} and at most {max}")]
+    #[error("{at}: {key} = {value} is outside its limits: {limits}")]
     OutOfRange {
         /// Where.
         at: Place,
@@ -67,10 +67,8 @@ pub enum TaskError {
         key: String,
         /// The value as given.
         value: String,
-        /// The least it may be.
-        min: String,
-        /// The greatest it may be.
-        max: String,
+        /// What it may be.
+        limits: String,
     },
     /// Values that contradict each other or themselves.
     #[error("{at}: {}{problem}", in_table(key))]

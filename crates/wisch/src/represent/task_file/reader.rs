@@ -122,13 +122,17 @@ impl<'a> Field<'a> {
         }
     }
 
-    fn out_of_range(&self, value: String, min: &impl ToString, max: &impl ToString) -> TaskError {
+    fn out_of_range(
+        &self,
+        value: String,
+        min: &impl std::fmt::Display,
+        max: &impl std::fmt::Display,
+    ) -> TaskError {
         TaskError::OutOfRange {
             at: self.place(),
             key: self.path.clone(),
             value,
-            min: min.to_string(),
-            max: max.to_string(),
+            limits: format!("at least {min} and at most {max}"),
         }
     }
 
