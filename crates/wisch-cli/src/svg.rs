@@ -123,11 +123,24 @@ fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use wisch::geometry::{Mesh, Polygon, Region, Vector2, Vector3};
 
     #[test]
     fn scale_bars_are_round() {
         assert_eq!(round_length(7.3), 5.0);
         assert_eq!(round_length(49.0), 20.0);
         assert_eq!(round_length(10.0), 10.0);
+    }
+
+    #[test]
+    fn the_drawing_is_a_picture_whatever_the_tool_is_called() {
+        let size = Vector2::new(0.07, 0.11);
+        let tool = Tool {
+            name: "<sponge> & \"co\"".to_owned(),
+            mesh: Mesh::cuboid(Vector3::new(size.x, size.y, 0.05)).unwrap(),
+            footprint: Region::new(vec![Polygon::rectangle(size)]),
+            area_of_effect: size,
+        };
+        crate::report::rasterize(&footprint_drawing(&tool), 1.0).unwrap();
     }
 }

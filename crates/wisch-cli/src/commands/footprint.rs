@@ -22,13 +22,13 @@ struct Touch {
 
 /// Cuts the footprint, and tells its measures.
 pub fn footprint(args: &FootprintArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    if let Some(path) = args.svg.as_deref() {
-        if path.extension().is_none_or(|ending| ending != "svg") {
-            return Err(Failure::new(format!(
-                "--svg {}: the name does not end in .svg",
-                path.display()
-            )));
-        }
+    if let Some(path) = args.svg.as_deref()
+        && path.extension().is_none_or(|ending| ending != "svg")
+    {
+        return Err(Failure::new(format!(
+            "--svg {}: the name does not end in .svg",
+            path.display()
+        )));
     }
     let touch = match MeshFormat::from_file_name(&args.tool) {
         Some(format) => of_file(&args.tool, format, args.compression_depth_m)?,

@@ -13,9 +13,9 @@ mod png;
 mod tests;
 mod view;
 
-pub use frames::{Frames, MAX_DRAWN, MAX_FRAMES};
+pub use frames::Frames;
 pub use page::page;
-pub use png::{PictureError, rasterize};
+pub use png::rasterize;
 
 use picture::Drawing;
 use wisch::plan::{Plan, Prediction};

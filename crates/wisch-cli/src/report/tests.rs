@@ -1,9 +1,13 @@
+use super::frames::{MAX_DRAWN, MAX_FRAMES};
+use super::png::PictureError;
 use super::*;
 use resvg::{tiny_skia, usvg};
 use std::path::PathBuf;
 use wisch::geometry::{Mesh, Point2, Polygon, Pose, Region, Vector2, Vector3};
 use wisch::plan::{CoverageStrategy, FreeSpace, PlanConfig, plan, predict};
-use wisch::represent::{Action, ParticleDistribution, SceneObject, Surface, Tool};
+use wisch::represent::{
+    Action, Interaction, KnowledgeBase, ParticleDistribution, SceneObject, Surface, Tool,
+};
 
 /// Set to a folder, the reports of these tests are kept there to be looked at.
 const KEEP: &str = "WISCH_KEEP_REPORTS";
@@ -60,6 +64,25 @@ impl Run {
     }
 }
 
+/// What is known of a sponge on crumbs.
+fn interaction() -> Interaction {
+    let knowledge = concat!(env!("CARGO_MANIFEST_DIR"), "/../../knowledge/");
+    let texts = [
+        "tools.toml",
+        "media.toml",
+        "surfaces.toml",
+        "interactions.toml",
+    ]
+    .map(|name| {
+        let text = std::fs::read_to_string(format!("{knowledge}{name}")).expect("a file");
+        (name, text)
+    });
+    let texts = texts.each_ref().map(|(name, text)| (*name, text.as_str()));
+    let knowledge = KnowledgeBase::from_toml(&texts).expect("the shipped knowledge");
+    let known = knowledge.interaction("sponge", "breadcrumbs", "table");
+    known.expect("the sponge on the table").clone()
+}
+
 fn task(action: Action, size: Vector2, scene: Vec<SceneObject>, count: usize) -> Task {
     let mut task = Task {
         name: format!("{action} on a surface of {} × {} m", size.x, size.y),
@@ -73,10 +96,12 @@ fn task(action: Action, size: Vector2, scene: Vec<SceneObject>, count: usize) ->
         scene,
         tool: Tool {
             name: "sponge".into(),
+            mesh: Mesh::cuboid(Vector3::new(0.07, 0.11, 0.05)).expect("a box"),
             footprint: Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))]),
             area_of_effect: Vector2::new(0.07, 0.11),
         },
         medium: "breadcrumbs".into(),
+        interaction: interaction(),
         particles: ParticleDistribution::default(),
         collect_goal: Some(Point2::new(0.3 * size.x, -0.3 * size.y)),
         tool_start: Point2::new(0.0, -0.5 * size.y - 0.11),
