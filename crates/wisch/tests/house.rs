@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The stages in the order in which data walks through them.
-const STAGES: [&str; 3] = ["geometry", "represent", "plan"];
+const STAGES: [&str; 5] = ["geometry", "represent", "plan", "robot", "follow"];
 
 fn source() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
