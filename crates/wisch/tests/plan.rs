@@ -228,10 +228,11 @@ fn rrt_nodes_grow_by_at_most_the_radius() {
             .fold(f64::INFINITY, f64::min);
         assert!(nearest <= space.radius() + 1e-12);
     }
+    // A node covers cells of pitch r_s / 2 within r_s / √2: no free place is further than that and
+    // half a cell's diagonal.
+    let furthest = space.radius() * (0.5f64.sqrt() + 0.125f64.sqrt());
     for cell in grid(&space) {
-        let covered = nodes
-            .iter()
-            .any(|n| (n - cell).norm() <= space.radius() / 2.0f64.sqrt());
+        let covered = nodes.iter().any(|n| (n - cell).norm() <= furthest);
         assert!(covered, "cell {cell} is not covered");
     }
 }

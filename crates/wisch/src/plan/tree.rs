@@ -18,8 +18,8 @@ pub(super) struct Forest {
 ///
 /// The edges of a minimum spanning tree are the shortest that connect, so allowing edges longer than
 /// `max_length` only where the tree would fall apart is what it does by itself. An edge to a goal beyond
-/// the border counts only as far as it lies on the surface: particles are pushed no further, and by its
-/// full length hardly any tree would start from a goal of its own.
+/// the border counts less the r_s by which the goal lies outside: particles are pushed no further than
+/// the border, and by full lengths hardly any tree would start from a goal of its own.
 pub(super) fn forest(
     space: &FreeSpace,
     nodes: &[Point2],
@@ -29,12 +29,13 @@ pub(super) fn forest(
     let mut pairs: Vec<(f64, usize, usize)> = (0..nodes.len())
         .flat_map(|i| (i + 1..nodes.len()).map(move |j| (i, j)))
         .map(|(i, j)| {
-            let on_surface = if space.surface().outline.contains(nodes[i]) {
-                space.surface().length_on_surface(nodes[i], nodes[j])
+            let outside = |node: usize| !space.surface().outline.contains(nodes[node]);
+            let beyond = if outside(i) || outside(j) {
+                space.radius()
             } else {
-                space.surface().length_on_surface(nodes[j], nodes[i])
+                0.0
             };
-            (on_surface, i, j)
+            ((nodes[i] - nodes[j]).norm() - beyond, i, j)
         })
         .collect();
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));

@@ -20,21 +20,12 @@ impl Surface {
     ///
     /// A move that ends inside but crosses a notch on its way has left the surface all the same.
     pub fn exit_edge(&self, from: Point2, to: Point2) -> Option<usize> {
-        self.exit(from, to).map(|(_, index)| index)
-    }
-
-    /// Length of a straight move from `from` (on the surface) until it leaves the surface [m].
-    pub fn length_on_surface(&self, from: Point2, to: Point2) -> f64 {
-        (to - from).norm() * self.exit(from, to).map_or(1.0, |(share, _)| share)
-    }
-
-    /// Where a move first leaves the surface: share of its way, and the edge.
-    fn exit(&self, from: Point2, to: Point2) -> Option<(f64, usize)> {
         self.outline
             .edges()
             .enumerate()
             .filter_map(|(index, edge)| crossing(from, to, &edge).map(|share| (share, index)))
             .min_by(|a, b| a.0.total_cmp(&b.0))
+            .map(|(_, index)| index)
     }
 
     /// Whether edge `index` is one over which a skim may push.
