@@ -17,3 +17,8 @@
 pub mod geometry;
 pub mod plan;
 pub mod represent;
+
+/// The README's example runs.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

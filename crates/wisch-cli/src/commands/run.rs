@@ -160,7 +160,7 @@ fn write_report(
     frames: &Frames,
 ) -> Result<(), Failure> {
     let title = title(prepared);
-    let facts = facts(prepared);
+    let facts = facts(prepared, plan, prediction);
     let input = ReportInput {
         title: &title,
         task: &prepared.task,
@@ -187,15 +187,47 @@ fn title(prepared: &Prepared) -> String {
 }
 
 /// What the report says beside its numbers.
-fn facts(prepared: &Prepared) -> Vec<(String, String)> {
-    let mut facts = vec![
-        ("Strategy".to_owned(), prepared.strategy().to_string()),
-        ("Seed".to_owned(), prepared.config.seed.to_string()),
+fn facts(prepared: &Prepared, plan: &Plan, prediction: &Prediction) -> Vec<(String, String)> {
+    let tally = prediction.particles.tally();
+    let performance = &prediction.performance;
+    let mut facts: Vec<(String, String)> = [
+        ("Predicted performance", percent(performance.ratio())),
         (
-            "Target performance".to_owned(),
+            "Target performance",
             percent(prepared.file.target_performance()),
         ),
-    ];
+        ("Particles", tally.initial.to_string()),
+        ("Still on the surface", tally.remaining.to_string()),
+        ("Absorbed", tally.absorbed.to_string()),
+        ("Off the surface", tally.off_surface.to_string()),
+        ("Lost over a wrong edge", performance.lost.to_string()),
+        ("Out of reach", percent(plan.unreachable_share)),
+        (
+            "Distance in contact",
+            format!("{:.2} m", plan.contact_distance()),
+        ),
+        ("Distance in all", format!("{:.2} m", plan.total_distance())),
+        (
+            "Graph",
+            format!(
+                "{} nodes, {} edges",
+                plan.graph.nodes.len(),
+                plan.graph.edges.len()
+            ),
+        ),
+        ("Strokes", plan.strokes.len().to_string()),
+        (
+            "Collision sphere",
+            format!("r_s = {:.4} m", plan.collision_radius),
+        ),
+        ("Strategy", prepared.strategy().to_string()),
+        ("Seed", prepared.config.seed.to_string()),
+    ]
+    .map(|(label, value)| (label.to_owned(), value))
+    .to_vec();
+    if let Some(longest) = plan.graph.max_edge_length {
+        facts.push(("Longest edge allowed".to_owned(), format!("{longest:.3} m")));
+    }
     if let Some(derived) = &prepared.derived {
         facts.push(("Goal".to_owned(), derived.goal.clone()));
         facts.push(("Steps".to_owned(), derived.steps.join(" ")));
