@@ -168,7 +168,7 @@ pub struct RunArgs {
 /// Where the results go.
 #[derive(Debug, Args)]
 pub struct ResultArgs {
-    /// Folder for the results; one of an earlier run is replaced [default: out/<name of the task>]
+    /// Folder for the results; one of an earlier run is replaced [default: out/NAME-OF-THE-TASK]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: Option<PathBuf>,
     /// Print one JSON object in place of the summary
