@@ -2,8 +2,10 @@
 //!
 //! Prints `x,y,density` for every sample of the map; the milliseconds taken go to standard error.
 
+mod points;
+
 use std::time::Instant;
-use wisch::geometry::{Bounds2, Point2};
+use wisch::geometry::Bounds2;
 use wisch::plan::DensityMap;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -12,15 +14,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .collect::<Vec<_>>()
         .try_into()
         .map_err(|_| "usage: density POINTS.csv BANDWIDTH_M")?;
-    let mut points = Vec::new();
-    for row in csv::ReaderBuilder::new()
-        .has_headers(false)
-        .from_path(path)?
-        .deserialize()
-    {
-        let (x, y): (f64, f64) = row?;
-        points.push(Point2::new(x, y));
-    }
+    let points = points::read(&path)?;
     let bounds = Bounds2::of(points.iter().copied()).ok_or("no points")?;
     let begin = Instant::now();
     let map = DensityMap::new(&points, bounds, bandwidth.parse()?);

@@ -3,6 +3,8 @@
 //! The tool is a sponge of 0.07 × 0.11 m that starts at x = −0.2 on one square metre. Prints `x,y` of
 //! every particle afterwards; the median microseconds of a stroke go to standard error.
 
+mod points;
+
 use std::time::Instant;
 use wisch::geometry::{PlanarPose, Point2, Polygon, Pose, Region, Vector2};
 use wisch::represent::{
@@ -15,15 +17,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .next()
         .ok_or("usage: stroke POINTS.csv [REPEATS]")?;
     let repeats: usize = arguments.next().map_or(Ok(1), |text| text.parse())?;
-    let mut points = Vec::new();
-    for row in csv::ReaderBuilder::new()
-        .has_headers(false)
-        .from_path(path)?
-        .deserialize()
-    {
-        let (x, y): (f64, f64) = row?;
-        points.push(Point2::new(x, y));
-    }
+    let points = points::read(&path)?;
     let sponge = Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))]);
     let surface = Surface {
         name: "square".into(),

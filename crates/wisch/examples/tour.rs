@@ -2,8 +2,9 @@
 //!
 //! Prints the tour's length [m], the number of nodes and the milliseconds taken, comma-separated.
 
+mod points;
+
 use std::time::Instant;
-use wisch::geometry::Point2;
 use wisch::plan::{CostMatrix, TourConfig, shortest_tour};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -19,15 +20,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         config.seed = seed.parse()?;
     }
 
-    let mut points = Vec::new();
-    for row in csv::ReaderBuilder::new()
-        .has_headers(false)
-        .from_path(path)?
-        .deserialize()
-    {
-        let (x, y): (f64, f64) = row?;
-        points.push(Point2::new(x, y));
-    }
+    let points = points::read(&path)?;
     let begin = Instant::now();
     let costs = CostMatrix::euclidean(&points)?;
     let tour = shortest_tour(&costs, &config);

@@ -2,9 +2,7 @@
 
 use super::Plan;
 use crate::geometry::PlanarPose;
-use crate::represent::{
-    EffectModel, ParticleDistribution, ParticleField, Performance, Task, ToolMotion,
-};
+use crate::represent::{EffectModel, ParticleDistribution, ParticleField, Performance, Task};
 
 /// What a plan is expected to achieve.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,7 +36,7 @@ pub fn predict(task: &Task, plan: &Plan, mut watch: impl FnMut(&Progress)) -> Pr
     for (stroke, motions) in plan.strokes.iter().map(super::Stroke::motions).enumerate() {
         for motion in motions {
             model.apply(&mut field, &task.surface, &motion);
-            distance += length(&motion);
+            distance += motion.travel().1;
             watch(&Progress {
                 distance,
                 surface_from_tool: motion.to,
@@ -53,8 +51,4 @@ pub fn predict(task: &Task, plan: &Plan, mut watch: impl FnMut(&Progress)) -> Pr
         particles,
         performance,
     }
-}
-
-fn length(motion: &ToolMotion) -> f64 {
-    (motion.to.position - motion.from.position).norm()
 }

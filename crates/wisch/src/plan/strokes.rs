@@ -71,8 +71,6 @@ impl Stroke {
 
     /// Distance travelled in contact [m].
     pub fn length(&self) -> f64 {
-        self.motions()
-            .map(|motion| (motion.to.position - motion.from.position).norm())
-            .sum()
+        self.motions().map(|motion| motion.travel().1).sum()
     }
 }

@@ -1,6 +1,6 @@
 //! Where a line along the motion runs through a translating footprint.
 
-use super::effect::CLEARANCE;
+use super::motion::CLEARANCE;
 use crate::geometry::{Edge, Point2, Vector2};
 
 const MAX_BINS: usize = 256;

@@ -11,24 +11,10 @@
 
 use super::chords::ChordTable;
 use super::field::{ParticleField, Slot};
+use super::motion::ToolMotion;
 use super::turning::Turning;
 use super::{Effect, Fate, Surface};
-use crate::geometry::{Edge, PlanarPose, Point2, Region, Vector2};
-
-/// Distance kept between a carried particle and the footprint, so that rounding never puts it back
-/// under the tool [m].
-pub(super) const CLEARANCE: f64 = 1e-9;
-
-/// A motion of the tool in contact: position and heading change linearly from one pose to the other.
-///
-/// The turn is `to.heading - from.heading`, not wrapped: the caller chooses which way round.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ToolMotion {
-    /// Pose of the tool in the surface frame at the beginning.
-    pub from: PlanarPose,
-    /// Pose of the tool in the surface frame at the end.
-    pub to: PlanarPose,
-}
+use crate::geometry::{Edge, Point2, Region, Vector2};
 
 /// What one motion did.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -102,8 +88,7 @@ impl EffectModel {
         surface: &Surface,
         motion: &ToolMotion,
     ) -> MotionEffect {
-        let turn = motion.to.heading - motion.from.heading;
-        if turn.abs() * self.reach < CLEARANCE {
+        if motion.turn().abs() * self.reach < super::motion::CLEARANCE {
             self.translate(field, surface, motion)
         } else {
             self.turn(field, surface, motion)
@@ -116,13 +101,7 @@ impl EffectModel {
         surface: &Surface,
         motion: &ToolMotion,
     ) -> MotionEffect {
-        let travel: Vector2 = motion.to.position - motion.from.position;
-        let length = travel.norm();
-        let along = if length > 0.0 {
-            travel / length
-        } else {
-            Vector2::x()
-        };
+        let (along, length) = motion.travel();
         self.chords.fill(&self.edges, motion.from.heading, along);
         let Some((low, high)) = self.chords.extent() else {
             return MotionEffect::default();
@@ -165,13 +144,7 @@ impl EffectModel {
         surface: &Surface,
         motion: &ToolMotion,
     ) -> MotionEffect {
-        let travel: Vector2 = motion.to.position - motion.from.position;
-        let length = travel.norm();
-        let along = if length > 0.0 {
-            travel / length
-        } else {
-            Vector2::x()
-        };
+        let (along, length) = motion.travel();
         let center = nalgebra::center(&motion.from.position, &motion.to.position);
         let half = Vector2::new(length / 2.0 + self.reach, self.reach);
         field.collect_near(center, along, half, &mut self.near);

@@ -5,6 +5,7 @@ mod effect;
 mod field;
 mod knowledge;
 mod metrics;
+mod motion;
 mod particles;
 mod scene;
 mod section;
@@ -14,7 +15,7 @@ mod task;
 mod task_file;
 mod turning;
 
-pub use effect::{EffectModel, MotionEffect, ToolMotion};
+pub use effect::{EffectModel, MotionEffect};
 pub use field::ParticleField;
 pub use knowledge::{
     Action, AngleRange, AreaOfEffect, Effect, GrainSize, Interaction, KnowledgeBase,
@@ -22,6 +23,7 @@ pub use knowledge::{
     SurfaceScope, TiltFreedom, ToolEntry, UnknownName,
 };
 pub use metrics::{GoalState, Performance};
+pub use motion::ToolMotion;
 pub use particles::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError, ParticleTally};
 pub use scene::SceneObject;
 pub use section::{OccupiedArea, SURFACE_SKIN};

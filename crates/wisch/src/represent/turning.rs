@@ -6,7 +6,7 @@
 //! it slides: it follows the point of the edge that moves along itself, neither towards nor away from
 //! the particle. All of this is exact to about 1e-9 m whatever the turn.
 
-use super::effect::{CLEARANCE, ToolMotion};
+use super::motion::{CLEARANCE, ToolMotion};
 use crate::geometry::{Edge, Point2, Vector2};
 
 /// Deviation from the chord below which the curve counts as straight [m].
@@ -72,7 +72,7 @@ impl<'a> Turning<'a> {
             edges,
             motion,
             travel: motion.to.position - motion.from.position,
-            turn: motion.to.heading - motion.from.heading,
+            turn: motion.turn(),
         }
     }
 
