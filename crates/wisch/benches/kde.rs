@@ -41,6 +41,7 @@ fn peaks(bencher: Bencher, count: usize) {
     let space = FreeSpace::new(&surface, [], RADIUS).unwrap();
     let config = KdeConfig {
         bandwidth: Some(BANDWIDTH),
+        reach: 0.035,
     };
     bencher.bench(|| kde(&space, black_box(&points), &config));
 }

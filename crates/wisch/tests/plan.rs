@@ -249,6 +249,7 @@ fn kde_puts_its_first_node_on_the_heap_and_keeps_clearance() {
         &points,
         &KdeConfig {
             bandwidth: Some(0.03),
+            reach: 0.035,
         },
     );
     assert_eq!(nodes.len(), 2);

@@ -157,6 +157,7 @@ pub fn plan(task: &Task, config: &PlanConfig) -> Result<Plan, PlanError> {
             &particles,
             &KdeConfig {
                 bandwidth: config.bandwidth,
+                reach: task.tool.reach(),
             },
         ),
     };

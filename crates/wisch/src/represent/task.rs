@@ -22,6 +22,14 @@ impl Tool {
         self.area_of_effect.norm() / 2.0
     }
 
+    /// Distance from the tool centre point within which a particle counts as reached [m].
+    ///
+    /// The radius of the largest circle in the area of effect, so that the tool covers the particle
+    /// whichever way it is turned; half of r_s for a tool as narrow as a blade.
+    pub fn reach(&self) -> f64 {
+        (self.area_of_effect.min() / 2.0).max(self.collision_radius() / 2.0)
+    }
+
     /// Whether half a turn about the tool centre point maps the footprint onto itself.
     pub fn is_half_turn_symmetric(&self) -> bool {
         let corners: Vec<Point2> = self.footprint.edges().map(|edge| edge.start).collect();

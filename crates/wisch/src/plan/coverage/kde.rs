@@ -11,10 +11,12 @@ const CUT_OFF: f64 = 4.0;
 const MAX_SAMPLES: usize = 4_000_000;
 
 /// How peaks are chosen.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KdeConfig {
     /// Bandwidth h [m]; `None` takes it from the data, see [`data_bandwidth`].
     pub bandwidth: Option<f64>,
+    /// Distance within which a node reaches a particle [m].
+    pub reach: f64,
 }
 
 /// Scott's rule for the kernel of (2): h = √2 σ N^(−1/6), at most r_s [m].
@@ -165,9 +167,9 @@ fn cubic_shares(offset: f64) -> [f64; 4] {
 
 /// Peaks of the particle density, highest first.
 ///
-/// Each peak keeps the clearance d_s = 2 r_s from the nodes before it, until every particle is within
-/// reach (r_s) of a node. Where no free place is left at that clearance and particles are still out of
-/// reach, further peaks keep r_s.
+/// Each peak keeps the clearance d_s = 2 r_s from the nodes before it and brings at least one particle
+/// into reach, until every particle is within reach of a node. Where no such place is left at that
+/// clearance and particles are still out of reach, further peaks keep r_s.
 pub fn kde(space: &FreeSpace, particles: &[Point2], config: &KdeConfig) -> Vec<Point2> {
     let Some(bounds) = Bounds2::of(space.surface().outline.outer().iter().copied()) else {
         return Vec::new();
@@ -194,9 +196,12 @@ pub fn kde(space: &FreeSpace, particles: &[Point2], config: &KdeConfig) -> Vec<P
             if out_of_reach.is_empty() {
                 return nodes;
             }
-            if nodes.iter().all(|node| (node - place).norm() >= clearance) {
+            let reached = |p: &Point2| (p - place).norm() <= config.reach;
+            if nodes.iter().all(|node| (node - place).norm() >= clearance)
+                && out_of_reach.iter().any(reached)
+            {
                 nodes.push(place);
-                out_of_reach.retain(|p| (p - place).norm() > radius);
+                out_of_reach.retain(|p| !reached(p));
             }
         }
     }
