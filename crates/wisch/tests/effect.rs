@@ -203,6 +203,30 @@ fn the_effect_does_not_depend_on_the_order_of_the_particles() {
     }
 }
 
+#[test]
+fn the_number_of_threads_changes_nothing() {
+    let points: Vec<Point2> = (0..20_000)
+        .map(|i| {
+            let a = f64::from(i) * 2.399_963;
+            Point2::new(a.cos(), a.sin()) * (0.3 * (f64::from(i) / 20_000.0).sqrt())
+        })
+        .collect();
+    let motions = [ToolMotion {
+        from: pose(-0.2, 0.0, 0.0),
+        to: pose(0.2, 0.05, 1.5),
+    }];
+    let on = |threads: usize| {
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap()
+            .install(|| wiped(&sponge(), Effect::Push, &points, &motions))
+    };
+    let one = on(1);
+    assert_ne!(one.position(0), points[0]);
+    assert_eq!(one, on(3));
+}
+
 fn any_motion() -> impl Strategy<Value = ToolMotion> {
     (
         -0.2..0.2f64,

@@ -11,10 +11,14 @@
 
 use super::chords::ChordTable;
 use super::field::{ParticleField, Slot};
-use super::motion::ToolMotion;
+use super::motion::{CLEARANCE, ToolMotion};
 use super::turning::Turning;
 use super::{Effect, Fate, Surface};
 use crate::geometry::{Edge, Point2, Region, Vector2};
+use rayon::prelude::*;
+
+/// From this many particles near a turning tool on, they are followed on all threads.
+const PARALLEL_FROM: usize = 1024;
 
 /// What one motion did.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -62,6 +66,15 @@ pub struct EffectModel {
     reach: f64,
     chords: ChordTable,
     near: Vec<Slot>,
+    outcomes: Vec<Option<Outcome>>,
+}
+
+/// What a motion does to one particle that it touches.
+#[derive(Debug, Clone, Copy)]
+enum Outcome {
+    Absorbed,
+    Pushed { to: Point2 },
+    OffSurface { at: Point2, edge: u16 },
 }
 
 impl EffectModel {
@@ -78,6 +91,7 @@ impl EffectModel {
             edges,
             reach,
             near: Vec::new(),
+            outcomes: Vec::new(),
         }
     }
 
@@ -88,7 +102,7 @@ impl EffectModel {
         surface: &Surface,
         motion: &ToolMotion,
     ) -> MotionEffect {
-        if motion.turn().abs() * self.reach < super::motion::CLEARANCE {
+        if motion.turn().abs() * self.reach < CLEARANCE {
             self.translate(field, surface, motion)
         } else {
             self.turn(field, surface, motion)
@@ -122,14 +136,13 @@ impl EffectModel {
             match self.kind {
                 Effect::Absorb => {
                     if chords.covers(ahead, length) {
-                        field.remove(slot, position, Fate::Absorbed);
-                        effect.absorbed += 1;
+                        effect.settle(field, slot, Outcome::Absorbed);
                     }
                 }
                 Effect::Push if length > 0.0 => {
                     if let Some(carried) = chords.carried(ahead, length) {
                         let to = position + along * (carried - ahead);
-                        settle(field, surface, slot, &[position, to], &mut effect);
+                        effect.settle(field, slot, landing(surface, &[position, to]));
                     }
                 }
                 Effect::Push => {}
@@ -150,53 +163,70 @@ impl EffectModel {
         field.collect_near(center, along, half, &mut self.near);
 
         let turning = Turning::new(&self.edges, motion);
-        let mut effect = MotionEffect::default();
-        for &slot in &self.near {
-            let position = field.position(slot);
-            let corridor = Edge {
-                start: motion.from.position,
-                end: motion.to.position,
-            };
+        let corridor = Edge {
+            start: motion.from.position,
+            end: motion.to.position,
+        };
+        let outcome = |position: Point2| {
             if corridor.distance(position) > self.reach {
-                continue;
+                return None;
             }
             match self.kind {
-                Effect::Absorb => {
-                    if turning.touches(position) {
-                        field.remove(slot, position, Fate::Absorbed);
-                        effect.absorbed += 1;
-                    }
-                }
-                Effect::Push => {
-                    if let Some(way) = turning.ride(position) {
-                        settle(field, surface, slot, way.points(), &mut effect);
-                    }
-                }
+                Effect::Absorb => turning.touches(position).then_some(Outcome::Absorbed),
+                Effect::Push => turning
+                    .ride(position)
+                    .map(|way| landing(surface, way.points())),
+            }
+        };
+        // Each particle is computed alone, so the number of threads changes nothing.
+        if self.near.len() < PARALLEL_FROM {
+            self.outcomes.clear();
+            let positions = self.near.iter().map(|&slot| field.position(slot));
+            self.outcomes.extend(positions.map(outcome));
+        } else {
+            let positions = self.near.par_iter().map(|&slot| field.position(slot));
+            positions.map(outcome).collect_into_vec(&mut self.outcomes);
+        }
+        let mut effect = MotionEffect::default();
+        for (&slot, outcome) in self.near.iter().zip(&self.outcomes) {
+            if let Some(outcome) = *outcome {
+                effect.settle(field, slot, outcome);
             }
         }
         effect
     }
 }
 
-/// Moves a particle along a way of at least one point; the surface may end on that way.
-fn settle(
-    field: &mut ParticleField,
-    surface: &Surface,
-    slot: Slot,
-    way: &[Point2],
-    effect: &mut MotionEffect,
-) {
-    let Some(&end) = way.last() else { return };
-    for leg in way.windows(2) {
-        if let Some(edge) = surface.exit_edge(leg[0], leg[1]) {
-            let fate = Fate::OffSurface {
-                edge: u16::try_from(edge).unwrap_or(u16::MAX),
-            };
-            field.remove(slot, leg[1], fate);
-            effect.off_surface += 1;
-            return;
+impl MotionEffect {
+    /// Lets a particle meet its outcome, and counts it.
+    fn settle(&mut self, field: &mut ParticleField, slot: Slot, outcome: Outcome) {
+        match outcome {
+            Outcome::Absorbed => {
+                field.remove(slot, field.position(slot), Fate::Absorbed);
+                self.absorbed += 1;
+            }
+            Outcome::Pushed { to } => {
+                field.relocate(slot, to);
+                self.pushed += 1;
+            }
+            Outcome::OffSurface { at, edge } => {
+                field.remove(slot, at, Fate::OffSurface { edge });
+                self.off_surface += 1;
+            }
         }
     }
-    field.relocate(slot, end);
-    effect.pushed += 1;
+}
+
+/// Where a particle ends that is carried along a way; the surface may end before.
+fn landing(surface: &Surface, way: &[Point2]) -> Outcome {
+    let off = way.windows(2).find_map(|leg| {
+        let edge = surface.exit_edge(leg[0], leg[1])?;
+        Some(Outcome::OffSurface {
+            at: leg[1],
+            edge: u16::try_from(edge).unwrap_or(u16::MAX),
+        })
+    });
+    off.unwrap_or(Outcome::Pushed {
+        to: way.last().copied().unwrap_or_else(Point2::origin),
+    })
 }
