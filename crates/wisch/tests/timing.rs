@@ -216,6 +216,27 @@ proptest! {
     }
 
     #[test]
+    fn neither_tolerance_nor_grid_nor_uneven_limits_bring_faults(
+        rows in any_rows(),
+        magnitudes in prop::collection::vec((-2.0..2.0_f64, -2.0..3.0_f64), 13),
+        tolerance in -6.0..0.0_f64,
+        grid_intervals in 2..20_usize,
+    ) {
+        let path = JointPath::new(&rows).unwrap();
+        let magnitudes = &magnitudes[..path.joint_count()];
+        let rows: Vec<(f64, f64)> =
+            magnitudes.iter().map(|(v, a)| (10_f64.powf(*v), 10_f64.powf(*a))).collect();
+        let limits = limits(&rows);
+        let blend_tolerance = 10_f64.powf(tolerance);
+        let config = TimingConfig { blend_tolerance, grid_intervals };
+        let trajectory = time_path(&path, &limits, &config).unwrap();
+        prop_assert!(trajectory.duration().is_finite());
+        let samples: Vec<_> = trajectory.samples((trajectory.duration() / 3000.0).max(1e-6)).collect();
+        let check = CheckConfig { path_deviation: blend_tolerance, ..CheckConfig::default() };
+        prop_assert_eq!(trajectory_faults(&samples, &path, &limits, &check), vec![]);
+    }
+
+    #[test]
     fn limits_hold_at_and_around_every_switch(rows in any_rows()) {
         let path = JointPath::new(&rows).unwrap();
         let limits = robot(path.joint_count());
@@ -260,7 +281,7 @@ proptest! {
         let path = JointPath::new(&rows).unwrap();
         let limits = robot(path.joint_count());
         let coarse = timed(&path, &limits).duration();
-        let fine = TimingConfig { grid_intervals: 64, ..TimingConfig::default() };
+        let fine = TimingConfig { grid_intervals: 192, ..TimingConfig::default() };
         let fine = time_path(&path, &limits, &fine).unwrap().duration();
         prop_assert!((coarse - fine).abs() <= 0.01 * fine, "{coarse} against {fine}");
     }

@@ -38,11 +38,11 @@ pub struct TimingConfig {
 }
 
 impl Default for TimingConfig {
-    /// 2 mrad, which is 2 mm at the end of a 1 m arm; 8 intervals, within 1 % of far finer grids.
+    /// 2 mrad, which is 2 mm at the end of a 1 m arm; 24 intervals, within 1 % of far finer grids.
     fn default() -> Self {
         Self {
             blend_tolerance: 2e-3,
-            grid_intervals: 8,
+            grid_intervals: 24,
         }
     }
 }
