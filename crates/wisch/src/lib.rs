@@ -3,7 +3,7 @@
 //! The data walks one way, and every stage imports only the stages before it:
 //!
 //! ```text
-//! geometry → represent → plan
+//! geometry → represent → plan → follow
 //! ```
 //!
 //! Nothing here reads a clock, a file or the network. Files reach the library as bytes through
@@ -14,6 +14,7 @@
 //!
 //! Units are SI and radians; frames are named in the identifiers (`surface_from_tool`).
 
+pub mod follow;
 pub mod geometry;
 pub mod plan;
 pub mod represent;

@@ -1,0 +1,253 @@
+//! What is to be timed: waypoints and the limits of the joints.
+
+use super::{MAX_WAYPOINTS, TimingError};
+
+/// Waypoints in joint space, joined by straight segments; to be followed from rest to rest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JointPath {
+    joint_count: usize,
+    /// n × d, row-major [rad or m].
+    positions: Vec<f64>,
+    /// n − 1 shortest times [s].
+    segment_times: Vec<f64>,
+}
+
+impl JointPath {
+    /// A path through n waypoints of d joint positions each [rad or m].
+    ///
+    /// ```
+    /// use wisch::follow::JointPath;
+    /// let path = JointPath::new(&[[0.0, 0.2], [0.5, 0.1], [0.9, 0.0]])?;
+    /// assert_eq!((path.waypoint_count(), path.joint_count()), (3, 2));
+    /// assert_eq!(path.waypoint(1), [0.5, 0.1]);
+    /// # Ok::<(), wisch::follow::TimingError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// If there are fewer than 2 or more than [`MAX_WAYPOINTS`] waypoints, if they have unequal numbers
+    /// of joints or none, or if a position is not finite.
+    pub fn new(waypoints: &[impl AsRef<[f64]>]) -> Result<Self, TimingError> {
+        let count = waypoints.len();
+        if count < 2 {
+            return Err(TimingError::TooFewWaypoints { count });
+        }
+        if count > MAX_WAYPOINTS {
+            return Err(TimingError::TooManyWaypoints { count });
+        }
+        let joint_count = waypoints[0].as_ref().len();
+        if joint_count == 0 {
+            return Err(TimingError::NoJoints);
+        }
+        let mut positions = Vec::with_capacity(count * joint_count);
+        for (waypoint, row) in waypoints.iter().enumerate() {
+            let row = row.as_ref();
+            if row.len() != joint_count {
+                return Err(TimingError::UnequalWaypoints {
+                    waypoint,
+                    count: row.len(),
+                    expected: joint_count,
+                });
+            }
+            if let Some(joint) = row.iter().position(|q| !q.is_finite()) {
+                return Err(TimingError::PositionNotFinite {
+                    waypoint,
+                    joint,
+                    value: row[joint],
+                });
+            }
+            positions.extend_from_slice(row);
+        }
+        Ok(Self {
+            joint_count,
+            positions,
+            segment_times: vec![0.0; count - 1],
+        })
+    }
+
+    /// The same path, slowed down: along segment i the speed never exceeds that which would take
+    /// `times[i]` seconds for the whole segment; 0 leaves it to the joint limits.
+    ///
+    /// For a tool that is to wipe at a given speed this is the tool's way along the segment over that
+    /// speed. Round a corner the slower of both speeds holds.
+    ///
+    /// ```
+    /// use wisch::follow::{JointLimit, JointLimits, JointPath, TimingConfig, time_path};
+    /// let (tool_way_m, wiping_speed_m_per_s) = (0.3, 0.1);
+    /// let path = JointPath::new(&[[0.0], [0.5]])?
+    ///     .with_segment_times(vec![tool_way_m / wiping_speed_m_per_s])?;
+    /// let limits = JointLimits::new(vec![JointLimit::arm("elbow", -2.0, 2.0)])?;
+    /// assert!(time_path(&path, &limits, &TimingConfig::default())?.duration() > 3.0);
+    /// # Ok::<(), wisch::follow::TimingError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// If there is not one time per segment, or one is negative or not finite.
+    pub fn with_segment_times(mut self, times: Vec<f64>) -> Result<Self, TimingError> {
+        if times.len() != self.segment_times.len() {
+            return Err(TimingError::UnequalSegments {
+                times: times.len(),
+                segments: self.segment_times.len(),
+            });
+        }
+        if let Some(segment) = times.iter().position(|t| !(t.is_finite() && *t >= 0.0)) {
+            return Err(TimingError::SegmentTimeOutOfRange {
+                segment,
+                value: times[segment],
+            });
+        }
+        self.segment_times = times;
+        Ok(self)
+    }
+
+    /// Number of waypoints, at least 2.
+    pub fn waypoint_count(&self) -> usize {
+        self.segment_times.len() + 1
+    }
+
+    /// Number of joints, at least 1.
+    pub fn joint_count(&self) -> usize {
+        self.joint_count
+    }
+
+    /// Joint positions of a waypoint [rad or m].
+    ///
+    /// # Panics
+    ///
+    /// If the waypoint does not exist.
+    pub fn waypoint(&self, index: usize) -> &[f64] {
+        &self.positions[index * self.joint_count..][..self.joint_count]
+    }
+
+    /// The shortest time of each segment [s]; 0 where only the joints limit it.
+    pub fn segment_times(&self) -> &[f64] {
+        &self.segment_times
+    }
+}
+
+/// What one joint can do. A revolute joint's units are rad, rad/s, rad/s²; a prismatic one's m, m/s, m/s².
+#[derive(Debug, Clone, PartialEq)]
+pub struct JointLimit {
+    /// Name, for messages.
+    pub name: String,
+    /// Lower end of the range [rad or m]; −∞ for a joint that turns without end.
+    pub lower: f64,
+    /// Upper end of the range [rad or m]; ∞ for a joint that turns without end.
+    pub upper: f64,
+    /// Largest velocity, either way [rad/s or m/s].
+    pub velocity: f64,
+    /// Largest acceleration, either way [rad/s² or m/s²].
+    pub acceleration: f64,
+}
+
+impl JointLimit {
+    /// A revolute joint of the paper's robot (§3.4): 1 rad/s and 10 rad/s².
+    ///
+    /// ```
+    /// let elbow = wisch::follow::JointLimit::arm("elbow", -2.0, 2.0);
+    /// assert_eq!((elbow.velocity, elbow.acceleration), (1.0, 10.0));
+    /// ```
+    pub fn arm(name: &str, lower: f64, upper: f64) -> Self {
+        Self {
+            name: name.into(),
+            lower,
+            upper,
+            velocity: 1.0,
+            acceleration: 10.0,
+        }
+    }
+
+    /// A translation of the paper's mobile base (§3.4): 0.5 m/s and 1 m/s², without end.
+    ///
+    /// ```
+    /// let forward = wisch::follow::JointLimit::base("forward");
+    /// assert_eq!((forward.velocity, forward.acceleration), (0.5, 1.0));
+    /// ```
+    pub fn base(name: &str) -> Self {
+        Self {
+            name: name.into(),
+            lower: f64::NEG_INFINITY,
+            upper: f64::INFINITY,
+            velocity: 0.5,
+            acceleration: 1.0,
+        }
+    }
+}
+
+/// The limits of all joints, in the order of the path's columns.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JointLimits {
+    joints: Vec<JointLimit>,
+}
+
+impl JointLimits {
+    /// Limits of d joints.
+    ///
+    /// ```
+    /// use wisch::follow::{JointLimit, JointLimits};
+    /// let stuck = JointLimit { velocity: 0.0, ..JointLimit::arm("elbow", -2.0, 2.0) };
+    /// assert_eq!(
+    ///     JointLimits::new(vec![stuck]).unwrap_err().to_string(),
+    ///     "joint \"elbow\": velocity limit 0 is not a positive, finite number",
+    /// );
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// If a range is empty or a velocity or acceleration is not positive and finite.
+    pub fn new(joints: Vec<JointLimit>) -> Result<Self, TimingError> {
+        for joint in &joints {
+            let ends_are_numbers = !(joint.lower.is_nan() || joint.upper.is_nan());
+            if !ends_are_numbers || joint.lower > joint.upper {
+                return Err(TimingError::EmptyRange {
+                    joint: joint.name.clone(),
+                    lower: joint.lower,
+                    upper: joint.upper,
+                });
+            }
+            for (quantity, value) in [
+                ("velocity", joint.velocity),
+                ("acceleration", joint.acceleration),
+            ] {
+                if !(value.is_finite() && value > 0.0) {
+                    return Err(TimingError::LimitNotPositive {
+                        joint: joint.name.clone(),
+                        quantity,
+                        value,
+                    });
+                }
+            }
+        }
+        Ok(Self { joints })
+    }
+
+    /// The joints in order.
+    pub fn joints(&self) -> &[JointLimit] {
+        &self.joints
+    }
+
+    /// Whether a path keeps within the ranges.
+    pub(super) fn admit(&self, path: &JointPath) -> Result<(), TimingError> {
+        if self.joints.len() != path.joint_count() {
+            return Err(TimingError::UnequalJoints {
+                limits: self.joints.len(),
+                path: path.joint_count(),
+            });
+        }
+        for waypoint in 0..path.waypoint_count() {
+            for (joint, &value) in self.joints.iter().zip(path.waypoint(waypoint)) {
+                if value < joint.lower || value > joint.upper {
+                    return Err(TimingError::PositionOutOfRange {
+                        waypoint,
+                        joint: joint.name.clone(),
+                        value,
+                        lower: joint.lower,
+                        upper: joint.upper,
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+}
