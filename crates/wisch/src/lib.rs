@@ -7,7 +7,7 @@
 //! ```
 //!
 //! Nothing here reads a clock, a file or the network. Files reach the library as bytes through
-//! [`represent::Assets`]; randomness comes in as a seed.
+//! [`represent::ReadFile`]; randomness comes in as a seed.
 //!
 //! Method: Leidner, Bartels, Bejjani, Albu-Schäffer, Beetz, *Cognition-enabled robotic wiping*,
 //! Robotics and Autonomous Systems 114 (2019). `PAPER.md` maps its sections and equations to items.
