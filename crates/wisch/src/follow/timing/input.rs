@@ -69,7 +69,8 @@ impl JointPath {
     /// `times[i]` seconds for the whole segment; 0 leaves it to the joint limits.
     ///
     /// For a tool that is to wipe at a given speed this is the tool's way along the segment over that
-    /// speed. Round a corner the slower of both speeds holds.
+    /// speed. Round a corner the slower of both speeds holds. Where waypoints are passed over
+    /// ([`time_path`](super::time_path)), their segments' times add up.
     ///
     /// ```
     /// use wisch::follow::{JointLimit, JointLimits, JointPath, TimingConfig, time_path};
