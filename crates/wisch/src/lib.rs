@@ -17,3 +17,4 @@
 pub mod geometry;
 pub mod plan;
 pub mod represent;
+pub mod text;
