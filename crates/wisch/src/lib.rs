@@ -4,6 +4,7 @@
 //!
 //! ```text
 //! geometry → represent → plan
+//!     └────► robot
 //! ```
 //!
 //! Nothing here reads a clock, a file or the network. Files reach the library as bytes through
@@ -17,4 +18,5 @@
 pub mod geometry;
 pub mod plan;
 pub mod represent;
+pub mod robot;
 pub mod text;
