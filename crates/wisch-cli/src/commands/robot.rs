@@ -148,7 +148,7 @@ impl<'a> FindingRecord<'a> {
 
 fn mass(robot: &RobotModel) -> f64 {
     let bodies = robot.links().iter().filter_map(|link| link.body);
-    bodies.map(|body| body.mass).sum()
+    bodies.fold(0.0, |sum, body| sum + body.mass)
 }
 
 fn report(name: &str, robot: Option<&RobotModel>, findings: &[Finding]) -> String {

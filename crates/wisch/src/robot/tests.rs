@@ -447,6 +447,12 @@ fn deep_nesting_and_long_texts_are_survived() {
         "</a>".repeat(100_000)
     );
     assert!(check("deep.urdf", &closed, &mut no_meshes).is_err());
+    // The parser's time grows with the square of these: 15 s for 60,000.
+    let wide: String = (0..60_000).map(|i| format!(" a{i}='1'")).collect();
+    assert!(matches!(
+        check("wide.urdf", &format!("<robot{wide}/>"), &mut no_meshes),
+        Err(RobotError::TooLarge { .. })
+    ));
     let long = " ".repeat(MAX_URDF_BYTES + 1);
     assert!(matches!(
         check("long.urdf", &long, &mut no_meshes),

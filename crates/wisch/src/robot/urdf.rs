@@ -32,6 +32,10 @@ pub const MAX_LINKS: usize = 1000;
 pub const MAX_SHAPES: usize = 10_000;
 /// Most nodes (elements, texts, comments) of the XML; bounds the memory a small file can ask for.
 const MAX_NODES: u32 = 500_000;
+/// Most terms of all joints that follow others.
+const MAX_TERMS: usize = 10_000;
+/// Most attributes of one element: the parser compares each with every other.
+const MAX_ATTRIBUTES: usize = 5_000;
 /// Greatest number that is read, in any unit.
 const MAX_NUMBER: f64 = 1e9;
 
@@ -122,6 +126,11 @@ impl Urdf {
         if text.len() > MAX_URDF_BYTES {
             return Err(too_large("bytes", text.len(), MAX_URDF_BYTES));
         }
+        let attributes = most_attributes(text);
+        if attributes > MAX_ATTRIBUTES {
+            let what = "attributes of an element";
+            return Err(too_large(what, attributes, MAX_ATTRIBUTES));
+        }
         let options = ParsingOptions {
             nodes_limit: MAX_NODES,
             ..ParsingOptions::default()
@@ -170,6 +179,13 @@ impl Urdf {
             }
         }
         let shapes = urdf.links.iter().map(|link| link.shapes.len()).sum();
+        let terms = urdf.mimics.iter().map(|mimic| mimic.terms.len()).sum();
+        if terms > MAX_TERMS {
+            return Err(too_large("terms of mimics", terms, MAX_TERMS));
+        }
+        if urdf.mimics.len() > MAX_LINKS {
+            return Err(too_large("mimics", urdf.mimics.len(), MAX_LINKS));
+        }
         if shapes > MAX_SHAPES {
             return Err(too_large("collision shapes", shapes, MAX_SHAPES));
         }
@@ -178,6 +194,13 @@ impl Urdf {
         }
         Ok(urdf)
     }
+}
+
+/// The most attributes that any element can have, by the quotes between angle brackets.
+fn most_attributes(text: &str) -> usize {
+    let between = text.split(['<', '>']);
+    let quotes = between.map(|piece| piece.bytes().filter(|b| matches!(b, b'"' | b'\'')).count());
+    quotes.max().unwrap_or(0) / 2
 }
 
 fn elements<'a, 'i>(node: Node<'a, 'i>, name: &'static str) -> impl Iterator<Item = Node<'a, 'i>> {
