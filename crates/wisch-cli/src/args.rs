@@ -129,6 +129,37 @@ Examples:
   wisch check board.toml
   wisch check board.toml --strategy kde --set plan.bandwidth_m=0.04")]
     Check(CheckArgs),
+    /// Look at robots
+    #[command(subcommand, arg_required_else_help = true)]
+    Robot(RobotCommand),
+}
+
+/// What to do with a robot.
+#[derive(Debug, Subcommand)]
+pub enum RobotCommand {
+    /// Report what is missing or odd in a robot's URDF
+    #[command(after_help = "\
+Examples:
+  wisch robot check robots/humanoid.urdf
+  wisch robot check arm.urdf --package arm_description=../arm_description
+  wisch robot check arm.urdf --json | jq '.findings[] | select(.severity == \"warning\")'
+
+Exit codes: 0 fine (notes at most), 1 warnings that matter, 2 no robot can be made of it.")]
+    Check(RobotCheckArgs),
+}
+
+/// Arguments of `robot check`.
+#[derive(Debug, Args)]
+pub struct RobotCheckArgs {
+    /// The robot's URDF; xacro files are to be expanded first
+    #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub file: PathBuf,
+    /// Where the files of package://NAME are; may be given more than once
+    #[arg(long = "package", value_name = "NAME=DIR", value_parser = package)]
+    pub packages: Vec<(String, PathBuf)>,
+    /// Print one JSON object in place of the report
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Which task, and what to change about it.
@@ -243,6 +274,15 @@ fn setting(text: &str) -> Result<(String, String), String> {
         return Err("there is no key before \"=\"".to_owned());
     }
     Ok((key.trim().to_owned(), value.trim().to_owned()))
+}
+
+fn package(text: &str) -> Result<(String, PathBuf), String> {
+    match text.split_once('=') {
+        Some((name, folder)) if !name.trim().is_empty() && !folder.is_empty() => {
+            Ok((name.trim().to_owned(), PathBuf::from(folder)))
+        }
+        _ => Err("write the package's name, \"=\" and its folder".to_owned()),
+    }
 }
 
 #[cfg(test)]

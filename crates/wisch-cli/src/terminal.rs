@@ -12,7 +12,7 @@ use std::process::ExitCode;
 pub enum Outcome {
     /// It did what was asked, or the goal is met.
     Done,
-    /// It ran, but the goal is not met.
+    /// It ran, but the goal is not met, or a check has something to complain about.
     GoalNotMet,
 }
 

@@ -4,6 +4,7 @@
 //!
 //! ```text
 //! geometry → represent → plan → follow
+//!     └────► robot ───────────────┘
 //! ```
 //!
 //! Nothing here reads a clock, a file or the network. Files reach the library as bytes through
@@ -18,6 +19,8 @@ pub mod follow;
 pub mod geometry;
 pub mod plan;
 pub mod represent;
+pub mod robot;
+pub mod text;
 
 /// The README's example runs.
 #[cfg(doctest)]

@@ -4,10 +4,11 @@ mod check;
 mod footprint;
 mod new;
 mod prepare;
+mod robot;
 mod run;
 mod words;
 
-use crate::args::{Cli, Command};
+use crate::args::{Cli, Command, RobotCommand};
 use crate::failure::Failure;
 use crate::terminal::Outcome;
 
@@ -20,5 +21,6 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Footprint(args) => footprint::footprint(args, &cli.global),
         Command::New(args) => new::new(args, &cli.global),
         Command::Check(args) => check::check(args, &cli.global),
+        Command::Robot(RobotCommand::Check(args)) => robot::check_robot(args, &cli.global),
     }
 }

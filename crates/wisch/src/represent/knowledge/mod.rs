@@ -7,14 +7,13 @@ mod likelihood;
 mod record;
 #[cfg(test)]
 mod tests;
-mod text;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::str::FromStr;
 
+pub use crate::text::{Place, UnknownName};
 pub use likelihood::LogNormal;
-pub use text::{Place, UnknownName};
 
 use crate::geometry::Vector3;
 

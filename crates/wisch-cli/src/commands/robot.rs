@@ -1,0 +1,175 @@
+//! `wisch robot check`: what is missing or odd in a robot's URDF.
+
+use super::words::counted;
+use crate::args::{GlobalArgs, RobotCheckArgs};
+use crate::assets;
+use crate::failure::Failure;
+use crate::terminal::{Outcome, print};
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+use wisch::robot::{Finding, RobotModel, Severity, Subject, check};
+
+/// The schema of the object that `--json` prints.
+const SCHEMA: u32 = 1;
+
+/// The object that `--json` prints.
+#[derive(Debug, Serialize)]
+struct CheckRecord<'a> {
+    format: &'static str,
+    schema: u32,
+    file: String,
+    /// Null if no robot can be made of the file.
+    robot: Option<RobotRecord<'a>>,
+    errors: usize,
+    warnings: usize,
+    notes: usize,
+    findings: Vec<FindingRecord<'a>>,
+}
+
+#[derive(Debug, Serialize)]
+struct RobotRecord<'a> {
+    name: &'a str,
+    links: usize,
+    joints: usize,
+    /// Names of the joints that move by themselves, in order.
+    variables: Vec<&'a str>,
+    mass_kg: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct FindingRecord<'a> {
+    severity: &'static str,
+    fault: &'static str,
+    line: usize,
+    column: usize,
+    link: Option<&'a str>,
+    joint: Option<&'a str>,
+    value: &'a str,
+    limit: &'a str,
+    advice: &'a str,
+}
+
+/// Reads the URDF and reports on it.
+pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let text = assets::read_text(&args.file)?;
+    let name = args.file.display().to_string();
+    let mut meshes = meshes(&args.file, &args.packages);
+    let findings = check(&name, &text, &mut meshes).map_err(|error| {
+        Failure::new(error)
+            .with_help("xacro files are to be expanded first: xacro robot.xacro > robot.urdf")
+    })?;
+    let count = |severity| findings.iter().filter(|f| f.severity == severity).count();
+    let (errors, warnings) = (count(Severity::Error), count(Severity::Warning));
+    let robot = if errors == 0 {
+        let read = RobotModel::from_urdf(&name, &text, &mut meshes);
+        Some(read.map_err(Failure::new)?)
+    } else {
+        None
+    };
+    if args.json {
+        let record = CheckRecord {
+            format: "wisch-robot-check",
+            schema: SCHEMA,
+            file: name.clone(),
+            robot: robot.as_ref().map(RobotRecord::new),
+            errors,
+            warnings,
+            notes: count(Severity::Note),
+            findings: findings.iter().map(FindingRecord::new).collect(),
+        };
+        let line = serde_json::to_string(&record)
+            .map_err(|error| Failure::new(format!("the report is no JSON: {error}")))?;
+        print(&(line + "\n"))?;
+    } else if !global.quiet {
+        print(&report(&name, robot.as_ref(), &findings))?;
+    }
+    match (errors, warnings) {
+        (0, 0) => Ok(Outcome::Done),
+        (0, _) => Ok(Outcome::GoalNotMet),
+        _ => Err(Failure::new(format!(
+            "{name}: no robot can be made of it: {}",
+            counted(errors, "error")
+        ))),
+    }
+}
+
+/// Reads meshes: paths count from the URDF's folder, `package://name/` from the package's.
+fn meshes(
+    urdf: &Path,
+    packages: &[(String, PathBuf)],
+) -> impl FnMut(&str) -> Result<Vec<u8>, String> {
+    let mut beside = assets::beside(urdf);
+    move |path| {
+        let Some(in_package) = path.strip_prefix("package://") else {
+            return beside(path.strip_prefix("file://").unwrap_or(path));
+        };
+        let (name, rest) = in_package.split_once('/').unwrap_or((in_package, ""));
+        let known = packages.iter().find(|(known, _)| known == name);
+        let (_, folder) =
+            known.ok_or_else(|| format!("its package is not known; add --package {name}=DIR"))?;
+        assets::read(&folder.join(rest)).map_err(|failure| failure.to_string())
+    }
+}
+
+impl<'a> RobotRecord<'a> {
+    fn new(robot: &'a RobotModel) -> Self {
+        Self {
+            name: robot.name(),
+            links: robot.links().len(),
+            joints: robot.joints().len(),
+            variables: (0..robot.dof())
+                .map(|i| robot.variable(i).name.as_str())
+                .collect(),
+            mass_kg: mass(robot),
+        }
+    }
+}
+
+impl<'a> FindingRecord<'a> {
+    fn new(finding: &'a Finding) -> Self {
+        let (link, joint) = match &finding.subject {
+            Subject::Link(name) => (Some(name.as_str()), None),
+            Subject::Joint(name) => (None, Some(name.as_str())),
+            Subject::Robot => (None, None),
+        };
+        Self {
+            severity: finding.severity.as_str(),
+            fault: finding.fault.as_str(),
+            line: finding.at.line,
+            column: finding.at.column,
+            link,
+            joint,
+            value: &finding.value,
+            limit: &finding.limit,
+            advice: &finding.advice,
+        }
+    }
+}
+
+fn mass(robot: &RobotModel) -> f64 {
+    let bodies = robot.links().iter().filter_map(|link| link.body);
+    bodies.fold(0.0, |sum, body| sum + body.mass)
+}
+
+fn report(name: &str, robot: Option<&RobotModel>, findings: &[Finding]) -> String {
+    let mut text = match robot {
+        Some(robot) => format!(
+            "{}: {}, {}, {}, {:.1} kg\n",
+            robot.name(),
+            counted(robot.links().len(), "link"),
+            counted(robot.joints().len(), "joint"),
+            counted(robot.dof(), "variable"),
+            mass(robot)
+        ),
+        None => format!("{name}\n"),
+    };
+    for severity in [Severity::Error, Severity::Warning, Severity::Note] {
+        for finding in findings.iter().filter(|f| f.severity == severity) {
+            text += &format!("  {:<8} {finding}\n", severity.as_str());
+        }
+    }
+    if findings.is_empty() {
+        text += "  nothing is missing or odd\n";
+    }
+    text
+}

@@ -1,0 +1,37 @@
+//! The robot: links, joints and limits from a URDF, kinematics and dynamics. It knows nothing of wiping.
+//!
+//! A [`RobotModel`] is constant. What depends on where the joints are is a value that a function
+//! returns: [`RobotModel::forward_kinematics`] gives [`Kinematics`], which has the Jacobian;
+//! [`RobotModel::dynamics`] gives [`Dynamics`], which has the mass matrix. [`Chain`] is the same from
+//! one link to another without any allocation, for loops.
+//!
+//! A robot has as many variables as joints that move by themselves, n. Arrays of positions,
+//! velocities and efforts have n entries in the order of [`RobotModel::variables`]: along the tree,
+//! siblings in the order of the file. Joints that follow others (`<mimic>`, or a sum of several) are
+//! no variables. [m], [rad], [N], [Nm]; spatial quantities linear first; the world is the frame of
+//! the root link.
+
+mod chain;
+mod check;
+mod collision;
+mod dynamics;
+mod error;
+mod findings;
+mod kinematics;
+mod model;
+#[cfg(test)]
+mod tests;
+mod urdf;
+
+pub use chain::{Chain, ChainJacobian, ChainKinematics, MAX_CHAIN};
+pub use check::{MAX_DEPTH, check};
+pub use collision::{Collision, MAX_MESH_EXTENT, Shape};
+pub use dynamics::{Dynamics, MIN_INERTIA};
+pub use error::RobotError;
+pub use findings::{Fault, Finding, Severity, Subject};
+pub use kinematics::Kinematics;
+pub use model::{
+    Body, Drive, Joint, JointId, JointKind, JointLimits, LimitFault, Link, LinkId, Range,
+    RobotModel,
+};
+pub use urdf::{MAX_LINKS, MAX_SHAPES, MAX_URDF_BYTES};
