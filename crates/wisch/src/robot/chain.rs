@@ -212,6 +212,7 @@ impl Chain {
     ///
     /// # Errors
     /// If `q` is of another length or not finite.
+    #[inline]
     pub fn forward_kinematics(&self, q: &[f64]) -> Result<ChainKinematics<'_>, RobotError> {
         if q.len() != self.dof() {
             return Err(RobotError::Length {
@@ -257,6 +258,7 @@ impl Chain {
 
 impl ChainKinematics<'_> {
     /// Pose of the tip in the base.
+    #[inline]
     pub fn base_from_tip(&self) -> Pose {
         // A product of rotations is one up to rounding.
         let rotation =
@@ -268,6 +270,7 @@ impl ChainKinematics<'_> {
     }
 
     /// How a point of the tip [m] moves with each variable of the chain.
+    #[inline]
     pub fn jacobian(&self, point_in_tip: Point3) -> ChainJacobian {
         let tip = &self.base_from_tip;
         let point = tip.translation + tip.turn(&point_in_tip.coords);
