@@ -27,7 +27,7 @@ fn positions(n: usize) -> Vec<f64> {
     (0..n).map(|i| 0.3 + 0.1 * i as f64).collect()
 }
 
-#[divan::bench]
+#[divan::bench(sample_size = 100)]
 fn pose_and_jacobian_of_13_joints(bencher: Bencher) {
     let robot = humanoid();
     let tip = robot.link("right_tcp").unwrap();
@@ -42,14 +42,14 @@ fn pose_and_jacobian_of_13_joints(bencher: Bencher) {
     });
 }
 
-#[divan::bench]
+#[divan::bench(sample_size = 100)]
 fn poses_of_all_links_of_the_humanoid(bencher: Bencher) {
     let robot = humanoid();
     let q = positions(robot.dof());
     bencher.bench_local(|| robot.forward_kinematics(black_box(&q)).unwrap());
 }
 
-#[divan::bench(args = ["arm7", "humanoid"])]
+#[divan::bench(args = ["arm7", "humanoid"], sample_size = 100)]
 fn mass_matrix(bencher: Bencher, name: &str) {
     let robot = if name == "arm7" { arm7() } else { humanoid() };
     let dynamics = robot.dynamics().unwrap();
@@ -57,7 +57,7 @@ fn mass_matrix(bencher: Bencher, name: &str) {
     bencher.bench_local(|| dynamics.mass_matrix(black_box(&q)).unwrap());
 }
 
-#[divan::bench(args = ["arm7", "humanoid"])]
+#[divan::bench(args = ["arm7", "humanoid"], sample_size = 100)]
 fn bias(bencher: Bencher, name: &str) {
     let robot = if name == "arm7" { arm7() } else { humanoid() };
     let dynamics = robot.dynamics().unwrap();

@@ -2,12 +2,10 @@
 
 use super::{JointKind, LinkId, RobotError, RobotModel};
 use crate::geometry::{Point3, Pose, Vector3};
-use nalgebra::{
-    Dyn, Matrix3, MatrixView, Rotation3, SMatrix, Translation3, U1, U6, UnitQuaternion, Vector6,
-};
+use nalgebra::{Dyn, Matrix3, MatrixView, Rotation3, Translation3, U1, U6, UnitQuaternion};
 
 /// Most moving joints, and most variables, of a [`Chain`].
-pub const MAX_CHAIN: usize = 32;
+pub const MAX_CHAIN: usize = 24;
 
 /// The joints between two links of a robot, with everything constant computed beforehand.
 ///
@@ -37,10 +35,10 @@ pub struct Chain {
     last_from_tip: Frame,
 }
 
-/// Rotation matrix and translation: composing them costs less than quaternions.
+/// The columns of a rotation matrix, and a translation: composing them costs less than quaternions.
 #[derive(Debug, Clone, Copy)]
 struct Frame {
-    rotation: Matrix3<f64>,
+    axes: [Vector3; 3],
     translation: Vector3,
 }
 
@@ -69,22 +67,36 @@ pub struct ChainKinematics<'a> {
 /// the axes of the base.
 #[derive(Debug, Clone)]
 pub struct ChainJacobian {
-    columns: SMatrix<f64, 6, MAX_CHAIN>,
+    /// One per variable; zero beyond `count`.
+    columns: [[f64; 6]; MAX_CHAIN],
     count: usize,
 }
 
 impl Frame {
+    fn identity() -> Self {
+        Self::from_pose(&Pose::identity())
+    }
+
     fn from_pose(pose: &Pose) -> Self {
+        let rotation = pose.rotation.to_rotation_matrix().into_inner();
         Self {
-            rotation: pose.rotation.to_rotation_matrix().into_inner(),
+            axes: [0, 1, 2].map(|i| rotation.column(i).into()),
             translation: pose.translation.vector,
         }
     }
 
+    #[inline]
+    fn turn(&self, v: &Vector3) -> Vector3 {
+        let [x, y, z] = &self.axes;
+        x * v.x + y * v.y + z * v.z
+    }
+
+    #[inline]
     fn then(&self, next: &Self) -> Self {
+        let [x, y, z] = &next.axes;
         Self {
-            rotation: self.rotation * next.rotation,
-            translation: self.translation + self.rotation * next.translation,
+            axes: [self.turn(x), self.turn(y), self.turn(z)],
+            translation: self.translation + self.turn(&next.translation),
         }
     }
 }
@@ -200,6 +212,7 @@ impl Chain {
     ///
     /// # Errors
     /// If `q` is of another length or not finite.
+    #[inline]
     pub fn forward_kinematics(&self, q: &[f64]) -> Result<ChainKinematics<'_>, RobotError> {
         if q.len() != self.dof() {
             return Err(RobotError::Length {
@@ -221,25 +234,19 @@ impl Chain {
             origins: [Vector3::zeros(); MAX_CHAIN],
             base_from_tip: self.last_from_tip,
         };
-        let mut base_from_joint = Frame {
-            rotation: Matrix3::identity(),
-            translation: Vector3::zeros(),
-        };
+        let mut base_from_joint = Frame::identity();
         for (i, joint) in self.joints.iter().enumerate() {
             base_from_joint = base_from_joint.then(&joint.previous_from_this);
             let position = match joint.terms[..] {
                 [(variable, factor)] => joint.offset + factor * q[variable],
                 _ => joint.offset + joint.terms.iter().map(|&(v, f)| f * q[v]).sum::<f64>(),
             };
-            let axis: Vector3 = base_from_joint.rotation.column(2).into();
+            let [x, y, axis] = base_from_joint.axes;
             if joint.slides {
                 base_from_joint.translation += position * axis;
             } else {
                 let (sin, cos) = position.sin_cos();
-                let x: Vector3 = base_from_joint.rotation.column(0).into();
-                let y: Vector3 = base_from_joint.rotation.column(1).into();
-                let turned = [cos * x + sin * y, cos * y - sin * x, axis];
-                base_from_joint.rotation = Matrix3::from_columns(&turned);
+                base_from_joint.axes = [cos * x + sin * y, cos * y - sin * x, axis];
             }
             kinematics.axes[i] = axis;
             kinematics.origins[i] = base_from_joint.translation;
@@ -251,9 +258,11 @@ impl Chain {
 
 impl ChainKinematics<'_> {
     /// Pose of the tip in the base.
+    #[inline]
     pub fn base_from_tip(&self) -> Pose {
         // A product of rotations is one up to rounding.
-        let rotation = Rotation3::from_matrix_unchecked(self.base_from_tip.rotation);
+        let rotation =
+            Rotation3::from_matrix_unchecked(Matrix3::from_columns(&self.base_from_tip.axes));
         Pose::from_parts(
             Translation3::from(self.base_from_tip.translation),
             UnitQuaternion::from_rotation_matrix(&rotation),
@@ -261,20 +270,23 @@ impl ChainKinematics<'_> {
     }
 
     /// How a point of the tip [m] moves with each variable of the chain.
+    #[inline]
     pub fn jacobian(&self, point_in_tip: Point3) -> ChainJacobian {
         let tip = &self.base_from_tip;
-        let point = tip.translation + tip.rotation * point_in_tip.coords;
-        let mut columns = SMatrix::<f64, 6, MAX_CHAIN>::zeros();
+        let point = tip.translation + tip.turn(&point_in_tip.coords);
+        let mut columns = [[0.0; 6]; MAX_CHAIN];
         for (i, joint) in self.chain.joints.iter().enumerate() {
             let axis = self.axes[i];
             let column = if joint.slides {
-                Vector6::new(axis.x, axis.y, axis.z, 0.0, 0.0, 0.0)
+                [axis.x, axis.y, axis.z, 0.0, 0.0, 0.0]
             } else {
                 let v = axis.cross(&(point - self.origins[i]));
-                Vector6::new(v.x, v.y, v.z, axis.x, axis.y, axis.z)
+                [v.x, v.y, v.z, axis.x, axis.y, axis.z]
             };
             for &(variable, factor) in &joint.terms {
-                columns.column_mut(variable).axpy(factor, &column, 1.0);
+                for (sum, value) in columns[variable].iter_mut().zip(column) {
+                    *sum += factor * value;
+                }
             }
         }
         ChainJacobian {
@@ -287,6 +299,7 @@ impl ChainKinematics<'_> {
 impl ChainJacobian {
     /// The columns of the n variables, 6 × n: velocity [m/s], then angular velocity [rad/s].
     pub fn view(&self) -> MatrixView<'_, f64, U6, Dyn, U1, U6> {
-        self.columns.columns(0, self.count)
+        let flat = self.columns[..self.count].as_flattened();
+        MatrixView::from_slice_generic(flat, U6, Dyn(self.count))
     }
 }

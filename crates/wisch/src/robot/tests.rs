@@ -248,6 +248,37 @@ fn names_and_numbers_that_do_not_fit_are_named() {
 }
 
 #[test]
+fn a_chain_that_does_not_fit_is_refused() {
+    let slides = |n: usize| {
+        let links: String = (0..=n).map(|i| format!(r#"<link name="l{i}"/>"#)).collect();
+        let joints: String = (0..n)
+            .map(|i| {
+                format!(
+                    r#"<joint name="j{i}" type="continuous"><parent link="l{i}"/><child link="l{}"/></joint>"#,
+                    i + 1
+                )
+            })
+            .collect();
+        robot(&format!(r#"<robot name="r">{links}{joints}</robot>"#))
+    };
+    let chain_of = |n: usize| {
+        let robot = slides(n);
+        robot
+            .chain(robot.root(), LinkId(n))
+            .map(|chain| chain.dof())
+    };
+    assert_eq!(chain_of(MAX_CHAIN), Ok(MAX_CHAIN));
+    let message = chain_of(MAX_CHAIN + 1).unwrap_err().to_string();
+    assert_eq!(
+        message,
+        format!(
+            "chain \"l0\" to \"l{0}\": {0} moving joints exceed the limit of {MAX_CHAIN}",
+            MAX_CHAIN + 1
+        )
+    );
+}
+
+#[test]
 fn dynamics_are_refused_where_a_joint_moves_nothing() {
     let text = two_links(HINGE).replace("mass value=\"1\"", "mass value=\"0\"");
     let message = robot(&text).dynamics().unwrap_err().to_string();
