@@ -34,7 +34,8 @@ pub struct MotionEffect {
 /// Effect of one tool on one kind of medium.
 ///
 /// Cost of a motion: proportional to the particles near the swept area. After the first motions have
-/// sized its scratch space, it allocates nothing.
+/// sized its scratch space, it allocates nothing; only where a turning tool meets so many particles that
+/// they are followed on all threads does the thread pool keep its books.
 ///
 /// ```
 /// use wisch::geometry::*;
