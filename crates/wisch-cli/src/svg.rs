@@ -124,6 +124,7 @@ fn escaped(text: &str) -> String {
 mod tests {
     use super::*;
     use wisch::geometry::{Mesh, Polygon, Region, Vector2, Vector3};
+    use wisch::represent::AngleRange;
 
     #[test]
     fn scale_bars_are_round() {
@@ -140,6 +141,8 @@ mod tests {
             mesh: Mesh::cuboid(Vector3::new(size.x, size.y, 0.05)).unwrap(),
             footprint: Region::new(vec![Polygon::rectangle(size)]),
             area_of_effect: size,
+            rotation_about_normal: AngleRange::FULL,
+            tilt: None,
         };
         crate::report::rasterize(&footprint_drawing(&tool), 1.0).unwrap();
     }

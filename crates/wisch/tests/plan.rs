@@ -7,8 +7,8 @@ use wisch::plan::{
     kde, plan, predict, rrt,
 };
 use wisch::represent::{
-    Action, Fate, GoalState, Interaction, LogNormal, ParticleDistribution, Performance,
-    SceneObject, Surface, SurfaceScope, Task, Tool,
+    Action, AngleRange, Fate, GoalState, Interaction, LogNormal, ParticleDistribution, Performance,
+    SceneObject, ScenePart, Surface, SurfaceScope, Task, Tool,
 };
 
 const BOARD: [f64; 2] = [0.40, 0.28];
@@ -28,12 +28,15 @@ fn sponge() -> Tool {
         mesh: Mesh::cuboid(Vector3::new(0.07, 0.11, 0.05)).unwrap(),
         footprint: Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))]),
         area_of_effect: Vector2::new(0.07, 0.11),
+        rotation_about_normal: AngleRange::FULL,
+        tilt: None,
     }
 }
 
 fn cuboid(size: [f64; 3], at: [f64; 3]) -> SceneObject {
     SceneObject {
         name: "block".into(),
+        part: ScenePart::Obstacle,
         mesh: Mesh::cuboid(Vector3::from(size)).unwrap(),
         world_from_object: Pose::translation(at[0], at[1], at[2]),
     }
@@ -87,7 +90,7 @@ fn config(strategy: CoverageStrategy) -> PlanConfig {
 }
 
 fn space(task: &Task) -> FreeSpace {
-    let meshes: Vec<Mesh> = task.scene_in_surface().collect();
+    let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
     FreeSpace::new(&task.surface, &meshes, task.tool.collision_radius()).unwrap()
 }
 
@@ -415,6 +418,7 @@ proptest! {
             .into_iter()
             .map(|((x, y), (at_x, at_y), height, yaw)| SceneObject {
                 name: "block".into(),
+                part: ScenePart::Obstacle,
                 mesh: Mesh::cuboid(Vector3::new(x, y, height)).unwrap(),
                 world_from_object: Pose::new(
                     Vector3::new(at_x, at_y, height / 2.0),

@@ -96,7 +96,7 @@ fn dirt_lies_on_the_surface_and_not_where_things_stand() {
     for (name, ..) in SCENARIOS {
         for seed in 1..=20 {
             let task = task(name, Action::Absorb, seed);
-            let scene: Vec<Mesh> = task.scene_in_surface().collect();
+            let scene: Vec<Mesh> = task.obstacles_in_surface().collect();
             let occupied = OccupiedArea::of(&scene);
             for position in task.particles.remaining() {
                 assert!(task.surface.outline.contains(position));

@@ -43,7 +43,7 @@ struct Room {
 impl Room {
     fn of(task: &Task) -> Result<Self, wisch::plan::PlanError> {
         let radius = task.tool.collision_radius();
-        let scene: Vec<_> = task.scene_in_surface().collect();
+        let scene: Vec<_> = task.obstacles_in_surface().collect();
         let raster = raster(task);
         let share = |space: &FreeSpace, wanted: fn(&FreeSpace, Point2) -> bool| {
             let count = raster.iter().filter(|&&p| wanted(space, p)).count();
@@ -51,7 +51,7 @@ impl Room {
         };
         let space = FreeSpace::new(&task.surface, &scene, radius)?;
         let mut obstacles = Vec::new();
-        for (object, mesh) in task.scene.iter().zip(&scene) {
+        for (object, mesh) in task.obstacles().zip(&scene) {
             let alone = FreeSpace::new(&task.surface, [mesh], radius)?;
             let kept = share(&alone, |space, p| !space.is_clear(p));
             if kept > 0.0 {

@@ -7,7 +7,7 @@ use crate::svg::footprint_drawing;
 use crate::terminal::{Outcome, print};
 use std::path::Path;
 use wisch::geometry::{Mesh, MeshFormat, Polygon, Region, Vector2, footprint as mesh_footprint};
-use wisch::represent::{AreaOfEffect, KnowledgeBase, Tool, ToolEntry};
+use wisch::represent::{AngleRange, AreaOfEffect, KnowledgeBase, Tool, ToolEntry};
 
 /// A tool longer than this is probably given in millimetres [m].
 const SUSPICIOUS_LENGTH: f64 = 5.0;
@@ -114,6 +114,8 @@ fn touch_of(
             mesh,
             footprint,
             area_of_effect: size,
+            rotation_about_normal: AngleRange::FULL,
+            tilt: None,
         },
         compression_depth,
         by_area_of_effect: area_of_effect.is_some(),

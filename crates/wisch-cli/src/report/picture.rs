@@ -41,7 +41,7 @@ impl<'a> Drawing<'a> {
     pub(super) fn new(input: &'a ReportInput<'a>) -> Self {
         let task = input.task;
         let radius = input.plan.collision_radius;
-        let scene: Vec<_> = task.scene_in_surface().collect();
+        let scene: Vec<_> = task.obstacles_in_surface().collect();
         // A scene that the collision library refuses has no plan and never comes here.
         let obstacles = FreeSpace::new(&task.surface, &scene, radius)
             .map(|space| {

@@ -6,7 +6,8 @@ use std::path::PathBuf;
 use wisch::geometry::{Mesh, Point2, Polygon, Pose, Region, Vector2, Vector3};
 use wisch::plan::{CoverageStrategy, FreeSpace, PlanConfig, plan, predict};
 use wisch::represent::{
-    Action, Interaction, KnowledgeBase, ParticleDistribution, SceneObject, Surface, Tool,
+    Action, AngleRange, Interaction, KnowledgeBase, ParticleDistribution, SceneObject, ScenePart,
+    Surface, Tool,
 };
 
 /// Set to a folder, the reports of these tests are kept there to be looked at.
@@ -99,6 +100,8 @@ fn task(action: Action, size: Vector2, scene: Vec<SceneObject>, count: usize) ->
             mesh: Mesh::cuboid(Vector3::new(0.07, 0.11, 0.05)).expect("a box"),
             footprint: Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))]),
             area_of_effect: Vector2::new(0.07, 0.11),
+            rotation_about_normal: AngleRange::FULL,
+            tilt: None,
         },
         medium: "breadcrumbs".into(),
         interaction: interaction(),
@@ -107,7 +110,7 @@ fn task(action: Action, size: Vector2, scene: Vec<SceneObject>, count: usize) ->
         tool_start: Point2::new(0.0, -0.5 * size.y - 0.11),
         seed: 1,
     };
-    let meshes: Vec<_> = task.scene_in_surface().collect();
+    let meshes: Vec<_> = task.obstacles_in_surface().collect();
     let space = FreeSpace::new(&task.surface, &meshes, 0.065).expect("boxes make a scene");
     // Low-discrepancy places (Roberts' R2 sequence), so that nothing random enters.
     let places: Vec<Point2> = (1..)
@@ -128,6 +131,7 @@ fn task(action: Action, size: Vector2, scene: Vec<SceneObject>, count: usize) ->
 fn object(name: &str, mesh: Mesh, at: [f64; 3], turn: f64) -> SceneObject {
     SceneObject {
         name: name.into(),
+        part: ScenePart::Obstacle,
         mesh,
         world_from_object: Pose::new(
             Vector3::new(at[0], at[1], at[2]),

@@ -139,7 +139,7 @@ impl Plan {
 /// or geometry and costs that the libraries refuse.
 pub fn plan(task: &Task, config: &PlanConfig) -> Result<Plan, PlanError> {
     let radius = task.tool.collision_radius();
-    let scene: Vec<_> = task.scene_in_surface().collect();
+    let scene: Vec<_> = task.obstacles_in_surface().collect();
     let space = FreeSpace::new(&task.surface, &scene, radius)?;
     let particles: Vec<Point2> = task.particles.remaining().collect();
     let coverage = match config.strategy {

@@ -25,7 +25,7 @@ pub use knowledge::{
 pub use metrics::{GoalState, Performance};
 pub use motion::ToolMotion;
 pub use particles::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError, ParticleTally};
-pub use scene::SceneObject;
+pub use scene::{SceneObject, ScenePart};
 pub use section::{OccupiedArea, SURFACE_SKIN};
 pub use sources::{
     Cluster, DirtArea, MaskSource, ParticleSource, SourceError, cluster_particles, csv_particles,

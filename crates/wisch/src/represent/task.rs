@@ -1,6 +1,9 @@
 //! A task as it is meant: everything resolved, checked and in SI units.
 
-use super::{Action, Interaction, ParticleDistribution, SceneObject, Surface};
+use super::{
+    Action, AngleRange, Interaction, ParticleDistribution, SceneObject, ScenePart, Surface,
+    TiltFreedom,
+};
 use crate::geometry::{Mesh, Point2, Region, Vector2};
 
 /// A tool as the planner sees it.
@@ -14,6 +17,10 @@ pub struct Tool {
     pub footprint: Region,
     /// Area of effect D_aoe: depth along and width across the motion [m].
     pub area_of_effect: Vector2,
+    /// How it may be turned about the surface normal; 0 is its broad side across the motion.
+    pub rotation_about_normal: AngleRange,
+    /// How it may lean, if it may.
+    pub tilt: Option<TiltFreedom>,
 }
 
 impl Tool {
@@ -48,7 +55,7 @@ pub struct Task {
     pub action: Action,
     /// The target surface.
     pub surface: Surface,
-    /// What stands round it: without robot, tool and the object that carries the surface.
+    /// Everything round it, the object that carries it included.
     pub scene: Vec<SceneObject>,
     /// The tool.
     pub tool: Tool,
@@ -67,10 +74,15 @@ pub struct Task {
 }
 
 impl Task {
-    /// The scene's meshes in the surface frame.
-    pub fn scene_in_surface(&self) -> impl Iterator<Item = Mesh> + '_ {
+    /// What stands round the surface: without robot, tool and the object that carries the surface.
+    pub fn obstacles(&self) -> impl Iterator<Item = &SceneObject> {
+        (self.scene.iter()).filter(|object| object.part == ScenePart::Obstacle)
+    }
+
+    /// The obstacles' meshes in the surface frame.
+    pub fn obstacles_in_surface(&self) -> impl Iterator<Item = Mesh> + '_ {
         let surface_from_world = self.surface.world_from_surface.inverse();
-        self.scene.iter().map(move |object| {
+        self.obstacles().map(move |object| {
             object
                 .mesh
                 .transformed(&(surface_from_world * object.world_from_object))

@@ -92,6 +92,14 @@ pub struct AngleRange {
     pub max_rad: f64,
 }
 
+impl AngleRange {
+    /// All the way round.
+    pub const FULL: Self = Self {
+        min_rad: -std::f64::consts::PI,
+        max_rad: std::f64::consts::PI,
+    };
+}
+
 /// The part of the surface on which a tool acts, D_aoe (§3.2).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AreaOfEffect {

@@ -6,8 +6,8 @@ use crate::geometry::{
 };
 use crate::represent::{
     Action, DirtArea, Interaction, KnowledgeBase, KnowledgeError, OccupiedArea,
-    ParticleDistribution, ParticleSource, Place, SceneObject, Surface, Task, Tool, ToolEntry,
-    cluster_particles, csv_particles, mask_particles, uniform_particles,
+    ParticleDistribution, ParticleSource, Place, SceneObject, ScenePart, Surface, Task, Tool,
+    ToolEntry, cluster_particles, csv_particles, mask_particles, uniform_particles,
 };
 
 /// Reads a file named by a path; the error says why it cannot.
@@ -106,7 +106,7 @@ impl TaskFile {
             collect_goal: contents.collect_goal,
             seed,
         };
-        let meshes: Vec<Mesh> = task.scene_in_surface().collect();
+        let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
         let area = DirtArea {
             outline: &task.surface.outline,
             occupied: &OccupiedArea::of(&meshes),
@@ -115,14 +115,19 @@ impl TaskFile {
         Ok(task)
     }
 
-    /// What stands round the surface: all objects but robot, tool and what carries the surface.
+    /// The objects of the scene with what each is to the task.
     fn scene(&self, assets: &mut ReadFile<'_>) -> Result<Vec<SceneObject>, TaskError> {
         let surface = &self.contents.surface;
         (self.contents.scene.iter().enumerate())
-            .filter(|(i, object)| surface.carried_by != Some(*i) && object.role == Role::Obstacle)
-            .map(|(_, object)| {
+            .map(|(i, object)| {
                 Ok(SceneObject {
                     name: object.name.clone(),
+                    part: match object.role {
+                        _ if surface.carried_by == Some(i) => ScenePart::Carrier,
+                        Role::Obstacle => ScenePart::Obstacle,
+                        Role::Robot => ScenePart::Robot,
+                        Role::Tool => ScenePart::Tool,
+                    },
                     mesh: object.mesh(assets)?,
                     world_from_object: match object.frame {
                         Frame::World => object.frame_from_object,
@@ -246,6 +251,8 @@ fn resolved_tool(
         mesh,
         footprint,
         area_of_effect,
+        rotation_about_normal: entry.rotation_about_normal,
+        tilt: entry.tilt,
     })
 }
 
