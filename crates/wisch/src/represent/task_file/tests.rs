@@ -1,6 +1,6 @@
 use super::*;
 use crate::geometry::Vector2;
-use crate::represent::{KnowledgeBase, Task};
+use crate::represent::{KnowledgeBase, ScenePart, Task};
 use proptest::prelude::*;
 
 mod faults;
@@ -185,11 +185,12 @@ role = "tool"
     )]);
     let task = resolved(&parsed(&(carried + others)).unwrap()).unwrap();
     let names: Vec<&str> = task
-        .scene
-        .iter()
+        .obstacles()
         .map(|object| object.name.as_str())
         .collect();
     assert_eq!(names, ["cup"]);
+    let parts: Vec<ScenePart> = task.scene.iter().map(|object| object.part).collect();
+    assert!(parts.contains(&ScenePart::Carrier) && parts.contains(&ScenePart::Robot));
 }
 
 #[test]
