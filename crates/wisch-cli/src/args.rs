@@ -7,11 +7,12 @@ use std::path::PathBuf;
 use wisch::plan::CoverageStrategy;
 use wisch::represent::Action;
 
-/// Plan robotic wiping and predict what it does to the dirt.
+/// Plan robotic wiping, predict what it does to the dirt, and follow the plan with a robot.
 ///
 /// A task file says what is to be wiped, where and with what. wisch places the tool's waypoints on
 /// the surface, joins them to strokes, and plays the strokes through its model of what a tool does
-/// to particles.
+/// to particles. A robot then follows the strokes: its base is placed, its joints are moved along the
+/// tool's line without touching anything, and everything is timed within their limits.
 #[derive(Debug, Parser)]
 #[command(
     name = "wisch",
@@ -23,7 +24,7 @@ use wisch::represent::Action;
 Examples:
   wisch new board.toml          write a task file with comments to start from
   wisch check board.toml        say in words what it asks for
-  wisch run board.toml          plan, predict, and write out/<task>/report.html
+  wisch run board.toml          plan, predict, follow, and write out/<task>/report.html
 
 Exit codes: 0 the goal is met, 1 the goal is not met, 2 an error."
 )]
@@ -83,16 +84,29 @@ pub enum ColorChoice {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Plan a task and predict what the plan does
+    /// Plan a task, follow the plan with the task's robot, and predict what that does
     #[command(after_help = "\
 Examples:
   wisch run board.toml
+  wisch run board.toml --robot my_arm.urdf
   wisch run board.toml --strategy kde --action collect --seed 7
   wisch run board.toml --set particles.count=200 --out /tmp/board
   wisch run board.toml --json | jq .predicted_performance
 
 Exit codes: 0 the predicted performance reaches the task's target, 1 it does not, 2 an error.")]
-    Run(RunArgs),
+    Run(FollowArgs),
+    /// Follow a plan with a robot: joint trajectories that ROS 2 executes
+    #[command(after_help = "\
+Examples:
+  wisch follow board.toml
+  wisch follow board.toml --plan out/board/plan.json --robot my_arm.urdf --group manipulator
+  wisch follow board.toml --json | jq '.execution_time_s, .abandoned_nodes'
+
+Writes trajectory.yaml and trajectory.json (moveit_msgs/RobotTrajectory: a JointTrajectory, and a
+MultiDOFJointTrajectory for a base that moves), tcp-path.csv and following.json.
+
+Exit codes: 0 the predicted performance reaches the task's target, 1 it does not, 2 an error.")]
+    Follow(FollowArgs),
     /// Plan a task, without predicting what the plan does
     #[command(after_help = "\
 Examples:
@@ -146,6 +160,41 @@ Examples:
 
 Exit codes: 0 fine (notes at most), 1 warnings that matter, 2 no robot can be made of it.")]
     Check(RobotCheckArgs),
+    /// Build the capability map of a robot: what its arm can reach, in voxels and directions
+    #[command(after_help = "\
+Examples:
+  wisch robot map humanoid
+  wisch robot map my_robot.urdf --group manipulator --out my_robot.reach
+
+The map is used to find where a mobile base should stand. Beside the URDF, with its name and the
+ending .reach, it is found by itself. It belongs to this very robot: change it, and build it anew.")]
+    Map(RobotMapArgs),
+}
+
+/// Arguments of `robot map`.
+#[derive(Debug, Args)]
+pub struct RobotMapArgs {
+    /// A robot that is shipped, or a URDF
+    #[arg(value_name = "ROBOT", value_hint = ValueHint::FilePath)]
+    pub robot: String,
+    /// The group of the robot's SRDF that reaches [default: the first]
+    #[arg(long, value_name = "NAME")]
+    pub group: Option<String>,
+    /// Edge of a voxel [m]
+    #[arg(long, value_name = "METRES", default_value_t = 0.05)]
+    pub voxel_m: f64,
+    /// Random postures that are looked at [default: enough for this robot]
+    #[arg(long, value_name = "N")]
+    pub samples: Option<u64>,
+    /// Where to write it [default: the robot's name with the ending .reach]
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub out: Option<PathBuf>,
+    /// Where the files of package://NAME are; may be given more than once
+    #[arg(long = "package", value_name = "NAME=DIR", value_parser = package)]
+    pub packages: Vec<(String, PathBuf)>,
+    /// Print one JSON object in place of the report
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `robot check`.
@@ -185,7 +234,7 @@ pub struct TaskArgs {
     pub knowledge: Option<PathBuf>,
 }
 
-/// Arguments of `run` and `plan`.
+/// Arguments of `plan`.
 #[derive(Debug, Args)]
 pub struct RunArgs {
     /// The task.
@@ -194,6 +243,41 @@ pub struct RunArgs {
     /// The results.
     #[command(flatten)]
     pub results: ResultArgs,
+}
+
+/// Arguments of `run` and `follow`.
+#[derive(Debug, Args)]
+pub struct FollowArgs {
+    /// The task.
+    #[command(flatten)]
+    pub task: TaskArgs,
+    /// The plan to follow, a plan.json of an earlier run [default: plan anew]
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, conflicts_with_all = ["strategy"])]
+    pub plan: Option<PathBuf>,
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotArgs,
+    /// The results.
+    #[command(flatten)]
+    pub results: ResultArgs,
+}
+
+/// Which robot, and what is known of it.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Robot")]
+pub struct RobotArgs {
+    /// A robot that is shipped (humanoid, arm7, arm6), a URDF, or "none" [default: the task's]
+    #[arg(long, value_name = "ROBOT", value_hint = ValueHint::FilePath)]
+    pub robot: Option<String>,
+    /// The group of the robot's SRDF that wipes [default: the task's, or the first]
+    #[arg(long, value_name = "NAME")]
+    pub group: Option<String>,
+    /// The robot's capability map [default: beside the URDF; without one, places are rated slowly]
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub map: Option<PathBuf>,
+    /// Where the files of package://NAME are; may be given more than once
+    #[arg(long = "package", value_name = "NAME=DIR", value_parser = package)]
+    pub packages: Vec<(String, PathBuf)>,
 }
 
 /// Where the results go.

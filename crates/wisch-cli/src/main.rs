@@ -11,6 +11,7 @@ mod output;
 mod progress;
 mod records;
 mod report;
+mod robots;
 mod svg;
 mod terminal;
 

@@ -14,6 +14,14 @@ pub const PLAN_FILE: &str = "plan.json";
 pub const PARTICLES_BEFORE_FILE: &str = "particles-before.csv";
 /// The particles as they are predicted to lie.
 pub const PARTICLES_AFTER_FILE: &str = "particles-after.csv";
+/// How the robot follows the plan.
+pub const FOLLOWING_FILE: &str = "following.json";
+/// The robot's motion as a ROS 2 message.
+pub const TRAJECTORY_JSON_FILE: &str = "trajectory.json";
+/// The same as YAML.
+pub const TRAJECTORY_YAML_FILE: &str = "trajectory.yaml";
+/// The tool's path as a table.
+pub const TCP_PATH_FILE: &str = "tcp-path.csv";
 /// The report.
 pub const REPORT_FILE: &str = "report.html";
 

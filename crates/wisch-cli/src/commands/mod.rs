@@ -1,7 +1,9 @@
 //! The commands, each in its file.
 
 mod check;
+mod follow;
 mod footprint;
+mod map;
 mod new;
 mod prepare;
 mod robot;
@@ -16,11 +18,13 @@ use crate::terminal::Outcome;
 pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
     match &cli.command {
         Command::Run(args) => run::run(args, &cli.global),
+        Command::Follow(args) => run::follow_only(args, &cli.global),
         Command::Plan(args) => run::plan_only(args, &cli.global),
         Command::Predict(args) => run::predict_only(args, &cli.global),
         Command::Footprint(args) => footprint::footprint(args, &cli.global),
         Command::New(args) => new::new(args, &cli.global),
         Command::Check(args) => check::check(args, &cli.global),
         Command::Robot(RobotCommand::Check(args)) => robot::check_robot(args, &cli.global),
+        Command::Robot(RobotCommand::Map(args)) => map::map(args, &cli.global),
     }
 }

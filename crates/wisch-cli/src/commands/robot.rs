@@ -4,9 +4,9 @@ use super::words::counted;
 use crate::args::{GlobalArgs, RobotCheckArgs};
 use crate::assets;
 use crate::failure::Failure;
+use crate::robots::meshes;
 use crate::terminal::{Outcome, print};
 use serde::Serialize;
-use std::path::{Path, PathBuf};
 use wisch::robot::{Finding, RobotModel, Severity, Subject, check};
 
 /// The schema of the object that `--json` prints.
@@ -90,24 +90,6 @@ pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome
             "{name}: no robot can be made of it: {}",
             counted(errors, "error")
         ))),
-    }
-}
-
-/// Reads meshes: paths count from the URDF's folder, `package://name/` from the package's.
-fn meshes(
-    urdf: &Path,
-    packages: &[(String, PathBuf)],
-) -> impl FnMut(&str) -> Result<Vec<u8>, String> {
-    let mut beside = assets::beside(urdf);
-    move |path| {
-        let Some(in_package) = path.strip_prefix("package://") else {
-            return beside(path.strip_prefix("file://").unwrap_or(path));
-        };
-        let (name, rest) = in_package.split_once('/').unwrap_or((in_package, ""));
-        let known = packages.iter().find(|(known, _)| known == name);
-        let (_, folder) =
-            known.ok_or_else(|| format!("its package is not known; add --package {name}=DIR"))?;
-        assets::read(&folder.join(rest)).map_err(|failure| failure.to_string())
     }
 }
 

@@ -1,15 +1,20 @@
-//! `wisch run`, `wisch plan` and `wisch predict`: the stages, and the folder with their results.
+//! `wisch run`, `wisch plan`, `wisch predict` and `wisch follow`: the stages, and the folder with their results.
 
+use super::follow::{Following, chosen, follow_plan};
 use super::prepare::Prepared;
 use super::words::{counted, percent};
-use crate::args::{GlobalArgs, PredictArgs, ResultArgs, RunArgs, TaskArgs};
+use crate::args::{FollowArgs, GlobalArgs, PredictArgs, ResultArgs, RobotArgs, RunArgs, TaskArgs};
 use crate::assets::read_text;
 use crate::failure::Failure;
 use crate::output::{
-    OutputFolder, PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE, PLAN_FILE, REPORT_FILE,
+    FOLLOWING_FILE, OutputFolder, PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE, PLAN_FILE,
+    REPORT_FILE, TCP_PATH_FILE, TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE,
 };
 use crate::progress::Progress;
-use crate::records::{PlanRecord, PredictionSummary, SUMMARY_SCHEMA, Summary};
+use crate::records::{
+    FollowedRecord, FollowingSummary, PlanRecord, PredictionSummary, RobotTrajectory, SUMMARY_SCHEMA, Summary,
+    tcp_path_csv,
+};
 use crate::report::{self, Frames, ReportInput};
 use crate::terminal::{Outcome, print};
 use std::path::{Path, PathBuf};
@@ -23,15 +28,30 @@ const PNG_SCALE: f32 = 2.0;
 const MAX_NAME_LEN: usize = 60;
 
 /// How far to go.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Extent {
+#[derive(Debug, Clone, Copy)]
+enum Extent<'a> {
     Plan,
     Predict,
+    /// With the robot of the task, if there is one.
+    Follow(&'a RobotArgs),
 }
 
-/// `wisch run`: plan and predict.
-pub fn run(args: &RunArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    work(&args.task, &args.results, None, Extent::Predict, global)
+/// `wisch run`: plan, follow with the task's robot if it has one, and predict.
+pub fn run(args: &FollowArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let plan = args.plan.as_deref();
+    let extent = Extent::Follow(&args.robot);
+    work(&args.task, &args.results, plan, extent, global)
+}
+
+/// `wisch follow`: the same, but without a robot there is nothing to do.
+pub fn follow_only(args: &FollowArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let prepared = Prepared::read(&args.task)?;
+    if chosen(&args.robot, &prepared).is_none() {
+        return Err(prepared
+            .failure(&args.task, "the task has no robot to follow the plan")
+            .with_help("add a [robot] table, or name one with --robot"));
+    }
+    run(args, global)
 }
 
 /// `wisch plan`.
@@ -41,20 +61,26 @@ pub fn plan_only(args: &RunArgs, global: &GlobalArgs) -> Result<Outcome, Failure
 
 /// `wisch predict`: plan only where no plan is given.
 pub fn predict_only(args: &PredictArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    work(
-        &args.task,
-        &args.results,
-        args.plan.as_deref(),
-        Extent::Predict,
-        global,
-    )
+    let plan = args.plan.as_deref();
+    work(&args.task, &args.results, plan, Extent::Predict, global)
+}
+
+/// The outcome of the stages.
+struct Results {
+    plan: Plan,
+    /// `None` where a plan was given.
+    planning_time_s: Option<f64>,
+    following: Option<Following>,
+    /// Share of the particles that abandoned nodes cost.
+    abandoned_share: f64,
+    predicted: Option<(Prediction, Frames)>,
 }
 
 fn work(
     task_args: &TaskArgs,
     results: &ResultArgs,
     plan_file: Option<&Path>,
-    extent: Extent,
+    extent: Extent<'_>,
     global: &GlobalArgs,
 ) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
@@ -67,42 +93,13 @@ fn work(
     // Before the long part: nobody likes to wait for "permission denied".
     let folder = OutputFolder::begin(&out)?;
 
-    let (plan, planning_time_s) = match given {
-        Some(plan) => (plan, None),
-        None => {
-            progress.say(format!("planning ({})", prepared.strategy()));
-            let start = Instant::now();
-            let plan = plan(&prepared.task, &prepared.config)
-                .map_err(|error| prepared.failure(task_args, error))?;
-            (plan, Some(start.elapsed().as_secs_f64()))
-        }
-    };
-    let predicted = match extent {
-        Extent::Plan => None,
-        Extent::Predict => {
-            progress.say(format!(
-                "predicting {}",
-                counted(plan.strokes.len(), "stroke")
-            ));
-            let mut frames = Frames::new(&prepared.task, &plan);
-            let prediction = predict(&prepared.task, &plan, |p| frames.watch(p));
-            Some((prediction, frames))
-        }
-    };
-
+    let results_of = stages(task_args, &prepared, given, extent, &progress)?;
     progress.say("writing the results");
-    let record = PlanRecord::new(&prepared.task, &plan, prepared.config.seed);
-    folder.write(PLAN_FILE, json(&record)?)?;
-    folder.write(PARTICLES_BEFORE_FILE, prepared.task.particles.to_csv())?;
-    if let Some((prediction, frames)) = &predicted {
-        folder.write(PARTICLES_AFTER_FILE, prediction.particles.to_csv())?;
-        write_report(&folder, &prepared, &plan, prediction, frames)?;
-    }
+    write(&folder, &prepared, &results_of)?;
     folder.finish()?;
     drop(progress);
 
-    let prediction = predicted.map(|(prediction, _)| prediction);
-    let summary = summary(&prepared, &plan, prediction.as_ref(), planning_time_s, &out);
+    let summary = summary(&prepared, &results_of, &out);
     if results.json {
         print(&format!(
             "{}\n",
@@ -117,6 +114,89 @@ fn work(
         }) => Outcome::GoalNotMet,
         _ => Outcome::Done,
     })
+}
+
+/// Plan, follow, predict what is followed.
+fn stages(
+    task_args: &TaskArgs,
+    prepared: &Prepared,
+    given: Option<Plan>,
+    extent: Extent<'_>,
+    progress: &Progress,
+) -> Result<Results, Failure> {
+    let task = &prepared.task;
+    let (plan, planning_time_s) = match given {
+        Some(plan) => (plan, None),
+        None => {
+            progress.say(format!("planning ({})", prepared.strategy()));
+            let start = Instant::now();
+            let plan =
+                plan(task, &prepared.config).map_err(|error| prepared.failure(task_args, error))?;
+            (plan, Some(start.elapsed().as_secs_f64()))
+        }
+    };
+    let following = match extent {
+        Extent::Follow(robot) => chosen(robot, prepared)
+            .map(|record| follow_plan(&record, robot, task_args, prepared, &plan, progress))
+            .transpose()?,
+        Extent::Plan | Extent::Predict => None,
+    };
+    let mut abandoned_share = 0.0;
+    let predicted = match extent {
+        Extent::Plan => None,
+        Extent::Predict | Extent::Follow(_) => {
+            let wiped = (following.as_ref()).map_or_else(|| plan.clone(), |f| f.plan(&plan));
+            progress.say(format!(
+                "predicting {}",
+                counted(wiped.strokes.len(), "stroke")
+            ));
+            let mut frames = Frames::new(task, &wiped);
+            let prediction = predict(task, &wiped, |p| frames.watch(p));
+            if following.as_ref().is_some_and(|f| !f.followed.abandoned.is_empty()) {
+                let hoped = predict(task, &plan, |_| ()).performance.ratio();
+                abandoned_share = (hoped - prediction.performance.ratio()).max(0.0);
+            }
+            Some((prediction, frames))
+        }
+    };
+    Ok(Results {
+        plan,
+        planning_time_s,
+        following,
+        abandoned_share,
+        predicted,
+    })
+}
+
+fn write(folder: &OutputFolder, prepared: &Prepared, results: &Results) -> Result<(), Failure> {
+    let record = PlanRecord::new(&prepared.task, &results.plan, prepared.config.seed);
+    folder.write(PLAN_FILE, json(&record)?)?;
+    folder.write(PARTICLES_BEFORE_FILE, prepared.task.particles.to_csv())?;
+    if let Some(following) = &results.following {
+        write_motion(folder, prepared, following)?;
+    }
+    if let Some((prediction, frames)) = &results.predicted {
+        folder.write(PARTICLES_AFTER_FILE, prediction.particles.to_csv())?;
+        write_report(folder, prepared, results, prediction, frames)?;
+    }
+    Ok(())
+}
+
+fn write_motion(
+    folder: &OutputFolder,
+    prepared: &Prepared,
+    following: &Following,
+) -> Result<(), Failure> {
+    let (followed, cell) = (&following.followed, &following.cell);
+    let faults = following.audit.faults.iter().map(ToString::to_string);
+    let record = FollowedRecord::new(&following.robot, followed, faults.collect());
+    folder.write(FOLLOWING_FILE, json(&record)?)?;
+    let trajectory = RobotTrajectory::new(followed, cell);
+    let line = serde_json::to_string(&trajectory).map_err(internal)?;
+    folder.write(TRAJECTORY_JSON_FILE, line + "\n")?;
+    folder.write(TRAJECTORY_YAML_FILE, trajectory.to_yaml().map_err(internal)?)?;
+    let interaction = &prepared.task.interaction;
+    folder.write(TCP_PATH_FILE, tcp_path_csv(followed, cell, interaction))
 }
 
 /// Reads a plan, and takes over what it was made with.
@@ -155,16 +235,22 @@ fn folder_name(task: &str) -> String {
 fn write_report(
     folder: &OutputFolder,
     prepared: &Prepared,
-    plan: &Plan,
+    results: &Results,
     prediction: &Prediction,
     frames: &Frames,
 ) -> Result<(), Failure> {
     let title = title(prepared);
-    let facts = facts(prepared, plan, prediction);
+    let following = results.following.as_ref();
+    let wiped = following.map_or_else(|| results.plan.clone(), |f| f.plan(&results.plan));
+    let mut facts = facts(prepared, &wiped, prediction);
+    facts.extend(following.iter().flat_map(|f| f.facts(results.abandoned_share)));
+    let shown = following.map(|following| (following, following.shown(frames)));
+    let motion = (shown.as_ref()).map(|(following, shown)| shown.input(following, &prepared.task));
     let input = ReportInput {
         title: &title,
         task: &prepared.task,
-        plan,
+        plan: &wiped,
+        motion: motion.as_ref(),
         prediction,
         frames,
         bandwidth: prepared.config.bandwidth,
@@ -235,14 +321,10 @@ fn facts(prepared: &Prepared, plan: &Plan, prediction: &Prediction) -> Vec<(Stri
     facts
 }
 
-fn summary(
-    prepared: &Prepared,
-    plan: &Plan,
-    prediction: Option<&Prediction>,
-    planning_time_s: Option<f64>,
-    out: &Path,
-) -> Summary {
+fn summary(prepared: &Prepared, results: &Results, out: &Path) -> Summary {
     let task = &prepared.task;
+    let plan = &results.plan;
+    let prediction = results.predicted.as_ref().map(|(prediction, _)| prediction);
     let target_performance = prepared.file.target_performance();
     Summary {
         schema: SUMMARY_SCHEMA,
@@ -260,7 +342,9 @@ fn summary(
         unreachable_share: plan.unreachable_share,
         distance_in_contact_m: plan.contact_distance(),
         distance_total_m: plan.total_distance(),
-        planning_time_s,
+        planning_time_s: results.planning_time_s,
+        following: (results.following.as_ref())
+            .map(|following| following.summary(results.abandoned_share)),
         prediction: prediction.map(|prediction| {
             let performance = prediction.performance;
             let predicted_performance = performance.ratio();
@@ -317,6 +401,9 @@ fn in_words(summary: &Summary, out: &Path) -> String {
     if let Some(time) = summary.planning_time_s {
         lines.push(("planning time", format!("{time:.3} s")));
     }
+    if let Some(following) = &summary.following {
+        lines.extend(robot_in_words(following));
+    }
     let result = match summary.prediction {
         Some(_) => ("report", REPORT_FILE),
         None => ("plan", PLAN_FILE),
@@ -339,7 +426,46 @@ fn in_words(summary: &Summary, out: &Path) -> String {
     text
 }
 
-fn json(record: &PlanRecord) -> Result<String, Failure> {
+/// The robot's part of the summary for people.
+fn robot_in_words(following: &FollowingSummary) -> Vec<(&'static str, String)> {
+    let places = match following.placements.len() {
+        0 => String::new(),
+        count => format!(", {}", counted(count, "placement")),
+    };
+    let mut lines = vec![
+        (
+            "robot",
+            format!(
+                "{}: {} abandoned{places}",
+                following.robot,
+                counted(following.abandoned_nodes, "node")
+            ),
+        ),
+        (
+            "execution time",
+            format!(
+                "{:.1} s, {:.1} s of it in contact",
+                following.execution_time_s, following.contact_time_s
+            ),
+        ),
+        (
+            "motion",
+            format!(
+                "{:.2} mm off its line at most, {:.1} mm clear at least",
+                1e3 * following.max_path_deviation_m,
+                1e3 * following.min_clearance_m
+            ),
+        ),
+        ("following time", format!("{:.3} s", following.following_time_s)),
+    ];
+    if following.faults > 0 {
+        let faults = counted(following.faults, "fault");
+        lines.push(("faults", format!("{faults}, see {FOLLOWING_FILE}")));
+    }
+    lines
+}
+
+fn json(record: &impl serde::Serialize) -> Result<String, Failure> {
     let mut text = serde_json::to_string_pretty(record).map_err(internal)?;
     text.push('\n');
     Ok(text)

@@ -33,4 +33,4 @@ pub use sources::{
 };
 pub use surface::Surface;
 pub use task::{Task, Tool};
-pub use task_file::{Intent, ReadFile, TaskError, TaskFile};
+pub use task_file::{Intent, ReadFile, RobotDescription, RobotRecord, TaskError, TaskFile};

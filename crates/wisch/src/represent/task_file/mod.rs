@@ -40,6 +40,31 @@ pub enum Intent {
     },
 }
 
+/// Where a robot's description is found.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum RobotDescription {
+    /// One that the program ships.
+    Named(String),
+    /// Files, as paths relative to the task file.
+    Files {
+        /// The URDF.
+        urdf: String,
+        /// The SRDF; `None` looks for one beside the URDF.
+        srdf: Option<String>,
+    },
+}
+
+/// The robot that is to do the task.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RobotRecord {
+    /// Which robot.
+    pub description: RobotDescription,
+    /// The group of its SRDF that wipes; `None` takes the first.
+    pub group: Option<String>,
+    /// Where it stands, or starts; `None` if the file does not say.
+    pub world_from_robot: Option<Pose>,
+}
+
 /// A task file as typed: every key known, every number within its range, every value consistent.
 /// What it refers to, knowledge and other files, is looked up by [`TaskFile::resolve`].
 #[derive(Debug, Clone, PartialEq)]
@@ -57,6 +82,7 @@ struct Contents {
     tool: ToolRecord,
     medium_at: Place,
     surface: SurfaceRecord,
+    robot: Option<RobotRecord>,
     collect_goal: Option<Point2>,
     scene: Vec<ObjectRecord>,
     particles: ParticleSource,
@@ -152,6 +178,11 @@ impl TaskFile {
     /// What is asked for.
     pub fn intent(&self) -> &Intent {
         &self.contents.intent
+    }
+
+    /// The robot that is to do it, if the file names one.
+    pub fn robot(&self) -> Option<&RobotRecord> {
+        self.contents.robot.as_ref()
     }
 
     /// Name of the task.

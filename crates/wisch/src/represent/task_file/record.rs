@@ -4,7 +4,8 @@ use super::outline::Outline;
 use super::reader::{Field, Section};
 use super::tree::Source;
 use super::{
-    Contents, Frame, Intent, ObjectRecord, Role, Shape, SurfaceRecord, TaskError, ToolRecord,
+    Contents, Frame, Intent, ObjectRecord, RobotDescription, RobotRecord, Role, Shape,
+    SurfaceRecord, TaskError, ToolRecord,
 };
 use crate::geometry::{Point2, Pose, Vector2, Vector3};
 use crate::represent::{Action, Cluster, MAX_PARTICLES, MaskSource, ParticleSource, UnknownName};
@@ -68,6 +69,7 @@ const ROOT_KEYS: &[&str] = &[
     "tool",
     "medium",
     "surface",
+    "robot",
     "collect",
     "scene",
     "particles",
@@ -85,6 +87,15 @@ const SURFACE_KEYS: &[&str] = &[
     "quaternion_xyzw",
     "carried_by",
     "skim_edges",
+];
+const ROBOT_KEYS: &[&str] = &[
+    "name",
+    "urdf",
+    "srdf",
+    "group",
+    "position_m",
+    "rpy_rad",
+    "quaternion_xyzw",
 ];
 const COLLECT_KEYS: &[&str] = &["goal_m"];
 const SCENE_KEYS: &[&str] = &[
@@ -128,7 +139,8 @@ const PLAN_KEYS: &[&str] = &["bandwidth_m", "lift_height_m"];
 
 /// Every list of keys, for the template's test.
 #[cfg(test)]
-pub(super) const ALL_KEYS: [&[&str]; 12] = [
+pub(super) const ALL_KEYS: [&[&str]; 13] = [
+    ROBOT_KEYS,
     ROOT_KEYS,
     TOOL_KEYS,
     MEDIUM_KEYS,
@@ -214,6 +226,7 @@ pub(super) fn read(source: &Source<'_>) -> Result<Contents, TaskError> {
         },
         medium_at: named(medium),
         surface: surface(&root.require("surface")?, &scene)?,
+        robot: root.get("robot").map(|f| robot(&f)).transpose()?,
         collect_goal,
         particles_at: particles.place(),
         particles: particle_source(&particles)?,
@@ -341,6 +354,32 @@ fn surface(field: &Field<'_>, scene: &[ObjectRecord]) -> Result<SurfaceRecord, T
         world_from_surface: pose(section)?,
         skim_edges,
         carried_by,
+    })
+}
+
+fn robot(field: &Field<'_>) -> Result<RobotRecord, TaskError> {
+    let section = field.section(ROBOT_KEYS)?;
+    let (kind, source) = section.exactly_one(&["name", "urdf"])?;
+    let text = |key| section.get(key).map(|field| field.name()).transpose();
+    let srdf = text("srdf")?;
+    let description = if kind == "name" {
+        if srdf.is_some() {
+            return Err(section.inconsistent("srdf goes with urdf; a robot by name has its own"));
+        }
+        RobotDescription::Named(source.name()?)
+    } else {
+        RobotDescription::Files {
+            urdf: source.name()?,
+            srdf,
+        }
+    };
+    Ok(RobotRecord {
+        description,
+        group: text("group")?,
+        world_from_robot: match section.get("position_m") {
+            Some(_) => Some(pose(section)?),
+            None => None,
+        },
     })
 }
 

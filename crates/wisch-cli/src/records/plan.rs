@@ -1,4 +1,4 @@
-//! The contents of the files that the program writes and reads: plans and summaries.
+//! plan.json, which is written and read.
 //!
 //! SI units, radians; keys end in their unit, and poses say their frames. Nothing in a plan
 //! depends on the clock or the machine, so the same task and seed give the same bytes.
@@ -14,8 +14,6 @@ use wisch::represent::{GoalState, Task};
 pub const PLAN_FORMAT: &str = "wisch-plan";
 /// The schema of plan.json that is written and read.
 pub const PLAN_SCHEMA: u32 = 1;
-/// The schema of the object that `--json` prints.
-pub const SUMMARY_SCHEMA: u32 = 1;
 
 /// plan.json.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -535,59 +533,4 @@ fn waypoint_record(waypoint: &TcpWaypoint) -> WaypointRecord {
         height_m: waypoint.height,
         heading_rad: pose.heading,
     }
-}
-
-/// What `--json` prints.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Summary {
-    /// Always [`SUMMARY_SCHEMA`].
-    pub schema: u32,
-    /// Name of the task.
-    pub task: String,
-    /// absorb, collect or skim.
-    pub action: String,
-    /// Name of the surface.
-    pub surface: String,
-    /// Name of the tool.
-    pub tool: String,
-    /// Name of the medium.
-    pub medium: String,
-    /// How the nodes were placed.
-    pub strategy: String,
-    /// Seed of everything random.
-    pub seed: u64,
-    /// Particles at the beginning.
-    pub particles: usize,
-    /// Nodes of the graph.
-    pub nodes: usize,
-    /// Edges of the graph.
-    pub edges: usize,
-    /// Strokes.
-    pub strokes: usize,
-    /// Share of the particles out of reach of the graph.
-    pub unreachable_share: f64,
-    /// Way in contact.
-    pub distance_in_contact_m: f64,
-    /// Whole way.
-    pub distance_total_m: f64,
-    /// How long planning took; null where a plan was given.
-    pub planning_time_s: Option<f64>,
-    /// What the prediction says; its keys are missing where nothing was predicted.
-    #[serde(flatten)]
-    pub prediction: Option<PredictionSummary>,
-    /// The folder with the results.
-    pub out: String,
-}
-
-/// The part of a summary that takes a prediction.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct PredictionSummary {
-    /// Share of the particles where the action wants them.
-    pub predicted_performance: f64,
-    /// Share from which on the goal is met.
-    pub target_performance: f64,
-    /// Whether the prediction reaches the target.
-    pub goal_met: bool,
-    /// Share pushed over an edge where that is not wanted.
-    pub lost_share: f64,
 }

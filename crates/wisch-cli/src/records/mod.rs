@@ -1,0 +1,12 @@
+//! The contents of the files that the program writes and reads. SI units, radians; keys end in their unit,
+//! and poses say their frames.
+
+mod followed;
+mod plan;
+mod summary;
+mod trajectory;
+
+pub use followed::FollowedRecord;
+pub use plan::{PLAN_FORMAT, PlanRecord};
+pub use summary::{FollowingSummary, PredictionSummary, SUMMARY_SCHEMA, Summary};
+pub use trajectory::{RobotTrajectory, tcp_path_csv};

@@ -1,0 +1,92 @@
+//! What `--json` prints.
+
+use serde::Serialize;
+
+/// The schema of the object that `--json` prints.
+pub const SUMMARY_SCHEMA: u32 = 1;
+
+/// What `--json` prints.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Summary {
+    /// Always [`SUMMARY_SCHEMA`].
+    pub schema: u32,
+    /// Name of the task.
+    pub task: String,
+    /// absorb, collect or skim.
+    pub action: String,
+    /// Name of the surface.
+    pub surface: String,
+    /// Name of the tool.
+    pub tool: String,
+    /// Name of the medium.
+    pub medium: String,
+    /// How the nodes were placed.
+    pub strategy: String,
+    /// Seed of everything random.
+    pub seed: u64,
+    /// Particles at the beginning.
+    pub particles: usize,
+    /// Nodes of the graph.
+    pub nodes: usize,
+    /// Edges of the graph.
+    pub edges: usize,
+    /// Strokes.
+    pub strokes: usize,
+    /// Share of the particles out of reach of the graph.
+    pub unreachable_share: f64,
+    /// Way in contact.
+    pub distance_in_contact_m: f64,
+    /// Whole way.
+    pub distance_total_m: f64,
+    /// How long planning took; null where a plan was given.
+    pub planning_time_s: Option<f64>,
+    /// What the prediction says; its keys are missing where nothing was predicted.
+    #[serde(flatten)]
+    pub prediction: Option<PredictionSummary>,
+    /// What the robot makes of the plan; its keys are missing where no robot followed it.
+    #[serde(flatten)]
+    pub following: Option<FollowingSummary>,
+    /// The folder with the results.
+    pub out: String,
+}
+
+/// The part of a summary that takes a prediction.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct PredictionSummary {
+    /// Share of the particles where the action wants them.
+    pub predicted_performance: f64,
+    /// Share from which on the goal is met.
+    pub target_performance: f64,
+    /// Whether the prediction reaches the target.
+    pub goal_met: bool,
+    /// Share pushed over an edge where that is not wanted.
+    pub lost_share: f64,
+}
+
+/// The part of a summary that takes a robot.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FollowingSummary {
+    /// Name of the robot.
+    pub robot: String,
+    /// Nodes of the plan that no way of the robot leads to.
+    pub abandoned_nodes: usize,
+    /// Share of the particles that this loses: predicted for the plan less predicted for the motion.
+    pub abandoned_share: f64,
+    /// Where the base stands, one after the other: x [m], y [m], heading [rad] in the world.
+    pub placements: Vec<[f64; 3]>,
+    /// How long the whole motion takes, driving and free motion included.
+    pub execution_time_s: f64,
+    /// How long of it the tool wipes.
+    pub contact_time_s: f64,
+    /// How long finding the motion took, placements and timing included; null in what must not depend
+    /// on the clock.
+    pub following_time_s: f64,
+    /// How far the tool centre point leaves its line at most.
+    pub max_path_deviation_m: f64,
+    /// How far the tool turns away from its line at most.
+    pub max_turn_deviation_rad: f64,
+    /// How near bodies that must not touch come at least, at most 0.5.
+    pub min_clearance_m: f64,
+    /// What an independent check of the whole motion found wrong: nothing, in a sound motion.
+    pub faults: usize,
+}

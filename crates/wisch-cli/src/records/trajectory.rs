@@ -1,0 +1,274 @@
+//! What other programs execute: joint motion as ROS 2 messages, and the tool's path as a table.
+
+use serde::Serialize;
+use std::fmt::Write;
+use wisch::follow::{Followed, TrajectorySample, Workcell};
+use wisch::geometry::Pose;
+use wisch::represent::Interaction;
+
+/// Period of the points [s]: what joint controllers interpolate between.
+const PERIOD: f64 = 0.02;
+/// What is written is rounded to a micrometre, a microradian.
+const PER_UNIT: f64 = 1e6;
+const NANOSECONDS: f64 = 1e9;
+
+/// `moveit_msgs/msg/RobotTrajectory`: a `trajectory_msgs/msg/JointTrajectory` of the joints and a
+/// `trajectory_msgs/msg/MultiDOFJointTrajectory` of a base that moves.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RobotTrajectory {
+    joint_trajectory: JointTrajectory,
+    multi_dof_joint_trajectory: MultiDofJointTrajectory,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct JointTrajectory {
+    header: Header,
+    joint_names: Vec<String>,
+    points: Vec<Point>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct MultiDofJointTrajectory {
+    header: Header,
+    joint_names: Vec<String>,
+    points: Vec<MultiDofPoint>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Header {
+    stamp: Duration,
+    frame_id: String,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+struct Duration {
+    sec: i32,
+    nanosec: u32,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Point {
+    positions: Vec<f64>,
+    velocities: Vec<f64>,
+    accelerations: Vec<f64>,
+    effort: [f64; 0],
+    time_from_start: Duration,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct MultiDofPoint {
+    transforms: [Transform; 1],
+    velocities: [Twist; 1],
+    accelerations: [Twist; 1],
+    time_from_start: Duration,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+struct Transform {
+    translation: Xyz,
+    rotation: Xyzw,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+struct Twist {
+    linear: Xyz,
+    angular: Xyz,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+struct Xyz {
+    x: f64,
+    y: f64,
+    z: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+struct Xyzw {
+    x: f64,
+    y: f64,
+    z: f64,
+    w: f64,
+}
+
+impl RobotTrajectory {
+    /// The whole motion: the joints of the group that wipes, and the base if it moves.
+    pub fn new(followed: &Followed, cell: &Workcell) -> Self {
+        let robot = cell.robot();
+        let variables = cell.ik().chain().variables();
+        let header = |frame: &str| Header {
+            stamp: Duration { sec: 0, nanosec: 0 },
+            frame_id: frame.to_owned(),
+        };
+        let samples = samples(followed);
+        let chosen = |values: &[f64]| variables.iter().map(|&i| rounded(values[i])).collect();
+        let name = |&i: &usize| robot.variable(i).name.clone();
+        let points = samples.iter().map(|sample| Point {
+            positions: chosen(&sample.q),
+            velocities: chosen(&sample.qd),
+            accelerations: chosen(&sample.qdd),
+            effort: [],
+            time_from_start: duration(sample.time),
+        });
+        let base_link = &robot.links()[cell.ik().chain().base().index()].name;
+        let base = cell.base().map(|base| {
+            let twist = |values: &[f64]| Twist {
+                linear: Xyz {
+                    x: rounded(values[base.x]),
+                    y: rounded(values[base.y]),
+                    z: 0.0,
+                },
+                angular: Xyz {
+                    x: 0.0,
+                    y: 0.0,
+                    z: rounded(values[base.yaw]),
+                },
+            };
+            samples.iter().map(move |sample| {
+                let (sin, cos) = (sample.q[base.yaw] / 2.0).sin_cos();
+                MultiDofPoint {
+                    transforms: [Transform {
+                        translation: Xyz {
+                            x: rounded(sample.q[base.x]),
+                            y: rounded(sample.q[base.y]),
+                            z: 0.0,
+                        },
+                        rotation: Xyzw {
+                            x: 0.0,
+                            y: 0.0,
+                            z: rounded(sin),
+                            w: rounded(cos),
+                        },
+                    }],
+                    velocities: [twist(&sample.qd)],
+                    accelerations: [twist(&sample.qdd)],
+                    time_from_start: duration(sample.time),
+                }
+            })
+        });
+        Self {
+            joint_trajectory: JointTrajectory {
+                header: header(base_link),
+                joint_names: variables.iter().map(name).collect(),
+                points: points.collect(),
+            },
+            multi_dof_joint_trajectory: MultiDofJointTrajectory {
+                header: header("world"),
+                joint_names: base.iter().map(|_| base_link.clone()).collect(),
+                points: base.into_iter().flatten().collect(),
+            },
+        }
+    }
+
+    /// The message as YAML that `ros2 topic pub` and `yaml.safe_load` read: block style, one point a line.
+    ///
+    /// # Errors
+    /// If a number is not finite.
+    pub fn to_yaml(&self) -> serde_json::Result<String> {
+        let mut yaml = String::new();
+        // JSON is flow style YAML.
+        let mut part = |name: &str,
+                        header: &Header,
+                        names: &[String],
+                        points: Vec<String>|
+         -> serde_json::Result<()> {
+            let _ = writeln!(yaml, "{name}:");
+            let _ = writeln!(yaml, "  header: {}", serde_json::to_string(header)?);
+            let _ = writeln!(yaml, "  joint_names: {}", serde_json::to_string(names)?);
+            let none = if points.is_empty() { " []" } else { "" };
+            let _ = writeln!(yaml, "  points:{none}");
+            for point in points {
+                let _ = writeln!(yaml, "  - {point}");
+            }
+            Ok(())
+        };
+        let joints = &self.joint_trajectory;
+        let points = joints.points.iter().map(serde_json::to_string);
+        part(
+            "joint_trajectory",
+            &joints.header,
+            &joints.joint_names,
+            points.collect::<serde_json::Result<_>>()?,
+        )?;
+        let base = &self.multi_dof_joint_trajectory;
+        let points = base.points.iter().map(serde_json::to_string);
+        part(
+            "multi_dof_joint_trajectory",
+            &base.header,
+            &base.joint_names,
+            points.collect::<serde_json::Result<_>>()?,
+        )?;
+        Ok(yaml)
+    }
+}
+
+/// The tool centre point in the world over time with what the controller is to do there.
+///
+/// Stiffness and force are those of the knowledge base in contact; free motion asks for no force.
+pub fn tcp_path_csv(followed: &Followed, cell: &Workcell, interaction: &Interaction) -> String {
+    let mut csv = String::from(
+        "time_s,phase,stroke,x_m,y_m,z_m,qx,qy,qz,qw,stiffness_n_per_m,press_force_n\n",
+    );
+    for sample in samples(followed) {
+        let Some(motion) = followed.motion_at(sample.time) else {
+            continue;
+        };
+        let Ok(kinematics) = cell.robot().forward_kinematics(&sample.q) else {
+            continue;
+        };
+        let world_from_tool: Pose =
+            cell.world_from_root() * kinematics.world_from_link(cell.tip()) * cell.tip_from_tool();
+        let at = world_from_tool.translation.vector;
+        let turned = world_from_tool.rotation.coords;
+        let force = if motion.phase.is_contact() {
+            interaction.press_force_n
+        } else {
+            0.0
+        };
+        let stroke = motion.phase.stroke().map(|stroke| stroke.to_string());
+        let _ = writeln!(
+            csv,
+            "{:.3},{},{},{:.6},{:.6},{:.6},{:.6},{:.6},{:.6},{:.6},{},{}",
+            sample.time,
+            motion.phase.as_str(),
+            stroke.unwrap_or_default(),
+            at.x,
+            at.y,
+            at.z,
+            turned.x,
+            turned.y,
+            turned.z,
+            turned.w,
+            interaction.stiffness_n_per_m,
+            force,
+        );
+    }
+    csv
+}
+
+/// The states at 0, p, 2p, …, and at the end.
+fn samples(followed: &Followed) -> Vec<TrajectorySample> {
+    let count = (followed.duration() / PERIOD).ceil() as usize;
+    (0..=count)
+        .filter_map(|i| followed.sample((i as f64 * PERIOD).min(followed.duration())))
+        .collect()
+}
+
+fn rounded(value: f64) -> f64 {
+    // Not −0.
+    (value * PER_UNIT).round() / PER_UNIT + 0.0
+}
+
+fn duration(time: f64) -> Duration {
+    let sec = time.floor();
+    let nanosec = ((time - sec) * NANOSECONDS).round();
+    if nanosec >= NANOSECONDS {
+        return Duration {
+            sec: sec as i32 + 1,
+            nanosec: 0,
+        };
+    }
+    Duration {
+        sec: sec as i32,
+        nanosec: nanosec as u32,
+    }
+}

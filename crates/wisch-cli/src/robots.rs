@@ -1,0 +1,159 @@
+//! Robots: those that the program carries, and the user's.
+
+use crate::assets::{self, beside, read_text};
+use crate::failure::Failure;
+use include_dir::{Dir, include_dir};
+use std::path::{Path, PathBuf};
+use wisch::represent::{RobotDescription, UnknownName};
+use wisch::robot::{CapabilityMap, RobotModel, Srdf};
+
+/// The robots folder as it was when the program was built.
+static BUILT_IN: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../robots");
+
+/// What a capability map's file is called, beside its URDF.
+pub const MAP_EXTENSION: &str = "reach";
+
+/// A robot with what belongs to it.
+pub struct Robot {
+    /// The model.
+    pub model: RobotModel,
+    /// Groups, states and pairs that may touch.
+    pub srdf: Option<Srdf>,
+    /// What is in reach of the group that wipes, if that is known.
+    pub map: Option<CapabilityMap>,
+}
+
+/// The text of one file, with the name under which messages speak of it.
+struct Named<T> {
+    name: String,
+    contents: T,
+}
+
+impl Robot {
+    /// Reads a robot. `task_file` is what paths of the description count from; `map_file` is the
+    /// user's capability map.
+    ///
+    /// # Errors
+    /// An unknown name, a file that cannot be read, or one that is not what it should be.
+    pub fn read(
+        description: &RobotDescription,
+        task_file: &Path,
+        map_file: Option<&Path>,
+        packages: &[(String, PathBuf)],
+    ) -> Result<Self, Failure> {
+        let mut robot = match description {
+            RobotDescription::Named(name) => built_in(name)?,
+            RobotDescription::Files { urdf, srdf } => {
+                let folder = task_file.parent().unwrap_or(Path::new(""));
+                let srdf = srdf.as_ref().map(|srdf| folder.join(srdf));
+                files(&folder.join(urdf), srdf.as_deref(), packages)?
+            }
+        };
+        if let Some(path) = map_file {
+            let name = path.display().to_string();
+            robot.map = Some(map(&robot.model, &name, &assets::read(path)?)?);
+        }
+        Ok(robot)
+    }
+
+    /// What `--robot` means: a robot that is shipped, or a file.
+    pub fn description(text: &str) -> RobotDescription {
+        if names().any(|name| name == text) || !text.contains(['.', '/', '\\']) {
+            return RobotDescription::Named(text.to_owned());
+        }
+        // Paths on the command line count from the working directory, not from the task file.
+        let path = std::path::absolute(text).unwrap_or_else(|_| PathBuf::from(text));
+        RobotDescription::Files {
+            urdf: path.display().to_string(),
+            srdf: None,
+        }
+    }
+}
+
+/// Names of the robots that the program carries.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    BUILT_IN.files().filter_map(|file| {
+        let path = file.path();
+        let is_urdf = path.extension().is_some_and(|e| e == "urdf");
+        path.file_stem().filter(|_| is_urdf)?.to_str()
+    })
+}
+
+fn built_in(name: &str) -> Result<Robot, Failure> {
+    let text = |extension: &str| {
+        let file = BUILT_IN.get_file(format!("{name}.{extension}"))?;
+        Some(Named {
+            name: format!("built-in {name}.{extension}"),
+            contents: file.contents_utf8()?,
+        })
+    };
+    let urdf = text("urdf").ok_or_else(|| {
+        Failure::new(UnknownName::new("robot", name, names()))
+            .with_help("a robot of your own is a file: a path that ends in .urdf")
+    })?;
+    let mut no_meshes = |file: &str| Err(format!("{file}: built-in robots have no meshes"));
+    let model = RobotModel::from_urdf(&urdf.name, urdf.contents, &mut no_meshes)
+        .map_err(Failure::new)?;
+    let srdf = (text("srdf"))
+        .map(|srdf| Srdf::parse(&srdf.name, srdf.contents, &model).map_err(Failure::new))
+        .transpose()?;
+    let map = BUILT_IN
+        .get_file(format!("{name}.{MAP_EXTENSION}"))
+        .map(|file| map(&model, &format!("built-in {name}.{MAP_EXTENSION}"), file.contents()))
+        .transpose()?;
+    Ok(Robot { model, srdf, map })
+}
+
+fn files(
+    urdf: &Path,
+    srdf: Option<&Path>,
+    packages: &[(String, PathBuf)],
+) -> Result<Robot, Failure> {
+    let text = read_text(urdf)?;
+    let name = urdf.display().to_string();
+    let model = RobotModel::from_urdf(&name, &text, &mut meshes(urdf, packages))
+        .map_err(|error| Failure::new(error).with_help(format!("wisch robot check {name}")))?;
+    let beside_urdf = urdf.with_extension("srdf");
+    let srdf = match srdf {
+        Some(path) => Some(path),
+        None => beside_urdf.is_file().then_some(beside_urdf.as_path()),
+    };
+    let srdf = srdf
+        .map(|path| {
+            let text = read_text(path)?;
+            Srdf::parse(&path.display().to_string(), &text, &model).map_err(Failure::new)
+        })
+        .transpose()?;
+    let map_file = urdf.with_extension(MAP_EXTENSION);
+    let map = if map_file.is_file() {
+        let name = map_file.display().to_string();
+        Some(map(&model, &name, &assets::read(&map_file)?)?)
+    } else {
+        None
+    };
+    Ok(Robot { model, srdf, map })
+}
+
+fn map(robot: &RobotModel, name: &str, bytes: &[u8]) -> Result<CapabilityMap, Failure> {
+    CapabilityMap::from_bytes(name, bytes, robot).map_err(|error| {
+        Failure::new(error).with_help("wisch robot map builds it anew, for this very robot")
+    })
+}
+
+/// Reads what a URDF refers to: paths count from the URDF's folder, packages are given.
+pub fn meshes(
+    urdf: &Path,
+    packages: &[(String, PathBuf)],
+) -> impl FnMut(&str) -> Result<Vec<u8>, String> {
+    let mut beside = beside(urdf);
+    move |path| {
+        let Some(in_package) = path.strip_prefix("package://") else {
+            return beside(path.strip_prefix("file://").unwrap_or(path));
+        };
+        let (name, rest) = in_package.split_once('/').unwrap_or((in_package, ""));
+        let known = packages.iter().find(|(known, _)| known == name);
+        let (_, folder) =
+            known.ok_or_else(|| format!("its package is not known; add --package {name}=DIR"))?;
+        assets::read(&folder.join(rest)).map_err(|failure| failure.to_string())
+    }
+}

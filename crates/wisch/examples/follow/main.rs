@@ -1,0 +1,225 @@
+//! The nine cells of the paper's Table 1 with KDE, followed by the humanoid: nodes abandoned, execution
+//! time beside the paper's, and how long the whole computation takes (§3.4).
+//!
+//! ```text
+//! cargo run --release --package wisch --example follow -- [number of seeds, default 5] [first seed, default 1]
+//! ```
+//!
+//! Seeds run one after the other, so that the times of one cell are those of one run.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+use wisch::follow::{FollowConfig, Workcell, WorkcellConfig, audit, follow};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan, predict};
+use wisch::represent::{Action, Intent, KnowledgeBase, Task, TaskFile};
+use wisch::robot::{CapabilityMap, RobotHash, RobotModel, Srdf};
+
+type AnyError = Box<dyn Error + Send + Sync>;
+
+const SCENARIOS: [&str; 3] = ["chopping-board", "table", "windshield"];
+
+/// Table 1, KDE: action × scenario × (performance [%], execution time [s], computation time [s]).
+const PAPER: [[[f64; 3]; 3]; 3] = [
+    [
+        [95.75, 27.71, 62.00],
+        [70.50, 52.45, 169.92],
+        [91.00, 66.11, 417.66],
+    ],
+    [
+        [90.50, 43.28, 72.24],
+        [41.75, 62.14, 270.56],
+        [62.75, 97.56, 428.05],
+    ],
+    [
+        [97.00, 45.81, 90.57],
+        [53.00, 102.48, 275.58],
+        [88.50, 96.03, 199.03],
+    ],
+];
+
+/// What a trial gives.
+struct Trial {
+    performance: f64,
+    nodes: usize,
+    abandoned: usize,
+    execution: f64,
+    contact: f64,
+    placements: usize,
+    seconds: f64,
+    off_line: f64,
+    clearance: f64,
+    faults: usize,
+}
+
+struct Robot {
+    model: RobotModel,
+    srdf: Srdf,
+    map: Option<CapabilityMap>,
+}
+
+fn main() -> Result<(), AnyError> {
+    let mut arguments = std::env::args().skip(1);
+    let count: u64 = arguments.next().map_or(Ok(5), |text| text.parse())?;
+    let first: u64 = arguments.next().map_or(Ok(1), |text| text.parse())?;
+    if count == 0 {
+        return Err("at least one seed is needed".into());
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let knowledge = knowledge(&root.join("knowledge"))?;
+    let robot = humanoid(&root.join("robots"))?;
+    println!("seeds {first} to {}", first + count - 1);
+    println!(
+        "{:18} {:>7} {:>7} {:>9} {:>7} {:>7} {:>8} {:>6} {:>7} {:>7} {:>7} {:>7} {:>6}",
+        "", "perf %", "paper", "abandoned", "exec s", "paper", "contact", "places", "comp s", "worst s", "off mm", "clear mm", "faults"
+    );
+    let mut all: Vec<Trial> = Vec::new();
+    for (a, action) in Action::ALL.into_iter().enumerate() {
+        for (s, name) in SCENARIOS.into_iter().enumerate() {
+            let scenario = scenario(&root.join(format!("scenarios/{name}.toml")))?;
+            let mut trials = Vec::new();
+            for seed in first..first + count {
+                let task = task(&scenario, action, seed, &knowledge, &root)?;
+                trials.push(trial(&task, &scenario, &robot)?);
+            }
+            let mean = |of: &dyn Fn(&Trial) -> f64| {
+                trials.iter().map(of).sum::<f64>() / trials.len() as f64
+            };
+            let most = |of: &dyn Fn(&Trial) -> f64| {
+                trials.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
+            };
+            println!(
+                "{action:7} {:10} {:7.2} {:7.2} {:4}/{:4} {:7.1} {:7.1} {:8.1} {:6.1} {:7.2} {:7.2} {:7.2} {:7.1} {:6}",
+                name.trim_start_matches("chopping-"),
+                mean(&|t| t.performance),
+                PAPER[a][s][0],
+                trials.iter().map(|t| t.abandoned).sum::<usize>(),
+                trials.iter().map(|t| t.nodes).sum::<usize>(),
+                mean(&|t| t.execution),
+                PAPER[a][s][1],
+                mean(&|t| t.contact),
+                mean(&|t| t.placements as f64),
+                mean(&|t| t.seconds),
+                most(&|t| t.seconds),
+                1e3 * most(&|t| t.off_line),
+                -1e3 * most(&|t| -t.clearance),
+                trials.iter().map(|t| t.faults).sum::<usize>(),
+            );
+            all.append(&mut trials);
+        }
+    }
+    let abandoned: usize = all.iter().map(|trial| trial.abandoned).sum();
+    let nodes: usize = all.iter().map(|trial| trial.nodes).sum();
+    println!("{abandoned} of {nodes} nodes abandoned");
+    Ok(())
+}
+
+fn trial(task: &Task, file: &TaskFile, robot: &Robot) -> Result<Trial, AnyError> {
+    let begin = Instant::now();
+    let config = PlanConfig {
+        strategy: CoverageStrategy::Kde,
+        seed: task.seed,
+        bandwidth: file.bandwidth_m(),
+        lift_height: file.lift_height_m(),
+    };
+    let plan = plan(task, &config)?;
+    let config = WorkcellConfig {
+        world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
+        ..WorkcellConfig::default()
+    };
+    let cell = Workcell::new(robot.model.clone(), Some(&robot.srdf), task, &config)?;
+    let config = FollowConfig::default();
+    let followed = follow(task, &plan, &cell, robot.map.as_ref(), &config, &mut |_| ())?;
+    let seconds = begin.elapsed().as_secs_f64();
+    let audit = audit(&followed, &cell, task, &config)?;
+    for fault in audit.faults.iter().take(3) {
+        println!("  seed {}: {fault}", task.seed);
+    }
+    for node in &followed.abandoned {
+        let last = node.attempts.last();
+        println!("  seed {}: node {}: {last:?}", task.seed, node.node);
+    }
+    let wiped = Plan {
+        strokes: followed.strokes.clone(),
+        ..plan.clone()
+    };
+    Ok(Trial {
+        performance: 100.0 * predict(task, &wiped, |_| ()).performance.ratio(),
+        nodes: plan.strokes.iter().map(|stroke| stroke.nodes.len()).sum(),
+        abandoned: followed.abandoned.len(),
+        execution: followed.duration(),
+        contact: followed.contact_time(),
+        placements: followed.placements.len(),
+        seconds,
+        off_line: audit.line.position,
+        clearance: audit.min_clearance,
+        faults: audit.faults.len(),
+    })
+}
+
+fn humanoid(folder: &Path) -> Result<Robot, AnyError> {
+    let urdf = text(&folder.join("humanoid.urdf"))?;
+    let mut no_meshes = |file: &str| Err(format!("{file}: there are no meshes"));
+    let model = RobotModel::from_urdf("humanoid.urdf", &urdf, &mut no_meshes)?;
+    let srdf = Srdf::parse("humanoid.srdf", &text(&folder.join("humanoid.srdf"))?, &model)?;
+    let map = match std::fs::read(folder.join("humanoid.reach")) {
+        Ok(bytes) => Some(CapabilityMap::from_bytes(
+            "humanoid.reach",
+            &bytes,
+            RobotHash::of(&model),
+        )?),
+        Err(_) => None,
+    };
+    Ok(Robot { model, srdf, map })
+}
+
+fn task(
+    scenario: &TaskFile,
+    action: Action,
+    seed: u64,
+    knowledge: &KnowledgeBase,
+    root: &Path,
+) -> Result<Task, AnyError> {
+    let Intent::Action { tool, medium, .. } = scenario.intent() else {
+        return Err(format!("{} names no tool", scenario.name()).into());
+    };
+    let read = |folder: PathBuf| {
+        move |path: &str| std::fs::read(folder.join(path)).map_err(|error| error.to_string())
+    };
+    Ok(scenario.resolve(
+        action,
+        tool,
+        medium,
+        seed,
+        knowledge,
+        &mut read(root.join("scenarios")),
+        &mut read(root.join("knowledge")),
+    )?)
+}
+
+fn scenario(path: &Path) -> Result<TaskFile, AnyError> {
+    let text = text(path)?;
+    Ok(TaskFile::parse(&path.display().to_string(), &text, &[])?)
+}
+
+fn knowledge(folder: &Path) -> Result<KnowledgeBase, AnyError> {
+    let names = [
+        "tools.toml",
+        "media.toml",
+        "surfaces.toml",
+        "interactions.toml",
+    ];
+    let texts = names
+        .iter()
+        .map(|name| text(&folder.join(name)))
+        .collect::<Result<Vec<String>, _>>()?;
+    let files: Vec<(&str, &str)> = names
+        .into_iter()
+        .zip(texts.iter().map(String::as_str))
+        .collect();
+    Ok(KnowledgeBase::from_toml(&files)?)
+}
+
+fn text(path: &Path) -> Result<String, AnyError> {
+    std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()).into())
+}

@@ -1,0 +1,347 @@
+//! The arm at one placement of the base: along lines of the tool, the local method (7) of paper §3.3.
+
+use super::{FollowConfig, Obstruction, ToolPose, Touch, Workcell};
+use crate::geometry::{PlanarPose, Pose};
+use crate::represent::Task;
+use crate::robot::{Contact, IkConfig, IkOutcome, JointPositions, RobotError, RotationGoal};
+use std::f64::consts::PI;
+
+/// How near to its limit a joint is at it [rad or m].
+const AT_LIMIT: f64 = 1e-4;
+/// How much of the tolerance the middle between two solved poses may use up.
+const SHARE_BETWEEN: f64 = 0.25;
+/// How often a step is halved to stay on the line.
+const MAX_HALVINGS: u32 = 6;
+
+/// The group's variables where the base stands.
+pub(super) struct Arm<'a> {
+    pub cell: &'a Workcell,
+    pub task: &'a Task,
+    pub config: &'a FollowConfig,
+    /// All n variables; those of the group are overwritten.
+    template: Vec<f64>,
+    base_from_world: Pose,
+    ik: IkConfig,
+}
+
+/// Where a line broke off.
+#[derive(Debug, Clone)]
+pub(super) struct Broken {
+    /// How far along the line, 0 to 1.
+    pub progress: f64,
+    pub obstruction: Obstruction,
+}
+
+impl<'a> Arm<'a> {
+    pub fn new(
+        cell: &'a Workcell,
+        task: &'a Task,
+        config: &'a FollowConfig,
+        world_from_base: &PlanarPose,
+    ) -> Result<Self, RobotError> {
+        let template = cell.standing(cell.ready(), world_from_base);
+        let base = cell.ik().chain().base();
+        let root_from_base = cell
+            .robot()
+            .forward_kinematics(&template)?
+            .world_from_link(base);
+        Ok(Self {
+            base_from_world: (cell.world_from_root() * root_from_base).inverse(),
+            cell,
+            task,
+            config,
+            template,
+            ik: IkConfig::default(),
+        })
+    }
+
+    /// The group's variables of the robot's.
+    pub fn of_robot(&self, q: &[f64]) -> JointPositions {
+        let variables = self.cell.ik().chain().variables();
+        variables.iter().map(|&i| q[i]).collect()
+    }
+
+    /// The robot's variables with the group's.
+    pub fn to_robot(&self, arm: &JointPositions) -> Vec<f64> {
+        let mut q = self.template.clone();
+        for (&variable, &value) in self.cell.ik().chain().variables().iter().zip(arm.iter()) {
+            q[variable] = value;
+        }
+        q
+    }
+
+    /// The group in the robot's ready posture.
+    pub fn ready(&self) -> JointPositions {
+        self.of_robot(&self.template)
+    }
+
+    /// Where the group's variables may be; one turn either way for joints without limits.
+    pub fn ranges(&self) -> Vec<[f64; 2]> {
+        let variables = self.cell.ik().chain().variables();
+        let range = |&i: &usize| {
+            let limit = &self.cell.limits().joints()[i];
+            if limit.lower.is_finite() && limit.upper.is_finite() {
+                [limit.lower, limit.upper]
+            } else {
+                [-PI, PI]
+            }
+        };
+        variables.iter().map(range).collect()
+    }
+
+    /// Whether every joint is within its limits, those that follow several others included.
+    pub fn is_within_limits(&self, arm: &JointPositions) -> bool {
+        let q = self.to_robot(arm);
+        self.cell.robot().joints().iter().all(|joint| {
+            let position = joint.drive.position(&q);
+            let limits = joint.limits.position;
+            limits.is_none_or(|limits| (limits.lower..=limits.upper).contains(&position))
+        })
+    }
+
+    /// Where the tool is wanted, from the group's base.
+    pub fn base_from_tool(&self, pose: &ToolPose) -> Pose {
+        self.base_from_world * Workcell::world_from_tool(self.task, pose)
+    }
+
+    /// A configuration that puts the tool there, near `start`.
+    pub fn reach(
+        &self,
+        pose: &ToolPose,
+        start: &JointPositions,
+    ) -> Result<JointPositions, Obstruction> {
+        let target = self.base_from_tool(pose);
+        let outcome = (self.cell.ik()).solve_from(&target, RotationGoal::Full, start, &self.ik);
+        self.solved(outcome)
+    }
+
+    /// A configuration that puts the tool there, from `starts` and from random ones.
+    pub fn reach_anyhow(
+        &self,
+        pose: &ToolPose,
+        starts: &[&[f64]],
+        seed: u64,
+        restarts: usize,
+    ) -> Result<JointPositions, Obstruction> {
+        let target = self.base_from_tool(pose);
+        let config = IkConfig {
+            max_restarts: restarts,
+            ..self.ik.clone()
+        };
+        let outcome = (self.cell.ik()).solve(&target, RotationGoal::Full, starts, seed, &config);
+        self.solved(outcome)
+    }
+
+    fn solved(
+        &self,
+        outcome: Result<IkOutcome, RobotError>,
+    ) -> Result<JointPositions, Obstruction> {
+        match outcome {
+            Ok(IkOutcome::Solved(q)) => Ok(q),
+            Ok(IkOutcome::Stuck {
+                best,
+                position_error,
+                rotation_error,
+            }) => Err(self.at_limit(&best).unwrap_or(Obstruction::OutOfReach {
+                position_error,
+                rotation_error,
+            })),
+            // Poses and starts come from here and are finite.
+            Err(_) => Err(Obstruction::OutOfReach {
+                position_error: f64::INFINITY,
+                rotation_error: f64::INFINITY,
+            }),
+        }
+    }
+
+    fn at_limit(&self, arm: &JointPositions) -> Option<Obstruction> {
+        let q = self.to_robot(arm);
+        self.cell.robot().joints().iter().find_map(|joint| {
+            let limits = joint.limits.position?;
+            let position = joint.drive.position(&q);
+            let moves = (joint.drive.terms.iter())
+                .any(|(variable, _)| self.cell.ik().chain().variables().contains(variable));
+            let is_at = position < limits.lower + AT_LIMIT || position > limits.upper - AT_LIMIT;
+            (moves && is_at).then(|| Obstruction::JointLimit {
+                joint: joint.name.clone(),
+                limits,
+            })
+        })
+    }
+
+    /// Whether the straight way between two configurations is free.
+    pub fn is_free(
+        &self,
+        from: &JointPositions,
+        to: &JointPositions,
+        touch: Touch,
+    ) -> Result<(), Obstruction> {
+        let (from, to) = (self.to_robot(from), self.to_robot(to));
+        let model = self.cell.arm_collisions(touch);
+        match model.segment_contact(&from, &to, self.config.margin) {
+            Ok(None) => Ok(()),
+            Ok(Some(contact)) => Err(self.obstruction(&contact)),
+            Err(_) => Err(Obstruction::OutOfReach {
+                position_error: f64::INFINITY,
+                rotation_error: f64::INFINITY,
+            }),
+        }
+    }
+
+    /// Whether a configuration is free.
+    pub fn is_free_at(&self, at: &JointPositions, touch: Touch) -> bool {
+        let model = self.cell.arm_collisions(touch);
+        let contact = model.collision(&self.to_robot(at), self.config.margin);
+        matches!(contact, Ok(None))
+    }
+
+    fn obstruction(&self, contact: &Contact) -> Obstruction {
+        let model = self.cell.collisions();
+        let (a, b) = (model.name(contact.a), model.name(contact.b));
+        let distance = contact.distance;
+        match (self.cell.is_obstacle(a), self.cell.is_obstacle(b)) {
+            (false, false) => Obstruction::SelfCollision {
+                a: a.to_owned(),
+                b: b.to_owned(),
+                distance,
+            },
+            (a_is_obstacle, _) => {
+                let (body, object) = if a_is_obstacle { (b, a) } else { (a, b) };
+                Obstruction::SceneCollision {
+                    body: body.to_owned(),
+                    object: object.to_owned(),
+                    distance,
+                }
+            }
+        }
+    }
+
+    /// The configurations along the tool's line from where the arm is, `start` left out, the end
+    /// included.
+    pub fn along(
+        &self,
+        start: &JointPositions,
+        from: &ToolPose,
+        to: &ToolPose,
+        touch: Touch,
+    ) -> Result<Vec<JointPositions>, Broken> {
+        let count = from.steps_to(to, self.config);
+        let mut path = Vec::with_capacity(count);
+        let mut at = *start;
+        for i in 1..=count {
+            let (s0, s1) = ((i - 1) as f64 / count as f64, i as f64 / count as f64);
+            self.step(&mut at, from, to, [s0, s1], touch, &mut path, MAX_HALVINGS)
+                .map_err(|obstruction| Broken {
+                    progress: s0,
+                    obstruction,
+                })?;
+        }
+        Ok(path)
+    }
+
+    /// One step of the line, halved where the joints' straight way between leaves it.
+    #[expect(clippy::too_many_arguments, reason = "a recursion carries its state")]
+    fn step(
+        &self,
+        at: &mut JointPositions,
+        from: &ToolPose,
+        to: &ToolPose,
+        [s0, s1]: [f64; 2],
+        touch: Touch,
+        path: &mut Vec<JointPositions>,
+        halvings: u32,
+    ) -> Result<(), Obstruction> {
+        let next = self.reach(&from.towards(to, s1), at)?;
+        let middle_s = 0.5 * (s0 + s1);
+        let on_line =
+            !self.jumps(at, &next) && self.is_on_line(at, &next, &from.towards(to, middle_s));
+        if on_line {
+            self.is_free(at, &next, touch)?;
+            path.push(next);
+            *at = next;
+            return Ok(());
+        }
+        if halvings == 0 {
+            return Err(self.jump(at, &next));
+        }
+        self.step(at, from, to, [s0, middle_s], touch, path, halvings - 1)?;
+        self.step(at, from, to, [middle_s, s1], touch, path, halvings - 1)
+    }
+
+    /// Whether a joint moves further than it may between two neighbouring poses.
+    pub fn jumps(&self, from: &JointPositions, to: &JointPositions) -> bool {
+        from.iter()
+            .zip(to.iter())
+            .any(|(a, b)| (b - a).abs() > self.config.max_joint_step)
+    }
+
+    fn jump(&self, from: &JointPositions, to: &JointPositions) -> Obstruction {
+        let steps = from.iter().zip(to.iter()).map(|(a, b)| (b - a).abs());
+        let (widest, step) = steps
+            .enumerate()
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+            .unwrap_or_default();
+        let variable = self.cell.ik().chain().variables()[widest];
+        Obstruction::Jump {
+            joint: self.cell.robot().variable(variable).name.clone(),
+            step,
+        }
+    }
+
+    /// Whether the tool is where it should be half way between two configurations.
+    pub fn is_on_line(
+        &self,
+        from: &JointPositions,
+        to: &JointPositions,
+        middle: &ToolPose,
+    ) -> bool {
+        let q: JointPositions = from
+            .iter()
+            .zip(to.iter())
+            .map(|(a, b)| 0.5 * (a + b))
+            .collect();
+        let Ok(kinematics) = self.cell.ik().chain().forward_kinematics(&q) else {
+            return false;
+        };
+        let base_from_tool = kinematics.base_from_tip() * self.cell.tip_from_tool();
+        let wanted = self.base_from_tool(middle);
+        let off = (base_from_tool.translation.vector - wanted.translation.vector).norm();
+        let turned = base_from_tool.rotation.angle_to(&wanted.rotation);
+        off <= SHARE_BETWEEN * self.config.line_tolerance
+            && turned <= SHARE_BETWEEN * self.config.turn_tolerance
+    }
+}
+
+impl ToolPose {
+    /// Between this pose (0) and another (1).
+    pub fn towards(&self, to: &Self, s: f64) -> Self {
+        let between = |a: f64, b: f64| a + s * (b - a);
+        let (a, b) = (&self.surface_from_tool, &to.surface_from_tool);
+        Self {
+            surface_from_tool: PlanarPose::new(
+                a.position + (b.position - a.position) * s,
+                between(a.heading, b.heading),
+            ),
+            height: between(self.height, to.height),
+            tilt: between(self.tilt, to.tilt),
+        }
+    }
+
+    /// The same, lifted.
+    pub fn lifted(&self, height: f64) -> Self {
+        Self { height, ..*self }
+    }
+
+    /// Way of the tool centre point to another pose [m].
+    pub fn distance(&self, to: &Self) -> f64 {
+        let flat = (to.surface_from_tool.position - self.surface_from_tool.position).norm();
+        flat.hypot(to.height - self.height)
+    }
+
+    fn steps_to(&self, to: &Self, config: &FollowConfig) -> usize {
+        let turn = (to.surface_from_tool.heading - self.surface_from_tool.heading).abs();
+        let lean = (to.tilt - self.tilt).abs();
+        let steps = (self.distance(to) / config.step).max(turn.max(lean) / config.turn);
+        (steps.ceil() as usize).max(1)
+    }
+}

@@ -1,0 +1,110 @@
+//! How closely a plan is followed, and how hard a way is looked for.
+
+use super::FollowError;
+use std::f64::consts::PI;
+
+/// How closely a plan is followed, and how hard a way is looked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FollowConfig {
+    /// Longest step of the tool between two poses that are solved [m].
+    pub step: f64,
+    /// Largest turn between two poses that are solved [rad].
+    pub turn: f64,
+    /// δ of Algorithm 1: increment of the tool's free rotation and tilt [rad].
+    pub freedom_increment: f64,
+    /// Clearance that every pair of bodies keeps [m].
+    pub margin: f64,
+    /// Largest change of a joint over one step; more is a jump [rad or m].
+    pub max_joint_step: f64,
+    /// How far the tool centre point may leave its line [m].
+    pub line_tolerance: f64,
+    /// How far the tool may turn away from its line [rad].
+    pub turn_tolerance: f64,
+    /// Fastest the tool moves in contact [m/s].
+    pub contact_speed: f64,
+    /// How many configurations are tried at the begin of a stroke.
+    pub start_configurations: usize,
+    /// How many placements of the base are tried for the same piece of the path.
+    pub placements: usize,
+    /// Seed of the random starts of searches.
+    pub seed: u64,
+}
+
+impl Default for FollowConfig {
+    /// Poses each 10 mm and 2°, the tool turned by 10°, 5 mm of clearance, 1 mm and 0.5° off the line,
+    /// 0.25 m/s in contact.
+    fn default() -> Self {
+        Self {
+            step: 0.01,
+            turn: 2.0_f64.to_radians(),
+            freedom_increment: 10.0_f64.to_radians(),
+            margin: 5e-3,
+            max_joint_step: 0.2,
+            line_tolerance: 1e-3,
+            turn_tolerance: 0.5_f64.to_radians(),
+            contact_speed: 0.25,
+            start_configurations: 6,
+            placements: 2,
+            seed: 0,
+        }
+    }
+}
+
+impl FollowConfig {
+    /// Whether the numbers make sense.
+    ///
+    /// # Errors
+    /// The first field that does not.
+    pub(super) fn checked(&self) -> Result<(), FollowError> {
+        let fields = [
+            ("step", self.step, 1e-4, 1.0, "0.0001 to 1 m"),
+            ("turn", self.turn, 1e-3, 1.0, "0.001 to 1 rad"),
+            (
+                "freedom_increment",
+                self.freedom_increment,
+                1e-2,
+                PI,
+                "0.01 to pi rad",
+            ),
+            ("margin", self.margin, 1e-4, 1.0, "0.0001 to 1 m"),
+            (
+                "max_joint_step",
+                self.max_joint_step,
+                1e-3,
+                PI,
+                "0.001 to pi rad",
+            ),
+            (
+                "line_tolerance",
+                self.line_tolerance,
+                1e-5,
+                0.1,
+                "0.00001 to 0.1 m",
+            ),
+            (
+                "turn_tolerance",
+                self.turn_tolerance,
+                1e-4,
+                1.0,
+                "0.0001 to 1 rad",
+            ),
+            (
+                "contact_speed",
+                self.contact_speed,
+                1e-3,
+                10.0,
+                "0.001 to 10 m/s",
+            ),
+        ];
+        for (name, value, least, most, expected) in fields {
+            if !(value >= least && value <= most) {
+                return Err(FollowError::Config {
+                    name,
+                    value,
+                    expected,
+                });
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,67 @@
+//! Why a plan cannot be followed at all. What is merely out of reach is part of the outcome.
+
+use super::TimingError;
+use crate::robot::RobotError;
+use crate::text::UnknownName;
+
+/// Why a plan cannot be followed at all.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum FollowError {
+    /// The robot cannot be used.
+    #[error(transparent)]
+    Robot(#[from] RobotError),
+    /// A joint path cannot be timed.
+    #[error("timing: {0}")]
+    Timing(#[from] TimingError),
+    /// A group that the SRDF does not have.
+    #[error("{0}")]
+    UnknownGroup(Box<UnknownName>),
+    /// The group's base is moved by joints that are no planar base.
+    #[error(
+        "link {link:?}, the base of the group, is moved by {}; a base is fixed, or moves by a prismatic x, a prismatic y and a revolute z",
+        joints.join(", ")
+    )]
+    NoPlanarBase {
+        /// The base of the group.
+        link: String,
+        /// The joints that move it.
+        joints: Vec<String>,
+    },
+    /// A robot that moves over its floor is placed off it.
+    #[error(
+        "robot: {what} is {value}, but this robot moves over the floor: only x, y and yaw are free"
+    )]
+    OffFloor {
+        /// The coordinate.
+        what: &'static str,
+        /// Its value [m or rad].
+        value: f64,
+    },
+    /// The robot touches something before it has moved.
+    #[error(
+        "the robot cannot start: in its ready posture {a:?} comes within {distance:.4} m of {b:?}, the limit is {limit} m"
+    )]
+    StartBlocked {
+        /// One body.
+        a: String,
+        /// The other.
+        b: String,
+        /// Their distance [m]; negative inside.
+        distance: f64,
+        /// The clearance asked for [m].
+        limit: f64,
+    },
+    /// The robot's ready posture is outside its limits.
+    #[error("the robot cannot start: {0}")]
+    StartOutOfLimits(crate::robot::LimitFault),
+    /// A number of the configuration that makes no sense.
+    #[error("{name} is {value}, expected {expected}")]
+    Config {
+        /// The field.
+        name: &'static str,
+        /// What it is.
+        value: f64,
+        /// What it may be.
+        expected: &'static str,
+    },
+}

@@ -1,0 +1,426 @@
+//! From a plan to joint motion: placements, strokes, times.
+
+use super::arm::Arm;
+use super::edge::{Freedom, freedoms};
+use super::placement::{Ahead, Candidate, Reachability, best};
+use super::stroke_run::{Now, Piece, PieceKind, run};
+use super::transfer::transfer;
+use super::{
+    AbandonedNode, Attempt, FollowConfig, FollowError, Followed, Motion, Phase, Placement,
+    RatedPlace, ToolPose, Workcell, drive, schedule,
+};
+use crate::geometry::{PlanarPose, wrap_angle};
+use crate::plan::{Plan, Stroke};
+use crate::represent::Task;
+use crate::robot::CapabilityMap;
+
+/// How often a way back to the ready posture is looked for.
+const WAYS_BACK: u64 = 3;
+
+/// A placement from which the tool is turned away from the plan by less than this per node is as good as
+/// any [rad].
+const TURNED: f64 = 0.1;
+
+/// A node still to be passed.
+#[derive(Debug, Clone, Copy)]
+struct Waiting {
+    node: usize,
+    pose: PlanarPose,
+}
+
+/// What is left of a planned stroke.
+#[derive(Debug, Clone)]
+struct Open {
+    /// Its number in the plan.
+    stroke: usize,
+    /// Its nodes from the next on; the first is where the tool has to be put down.
+    nodes: Vec<Waiting>,
+    /// Whether the first of them has been wiped already.
+    begun: bool,
+}
+
+/// What the arm does from one placement.
+struct Stay {
+    world_from_base: PlanarPose,
+    runs: Vec<(Vec<usize>, super::stroke_run::Run)>,
+    /// From the last stroke back to the ready posture.
+    back: Vec<crate::robot::JointPositions>,
+    open: Vec<Open>,
+    /// Why it went no further.
+    stopped: Vec<Attempt>,
+}
+
+impl Stay {
+    /// How far the tool is turned away from its planned orientation, per node [rad].
+    fn turned(&self) -> f64 {
+        let nodes: usize = self.runs.iter().map(|(nodes, _)| nodes.len()).sum();
+        let turned: f64 = self.runs.iter().map(|(_, run)| run.turned).sum();
+        turned / nodes.max(1) as f64
+    }
+}
+
+/// Follows a plan with a robot: the base is placed so that much of the path is in reach, each stroke is
+/// followed by Algorithm 1 of paper §3.3, and everything is timed within the limits of the joints.
+///
+/// `map` rates places for the base; without one, each place is rated by inverse kinematics, which
+/// is slower and coarser. A robot whose base is fixed needs none. `progress` is called with the number
+/// of nodes passed so far.
+///
+/// A node that no way leads to is abandoned and told with what was tried; that is an outcome, not an
+/// error. The same arguments give the same bytes on any number of threads.
+///
+/// # Errors
+/// A configuration out of range, a robot that touches something in its ready posture, or a path that
+/// cannot be timed.
+pub fn follow(
+    task: &Task,
+    plan: &Plan,
+    cell: &Workcell,
+    map: Option<&CapabilityMap>,
+    config: &FollowConfig,
+    progress: &mut dyn FnMut(usize),
+) -> Result<Followed, FollowError> {
+    config.checked()?;
+    can_start(cell, config)?;
+    let follower = Follower {
+        task,
+        plan,
+        cell,
+        config,
+        map,
+        freedoms: freedoms(&task.tool, config.freedom_increment),
+    };
+    follower.follow(progress)
+}
+
+fn can_start(cell: &Workcell, config: &FollowConfig) -> Result<(), FollowError> {
+    if let Some(fault) = cell.robot().limit_faults(cell.ready())?.into_iter().next() {
+        return Err(FollowError::StartOutOfLimits(fault));
+    }
+    let model = cell.collisions();
+    match model.collision(cell.ready(), config.margin)? {
+        None => Ok(()),
+        Some(contact) => Err(FollowError::StartBlocked {
+            a: model.name(contact.a).to_owned(),
+            b: model.name(contact.b).to_owned(),
+            distance: contact.distance,
+            limit: config.margin,
+        }),
+    }
+}
+
+struct Follower<'a> {
+    task: &'a Task,
+    plan: &'a Plan,
+    cell: &'a Workcell,
+    config: &'a FollowConfig,
+    map: Option<&'a CapabilityMap>,
+    freedoms: Vec<Freedom>,
+}
+
+impl Follower<'_> {
+    fn follow(&self, progress: &mut dyn FnMut(usize)) -> Result<Followed, FollowError> {
+        let mut open: Vec<Open> = self.open();
+        let count = |open: &[Open]| -> usize {
+            open.iter()
+                .map(|o| o.nodes.len() - usize::from(o.begun))
+                .sum()
+        };
+        let all = count(&open);
+        let mut at = self.cell.base_pose(self.cell.ready());
+        let mut stays: Vec<(Vec<PlanarPose>, Placement, Stay)> = Vec::new();
+        let mut abandoned: Vec<AbandonedNode> = Vec::new();
+        let mut rated: Vec<RatedPlace> = Vec::new();
+        while !open.is_empty() {
+            let candidates = self.candidates(&open, &at)?;
+            if rated.is_empty() {
+                rated = self.rated_places(&candidates);
+            }
+            let mut chosen: Option<(Vec<PlanarPose>, Placement, Stay)> = None;
+            let mut stopped = Vec::new();
+            for candidate in &best_or_here(self.cell, &candidates, &at, self.config) {
+                let Some(way) =
+                    drive::drive(self.cell, &at, &candidate.world_from_base, self.config)
+                else {
+                    continue;
+                };
+                let stay = self.work(way.last().unwrap_or(&at), &open)?;
+                if stopped.is_empty() {
+                    stopped.clone_from(&stay.stopped);
+                }
+                if stay.runs.is_empty() {
+                    continue;
+                }
+                let left = count(&stay.open);
+                let is_better = (chosen.as_ref()).is_none_or(|(.., best)| {
+                    let other = count(&best.open);
+                    left < other || left == other && stay.turned() < best.turned()
+                });
+                let is_as_planned = left == 0 && stay.turned() <= TURNED;
+                if is_better {
+                    chosen = Some((way, Placement::from(candidate), stay));
+                }
+                if is_as_planned {
+                    break;
+                }
+            }
+            match chosen {
+                Some(next) => {
+                    open.clone_from(&next.2.open);
+                    at = *next.0.last().unwrap_or(&at);
+                    stays.push(next);
+                }
+                None => abandoned.push(give_up(&mut open, stopped)),
+            }
+            progress(all - count(&open));
+        }
+        self.timed(stays, abandoned, rated)
+    }
+
+    fn open(&self) -> Vec<Open> {
+        let strokes = self.plan.strokes.iter().enumerate();
+        strokes
+            .filter(|(_, stroke)| !stroke.poses.is_empty())
+            .map(|(number, stroke)| Open {
+                stroke: number,
+                nodes: (stroke.nodes.iter().zip(&stroke.poses))
+                    .map(|(&node, &pose)| Waiting { node, pose })
+                    .collect(),
+                begun: false,
+            })
+            .collect()
+    }
+
+    /// Rated places for the rest of the path; none for a robot without a planar base.
+    fn candidates(&self, open: &[Open], at: &PlanarPose) -> Result<Vec<Candidate>, FollowError> {
+        if self.cell.base().is_none() {
+            return Ok(Vec::new());
+        }
+        let reachability = Reachability::new(self.cell, self.task, self.map)?;
+        let poses = open
+            .iter()
+            .flat_map(|open| {
+                let nodes = open.nodes.iter().map(|waiting| waiting.pose);
+                let halves = open.nodes.windows(2).map(|pair| {
+                    let middle = nalgebra::center(&pair[0].pose.position, &pair[1].pose.position);
+                    PlanarPose::new(middle, pair[0].pose.heading)
+                });
+                let mut all: Vec<PlanarPose> = Vec::new();
+                let mut halves = halves;
+                for node in nodes {
+                    all.push(node);
+                    all.extend(halves.next());
+                }
+                all
+            })
+            .map(|surface_from_tool| ToolPose {
+                surface_from_tool,
+                height: 0.0,
+                tilt: 0.0,
+            })
+            .collect();
+        let mut candidates = reachability.rated(&Ahead { poses }, self.config);
+        // Where the base stands already is as good a place as any other.
+        candidates.sort_by(|a, b| {
+            let away = |c: &Candidate| (c.world_from_base.position - at.position).norm();
+            away(a).total_cmp(&away(b))
+        });
+        Ok(candidates)
+    }
+
+    /// The best heading of every place.
+    fn rated_places(&self, candidates: &[Candidate]) -> Vec<RatedPlace> {
+        let mut places: Vec<RatedPlace> = Vec::new();
+        let mut sorted: Vec<RatedPlace> = candidates.iter().map(RatedPlace::from).collect();
+        let key = |place: &RatedPlace| {
+            let at = place.world_from_base.position;
+            ((at.x * 1e3).round() as i64, (at.y * 1e3).round() as i64)
+        };
+        sorted.sort_by(|a, b| {
+            let rating = |place: &RatedPlace| place.rating.unwrap_or(-1.0);
+            key(a).cmp(&key(b)).then(rating(b).total_cmp(&rating(a)))
+        });
+        for place in sorted {
+            if places.last().is_none_or(|last| key(last) != key(&place)) {
+                places.push(place);
+            }
+        }
+        places
+    }
+
+    /// Works off strokes from one placement, in order, until one cannot be gone on with.
+    fn work(&self, world_from_base: &PlanarPose, open: &[Open]) -> Result<Stay, FollowError> {
+        let arm = Arm::new(self.cell, self.task, self.config, world_from_base)?;
+        let mut now = Now {
+            q: arm.ready(),
+            tool: None,
+        };
+        let mut stay = Stay {
+            world_from_base: *world_from_base,
+            runs: Vec::new(),
+            back: Vec::new(),
+            open: open.to_vec(),
+            stopped: Vec::new(),
+        };
+        let mut backs: Vec<Vec<crate::robot::JointPositions>> = Vec::new();
+        while let Some(first) = stay.open.first_mut() {
+            let planned: Vec<PlanarPose> = first.nodes.iter().map(|w| w.pose).collect();
+            let seed = self.config.seed ^ (stay.runs.len() as u64) << 32;
+            let run = match run(
+                &arm,
+                &now,
+                &planned,
+                self.plan.lift_height,
+                &self.freedoms,
+                seed,
+            ) {
+                Ok(run) => run,
+                Err(attempts) => {
+                    stay.stopped = attempts;
+                    break;
+                }
+            };
+            // Putting the tool down where it has wiped already is no progress.
+            if run.last == 0 && first.begun && planned.len() > 1 {
+                stay.stopped = run.stopped;
+                break;
+            }
+            let nodes: Vec<usize> = first.nodes[..=run.last].iter().map(|w| w.node).collect();
+            now = run.now;
+            first.nodes.drain(..run.last);
+            first.begun = true;
+            if first.nodes.len() == 1 {
+                stay.open.remove(0);
+            }
+            stay.runs.push((nodes, run));
+            backs.clear();
+        }
+        if !stay.runs.is_empty() {
+            let ready = arm.ready();
+            let back = (0..WAYS_BACK)
+                .find_map(|i| transfer(&arm, &now.q, &ready, self.config.seed.wrapping_add(i)));
+            match back {
+                Some(path) => stay.back = path,
+                // Without a way back the base could not move on.
+                None => stay.runs.clear(),
+            }
+        }
+        Ok(stay)
+    }
+
+    /// Puts everything in order and times it.
+    fn timed(
+        &self,
+        stays: Vec<(Vec<PlanarPose>, Placement, Stay)>,
+        abandoned: Vec<AbandonedNode>,
+        rated: Vec<RatedPlace>,
+    ) -> Result<Followed, FollowError> {
+        let mut followed = Followed {
+            motions: Vec::new(),
+            strokes: Vec::new(),
+            placements: Vec::new(),
+            rated,
+            abandoned,
+            tip_from_tool: *self.cell.tip_from_tool(),
+        };
+        for (way, placement, stay) in stays {
+            if self.cell.base().is_some() {
+                followed.placements.push(placement);
+                let path: Vec<Vec<f64>> = way
+                    .iter()
+                    .map(|pose| self.cell.standing(self.cell.ready(), pose))
+                    .collect();
+                self.append(&mut followed, Phase::Drive, &path, Vec::new())?;
+            }
+            let arm = Arm::new(self.cell, self.task, self.config, &stay.world_from_base)?;
+            for (nodes, run) in stay.runs {
+                let stroke = followed.strokes.len();
+                for Piece { phase, path, line } in run.pieces {
+                    let phase = match phase {
+                        PieceKind::Plain(phase) => phase,
+                        PieceKind::Wipe => Phase::Wipe(stroke),
+                    };
+                    let path: Vec<Vec<f64>> = path.iter().map(|q| arm.to_robot(q)).collect();
+                    self.append(&mut followed, phase, &path, line)?;
+                }
+                followed.strokes.push(Stroke {
+                    nodes,
+                    poses: run
+                        .wiped
+                        .iter()
+                        .map(|pose| pose.surface_from_tool)
+                        .collect(),
+                });
+            }
+            let back: Vec<Vec<f64>> = stay.back.iter().map(|q| arm.to_robot(q)).collect();
+            self.append(&mut followed, Phase::Transfer, &back, Vec::new())?;
+        }
+        Ok(followed)
+    }
+
+    fn append(
+        &self,
+        followed: &mut Followed,
+        phase: Phase,
+        path: &[Vec<f64>],
+        tool_line: Vec<ToolPose>,
+    ) -> Result<(), FollowError> {
+        let start = followed.duration();
+        let trajectory =
+            schedule::timed(self.cell, self.task, self.config, phase, path, &tool_line)?;
+        if let Some(trajectory) = trajectory {
+            followed.motions.push(Motion {
+                phase,
+                start,
+                trajectory,
+                tool_line,
+            });
+        }
+        Ok(())
+    }
+}
+
+/// The places to try; for a robot without a planar base where it is.
+fn best_or_here(
+    cell: &Workcell,
+    candidates: &[Candidate],
+    at: &PlanarPose,
+    config: &FollowConfig,
+) -> Vec<Candidate> {
+    if cell.base().is_some() {
+        return best(candidates, at, config.placements);
+    }
+    vec![Candidate {
+        world_from_base: *at,
+        in_reach: None,
+        rating: 1.0,
+    }]
+}
+
+/// Takes the next node off what is open. The node before it, if wiped already, heads for the one after.
+fn give_up(open: &mut Vec<Open>, attempts: Vec<Attempt>) -> AbandonedNode {
+    let first = &mut open[0];
+    let at = usize::from(first.begun && first.nodes.len() > 1);
+    let given_up = first.nodes.remove(at);
+    let stroke = first.stroke;
+    if let [before, after, ..] = &mut first.nodes[..]
+        && at == 1
+    {
+        let towards = after.pose.position - before.pose.position;
+        let wanted = towards.y.atan2(towards.x);
+        before.pose.heading += wrap_angle(wanted - before.pose.heading);
+    }
+    let is_done = match first.nodes.len() {
+        0 => true,
+        1 => first.begun,
+        _ => false,
+    };
+    if is_done {
+        open.remove(0);
+    }
+    AbandonedNode {
+        node: given_up.node,
+        stroke,
+        attempts,
+    }
+}

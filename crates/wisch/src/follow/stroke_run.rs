@@ -1,0 +1,305 @@
+//! One stroke from touching down to lifting off, from one placement of the base.
+
+use super::arm::Arm;
+use super::edge::{Freedom, Leg, follow_edge, rank, turned};
+use super::transfer::transfer;
+use super::{Attempt, Phase, ToolPose, Touch};
+use crate::geometry::PlanarPose;
+use crate::robot::JointPositions;
+
+/// Random starts for each orientation in which a stroke may begin, beside the current configuration.
+const STARTS: u64 = 2;
+/// Random starts of the inverse kinematics for one pose.
+const RESTARTS: usize = 6;
+/// A stroke on which the tool is turned away from the plan by less than this per node is as planned [rad].
+const TURNED: f64 = 0.1;
+
+/// Where the arm is between strokes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Now {
+    pub q: JointPositions,
+    /// Where the lifted tool is over the surface; `None` away from it.
+    pub tool: Option<ToolPose>,
+}
+
+/// A motion of the arm that has no times yet.
+#[derive(Debug, Clone)]
+pub(super) struct Piece {
+    pub phase: PieceKind,
+    /// Configurations, the first where the piece before ended.
+    pub path: Vec<JointPositions>,
+    /// Corners of the tool's line; empty in free motion.
+    pub line: Vec<ToolPose>,
+}
+
+/// What a piece is for; strokes are numbered once all are known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum PieceKind {
+    Plain(Phase),
+    Wipe,
+}
+
+/// What became of a stroke.
+#[derive(Debug, Clone)]
+pub(super) struct Run {
+    pub pieces: Vec<Piece>,
+    /// The last of the given nodes that was passed.
+    pub last: usize,
+    /// The tool at every corner of the wiped line.
+    pub wiped: Vec<ToolPose>,
+    /// How far the tool is turned away from its planned orientation, summed over the nodes [rad].
+    pub turned: f64,
+    /// Where the arm is now, lifted.
+    pub now: Now,
+    /// Why it went no further; empty if it went all the way.
+    pub stopped: Vec<Attempt>,
+}
+
+/// The stroke in contact alone.
+struct Contact {
+    legs: Vec<Leg>,
+    end: JointPositions,
+    end_pose: ToolPose,
+    stopped: Vec<Attempt>,
+}
+
+/// Follows a stroke through `planned` poses as far as possible from any of several configurations.
+///
+/// # Errors
+/// What was tried, if the tool cannot even be put down at the first of them.
+pub(super) fn run(
+    arm: &Arm,
+    now: &Now,
+    planned: &[PlanarPose],
+    lift_height: f64,
+    freedoms: &[Freedom],
+    seed: u64,
+) -> Result<Run, Vec<Attempt>> {
+    let mut attempts = Vec::new();
+    let mut best: Option<Run> = None;
+    let mut tried = 0;
+    let is_as_planned =
+        |run: &Run| run.last + 1 == planned.len() && run.turned <= TURNED * planned.len() as f64;
+    let mut begins: Vec<(&Freedom, u64)> = Vec::new();
+    // The tool carried on over the surface, then put down in configurations reached by free motion.
+    begins.extend(freedoms.iter().map(|freedom| (freedom, 0)));
+    for start in 1..=STARTS {
+        begins.extend(freedoms.iter().map(move |freedom| (freedom, start)));
+    }
+    for (freedom, start) in begins {
+        if tried == arm.config.start_configurations {
+            break;
+        }
+        if start == 0 && now.tool.is_none() {
+            continue;
+        }
+        let found = begin(arm, now, &planned[0], lift_height, freedom, start, seed);
+        let begun = match found {
+            Ok(begun) => begun,
+            Err(attempt) => {
+                attempts.push(attempt);
+                continue;
+            }
+        };
+        tried += 1;
+        let contact = wipe(arm, &begun, planned, freedoms);
+        let turned = contact.turned(&begun, arm.task.tool.is_half_turn_symmetric());
+        let is_better = best.as_ref().is_none_or(|best| {
+            contact.legs.len() > best.last
+                || contact.legs.len() == best.last && turned < best.turned
+        });
+        if !is_better {
+            continue;
+        }
+        match finish(arm, now, begun, contact, lift_height, seed) {
+            Ok(run) if is_as_planned(&run) => return Ok(run),
+            Ok(run) => best = Some(run),
+            Err(attempt) => attempts.push(attempt),
+        }
+    }
+    best.ok_or(attempts)
+}
+
+/// The tool put down at the begin of a stroke.
+struct Begun {
+    /// Over the surface and down: `None` for the first if it has to be reached by free motion.
+    over: Option<Vec<JointPositions>>,
+    above: JointPositions,
+    down: Vec<JointPositions>,
+    pose: ToolPose,
+    freedom: Freedom,
+}
+
+impl Begun {
+    fn start(&self) -> JointPositions {
+        *self.down.last().unwrap_or(&self.above)
+    }
+}
+
+fn begin(
+    arm: &Arm,
+    now: &Now,
+    planned: &PlanarPose,
+    lift_height: f64,
+    freedom: &Freedom,
+    start: u64,
+    seed: u64,
+) -> Result<Begun, Attempt> {
+    let heading = now
+        .tool
+        .map_or(planned.heading, |tool| tool.surface_from_tool.heading);
+    let pose = turned(planned, freedom, heading);
+    let lifted = pose.lifted(lift_height);
+    let failed = |progress: f64, obstruction| Attempt {
+        rotation: freedom.rotation,
+        tilt: freedom.tilt,
+        progress,
+        obstruction,
+    };
+    let (over, above) = match (start, now.tool) {
+        (0, Some(tool)) => {
+            let path = arm
+                .along(&now.q, &tool, &lifted, Touch::Nothing)
+                .map_err(|broken| failed(broken.progress, broken.obstruction))?;
+            let above = *path.last().unwrap_or(&now.q);
+            (Some(path), above)
+        }
+        _ => {
+            let near: [&[f64]; 2] = [&now.q, &arm.ready()];
+            // The first start looks near the current configuration, the others anywhere.
+            let starts = if start == 1 { &near[..] } else { &[] };
+            let above = arm
+                .reach_anyhow(&lifted, starts, seed.wrapping_add(start), RESTARTS)
+                .and_then(|q| arm.is_free(&q, &q, Touch::Nothing).map(|()| q))
+                .map_err(|obstruction| failed(0.0, obstruction))?;
+            (None, above)
+        }
+    };
+    let down = arm
+        .along(&above, &lifted, &pose, Touch::Surface)
+        .map_err(|broken| failed(broken.progress, broken.obstruction))?;
+    Ok(Begun {
+        over,
+        above,
+        down,
+        pose,
+        freedom: *freedom,
+    })
+}
+
+impl Contact {
+    /// How far the tool is turned away from its planned orientation, summed over the nodes [rad].
+    fn turned(&self, begun: &Begun, symmetric: bool) -> f64 {
+        rank(&begun.freedom, symmetric) + self.legs.iter().map(|leg| leg.turned).sum::<f64>()
+    }
+}
+
+fn wipe(arm: &Arm, begun: &Begun, planned: &[PlanarPose], freedoms: &[Freedom]) -> Contact {
+    let mut contact = Contact {
+        legs: Vec::new(),
+        end: begun.start(),
+        end_pose: begun.pose,
+        stopped: Vec::new(),
+    };
+    for edge in planned.windows(2) {
+        let (begin, goal) = (&edge[0], &edge[1]);
+        match follow_edge(arm, &contact.end, &contact.end_pose, [begin, goal], freedoms) {
+            Ok(leg) => {
+                contact.end = *leg.configurations.last().unwrap_or(&contact.end);
+                contact.end_pose = *leg.line.last().unwrap_or(&contact.end_pose);
+                contact.legs.push(leg);
+            }
+            Err(attempts) => {
+                contact.stopped = attempts;
+                break;
+            }
+        }
+    }
+    contact
+}
+
+/// Lifts the tool, and finds the way to where it was put down.
+fn finish(
+    arm: &Arm,
+    now: &Now,
+    begun: Begun,
+    contact: Contact,
+    lift_height: f64,
+    seed: u64,
+) -> Result<Run, Attempt> {
+    let failed = |obstruction| Attempt {
+        rotation: begun.freedom.rotation,
+        tilt: begun.freedom.tilt,
+        progress: 1.0,
+        obstruction,
+    };
+    let lifted = contact.end_pose.lifted(lift_height);
+    let up = arm
+        .along(&contact.end, &contact.end_pose, &lifted, Touch::Surface)
+        .map_err(|broken| failed(broken.obstruction))?;
+    let above_start = begun.pose.lifted(lift_height);
+    let mut pieces = Vec::new();
+    match (&begun.over, now.tool) {
+        (Some(path), Some(tool)) => pieces.push(Piece {
+            phase: PieceKind::Plain(Phase::Lifted),
+            path: with_start(now.q, path),
+            line: vec![tool, above_start],
+        }),
+        _ => {
+            let path = transfer(arm, &now.q, &begun.above, seed).ok_or_else(|| {
+                let blocked = arm.is_free(&now.q, &begun.above, Touch::Nothing);
+                failed(blocked.err().unwrap_or(super::Obstruction::OutOfReach {
+                    position_error: 0.0,
+                    rotation_error: 0.0,
+                }))
+            })?;
+            pieces.push(Piece {
+                phase: PieceKind::Plain(Phase::Transfer),
+                path,
+                line: Vec::new(),
+            });
+        }
+    }
+    let start = begun.start();
+    pieces.push(Piece {
+        phase: PieceKind::Plain(Phase::Lower),
+        path: with_start(begun.above, &begun.down),
+        line: vec![above_start, begun.pose],
+    });
+    let last = contact.legs.len();
+    let turned = contact.turned(&begun, arm.task.tool.is_half_turn_symmetric());
+    let mut wiped = vec![begun.pose];
+    let mut path = vec![start];
+    for leg in contact.legs {
+        wiped.extend(leg.line);
+        path.extend(leg.configurations);
+    }
+    pieces.push(Piece {
+        phase: PieceKind::Wipe,
+        path,
+        line: wiped.clone(),
+    });
+    let end = *up.last().unwrap_or(&contact.end);
+    pieces.push(Piece {
+        phase: PieceKind::Plain(Phase::Lift),
+        path: with_start(contact.end, &up),
+        line: vec![contact.end_pose, lifted],
+    });
+    Ok(Run {
+        pieces,
+        last,
+        wiped,
+        turned,
+        now: Now {
+            q: end,
+            tool: Some(lifted),
+        },
+        stopped: contact.stopped,
+    })
+}
+
+fn with_start(start: JointPositions, path: &[JointPositions]) -> Vec<JointPositions> {
+    let mut whole = vec![start];
+    whole.extend_from_slice(path);
+    whole
+}

@@ -1,0 +1,425 @@
+//! Robot, tool and scene as one: what is to move, where it may move, and what is in the way.
+
+use super::{FollowError, JointLimit, JointLimits, ToolPose};
+use crate::geometry::{PlanarPose, Point2, Point3, Pose, Vector3};
+use crate::represent::{ScenePart, Task};
+use crate::robot::{
+    Collision, CollisionModel, IkSolver, JointKind, LinkId, RobotModel, Shape, Srdf,
+};
+use crate::text::UnknownName;
+use nalgebra::{Translation3, UnitQuaternion};
+use std::f64::consts::PI;
+
+/// Velocity and acceleration of a joint whose URDF gives none; paper §3.4 [rad/s, rad/s²].
+const JOINT_RATES: [f64; 2] = [1.0, 10.0];
+/// Velocity and acceleration of a sliding joint whose URDF gives none; paper §3.4 [m/s, m/s²].
+const SLIDE_RATES: [f64; 2] = [0.5, 1.0];
+/// How far a base may stand off the plane of its floor before that is an error [m, rad].
+const FLOOR_TOLERANCE: f64 = 1e-6;
+/// Name of the SRDF's state in which the arm waits and travels.
+const READY_STATE: &str = "ready";
+
+/// A base that moves over the floor: the variables of its position and heading in the root frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PlanarBase {
+    /// Variable of x.
+    pub x: usize,
+    /// Variable of y.
+    pub y: usize,
+    /// Variable of the heading.
+    pub yaw: usize,
+}
+
+/// What the tool may touch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Touch {
+    /// Nothing, as in free motion.
+    Nothing,
+    /// The object that carries the surface.
+    Surface,
+}
+
+/// Which part of the robot wipes, and where the robot stands.
+#[derive(Debug, Clone, Default)]
+pub struct WorkcellConfig {
+    /// Name of the SRDF's group; `None` takes its first, or without an SRDF the longest chain.
+    pub group: Option<String>,
+    /// Where the robot stands in the world. For a robot on a planar base: where it starts, in the
+    /// plane of the floor.
+    pub world_from_robot: Option<Pose>,
+    /// The tool in the frame of the link that holds it; `None` puts it at the end of the hand.
+    pub tip_from_tool: Option<Pose>,
+}
+
+/// A robot with a tool in its hand before a scene.
+#[derive(Debug, Clone)]
+pub struct Workcell {
+    robot: RobotModel,
+    world_from_root: Pose,
+    tip: LinkId,
+    tip_from_tool: Pose,
+    ik: IkSolver,
+    base: Option<PlanarBase>,
+    ready: Vec<f64>,
+    collisions: CollisionModel,
+    collisions_in_contact: CollisionModel,
+    base_collisions: CollisionModel,
+    arm_collisions: CollisionModel,
+    arm_collisions_in_contact: CollisionModel,
+    limits: JointLimits,
+    obstacles: Vec<String>,
+}
+
+impl Workcell {
+    /// The robot before the scene of a task, with the task's tool in its hand.
+    ///
+    /// While it wipes, the tool may touch the object that carries the surface; otherwise nothing may
+    /// touch anything.
+    ///
+    /// # Errors
+    /// A group or link that does not exist, a group whose base hangs on joints that are no planar
+    /// base, a planar base that does not stand on its floor, or geometry that no collision check
+    /// takes.
+    pub fn new(
+        robot: RobotModel,
+        srdf: Option<&Srdf>,
+        task: &Task,
+        config: &WorkcellConfig,
+    ) -> Result<Self, FollowError> {
+        let (base_link, tip) = group(&robot, srdf, config.group.as_deref())?;
+        let base = planar_base(&robot, base_link)?;
+        let mut ready = ready(&robot, srdf);
+        let world_from_robot = config.world_from_robot.unwrap_or_else(Pose::identity);
+        let world_from_root = match base {
+            None => world_from_robot,
+            Some(base) => {
+                let on_floor = on_floor(&world_from_robot)?;
+                ready[base.x] = on_floor.position.x;
+                ready[base.y] = on_floor.position.y;
+                ready[base.yaw] = on_floor.heading;
+                Pose::identity()
+            }
+        };
+        let tip_from_tool = config
+            .tip_from_tool
+            .unwrap_or_else(|| held_at_the_end(&robot.links()[tip.index()].collision, task));
+        let ik = IkSolver::new(&robot, base_link, tip, tip_from_tool)?;
+        let posture: Vec<f64> = ik.chain().variables().iter().map(|&i| ready[i]).collect();
+        let ik = ik.with_posture(&posture)?;
+
+        let mut collisions = CollisionModel::new(&robot, srdf)?;
+        let tool = unlike(&robot, &task.tool.name);
+        collisions.attach(&tool, tip, tip_from_tool, &task.tool.mesh)?;
+        let root_from_world = world_from_root.inverse();
+        let mut obstacles = Vec::new();
+        let mut carriers = Vec::new();
+        for object in &task.scene {
+            if matches!(object.part, ScenePart::Robot | ScenePart::Tool) {
+                continue;
+            }
+            let name = unlike(&robot, &object.name);
+            let root_from_object = root_from_world * object.world_from_object;
+            collisions.add_obstacle(&name, root_from_object, &object.mesh)?;
+            if object.part == ScenePart::Carrier {
+                carriers.push(name.clone());
+            }
+            obstacles.push(name);
+        }
+        let mut in_contact = collisions.clone();
+        for carrier in &carriers {
+            in_contact.allow(&tool, carrier)?;
+        }
+        let arm_collisions = collisions.for_variables(ik.chain().variables());
+        let arm_collisions_in_contact = in_contact.for_variables(ik.chain().variables());
+        let base_variables = base.map_or(vec![], |base| vec![base.x, base.y, base.yaw]);
+        let base_collisions = collisions.for_variables(&base_variables);
+        let limits = limits(&robot)?;
+        Ok(Self {
+            world_from_root,
+            tip,
+            tip_from_tool,
+            ik,
+            base,
+            ready,
+            collisions,
+            collisions_in_contact: in_contact,
+            base_collisions,
+            arm_collisions,
+            arm_collisions_in_contact,
+            limits,
+            obstacles,
+            robot,
+        })
+    }
+
+    /// The robot.
+    pub const fn robot(&self) -> &RobotModel {
+        &self.robot
+    }
+
+    /// Where the robot's root link is. For a robot on a planar base this is the world's origin.
+    pub const fn world_from_root(&self) -> &Pose {
+        &self.world_from_root
+    }
+
+    /// The link that holds the tool.
+    pub const fn tip(&self) -> LinkId {
+        self.tip
+    }
+
+    /// The tool in the frame of the link that holds it.
+    pub const fn tip_from_tool(&self) -> &Pose {
+        &self.tip_from_tool
+    }
+
+    /// Inverse kinematics of the tool, from the group's base.
+    pub const fn ik(&self) -> &IkSolver {
+        &self.ik
+    }
+
+    /// The planar base under the group, if there is one.
+    pub const fn base(&self) -> Option<PlanarBase> {
+        self.base
+    }
+
+    /// Where the robot starts: all n variables [rad or m].
+    pub fn ready(&self) -> &[f64] {
+        &self.ready
+    }
+
+    /// What may not touch.
+    pub const fn collisions(&self) -> &CollisionModel {
+        &self.collisions
+    }
+
+    /// What may not touch while the tool touches this.
+    pub const fn all_collisions(&self, touch: Touch) -> &CollisionModel {
+        match touch {
+            Touch::Nothing => &self.collisions,
+            Touch::Surface => &self.collisions_in_contact,
+        }
+    }
+
+    /// What may not touch, as far as the base's variables can change it.
+    pub(super) const fn base_collisions(&self) -> &CollisionModel {
+        &self.base_collisions
+    }
+
+    /// What may not touch, as far as the group's variables can change it.
+    pub const fn arm_collisions(&self, touch: Touch) -> &CollisionModel {
+        match touch {
+            Touch::Nothing => &self.arm_collisions,
+            Touch::Surface => &self.arm_collisions_in_contact,
+        }
+    }
+
+    /// Limits of all n variables.
+    pub const fn limits(&self) -> &JointLimits {
+        &self.limits
+    }
+
+    /// Whether a name in a contact is one of the scene's objects.
+    pub(super) fn is_obstacle(&self, name: &str) -> bool {
+        self.obstacles.iter().any(|obstacle| obstacle == name)
+    }
+
+    /// Pose of the tool in the world where it is said to be on the surface.
+    pub fn world_from_tool(task: &Task, pose: &ToolPose) -> Pose {
+        let PlanarPose { position, heading } = pose.surface_from_tool;
+        let upright = Pose::from_parts(
+            Translation3::new(position.x, position.y, pose.height),
+            UnitQuaternion::from_axis_angle(&Vector3::z_axis(), heading),
+        );
+        let lean = task.tool.tilt.map_or_else(UnitQuaternion::identity, |t| {
+            UnitQuaternion::from_axis_angle(&t.axis_in_tool, pose.tilt)
+        });
+        task.surface.world_from_surface * upright * lean
+    }
+
+    /// The variables with the base standing somewhere.
+    pub(super) fn standing(&self, q: &[f64], world_from_base: &PlanarPose) -> Vec<f64> {
+        let mut q = q.to_vec();
+        if let Some(base) = self.base {
+            q[base.x] = world_from_base.position.x;
+            q[base.y] = world_from_base.position.y;
+            q[base.yaw] = world_from_base.heading;
+        }
+        q
+    }
+
+    /// Where the base stands; the origin for a robot without one.
+    pub(super) fn base_pose(&self, q: &[f64]) -> PlanarPose {
+        self.base
+            .map_or(PlanarPose::new(Point2::origin(), 0.0), |base| {
+                PlanarPose::new(Point2::new(q[base.x], q[base.y]), q[base.yaw])
+            })
+    }
+}
+
+/// Base and tip of the group that wipes.
+fn group(
+    robot: &RobotModel,
+    srdf: Option<&Srdf>,
+    name: Option<&str>,
+) -> Result<(LinkId, LinkId), FollowError> {
+    let groups = srdf.map_or(&[][..], |srdf| &srdf.groups);
+    match name {
+        Some(name) => match groups.iter().find(|group| group.name == name) {
+            Some(group) => Ok((group.base, group.tip)),
+            None => Err(FollowError::UnknownGroup(Box::new(UnknownName::new(
+                "group",
+                name,
+                groups.iter().map(|group| group.name.as_str()),
+            )))),
+        },
+        None => Ok(groups
+            .first()
+            .map_or_else(|| longest_chain(robot), |group| (group.base, group.tip))),
+    }
+}
+
+/// From the root to the link that most moving joints lead to.
+fn longest_chain(robot: &RobotModel) -> (LinkId, LinkId) {
+    let mut moving = vec![0; robot.links().len()];
+    let mut best = robot.root();
+    for joint in robot.joints() {
+        let own = usize::from(joint.kind != JointKind::Fixed);
+        moving[joint.child.index()] = moving[joint.parent.index()] + own;
+        // The outermost of equals: a flange behind fixed joints.
+        if moving[joint.child.index()] >= moving[best.index()] {
+            best = joint.child;
+        }
+    }
+    (robot.root(), best)
+}
+
+/// The planar base that carries a link: x, y and heading, if that is all that moves it.
+fn planar_base(robot: &RobotModel, link: LinkId) -> Result<Option<PlanarBase>, FollowError> {
+    let mut moving = Vec::new();
+    let mut at = link;
+    while let Some(id) = robot.links()[at.index()].parent {
+        let joint = &robot.joints()[id.index()];
+        if joint.kind != JointKind::Fixed {
+            moving.push(joint);
+        }
+        at = joint.parent;
+    }
+    moving.reverse();
+    let variable = |at: usize| match moving[at].drive.terms[..] {
+        [(variable, 1.0)] => Some(variable),
+        _ => None,
+    };
+    let axis = |at: usize| moving[at].axis.into_inner();
+    let kinds: Vec<JointKind> = moving.iter().map(|joint| joint.kind).collect();
+    match kinds[..] {
+        [] => Ok(None),
+        [
+            JointKind::Prismatic,
+            JointKind::Prismatic,
+            JointKind::Revolute,
+        ] if axis(0) == Vector3::x() && axis(1) == Vector3::y() && axis(2) == Vector3::z() => {
+            match (variable(0), variable(1), variable(2)) {
+                (Some(x), Some(y), Some(yaw)) => Ok(Some(PlanarBase { x, y, yaw })),
+                _ => Ok(None),
+            }
+        }
+        _ => Err(FollowError::NoPlanarBase {
+            link: robot.links()[link.index()].name.clone(),
+            joints: moving.iter().map(|joint| joint.name.clone()).collect(),
+        }),
+    }
+}
+
+/// The SRDF's ready states over the middle of the limits.
+fn ready(robot: &RobotModel, srdf: Option<&Srdf>) -> Vec<f64> {
+    let middle = |i: usize| {
+        let range = robot.variable(i).limits.position;
+        range.map_or(0.0, |range| (range.lower + range.upper) / 2.0)
+    };
+    let mut q: Vec<f64> = (0..robot.dof()).map(middle).collect();
+    let states = srdf.map_or(&[][..], |srdf| &srdf.states);
+    for state in states.iter().filter(|state| state.name == READY_STATE) {
+        for &(variable, position) in &state.positions {
+            q[variable] = position;
+        }
+    }
+    q
+}
+
+fn on_floor(world_from_robot: &Pose) -> Result<PlanarPose, FollowError> {
+    let (roll, pitch, yaw) = world_from_robot.rotation.euler_angles();
+    let at = world_from_robot.translation.vector;
+    for (what, value) in [("z_m", at.z), ("roll_rad", roll), ("pitch_rad", pitch)] {
+        if value.abs() > FLOOR_TOLERANCE {
+            return Err(FollowError::OffFloor { what, value });
+        }
+    }
+    Ok(PlanarPose::new(Point2::new(at.x, at.y), yaw))
+}
+
+/// The tool's upper face at the outermost point of the hand, its z axis back towards the hand.
+fn held_at_the_end(hand: &[Collision], task: &Task) -> Pose {
+    let reach = hand.iter().map(outermost).fold(0.0, f64::max);
+    let (_, top) = task.tool.mesh.bounds();
+    let lean: f64 = std::env::var("LEAN").map_or(0.0, |s| s.parse().unwrap());
+    let r=0.12;
+    let lean_from=Pose::from_parts(Translation3::new(0.0,0.0,reach-r),UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI)) * Pose::from_parts(Translation3::identity(), UnitQuaternion::from_axis_angle(&Vector3::y_axis(), lean)) ;
+    // contact of sphere along the hand axis with the top of the tool
+    let dir = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI)*UnitQuaternion::from_axis_angle(&Vector3::y_axis(), lean);
+    let _=lean_from;
+    let top_in_tip = Vector3::new(0.0,0.0,reach);
+    let t = top_in_tip - dir*Vector3::new(0.0,0.0,top.z);
+    Pose::from_parts(Translation3::from(t), dir)
+}
+
+/// How far a shape reaches along its link's z axis [m].
+fn outermost(collision: &Collision) -> f64 {
+    let pose = &collision.link_from_shape;
+    let along = |z: f64| (pose * Point3::new(0.0, 0.0, z)).z;
+    let axis_z = (pose.rotation * Vector3::z()).z;
+    let rim = |radius: f64| radius * (1.0 - axis_z * axis_z).max(0.0).sqrt();
+    match &collision.shape {
+        Shape::Sphere { radius } => along(0.0) + radius,
+        Shape::Capsule { radius, length } => along(length / 2.0).max(along(-length / 2.0)) + radius,
+        Shape::Cylinder { radius, length } => {
+            along(length / 2.0).max(along(-length / 2.0)) + rim(*radius)
+        }
+        Shape::Box { size } => {
+            let turned = pose.rotation.to_rotation_matrix();
+            let half: f64 = (0..3).map(|i| turned[(2, i)].abs() * size[i] / 2.0).sum();
+            along(0.0) + half
+        }
+        Shape::Mesh(mesh) => {
+            let heights = mesh.vertices().iter().map(|vertex| (pose * vertex).z);
+            heights.fold(f64::NEG_INFINITY, f64::max)
+        }
+    }
+}
+
+/// A name that no link has.
+fn unlike(robot: &RobotModel, name: &str) -> String {
+    if robot.links().iter().any(|link| link.name == name) {
+        format!("{name} (scene)")
+    } else {
+        name.to_owned()
+    }
+}
+
+fn limits(robot: &RobotModel) -> Result<JointLimits, FollowError> {
+    let limit = |i: usize| {
+        let joint = robot.variable(i);
+        let [velocity, acceleration] = match joint.kind {
+            JointKind::Prismatic => SLIDE_RATES,
+            _ => JOINT_RATES,
+        };
+        let range = joint.limits.position;
+        JointLimit {
+            name: joint.name.clone(),
+            lower: range.map_or(f64::NEG_INFINITY, |range| range.lower),
+            upper: range.map_or(f64::INFINITY, |range| range.upper),
+            velocity: joint.limits.velocity.unwrap_or(velocity),
+            acceleration: joint.limits.acceleration.unwrap_or(acceleration),
+        }
+    };
+    Ok(JointLimits::new((0..robot.dof()).map(limit).collect())?)
+}
