@@ -61,6 +61,7 @@ impl Run {
             frames: &self.frames,
             bandwidth: None,
             facts: &self.facts,
+            motion: None,
         }
     }
 }
