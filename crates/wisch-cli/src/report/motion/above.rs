@@ -279,81 +279,92 @@ fn numbers(view: &View, stands: &[PlanarPose]) -> Markup {
     }
 }
 
+/// What the marks mean, from a height on, and how high that is.
 fn legend(input: &MotionInput, drives: bool, top: f64) -> (Markup, f64) {
-    let free = input.ratings.iter().any(|place| !place.blocked);
-    let blocked = input.ratings.iter().any(|place| place.blocked);
-    let wiping = input
-        .phases
-        .iter()
-        .any(|phase| phase.contact == Contact::Wiping);
-    let step = place_step(input);
+    const LEFT: f64 = 48.0;
+    const LINE: f64 = 23.0;
+    let is_blocked = |place: &RatedPlace| place.blocked;
+    let wiping = |phase: &super::Phase| phase.contact == Contact::Wiping;
     let entries = [
         (
             true,
-            html! { rect class="robot-plan" x="3" y="-6" width="18" height="12" rx="4" {} },
             "base, looks along the arrow",
+            html! { rect class="robot-plan" x="3" y="-6" width="18" height="12" rx="4" {} },
         ),
         (
             drives,
-            html! { path class="driven" d="M0 0h24" {} },
             "way driven",
+            html! { path class="driven" d="M0 0h24" {} },
         ),
         (
             true,
-            html! { rect class="surface-plan" x="2" y="-6" width="20" height="12" {} },
             "surface",
+            html! { rect class="surface-plan" x="2" y="-6" width="20" height="12" {} },
         ),
         (
             true,
-            html! { rect class="obstacle-plan" x="2" y="-6" width="20" height="12" {} },
             "obstacle (hull)",
+            html! { rect class="obstacle-plan" x="2" y="-6" width="20" height="12" {} },
         ),
         (
-            wiping,
-            html! { path class="contact-path" d="M0 0h24" {} },
+            input.phases.iter().any(wiping),
             "tool, wiping",
+            html! { path class="contact-path" d="M0 0h24" {} },
         ),
         (
             true,
-            html! { path class="lifted" d="M0 0h24" {} },
             "tool, lifted",
+            html! { path class="lifted" d="M0 0h24" {} },
         ),
         (
-            blocked,
+            input.ratings.iter().any(is_blocked),
+            "blocked place",
             html! { path class="mark-blocked" d="M8-4l8 8m0-8l-8 8" {} },
-            "place that is blocked",
         ),
     ];
-    let (mut x, mut y) = (48.0, top + 14.0);
+    let (mut x, mut y) = (LEFT, top + 14.0);
+    let mut placed = Vec::new();
+    for (_, label, sample) in entries.into_iter().filter(|(shown, ..)| *shown) {
+        let wide = 31.0 + text_width(label) + 20.0;
+        if x + wide > WIDTH {
+            (x, y) = (LEFT, y + LINE);
+        }
+        placed.push((x, y, label, sample));
+        x += wide;
+    }
     let body = html! {
-        @for (_, sample, label) in entries.into_iter().filter(|(shown, ..)| *shown) {
-            @let wide = 31.0 + text_width(label) + 20.0;
-            @if x + wide > WIDTH {
-                ({ x = 48.0; y += 23.0; "" })
-            }
+        @for (x, y, label, sample) in placed {
             g transform=(format!("translate({} {})", px(x), px(y))) {
                 (sample)
                 text class="text" font-size="12" x="31" y="4.3" { (label) }
             }
-            ({ x += wide; "" })
-        }
-        @if free {
-            ({ y += 27.0; "" })
-            g transform=(format!("translate(48 {})", px(y))) {
-                text class="text" font-size="12" x="0" y="4.3" { "rating of a place" }
-                @for band in 1..=BANDS {
-                    @let x = 120.0 + 34.0 * (band - 1) as f64;
-                    rect class=(format!("band-{band}")) x=(px(x)) y="-7" width="34" height="14" {}
-                }
-                rect class="rule" x="120" y="-7" width=(px(34.0 * BANDS as f64)) height="14" {}
-                text class="text small quiet middle" x="120" y="22" { "0" }
-                text class="text small quiet middle" x=(px(120.0 + 34.0 * BANDS as f64)) y="22" { "1" }
-                @if step > 1 {
-                    text class="text small quiet" x=(px(140.0 + 34.0 * BANDS as f64)) y="4.3" { "drawn is one place in " (step) }
-                }
-            }
-            ({ y += 20.0; "" })
         }
     };
-    (body, y - top + 16.0)
+    if input.ratings.iter().all(is_blocked) {
+        return (body, y - top + 16.0);
+    }
+    let body = html! {
+        (body)
+        g transform=(format!("translate({} {})", px(LEFT), px(y + 27.0))) { (scale(place_step(input))) }
+    };
+    (body, y - top + 63.0)
+}
+
+/// The colours of ratings.
+fn scale(one_in: usize) -> Markup {
+    const FROM: f64 = 110.0;
+    const CELL: f64 = 34.0;
+    let end = FROM + CELL * BANDS as f64;
+    html! {
+        text class="text" font-size="12" x="0" y="4.3" { "rating of a place" }
+        @for band in 1..=BANDS {
+            rect class=(format!("band-{band}")) x=(px(FROM + CELL * (band - 1) as f64)) y="-7" width=(px(CELL)) height="14" {}
+        }
+        rect class="rule" x=(px(FROM)) y="-7" width=(px(end - FROM)) height="14" {}
+        text class="text small quiet middle" x=(px(FROM)) y="20" { "0" }
+        text class="text small quiet middle" x=(px(end)) y="20" { "1" }
+        @if one_in > 1 {
+            text class="text small quiet" x=(px(end + 20.0)) y="4.3" { "drawn is one place in " (one_in) }
+        }
+    }
 }

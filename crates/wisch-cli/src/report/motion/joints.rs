@@ -11,9 +11,9 @@ use wisch::robot::Joint;
 const WIDTH: f64 = 1000.0;
 /// Where names, positions and velocities stand, and how wide the curves are.
 const NAME: f64 = 12.0;
-const POSITION: f64 = 200.0;
-const VELOCITY: f64 = 626.0;
-const CURVE: f64 = 360.0;
+const POSITION: f64 = 224.0;
+const VELOCITY: f64 = 640.0;
+const CURVE: f64 = 346.0;
 const TOP: f64 = 30.0;
 const ROW: f64 = 92.0;
 const CURVE_HEIGHT: f64 = 70.0;
@@ -175,21 +175,21 @@ fn row(course: &Course, times: &Times, top: f64) -> Markup {
     let unit = joint.kind.unit();
     let positions = course.position_axis(top);
     let (of, velocities) = course.velocity_axis(top);
-    let step = tick_step((positions.high - positions.low) / 3.0);
+    let step = tick_step((positions.high - positions.low) / 4.5);
     let ticks = (positions.low / step).ceil() as i64..=(positions.high / step).floor() as i64;
     let limits = joint
         .limits
         .position
         .map(|limits| [limits.lower, limits.upper]);
     let range = limits.map_or("no limits".to_owned(), |[lower, upper]| {
-        format!("{} … {} {unit}", metres(lower, 2), metres(upper, 2))
+        format!("limits {} … {} {unit}", metres(lower, 2), metres(upper, 2))
     });
     let (low, high) = extremes(&course.position);
     let relative: Vec<f64> = course.velocity.iter().map(|v| v / of).collect();
     let fastest = relative.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     html! {
         text class="text strong" x=(px(NAME)) y=(px(top + 14.0)) { (short(&joint.name, 20)) }
-        text class="text small quiet" x=(px(NAME)) y=(px(top + 31.0)) { "limits " (range) }
+        text class="text small quiet" x=(px(NAME)) y=(px(top + 31.0)) { (range) }
         text class="text small quiet" x=(px(NAME)) y=(px(top + 46.0)) { "moves " (metres(low, 2)) " … " (metres(high, 2)) " " (unit) }
         text class="text small quiet" x=(px(NAME)) y=(px(top + 61.0)) {
             @if joint.limits.velocity.is_some() {

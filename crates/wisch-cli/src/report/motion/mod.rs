@@ -1,6 +1,8 @@
 //! A robot's motion on the page: in 3-D, over time, and where its base stands.
 
 mod above;
+#[cfg(test)]
+mod demo;
 mod hull;
 mod joints;
 mod mesh;
@@ -65,6 +67,7 @@ pub struct Phase {
 
 /// Whether the tool touches the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(not(test), expect(dead_code, reason = "no command shows a motion yet"))]
 pub enum Contact {
     /// It does.
     Wiping,
@@ -126,7 +129,7 @@ pub fn motion_section(input: &MotionInput) -> Markup {
                 figure class="scroll" { (above.inline("Base placements, seen from above")) }
             }
             h2 { "Joints over time" }
-            figure class="scroll" { (joints.inline("Position and velocity of every joint over time")) }
+            figure class="scroll wide" { (joints.inline("Position and velocity of every joint over time")) }
         }
     }
 }
@@ -164,7 +167,8 @@ fn viewer(input: &MotionInput, frames: &Frames) -> Markup {
             div class="stage" {
                 canvas id="motion-canvas" tabindex="0" role="img" aria-label="The robot in 3-D. Space plays and pauses, arrow keys move in time." {}
                 div class="views" {
-                    button id="motion-front" type="button" { "Front" }
+                    button id="motion-robot" type="button" { "Robot" }
+                    button id="motion-surface" type="button" { "Surface" }
                     button id="motion-above" type="button" { "Above" }
                 }
             }
@@ -184,8 +188,8 @@ fn viewer(input: &MotionInput, frames: &Frames) -> Markup {
                 }
                 output id="motion-words" {}
             }
+            (legend(input))
         }
-        (legend(input))
         @for cut in &cuts { p class="note" { (cut) } }
         script type="application/json" id="motion-data" { (PreEscaped(data)) }
         script { (PreEscaped(VIEWER)) }

@@ -7,7 +7,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use wisch::geometry::{Mesh, Point2, Pose, Vector3};
 use wisch::represent::ScenePart;
-use wisch::robot::{Collision, JointKind, LinkId, RobotModel, Shape};
+use wisch::robot::{Collision, Joint, JointKind, LinkId, RobotModel, Shape};
 
 /// Most triangles of all meshes together, and of one.
 const MAX_TRIANGLES: usize = 12_000;
@@ -37,9 +37,11 @@ pub(super) struct ViewerRecord<'a> {
     scene: Vec<ObjectRecord>,
     surface: SurfaceRecord,
     phases: Vec<PhaseRecord<'a>>,
-    /// Time; indices in the frame before of particles that are gone; x, y of those that are new.
-    particles: Vec<(f64, Vec<usize>, Vec<i64>)>,
+    particles: Vec<ParticleStep>,
 }
+
+/// Time; indices in the frame before of particles that are gone; x, y of those that are new.
+type ParticleStep = (f64, Vec<usize>, Vec<i64>);
 
 #[derive(Debug, Serialize)]
 struct JointRecord<'a> {
@@ -161,7 +163,7 @@ impl<'a> ViewerRecord<'a> {
             start: q.first().cloned().unwrap_or_default(),
             changes: changes.collect(),
             root: pose(&input.world_from_root),
-            joints: joints(robot),
+            joints: robot.joints().iter().map(JointRecord::new).collect(),
             links,
             tool: ToolRecord {
                 link: input.tool_link.index(),
@@ -190,28 +192,21 @@ impl<'a> ViewerRecord<'a> {
     }
 }
 
-fn joints(robot: &RobotModel) -> Vec<JointRecord<'_>> {
-    let record =
-        |joint: &'_ wisch::robot::Joint| (joint.parent, joint.parent_from_joint, joint.axis);
-    robot
-        .joints()
-        .iter()
-        .map(|joint| {
-            let (parent, parent_from_joint, axis) = record(joint);
-            JointRecord {
-                parent: parent.index(),
-                pose: pose(&parent_from_joint),
-                axis: vector(&axis),
-                kind: match joint.kind {
-                    JointKind::Fixed => "fixed",
-                    JointKind::Revolute => "revolute",
-                    JointKind::Prismatic => "prismatic",
-                },
-                offset: joint.drive.offset,
-                terms: &joint.drive.terms,
-            }
-        })
-        .collect()
+impl<'a> JointRecord<'a> {
+    fn new(joint: &'a Joint) -> Self {
+        Self {
+            parent: joint.parent.index(),
+            pose: pose(&joint.parent_from_joint),
+            axis: vector(&joint.axis),
+            kind: match joint.kind {
+                JointKind::Fixed => "fixed",
+                JointKind::Revolute => "revolute",
+                JointKind::Prismatic => "prismatic",
+            },
+            offset: joint.drive.offset,
+            terms: &joint.drive.terms,
+        }
+    }
 }
 
 /// The links of the arm: what hangs on the last fork before the tool, tool side. A fork is a link
@@ -308,10 +303,7 @@ impl MeshBudget {
 }
 
 /// The frames of particles, each as what differs from the one before, and a sentence if not all are.
-fn particles(
-    input: &MotionInput,
-    start: f64,
-) -> (Vec<(f64, Vec<usize>, Vec<i64>)>, Option<String>) {
+fn particles(input: &MotionInput, start: f64) -> (Vec<ParticleStep>, Option<String>) {
     let most = input.particles.iter().map(|f| f.positions.len()).max();
     let one_in = most.unwrap_or(0).div_ceil(MAX_PARTICLES).max(1);
     let step = input.particles.len().div_ceil(MAX_PARTICLE_FRAMES).max(1);
@@ -365,7 +357,7 @@ fn is_drawn([x, y]: [i64; 2], one_in: usize) -> bool {
     // Fibonacci hashing: multiples of 2^64 over the golden ratio spread evenly.
     const SPREAD: u64 = 0x9e37_79b9_7f4a_7c15;
     let mixed = (x as u64).wrapping_mul(SPREAD) ^ (y as u64).wrapping_mul(SPREAD.rotate_left(32));
-    (mixed.wrapping_mul(SPREAD) >> 32) % one_in as u64 == 0
+    (mixed.wrapping_mul(SPREAD) >> 32).is_multiple_of(one_in as u64)
 }
 
 fn pose(pose: &Pose) -> [f64; 7] {

@@ -60,8 +60,9 @@ const start = () => {
     playing = false;
     go((motion.duration * Number(slider.value)) / 10000);
   });
-  find("front").addEventListener("click", () => { stage.look("front"); ask(); });
-  find("above").addEventListener("click", () => { stage.look("above"); ask(); });
+  for (const at of ["robot", "surface", "above"]) {
+    find(at).addEventListener("click", () => { stage.look(at); ask(); });
+  }
   find("view").addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.target === speed) return;
     const step = { ArrowLeft: -STEP, ArrowRight: STEP }[event.key];
@@ -84,7 +85,7 @@ const start = () => {
     const { clientWidth, clientHeight } = canvas;
     if (!clientWidth || !clientHeight) return;
     stage.resize(clientWidth, clientHeight);
-    if (!shaped) stage.look("front");
+    if (!shaped) stage.look("robot");
     shaped = true;
     ask();
   }).observe(canvas);

@@ -55,6 +55,16 @@ const dot = () => {
   return new CanvasTexture(canvas);
 };
 
+// Dots that lie on a surface are drawn a centimetre nearer, or it would cut them in half.
+const dots = () => {
+  const material = new PointsMaterial({ size: 5, sizeAttenuation: false, map: dot(), alphaTest: 0.4 });
+  material.onBeforeCompile = (shader) => {
+    shader.vertexShader = shader.vertexShader.replace("#include <project_vertex>", `#include <project_vertex>
+      gl_Position = projectionMatrix * vec4(mvPosition.xyz * (1.0 - 0.01 / length(mvPosition.xyz)), 1.0);`);
+  };
+  return material;
+};
+
 export class Stage {
   constructor(canvas, data, motion) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -65,6 +75,8 @@ export class Stage {
     this.materials = {
       body: matte({ roughness: 0.55 }),
       arm: matte({ roughness: 0.5 }),
+      // The hand's shape often holds the tool's: let it be seen.
+      hand: matte({ roughness: 0.5, transparent: true, opacity: 0.4, depthWrite: false }),
       tool: matte(),
       obstacle: matte({ transparent: true, opacity: 0.5, depthWrite: false }),
       carrier: matte({ polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }),
@@ -73,17 +85,23 @@ export class Stage {
       outline: new LineMaterial({ linewidth: 2 }),
       contact: new LineMaterial({ linewidth: 2.6 }),
       lifted: new LineMaterial({ linewidth: 1.6, transparent: true, opacity: 0.8 }),
-      particles: new PointsMaterial({ size: 5, sizeAttenuation: false, map: dot(), alphaTest: 0.4 }),
+      particles: dots(),
       floor: new ShadowMaterial({ opacity: 0.16 }),
     };
-    const links = motion.links(0);
+    const wiping = data.phases.find((phase) => phase.contact);
+    const links = motion.links(wiping ? wiping.start : 0);
     this.addRobot(data);
     this.move(links);
     this.addScene(data.scene);
     this.addSurface(data.surface);
     this.addPath(data.phases);
     this.addParticles(data);
-    this.centre = this.bounds();
+    // Balls round what is to be seen: the robot as it begins to wipe, the surface, and all ways too.
+    this.balls = {
+      robot: this.ball([...this.links, this.tool, this.surface]),
+      surface: this.ball([this.surface, this.tool]),
+      all: this.ball([...this.links, this.tool, this.surface, ...this.path]),
+    };
     this.addFloor();
     this.addLight();
     this.camera = new PerspectiveCamera(38, 1, 0.02, 200);
@@ -93,15 +111,16 @@ export class Stage {
     this.controls.minDistance = 0.15;
     this.controls.maxDistance = 40;
     this.home = this.frontOf(data, links);
-    this.look("front");
+    this.look("robot");
   }
 
   addRobot(data) {
-    this.links = data.links.map(({ arm, shapes }) => {
+    this.links = data.links.map(({ arm, shapes }, i) => {
+      const kind = i === data.tool.link ? "hand" : arm ? "arm" : "body";
       const group = new Group();
       group.matrixAutoUpdate = false;
       for (const shape of shapes) {
-        const part = placed(new Mesh(solid(shape), arm ? this.materials.arm : this.materials.body), pose(shape.pose));
+        const part = placed(new Mesh(solid(shape), this.materials[kind]), pose(shape.pose));
         part.castShadow = true;
         part.receiveShadow = true;
         group.add(part);
@@ -120,7 +139,6 @@ export class Stage {
       const geometry = faceted(mesh);
       const body = placed(new Mesh(geometry, this.materials[part]), pose(worldFromObject));
       body.receiveShadow = part === "carrier";
-      body.castShadow = part === "carrier";
       body.renderOrder = part === "carrier" ? 0 : 1;
       this.scene.add(body);
       this.scene.add(placed(new LineSegments(new EdgesGeometry(geometry, 30), this.materials.edge), pose(worldFromObject)));
@@ -188,16 +206,15 @@ export class Stage {
     this.scene.add(this.particles);
   }
 
-  // A ball round what matters.
-  bounds() {
+  ball(objects) {
     const box = new Box3();
     this.scene.updateMatrixWorld(true);
-    for (const object of [...this.links, this.tool, this.surface, ...this.path]) if (object) box.expandByObject(object);
+    for (const object of objects) if (object) box.expandByObject(object);
     return box.isEmpty() ? new Sphere(new Vector3(), 1) : box.getBoundingSphere(new Sphere());
   }
 
   addFloor() {
-    const { center, radius } = this.centre;
+    const { center, radius } = this.balls.all;
     const cells = 2 * Math.min(60, Math.max(6, Math.ceil(3 * radius)));
     this.grid = new GridHelper(cells / 2, cells);
     this.grid.rotation.x = Math.PI / 2;
@@ -217,7 +234,7 @@ export class Stage {
   }
 
   addLight() {
-    const { center, radius } = this.centre;
+    const { center, radius } = this.balls.all;
     this.scene.add(new HemisphereLight(0xffffff, 0x8a8f98, 1.7), new AmbientLight(0xffffff, 0.35));
     const sun = new DirectionalLight(0xffffff, 2.1);
     sun.position.copy(center).add(new Vector3(0.9, 0.5, 1.9).multiplyScalar(2 * radius));
@@ -242,16 +259,17 @@ export class Stage {
     const arm = data.links.findIndex(({ arm }) => arm);
     const aside = arm < 0 ? new Vector3() : at(arm).sub(base);
     const left = way.x * aside.y - way.y * aside.x > 1e-6;
-    return way.normalize().applyAxisAngle(new Vector3(0, 0, 1), left ? 0.95 : -0.95).setZ(0.55).normalize();
+    return way.normalize().applyAxisAngle(new Vector3(0, 0, 1), left ? 0.95 : -0.95).setZ(0.62).normalize();
   }
 
-  look(from) {
-    const { center, radius } = this.centre;
-    const narrow = Math.min(1, this.camera.aspect);
-    const distance = (0.92 * radius) / Math.sin((this.camera.fov * Math.PI) / 360) / narrow;
-    const direction = from === "above" ? new Vector3(0, -1e-4, 1) : this.home;
+  // Shows "robot", "surface", or everything from "above".
+  look(at) {
+    const { center, radius } = this.balls[at === "above" ? "all" : at];
+    const half = (this.camera.fov * Math.PI) / 360;
+    const narrowest = Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect));
+    const direction = at === "above" ? new Vector3(0, -1e-3, 1).normalize() : this.home;
     this.controls.target.copy(center);
-    this.camera.position.copy(center).addScaledVector(direction, distance);
+    this.camera.position.copy(center).addScaledVector(direction, (0.95 * radius) / Math.sin(narrowest));
     this.controls.update();
   }
 
@@ -284,7 +302,7 @@ export class Stage {
     const style = getComputedStyle(document.documentElement);
     const colour = (name) => new Color(style.getPropertyValue(`--${name}`).trim() || "#888");
     const names = {
-      body: "robot", arm: "robot-arm", tool: "tool", obstacle: "obstacle", carrier: "outline", edge: "obstacle-line",
+      body: "robot", arm: "robot-arm", hand: "robot-arm", tool: "tool", obstacle: "obstacle", carrier: "outline", edge: "obstacle-line",
       surface: "surface-3d", outline: "outline", contact: "contact", lifted: "quiet", particles: "left",
     };
     for (const [material, name] of Object.entries(names)) this.materials[material].color.copy(colour(name));
