@@ -1,11 +1,13 @@
 use super::demo::Demo;
 use super::*;
 use crate::report::palette::page_rules;
-use crate::report::rasterize;
+use crate::report::tests::requests;
+use crate::report::{ReportInput, rasterize};
 use maud::DOCTYPE;
 use resvg::usvg;
 use std::path::PathBuf;
 use wisch::geometry::{Mesh, Vector3};
+use wisch::plan::predict;
 
 /// Set to a folder, what these tests draw is kept there to be looked at.
 const KEEP: &str = "WISCH_KEEP_REPORTS";
@@ -32,20 +34,6 @@ fn page(input: &MotionInput) -> String {
         }
     }
     .into_string()
-}
-
-/// What a browser would ask a network for. Names of namespaces are no requests.
-fn requests(text: &str) -> Vec<&'static str> {
-    let named = text
-        .replace("http://www.w3.org/2000/svg", "")
-        .replace("http://www.w3.org/1999/xhtml", "");
-    let signs = [
-        "http://", "https://", "url(h", "src=", "@import", "href=", "fetch(", "import(",
-    ];
-    signs
-        .into_iter()
-        .filter(|sign| named.contains(sign))
-        .collect()
 }
 
 /// The numbers of the 3-D view in a page.
@@ -101,6 +89,44 @@ fn the_humanoid_at_the_board_is_shown() {
         2 * 14,
         "two curves a moving joint"
     );
+}
+
+#[test]
+fn a_report_with_a_motion_has_its_view_and_pictures() {
+    let demo = Demo::new();
+    let motion = demo.input();
+    let mut frames = crate::report::Frames::new(&demo.task, &demo.plan);
+    let prediction = predict(&demo.task, &demo.plan, |progress| frames.watch(progress));
+    let mut input = ReportInput {
+        title: "chopping board",
+        task: &demo.task,
+        plan: &demo.plan,
+        prediction: &prediction,
+        frames: &frames,
+        bandwidth: None,
+        facts: &[],
+        motion: None,
+    };
+    assert!(!crate::report::page(&input).contains("motion-"));
+    input.motion = Some(&motion);
+    let html = crate::report::page(&input);
+    keep("motion-report.html", &html);
+    assert!(html.len() < 1_500_000, "{} bytes", html.len());
+    let markup = html.replace(VIEWER, "");
+    let mut ids: Vec<&str> = (markup.split(" id=\"").skip(1))
+        .filter_map(|rest| rest.split('"').next())
+        .collect();
+    ids.sort_unstable();
+    let all = ids.len();
+    ids.dedup();
+    assert!(
+        ids.contains(&"motion-canvas") && ids.len() == all,
+        "an id stands twice"
+    );
+    let stems: Vec<&str> = (crate::report::pictures(&input).iter())
+        .map(|(stem, _)| *stem)
+        .collect();
+    assert!(stems.ends_with(&["joints", "placements"]));
 }
 
 #[test]

@@ -55,12 +55,12 @@ const dot = () => {
   return new CanvasTexture(canvas);
 };
 
-// Dots that lie on a surface are drawn a centimetre nearer, or it would cut them in half.
+// Dots that lie on a surface are drawn a little nearer, or it would cut them in half.
 const dots = () => {
-  const material = new PointsMaterial({ size: 5, sizeAttenuation: false, map: dot(), alphaTest: 0.4 });
+  const material = new PointsMaterial({ size: 4, sizeAttenuation: false, map: dot(), alphaTest: 0.4 });
   material.onBeforeCompile = (shader) => {
     shader.vertexShader = shader.vertexShader.replace("#include <project_vertex>", `#include <project_vertex>
-      gl_Position = projectionMatrix * vec4(mvPosition.xyz * (1.0 - 0.01 / length(mvPosition.xyz)), 1.0);`);
+      gl_Position = projectionMatrix * vec4(0.988 * mvPosition.xyz, 1.0);`);
   };
   return material;
 };
