@@ -255,6 +255,7 @@ fn write_report(
         frames,
         bandwidth: prepared.config.bandwidth,
         facts: &facts,
+        motion: None,
     };
     for (name, svg) in report::pictures(&input) {
         folder.write(&format!("{name}.svg"), &svg)?;

@@ -3,6 +3,7 @@
 mod chart;
 mod contour;
 mod frames;
+mod motion;
 mod page;
 mod palette;
 mod panel;
@@ -14,6 +15,10 @@ mod tests;
 mod view;
 
 pub use frames::Frames;
+pub use motion::{MotionInput, joint_plots, motion_section, placements_plan};
+// What a motion is made of.
+#[expect(unused_imports, reason = "no command shows a motion yet")]
+pub use motion::{Contact, ParticleFrame, Phase, Placement, RatedPlace};
 pub use page::page;
 pub use png::rasterize;
 
@@ -38,15 +43,22 @@ pub struct ReportInput<'a> {
     pub bandwidth: Option<f64>,
     /// Rows of the table of metrics: label, and value with unit.
     pub facts: &'a [(String, String)],
+    /// How a robot does it; `None` if none was asked to.
+    pub motion: Option<&'a MotionInput<'a>>,
 }
 
 /// The pictures of a run as (file stem, SVG).
 pub fn pictures(input: &ReportInput) -> Vec<(&'static str, String)> {
     let drawing = Drawing::new(input);
-    vec![
+    let mut pictures = vec![
         ("before-after", panel::before_after(&drawing)),
         ("graph", panel::graph(&drawing)),
         ("density", panel::density(&drawing)),
         ("effect-over-time", panel::effect_over_time(&drawing)),
-    ]
+    ];
+    if let Some(motion) = input.motion {
+        pictures.push(("joints", joint_plots(motion)));
+        pictures.push(("placements", placements_plan(motion)));
+    }
+    pictures
 }

@@ -1,6 +1,5 @@
 //! One HTML file that shows a run, and asks nothing of the network.
 
-use super::ReportInput;
 use super::chart::{self, across, down};
 use super::palette::page_rules;
 use super::panel::{
@@ -9,6 +8,7 @@ use super::panel::{
 use super::picture::Drawing;
 use super::player::{self, Player};
 use super::view::{View, grouped, metres, percent, px};
+use super::{ReportInput, motion_section};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use wisch::geometry::Vector2;
 use wisch::represent::GoalState;
@@ -34,6 +34,7 @@ pub fn page(input: &ReportInput) -> String {
                 main {
                     (header(input))
                     (metrics(input))
+                    @if let Some(motion) = input.motion { (motion_section(motion)) }
                     (surface(&drawing))
                     (effect(&drawing))
                     (density(&drawing))

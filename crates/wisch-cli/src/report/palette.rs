@@ -5,7 +5,7 @@
 use std::fmt::Write;
 
 /// Name of a colour, its value on light and on dark ground.
-const COLOURS: [(&str, &str, &str); 26] = [
+const COLOURS: [(&str, &str, &str); 31] = [
     ("paper", "#ffffff", "#14181d"),
     ("ink", "#1d242c", "#e8ecf0"),
     ("quiet", "#5b6672", "#9aa7b4"),
@@ -24,6 +24,11 @@ const COLOURS: [(&str, &str, &str); 26] = [
     ("goal-line", "#7a6a00", "#a38f00"),
     ("tool", "#56b4e9", "#56b4e9"),
     ("tool-line", "#0b5c8c", "#a6d8f5"),
+    ("contact", "#d55e00", "#ff9548"),
+    ("robot", "#d3d7dc", "#aab2bb"),
+    ("robot-arm", "#8db4d9", "#79a9d6"),
+    ("surface-3d", "#f3e3c3", "#cdbd9c"),
+    ("limit", "#b3261e", "#ff8a80"),
     ("band-1", "#eef3f8", "#1d2935"),
     ("band-2", "#d9e6f1", "#22384b"),
     ("band-3", "#bfd6e9", "#294a64"),
@@ -74,6 +79,24 @@ const RULES: &str = "\
 .contour{stroke:{paper};stroke-opacity:.35;stroke-width:.6;fill-rule:evenodd}\
 .band-1{fill:{band-1}}.band-2{fill:{band-2}}.band-3{fill:{band-3}}.band-4{fill:{band-4}}\
 .band-5{fill:{band-5}}.band-6{fill:{band-6}}.band-7{fill:{band-7}}.band-8{fill:{band-8}}\
+.phase-contact{fill:{contact}}.phase-lifted{fill:{quiet};fill-opacity:.55}\
+.robot-body{fill:{robot};stroke:{quiet};stroke-width:1}.robot-arm{fill:{robot-arm};stroke:{quiet};stroke-width:1}\
+.while-contact{fill:{contact};fill-opacity:.13;stroke:none}\
+.forbidden{fill:{limit};fill-opacity:.1;stroke:none}\
+.limit{fill:none;stroke:{limit};stroke-width:1.2;stroke-dasharray:5 3}\
+.course{fill:none;stroke:{left};stroke-width:1.6;stroke-linejoin:round}\
+.surface-plan{fill:{surface-3d};fill-opacity:.75;stroke:{outline};stroke-width:1.5;fill-rule:evenodd}\
+.obstacle-plan{fill:{obstacle};fill-opacity:.4;stroke:{obstacle-line};stroke-width:1.2}\
+.carrier-plan{fill:{outline};fill-opacity:.3;stroke:{outline};stroke-width:1}\
+.robot-plan{fill:{robot-arm};fill-opacity:.5;stroke:{ink};stroke-width:1.5}\
+.contact-path{fill:none;stroke:{contact};stroke-width:1.8;stroke-linejoin:round}\
+.driven{fill:none;stroke:{node};stroke-width:2.2;stroke-dasharray:2 4;stroke-linecap:round}\
+.rate-rim{fill:none;stroke:{quiet};stroke-linecap:round}\
+.mark-blocked{fill:none;stroke:{quiet};stroke-width:1.3}\
+.rate-1{fill:none;stroke-linecap:round;stroke:{band-1}}.rate-2{fill:none;stroke-linecap:round;stroke:{band-2}}\
+.rate-3{fill:none;stroke-linecap:round;stroke:{band-3}}.rate-4{fill:none;stroke-linecap:round;stroke:{band-4}}\
+.rate-5{fill:none;stroke-linecap:round;stroke:{band-5}}.rate-6{fill:none;stroke-linecap:round;stroke:{band-6}}\
+.rate-7{fill:none;stroke-linecap:round;stroke:{band-7}}.rate-8{fill:none;stroke-linecap:round;stroke:{band-8}}\
 .end{text-anchor:end}.middle{text-anchor:middle}";
 
 /// The classes with the light colours written out, for a picture that stands alone.

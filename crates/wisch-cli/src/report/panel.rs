@@ -31,6 +31,16 @@ pub(super) struct Panel {
 }
 
 impl Panel {
+    /// Nothing.
+    pub(super) fn empty() -> Self {
+        Self {
+            width: WIDTH,
+            height: 0.0,
+            body: html! {},
+            keys: Vec::new(),
+        }
+    }
+
     /// As part of a page, which brings colours.
     pub(super) fn inline(&self, label: &str) -> Markup {
         html! {
@@ -57,15 +67,14 @@ impl Panel {
     }
 
     /// As a file of its own, with light colours and a headline.
-    fn standalone(&self, drawing: &Drawing, what: &str) -> String {
-        let input = drawing.input;
+    pub(super) fn standalone(&self, title: &str, what: &str) -> String {
         let height = self.height + HEADLINE;
         html! {
             svg xmlns="http://www.w3.org/2000/svg" width=(px(self.width)) height=(px(height))
                 viewBox=(format!("0 0 {} {}", px(self.width), px(height))) {
                 style { (PreEscaped(standalone_rules())) }
                 rect class="ground" width=(px(self.width)) height=(px(height)) {}
-                text class="text strong" x="12" y="20" { (short(input.title, 70)) }
+                text class="text strong" x="12" y="20" { (short(title, 70)) }
                 text class="text small quiet" x="12" y="36" { (what) }
                 g transform=(format!("translate(0 {HEADLINE})")) { (self.body) }
             }
@@ -206,7 +215,7 @@ fn legend(drawing: &Drawing, keys: &[Key], left: f64, top: f64, width: f64) -> (
 }
 
 /// About the width of a text of 12 units in Inter and its like.
-fn text_width(text: &str) -> f64 {
+pub(super) fn text_width(text: &str) -> f64 {
     text.chars()
         .map(|c| match c {
             'i' | 'j' | 'l' | 't' | 'f' | 'r' | ' ' | ',' | '.' | '\'' => 4.4,
@@ -314,7 +323,7 @@ pub(super) fn graph(drawing: &Drawing) -> String {
         }
     })
     .with_legend(drawing, MARGIN)
-    .standalone(drawing, "Planned strokes, seen from above")
+    .standalone(drawing.input.title, "Planned strokes, seen from above")
 }
 
 /// Bands of equal density with the nodes on top; paper Fig. 4.
@@ -363,7 +372,7 @@ pub(super) fn density(drawing: &Drawing) -> String {
     density_panel(drawing)
         .with_legend(drawing, MARGIN)
         .standalone(
-            drawing,
+            drawing.input.title,
             &format!("Density of the particles (kernel bandwidth {bandwidth} m) and the nodes"),
         )
 }
@@ -388,7 +397,7 @@ fn framed(
 }
 
 /// Shows only what lies within the view.
-fn inset(view: &View, body: Markup) -> Markup {
+pub(super) fn inset(view: &View, body: Markup) -> Markup {
     let frame = [view.left(), view.top(), view.width(), view.height()].map(px);
     let [x, y, width, height] = &frame;
     html! {
@@ -450,7 +459,7 @@ pub(super) fn before_after(drawing: &Drawing) -> String {
         keys: keys(drawing, &wanted),
     }
     .with_legend(drawing, GAP)
-    .standalone(drawing, "Particles before and after, as predicted")
+    .standalone(drawing.input.title, "Particles before and after, as predicted")
 }
 
 /// Frames about evenly spaced over the distance, the first and the last among them.
@@ -574,11 +583,11 @@ pub(super) fn effect_over_time(drawing: &Drawing) -> String {
         },
         keys: Vec::new(),
     }
-    .standalone(drawing, "Effect over the distance wiped, as predicted")
+    .standalone(drawing.input.title, "Effect over the distance wiped, as predicted")
 }
 
 /// At most `most` characters, the rest as an ellipsis.
-fn short(text: &str, most: usize) -> String {
+pub(super) fn short(text: &str, most: usize) -> String {
     if text.chars().count() <= most {
         text.to_owned()
     } else {

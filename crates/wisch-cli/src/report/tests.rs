@@ -61,6 +61,7 @@ impl Run {
             frames: &self.frames,
             bandwidth: None,
             facts: &self.facts,
+            motion: None,
         }
     }
 }
@@ -178,9 +179,11 @@ fn write(name: &str, input: &ReportInput) {
     }
 }
 
-/// Addresses that a browser would ask for: none may stand in a page or picture.
-fn requests(text: &str) -> Vec<&str> {
-    let named = text.replace("http://www.w3.org/2000/svg", "");
+/// Addresses that a browser would ask for: none may stand in a page or picture. Names of namespaces are none.
+pub(super) fn requests(text: &str) -> Vec<&str> {
+    let named = text
+        .replace("http://www.w3.org/2000/svg", "")
+        .replace("http://www.w3.org/1999/xhtml", "");
     ["http://", "https://", "url(h", "src=", "@import", "href="]
         .into_iter()
         .filter(|sign| named.contains(sign))
