@@ -20,6 +20,7 @@ use mesh::Placed;
 use segment::Span;
 use solid::Solid;
 use std::cell::Cell;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Everything that may touch: the shapes of the links, bodies fixed to links (tools), obstacles.
@@ -77,8 +78,8 @@ pub struct CollisionModel {
     /// The links, then bodies and obstacles.
     bodies: Vec<Body>,
     solids: Vec<PlacedSolid>,
-    /// The lower number first, in order.
-    allowed: Vec<([BodyId; 2], Reason)>,
+    /// The lower number first.
+    allowed: BTreeMap<[BodyId; 2], Reason>,
     /// What follows from all that: the pairs to check, and what must be placed for it.
     pairs: Vec<[BodyId; 2]>,
     placed_frames: Vec<usize>,
@@ -166,7 +167,7 @@ impl CollisionModel {
             neighbours: allowed::neighbours(robot),
             bodies: Vec::new(),
             solids: Vec::new(),
-            allowed: Vec::new(),
+            allowed: BTreeMap::new(),
             pairs: Vec::new(),
             placed_frames: Vec::new(),
             placed_solids: Vec::new(),
@@ -252,9 +253,8 @@ impl CollisionModel {
 
     /// The pairs that may touch, and why. Each is there once, with the first reason that it had.
     pub fn allowed_pairs(&self) -> impl Iterator<Item = (&str, &str, Reason)> {
-        let named =
-            |&([a, b], reason): &([BodyId; 2], Reason)| (self.name(a), self.name(b), reason);
-        self.allowed.iter().map(named)
+        let pairs = self.allowed.iter();
+        pairs.map(|(&[a, b], &reason)| (self.name(a), self.name(b), reason))
     }
 
     /// The pairs that are checked.
@@ -415,8 +415,6 @@ impl CollisionModel {
 
     /// Lists the pairs to check and what must be placed for them.
     fn list_pairs(&mut self) {
-        let allowed =
-            |pair: &[BodyId; 2]| self.allowed.binary_search_by_key(pair, |(p, _)| *p).is_ok();
         let solid = |&i: &usize| !self.bodies[i].solids.is_empty();
         let solid: Vec<usize> = (0..self.bodies.len()).filter(solid).collect();
         let mut pairs = Vec::new();
@@ -424,7 +422,9 @@ impl CollisionModel {
             for &b in &solid[at + 1..] {
                 let frames = [a, b].map(|i| self.bodies[i].frame);
                 let pair = [BodyId(a), BodyId(b)];
-                if self.frames.moves(frames[0], frames[1], &self.is_moved) && !allowed(&pair) {
+                if self.frames.moves(frames[0], frames[1], &self.is_moved)
+                    && !self.allowed.contains_key(&pair)
+                {
                     pairs.push(pair);
                 }
             }
