@@ -13,6 +13,7 @@
 
 mod chain;
 mod check;
+mod clearance;
 mod collision;
 mod dynamics;
 mod error;
@@ -20,12 +21,14 @@ mod findings;
 mod ik;
 mod kinematics;
 mod model;
+mod srdf;
 #[cfg(test)]
 mod tests;
 mod urdf;
 
 pub use chain::{Chain, ChainJacobian, ChainKinematics, MAX_CHAIN};
 pub use check::{MAX_DEPTH, check};
+pub use clearance::{BodyId, Clearance, CollisionModel, Contact, Reason, SEGMENT_RESOLUTION};
 pub use collision::{Collision, MAX_MESH_EXTENT, Shape};
 pub use dynamics::{Dynamics, MIN_INERTIA};
 pub use error::RobotError;
@@ -36,4 +39,5 @@ pub use model::{
     Body, Drive, Joint, JointId, JointKind, JointLimits, LimitFault, Link, LinkId, Range,
     RobotModel,
 };
+pub use srdf::{DisabledPair, Group, GroupState, Ignored, Srdf};
 pub use urdf::{MAX_LINKS, MAX_SHAPES, MAX_URDF_BYTES};

@@ -122,6 +122,18 @@ impl JointPositions {
     }
 }
 
+impl FromIterator<f64> for JointPositions {
+    /// As many values as there are, at most [`MAX_CHAIN`].
+    fn from_iter<I: IntoIterator<Item = f64>>(values: I) -> Self {
+        let mut positions = Self::zeros(0);
+        for value in values.into_iter().take(MAX_CHAIN) {
+            positions.values[positions.count] = value;
+            positions.count += 1;
+        }
+        positions
+    }
+}
+
 impl Deref for JointPositions {
     type Target = [f64];
     fn deref(&self) -> &[f64] {
