@@ -11,6 +11,7 @@
 //! no variables. [m], [rad], [N], [Nm]; spatial quantities linear first; the world is the frame of
 //! the root link.
 
+mod capability;
 mod chain;
 mod check;
 mod collision;
@@ -23,6 +24,9 @@ mod model;
 mod tests;
 mod urdf;
 
+pub use capability::{
+    CapabilityMap, MAX_MAP_BYTES, MapConfig, MapError, MapOrigin, MapStage, RobotHash,
+};
 pub use chain::{Chain, ChainJacobian, ChainKinematics, MAX_CHAIN};
 pub use check::{MAX_DEPTH, check};
 pub use collision::{Collision, MAX_MESH_EXTENT, Shape};
