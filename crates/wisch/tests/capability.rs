@@ -7,7 +7,7 @@ use std::f64::consts::{FRAC_PI_3, PI};
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 use wisch::geometry::{Point3, Pose, Vector3};
-use wisch::robot::{CapabilityMap, MapConfig, MapError, MapStage, RobotHash, RobotModel};
+use wisch::robot::{CapabilityMap, MapConfig, MapError, MapStage, MapTool, RobotHash, RobotModel};
 
 fn read(text: &str) -> RobotModel {
     RobotModel::from_urdf("test.urdf", text, &mut |_| Err("no meshes".into())).unwrap()
@@ -88,11 +88,19 @@ const CONFIG: MapConfig = MapConfig {
     refinements: 4,
 };
 
+fn tool<'a>(robot: &'a RobotModel, posture: &'a [f64]) -> MapTool<'a> {
+    MapTool {
+        robot,
+        base: robot.root(),
+        tip: robot.link("tool").unwrap(),
+        tip_from_tool: tip_from_tool(),
+        posture,
+    }
+}
+
 fn build(robot: &RobotModel, config: &MapConfig) -> Result<CapabilityMap, MapError> {
-    let tool = robot.link("tool").unwrap();
-    let chain = (robot.root(), tool, tip_from_tool());
     let posture = vec![0.0; robot.dof()];
-    CapabilityMap::build(robot, chain, &posture, |_| true, config, |_, _, _| {})
+    CapabilityMap::build(&tool(robot, &posture), |_| true, config, |_, _, _| {})
 }
 
 static TELESCOPE: LazyLock<(RobotModel, CapabilityMap)> = LazyLock::new(|| {
@@ -241,7 +249,6 @@ fn what_forward_kinematics_reaches_is_in_the_map() {
 #[test]
 fn what_collides_is_not_reached() {
     let robot = telescope(FRAC_PI_3);
-    let chain = (robot.root(), robot.link("tool").unwrap(), tip_from_tool());
     let pitch = 2;
     assert_eq!(robot.variable(pitch).name, "pitch");
     let lamp = 0.25;
@@ -250,7 +257,7 @@ fn what_collides_is_not_reached() {
     // Pitching down is a collision, unless the joint that is not of the chain is elsewhere.
     let is_free = |q: &[f64]| q[0] == lamp && q[pitch] < 0.0;
     let map =
-        CapabilityMap::build(&robot, chain, &posture, is_free, &CONFIG, |_, _, _| {}).unwrap();
+        CapabilityMap::build(&tool(&robot, &posture), is_free, &CONFIG, |_, _, _| {}).unwrap();
     let mut random = ChaCha8Rng::seed_from_u64(5);
     for _ in 0..2_000 {
         let pose = random_pose(&mut random, 0.7);
@@ -259,7 +266,7 @@ fn what_collides_is_not_reached() {
         }
     }
     assert!(map.is_reachable(&pose(&(Vector3::z() * 0.45), &Vector3::z())));
-    let nowhere = CapabilityMap::build(&robot, chain, &posture, |_| false, &CONFIG, |_, _, _| {});
+    let nowhere = CapabilityMap::build(&tool(&robot, &posture), |_| false, &CONFIG, |_, _, _| {});
     assert_eq!(nowhere, Err(MapError::NothingReached { samples: 50_000 }));
 }
 
@@ -296,9 +303,8 @@ fn progress_reaches_its_end() {
         assert!(done <= total);
         most[stage as usize].fetch_max(done, Ordering::Relaxed);
     };
-    let chain = (robot.root(), robot.link("tool").unwrap(), tip_from_tool());
     let posture = vec![0.0; robot.dof()];
-    CapabilityMap::build(&robot, chain, &posture, |_| true, &config, progress).unwrap();
+    CapabilityMap::build(&tool(&robot, &posture), |_| true, &config, progress).unwrap();
     let [sampled, spread, refined] = most.map(AtomicU64::into_inner);
     assert_eq!(sampled, 30_000);
     assert!(spread > 0 && refined > 0);
@@ -424,7 +430,7 @@ fn settings_out_of_range_are_refused_by_name() {
                 voxel: 0.002,
                 ..CONFIG
             },
-            "map of 221445125 voxels (reach 0.60 m, voxel 0.002 m) exceeds the limit of 16777216",
+            "map of 221445125 voxels of 0.002 m (reach 0.60 m) in 162 directions exceeds the limit of 1073741824 cells",
         ),
     ] {
         let refused = build(&robot, &config).map(|_| ());

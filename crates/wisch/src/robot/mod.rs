@@ -25,7 +25,7 @@ mod tests;
 mod urdf;
 
 pub use capability::{
-    CapabilityMap, MAX_MAP_BYTES, MapConfig, MapError, MapOrigin, MapStage, RobotHash,
+    CapabilityMap, MAX_MAP_BYTES, MapConfig, MapError, MapOrigin, MapStage, MapTool, RobotHash,
 };
 pub use chain::{Chain, ChainJacobian, ChainKinematics, MAX_CHAIN};
 pub use check::{MAX_DEPTH, check};

@@ -1,234 +1,259 @@
-//! The chain that a map is made of: where it may be, and how it gets near a pose.
+//! The chain that a map is made of: where it may be, and how it gets from one pose to one nearby.
 
-use super::MapError;
+use super::{MapError, MapTool};
 use crate::geometry::{Point3, Pose, Vector3};
 use crate::robot::{Chain, Drive, JointKind, LinkId, MAX_CHAIN, Range, RobotModel};
 use nalgebra::{SMatrix, SVector};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
+use std::f64::consts::PI;
 
+/// Positions of a chain's variables [rad or m]; those beyond its number of variables do not count.
 pub(super) type Positions = [f64; MAX_CHAIN];
 
 pub(super) struct Arm {
-    pub chain: Chain,
+    pub(super) chain: Chain,
     tip_from_tool: Pose,
+    /// Limits of the chain's variables; infinite for a joint that turns without limits.
     ranges: Vec<Range>,
-    coupled: Vec<(Drive, Range)>,
+    /// Joints of the robot that follow variables of the chain, and their limits.
+    followers: Vec<(Drive, Range)>,
     /// Farthest that the tool can be from the base [m].
-    pub reach: f64,
+    pub(super) reach: f64,
 }
 
-const POSITION_TOLERANCE: f64 = 1e-3;
-const ROTATION_TOLERANCE: f64 = 5e-3;
-/// A radian of the tool's axis counts as this many metres.
-const ROTATION_LENGTH: f64 = 0.2;
-const STEPS: usize = 15;
+/// Where a tool is and where its z axis points, in the base.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ToolGoal {
+    pub(super) point: Point3,
+    pub(super) axis: Vector3,
+}
+
+const ROUND_AND_ROUND: Range = Range {
+    lower: f64::NEG_INFINITY,
+    upper: f64::INFINITY,
+};
+const ONCE_ROUND: Range = Range {
+    lower: -PI,
+    upper: PI,
+};
+
+/// How near to a goal counts as there: far below a cell.
+const POINT_TOLERANCE: f64 = 1e-3; // [m]
+const AXIS_TOLERANCE: f64 = 5e-3; // [rad]
+
+/// A radian of the tool's axis counts as this many metres: about a hand and its tool.
+const LENGTH_PER_RADIAN: f64 = 0.2;
+
+/// Steps after which a goal is given up. From a cell to the next three or four are enough.
+const MAX_STEPS: usize = 15;
+
+/// Most that a joint moves in a step [rad or m]: the tool's motion is not linear beyond.
+const MAX_STEP: f64 = 0.5;
+
+/// Damping of the first step [m²], the least and the most; beyond it steps are too short to help.
+const DAMPING: f64 = 1e-4;
+const MIN_DAMPING: f64 = 1e-9;
+const MAX_DAMPING: f64 = 1.0;
+
+/// A step that leaves more than this share of the error is the last: the goal is out of reach.
+const STALLED: f64 = 0.98;
+
+/// Offset of the tool from its goal: three of place, two of the axis in the tool's x and y [m].
+type Offset = SVector<f64, 5>;
+
+/// How the tool moves with each variable, in the same rows.
+type Rates = SMatrix<f64, 5, MAX_CHAIN>;
 
 impl Arm {
-    pub(super) fn new(
-        robot: &RobotModel,
-        base: LinkId,
-        tip: LinkId,
-        tip_from_tool: Pose,
-    ) -> Result<Self, MapError> {
+    pub(super) fn new(tool: &MapTool<'_>) -> Result<Self, MapError> {
+        let &MapTool {
+            robot,
+            base,
+            tip,
+            tip_from_tool,
+            ..
+        } = tool;
         let chain = robot.chain(base, tip)?;
-        let mut ranges = Vec::new();
+        let mut ranges = Vec::with_capacity(chain.dof());
         for &variable in chain.variables() {
             let joint = robot.variable(variable);
-            let pi = std::f64::consts::PI;
             ranges.push(match joint.limits.position {
                 Some(range) => range,
-                None if joint.kind == JointKind::Revolute => Range {
-                    lower: -pi,
-                    upper: pi,
-                },
-                None => {
-                    let joint = joint.name.clone();
-                    return Err(MapError::Unlimited { joint });
-                }
+                None if joint.kind == JointKind::Revolute => ROUND_AND_ROUND,
+                None => return Err(unlimited(&joint.name)),
             });
         }
-        let coupled = robot
-            .joints()
-            .iter()
-            .enumerate()
-            .filter(|(i, j)| {
-                !robot.variables().iter().any(|v| v.index() == *i)
-                    && j.drive
-                        .terms
-                        .iter()
-                        .any(|(v, _)| chain.variables().contains(v))
-            })
-            .filter_map(|(_, j)| Some((j.drive.clone(), j.limits.position?)))
-            .collect();
-        let mut reach = tip_from_tool.translation.vector.norm();
-        let mut at = tip;
-        while at != base {
-            let Some(id) = robot.links()[at.index()].parent else {
-                break;
-            };
-            let joint = &robot.joints()[id.index()];
-            reach += joint.parent_from_joint.translation.vector.norm();
-            if joint.kind == JointKind::Prismatic {
-                let range = joint.limits.position.ok_or_else(|| MapError::Unlimited {
-                    joint: joint.name.clone(),
-                })?;
-                reach += range.lower.abs().max(range.upper.abs());
-            }
-            at = joint.parent;
-        }
+        let follows_the_chain = |drive: &Drive| {
+            let is_own = |(variable, _): &(usize, f64)| chain.variables().contains(variable);
+            drive.terms.iter().any(is_own)
+        };
+        let followers = robot.joints().iter().filter_map(|joint| {
+            let limits = joint.limits.position?;
+            follows_the_chain(&joint.drive).then(|| (joint.drive.clone(), limits))
+        });
         Ok(Self {
+            followers: followers.collect(),
+            reach: reach(robot, base, tip)? + tip_from_tool.translation.vector.norm(),
             chain,
             tip_from_tool,
             ranges,
-            coupled,
-            reach,
         })
     }
 
+    /// Positions anywhere within the limits of the variables; once round if there are none.
     pub(super) fn sample(&self, random: &mut ChaCha8Rng) -> Positions {
         let mut q = [0.0; MAX_CHAIN];
         for (q, range) in q.iter_mut().zip(&self.ranges) {
-            *q = range.lower + random.random::<f64>() * (range.upper - range.lower);
+            let Range { lower, upper } = if *range == ROUND_AND_ROUND {
+                ONCE_ROUND
+            } else {
+                *range
+            };
+            *q = lower + (upper - lower) * random.random::<f64>();
         }
         q
     }
 
-    pub(super) fn base_from_tool(&self, q: &Positions) -> Option<Pose> {
-        let kinematics = self.chain.forward_kinematics(&q[..self.chain.dof()]).ok()?;
-        Some(kinematics.base_from_tip() * self.tip_from_tool)
+    /// Whether all joints that move with the chain are within their limits at these positions of the
+    /// robot.
+    pub(super) fn is_within_limits(&self, all: &[f64]) -> bool {
+        self.followers
+            .iter()
+            .all(|(drive, limits)| (limits.lower..=limits.upper).contains(&drive.position(all)))
     }
 
-    /// Whether joints that follow several others are within their limits.
-    pub(super) fn within(&self, all: &[f64]) -> bool {
-        self.coupled.iter().all(|(drive, range)| {
-            let position = drive.position(all);
-            range.lower <= position && position <= range.upper
+    /// The tool at these positions.
+    pub(super) fn tool(&self, q: &Positions) -> Option<ToolGoal> {
+        let kinematics = self.chain.forward_kinematics(&q[..self.chain.dof()]).ok()?;
+        let base_from_tool = kinematics.base_from_tip() * self.tip_from_tool;
+        Some(ToolGoal {
+            point: base_from_tool.translation.vector.into(),
+            axis: base_from_tool.rotation * Vector3::z(),
         })
     }
 
-    pub(super) fn approach(
-        &self,
-        point: &Point3,
-        axis: &Vector3,
-        start: &Positions,
-    ) -> Option<Positions> {
-        let n = self.chain.dof();
+    /// Positions within the limits of the variables that put the tool to a goal, by a descent from
+    /// positions that put it nearby (Levenberg 1944, Marquardt 1963). Joints at a limit that would go
+    /// further stand still. None if the descent ends elsewhere.
+    pub(super) fn approach(&self, goal: &ToolGoal, start: &Positions) -> Option<Positions> {
         let mut q = *start;
-        let tool = Point3::from(self.tip_from_tool.translation.vector);
-        let (mut e, mut j) = self.error(point, axis, &q, &tool)?;
-        let mut damping = 1e-4;
-        let done = |e: &SVector<f64, 5>| {
-            e.fixed_rows::<3>(0).norm() < POSITION_TOLERANCE
-                && e.fixed_rows::<2>(3).norm() < ROTATION_TOLERANCE * ROTATION_LENGTH
-        };
-        for _ in 0..STEPS {
-            if done(&e) {
+        for (q, range) in q.iter_mut().zip(&self.ranges) {
+            *q = q.max(range.lower).min(range.upper);
+        }
+        let (mut offset, mut rates) = self.offset(goal, &q)?;
+        let mut damping = DAMPING;
+        for _ in 0..MAX_STEPS {
+            if is_there(&offset) {
                 return Some(q);
             }
-            let mut frozen = [false; MAX_CHAIN];
-            let gradient = j.transpose() * e;
-            for i in 0..n {
-                frozen[i] = gradient[i] > 0.0 && q[i] >= self.ranges[i].upper
-                    || gradient[i] < 0.0 && q[i] <= self.ranges[i].lower;
-            }
-            let mut trial = q;
-            for _ in 0..3 {
-                let mut a = SMatrix::<f64, 5, 5>::identity() * damping;
-                for i in 0..n {
-                    if !frozen[i] {
-                        a.ger(1.0, &j.column(i), &j.column(i), 1.0);
-                    }
-                }
-                let y = a.cholesky()?.solve(&e);
-                let mut hit = false;
-                trial = q;
-                for i in 0..n {
-                    if frozen[i] {
-                        continue;
-                    }
-                    let step = j.column(i).dot(&y).clamp(-0.5, 0.5);
-                    trial[i] += step;
-                    let Range { lower, upper } = self.ranges[i];
-                    if trial[i] > upper || trial[i] < lower {
-                        trial[i] = trial[i].clamp(lower, upper);
-                        hit = true;
-                    }
-                }
-                if !hit {
-                    break;
-                }
-                for (i, frozen) in frozen.iter_mut().enumerate().take(n) {
-                    let Range { lower, upper } = self.ranges[i];
-                    let is_held = trial[i] == upper || trial[i] == lower;
-                    if !*frozen && is_held && (trial[i] - q[i]).abs() < 1e-9 {
-                        *frozen = true;
-                        hit = false;
-                    }
-                }
-                if hit {
-                    break;
-                }
-            }
-            let (e1, j1) = self.error(point, axis, &trial, &tool)?;
-            let (before, after) = (e.norm(), e1.norm());
-            if after < before {
-                q = trial;
-                (e, j) = (e1, j1);
-                damping = (damping / 4.0).max(1e-9);
-                if after > 0.98 * before {
-                    return None;
-                }
+            let next = self.step(&q, &offset, &rates, damping)?;
+            let (next_offset, next_rates) = self.offset(goal, &next)?;
+            let left = next_offset.norm() / offset.norm();
+            if left < 1.0 {
+                (q, offset, rates) = (next, next_offset, next_rates);
+                damping = (damping / 4.0).max(MIN_DAMPING);
             } else {
                 damping *= 10.0;
-                if damping > 1.0 {
-                    return None;
-                }
+            }
+            if damping > MAX_DAMPING || (STALLED..1.0).contains(&left) {
+                break;
             }
         }
-        done(&e).then_some(q)
+        is_there(&offset).then_some(q)
     }
 
-    #[allow(clippy::type_complexity)]
-    fn error(
+    /// One damped step towards the goal: Jᵀ (J Jᵀ + λ)⁻¹ e of the joints that may move.
+    fn step(
         &self,
-        point: &Point3,
-        axis: &Vector3,
         q: &Positions,
-        tool: &Point3,
-    ) -> Option<(SVector<f64, 5>, SMatrix<f64, 5, MAX_CHAIN>)> {
-        let n = self.chain.dof();
-        let kinematics = self.chain.forward_kinematics(&q[..n]).ok()?;
-        let pose = kinematics.base_from_tip() * self.tip_from_tool;
-        let jacobian = kinematics.jacobian(*tool);
-        let jacobian = jacobian.view();
-        let rotation = pose.rotation.to_rotation_matrix();
-        let (x, y, z) = (
-            rotation.matrix().column(0).into_owned(),
-            rotation.matrix().column(1).into_owned(),
-            rotation.matrix().column(2).into_owned(),
-        );
-        let cross = z.cross(axis);
-        let sine = cross.norm();
-        let angle = sine.atan2(z.dot(axis));
-        let turn = if sine > 1e-12 {
-            cross * (angle / sine)
-        } else {
-            x * angle
-        };
-        let p = point.coords - pose.translation.vector;
-        let l = ROTATION_LENGTH;
-        let e = SVector::<f64, 5>::new(p.x, p.y, p.z, l * x.dot(&turn), l * y.dot(&turn));
-        let mut j = SMatrix::<f64, 5, MAX_CHAIN>::zeros();
-        for i in 0..n {
-            let c = jacobian.column(i);
-            let w = Vector3::new(c[3], c[4], c[5]);
-            j[(0, i)] = c[0];
-            j[(1, i)] = c[1];
-            j[(2, i)] = c[2];
-            j[(3, i)] = l * x.dot(&w);
-            j[(4, i)] = l * y.dot(&w);
+        offset: &Offset,
+        rates: &Rates,
+        damping: f64,
+    ) -> Option<Positions> {
+        let ranges = self.ranges.iter().enumerate();
+        let mut moving = *rates;
+        for (i, range) in ranges.clone() {
+            let towards = rates.column(i).dot(offset);
+            if (towards > 0.0 && q[i] >= range.upper) || (towards < 0.0 && q[i] <= range.lower) {
+                moving.column_mut(i).fill(0.0);
+            }
         }
-        Some((e, j))
+        let mut normal = SMatrix::<f64, 5, 5>::identity() * damping;
+        for (i, _) in ranges.clone() {
+            normal.ger(1.0, &moving.column(i), &moving.column(i), 1.0);
+        }
+        let along = normal.cholesky()?.solve(offset);
+        let mut next = *q;
+        for (i, range) in ranges {
+            let step = moving.column(i).dot(&along).clamp(-MAX_STEP, MAX_STEP);
+            next[i] = (q[i] + step).max(range.lower).min(range.upper);
+        }
+        Some(next)
+    }
+
+    fn offset(&self, goal: &ToolGoal, q: &Positions) -> Option<(Offset, Rates)> {
+        let kinematics = self.chain.forward_kinematics(&q[..self.chain.dof()]).ok()?;
+        let base_from_tool = kinematics.base_from_tip() * self.tip_from_tool;
+        let axes = base_from_tool.rotation.to_rotation_matrix();
+        let [x, y, z] = [0, 1, 2].map(|i| Vector3::from(axes.matrix().column(i)));
+        let place = goal.point.coords - base_from_tool.translation.vector;
+        let turn = turn_between(&z, &goal.axis, &x) * LENGTH_PER_RADIAN;
+        let offset = Offset::new(place.x, place.y, place.z, x.dot(&turn), y.dot(&turn));
+        let tool_in_tip = Point3::from(self.tip_from_tool.translation.vector);
+        let jacobian = kinematics.jacobian(tool_in_tip);
+        let mut rates = Rates::zeros();
+        for (mut rates, column) in rates.column_iter_mut().zip(jacobian.view().column_iter()) {
+            let turn = Vector3::from(column.fixed_rows::<3>(3)) * LENGTH_PER_RADIAN;
+            rates
+                .fixed_rows_mut::<3>(0)
+                .copy_from(&column.fixed_rows::<3>(0));
+            (rates[3], rates[4]) = (x.dot(&turn), y.dot(&turn));
+        }
+        Some((offset, rates))
+    }
+}
+
+fn is_there(offset: &Offset) -> bool {
+    offset.fixed_rows::<3>(0).norm() <= POINT_TOLERANCE
+        && offset.fixed_rows::<2>(3).norm() <= AXIS_TOLERANCE * LENGTH_PER_RADIAN
+}
+
+/// The rotation vector [rad] that turns one direction into another; `across` if they are opposite.
+fn turn_between(from: &Vector3, to: &Vector3, across: &Vector3) -> Vector3 {
+    let normal = from.cross(to);
+    let (sin, cos) = (normal.norm(), from.dot(to));
+    let angle = sin.atan2(cos);
+    if sin > 0.0 {
+        normal * (angle / sin)
+    } else {
+        across * angle
+    }
+}
+
+/// Sum of the distances between the joints from `base` to `tip`, stretched as far as they slide [m].
+fn reach(robot: &RobotModel, base: LinkId, tip: LinkId) -> Result<f64, MapError> {
+    let mut reach = 0.0;
+    let mut at = tip;
+    while let Some(id) = robot.links()[at.index()].parent
+        && at != base
+    {
+        let joint = &robot.joints()[id.index()];
+        reach += joint.parent_from_joint.translation.vector.norm();
+        if joint.kind == JointKind::Prismatic {
+            let limits = joint
+                .limits
+                .position
+                .ok_or_else(|| unlimited(&joint.name))?;
+            reach += limits.lower.abs().max(limits.upper.abs());
+        }
+        at = joint.parent;
+    }
+    Ok(reach)
+}
+
+fn unlimited(joint: &str) -> MapError {
+    MapError::Unlimited {
+        joint: joint.to_owned(),
     }
 }

@@ -1,150 +1,84 @@
 //! Making a map: sample, spread, refine.
 
-use super::arm::{Arm, Positions};
-use super::directions::{Directions, FREQUENCIES};
-use super::{CapabilityMap, FULL, Grid, MapError, MapOrigin, RobotHash};
-use crate::geometry::{Point3, Pose, Vector3};
-use crate::robot::{LinkId, MAX_CHAIN, RobotModel};
+use super::arm::{Arm, Positions, ToolGoal};
+use super::cells::{Cell, Cells};
+use super::directions::Directions;
+use super::{
+    CapabilityMap, FULL, Grid, MapConfig, MapError, MapOrigin, MapStage, MapTool, RobotHash,
+};
+use crate::geometry::Vector3;
+use crate::robot::LinkId;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// How finely and how carefully a map is made.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MapConfig {
-    /// Edge of a voxel [m].
-    pub voxel: f64,
-    /// Fineness of the grid of directions: it has 10 frequency² + 2.
-    pub frequency: u32,
-    /// How many random positions of the joints are tried.
-    pub samples: u64,
-    /// Seed of the random positions.
-    pub seed: u64,
-    /// From how many poses reached nearby inverse kinematics starts at most, before a pose counts as
-    /// out of reach.
-    pub starts: u32,
-    /// How many poses are tried of a cell at the boundary, besides its centre.
-    pub refinements: u32,
-}
+/// Most cells in the box of everything that might be reached.
+const MAX_CELLS: usize = 1 << 30;
 
-impl Default for MapConfig {
-    fn default() -> Self {
-        Self {
-            voxel: 0.05,
-            frequency: 4,
-            samples: 1_000_000,
-            seed: 0,
-            starts: 4,
-            refinements: 4,
-        }
-    }
-}
-
-/// What building a map is at.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum MapStage {
-    /// Random positions: done of all samples.
-    Sampling,
-    /// Inverse kinematics from cell to cell: cells tried, of those known to be worth it so far.
-    Spreading,
-    /// The cells at the boundary: done of all.
-    Refining,
-}
-
-/// Most voxels in the box of everything that might be reached.
-const MAX_VOXELS: usize = 1 << 24;
-
-/// Samples per seed: threads take them as they come.
+/// Samples per stream of random numbers: threads take them as they come.
 const CHUNK: u64 = 4096;
-/// Chunks before their results are written down.
+/// Chunks before what they found is written down.
 const BATCH: u64 = 64;
 /// Cells after which progress is reported.
 const CELLS_PER_REPORT: usize = 4096;
 
-impl MapConfig {
-    /// Whether every setting is in its range.
-    ///
-    /// # Errors
-    /// The first that is not.
-    pub(super) fn check(&self) -> Result<(), MapError> {
-        let (coarsest, finest) = (*FREQUENCIES.start() as f64, *FREQUENCIES.end() as f64);
-        for (field, value, lower, upper) in [
-            ("voxel", self.voxel, 1e-3, 10.0),
-            ("frequency", f64::from(self.frequency), coarsest, finest),
-            ("samples", self.samples as f64, 1.0, 1e12),
-            ("starts", f64::from(self.starts), 1.0, 100.0),
-            ("refinements", f64::from(self.refinements), 0.0, 100.0),
-        ] {
-            if !(lower..=upper).contains(&value) {
-                return Err(MapError::Setting {
-                    field,
-                    value,
-                    lower,
-                    upper,
-                });
-            }
-        }
-        Ok(())
-    }
-}
-
 impl CapabilityMap {
-    /// Makes the map of the chain from `base` to `tip`, which carries a tool.
+    /// Makes the map of a tool.
     ///
-    /// The other joints of the robot stay at the `posture` (n variables) [rad or m]. `is_free` says of
-    /// positions of the whole robot (n) whether nothing collides. `progress` is called from time to
-    /// time, from several threads, with what is done of what is to do. The result is the same on any
-    /// number of threads.
+    /// `is_free` says of positions of all variables of the robot (n) whether nothing collides.
+    /// `progress` is called from time to time, from several threads, with a stage and what is done of
+    /// what is known to be to do in it. The map is the same on any number of threads.
+    ///
+    /// ```
+    /// # use wisch::robot::{CapabilityMap, MapConfig, MapTool, RobotModel};
+    /// # let joint = |name: &str, parent: &str, child: &str, axis: &str, range: &str| format!(
+    /// #     r#"<joint name="{name}" type="{}"><parent link="{parent}"/><child link="{child}"/>
+    /// #        <axis xyz="{axis}"/>{range}</joint><link name="{child}"/>"#,
+    /// #     if name == "slide" { "prismatic" } else { "continuous" });
+    /// # let text = format!(r#"<robot name="telescope"><link name="floor"/>{}{}{}{}{}</robot>"#,
+    /// #     joint("yaw", "floor", "turret", "0 0 1", ""), joint("pitch", "turret", "tube", "0 1 0", ""),
+    /// #     joint("slide", "tube", "rod", "1 0 0", r#"<limit lower="0.3" upper="0.6"/>"#),
+    /// #     joint("roll", "rod", "wrist", "1 0 0", ""), joint("bend", "wrist", "tool", "0 1 0", ""));
+    /// # let robot = RobotModel::from_urdf("telescope", &text, &mut |_| Err(String::new()))?;
+    /// use wisch::geometry::{Point3, Pose};
+    /// // A telescope from 0.3 m to 0.6 m that points anywhere, and so does the tool at its end.
+    /// let tool = MapTool {
+    ///     robot: &robot,
+    ///     base: robot.root(),
+    ///     tip: robot.link("tool")?,
+    ///     tip_from_tool: Pose::identity(),
+    ///     posture: &[0.0; 5],
+    /// };
+    /// let config = MapConfig { voxel: 0.1, frequency: 2, samples: 20_000, ..MapConfig::default() };
+    /// let map = CapabilityMap::build(&tool, |_| true, &config, |_, _, _| {})?;
+    /// assert!(map.is_reachable(&Pose::translation(0.3, 0.2, 0.2)));
+    /// assert!(!map.is_reachable(&Pose::translation(0.5, 0.5, 0.2)));
+    /// assert!(map.index(&Point3::new(0.0, 0.45, 0.0)) > 0.95);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// If a setting is out of range, the posture does not fit the robot, the tip does not hang on the
-    /// base, a sliding joint has no limits, or nothing can be reached.
+    /// base, a sliding joint has no limits, there would be too many cells, or nothing can be reached.
     pub fn build(
-        robot: &RobotModel,
-        (base, tip, tip_from_tool): (LinkId, LinkId, Pose),
-        posture: &[f64],
+        tool: &MapTool<'_>,
         is_free: impl Fn(&[f64]) -> bool + Sync,
         config: &MapConfig,
         progress: impl Fn(MapStage, u64, u64) + Sync,
     ) -> Result<Self, MapError> {
         config.check()?;
-        robot.checked("posture", posture)?;
-        let arm = Arm::new(robot, base, tip, tip_from_tool)?;
-        let name = |link: LinkId| robot.links()[link.index()].name.clone();
-        let about = MapOrigin {
-            robot: RobotHash::of(robot),
-            base: name(base),
-            tip: name(tip),
-            tip_from_tool,
-            config: *config,
-        };
-        let half = (arm.reach / config.voxel).ceil() + 2.0;
-        let voxels = (2.0 * half + 1.0).powi(3);
-        if voxels > MAX_VOXELS as f64 {
-            return Err(MapError::TooFine {
-                value: voxels,
-                reach: arm.reach,
-                voxel: config.voxel,
-                limit: MAX_VOXELS,
-            });
-        }
-        let grid = Grid {
-            voxel: config.voxel,
-            lowest: [-(half as i32); 3],
-            counts: [2 * half as usize + 1; 3],
-        };
+        tool.robot.checked("posture", tool.posture)?;
+        let arm = Arm::new(tool)?;
+        let grid = grid(&arm, config)?;
+        let directions = Directions::new(config.frequency as usize);
         let mut builder = Builder {
+            cells: Cells::new(grid, directions, arm.chain.dof()),
             arm: &arm,
-            posture,
+            posture: tool.posture,
             is_free: &is_free,
             config,
             progress: &progress,
-            cells: Cells::new(
-                grid,
-                Directions::new(config.frequency as usize),
-                arm.chain.dof(),
-            ),
         };
         let seeds = builder.sample();
         if seeds.is_empty() {
@@ -152,167 +86,38 @@ impl CapabilityMap {
                 samples: config.samples,
             });
         }
-        builder.spread(seeds);
+        builder.spread(&seeds);
         let values = builder.refine();
-        Ok(builder.cells.into_map(values, about))
-    }
-}
-
-/// A voxel with a direction.
-type Cell = u32;
-
-const NONE: u32 = u32::MAX;
-
-/// What is known of cells while the map is made. Voxels have rows only once something is near.
-struct Cells {
-    grid: Grid,
-    directions: Directions,
-    /// Row of each voxel, or [`NONE`].
-    row_of: Vec<u32>,
-    /// Voxel of each row.
-    voxel_of: Vec<u32>,
-    /// Per cell: number of the positions that reach its centre, or [`NONE`].
-    reached: Vec<u32>,
-    /// Per cell: how many starts have failed.
-    failures: Vec<u8>,
-    /// Positions of n variables each.
-    positions: Vec<f32>,
-    dof: usize,
-}
-
-impl Cells {
-    fn new(grid: Grid, directions: Directions, dof: usize) -> Self {
-        Self {
-            row_of: vec![NONE; grid.voxels()],
-            grid,
-            directions,
-            voxel_of: Vec::new(),
-            reached: Vec::new(),
-            failures: Vec::new(),
-            positions: Vec::new(),
-            dof,
-        }
-    }
-
-    /// The cell of a voxel and a direction; from now on it has a row.
-    fn cell(&mut self, voxel: usize, direction: usize) -> Cell {
-        let count = self.directions.count();
-        if self.row_of[voxel] == NONE {
-            self.row_of[voxel] = self.voxel_of.len() as u32;
-            self.voxel_of.push(voxel as u32);
-            self.reached.resize(self.reached.len() + count, NONE);
-            self.failures.resize(self.failures.len() + count, 0);
-        }
-        self.row_of[voxel] * count as u32 + direction as u32
-    }
-
-    fn voxel_and_direction(&self, cell: Cell) -> (usize, usize) {
-        let count = self.directions.count();
-        let (row, direction) = (cell as usize / count, cell as usize % count);
-        (self.voxel_of[row] as usize, direction)
-    }
-
-    /// The tool at the centre of a cell: its place and its z axis in the base.
-    fn center(&self, cell: Cell) -> (Point3, Vector3) {
-        let (voxel, direction) = self.voxel_and_direction(cell);
-        (self.grid.center(voxel), self.directions.nodes()[direction])
-    }
-
-    fn is_reached(&self, cell: Cell) -> bool {
-        self.reached[cell as usize] != NONE
-    }
-
-    /// Positions that reach a cell.
-    fn positions(&self, cell: Cell) -> Positions {
-        let first = self.reached[cell as usize] as usize * self.dof;
-        let mut q = [0.0; MAX_CHAIN];
-        let stored = &self.positions[first..first + self.dof];
-        q.iter_mut()
-            .zip(stored)
-            .for_each(|(q, &s)| *q = f64::from(s));
-        q
-    }
-
-    fn reach(&mut self, cell: Cell, q: &Positions) {
-        self.reached[cell as usize] = (self.positions.len() / self.dof) as u32;
-        let stored = q[..self.dof].iter().map(|&q| q as f32);
-        self.positions.extend(stored);
-    }
-
-    /// The voxels beside a voxel. None beyond the box: it is wider than the reach.
-    fn beside(&self, voxel: usize) -> impl Iterator<Item = usize> + use<> {
-        let (place, strides, counts) = (
-            self.grid.place(voxel),
-            self.grid.strides(),
-            self.grid.counts,
-        );
-        (0..3).flat_map(move |axis| {
-            let lower = (place[axis] > 0).then(|| voxel - strides[axis]);
-            let upper = (place[axis] + 1 < counts[axis]).then(|| voxel + strides[axis]);
-            [lower, upper].into_iter().flatten()
-        })
-    }
-
-    /// The known cells beside a cell.
-    fn neighbours(&self, cell: Cell) -> impl Iterator<Item = Cell> {
-        let (voxel, direction) = self.voxel_and_direction(cell);
-        let count = self.directions.count() as u32;
-        let in_row = move |row: u32, direction: usize| row * count + direction as u32;
-        let rows = self.beside(voxel).map(|v| self.row_of[v]);
-        let moved = rows
-            .filter(|&row| row != NONE)
-            .map(move |row| in_row(row, direction));
-        let row = cell / count;
-        let turned = self.directions.neighbours(direction).iter();
-        moved.chain(turned.map(move |&other| in_row(row, other)))
-    }
-
-    fn into_map(self, values: Vec<u8>, about: MapOrigin) -> CapabilityMap {
-        let count = self.directions.count();
-        let row_of = |voxel: usize| {
-            let row = self.row_of[voxel];
-            let values = (row != NONE).then(|| &values[row as usize * count..][..count])?;
-            values.iter().any(|&v| v > 0).then_some(values)
+        let name = |link: LinkId| tool.robot.links()[link.index()].name.clone();
+        let about = MapOrigin {
+            robot: RobotHash::of(tool.robot),
+            base: name(tool.base),
+            tip: name(tool.tip),
+            tip_from_tool: tool.tip_from_tool,
+            config: *config,
         };
-        let filled = (0..self.grid.voxels()).filter(|&v| row_of(v).is_some());
-        let mut least = self.grid.counts;
-        let mut most = [0; 3];
-        for voxel in filled {
-            let place = self.grid.place(voxel);
-            for axis in 0..3 {
-                least[axis] = least[axis].min(place[axis]);
-                most[axis] = most[axis].max(place[axis]);
-            }
-        }
-        // One empty voxel all round, so that everything outside the box is out of reach.
-        let first = least.map(|l| l.saturating_sub(1));
-        let mut grid = self.grid;
-        for axis in 0..3 {
-            grid.lowest[axis] += first[axis] as i32;
-            grid.counts[axis] = (most[axis] + 2).min(self.grid.counts[axis]) - first[axis];
-        }
-        let strides = self.grid.strides();
-        let mut rows = Vec::with_capacity(grid.voxels());
-        let mut kept = vec![0; count];
-        for voxel in 0..grid.voxels() {
-            let place = grid.place(voxel);
-            let whole = (0..3).map(|a| (place[a] + first[a]) * strides[a]).sum();
-            match row_of(whole) {
-                None => rows.push(0),
-                Some(values) => {
-                    rows.push((kept.len() / count) as u32);
-                    kept.extend_from_slice(values);
-                }
-            }
-        }
-        CapabilityMap {
-            about,
-            grid,
-            directions: self.directions,
-            rows,
-            values: kept,
-        }
+        Ok(builder.cells.into_map(&values, about))
     }
+}
+
+/// Voxels as far as the arm reaches, and two more, so that every voxel reached has others round it.
+fn grid(arm: &Arm, config: &MapConfig) -> Result<Grid, MapError> {
+    let half = (arm.reach / config.voxel).ceil() + 2.0;
+    let voxels = (2.0 * half + 1.0).powi(3);
+    if voxels * config.directions() as f64 > MAX_CELLS as f64 {
+        return Err(MapError::TooFine {
+            voxels,
+            directions: config.directions(),
+            reach: arm.reach,
+            voxel: config.voxel,
+            limit: MAX_CELLS,
+        });
+    }
+    Ok(Grid {
+        voxel: config.voxel,
+        lowest: [-(half as i32); 3],
+        counts: [2 * half as usize + 1; 3],
+    })
 }
 
 struct Builder<'a, F, P> {
@@ -324,32 +129,41 @@ struct Builder<'a, F, P> {
     cells: Cells,
 }
 
-impl<F: Fn(&[f64]) -> bool + Sync, P: Fn(MapStage, u64, u64) + Sync> Builder<'_, F, P> {
-    /// Whether the chain may be at these positions; `all` are those of the robot.
-    fn is_allowed(&self, q: &Positions, all: &mut [f64]) -> bool {
-        for (&variable, &q) in self.arm.chain.variables().iter().zip(q) {
-            all[variable] = q;
-        }
-        self.arm.within(all) && (self.is_free)(all)
-    }
+/// A cell, and positions of the chain that reach its centre; of a sample: that are somewhere in it.
+type Reached = (Cell, Positions);
 
-    /// Tries random positions; returns cells that a sample falls into, with its positions.
-    fn sample(&mut self) -> Vec<(Cell, Positions)> {
+/// How much of a stage is done.
+struct Stage {
+    stage: MapStage,
+    done: AtomicU64,
+    total: AtomicU64,
+}
+
+impl Stage {
+    const fn new(stage: MapStage, total: u64) -> Self {
+        Self {
+            stage,
+            done: AtomicU64::new(0),
+            total: AtomicU64::new(total),
+        }
+    }
+}
+
+impl<F: Fn(&[f64]) -> bool + Sync, P: Fn(MapStage, u64, u64) + Sync> Builder<'_, F, P> {
+    /// Tries random positions; the first that falls into each cell.
+    fn sample(&mut self) -> Vec<Reached> {
         let mut seeds = Vec::new();
         let chunks = self.config.samples.div_ceil(CHUNK);
-        let done = AtomicU64::new(0);
+        let stage = Stage::new(MapStage::Sampling, self.config.samples);
         for batch in (0..chunks).step_by(BATCH as usize) {
-            let of_chunk = |chunk: u64| {
-                let found = self.sample_chunk(chunk);
+            let batch = batch..chunks.min(batch + BATCH);
+            let of_chunk = |chunk| {
                 let size = CHUNK.min(self.config.samples - chunk * CHUNK);
-                let done = done.fetch_add(size, Ordering::Relaxed) + size;
-                (self.progress)(MapStage::Sampling, done, self.config.samples);
+                let found = self.sample_chunk(chunk, size);
+                self.report(&stage, size);
                 found
             };
-            let found: Vec<Vec<(usize, usize, Positions)>> = (batch..(batch + BATCH).min(chunks))
-                .into_par_iter()
-                .map(of_chunk)
-                .collect();
+            let found: Vec<_> = batch.into_par_iter().map(of_chunk).collect();
             for (voxel, direction, q) in found.into_iter().flatten() {
                 let cell = self.cells.cell(voxel, direction);
                 if !self.cells.is_reached(cell) {
@@ -359,228 +173,179 @@ impl<F: Fn(&[f64]) -> bool + Sync, P: Fn(MapStage, u64, u64) + Sync> Builder<'_,
             }
         }
         // A sample reaches its own pose, not the centre of the cell.
-        self.cells.reached.fill(NONE);
-        self.cells.positions.clear();
+        self.cells.forget();
         seeds
     }
 
-    /// Positions in cells that had none before this batch.
-    fn sample_chunk(&self, chunk: u64) -> Vec<(usize, usize, Positions)> {
+    /// Samples in cells that had none before this batch, with their voxels and directions.
+    fn sample_chunk(&self, chunk: u64, size: u64) -> Vec<(usize, usize, Positions)> {
         let mut random = ChaCha8Rng::seed_from_u64(self.config.seed);
         random.set_stream(chunk);
         let mut all = self.posture.to_vec();
         let mut found = Vec::new();
-        for _ in 0..CHUNK.min(self.config.samples - chunk * CHUNK) {
+        for _ in 0..size {
             let q = self.arm.sample(&mut random);
-            let Some(base_from_tool) = self.arm.base_from_tool(&q) else {
-                continue;
-            };
-            let point = Point3::from(base_from_tool.translation.vector);
-            let Some(voxel) = self.cells.grid.at(&point) else {
-                continue;
-            };
-            let axis = base_from_tool.rotation * Vector3::z();
-            let direction = self.cells.directions.nearest(&axis);
-            let row = self.cells.row_of[voxel];
-            let count = self.cells.directions.count();
-            let is_known =
-                row != NONE && self.cells.reached[row as usize * count + direction] != NONE;
-            if !is_known && self.is_allowed(&q, &mut all) {
+            let place = self.arm.tool(&q).and_then(|tool| self.cells.at(&tool));
+            if let Some((voxel, direction)) = place
+                && !self.cells.is_known(voxel, direction)
+                && self.is_allowed(&q, &mut all)
+            {
                 found.push((voxel, direction, q));
             }
         }
         found
     }
 
-    /// Reaches the centres of cells: those of the samples, then those beside cells reached.
-    fn spread(&mut self, seeds: Vec<(Cell, Positions)>) {
-        let total = AtomicU64::new(seeds.len() as u64);
-        let done = AtomicU64::new(0);
-        let mut fresh: Vec<(Cell, Positions)> =
-            self.each(&seeds, &done, &total, |(cell, q), all| {
-                let (point, axis) = self.cells.center(*cell);
-                self.reach(&point, &axis, q, all).map(|q| (*cell, q))
-            });
+    /// Reaches the centres of cells: of those with samples, then of those beside cells reached.
+    fn spread(&mut self, seeds: &[Reached]) {
+        let stage = Stage::new(MapStage::Spreading, seeds.len() as u64);
+        let mut fresh: Vec<Reached> = self.each(&stage, seeds, |(cell, q), all| {
+            let q = self.reach(&self.cells.center(*cell), q, all)?;
+            Some((*cell, q))
+        });
         while !fresh.is_empty() {
             for (cell, q) in &fresh {
                 self.cells.reach(*cell, q);
             }
-            let waiting = self.beside(&fresh);
-            let groups: Vec<&[(Cell, Cell)]> = waiting.chunk_by(|a, b| a.0 == b.0).collect();
-            total.fetch_add(groups.len() as u64, Ordering::Relaxed);
-            let tried: Vec<(Cell, usize, Option<Positions>)> =
-                self.each(&groups, &done, &total, |group, all| {
-                    Some(self.try_group(group, all))
-                });
+            let pairs = self.open_beside(&fresh);
+            let groups: Vec<&[(Cell, Cell)]> = pairs.chunk_by(|a, b| a.0 == b.0).collect();
+            stage
+                .total
+                .fetch_add(groups.len() as u64, Ordering::Relaxed);
+            let tried = self.each(&stage, &groups, |group, all| {
+                Some(self.try_group(group, all))
+            });
             fresh.clear();
             for (cell, failures, found) in tried {
-                let known = &mut self.cells.failures[cell as usize];
-                *known = known.saturating_add(failures as u8);
+                self.cells.fail(cell, failures);
                 fresh.extend(found.map(|q| (cell, q)));
             }
         }
     }
 
-    /// Pairs of a cell that is not reached yet and one beside it that just was.
-    fn beside(&mut self, fresh: &[(Cell, Positions)]) -> Vec<(Cell, Cell)> {
-        let mut waiting = Vec::new();
+    /// Pairs of a cell that is not reached yet and a fresh one beside it, in order.
+    fn open_beside(&mut self, fresh: &[Reached]) -> Vec<(Cell, Cell)> {
+        let mut pairs = Vec::new();
         for &(from, _) in fresh {
-            let (voxel, direction) = self.cells.voxel_and_direction(from);
-            for beside in self.cells.beside(voxel) {
-                self.cells.cell(beside, direction);
-            }
-            let starts = self.config.starts as u8;
-            let open = |&cell: &Cell| {
-                !self.cells.is_reached(cell) && self.cells.failures[cell as usize] < starts
-            };
-            waiting.extend(
-                self.cells
-                    .neighbours(from)
-                    .filter(open)
-                    .map(|cell| (cell, from)),
-            );
+            self.cells.surround(from);
+            let neighbours = self.cells.neighbours(from);
+            let open = neighbours.filter(|&cell| {
+                !self.cells.is_reached(cell) && self.cells.failures(cell) < self.config.starts
+            });
+            pairs.extend(open.map(|cell| (cell, from)));
         }
-        waiting.sort_unstable();
-        waiting
+        pairs.sort_unstable();
+        pairs
     }
 
-    /// Tries to reach a cell from those beside it; how many starts failed, and positions.
-    fn try_group(
-        &self,
-        group: &[(Cell, Cell)],
-        all: &mut [f64],
-    ) -> (Cell, usize, Option<Positions>) {
+    /// Tries to reach a cell from those paired with it: how often that failed, and positions.
+    fn try_group(&self, group: &[(Cell, Cell)], all: &mut [f64]) -> (Cell, u32, Option<Positions>) {
         let cell = group[0].0;
-        let (point, axis) = self.cells.center(cell);
-        let left = self.config.starts as usize - usize::from(self.cells.failures[cell as usize]);
-        for (failures, &(_, from)) in group.iter().take(left).enumerate() {
-            let start = self.cells.positions(from);
-            if let Some(q) = self.reach(&point, &axis, &start, all) {
-                return (cell, failures, Some(q));
+        let center = self.cells.center(cell);
+        let left = self.config.starts - self.cells.failures(cell);
+        let mut failures = 0;
+        for &(_, from) in group.iter().take(left as usize) {
+            let found = self.reach(&center, &self.cells.positions(from), all);
+            if found.is_some() {
+                return (cell, failures, found);
             }
+            failures += 1;
         }
-        (cell, group.len().min(left), None)
+        (cell, failures, None)
     }
 
-    /// Positions that put the tool to a point with its axis, near those to start from.
-    fn reach(
-        &self,
-        point: &Point3,
-        axis: &Vector3,
-        start: &Positions,
-        all: &mut [f64],
-    ) -> Option<Positions> {
-        let q = self.arm.approach(point, axis, start)?;
-        self.is_allowed(&q, all).then_some(q)
-    }
-
-    /// The values of all cells that have rows.
+    /// The value of every cell.
     fn refine(&self) -> Vec<u8> {
-        let is_boundary = |&cell: &Cell| {
-            let reached = self.cells.is_reached(cell);
-            self.cells
-                .neighbours(cell)
-                .any(|n| self.cells.is_reached(n) != reached)
-        };
-        let cells = 0..self.cells.reached.len() as u32;
-        let boundary: Vec<Cell> = cells.into_par_iter().filter(is_boundary).collect();
-        let (done, total) = (AtomicU64::new(0), AtomicU64::new(boundary.len() as u64));
-        let shares = self.each_of(
-            MapStage::Refining,
-            &boundary,
-            &done,
-            &total,
-            |&cell, all| Some((cell, self.share(cell, all))),
-        );
-        let plain = |&reached: &u32| if reached == NONE { 0 } else { FULL };
-        let mut values: Vec<u8> = self.cells.reached.iter().map(plain).collect();
-        for (cell, share) in shares {
-            values[cell as usize] = share;
+        let cells = self.cells.all().into_par_iter();
+        let boundary: Vec<Cell> = cells.filter(|&cell| self.cells.is_boundary(cell)).collect();
+        let stage = Stage::new(MapStage::Refining, boundary.len() as u64);
+        let shares = self.each(&stage, &boundary, |&cell, all| Some(self.share(cell, all)));
+        let value = |cell| if self.cells.is_reached(cell) { FULL } else { 0 };
+        let mut values: Vec<u8> = self.cells.all().map(value).collect();
+        for (cell, share) in boundary.into_iter().zip(shares) {
+            values[cell as usize] = (share * f64::from(FULL)).round() as u8;
         }
         values
     }
 
-    /// The share of poses of a cell that can be reached, in parts of [`FULL`].
-    fn share(&self, cell: Cell, all: &mut [f64]) -> u8 {
-        let (point, axis) = self.cells.center(cell);
-        let own = self.cells.is_reached(cell).then_some(cell);
-        let beside = self
-            .cells
-            .neighbours(cell)
-            .filter(|&n| self.cells.is_reached(n));
-        let starts: Vec<Positions> = own
-            .into_iter()
-            .chain(beside)
+    /// The share of poses of a cell that can be reached.
+    fn share(&self, cell: Cell, all: &mut [f64]) -> f64 {
+        let center = self.cells.center(cell);
+        let itself_and_beside = std::iter::once(cell).chain(self.cells.neighbours(cell));
+        let starts: Vec<Positions> = itself_and_beside
+            .filter(|&cell| self.cells.is_reached(cell))
             .take(self.config.starts as usize)
-            .map(|start| self.cells.positions(start))
+            .map(|cell| self.cells.positions(cell))
             .collect();
-        let mut hits = u32::from(own.is_some());
-        for i in 0..self.config.refinements {
-            let number = u64::from(cell) * u64::from(self.config.refinements) + u64::from(i);
-            let offset = spread_evenly(number);
-            let (point, axis) = self.pose_nearby(&point, &axis, &offset);
-            let is_reached = |start: &Positions| self.reach(&point, &axis, start, all).is_some();
-            hits += u32::from(starts.iter().any(is_reached));
+        let count = u64::from(self.config.refinements);
+        let mut hits = u64::from(self.cells.is_reached(cell));
+        for i in 0..count {
+            let goal = self.goal_in_cell(&center, spread_evenly(u64::from(cell) * count + i));
+            let is_hit = |start| self.reach(&goal, start, all).is_some();
+            hits += u64::from(starts.iter().any(is_hit));
         }
-        let share = f64::from(hits) / f64::from(self.config.refinements + 1);
-        (share * f64::from(FULL)).round() as u8
+        hits as f64 / (count + 1) as f64
     }
 
-    /// A pose of the cell round a pose, by five numbers from 0 to 1.
-    fn pose_nearby(&self, point: &Point3, axis: &Vector3, offset: &[f64; 5]) -> (Point3, Vector3) {
-        let [x, y, z, out, round] = *offset;
-        let moved = point + self.config.voxel * (Vector3::new(x, y, z) - Vector3::repeat(0.5));
-        // A disc as large as the share of the sphere that a direction has: π r² = 4 π / count.
+    /// A goal in the cell of a centre, by five numbers from 0 to 1.
+    fn goal_in_cell(&self, center: &ToolGoal, [x, y, z, out, round]: [f64; 5]) -> ToolGoal {
+        let shift = self.config.voxel * (Vector3::new(x, y, z) - Vector3::repeat(0.5));
+        // A disc as large as the part of the sphere that a direction has: π r² = 4 π / count.
         let radius = 2.0 / (self.cells.directions.count() as f64).sqrt();
         let (sin, cos) = (std::f64::consts::TAU * round).sin_cos();
-        let side = if axis.x.abs() < 0.6 {
-            Vector3::x()
-        } else {
-            Vector3::y()
-        };
-        let right = axis.cross(&side).normalize();
-        let up = axis.cross(&right);
-        let turned = axis + radius * out.sqrt() * (cos * right + sin * up);
-        (moved, turned.normalize())
+        let across = Vector3::ith(center.axis.iamin(), 1.0);
+        let right = center.axis.cross(&across).normalize();
+        let up = center.axis.cross(&right);
+        let tilt = radius * out.sqrt() * (cos * right + sin * up);
+        ToolGoal {
+            point: center.point + shift,
+            axis: (center.axis + tilt).normalize(),
+        }
     }
 
+    /// Allowed positions that put the tool to a goal, by a descent from others.
+    fn reach(&self, goal: &ToolGoal, start: &Positions, all: &mut [f64]) -> Option<Positions> {
+        let q = self.arm.approach(goal, start)?;
+        self.is_allowed(&q, all).then_some(q)
+    }
+
+    /// Whether the chain may be at these positions; `all` is room for those of the robot.
+    fn is_allowed(&self, q: &Positions, all: &mut [f64]) -> bool {
+        for (&variable, &q) in self.arm.chain.variables().iter().zip(q) {
+            all[variable] = q;
+        }
+        self.arm.is_within_limits(all) && (self.is_free)(all)
+    }
+
+    /// What `work` finds of the items, in their order, on all threads; each gets room for the
+    /// positions of the robot.
     fn each<T: Sync, R: Send>(
         &self,
+        stage: &Stage,
         items: &[T],
-        done: &AtomicU64,
-        total: &AtomicU64,
-        work: impl Fn(&T, &mut [f64]) -> Option<R> + Sync,
-    ) -> Vec<R> {
-        self.each_of(MapStage::Spreading, items, done, total, work)
-    }
-
-    /// The results of `work` on all items, in their order, on all threads.
-    fn each_of<T: Sync, R: Send>(
-        &self,
-        stage: MapStage,
-        items: &[T],
-        done: &AtomicU64,
-        total: &AtomicU64,
         work: impl Fn(&T, &mut [f64]) -> Option<R> + Sync,
     ) -> Vec<R> {
         let of_chunk = |chunk: &[T]| {
             let mut all = self.posture.to_vec();
-            let results: Vec<R> = chunk
+            let found: Vec<R> = chunk
                 .iter()
                 .filter_map(|item| work(item, &mut all))
                 .collect();
-            let size = chunk.len() as u64;
-            let done = done.fetch_add(size, Ordering::Relaxed) + size;
-            (self.progress)(stage, done, total.load(Ordering::Relaxed));
-            results
+            self.report(stage, chunk.len() as u64);
+            found
         };
         let chunks: Vec<Vec<R>> = items.par_chunks(CELLS_PER_REPORT).map(of_chunk).collect();
         chunks.into_iter().flatten().collect()
     }
+
+    fn report(&self, stage: &Stage, more: u64) {
+        let done = stage.done.fetch_add(more, Ordering::Relaxed) + more;
+        (self.progress)(stage.stage, done, stage.total.load(Ordering::Relaxed));
+    }
 }
 
-/// Points of the unit cube of five dimensions that any run of numbers spreads evenly: multiples of the
-/// powers of the root of x⁶ = x + 1 (Roberts 2018, *The unreasonable effectiveness of quasirandom
+/// Points of the cube from 0 to 1 in five dimensions that any run of numbers spreads evenly: multiples
+/// of the powers of 1/x, x⁶ = x + 1 (Roberts 2018, *The unreasonable effectiveness of quasirandom
 /// sequences*).
 fn spread_evenly(number: u64) -> [f64; 5] {
     const ROOT: f64 = 1.134_724_138_401_519_4;

@@ -28,18 +28,20 @@ pub enum MapError {
         /// The joint.
         joint: String,
     },
-    /// Reach divided by voxels is more than is kept.
+    /// More cells than are kept.
     #[error(
-        "map of {value} voxels (reach {reach:.2} m, voxel {voxel} m) exceeds the limit of {limit}"
+        "map of {voxels} voxels of {voxel} m (reach {reach:.2} m) in {directions} directions exceeds the limit of {limit} cells"
     )]
     TooFine {
         /// Number of voxels.
-        value: f64,
+        voxels: f64,
+        /// Number of directions.
+        directions: usize,
         /// Farthest that the tool can be from the base [m].
         reach: f64,
         /// Edge of a voxel [m].
         voxel: f64,
-        /// The most voxels.
+        /// The most cells: voxels times directions.
         limit: usize,
     },
     /// No sample was free of collisions and within limits.

@@ -43,7 +43,7 @@ impl CapabilityMap {
         let mut bytes = MAGIC.to_vec();
         let about = &self.about;
         bytes.extend(VERSION.to_le_bytes());
-        bytes.extend(about.robot.0.to_le_bytes());
+        bytes.extend(about.robot.0);
         for name in [&about.base, &about.tip] {
             let name = &name.as_bytes()[..name.floor_char_boundary(MAX_NAME)];
             bytes.extend((name.len() as u16).to_le_bytes());
@@ -76,7 +76,7 @@ impl CapabilityMap {
         bytes.extend(self.encode());
         let mut hash = Fnv::new();
         hash.bytes(&bytes);
-        bytes.extend(hash.0.to_le_bytes());
+        bytes.extend(hash.sum());
         bytes
     }
 
@@ -113,12 +113,12 @@ impl CapabilityMap {
         };
         let mut hash = Fnv::new();
         hash.bytes(content);
-        if hash.0 != u128::from_le_bytes(*sum) {
+        if hash.sum() != *sum {
             return Err(format(
                 "its sum is wrong: it is cut short or damaged".into(),
             ));
         }
-        let found = RobotHash(u128::from_le_bytes(reader.take().map_err(format)?));
+        let found = RobotHash(reader.take().map_err(format)?);
         if found != robot {
             return Err(MapError::OtherRobot {
                 file: name.to_owned(),
@@ -147,8 +147,8 @@ impl CapabilityMap {
             }
             let nearby = nearby.map(|row| row as usize * self.directions.count());
             let row = row as usize * self.directions.count();
-            for direction in 0..self.directions.count() {
-                let guess = guess(&self.values, nearby, row, direction, &neighbours[direction]);
+            for (direction, neighbours) in neighbours.iter().enumerate() {
+                let guess = guess(&self.values, nearby, row, direction, neighbours);
                 model.encode(&mut encoder, guess, self.values[row + direction]);
             }
         }
@@ -422,7 +422,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    const ROBOT: RobotHash = RobotHash(42);
+    const ROBOT: RobotHash = RobotHash([42; 16]);
 
     /// Three voxels in a row; the middle one has values.
     fn map() -> CapabilityMap {
@@ -456,7 +456,7 @@ mod tests {
         bytes.truncate(bytes.len() - HASH_BYTES);
         let mut hash = Fnv::new();
         hash.bytes(&bytes);
-        bytes.extend(hash.0.to_le_bytes());
+        bytes.extend(hash.sum());
         bytes
     }
 

@@ -11,16 +11,16 @@ use std::fmt;
 /// velocity and effort limits do not count. FNV-1a of 128 bits (Fowler, Noll, Vo; IETF
 /// draft-eastlake-fnv); no protection against somebody who seeks two robots of one hash.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct RobotHash(pub(super) u128);
+pub struct RobotHash(pub(super) [u8; 16]);
 
 impl fmt::Display for RobotHash {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:032x}", self.0)
+        write!(f, "{:032x}", u128::from_le_bytes(self.0))
     }
 }
 
 /// FNV-1a of 128 bits.
-pub(super) struct Fnv(pub(super) u128);
+pub(super) struct Fnv(u128);
 
 impl Fnv {
     pub(super) const fn new() -> Self {
@@ -32,6 +32,10 @@ impl Fnv {
         for &byte in bytes {
             self.0 = (self.0 ^ u128::from(byte)).wrapping_mul(PRIME);
         }
+    }
+
+    pub(super) const fn sum(&self) -> [u8; 16] {
+        self.0.to_le_bytes()
     }
 
     fn count(&mut self, value: usize) {
@@ -116,7 +120,7 @@ impl RobotHash {
                 }
             }
         }
-        Self(hash.0)
+        Self(hash.sum())
     }
 }
 

@@ -15,13 +15,15 @@
 
 mod arm;
 mod build;
+mod cells;
 mod coder;
+mod config;
 mod directions;
 mod error;
 mod file;
 mod hash;
 
-pub use build::{MapConfig, MapStage};
+pub use config::{MapConfig, MapStage, MapTool};
 pub use error::MapError;
 pub use file::MAX_MAP_BYTES;
 pub use hash::RobotHash;
