@@ -13,13 +13,13 @@
 //! | rest | rows and values, range-coded |
 //! | 16 | FNV-1a of all before |
 //!
-//! Numbers are little-endian. A cell is guessed from the cells before it along x, y and z and in
-//! neighbouring directions; what is coded is how it differs from what usually follows such a guess.
+//! Numbers are little-endian; how rows and values are coded: `packing.rs`.
 
-use super::coder::{Decoder, Encoder, Likelihood, MAX_BITS_PER_BYTE};
+use super::coder::MAX_BITS_PER_BYTE;
 use super::directions::Directions;
 use super::hash::Fnv;
-use super::{CapabilityMap, FULL, Grid, MapConfig, MapError, MapOrigin, RobotHash};
+use super::packing::{pack, unpack};
+use super::{CapabilityMap, Grid, MapConfig, MapError, MapOrigin, RobotHash};
 use crate::geometry::{Pose, Vector3};
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 
@@ -73,7 +73,7 @@ impl CapabilityMap {
         }
         let rows = self.values.len() / self.directions.count() - 1;
         bytes.extend((rows as u32).to_le_bytes());
-        bytes.extend(self.encode());
+        bytes.extend(pack(self));
         let mut hash = Fnv::new();
         hash.bytes(&bytes);
         bytes.extend(hash.sum());
@@ -129,141 +129,6 @@ impl CapabilityMap {
         let content = reader.bytes.len().saturating_sub(HASH_BYTES);
         reader.bytes = &reader.bytes[..content];
         reader.map(robot).map_err(format)
-    }
-
-    fn encode(&self) -> Vec<u8> {
-        let mut encoder = Encoder::new();
-        let mut model = Model::new();
-        let neighbours = before(&self.directions);
-        for voxel in 0..self.grid.voxels() {
-            let nearby = self
-                .grid
-                .before(voxel)
-                .map(|v| v.map_or(0, |v| self.rows[v]));
-            let row = self.rows[voxel];
-            encoder.bit(model.filled(nearby), row != 0);
-            if row == 0 {
-                continue;
-            }
-            let nearby = nearby.map(|row| row as usize * self.directions.count());
-            let row = row as usize * self.directions.count();
-            for (direction, neighbours) in neighbours.iter().enumerate() {
-                let guess = guess(&self.values, nearby, row, direction, neighbours);
-                model.encode(&mut encoder, guess, self.values[row + direction]);
-            }
-        }
-        encoder.finish()
-    }
-}
-
-/// For each direction up to three neighbours with lower numbers, which are coded before it.
-fn before(directions: &Directions) -> Vec<[Option<usize>; 3]> {
-    let of = |direction| {
-        let neighbours = directions.neighbours(direction).iter().rev();
-        let mut lower = neighbours.filter(|&&n| n < direction).copied();
-        [lower.next(), lower.next(), lower.next()]
-    };
-    (0..directions.count()).map(of).collect()
-}
-
-impl Grid {
-    /// The voxels before one along x, y and z.
-    fn before(&self, voxel: usize) -> [Option<usize>; 3] {
-        let (place, strides) = (self.place(voxel), self.strides());
-        [0, 1, 2].map(|axis| (place[axis] > 0).then(|| voxel - strides[axis]))
-    }
-}
-
-/// The cells round a cell that are known before it: what they say of it, as the number of a context.
-fn guess(
-    values: &[u8],
-    nearby: [usize; 3],
-    row: usize,
-    direction: usize,
-    neighbours: &[Option<usize>; 3],
-) -> usize {
-    let mut sum = 0;
-    let mut count = 0;
-    let (mut least, mut most) = (FULL, 0);
-    let mut add = |value: u8, weight: usize| {
-        sum += usize::from(value) * weight;
-        count += weight;
-        (least, most) = (least.min(value), most.max(value));
-    };
-    for first in nearby {
-        add(values[first + direction], 2);
-    }
-    for neighbour in neighbours.iter().flatten() {
-        add(values[row + neighbour], 1);
-    }
-    let mean = (2 * sum + count) / (2 * count);
-    let spread = match most - least {
-        0 => 0,
-        1..=5 => 1,
-        6..=10 => 2,
-        _ => 3,
-    };
-    mean * SPREADS + spread
-}
-
-const SPREADS: usize = 4;
-const LEVELS: usize = FULL as usize + 1;
-
-/// What was learned so far of rows and cells.
-struct Model {
-    filled: [Likelihood; 8],
-    /// Per context: whether the value is [`FULL`] or 0, then its bits.
-    cells: Vec<[Likelihood; 1 << 4]>,
-    plain: Vec<[Likelihood; 2]>,
-}
-
-impl Model {
-    fn new() -> Self {
-        Self {
-            filled: [Likelihood::EVEN; 8],
-            cells: vec![[Likelihood::EVEN; 1 << 4]; LEVELS * SPREADS],
-            plain: vec![[Likelihood::EVEN; 2]; LEVELS * SPREADS],
-        }
-    }
-
-    fn filled(&mut self, nearby: [u32; 3]) -> &mut Likelihood {
-        let context = nearby
-            .iter()
-            .fold(0, |c, &row| 2 * c + usize::from(row != 0));
-        &mut self.filled[context]
-    }
-
-    fn encode(&mut self, encoder: &mut Encoder, context: usize, value: u8) {
-        let plain = &mut self.plain[context];
-        encoder.bit(&mut plain[0], value != 0);
-        if value == 0 {
-            return;
-        }
-        encoder.bit(&mut plain[1], value != FULL);
-        if value == FULL {
-            return;
-        }
-        let mut at = 1;
-        for shift in (0..4).rev() {
-            let bit = value >> shift & 1 == 1;
-            encoder.bit(&mut self.cells[context][at], bit);
-            at = 2 * at + usize::from(bit);
-        }
-    }
-
-    fn decode(&mut self, decoder: &mut Decoder, context: usize) -> u8 {
-        let plain = &mut self.plain[context];
-        if !decoder.bit(&mut plain[0]) {
-            return 0;
-        }
-        if !decoder.bit(&mut plain[1]) {
-            return FULL;
-        }
-        let mut at = 1;
-        for _ in 0..4 {
-            at = 2 * at + usize::from(decoder.bit(&mut self.cells[context][at]));
-        }
-        (at - (1 << 4)) as u8
     }
 }
 
@@ -367,7 +232,7 @@ impl Reader<'_> {
             ),
             config,
         };
-        let (rows, values) = self.decode(&grid, &directions, rows)?;
+        let (rows, values) = unpack(self.bytes, &grid, &directions, rows)?;
         Ok(CapabilityMap {
             about,
             grid,
@@ -375,45 +240,6 @@ impl Reader<'_> {
             rows,
             values,
         })
-    }
-
-    /// Rows of the voxels, and the values of the rows.
-    fn decode(
-        &self,
-        grid: &Grid,
-        directions: &Directions,
-        expected: usize,
-    ) -> Result<(Vec<u32>, Vec<u8>), String> {
-        let count = directions.count();
-        let neighbours = before(directions);
-        let mut decoder = Decoder::new(self.bytes);
-        let mut model = Model::new();
-        let mut rows = vec![0_u32; grid.voxels()];
-        let mut values = vec![0; (expected + 1) * count];
-        let mut found = 0;
-        for voxel in 0..grid.voxels() {
-            let nearby = grid.before(voxel).map(|v| v.map_or(0, |v| rows[v]));
-            if !decoder.bit(model.filled(nearby)) {
-                continue;
-            }
-            found += 1;
-            if found > expected {
-                break;
-            }
-            rows[voxel] = found as u32;
-            let nearby = nearby.map(|row| row as usize * count);
-            let row = found * count;
-            for (direction, neighbours) in neighbours.iter().enumerate() {
-                let guess = guess(&values, nearby, row, direction, neighbours);
-                values[row + direction] = model.decode(&mut decoder, guess);
-            }
-        }
-        if found != expected {
-            return Err(format!(
-                "{found} rows that are not empty, expected {expected}"
-            ));
-        }
-        Ok((rows, values))
     }
 }
 
@@ -428,7 +254,7 @@ mod tests {
     fn map() -> CapabilityMap {
         let directions = Directions::new(2);
         let count = directions.count();
-        let row = (0..count).map(|i| (i * i % LEVELS) as u8);
+        let row = (0..count).map(|i| (i * i % 16) as u8);
         CapabilityMap {
             about: MapOrigin {
                 robot: ROBOT,
@@ -506,7 +332,7 @@ mod tests {
             (
                 ROWS,
                 &0_u32.to_le_bytes(),
-                "1 rows that are not empty, expected 0",
+                "1 or more rows that are not empty, expected 0",
             ),
         ];
         for (at, with, message) in cases {

@@ -22,6 +22,7 @@ mod directions;
 mod error;
 mod file;
 mod hash;
+mod packing;
 
 pub use config::{MapConfig, MapStage, MapTool};
 pub use error::MapError;
