@@ -37,9 +37,9 @@ pub struct Chain {
 
 /// The columns of a rotation matrix, and a translation: composing them costs less than quaternions.
 #[derive(Debug, Clone, Copy)]
-struct Frame {
-    axes: [Vector3; 3],
-    translation: Vector3,
+pub(super) struct Frame {
+    pub axes: [Vector3; 3],
+    pub translation: Vector3,
 }
 
 #[derive(Debug, Clone)]
@@ -73,11 +73,11 @@ pub struct ChainJacobian {
 }
 
 impl Frame {
-    fn identity() -> Self {
+    pub fn identity() -> Self {
         Self::from_pose(&Pose::identity())
     }
 
-    fn from_pose(pose: &Pose) -> Self {
+    pub fn from_pose(pose: &Pose) -> Self {
         let rotation = pose.rotation.to_rotation_matrix().into_inner();
         Self {
             axes: [0, 1, 2].map(|i| rotation.column(i).into()),
@@ -86,13 +86,20 @@ impl Frame {
     }
 
     #[inline]
-    fn turn(&self, v: &Vector3) -> Vector3 {
+    pub fn turn(&self, v: &Vector3) -> Vector3 {
         let [x, y, z] = &self.axes;
         x * v.x + y * v.y + z * v.z
     }
 
+    /// `turn` undone.
     #[inline]
-    fn then(&self, next: &Self) -> Self {
+    pub fn turn_back(&self, v: &Vector3) -> Vector3 {
+        let [x, y, z] = &self.axes;
+        Vector3::new(x.dot(v), y.dot(v), z.dot(v))
+    }
+
+    #[inline]
+    pub fn then(&self, next: &Self) -> Self {
         let [x, y, z] = &next.axes;
         Self {
             axes: [self.turn(x), self.turn(y), self.turn(z)],
@@ -181,7 +188,7 @@ impl RobotModel {
 }
 
 /// The rotation that takes the z axis to this one.
-fn z_to(axis: &Vector3) -> UnitQuaternion<f64> {
+pub(super) fn z_to(axis: &Vector3) -> UnitQuaternion<f64> {
     UnitQuaternion::rotation_between(&Vector3::z(), axis).unwrap_or_else(|| {
         UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI)
     })

@@ -57,6 +57,47 @@ pub enum RobotError {
         /// The name and those near it.
         unknown: Box<UnknownName>,
     },
+    /// A text that names something the robot does not have.
+    #[error("{at}: {unknown}")]
+    UnknownAt {
+        /// Where.
+        at: Place,
+        /// The name and those near it.
+        unknown: Box<UnknownName>,
+    },
+    /// A name that nothing bears: a body of a collision model, or a group or posture of an SRDF.
+    #[error("{0}")]
+    NoSuch(Box<UnknownName>),
+    /// A link of another robot.
+    #[error("link number {link} is none of the robot's {links} links")]
+    ForeignLink {
+        /// The link's position.
+        link: usize,
+        /// How many links the robot has.
+        links: usize,
+    },
+    /// A name that a link, body or obstacle already has.
+    #[error("body {name:?}: a link, body or obstacle of that name exists")]
+    NameTaken {
+        /// The name.
+        name: String,
+    },
+    /// A body or obstacle whose geometry cannot be used.
+    #[error("body {name:?}: {problem}")]
+    Obstacle {
+        /// Its name.
+        name: String,
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// A distance that is negative or no number.
+    #[error("{what} is {value} m, expected at least 0 m")]
+    Distance {
+        /// Which distance.
+        what: &'static str,
+        /// Its value [m].
+        value: f64,
+    },
     /// An array of another length than the robot has variables.
     #[error("{what} has {found} values, the robot has {expected} variables")]
     Length {

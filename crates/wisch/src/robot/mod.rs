@@ -14,12 +14,14 @@
 mod capability;
 mod chain;
 mod check;
+mod clearance;
 mod collision;
 mod dynamics;
 mod error;
 mod findings;
 mod kinematics;
 mod model;
+mod srdf;
 #[cfg(test)]
 mod tests;
 mod urdf;
@@ -29,6 +31,7 @@ pub use capability::{
 };
 pub use chain::{Chain, ChainJacobian, ChainKinematics, MAX_CHAIN};
 pub use check::{MAX_DEPTH, check};
+pub use clearance::{BodyId, Clearance, CollisionModel, Contact, Reason, SEGMENT_RESOLUTION};
 pub use collision::{Collision, MAX_MESH_EXTENT, Shape};
 pub use dynamics::{Dynamics, MIN_INERTIA};
 pub use error::RobotError;
@@ -38,4 +41,5 @@ pub use model::{
     Body, Drive, Joint, JointId, JointKind, JointLimits, LimitFault, Link, LinkId, Range,
     RobotModel,
 };
+pub use srdf::{DisabledPair, Group, GroupState, Ignored, Srdf};
 pub use urdf::{MAX_LINKS, MAX_SHAPES, MAX_URDF_BYTES};

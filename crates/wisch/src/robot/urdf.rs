@@ -110,46 +110,18 @@ pub(super) struct UrdfMimic {
     pub terms: Vec<(String, f64)>,
 }
 
-struct Reader<'a> {
+/// The text of a file, for messages with places.
+pub(super) struct Reader<'a> {
     file: &'a str,
     text: &'a str,
 }
 
 impl Urdf {
     pub fn read(file: &str, text: &str) -> Result<Self, RobotError> {
-        let too_large = |what, value, limit| RobotError::TooLarge {
-            file: file.to_owned(),
-            what,
-            value,
-            limit,
-        };
-        if text.len() > MAX_URDF_BYTES {
-            return Err(too_large("bytes", text.len(), MAX_URDF_BYTES));
-        }
-        let attributes = most_attributes(text);
-        if attributes > MAX_ATTRIBUTES {
-            let what = "attributes of an element";
-            return Err(too_large(what, attributes, MAX_ATTRIBUTES));
-        }
-        let options = ParsingOptions {
-            nodes_limit: MAX_NODES,
-            ..ParsingOptions::default()
-        };
-        let document = Document::parse_with_options(text, options).map_err(|error| {
-            let at = Place {
-                file: file.to_owned(),
-                line: error.pos().row as usize,
-                column: error.pos().col as usize,
-            };
-            let problem = error.to_string();
-            RobotError::Syntax { at, problem }
-        })?;
         let reader = Reader { file, text };
-        let root = document.root_element();
-        if root.tag_name().name() != "robot" {
-            let problem = format!("expected <robot>, found <{}>", root.tag_name().name());
-            return Err(reader.fault(root, problem));
-        }
+        let document = reader.document()?;
+        let root = reader.robot(&document)?;
+        let too_large = |what, value, limit| reader.too_large(what, value, limit);
         let mut urdf = Self {
             robot: root.attribute("name").unwrap_or_default().to_owned(),
             links: Vec::new(),
@@ -203,7 +175,10 @@ fn most_attributes(text: &str) -> usize {
     quotes.max().unwrap_or(0) / 2
 }
 
-fn elements<'a, 'i>(node: Node<'a, 'i>, name: &'static str) -> impl Iterator<Item = Node<'a, 'i>> {
+pub(super) fn elements<'a, 'i>(
+    node: Node<'a, 'i>,
+    name: &'static str,
+) -> impl Iterator<Item = Node<'a, 'i>> {
     node.children()
         .filter(move |child| child.has_tag_name(name))
 }
@@ -212,19 +187,68 @@ fn element<'a, 'i>(node: Node<'a, 'i>, name: &'static str) -> Option<Node<'a, 'i
     elements(node, name).next()
 }
 
-impl Reader<'_> {
-    fn at(&self, node: Node) -> Place {
+impl<'a> Reader<'a> {
+    pub fn new(file: &'a str, text: &'a str) -> Self {
+        Self { file, text }
+    }
+
+    /// The XML, unless there is more than is read.
+    pub fn document(&self) -> Result<Document<'a>, RobotError> {
+        if self.text.len() > MAX_URDF_BYTES {
+            return Err(self.too_large("bytes", self.text.len(), MAX_URDF_BYTES));
+        }
+        let attributes = most_attributes(self.text);
+        if attributes > MAX_ATTRIBUTES {
+            let what = "attributes of an element";
+            return Err(self.too_large(what, attributes, MAX_ATTRIBUTES));
+        }
+        let options = ParsingOptions {
+            nodes_limit: MAX_NODES,
+            ..ParsingOptions::default()
+        };
+        Document::parse_with_options(self.text, options).map_err(|error| {
+            let at = Place {
+                file: self.file.to_owned(),
+                line: error.pos().row as usize,
+                column: error.pos().col as usize,
+            };
+            let problem = error.to_string();
+            RobotError::Syntax { at, problem }
+        })
+    }
+
+    /// The root element, which URDF and SRDF call robot.
+    pub fn robot<'d>(&self, document: &'d Document<'a>) -> Result<Node<'d, 'a>, RobotError> {
+        let root = document.root_element();
+        if root.tag_name().name() == "robot" {
+            return Ok(root);
+        }
+        let problem = format!("expected <robot>, found <{}>", root.tag_name().name());
+        Err(self.fault(root, problem))
+    }
+
+    pub fn too_large(&self, what: &'static str, value: usize, limit: usize) -> RobotError {
+        let file = self.file.to_owned();
+        RobotError::TooLarge {
+            file,
+            what,
+            value,
+            limit,
+        }
+    }
+
+    pub fn at(&self, node: Node) -> Place {
         Place::at_offset(self.file, self.text, node.range().start)
     }
 
-    fn fault(&self, node: Node, problem: String) -> RobotError {
+    pub fn fault(&self, node: Node, problem: String) -> RobotError {
         RobotError::Syntax {
             at: self.at(node),
             problem,
         }
     }
 
-    fn attribute_fault(
+    pub fn attribute_fault(
         &self,
         node: Node,
         attribute: &'static str,
@@ -239,7 +263,7 @@ impl Reader<'_> {
         }
     }
 
-    fn name(&self, node: Node, attribute: &'static str) -> Result<String, RobotError> {
+    pub fn name(&self, node: Node, attribute: &'static str) -> Result<String, RobotError> {
         match node.attribute(attribute).map(str::trim) {
             Some(name) if !name.is_empty() => Ok(name.to_owned()),
             _ => Err(self.attribute_fault(node, attribute, "a name")),
@@ -287,7 +311,7 @@ impl Reader<'_> {
         }
     }
 
-    fn needed(&self, node: Node, attribute: &'static str) -> Result<f64, RobotError> {
+    pub fn needed(&self, node: Node, attribute: &'static str) -> Result<f64, RobotError> {
         self.number(node, attribute)?
             .ok_or_else(|| self.attribute_fault(node, attribute, expected(1)))
     }

@@ -1,0 +1,130 @@
+//! Which pairs of bodies may touch.
+
+use super::super::{JointKind, RobotModel};
+use super::{BodyId, CollisionModel, with_scratch};
+use rand::RngExt;
+use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
+use std::f64::consts::PI;
+
+/// Why two bodies may touch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Reason {
+    /// One holds the other, with no link that has shapes between.
+    Neighbours,
+    /// They overlap in at least 95 of 100 postures within the limits.
+    AlwaysColliding,
+    /// The SRDF says so.
+    Disabled,
+    /// [`CollisionModel::allow`] was called.
+    Asked,
+}
+
+/// How many postures are looked at to see which pairs always overlap.
+const POSTURES: usize = 1000;
+/// In how many of them a pair that always overlaps may not: as MoveIt's setup assistant has it, 5 %.
+const MAX_APART: usize = POSTURES / 20;
+/// Postures are drawn until enough are within the limits of joints that follow others, but no more
+/// than this.
+const MAX_DRAWS: usize = 20 * POSTURES;
+/// Range of a joint that slides without limits [m].
+const UNLIMITED_SLIDE: f64 = 1.0;
+
+/// Of each link: itself if it has shapes, and the nearest links with shapes that hold it or that it
+/// holds.
+pub(super) fn neighbours(robot: &RobotModel) -> Vec<Vec<BodyId>> {
+    let parent = |link: usize| {
+        let joint = robot.links()[link].parent?;
+        Some(robot.joints()[joint.index()].parent.index())
+    };
+    let has_shapes = |link: usize| !robot.links()[link].collision.is_empty();
+    let mut near = vec![Vec::new(); robot.links().len()];
+    for link in 0..near.len() {
+        if has_shapes(link) {
+            near[link].push(BodyId(link));
+        }
+        let mut above = parent(link);
+        while let Some(holder) = above {
+            if has_shapes(link) {
+                near[holder].push(BodyId(link));
+            }
+            if has_shapes(holder) {
+                near[link].push(BodyId(holder));
+                break;
+            }
+            above = parent(holder);
+        }
+    }
+    near
+}
+
+impl CollisionModel {
+    /// Lets two bodies touch; a reason that is known stays.
+    pub(super) fn permit(&mut self, a: BodyId, b: BodyId, reason: Reason) {
+        let pair = [a.min(b), a.max(b)];
+        if a != b
+            && let Err(at) = self.allowed.binary_search_by_key(&pair, |(p, _)| *p)
+        {
+            self.allowed.insert(at, (pair, reason));
+        }
+    }
+
+    pub(super) fn allow_neighbours(&mut self) {
+        for link in 0..self.mounts.len() {
+            let has_shapes = !self.bodies[link].solids.is_empty();
+            for neighbour in self.neighbours[link].clone() {
+                if has_shapes {
+                    self.permit(BodyId(link), neighbour, Reason::Neighbours);
+                }
+            }
+        }
+    }
+
+    /// Lets those pairs touch that overlap in nearly all postures within the limits.
+    pub(super) fn allow_always_colliding(&mut self, robot: &RobotModel) {
+        let mut random = ChaCha8Rng::seed_from_u64(0);
+        // Each pair with the number of postures in which it was apart.
+        let mut candidates: Vec<([BodyId; 2], usize)> =
+            self.pairs.iter().map(|&pair| (pair, 0)).collect();
+        let mut postures = 0;
+        for _ in 0..MAX_DRAWS {
+            if postures == POSTURES || candidates.is_empty() {
+                break;
+            }
+            let q = draw(robot, &mut random);
+            if robot
+                .limit_faults(&q)
+                .map_or(true, |faults| !faults.is_empty())
+            {
+                continue;
+            }
+            postures += 1;
+            with_scratch(|scratch| {
+                self.place(&q, scratch);
+                for (pair, apart) in &mut candidates {
+                    *apart += usize::from(self.distance(*pair, scratch, f64::MIN_POSITIVE) > 0.0);
+                }
+            });
+            candidates.retain(|&(_, apart)| apart <= MAX_APART);
+        }
+        for ([a, b], apart) in candidates {
+            if postures > 0 && apart * POSTURES <= postures * MAX_APART {
+                self.permit(a, b, Reason::AlwaysColliding);
+            }
+        }
+        self.list_pairs();
+    }
+}
+
+/// A posture within the limits of the variables.
+fn draw(robot: &RobotModel, random: &mut ChaCha8Rng) -> Vec<f64> {
+    let position = |i: usize| {
+        let joint = robot.variable(i);
+        let (lower, upper) = match (joint.limits.position, joint.kind) {
+            (Some(range), _) => (range.lower, range.upper),
+            (None, JointKind::Revolute) => (-PI, PI),
+            (None, _) => (-UNLIMITED_SLIDE, UNLIMITED_SLIDE),
+        };
+        lower + random.random::<f64>() * (upper - lower)
+    };
+    (0..robot.dof()).map(position).collect()
+}

@@ -1,0 +1,255 @@
+//! Solids and how far they are apart.
+//!
+//! A solid is everything nearer than a radius to a core. Segments and boxes have closed forms; for
+//! other cores the method of Gilbert, Johnson and Keerthi finds the distance, as parry has it.
+
+use super::super::chain::Frame;
+use crate::geometry::Vector3;
+use parry3d_f64::math::{Matrix, Pose as ParryPose, Rotation, Vector};
+use parry3d_f64::query::PointQuery;
+use parry3d_f64::query::details::distance_support_map_support_map as gjk;
+use parry3d_f64::shape::{SupportMap, TriMesh};
+use std::sync::Arc;
+
+/// Everything nearer than `radius` to a core.
+#[derive(Debug, Clone)]
+pub(super) struct Solid {
+    /// A box round the core, about the origin of the solid: half its extent along x, y and z [m].
+    pub half: Vector3,
+    pub radius: f64,
+    pub core: Core,
+}
+
+/// A core in the axes of the box round it.
+#[derive(Debug, Clone)]
+pub(super) enum Core {
+    /// Along z, as long as the box; a point if that is 0 m.
+    Segment,
+    /// The box itself.
+    Box,
+    /// A cylinder along z that touches the box.
+    Cylinder,
+    /// The convex hull of points [m].
+    Hull(Arc<[Vector]>),
+    /// A mesh that need not be convex.
+    Surface(Arc<Surface>),
+}
+
+/// Triangles, and what they enclose if they are closed.
+#[derive(Debug)]
+pub(super) struct Surface {
+    pub mesh: TriMesh,
+    pub is_closed: bool,
+}
+
+impl Solid {
+    /// Radius of the ball about the origin that the solid is in [m].
+    pub fn reach(&self) -> f64 {
+        self.half.norm() + self.radius
+    }
+
+    /// The ends of a segment.
+    #[inline]
+    fn ends(&self, world_from_solid: &Frame) -> [Vector3; 2] {
+        let along = self.half.z * world_from_solid.axes[2];
+        let middle = world_from_solid.translation;
+        [middle - along, middle + along]
+    }
+}
+
+impl SupportMap for Solid {
+    fn local_support_point(&self, dir: Vector) -> Vector {
+        let half = &self.half;
+        let z = half.z.copysign(dir.z);
+        match &self.core {
+            Core::Segment => Vector::new(0.0, 0.0, z),
+            Core::Box => Vector::new(half.x.copysign(dir.x), half.y.copysign(dir.y), z),
+            Core::Cylinder => {
+                let across = Vector::new(dir.x, dir.y, 0.0);
+                across.normalize_or_zero() * half.x + Vector::new(0.0, 0.0, z)
+            }
+            Core::Hull(points) => farthest(points, dir),
+            // A surface is asked triangle by triangle.
+            Core::Surface(_) => Vector::ZERO,
+        }
+    }
+}
+
+/// The point farthest along a direction.
+pub(super) fn farthest(points: &[Vector], dir: Vector) -> Vector {
+    let mut best = (f64::NEG_INFINITY, Vector::ZERO);
+    for &point in points {
+        let along = point.dot(dir);
+        if along > best.0 {
+            best = (along, point);
+        }
+    }
+    best.1
+}
+
+/// How far two solids are apart [m] if that is below `up_to`, and infinite otherwise. If they
+/// intersect, it is at most 0 and no deeper than they do.
+#[inline]
+pub(super) fn distance(
+    (a, world_from_a): (&Solid, &Frame),
+    (b, world_from_b): (&Solid, &Frame),
+    up_to: f64,
+) -> f64 {
+    let between = world_from_b.translation - world_from_a.translation;
+    let far = up_to + a.reach() + b.reach();
+    if between.norm_squared() >= far * far {
+        return f64::INFINITY;
+    }
+    let radii = a.radius + b.radius;
+    let apart = match (&a.core, &b.core) {
+        (Core::Segment, Core::Segment) => {
+            segment_segment(a.ends(world_from_a), b.ends(world_from_b)) - radii
+        }
+        (Core::Segment, _) => {
+            round_and_any((a, world_from_a), (b, world_from_b), up_to + radii) - radii
+        }
+        (_, Core::Segment) => {
+            round_and_any((b, world_from_b), (a, world_from_a), up_to + radii) - radii
+        }
+        _ => any_and_any((a, world_from_a), (b, world_from_b), up_to + radii) - radii,
+    };
+    if apart < up_to { apart } else { f64::INFINITY }
+}
+
+/// Distance of the cores of a segment and something else.
+fn round_and_any(
+    (round, world_from_round): (&Solid, &Frame),
+    (other, world_from_other): (&Solid, &Frame),
+    up_to: f64,
+) -> f64 {
+    let in_other = |p: Vector3| world_from_other.turn_back(&(p - world_from_other.translation));
+    let to_box = segment_box(round.ends(world_from_round).map(in_other), &other.half);
+    if matches!(other.core, Core::Box) || to_box >= up_to {
+        return to_box;
+    }
+    cores((other, world_from_other), (round, world_from_round), up_to)
+}
+
+/// Distance of two cores neither of which is a segment.
+fn any_and_any(
+    (a, world_from_a): (&Solid, &Frame),
+    (b, world_from_b): (&Solid, &Frame),
+    up_to: f64,
+) -> f64 {
+    for ((ball, world_from_ball), (other, world_from_other)) in [
+        ((a, world_from_a), (b, world_from_b)),
+        ((b, world_from_b), (a, world_from_a)),
+    ] {
+        let center = world_from_ball.translation - world_from_other.translation;
+        let apart = outside(&world_from_other.turn_back(&center), &other.half).norm();
+        if apart - ball.half.norm() >= up_to {
+            return apart - ball.half.norm();
+        }
+    }
+    match (&a.core, &b.core) {
+        (_, Core::Surface(_)) => cores((b, world_from_b), (a, world_from_a), up_to),
+        _ => cores((a, world_from_a), (b, world_from_b), up_to),
+    }
+}
+
+/// Distance of two cores, the second of which is convex.
+fn cores(
+    (a, world_from_a): (&Solid, &Frame),
+    (b, world_from_b): (&Solid, &Frame),
+    up_to: f64,
+) -> f64 {
+    let between = world_from_b.translation - world_from_a.translation;
+    let translation = vector(&world_from_a.turn_back(&between));
+    let axes = world_from_b
+        .axes
+        .map(|axis| vector(&world_from_a.turn_back(&axis)));
+    let rotation = Rotation::from_mat3(&Matrix::from_cols(axes[0], axes[1], axes[2]));
+    let a_from_b = ParryPose::from_parts(translation, rotation);
+    match &a.core {
+        Core::Surface(surface) => surface.distance(b, &a_from_b, up_to),
+        _ => gjk(&a_from_b, a, b),
+    }
+}
+
+impl Surface {
+    /// Distance to a convex core; 0 if it is inside.
+    fn distance(&self, other: &Solid, self_from_other: &ParryPose, up_to: f64) -> f64 {
+        let some_point = self_from_other.transform_point(other.local_support_point(Vector::X));
+        if self.is_closed && self.mesh.contains_local_point(some_point) {
+            return 0.0;
+        }
+        let ball = other.half.norm();
+        let center = self_from_other.translation;
+        let found = self.mesh.bvh().find_best(
+            up_to,
+            |node, _| {
+                let nearest = center.clamp(node.mins(), node.maxs());
+                ((center - nearest).length() - ball).max(0.0)
+            },
+            |triangle, _| Some(gjk(self_from_other, &self.mesh.triangle(triangle), other)),
+        );
+        found.map_or(f64::INFINITY, |(_, distance)| distance)
+    }
+}
+
+pub(super) fn vector(v: &Vector3) -> Vector {
+    Vector::new(v.x, v.y, v.z)
+}
+
+/// From the nearest point of a box about the origin to a point; zero inside.
+#[inline]
+fn outside(point: &Vector3, half: &Vector3) -> Vector3 {
+    point.zip_map(half, |x, h| x - x.clamp(-h, h))
+}
+
+/// Where a quotient is within 0 to 1; 0 if its divisor is.
+#[inline]
+fn fraction(over: f64, under: f64) -> f64 {
+    if under > 0.0 {
+        (over / under).clamp(0.0, 1.0)
+    } else {
+        0.0
+    }
+}
+
+/// Distance of two segments [m], either of which may be a point. Ericson 2005, §5.1.9.
+#[inline]
+pub(super) fn segment_segment([a, a_end]: [Vector3; 2], [b, b_end]: [Vector3; 2]) -> f64 {
+    let (u, v, w) = (a_end - a, b_end - b, a - b);
+    let (uu, uv, vv) = (u.dot(&u), u.dot(&v), v.dot(&v));
+    let (uw, vw) = (u.dot(&w), v.dot(&w));
+    // Nearest on the lines, then on one segment for the other and back.
+    let s = fraction(uv * vw - uw * vv, uu * vv - uv * uv);
+    let t = fraction(uv * s + vw, vv);
+    let s = fraction(uv * t - uw, uu);
+    (w + s * u - t * v).norm()
+}
+
+/// Distance of a segment from a box about the origin [m]; 0 if they intersect.
+///
+/// The squared distance is convex along the segment, and its derivative linear between the planes of
+/// the faces: the root lies where the derivative changes its sign.
+#[inline]
+pub(super) fn segment_box([from, to]: [Vector3; 2], half: &Vector3) -> f64 {
+    let along = to - from;
+    let at = |t: f64| outside(&(from + t * along), half);
+    let rate = |t: f64| at(t).dot(&along);
+    let (mut low, mut high) = ((0.0, rate(0.0)), (1.0, rate(1.0)));
+    if low.1 >= 0.0 {
+        return at(0.0).norm();
+    }
+    if high.1 <= 0.0 {
+        return at(1.0).norm();
+    }
+    for axis in 0..3 {
+        for face in [-half[axis], half[axis]] {
+            let t = (face - from[axis]) / along[axis];
+            if low.0 < t && t < high.0 {
+                let rate = rate(t);
+                let end = if rate <= 0.0 { &mut low } else { &mut high };
+                *end = (t, rate);
+            }
+        }
+    }
+    at(low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1)).norm()
+}
