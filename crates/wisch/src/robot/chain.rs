@@ -221,20 +221,7 @@ impl Chain {
     /// If `q` is of another length or not finite.
     #[inline]
     pub fn forward_kinematics(&self, q: &[f64]) -> Result<ChainKinematics<'_>, RobotError> {
-        if q.len() != self.dof() {
-            return Err(RobotError::Length {
-                what: "positions of the chain",
-                found: q.len(),
-                expected: self.dof(),
-            });
-        }
-        if let Some(i) = q.iter().position(|value| !value.is_finite()) {
-            return Err(RobotError::NotFinite {
-                joint: self.names[i].clone(),
-                what: "positions of the chain",
-                value: q[i],
-            });
-        }
+        self.checked(q)?;
         let mut kinematics = ChainKinematics {
             chain: self,
             axes: [Vector3::zeros(); MAX_CHAIN],
@@ -260,6 +247,26 @@ impl Chain {
         }
         kinematics.base_from_tip = base_from_joint.then(&self.last_from_tip);
         Ok(kinematics)
+    }
+
+    /// Whether an array has n finite values.
+    #[inline]
+    pub(super) fn checked(&self, q: &[f64]) -> Result<(), RobotError> {
+        if q.len() != self.dof() {
+            return Err(RobotError::Length {
+                what: "positions of the chain",
+                found: q.len(),
+                expected: self.dof(),
+            });
+        }
+        if let Some(i) = q.iter().position(|value| !value.is_finite()) {
+            return Err(RobotError::NotFinite {
+                joint: self.names[i].clone(),
+                what: "positions of the chain",
+                value: q[i],
+            });
+        }
+        Ok(())
     }
 }
 

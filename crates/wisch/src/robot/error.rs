@@ -118,6 +118,16 @@ pub enum RobotError {
         /// The value.
         value: f64,
     },
+    /// A value that is not what it may be.
+    #[error("{what} is {value}: it must be {limit}")]
+    Value {
+        /// What has the value.
+        what: &'static str,
+        /// The value.
+        value: f64,
+        /// What it must be, with its unit.
+        limit: &'static str,
+    },
     /// The tip is not held by the base.
     #[error("link {tip:?} does not hang on link {base:?}; it hangs on: {}", ancestors.join(", "))]
     NoChain {

@@ -19,6 +19,7 @@ mod collision;
 mod dynamics;
 mod error;
 mod findings;
+mod ik;
 mod kinematics;
 mod model;
 mod srdf;
@@ -36,6 +37,7 @@ pub use collision::{Collision, MAX_MESH_EXTENT, Shape};
 pub use dynamics::{Dynamics, MIN_INERTIA};
 pub use error::RobotError;
 pub use findings::{Fault, Finding, Severity, Subject};
+pub use ik::{IkConfig, IkOutcome, IkSolver, JointPositions, MAX_TARGET_DISTANCE, RotationGoal};
 pub use kinematics::Kinematics;
 pub use model::{
     Body, Drive, Joint, JointId, JointKind, JointLimits, LimitFault, Link, LinkId, Range,
