@@ -11,6 +11,7 @@
 //! no variables. [m], [rad], [N], [Nm]; spatial quantities linear first; the world is the frame of
 //! the root link.
 
+mod capability;
 mod chain;
 mod check;
 mod clearance;
@@ -26,6 +27,9 @@ mod srdf;
 mod tests;
 mod urdf;
 
+pub use capability::{
+    CapabilityMap, MAX_MAP_BYTES, MapConfig, MapError, MapOrigin, MapStage, MapTool, RobotHash,
+};
 pub use chain::{Chain, ChainJacobian, ChainKinematics, MAX_CHAIN};
 pub use check::{MAX_DEPTH, check};
 pub use clearance::{BodyId, Clearance, CollisionModel, Contact, Reason, SEGMENT_RESOLUTION};
