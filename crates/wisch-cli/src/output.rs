@@ -25,6 +25,22 @@ pub const TCP_PATH_FILE: &str = "tcp-path.csv";
 /// The report.
 pub const REPORT_FILE: &str = "report.html";
 
+/// Writes one file: it is there whole or not at all.
+///
+/// # Errors
+/// What the system says.
+pub fn write_whole(path: &Path, contents: &[u8]) -> Result<(), Failure> {
+    let failed = |error: io::Error| cannot_write(path, &error);
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let file = tempfile::NamedTempFile::new_in(folder).map_err(failed)?;
+    fs::write(file.path(), contents).map_err(failed)?;
+    file.persist(path).map_err(|error| failed(error.error))?;
+    Ok(())
+}
+
 /// A folder of results in the making. Dropped unfinished, it leaves nothing behind.
 pub struct OutputFolder {
     target: PathBuf,

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use include_dir::{Dir, include_dir};
 use std::path::{Path, PathBuf};
 use wisch::represent::{RobotDescription, UnknownName};
-use wisch::robot::{CapabilityMap, RobotModel, Srdf};
+use wisch::robot::{CapabilityMap, RobotHash, RobotModel, Srdf};
 
 /// The robots folder as it was when the program was built.
 static BUILT_IN: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../robots");
@@ -41,19 +41,51 @@ impl Robot {
         map_file: Option<&Path>,
         packages: &[(String, PathBuf)],
     ) -> Result<Self, Failure> {
-        let mut robot = match description {
-            RobotDescription::Named(name) => built_in(name)?,
-            RobotDescription::Files { urdf, srdf } => {
-                let folder = task_file.parent().unwrap_or(Path::new(""));
-                let srdf = srdf.as_ref().map(|srdf| folder.join(srdf));
-                files(&folder.join(urdf), srdf.as_deref(), packages)?
+        let robot = Self::read_without_map(description, task_file, packages)?;
+        let found = match (map_file, description) {
+            (Some(path), _) => Some((path.display().to_string(), assets::read(path)?)),
+            (None, RobotDescription::Named(name)) => {
+                let file = BUILT_IN.get_file(format!("{name}.{MAP_EXTENSION}"));
+                file.map(|file| (format!("built-in {name}"), file.contents().to_vec()))
+            }
+            (None, RobotDescription::Files { urdf, .. }) => {
+                let path = folder(task_file).join(urdf).with_extension(MAP_EXTENSION);
+                let name = path.display().to_string();
+                let is_there = path.is_file();
+                is_there
+                    .then(|| assets::read(&path))
+                    .transpose()?
+                    .map(|bytes| (name, bytes))
             }
         };
-        if let Some(path) = map_file {
-            let name = path.display().to_string();
-            robot.map = Some(map(&robot.model, &name, &assets::read(path)?)?);
+        let map = found.map(|(name, bytes)| {
+            CapabilityMap::from_bytes(&name, &bytes, RobotHash::of(&robot.model)).map_err(|error| {
+                Failure::new(error).with_help("wisch robot map builds it anew, for this very robot")
+            })
+        });
+        Ok(Self {
+            map: map.transpose()?,
+            ..robot
+        })
+    }
+
+    /// The same, whatever maps there are.
+    ///
+    /// # Errors
+    /// An unknown name, a file that cannot be read, or one that is not what it should be.
+    pub fn read_without_map(
+        description: &RobotDescription,
+        task_file: &Path,
+        packages: &[(String, PathBuf)],
+    ) -> Result<Self, Failure> {
+        match description {
+            RobotDescription::Named(name) => built_in(name),
+            RobotDescription::Files { urdf, srdf } => {
+                let folder = folder(task_file);
+                let srdf = srdf.as_ref().map(|srdf| folder.join(srdf));
+                files(&folder.join(urdf), srdf.as_deref(), packages)
+            }
         }
-        Ok(robot)
     }
 
     /// What `--robot` means: a robot that is shipped, or a file.
@@ -92,16 +124,16 @@ fn built_in(name: &str) -> Result<Robot, Failure> {
             .with_help("a robot of your own is a file: a path that ends in .urdf")
     })?;
     let mut no_meshes = |file: &str| Err(format!("{file}: built-in robots have no meshes"));
-    let model = RobotModel::from_urdf(&urdf.name, urdf.contents, &mut no_meshes)
-        .map_err(Failure::new)?;
+    let model =
+        RobotModel::from_urdf(&urdf.name, urdf.contents, &mut no_meshes).map_err(Failure::new)?;
     let srdf = (text("srdf"))
         .map(|srdf| Srdf::parse(&srdf.name, srdf.contents, &model).map_err(Failure::new))
         .transpose()?;
-    let map = BUILT_IN
-        .get_file(format!("{name}.{MAP_EXTENSION}"))
-        .map(|file| map(&model, &format!("built-in {name}.{MAP_EXTENSION}"), file.contents()))
-        .transpose()?;
-    Ok(Robot { model, srdf, map })
+    Ok(Robot {
+        model,
+        srdf,
+        map: None,
+    })
 }
 
 fn files(
@@ -124,20 +156,15 @@ fn files(
             Srdf::parse(&path.display().to_string(), &text, &model).map_err(Failure::new)
         })
         .transpose()?;
-    let map_file = urdf.with_extension(MAP_EXTENSION);
-    let map = if map_file.is_file() {
-        let name = map_file.display().to_string();
-        Some(map(&model, &name, &assets::read(&map_file)?)?)
-    } else {
-        None
-    };
-    Ok(Robot { model, srdf, map })
+    Ok(Robot {
+        model,
+        srdf,
+        map: None,
+    })
 }
 
-fn map(robot: &RobotModel, name: &str, bytes: &[u8]) -> Result<CapabilityMap, Failure> {
-    CapabilityMap::from_bytes(name, bytes, robot).map_err(|error| {
-        Failure::new(error).with_help("wisch robot map builds it anew, for this very robot")
-    })
+fn folder(task_file: &Path) -> &Path {
+    task_file.parent().unwrap_or(Path::new(""))
 }
 
 /// Reads what a URDF refers to: paths count from the URDF's folder, packages are given.

@@ -6,14 +6,15 @@ use crate::args::{RobotArgs, TaskArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::records::FollowingSummary;
-use crate::report::{MotionInput, ParticleFrame, Place, RatedPlace, Span};
-use crate::report::Frames;
+use crate::report::{
+    Contact, Frames, MotionInput, ParticleFrame, Phase as ShownPhase, Placement, RatedPlace,
+};
 use crate::robots::Robot;
 use std::time::Instant;
 use wisch::follow::{
     Audit, FollowConfig, Followed, Phase, TrajectorySample, Workcell, WorkcellConfig, audit, follow,
 };
-use wisch::geometry::Pose;
+use wisch::geometry::{Pose, Vector3};
 use wisch::plan::Plan;
 use wisch::represent::{Fate, RobotDescription, RobotRecord, ScenePart, Task};
 
@@ -106,7 +107,8 @@ pub fn follow_plan(
 fn help_for(description: &RobotDescription) -> String {
     match description {
         RobotDescription::Named(_) => {
-            "[robot] in the task file says where the robot stands; --robot none leaves it out".into()
+            "[robot] in the task file says where the robot stands; --robot none leaves it out"
+                .into()
         }
         RobotDescription::Files { urdf, .. } => format!(
             "[robot] in the task file says where the robot stands, the SRDF beside {urdf} which \
@@ -117,12 +119,15 @@ fn help_for(description: &RobotDescription) -> String {
 
 /// Where the scene shows the robot, facing the surface; on the floor.
 fn before_surface(task: &Task) -> Option<Pose> {
-    let stands = task.scene.iter().find(|object| object.part == ScenePart::Robot)?;
+    let stands = task
+        .scene
+        .iter()
+        .find(|object| object.part == ScenePart::Robot)?;
     let at = stands.world_from_object.translation.vector;
     let towards = task.surface.world_from_surface.translation.vector - at;
     Some(Pose::new(
-        nalgebra::Vector3::new(at.x, at.y, 0.0),
-        nalgebra::Vector3::z() * towards.y.atan2(towards.x),
+        Vector3::new(at.x, at.y, 0.0),
+        Vector3::z() * towards.y.atan2(towards.x),
     ))
 }
 
@@ -164,10 +169,17 @@ impl Following {
             ("Robot", self.robot.clone()),
             (
                 "Abandoned nodes",
-                format!("{} ({} of the particles)", followed.abandoned.len(), percent(lost)),
+                format!(
+                    "{} ({} of the particles)",
+                    followed.abandoned.len(),
+                    percent(lost)
+                ),
             ),
             ("Execution time", format!("{:.1} s", followed.duration())),
-            ("Time in contact", format!("{:.1} s", followed.contact_time())),
+            (
+                "Time in contact",
+                format!("{:.1} s", followed.contact_time()),
+            ),
             (
                 "Off the line at most",
                 format!(
@@ -182,10 +194,16 @@ impl Following {
             ),
         ];
         if self.cell.base().is_some() {
-            facts.push(("Placements of the base", followed.placements.len().to_string()));
+            facts.push((
+                "Placements of the base",
+                followed.placements.len().to_string(),
+            ));
         }
         if !self.audit.faults.is_empty() {
-            facts.push(("Faults found by the check", self.audit.faults.len().to_string()));
+            facts.push((
+                "Faults found by the check",
+                self.audit.faults.len().to_string(),
+            ));
         }
         (facts.into_iter())
             .map(|(label, value)| (label.to_owned(), value))
@@ -197,19 +215,25 @@ impl Following {
         let count = (self.followed.duration() / SHOWN_PERIOD).ceil() as usize;
         let samples = (0..=count)
             .filter_map(|i| {
-                self.followed.sample((i as f64 * SHOWN_PERIOD).min(self.followed.duration()))
+                self.followed
+                    .sample((i as f64 * SHOWN_PERIOD).min(self.followed.duration()))
             })
             .collect();
-        let spans = (self.followed.motions.iter())
-            .map(|motion| Span {
+        let phases = (self.followed.motions.iter())
+            .map(|motion| ShownPhase {
                 name: motion.phase.as_str().to_owned(),
                 start: motion.start,
                 end: motion.end(),
+                contact: if motion.phase.is_contact() {
+                    Contact::Wiping
+                } else {
+                    Contact::Lifted
+                },
                 stroke: motion.phase.stroke(),
             })
             .collect();
         let placements = (self.followed.placements.iter())
-            .map(|placement| Place {
+            .map(|placement| Placement {
                 x: placement.world_from_base.position.x,
                 y: placement.world_from_base.position.y,
                 yaw: placement.world_from_base.heading,
@@ -225,7 +249,7 @@ impl Following {
             .collect();
         Shown {
             samples,
-            spans,
+            phases,
             placements,
             ratings,
             particles: self.particles(frames),
@@ -243,7 +267,8 @@ impl Following {
             let motions = &self.followed.motions;
             let motion = motions.iter().find(|m| m.phase == Phase::Wipe(stroke))?;
             let length = before.get(stroke + 1)? - before[stroke];
-            let share = ((distance - before[stroke]) / length.max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+            let share =
+                ((distance - before[stroke]) / length.max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
             Some(motion.start + share * motion.trajectory.duration())
         };
         let mut shown: Vec<ParticleFrame> = Vec::new();
@@ -253,7 +278,7 @@ impl Following {
             shown.push(ParticleFrame {
                 time: at.unwrap_or(since).max(since),
                 positions: (frame.particles.iter())
-                    .filter(|(_, fate)| *fate == Fate::Remaining)
+                    .filter(|(_, fate)| *fate == Fate::OnSurface)
                     .map(|(position, _)| *position)
                     .collect(),
             });
@@ -265,8 +290,8 @@ impl Following {
 /// What a report shows of a motion.
 pub struct Shown {
     samples: Vec<TrajectorySample>,
-    spans: Vec<Span>,
-    placements: Vec<Place>,
+    phases: Vec<ShownPhase>,
+    placements: Vec<Placement>,
     ratings: Vec<RatedPlace>,
     particles: Vec<ParticleFrame>,
 }
@@ -281,7 +306,7 @@ impl Shown {
             tool_link: following.cell.tip(),
             link_from_tool: *following.cell.tip_from_tool(),
             samples: &self.samples,
-            phases: &self.spans,
+            phases: &self.phases,
             placements: &self.placements,
             ratings: &self.ratings,
             particles: &self.particles,

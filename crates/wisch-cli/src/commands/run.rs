@@ -12,8 +12,8 @@ use crate::output::{
 };
 use crate::progress::Progress;
 use crate::records::{
-    FollowedRecord, FollowingSummary, PlanRecord, PredictionSummary, RobotTrajectory, SUMMARY_SCHEMA, Summary,
-    tcp_path_csv,
+    FollowedRecord, FollowingSummary, PlanRecord, PredictionSummary, RobotTrajectory,
+    SUMMARY_SCHEMA, Summary, tcp_path_csv,
 };
 use crate::report::{self, Frames, ReportInput};
 use crate::terminal::{Outcome, print};
@@ -152,7 +152,10 @@ fn stages(
             ));
             let mut frames = Frames::new(task, &wiped);
             let prediction = predict(task, &wiped, |p| frames.watch(p));
-            if following.as_ref().is_some_and(|f| !f.followed.abandoned.is_empty()) {
+            if following
+                .as_ref()
+                .is_some_and(|f| !f.followed.abandoned.is_empty())
+            {
                 let hoped = predict(task, &plan, |_| ()).performance.ratio();
                 abandoned_share = (hoped - prediction.performance.ratio()).max(0.0);
             }
@@ -194,7 +197,10 @@ fn write_motion(
     let trajectory = RobotTrajectory::new(followed, cell);
     let line = serde_json::to_string(&trajectory).map_err(internal)?;
     folder.write(TRAJECTORY_JSON_FILE, line + "\n")?;
-    folder.write(TRAJECTORY_YAML_FILE, trajectory.to_yaml().map_err(internal)?)?;
+    folder.write(
+        TRAJECTORY_YAML_FILE,
+        trajectory.to_yaml().map_err(internal)?,
+    )?;
     let interaction = &prepared.task.interaction;
     folder.write(TCP_PATH_FILE, tcp_path_csv(followed, cell, interaction))
 }
@@ -243,7 +249,11 @@ fn write_report(
     let following = results.following.as_ref();
     let wiped = following.map_or_else(|| results.plan.clone(), |f| f.plan(&results.plan));
     let mut facts = facts(prepared, &wiped, prediction);
-    facts.extend(following.iter().flat_map(|f| f.facts(results.abandoned_share)));
+    facts.extend(
+        following
+            .iter()
+            .flat_map(|f| f.facts(results.abandoned_share)),
+    );
     let shown = following.map(|following| (following, following.shown(frames)));
     let motion = (shown.as_ref()).map(|(following, shown)| shown.input(following, &prepared.task));
     let input = ReportInput {
@@ -255,7 +265,6 @@ fn write_report(
         frames,
         bandwidth: prepared.config.bandwidth,
         facts: &facts,
-        motion: None,
     };
     for (name, svg) in report::pictures(&input) {
         folder.write(&format!("{name}.svg"), &svg)?;
@@ -457,7 +466,10 @@ fn robot_in_words(following: &FollowingSummary) -> Vec<(&'static str, String)> {
                 1e3 * following.min_clearance_m
             ),
         ),
-        ("following time", format!("{:.3} s", following.following_time_s)),
+        (
+            "following time",
+            format!("{:.3} s", following.following_time_s),
+        ),
     ];
     if following.faults > 0 {
         let faults = counted(following.faults, "fault");

@@ -111,7 +111,7 @@ impl RobotTrajectory {
         });
         let base_link = &robot.links()[cell.ik().chain().base().index()].name;
         let base = cell.base().map(|base| {
-            let twist = |values: &[f64]| Twist {
+            let twist = move |values: &[f64]| Twist {
                 linear: Xyz {
                     x: rounded(values[base.x]),
                     y: rounded(values[base.y]),

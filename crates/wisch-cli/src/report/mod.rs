@@ -15,10 +15,8 @@ mod tests;
 mod view;
 
 pub use frames::Frames;
-pub use motion::{MotionInput, joint_plots, motion_section, placements_plan};
-// What a motion is made of.
-#[expect(unused_imports, reason = "no command shows a motion yet")]
 pub use motion::{Contact, ParticleFrame, Phase, Placement, RatedPlace};
+pub use motion::{MotionInput, joint_plots, motion_section, placements_plan};
 pub use page::page;
 pub use png::rasterize;
 

@@ -71,11 +71,26 @@ fn main() -> Result<(), AnyError> {
     println!("seeds {first} to {}", first + count - 1);
     println!(
         "{:18} {:>7} {:>7} {:>9} {:>7} {:>7} {:>8} {:>6} {:>7} {:>7} {:>7} {:>7} {:>6}",
-        "", "perf %", "paper", "abandoned", "exec s", "paper", "contact", "places", "comp s", "worst s", "off mm", "clear mm", "faults"
+        "",
+        "perf %",
+        "paper",
+        "abandoned",
+        "exec s",
+        "paper",
+        "contact",
+        "places",
+        "comp s",
+        "worst s",
+        "off mm",
+        "clear mm",
+        "faults"
     );
     let mut all: Vec<Trial> = Vec::new();
     for (a, action) in Action::ALL.into_iter().enumerate() {
         for (s, name) in SCENARIOS.into_iter().enumerate() {
+            if std::env::var("ONLY").is_ok_and(|o| !name.contains(&o)) {
+                continue;
+            }
             let scenario = scenario(&root.join(format!("scenarios/{name}.toml")))?;
             let mut trials = Vec::new();
             for seed in first..first + count {
@@ -124,6 +139,7 @@ fn trial(task: &Task, file: &TaskFile, robot: &Robot) -> Result<Trial, AnyError>
     };
     let plan = plan(task, &config)?;
     let config = WorkcellConfig {
+        hand_lean: std::env::var("LEAN").map_or(0.0, |s| s.parse().unwrap()),
         world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
         ..WorkcellConfig::default()
     };
@@ -161,7 +177,11 @@ fn humanoid(folder: &Path) -> Result<Robot, AnyError> {
     let urdf = text(&folder.join("humanoid.urdf"))?;
     let mut no_meshes = |file: &str| Err(format!("{file}: there are no meshes"));
     let model = RobotModel::from_urdf("humanoid.urdf", &urdf, &mut no_meshes)?;
-    let srdf = Srdf::parse("humanoid.srdf", &text(&folder.join("humanoid.srdf"))?, &model)?;
+    let srdf = Srdf::parse(
+        "humanoid.srdf",
+        &text(&folder.join("humanoid.srdf"))?,
+        &model,
+    )?;
     let map = match std::fs::read(folder.join("humanoid.reach")) {
         Ok(bytes) => Some(CapabilityMap::from_bytes(
             "humanoid.reach",

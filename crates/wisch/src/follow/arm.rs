@@ -10,6 +10,8 @@ use std::f64::consts::PI;
 const AT_LIMIT: f64 = 1e-4;
 /// How much of the tolerance the middle between two solved poses may use up.
 const SHARE_BETWEEN: f64 = 0.25;
+/// Random starts of the inverse kinematics for one pose.
+const RESTARTS: usize = 6;
 /// How often a step is halved to stay on the line.
 const MAX_HALVINGS: u32 = 6;
 
@@ -130,6 +132,17 @@ impl<'a> Arm<'a> {
         };
         let outcome = (self.cell.ik()).solve(&target, RotationGoal::Full, starts, seed, &config);
         self.solved(outcome)
+    }
+
+    /// The same, touching nothing.
+    pub fn reach_free(
+        &self,
+        pose: &ToolPose,
+        starts: &[&[f64]],
+        seed: u64,
+    ) -> Result<JointPositions, Obstruction> {
+        let q = self.reach_anyhow(pose, starts, seed, RESTARTS)?;
+        self.is_free(&q, &q, Touch::Nothing).map(|()| q)
     }
 
     fn solved(

@@ -20,6 +20,15 @@ pub(super) struct Freedom {
     pub tilt: f64,
 }
 
+/// How hard a way along an edge is looked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Effort {
+    /// Step by step.
+    Local,
+    /// Where that fails, by the global search.
+    Global,
+}
+
 /// Part of a stroke, from one node to the next.
 #[derive(Debug, Clone)]
 pub(super) struct Leg {
@@ -27,7 +36,7 @@ pub(super) struct Leg {
     pub configurations: Vec<JointPositions>,
     /// Corners of the tool's line after the start, the last at the node.
     pub line: Vec<ToolPose>,
-    /// How far the tool is turned away from its planned orientation at the node [rad].
+    /// How far the tool is turned away from the plan at the node, and by how much more on the way [rad].
     pub turned: f64,
 }
 
@@ -51,8 +60,8 @@ pub(super) fn freedoms(tool: &Tool, increment: f64) -> Vec<Freedom> {
     all
 }
 
-/// Freedoms in the order in which they are tried: those as near to the planned orientation as each other
-/// by how little the rotation against the plan changes.
+/// Freedoms in the order in which they are tried: by how far they are from the planned orientation, and how
+/// far the tool turns on this edge beyond what is planned.
 fn nearest_first(
     freedoms: &[Freedom],
     begin: &PlanarPose,
@@ -60,17 +69,20 @@ fn nearest_first(
     symmetric: bool,
 ) -> Vec<Freedom> {
     let mut order = freedoms.to_vec();
-    let key = |freedom: &Freedom| {
-        (
-            rank(freedom, symmetric),
-            change(begin, freedom, from).abs(),
-        )
-    };
-    order.sort_by(|a, b| {
-        let (a, b) = (key(a), key(b));
-        a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
-    });
+    let cost = |freedom: &Freedom| deviation(freedom, begin, from, symmetric);
+    order.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
     order
+}
+
+/// How far the tool is turned away from the plan at the end of an edge, and by how much more it turns on
+/// the way [rad].
+pub(super) fn deviation(
+    freedom: &Freedom,
+    begin: &PlanarPose,
+    from: &ToolPose,
+    symmetric: bool,
+) -> f64 {
+    rank(freedom, symmetric) + change(begin, freedom, from).abs()
 }
 
 /// How far a freedom is from the planned orientation [rad], in steps fine enough for comparison.
@@ -134,14 +146,15 @@ fn change(begin: &PlanarPose, freedom: &Freedom, from: &ToolPose) -> f64 {
     wrap_angle(freedom.rotation - (from.surface_from_tool.heading - begin.heading))
 }
 
-/// Follows an edge in contact to a node: locally in every orientation, nearest first, then by the
-/// global search.
+/// Follows an edge in contact to a node: locally in every orientation, nearest first, then, if asked for,
+/// by the global search.
 pub(super) fn follow_edge(
     arm: &Arm,
     start: &JointPositions,
     from: &ToolPose,
     planned: [&PlanarPose; 2],
     freedoms: &[Freedom],
+    effort: Effort,
 ) -> Result<Leg, Vec<Attempt>> {
     let mut attempts = Vec::new();
     let symmetric = arm.task.tool.is_half_turn_symmetric();
@@ -153,7 +166,7 @@ pub(super) fn follow_edge(
                 return Ok(Leg {
                     configurations,
                     line: vec![to],
-                    turned: rank(freedom, symmetric),
+                    turned: deviation(freedom, planned[0], from, symmetric),
                 });
             }
             Err(broken) => attempts.push(Attempt {
@@ -164,5 +177,8 @@ pub(super) fn follow_edge(
             }),
         }
     }
-    global::search(arm, start, from, planned, &order).ok_or(attempts)
+    match effort {
+        Effort::Local => Err(attempts),
+        Effort::Global => global::search(arm, start, from, planned, &order).ok_or(attempts),
+    }
 }

@@ -7,7 +7,7 @@
 //! failed once is not entered again, so the search ends, and within the discretisation it is complete.
 
 use super::arm::Arm;
-use super::edge::{Freedom, Leg, rank, turned_along};
+use super::edge::{Freedom, Leg, deviation, turned_along};
 use super::{ToolPose, Touch};
 use crate::geometry::PlanarPose;
 use crate::robot::JointPositions;
@@ -62,7 +62,7 @@ pub(super) fn search(
         tilt: end.tilt,
     };
     Some(Leg {
-        turned: rank(&against_plan, symmetric),
+        turned: deviation(&against_plan, planned[0], from, symmetric),
         line: legs.iter().map(|(_, pose)| *pose).collect(),
         configurations: legs.into_iter().flat_map(|(path, _)| path).collect(),
     })

@@ -34,4 +34,4 @@ pub use timing::{
     JointLimit, JointLimits, JointPath, MAX_GRID_INTERVALS, MAX_WAYPOINTS, MIN_BLEND_TOLERANCE,
     SAMPLE_PERIOD, TimingConfig, TimingError, Trajectory, TrajectorySample, time_path,
 };
-pub use workcell::{PlanarBase, Touch, Workcell, WorkcellConfig};
+pub use workcell::{Group, PlanarBase, Touch, Workcell, WorkcellConfig};

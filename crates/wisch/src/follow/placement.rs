@@ -2,11 +2,12 @@
 //! reach; paper §3.3.
 
 use super::{FollowConfig, Placement, RatedPlace, ToolPose, Workcell};
-use crate::geometry::{Bounds2, PlanarPose, Point2, Point3, Pose, wrap_angle};
+use crate::geometry::{Bounds2, PlanarPose, Point2, Point3, Pose, Vector3, wrap_angle};
 use crate::represent::Task;
 use crate::robot::{CapabilityMap, IkConfig, IkOutcome, RobotError, RotationGoal};
+use nalgebra::UnitQuaternion;
 use rayon::prelude::*;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// Pitch of the places [m].
 const PITCH: f64 = 0.1;
@@ -38,6 +39,8 @@ pub(super) struct Reachability<'a> {
     cell: &'a Workcell,
     task: &'a Task,
     map: Option<&'a CapabilityMap>,
+    /// Whether half a turn makes no difference to the tool.
+    symmetric: bool,
     /// The group's base where the planar base is at the origin.
     root_from_base: Pose,
 }
@@ -56,27 +59,42 @@ impl<'a> Reachability<'a> {
             cell,
             task,
             map,
+            symmetric: task.tool.is_half_turn_symmetric(),
             root_from_base,
         })
     }
 
-    /// How amply a pose is in reach, 0 (not) to 1.
-    fn of(&self, world_from_tool: &Pose, world_from_base: &PlanarPose) -> f64 {
+    /// Whether a pose is in reach as planned, or for a symmetric tool turned by half, and how amply, 0 to
+    /// 1: the share of directions from which the place can be reached.
+    fn of(&self, world_from_tool: &Pose, world_from_base: &PlanarPose) -> Option<f64> {
         let stands = Pose::new(
-            nalgebra::Vector3::new(world_from_base.position.x, world_from_base.position.y, 0.0),
-            nalgebra::Vector3::z() * world_from_base.heading,
+            Vector3::new(world_from_base.position.x, world_from_base.position.y, 0.0),
+            Vector3::z() * world_from_base.heading,
         );
         let base_from_tool = (stands * self.root_from_base).inverse() * world_from_tool;
+        let turned = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), PI);
+        let orientations = if self.symmetric {
+            &[UnitQuaternion::identity(), turned][..]
+        } else {
+            &[UnitQuaternion::identity()][..]
+        };
+        let mut poses = orientations.iter().map(|turn| base_from_tool * turn);
         match self.map {
-            Some(map) => map.reachability(&(base_from_tool * self.cell.tip_from_tool().inverse())),
+            Some(map) => poses.find_map(|base_from_tool| {
+                let base_from_tip = base_from_tool * self.cell.tip_from_tool().inverse();
+                let place = Point3::from(base_from_tip.translation.vector);
+                (map.reachability(&base_from_tip) > IN_REACH).then(|| map.index(&place))
+            }),
             None => {
                 let config = IkConfig {
                     max_restarts: 2,
                     ..IkConfig::default()
                 };
-                let goal = RotationGoal::AboutToolZFree;
-                let found = (self.cell.ik()).solve(&base_from_tool, goal, &[], 0, &config);
-                f64::from(u8::from(matches!(found, Ok(IkOutcome::Solved(_)))))
+                poses.find_map(|base_from_tool| {
+                    let goal = RotationGoal::Full;
+                    let found = (self.cell.ik()).solve(&base_from_tool, goal, &[], 0, &config);
+                    matches!(found, Ok(IkOutcome::Solved(_))).then_some(1.0)
+                })
             }
         }
     }
@@ -103,12 +121,10 @@ impl<'a> Reachability<'a> {
                 let (mut is_prefix, mut covered) = (true, 0);
                 for pose in &poses {
                     let reach = self.of(pose, &world_from_base);
-                    is_prefix &= reach > IN_REACH;
+                    is_prefix &= reach.is_some();
                     in_reach += usize::from(is_prefix);
-                    covered += usize::from(reach > IN_REACH);
-                    if is_prefix {
-                        sum += reach;
-                    }
+                    covered += usize::from(reach.is_some());
+                    sum += reach.filter(|_| is_prefix).unwrap_or(0.0);
                 }
                 Candidate {
                     world_from_base,

@@ -1,16 +1,19 @@
 //! One stroke from touching down to lifting off, from one placement of the base.
 
 use super::arm::Arm;
-use super::edge::{Freedom, Leg, follow_edge, rank, turned};
+use super::edge::{Effort, Freedom, Leg, follow_edge, rank, turned};
 use super::transfer::transfer;
-use super::{Attempt, Phase, ToolPose, Touch};
+use super::{Attempt, Obstruction, Phase, ToolPose, Touch};
 use crate::geometry::PlanarPose;
+use crate::represent::Action;
 use crate::robot::JointPositions;
 
-/// Random starts for each orientation in which a stroke may begin, beside the current configuration.
+/// Starts for each orientation in which a stroke may begin, beside the current configuration: for the
+/// planned orientation, and for any.
+const EXACT_STARTS: u64 = 8;
 const STARTS: u64 = 2;
-/// Random starts of the inverse kinematics for one pose.
-const RESTARTS: usize = 6;
+/// Configurations that are looked at for one that touches nothing.
+const FREE_TRIES: u64 = 4;
 /// A stroke on which the tool is turned away from the plan by less than this per node is as planned [rad].
 const TURNED: f64 = 0.1;
 
@@ -65,6 +68,9 @@ struct Contact {
 
 /// Follows a stroke through `planned` poses as far as possible from any of several configurations.
 ///
+/// First with the tool oriented exactly as planned; only if no configuration can do that, with all its
+/// freedoms.
+///
 /// # Errors
 /// What was tried, if the tool cannot even be put down at the first of them.
 pub(super) fn run(
@@ -75,49 +81,123 @@ pub(super) fn run(
     freedoms: &[Freedom],
     seed: u64,
 ) -> Result<Run, Vec<Attempt>> {
-    let mut attempts = Vec::new();
-    let mut best: Option<Run> = None;
-    let mut tried = 0;
-    let is_as_planned =
-        |run: &Run| run.last + 1 == planned.len() && run.turned <= TURNED * planned.len() as f64;
-    let mut begins: Vec<(&Freedom, u64)> = Vec::new();
-    // The tool carried on over the surface, then put down in configurations reached by free motion.
-    begins.extend(freedoms.iter().map(|freedom| (freedom, 0)));
-    for start in 1..=STARTS {
-        begins.extend(freedoms.iter().map(move |freedom| (freedom, start)));
+    let symmetric = arm.task.tool.is_half_turn_symmetric();
+    let exact: Vec<Freedom> = (freedoms.iter().copied())
+        .filter(|freedom| rank(freedom, symmetric) == 0.0)
+        .collect();
+    let mut search = Search {
+        arm,
+        now,
+        planned,
+        lift_height,
+        seed,
+        attempts: Vec::new(),
+        best: None,
+    };
+    if !search.from_any(&exact, EXACT_STARTS) && !search.from_any(freedoms, STARTS) {
+        search.globally(freedoms);
     }
-    for (freedom, start) in begins {
-        if tried == arm.config.start_configurations {
-            break;
-        }
-        if start == 0 && now.tool.is_none() {
-            continue;
-        }
-        let found = begin(arm, now, &planned[0], lift_height, freedom, start, seed);
-        let begun = match found {
-            Ok(begun) => begun,
-            Err(attempt) => {
-                attempts.push(attempt);
+    search.best.map(|(run, ..)| run).ok_or(search.attempts)
+}
+
+/// The search for a good run of one stroke.
+struct Search<'a> {
+    arm: &'a Arm<'a>,
+    now: &'a Now,
+    planned: &'a [PlanarPose],
+    lift_height: f64,
+    seed: u64,
+    attempts: Vec<Attempt>,
+    /// With the freedom and the start that it began with.
+    best: Option<(Run, Freedom, u64)>,
+}
+
+impl Search<'_> {
+    /// Tries configurations until a run goes all the way about as planned; whether one does.
+    ///
+    /// The tool is carried on over the surface, then put down in configurations reached by free motion.
+    fn from_any(&mut self, freedoms: &[Freedom], starts: u64) -> bool {
+        let mut tried = 0;
+        for start in 0..=starts {
+            if start == 0 && self.now.tool.is_none() {
                 continue;
             }
-        };
-        tried += 1;
-        let contact = wipe(arm, &begun, planned, freedoms);
-        let turned = contact.turned(&begun, arm.task.tool.is_half_turn_symmetric());
-        let is_better = best.as_ref().is_none_or(|best| {
-            contact.legs.len() > best.last
-                || contact.legs.len() == best.last && turned < best.turned
-        });
-        if !is_better {
-            continue;
+            for freedom in freedoms {
+                if tried == self.arm.config.start_configurations {
+                    return self.is_whole();
+                }
+                let Some(is_new_best) = self.from(freedom, start, freedoms, Effort::Local) else {
+                    continue;
+                };
+                tried += 1;
+                if is_new_best && self.is_as_planned() {
+                    return true;
+                }
+            }
         }
-        match finish(arm, now, begun, contact, lift_height, seed) {
-            Ok(run) if is_as_planned(&run) => return Ok(run),
-            Ok(run) => best = Some(run),
-            Err(attempt) => attempts.push(attempt),
+        self.is_whole()
+    }
+
+    /// The best run again, with the global search where it stopped.
+    fn globally(&mut self, freedoms: &[Freedom]) {
+        if let Some((_, freedom, start)) = self.best {
+            self.from(&freedom, start, freedoms, Effort::Global);
         }
     }
-    best.ok_or(attempts)
+
+    fn is_whole(&self) -> bool {
+        (self.best.as_ref()).is_some_and(|(run, ..)| run.last + 1 == self.planned.len())
+    }
+
+    fn is_as_planned(&self) -> bool {
+        let most = TURNED * self.planned.len() as f64;
+        self.is_whole() && (self.best.as_ref()).is_some_and(|(run, ..)| run.turned <= most)
+    }
+
+    /// One configuration: whether it gives the best run so far; `None` if the tool cannot be put down.
+    fn from(
+        &mut self,
+        freedom: &Freedom,
+        start: u64,
+        freedoms: &[Freedom],
+        effort: Effort,
+    ) -> Option<bool> {
+        let (arm, now, planned) = (self.arm, self.now, self.planned);
+        let begun = match begin(
+            arm,
+            now,
+            &planned[0],
+            self.lift_height,
+            freedom,
+            start,
+            self.seed,
+        ) {
+            Ok(begun) => begun,
+            Err(attempt) => {
+                self.attempts.push(attempt);
+                return None;
+            }
+        };
+        let contact = wipe(arm, &begun, planned, freedoms, effort);
+        let turned = contact.turned(&begun, arm);
+        let length = contact.legs.len();
+        let is_better = self.best.as_ref().is_none_or(|(best, ..)| {
+            length > best.last || length == best.last && turned < best.turned
+        });
+        if !is_better {
+            return Some(false);
+        }
+        match finish(arm, now, begun, contact, self.lift_height, self.seed) {
+            Ok(run) => {
+                self.best = Some((run, *freedom, start));
+                Some(true)
+            }
+            Err(attempt) => {
+                self.attempts.push(attempt);
+                Some(false)
+            }
+        }
+    }
 }
 
 /// The tool put down at the begin of a stroke.
@@ -167,12 +247,18 @@ fn begin(
         _ => {
             let near: [&[f64]; 2] = [&now.q, &arm.ready()];
             // The first start looks near the current configuration, the others anywhere.
-            let starts = if start == 1 { &near[..] } else { &[] };
-            let above = arm
-                .reach_anyhow(&lifted, starts, seed.wrapping_add(start), RESTARTS)
-                .and_then(|q| arm.is_free(&q, &q, Touch::Nothing).map(|()| q))
-                .map_err(|obstruction| failed(0.0, obstruction))?;
-            (None, above)
+            let mut found =
+                arm.reach_free(&lifted, if start == 1 { &near } else { &[] }, seed ^ start);
+            for i in 1..FREE_TRIES {
+                if !matches!(
+                    found,
+                    Err(Obstruction::SelfCollision { .. } | Obstruction::SceneCollision { .. })
+                ) {
+                    break;
+                }
+                found = arm.reach_free(&lifted, &[], seed ^ start ^ (i << 16));
+            }
+            (None, found.map_err(|obstruction| failed(0.0, obstruction))?)
         }
     };
     let down = arm
@@ -188,13 +274,27 @@ fn begin(
 }
 
 impl Contact {
-    /// How far the tool is turned away from its planned orientation, summed over the nodes [rad].
-    fn turned(&self, begun: &Begun, symmetric: bool) -> f64 {
-        rank(&begun.freedom, symmetric) + self.legs.iter().map(|leg| leg.turned).sum::<f64>()
+    /// How far the tool is turned away from the plan, summed over the nodes [rad]; nothing where that
+    /// makes no difference.
+    fn turned(&self, begun: &Begun, arm: &Arm) -> f64 {
+        match arm.task.action {
+            Action::Absorb => 0.0,
+            Action::Collect | Action::Skim => {
+                let symmetric = arm.task.tool.is_half_turn_symmetric();
+                let legs = self.legs.iter().map(|leg| leg.turned);
+                rank(&begun.freedom, symmetric) + legs.sum::<f64>()
+            }
+        }
     }
 }
 
-fn wipe(arm: &Arm, begun: &Begun, planned: &[PlanarPose], freedoms: &[Freedom]) -> Contact {
+fn wipe(
+    arm: &Arm,
+    begun: &Begun,
+    planned: &[PlanarPose],
+    freedoms: &[Freedom],
+    effort: Effort,
+) -> Contact {
     let mut contact = Contact {
         legs: Vec::new(),
         end: begun.start(),
@@ -203,7 +303,14 @@ fn wipe(arm: &Arm, begun: &Begun, planned: &[PlanarPose], freedoms: &[Freedom]) 
     };
     for edge in planned.windows(2) {
         let (begin, goal) = (&edge[0], &edge[1]);
-        match follow_edge(arm, &contact.end, &contact.end_pose, [begin, goal], freedoms) {
+        match follow_edge(
+            arm,
+            &contact.end,
+            &contact.end_pose,
+            [begin, goal],
+            freedoms,
+            effort,
+        ) {
             Ok(leg) => {
                 contact.end = *leg.configurations.last().unwrap_or(&contact.end);
                 contact.end_pose = *leg.line.last().unwrap_or(&contact.end_pose);
@@ -248,7 +355,7 @@ fn finish(
         _ => {
             let path = transfer(arm, &now.q, &begun.above, seed).ok_or_else(|| {
                 let blocked = arm.is_free(&now.q, &begun.above, Touch::Nothing);
-                failed(blocked.err().unwrap_or(super::Obstruction::OutOfReach {
+                failed(blocked.err().unwrap_or(Obstruction::OutOfReach {
                     position_error: 0.0,
                     rotation_error: 0.0,
                 }))
@@ -267,7 +374,7 @@ fn finish(
         line: vec![above_start, begun.pose],
     });
     let last = contact.legs.len();
-    let turned = contact.turned(&begun, arm.task.tool.is_half_turn_symmetric());
+    let turned = contact.turned(&begun, arm);
     let mut wiped = vec![begun.pose];
     let mut path = vec![start];
     for leg in contact.legs {

@@ -47,8 +47,11 @@ pub struct WorkcellConfig {
     /// Where the robot stands in the world. For a robot on a planar base: where it starts, in the
     /// plane of the floor.
     pub world_from_robot: Option<Pose>,
-    /// The tool in the frame of the link that holds it; `None` puts it at the end of the hand.
+    /// The tool in the frame of the link that holds it; `None` puts it at the end of the hand, the middle
+    /// of its upper face at the hand's outermost point.
     pub tip_from_tool: Option<Pose>,
+    /// How far the hand leans back from upright over the tool, against its motion [rad].
+    pub hand_lean: f64,
 }
 
 /// A robot with a tool in its hand before a scene.
@@ -86,9 +89,12 @@ impl Workcell {
         task: &Task,
         config: &WorkcellConfig,
     ) -> Result<Self, FollowError> {
-        let (base_link, tip) = group(&robot, srdf, config.group.as_deref())?;
+        let Group {
+            base: base_link,
+            tip,
+            mut ready,
+        } = Group::choose(&robot, srdf, config.group.as_deref())?;
         let base = planar_base(&robot, base_link)?;
-        let mut ready = ready(&robot, srdf);
         let world_from_robot = config.world_from_robot.unwrap_or_else(Pose::identity);
         let world_from_root = match base {
             None => world_from_robot,
@@ -100,9 +106,13 @@ impl Workcell {
                 Pose::identity()
             }
         };
-        let tip_from_tool = config
-            .tip_from_tool
-            .unwrap_or_else(|| held_at_the_end(&robot.links()[tip.index()].collision, task));
+        let tip_from_tool = config.tip_from_tool.unwrap_or_else(|| {
+            held_at_the_end(
+                &robot.links()[tip.index()].collision,
+                task,
+                config.hand_lean,
+            )
+        });
         let ik = IkSolver::new(&robot, base_link, tip, tip_from_tool)?;
         let posture: Vec<f64> = ik.chain().variables().iter().map(|&i| ready[i]).collect();
         let ik = ik.with_posture(&posture)?;
@@ -256,25 +266,46 @@ impl Workcell {
     }
 }
 
-/// Base and tip of the group that wipes.
-fn group(
-    robot: &RobotModel,
-    srdf: Option<&Srdf>,
-    name: Option<&str>,
-) -> Result<(LinkId, LinkId), FollowError> {
-    let groups = srdf.map_or(&[][..], |srdf| &srdf.groups);
-    match name {
-        Some(name) => match groups.iter().find(|group| group.name == name) {
-            Some(group) => Ok((group.base, group.tip)),
-            None => Err(FollowError::UnknownGroup(Box::new(UnknownName::new(
-                "group",
-                name,
-                groups.iter().map(|group| group.name.as_str()),
-            )))),
-        },
-        None => Ok(groups
-            .first()
-            .map_or_else(|| longest_chain(robot), |group| (group.base, group.tip))),
+/// The part of a robot that wipes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Group {
+    /// The link that its chain begins at.
+    pub base: LinkId,
+    /// The link that holds the tool.
+    pub tip: LinkId,
+    /// The robot's ready posture: the SRDF's states of that name over the middle of the limits; all n
+    /// variables [rad or m].
+    pub ready: Vec<f64>,
+}
+
+impl Group {
+    /// The group of a name, or the SRDF's first, or without an SRDF the longest chain.
+    ///
+    /// # Errors
+    /// If the SRDF has no group of that name.
+    pub fn choose(
+        robot: &RobotModel,
+        srdf: Option<&Srdf>,
+        name: Option<&str>,
+    ) -> Result<Self, FollowError> {
+        let groups = srdf.map_or(&[][..], |srdf| &srdf.groups);
+        let (base, tip) = match name {
+            Some(name) => match groups.iter().find(|group| group.name == name) {
+                Some(group) => (group.base, group.tip),
+                None => {
+                    let known = groups.iter().map(|group| group.name.as_str());
+                    let unknown = UnknownName::new("group", name, known);
+                    return Err(FollowError::UnknownGroup(Box::new(unknown)));
+                }
+            },
+            None => (groups.first())
+                .map_or_else(|| longest_chain(robot), |group| (group.base, group.tip)),
+        };
+        Ok(Self {
+            base,
+            tip,
+            ready: ready(robot, srdf),
+        })
     }
 }
 
@@ -358,18 +389,14 @@ fn on_floor(world_from_robot: &Pose) -> Result<PlanarPose, FollowError> {
 }
 
 /// The tool's upper face at the outermost point of the hand, its z axis back towards the hand.
-fn held_at_the_end(hand: &[Collision], task: &Task) -> Pose {
+fn held_at_the_end(hand: &[Collision], task: &Task, lean: f64) -> Pose {
     let reach = hand.iter().map(outermost).fold(0.0, f64::max);
     let (_, top) = task.tool.mesh.bounds();
-    let lean: f64 = std::env::var("LEAN").map_or(0.0, |s| s.parse().unwrap());
-    let r=0.12;
-    let lean_from=Pose::from_parts(Translation3::new(0.0,0.0,reach-r),UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI)) * Pose::from_parts(Translation3::identity(), UnitQuaternion::from_axis_angle(&Vector3::y_axis(), lean)) ;
-    // contact of sphere along the hand axis with the top of the tool
-    let dir = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI)*UnitQuaternion::from_axis_angle(&Vector3::y_axis(), lean);
-    let _=lean_from;
-    let top_in_tip = Vector3::new(0.0,0.0,reach);
-    let t = top_in_tip - dir*Vector3::new(0.0,0.0,top.z);
-    Pose::from_parts(Translation3::from(t), dir)
+    let tip_from_hand_end = Translation3::new(0.0, 0.0, reach);
+    let turned = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI)
+        * UnitQuaternion::from_axis_angle(&Vector3::y_axis(), lean);
+    let hand_end_from_tool = Translation3::new(0.0, 0.0, -top.z);
+    tip_from_hand_end * turned * hand_end_from_tool
 }
 
 /// How far a shape reaches along its link's z axis [m].

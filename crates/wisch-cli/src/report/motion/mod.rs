@@ -67,7 +67,6 @@ pub struct Phase {
 
 /// Whether the tool touches the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(not(test), expect(dead_code, reason = "no command shows a motion yet"))]
 pub enum Contact {
     /// It does.
     Wiping,

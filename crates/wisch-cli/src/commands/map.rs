@@ -1,0 +1,137 @@
+//! `wisch robot map`: what a robot's arm can reach, as a file.
+
+use crate::args::{GlobalArgs, RobotMapArgs};
+use crate::failure::Failure;
+use crate::output::write_whole;
+use crate::progress::Progress;
+use crate::robots::{MAP_EXTENSION, Robot};
+use crate::terminal::{Outcome, print};
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+use wisch::follow::Group;
+use wisch::geometry::Pose;
+use wisch::represent::RobotDescription;
+use wisch::robot::{CapabilityMap, CollisionModel, MapConfig, MapStage, MapTool};
+
+/// The schema of the object that `--json` prints.
+const SCHEMA: u32 = 1;
+/// Clearance that a posture has to keep to count [m].
+const MARGIN: f64 = 5e-3;
+
+/// The object that `--json` prints.
+#[derive(Debug, Serialize)]
+struct MapRecord {
+    format: &'static str,
+    schema: u32,
+    robot: String,
+    base: String,
+    tip: String,
+    voxel_m: f64,
+    voxels: [usize; 3],
+    directions: usize,
+    samples: u64,
+    bytes: usize,
+    build_time_s: f64,
+    out: String,
+}
+
+/// Builds the map and writes it.
+pub fn map(args: &RobotMapArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let progress = Progress::start(global);
+    progress.say("reading the robot");
+    let description = Robot::description(&args.robot);
+    // A path on the command line counts from the working directory.
+    let robot = Robot::read_without_map(&description, Path::new(""), &args.packages)?;
+    let group = Group::choose(&robot.model, robot.srdf.as_ref(), args.group.as_deref())
+        .map_err(Failure::new)?;
+    let collisions =
+        CollisionModel::new(&robot.model, robot.srdf.as_ref()).map_err(Failure::new)?;
+    let chain = robot
+        .model
+        .chain(group.base, group.tip)
+        .map_err(Failure::new)?;
+    let collisions = collisions.for_variables(chain.variables());
+    let tool = MapTool {
+        robot: &robot.model,
+        base: group.base,
+        tip: group.tip,
+        tip_from_tool: Pose::identity(),
+        posture: &group.ready,
+    };
+    let default = MapConfig::default();
+    let config = MapConfig {
+        voxel: args.voxel_m,
+        samples: args.samples.unwrap_or(default.samples),
+        ..default
+    };
+    let start = Instant::now();
+    let is_free = |q: &[f64]| matches!(collisions.collision(q, MARGIN), Ok(None));
+    let built = CapabilityMap::build(&tool, is_free, &config, |stage, done, total| {
+        let what = match stage {
+            MapStage::Sampling => "random postures",
+            MapStage::Spreading => "from cell to cell",
+            MapStage::Refining => "along the boundary",
+        };
+        progress.say(format!("{what}: {done} of {total}"));
+    })
+    .map_err(Failure::new)?;
+    let bytes = built.to_bytes();
+    let out = out_file(args, &description, robot.model.name());
+    write_whole(&out, &bytes)?;
+    drop(progress);
+
+    let (voxels, directions) = built.shape();
+    let name = |link: wisch::robot::LinkId| robot.model.links()[link.index()].name.clone();
+    let record = MapRecord {
+        format: "wisch-robot-map",
+        schema: SCHEMA,
+        robot: robot.model.name().to_owned(),
+        base: name(group.base),
+        tip: name(group.tip),
+        voxel_m: config.voxel,
+        voxels,
+        directions,
+        samples: config.samples,
+        bytes: bytes.len(),
+        build_time_s: start.elapsed().as_secs_f64(),
+        out: out.display().to_string(),
+    };
+    if args.json {
+        let line = serde_json::to_string(&record)
+            .map_err(|error| Failure::new(format!("the report is no JSON: {error}")))?;
+        print(&(line + "\n"))?;
+    } else if !global.quiet {
+        print(&in_words(&record))?;
+    }
+    Ok(Outcome::Done)
+}
+
+/// Where the map goes: beside a URDF, where it is found by itself.
+fn out_file(args: &RobotMapArgs, description: &RobotDescription, robot: &str) -> PathBuf {
+    match (&args.out, description) {
+        (Some(out), _) => out.clone(),
+        (None, RobotDescription::Files { urdf, .. }) => {
+            Path::new(urdf).with_extension(MAP_EXTENSION)
+        }
+        (None, RobotDescription::Named(_)) => PathBuf::from(format!("{robot}.{MAP_EXTENSION}")),
+    }
+}
+
+fn in_words(record: &MapRecord) -> String {
+    let [x, y, z] = record.voxels;
+    format!(
+        "{}: what {} reaches from {}\n  {:<12} {x} x {y} x {z} of {} m, {} directions each\n  {:<12} {:.1} s\n  {:<12} {} ({} kB)\n",
+        record.robot,
+        record.tip,
+        record.base,
+        "voxels",
+        record.voxel_m,
+        record.directions,
+        "build time",
+        record.build_time_s,
+        "map",
+        record.out,
+        record.bytes.div_ceil(1000),
+    )
+}
