@@ -613,3 +613,25 @@ fn groups_that_are_no_chains_are_listed_as_not_read() {
         "unknown group that is a chain \"arm\"; no group that is a chain is known"
     );
 }
+
+proptest! {
+    #[test]
+    fn no_change_of_an_srdf_breaks_the_reader(
+        cuts in prop::collection::vec((any::<prop::sample::Index>(), 0..60usize, 0..6usize), 1..4)
+    ) {
+        let (robot, ..) = &*HUMANOID;
+        let mut text = committed("humanoid.srdf");
+        for (at, length, how) in cuts {
+            let start = text.floor_char_boundary(at.index(text.len()));
+            let end = text.floor_char_boundary((start + length).min(text.len()));
+            let with = ["", "torso_4", "-1e9", "\"", "<group name=\"right_arm\"/>", "0"][how];
+            text.replace_range(start..if how % 2 == 0 { end } else { start }, with);
+        }
+        if let Ok(srdf) = Srdf::parse("humanoid.srdf", &text, robot) {
+            for group in &srdf.groups {
+                robot.chain(group.base, group.tip).unwrap();
+            }
+            CollisionModel::new(robot, Some(&srdf)).unwrap();
+        }
+    }
+}
