@@ -139,7 +139,7 @@ fn trial(task: &Task, file: &TaskFile, robot: &Robot) -> Result<Trial, AnyError>
     };
     let plan = plan(task, &config)?;
     let config = WorkcellConfig {
-        hand_lean: std::env::var("LEAN").map_or(0.0, |s| s.parse().unwrap()),
+        hand_lean: std::env::var("LEAN").map_or(0.8, |s| s.parse().unwrap()),
         world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
         ..WorkcellConfig::default()
     };

@@ -1,6 +1,7 @@
 //! Why a plan cannot be followed at all. What is merely out of reach is part of the outcome.
 
 use super::TimingError;
+use crate::geometry::MeshError;
 use crate::robot::RobotError;
 use crate::text::UnknownName;
 
@@ -54,6 +55,9 @@ pub enum FollowError {
     /// The robot's ready posture is outside its limits.
     #[error("the robot cannot start: {0}")]
     StartOutOfLimits(crate::robot::LimitFault),
+    /// The tool's mesh cannot be used.
+    #[error("tool: {0}")]
+    Tool(#[source] MeshError),
     /// A number of the configuration that makes no sense.
     #[error("{name} is {value}, expected {expected}")]
     Config {

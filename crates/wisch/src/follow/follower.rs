@@ -37,6 +37,8 @@ struct Open {
     nodes: Vec<Waiting>,
     /// Whether the first of them has been wiped already.
     begun: bool,
+    /// Whether the node after it has been given up.
+    skipped: bool,
 }
 
 /// What the arm does from one placement.
@@ -170,7 +172,7 @@ impl Follower<'_> {
                     at = *next.0.last().unwrap_or(&at);
                     stays.push(next);
                 }
-                None => abandoned.push(give_up(&mut open, stopped)),
+                None => abandoned.extend(give_up(&mut open, stopped)),
             }
             progress(all - count(&open));
         }
@@ -187,6 +189,7 @@ impl Follower<'_> {
                     .map(|(&node, &pose)| Waiting { node, pose })
                     .collect(),
                 begun: false,
+                skipped: false,
             })
             .collect()
     }
@@ -289,6 +292,7 @@ impl Follower<'_> {
             now = run.now;
             first.nodes.drain(..run.last);
             first.begun = true;
+            first.skipped &= run.last == 0;
             if first.nodes.len() == 1 {
                 stay.open.remove(0);
             }
@@ -397,9 +401,16 @@ fn best_or_here(
     }]
 }
 
-/// Takes the next node off what is open. The node before it, if wiped already, heads for the one after.
-fn give_up(open: &mut Vec<Open>, attempts: Vec<Attempt>) -> AbandonedNode {
+/// Takes the next node off what is open. The node before it, if wiped already, heads for the one after; if
+/// that has failed before, the tool is put down anew at the one after.
+fn give_up(open: &mut Vec<Open>, attempts: Vec<Attempt>) -> Option<AbandonedNode> {
     let first = &mut open[0];
+    if first.begun && first.skipped {
+        first.nodes.remove(0);
+        first.begun = false;
+        first.skipped = false;
+        return None;
+    }
     let at = usize::from(first.begun && first.nodes.len() > 1);
     let given_up = first.nodes.remove(at);
     let stroke = first.stroke;
@@ -409,6 +420,7 @@ fn give_up(open: &mut Vec<Open>, attempts: Vec<Attempt>) -> AbandonedNode {
         let towards = after.pose.position - before.pose.position;
         let wanted = towards.y.atan2(towards.x);
         before.pose.heading += wrap_angle(wanted - before.pose.heading);
+        first.skipped = true;
     }
     let is_done = match first.nodes.len() {
         0 => true,
@@ -418,9 +430,9 @@ fn give_up(open: &mut Vec<Open>, attempts: Vec<Attempt>) -> AbandonedNode {
     if is_done {
         open.remove(0);
     }
-    AbandonedNode {
+    Some(AbandonedNode {
         node: given_up.node,
         stroke,
         attempts,
-    }
+    })
 }

@@ -1,7 +1,7 @@
 //! Robot, tool and scene as one: what is to move, where it may move, and what is in the way.
 
 use super::{FollowError, JointLimit, JointLimits, ToolPose};
-use crate::geometry::{PlanarPose, Point2, Point3, Pose, Vector3};
+use crate::geometry::{Mesh, PlanarPose, Point2, Point3, Pose, Vector3};
 use crate::represent::{ScenePart, Task};
 use crate::robot::{
     Collision, CollisionModel, IkSolver, JointKind, LinkId, RobotModel, Shape, Srdf,
@@ -30,6 +30,10 @@ pub struct PlanarBase {
     pub yaw: usize,
 }
 
+/// How much less than the margin the tool keeps clear of the scene while it wipes [m]: all but a fraction of
+/// a millimetre of the usual margin.
+const TOOL_RIM: f64 = 4.8e-3;
+
 /// What the tool may touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Touch {
@@ -40,18 +44,31 @@ pub enum Touch {
 }
 
 /// Which part of the robot wipes, and where the robot stands.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub struct WorkcellConfig {
     /// Name of the SRDF's group; `None` takes its first, or without an SRDF the longest chain.
     pub group: Option<String>,
     /// Where the robot stands in the world. For a robot on a planar base: where it starts, in the
     /// plane of the floor.
     pub world_from_robot: Option<Pose>,
-    /// The tool in the frame of the link that holds it; `None` puts it at the end of the hand, the middle
-    /// of its upper face at the hand's outermost point.
+    /// The tool in the frame of the link that holds it; `None` puts it at the end of the hand, the rear
+    /// edge of its upper face at the hand's outermost point.
     pub tip_from_tool: Option<Pose>,
     /// How far the hand leans back from upright over the tool, against its motion [rad].
     pub hand_lean: f64,
+}
+
+impl Default for WorkcellConfig {
+    /// The first group, the robot at the origin, the hand leaning back by 0.8 rad: so far that a hand as
+    /// thick as the tool is wide reaches along obstacles, not so far that it touches the surface.
+    fn default() -> Self {
+        Self {
+            group: None,
+            world_from_robot: None,
+            tip_from_tool: None,
+            hand_lean: 0.8,
+        }
+    }
 }
 
 /// A robot with a tool in its hand before a scene.
@@ -117,9 +134,17 @@ impl Workcell {
         let posture: Vec<f64> = ik.chain().variables().iter().map(|&i| ready[i]).collect();
         let ik = ik.with_posture(&posture)?;
 
-        let mut collisions = CollisionModel::new(&robot, srdf)?;
         let tool = unlike(&robot, &task.tool.name);
+        let bare = CollisionModel::new(&robot, srdf)?;
+        let mut collisions = bare.clone();
         collisions.attach(&tool, tip, tip_from_tool, &task.tool.mesh)?;
+        let mut slim = bare;
+        slim.attach(
+            &tool,
+            tip,
+            tip_from_tool,
+            &without_rim(&task.tool.mesh, TOOL_RIM)?,
+        )?;
         let root_from_world = world_from_root.inverse();
         let mut obstacles = Vec::new();
         let mut carriers = Vec::new();
@@ -130,6 +155,7 @@ impl Workcell {
             let name = unlike(&robot, &object.name);
             let root_from_object = root_from_world * object.world_from_object;
             collisions.add_obstacle(&name, root_from_object, &object.mesh)?;
+            slim.add_obstacle(&name, root_from_object, &object.mesh)?;
             if object.part == ScenePart::Carrier {
                 carriers.push(name.clone());
             }
@@ -138,9 +164,10 @@ impl Workcell {
         let mut in_contact = collisions.clone();
         for carrier in &carriers {
             in_contact.allow(&tool, carrier)?;
+            slim.allow(&tool, carrier)?;
         }
         let arm_collisions = collisions.for_variables(ik.chain().variables());
-        let arm_collisions_in_contact = in_contact.for_variables(ik.chain().variables());
+        let arm_collisions_in_contact = slim.for_variables(ik.chain().variables());
         let base_variables = base.map_or(vec![], |base| vec![base.x, base.y, base.yaw]);
         let base_collisions = collisions.for_variables(&base_variables);
         let limits = limits(&robot)?;
@@ -388,15 +415,27 @@ fn on_floor(world_from_robot: &Pose) -> Result<PlanarPose, FollowError> {
     Ok(PlanarPose::new(Point2::new(at.x, at.y), yaw))
 }
 
-/// The tool's upper face at the outermost point of the hand, its z axis back towards the hand.
+/// The rear edge of the tool's upper face at the outermost point of the hand, the hand leaning back.
 fn held_at_the_end(hand: &[Collision], task: &Task, lean: f64) -> Pose {
     let reach = hand.iter().map(outermost).fold(0.0, f64::max);
-    let (_, top) = task.tool.mesh.bounds();
-    let tip_from_hand_end = Translation3::new(0.0, 0.0, reach);
+    let (low, high) = task.tool.mesh.bounds();
     let turned = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI)
         * UnitQuaternion::from_axis_angle(&Vector3::y_axis(), lean);
-    let hand_end_from_tool = Translation3::new(0.0, 0.0, -top.z);
-    tip_from_hand_end * turned * hand_end_from_tool
+    let tip_from_hand_end = Translation3::new(0.0, 0.0, reach);
+    let grasped_in_tool = Vector3::new(low.x, 0.0, high.z);
+    tip_from_hand_end * turned * Translation3::from(-grasped_in_tool)
+}
+
+/// The tool without its rim: kept clear of the scene by less than the margin, because the plan keeps its
+/// collision sphere, which just holds the tool, clear already.
+fn without_rim(mesh: &Mesh, rim: f64) -> Result<Mesh, FollowError> {
+    let (low, high) = mesh.bounds();
+    let middle = nalgebra::center(&low, &high);
+    let size = high - low;
+    let share = size.map(|side| ((side - 2.0 * rim) / side.max(f64::MIN_POSITIVE)).max(0.1));
+    let vertices = mesh.vertices().iter();
+    let vertices = vertices.map(|v| middle + (v - middle).component_mul(&share));
+    Mesh::new(vertices.collect(), mesh.triangles().to_vec()).map_err(FollowError::Tool)
 }
 
 /// How far a shape reaches along its link's z axis [m].
