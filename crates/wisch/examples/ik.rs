@@ -1,9 +1,9 @@
-//! Solves for poses that the shipped robots can reach: `ik [COUNT] [FOLDER]`, run from the root of the repository.
+//! Solves for poses that the shipped robots can reach: `ik [COUNT] [FOLDER]`, from the repository's root.
 //!
 //! Each pose is that of random joint positions within the limits, coupled ones included. Prints per
-//! chain: how many are solved from the middle of the limits and random restarts, with how many µs per pose;
-//! and how many are followed from there to 5 mm beside. With FOLDER it writes the poses, one per line: x, y, z
-//! [m] and the quaternion x, y, z, w of the tip in the base.
+//! chain how many are solved, from the middle of the limits and by random restarts, and the µs per pose; and
+//! how many of those can be followed by one descent to a pose 5 mm beside, which may be out of reach. With
+//! FOLDER it writes the poses, one per line: x, y, z [m] and the quaternion x, y, z, w of the tip in the base.
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -42,10 +42,10 @@ fn positions(robot: &RobotModel, solver: &IkSolver, random: &mut ChaCha8Rng) -> 
             };
             all[i] = random.random_range(lower..upper);
         }
-        let names_kept = robot
+        if robot
             .limit_faults(&all)
-            .is_ok_and(|faults| faults.is_empty());
-        if names_kept {
+            .is_ok_and(|faults| faults.is_empty())
+        {
             return solver.chain().variables().iter().map(|&i| all[i]).collect();
         }
     }

@@ -48,12 +48,14 @@ impl Bench {
         }
     }
 
-    fn all() -> [Self; 4] {
+    fn all() -> [Self; 5] {
         [
             Self::new(HUMANOID, "platform", "right_tcp"),
             Self::new(HUMANOID, "world", "right_tcp"),
             Self::new(ARM7, "link_0", "tcp"),
             Self::new(ARM6, "link_0", "tcp"),
+            // Five joints for six dimensions.
+            Self::new(ARM6, "link_0", "link_5"),
         ]
     }
 
@@ -304,6 +306,7 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
 fn self_motion_nears_the_posture_while_the_tool_stays() {
     let config = IkConfig {
         limit_gain: 0.0,
+        max_iterations: 1000,
         ..IkConfig::default()
     };
     for mut bench in [
@@ -323,7 +326,7 @@ fn self_motion_nears_the_posture_while_the_tool_stays() {
                 // A second time there is next to nothing left.
                 let again = bench.solver.relax(goal, &relaxed, &config).unwrap();
                 let (first, second) = (distance(&start, &relaxed), distance(&relaxed, &again));
-                assert!(second < 0.2 * first, "{first} rad, then {second} rad");
+                assert!(second < 0.01 * first, "{first} rad, then {second} rad");
             }
         }
     }
@@ -411,16 +414,18 @@ fn the_null_space_term_draws_a_motion_to_the_posture_without_leaps() {
     };
     let posture = *bench.solver.posture();
     let [with, without] = [&drawn, &free].map(|config| {
-        let mut q = JointPositions::clone(&round_a_circle(&bench, &ready, config));
-        for _ in 0..2 {
-            q = round_a_circle(&bench, &q, config);
-        }
-        distance(&q, &posture)
+        let once = round_a_circle(&bench, &ready, config);
+        let twice = round_a_circle(&bench, &once, config);
+        distance(&round_a_circle(&bench, &twice, config), &posture)
     });
-    let before = distance(&ready, &posture);
+    let relaxed = bench
+        .solver
+        .relax(RotationGoal::Full, &ready, &drawn)
+        .unwrap();
+    let nearest = distance(&relaxed, &posture);
     assert!(
-        with < 0.8 * before && with < 0.8 * without,
-        "{before}, {with}, {without} rad"
+        with < nearest + 0.05 && without > nearest + 0.5,
+        "{with}, {without}, {nearest} rad"
     );
 }
 
@@ -438,7 +443,7 @@ fn wrong_input_is_told_by_name_value_and_limit() {
         let among = bench
             .solver
             .solve(target, RotationGoal::Full, &starts, 1, config);
-        assert_eq!(alone, among);
+        assert_eq!(format!("{alone:?}"), format!("{among:?}"));
         alone.unwrap_err().to_string()
     };
     assert_eq!(
@@ -481,7 +486,7 @@ fn wrong_input_is_told_by_name_value_and_limit() {
 
 /// A number of any size, now and then none.
 fn any_number() -> impl Strategy<Value = f64> {
-    prop_oneof![4 => -10.0..10.0, 1 => -1e6..1e6, 1 => any::<f64>()]
+    prop_oneof![4 => -10.0..10.0, 1 => -1e6..1e6, 1 => prop::num::f64::ANY]
 }
 
 proptest! {
@@ -489,28 +494,36 @@ proptest! {
 
     #[test]
     fn no_input_panics_and_no_answer_breaks_a_limit(
+        which in 0..5_usize,
         position in [any_number(), any_number(), any_number()],
         turn in [-4.0..4.0, -4.0..4.0, -4.0..4.0],
-        start in [any_number(), any_number(), any_number(), any_number(), any_number(), any_number(), any_number()],
+        start in prop::collection::vec(any_number(), 13),
         max_step in any_number(),
         free in any::<bool>(),
     ) {
-        let bench = Bench::new(ARM7, "link_0", "tcp");
+        let [a, b, c, d, e] = Bench::all();
+        let bench = [&a, &b, &c, &d, &e][which];
+        let start = &start[..bench.solver.chain().dof()];
         let goal = GOALS[usize::from(free)];
         let turn = UnitQuaternion::from_scaled_axis(Vector3::from(turn));
         let target = Pose::from_parts(position.into(), turn);
         let config = IkConfig { max_step, max_restarts: 3, ..IkConfig::default() };
-        let found = bench.solver.solve(&target, goal, &[&start], 1, &config);
-        prop_assert_eq!(found.clone(), bench.solver.solve(&target, goal, &[&start], 1, &config));
+        let found = bench.solver.solve(&target, goal, &[start], 1, &config);
+        let again = bench.solver.solve(&target, goal, &[start], 1, &config);
+        prop_assert_eq!(format!("{found:?}"), format!("{again:?}"));
         match found {
             Ok(IkOutcome::Solved(q)) => {
                 prop_assert_eq!(bench.faults(&q, &target, goal, &config), [""; 0]);
             }
             Ok(IkOutcome::Stuck { best, position_error, rotation_error }) => {
                 prop_assert!(bench.within_limits(&best));
-                prop_assert!(position_error > config.position_tolerance || rotation_error > config.rotation_tolerance);
+                let (position, rotation) = (config.position_tolerance, config.rotation_tolerance);
+                prop_assert!(position_error > position || rotation_error > rotation);
             }
             Err(_) => {}
+        }
+        if let Ok(relaxed) = bench.solver.relax(goal, start, &config) {
+            prop_assert!(bench.within_limits(&relaxed));
         }
     }
 }

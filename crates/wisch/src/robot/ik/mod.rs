@@ -1,10 +1,10 @@
 //! Inverse kinematics: joint positions that put a tool at a pose, within all limits.
 //!
-//! One descent is the local method (7) of Leidner et al. (2016), q̇ = J†ẋ + (1 − J†J) z, with Levenberg
-//! and Marquardt's damping of J† in the manner of Sugihara (2011): the damping is in proportion to the
-//! error, which tames singularities and targets out of reach, yet vanishes at the solution. Limits that a step
-//! would break become equations of the step, so that the other joints make up for them. Descents that end
-//! in a local minimum are followed by others from random positions.
+//! One descent is the local method, equation (7) of the paper, q̇ = J†ẋ + (1 − J†J) z, with Levenberg and
+//! Marquardt's damping of J† in the manner of Sugihara (2011): it is in proportion to the squared error,
+//! which tames singularities and targets out of reach, yet vanishes at the solution. Limits that a step
+//! would break become equations of the step, so that the other joints make up for them. Descents that
+//! end in a local minimum are followed by others from random positions.
 
 mod descent;
 mod error;
@@ -58,31 +58,27 @@ impl Default for IkConfig {
 
 impl IkConfig {
     fn checked(&self) -> Result<(), RobotError> {
-        let above_zero = 0.0..f64::INFINITY;
-        let share = 0.0..1.0 + f64::EPSILON;
-        for (what, value, range, limit) in [
+        let positive = |value: f64| value > 0.0 && value < f64::INFINITY;
+        let share = |value: f64| (0.0..=1.0).contains(&value);
+        let (position, rotation) = (self.position_tolerance, self.rotation_tolerance);
+        let (step, posture, limit) = (self.max_step, self.posture_gain, self.limit_gain);
+        for (what, value, allowed, limit) in [
             (
                 "position_tolerance",
-                self.position_tolerance,
-                &above_zero,
+                position,
+                positive(position),
                 "greater than 0 m",
             ),
             (
                 "rotation_tolerance",
-                self.rotation_tolerance,
-                &above_zero,
+                rotation,
+                positive(rotation),
                 "greater than 0 rad",
             ),
-            (
-                "max_step",
-                self.max_step,
-                &above_zero,
-                "greater than 0 rad or m",
-            ),
-            ("posture_gain", self.posture_gain, &share, "from 0 to 1"),
-            ("limit_gain", self.limit_gain, &share, "from 0 to 1"),
+            ("max_step", step, positive(step), "greater than 0 rad or m"),
+            ("posture_gain", posture, share(posture), "from 0 to 1"),
+            ("limit_gain", limit, share(limit), "from 0 to 1"),
         ] {
-            let allowed = range.contains(&value) && (value > 0.0 || range == &share);
             if !allowed {
                 return Err(RobotError::Value { what, value, limit });
             }
@@ -229,7 +225,7 @@ impl IkSolver {
     }
 
     /// The same with another posture: positions of the chain's n variables [rad or m] that are drawn near
-    /// as far as the tool does not move. Positions outside the limits are moved to the nearest inside.
+    /// as far as the tool does not move. Positions outside the limits are moved inside.
     ///
     /// # Errors
     /// If `q` is of another length or not finite.
@@ -248,8 +244,10 @@ impl IkSolver {
         &self.posture
     }
 
-    /// One descent from `start`, the chain's n positions [rad or m]; a start outside the limits is first moved to the
-    /// nearest positions inside. A start that reaches the target is the solution.
+    /// One descent from `start`, the chain's n positions [rad or m]; a start outside the limits is first moved
+    /// to near positions inside. Self-motion towards the posture and out of the outer parts of the limits goes
+    /// along, in each step at most as long as the error is [m and rad]: a start that reaches the target is
+    /// the solution.
     ///
     /// # Errors
     /// If `start` is of another length, anything is not finite, the target is farther than
@@ -267,7 +265,8 @@ impl IkSolver {
     }
 
     /// Descents from `starts`, or from the posture if there are none, then from random positions, at most
-    /// [`IkConfig::max_restarts`]; the first that reaches the target ends it. The same seed gives the same answer.
+    /// [`IkConfig::max_restarts`]; the first that reaches the target ends it. Sliding joints are drawn within
+    /// 1 m of the first start, for a base may have a wide range. The same seed gives the same answer.
     ///
     /// # Errors
     /// As for [`solve_from`](Self::solve_from).
@@ -304,7 +303,7 @@ impl IkSolver {
         Ok(best.outcome(config))
     }
 
-    /// The nearest positions within the limits.
+    /// Near positions within the limits.
     fn inside(&self, q: &[f64]) -> Result<JointPositions, RobotError> {
         self.chain.checked(q)?;
         let mut q = JointPositions::copy_of(q);

@@ -9,10 +9,10 @@ use crate::robot::RobotError;
 const SHORTEST: f64 = 1e-6;
 
 impl IkSolver {
-    /// Self-motion: from `start`, the chain's n positions [rad or m], towards the posture and out of the outer
-    /// parts of the limits, while the tool stays where it is, within the tolerances; only the rotations that count
-    /// are held. It ends when no such motion is left, or after [`IkConfig::max_iterations`] steps. A start
-    /// outside the limits is first moved to the nearest positions inside, and the tool with it.
+    /// Self-motion: from `start`, the chain's n positions [rad or m], towards the posture and out of the
+    /// outer parts of the limits, while the tool stays where it is within the tolerances, as far as its
+    /// rotations count. It ends when no such motion is left, or after [`IkConfig::max_iterations`] steps.
+    /// A start outside the limits is first moved to near positions inside, and the tool with it.
     ///
     /// # Errors
     /// If `start` is of another length or not finite, or a value of `config` is out of range.
@@ -37,6 +37,7 @@ impl IkSolver {
             let back = self.descend(&target, aside, &back_only)?;
             if back.reached(config) && self.tension(&back.q, config) < self.tension(&q, config) {
                 q = back.q;
+                longest = (2.0 * longest).min(config.max_step);
             } else {
                 longest *= 0.5;
             }

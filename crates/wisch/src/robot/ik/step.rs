@@ -108,7 +108,8 @@ impl Task {
         }
     }
 
-    /// Makes a limit an equation: what is left of the task is orthogonal to it. False if those that hold prescribe it.
+    /// Makes a limit an equation of the step: what is left of the task is orthogonal to it. False if the
+    /// limits that hold already prescribe the motion along it.
     fn hold(&mut self, held: &mut Held, broken: &Broken) -> bool {
         let n = self.drift.len();
         if held.count == n {
