@@ -4,7 +4,9 @@ use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 use wisch::geometry::{Mesh, Point3, Pose, Vector3};
-use wisch::robot::{CollisionModel, Reason, RobotError, RobotModel, SEGMENT_RESOLUTION, Srdf};
+use wisch::robot::{
+    CollisionModel, Reason, RobotError, RobotModel, SEGMENT_RESOLUTION, Shape, Srdf,
+};
 
 fn committed(file: &str) -> String {
     let path = format!("{}/../../robots/{file}", env!("CARGO_MANIFEST_DIR"));
@@ -65,32 +67,571 @@ fn the_ready_postures_are_free() {
         let clearance = model.clearance(&ready(name), f64::INFINITY).unwrap();
         let nearest = clearance.pair.map(|pair| model.describe(&pair));
         assert!(clearance.distance > 0.005, "{name}: {nearest:?}");
-        println!("{name}: {nearest:?}");
-        for (a, b, reason) in model.allowed_pairs() {
-            println!("  {a} {b} {reason:?}");
+    }
+}
+
+/// A model in which everything collides always would be of no use.
+#[test]
+fn many_postures_are_free() {
+    for (name, expected) in [("humanoid", 400), ("arm7", 900), ("arm6", 750)] {
+        let (robot, _, model) = model(name);
+        let is_free = |i: &usize| {
+            let share = |k: usize| (0.5 + *i as f64 * (2.0 + k as f64).sqrt()).fract();
+            let q = posture(&robot, &(0..robot.dof()).map(share).collect::<Vec<_>>());
+            model.collision(&q, 0.0).unwrap().is_none()
+        };
+        let free = (0..1000).filter(is_free).count();
+        assert!(free > expected, "{name}: {free} of 1000");
+    }
+}
+
+#[test]
+fn what_may_touch_in_the_humanoid_is_what_should() {
+    let (_, _, model) = &*HUMANOID;
+    let mut allowed: Vec<String> = model
+        .allowed_pairs()
+        .map(|(a, b, reason)| format!("{a} {b} {reason:?}"))
+        .collect();
+    allowed.sort();
+    let expected = [
+        "left_arm_2_link left_arm_4_link Neighbours",
+        "left_arm_4_link left_tcp Neighbours",
+        "right_arm_2_link right_arm_4_link Neighbours",
+        "right_arm_4_link right_tcp Neighbours",
+        "torso_2_link torso_3_link Neighbours",
+        "torso_3_link left_arm_4_link Disabled",
+        "torso_3_link right_arm_4_link Disabled",
+        "torso_3_link torso_4_link Neighbours",
+        "torso_4_link head_2_link Neighbours",
+        "torso_4_link left_arm_2_link Neighbours",
+        "torso_4_link right_arm_2_link Neighbours",
+        "torso_foot torso_2_link Neighbours",
+    ];
+    assert_eq!(allowed, expected);
+}
+
+/// Two rods on one post that overlap whatever they do, held by links without shapes, and a third that
+/// only sometimes meets them.
+const CROWDED: &str = r#"<robot name="crowded">
+  <link name="post"/>
+  <link name="a"><collision><geometry><sphere radius="0.2"/></geometry></collision></link>
+  <link name="b"><collision><geometry><sphere radius="0.2"/></geometry></collision></link>
+  <link name="c"><collision><geometry><sphere radius="0.2"/></geometry></collision></link>
+  <joint name="ja" type="continuous"><parent link="post"/><child link="a"/><axis xyz="0 0 1"/></joint>
+  <joint name="jb" type="continuous"><parent link="post"/><child link="b"/><origin xyz="0.1 0 0"/><axis xyz="0 0 1"/></joint>
+  <joint name="jc" type="prismatic"><parent link="post"/><child link="c"/><axis xyz="1 0 0"/><limit lower="-1" upper="1"/></joint>
+</robot>"#;
+
+fn parsed(text: &str) -> RobotModel {
+    RobotModel::from_urdf("text.urdf", text, &mut |_| Err("no meshes".into())).unwrap()
+}
+
+#[test]
+fn pairs_that_always_overlap_may_touch() {
+    let model = CollisionModel::new(&parsed(CROWDED), None).unwrap();
+    let allowed: Vec<_> = model.allowed_pairs().collect();
+    assert_eq!(allowed, [("a", "b", Reason::AlwaysColliding)]);
+    let checked: Vec<_> = model.checked_pairs().collect();
+    assert_eq!(checked, [("a", "c"), ("b", "c")]);
+}
+
+fn ball(radius: f64) -> Mesh {
+    Mesh::sphere(radius, 24).unwrap()
+}
+
+#[test]
+fn planted_collisions_are_found_and_named() {
+    let (robot, _, model) = &*HUMANOID;
+    let q = ready("humanoid");
+    let kinematics = robot.forward_kinematics(&q).unwrap();
+    // An obstacle put on each link that has shapes, about its first shape.
+    for (i, link) in robot.links().iter().enumerate() {
+        let Some(shape) = link.collision.first() else {
+            continue;
+        };
+        let id = robot.link(&link.name).unwrap();
+        let at = kinematics.world_from_link(id) * shape.link_from_shape;
+        let mut planted = model.clone();
+        let name = format!("ball {i}");
+        planted.add_obstacle(&name, at, &ball(0.01)).unwrap();
+        let clearance = planted.clearance(&q, 1.0).unwrap();
+        let contact = clearance.pair.unwrap();
+        assert!(contact.distance < 0.0);
+        assert_eq!(planted.name(contact.b), name);
+        let contact = planted.collision(&q, 0.0).unwrap().unwrap();
+        assert_eq!(planted.name(contact.b), name);
+        planted.allow(&link.name, &name).unwrap();
+        let now = planted.collision(&q, 0.0).unwrap();
+        assert!(now.is_none_or(|c| planted.name(c.a) != link.name));
+    }
+    // A hand through the chest: the elbow folded, the arm turned in.
+    let mut q = q;
+    let at = |name: &str| {
+        let joint = robot.joint(name).unwrap();
+        robot.variables().iter().position(|v| *v == joint).unwrap()
+    };
+    let mut named = BTreeSet::new();
+    for turn in -16..16 {
+        q[at("right_arm_3")] = f64::from(turn) / 16.0 * 2.9;
+        if let Some(contact) = model.collision(&q, 0.0).unwrap() {
+            named.insert((model.name(contact.a), model.name(contact.b)));
+        }
+    }
+    assert!(
+        named
+            .iter()
+            .any(|(a, b)| a.starts_with("torso") && b.starts_with("right_")),
+        "{named:?}"
+    );
+}
+
+#[test]
+fn a_tool_is_checked_but_not_against_its_hand() {
+    let (robot, _, model) = &*HUMANOID;
+    let mut model = model.clone();
+    let tcp = robot.link("right_tcp").unwrap();
+    let sponge = Mesh::cuboid(Vector3::new(0.07, 0.11, 0.05)).unwrap();
+    model
+        .attach("sponge", tcp, Pose::identity(), &sponge)
+        .unwrap();
+    let with: BTreeSet<&str> = model
+        .checked_pairs()
+        .filter(|(a, b)| *a == "sponge" || *b == "sponge")
+        .map(|(a, _)| a)
+        .collect();
+    let expected = [
+        "head_2_link",
+        "left_arm_2_link",
+        "left_arm_4_link",
+        "left_tcp",
+        "right_arm_2_link",
+        "torso_2_link",
+        "torso_3_link",
+        "torso_4_link",
+        "torso_foot",
+    ];
+    assert_eq!(with, BTreeSet::from(expected));
+    let q = ready("humanoid");
+    let world_from_tool = robot.forward_kinematics(&q).unwrap().world_from_link(tcp);
+    model
+        .add_obstacle("crumb", world_from_tool, &ball(0.005))
+        .unwrap();
+    // The hand's shape reaches beyond the TCP.
+    model.allow("right_tcp", "crumb").unwrap();
+    let contact = model.collision(&q, 0.0).unwrap().unwrap();
+    assert_eq!(
+        model.describe(&contact),
+        "\"sponge\" and \"crumb\" overlap by at least 0.0002 m"
+    );
+}
+
+#[test]
+fn names_poses_and_arrays_that_are_wrong_are_refused() {
+    let robot = parsed(CROWDED);
+    let mut model = CollisionModel::new(&robot, None).unwrap();
+    let mesh = ball(0.1);
+    let nowhere = Pose::translation(f64::NAN, 0.0, 0.0);
+    let faults = [
+        (
+            model.allow("a", "cc"),
+            "unknown link, body or obstacle \"cc\"; nearest: c",
+        ),
+        (
+            model.add_obstacle("a", Pose::identity(), &mesh),
+            "body \"a\": a link, body or obstacle of that name exists",
+        ),
+        (
+            model.add_obstacle("wall", nowhere, &mesh),
+            "body \"wall\": its pose is not finite",
+        ),
+        (
+            model.attach("tool", robot.root(), nowhere, &mesh),
+            "body \"tool\": its pose is not finite",
+        ),
+        (
+            model.clearance(&[0.0; 2], 1.0).map(|_| ()),
+            "positions has 2 values, the robot has 3 variables",
+        ),
+        (
+            model.clearance(&[0.0, f64::NAN, 0.0], 1.0).map(|_| ()),
+            "joint \"jb\": positions NaN is not finite",
+        ),
+        (
+            model.clearance(&[0.0; 3], -0.5).map(|_| ()),
+            "distance to look up to is -0.5 m, expected at least 0 m",
+        ),
+        (
+            model.collision(&[0.0; 3], f64::NAN).map(|_| ()),
+            "margin is NaN m, expected at least 0 m",
+        ),
+        (
+            model.segment_contact(&[0.0; 3], &[0.0; 4], 0.0).map(|_| ()),
+            "positions has 4 values, the robot has 3 variables",
+        ),
+    ];
+    for (result, expected) in faults {
+        let message = result.unwrap_err().to_string();
+        assert!(message.starts_with(expected), "{message}");
+    }
+    let far = HUMANOID.0.link("right_tcp").unwrap();
+    let foreign = model.attach("tool", far, Pose::identity(), &mesh);
+    assert!(matches!(foreign, Err(RobotError::ForeignLink { .. })));
+    assert_eq!(model.motion_bound(&[0.0; 3], &[0.0; 2]), f64::INFINITY);
+    // Far beyond any number that makes sense.
+    for q in [[1e300; 3], [f64::MAX; 3], [-f64::MAX; 3]] {
+        model.clearance(&q, f64::INFINITY).unwrap();
+        model.collision(&q, 0.1).unwrap();
+    }
+}
+
+/// The humanoid with a sponge in its right hand before a table, and only its right arm moves.
+fn at_the_table() -> &'static (CollisionModel, CollisionModel) {
+    static MODEL: LazyLock<(CollisionModel, CollisionModel)> = LazyLock::new(|| {
+        let (robot, _, model) = &*HUMANOID;
+        let mut model = model.clone();
+        let tcp = robot.link("right_tcp").unwrap();
+        let sponge = Mesh::cylinder(0.04, 0.1, 9).unwrap();
+        model
+            .attach("sponge", tcp, Pose::translation(0.0, 0.0, 0.2), &sponge)
+            .unwrap();
+        let table = Mesh::cuboid(Vector3::new(1.2, 0.8, 0.04)).unwrap();
+        model
+            .add_obstacle("table", Pose::translation(0.9, 0.0, 0.73), &table)
+            .unwrap();
+        model
+            .add_obstacle(
+                "post",
+                Pose::translation(0.6, -0.3, 1.2),
+                &Mesh::cylinder(0.03, 0.5, 12).unwrap(),
+            )
+            .unwrap();
+        let base = |i: usize| i < 3;
+        let arm: Vec<usize> = (0..robot.dof())
+            .filter(|&i| !base(i) && robot.variable(i).name.starts_with("right_arm"))
+            .collect();
+        let arm_only = model.for_variables(&arm);
+        (model, arm_only)
+    });
+    &MODEL
+}
+
+#[test]
+fn a_model_for_some_variables_leaves_out_what_they_do_not_move() {
+    let (all, arm) = at_the_table();
+    let pairs: Vec<_> = arm.checked_pairs().collect();
+    assert!(pairs.len() < all.checked_pairs().count());
+    for (a, b) in &pairs {
+        let moved = |name: &str| name.starts_with("right_") || name == "sponge";
+        assert!(moved(a) != moved(b) || (moved(a) && moved(b)), "{a} {b}");
+        assert!(!a.starts_with("left_") || !b.starts_with("left_"));
+    }
+    // Nothing that the arm moves is lost.
+    let lost = all.checked_pairs().filter(|pair| !pairs.contains(pair));
+    for (a, b) in lost {
+        assert!(
+            !a.starts_with("right_") && !b.starts_with("right_") && b != "sponge",
+            "{a} {b}"
+        );
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn the_clearance_is_the_least_and_pruning_changes_nothing(shares in shares(), up_to in 0.0..0.3f64) {
+        let (robot, ..) = &*HUMANOID;
+        let (model, arm) = at_the_table();
+        let q = posture(robot, &shares);
+        let all = model.clearance(&q, f64::INFINITY).unwrap();
+        let near = model.clearance(&q, up_to).unwrap();
+        prop_assert_eq!(near.distance, all.distance.min(up_to));
+        prop_assert_eq!(near.pair.is_some(), all.distance < up_to);
+        prop_assert_eq!(model.collision(&q, up_to).unwrap().is_some(), all.distance <= up_to);
+        prop_assert!(arm.clearance(&q, f64::INFINITY).unwrap().distance >= all.distance);
+        prop_assert_eq!(all, model.clearance(&q, f64::INFINITY).unwrap());
+    }
+
+    #[test]
+    fn nothing_moves_further_than_its_bound(from in shares(), to in shares(), step in 0.01..1.0f64) {
+        let (robot, ..) = &*HUMANOID;
+        let from = posture(robot, &from);
+        let to: Vec<f64> = posture(robot, &to).iter().zip(&from).map(|(b, a)| a + step * (b - a)).collect();
+        let bound = at_the_table().0.motion_bound(&from, &to);
+        // The tips of every shape.
+        let mut points: Vec<(usize, Point3)> = Vec::new();
+        for (i, link) in robot.links().iter().enumerate() {
+            for collision in &link.collision {
+                let tip = match collision.shape {
+                    Shape::Capsule { radius, length } => radius + length / 2.0,
+                    Shape::Sphere { radius } => radius,
+                    _ => 0.0,
+                };
+                let tips = [-tip, tip].map(|z| collision.link_from_shape * Point3::new(0.0, 0.0, z));
+                points.extend(tips.map(|p| (i, p)));
+            }
+        }
+        let places = |q: &[f64]| -> Vec<Point3> {
+            let kinematics = robot.forward_kinematics(q).unwrap();
+            let place = |&(i, p): &(usize, Point3)| {
+                let id = robot.link(&robot.links()[i].name).unwrap();
+                kinematics.world_from_link(id) * p
+            };
+            points.iter().map(place).collect()
+        };
+        let start = places(&from);
+        for i in 1..=10 {
+            let q: Vec<f64> = from.iter().zip(&to).map(|(a, b)| a + f64::from(i) / 10.0 * (b - a)).collect();
+            for (a, b) in start.iter().zip(places(&q)) {
+                prop_assert!((b - a).norm() <= bound, "{} > {bound}", (b - a).norm());
+            }
+        }
+    }
+
+    #[test]
+    fn a_segment_is_free_only_if_all_its_postures_are(
+        from in shares(),
+        to in shares(),
+        step in 0.01..0.5f64,
+        margin in prop_oneof![Just(0.0), 0.0..0.05f64],
+    ) {
+        let (robot, ..) = &*HUMANOID;
+        let from = posture(robot, &from);
+        let to: Vec<f64> = posture(robot, &to).iter().zip(&from).map(|(b, a)| a + step * (b - a)).collect();
+        for model in [&at_the_table().0, &at_the_table().1] {
+            let found = model.segment_contact(&from, &to, margin).unwrap();
+            let mut least = f64::INFINITY;
+            for i in 0..=300 {
+                let t = f64::from(i) / 300.0;
+                let q: Vec<f64> = from.iter().zip(&to).map(|(a, b)| a + t * (b - a)).collect();
+                least = least.min(model.clearance(&q, 1.0).unwrap().distance);
+            }
+            if found.is_none() {
+                prop_assert!(least > margin, "{least} m, margin {margin} m");
+            } else {
+                // What is called a contact comes that near between the samples.
+                let spacing = model.motion_bound(&from, &to) / 300.0;
+                prop_assert!(least <= margin + SEGMENT_RESOLUTION + spacing, "{least} m, margin {margin} m");
+            }
         }
     }
 }
 
 #[test]
-fn many_postures_are_free() {
-    for name in ["humanoid", "arm7", "arm6"] {
-        let (robot, _, model) = model(name);
-        let mut free = 0;
-        let mut hits = std::collections::BTreeMap::<String, usize>::new();
-        for i in 0..1000 {
-            let share = |k: usize| (0.5 + (i as f64) * (2.0 + k as f64).sqrt()).fract();
-            let q = posture(&robot, &(0..robot.dof()).map(share).collect::<Vec<_>>());
-            match model.collision(&q, 0.0).unwrap() {
-                None => free += 1,
-                Some(c) => {
-                    *hits
-                        .entry(format!("{} {}", model.name(c.a), model.name(c.b)))
-                        .or_default() += 1
-                }
-            }
+fn sampling_too_coarsely_misses_what_a_segment_finds() {
+    // A fast pass by a thin post: free at both ends and in the middle.
+    let robot = parsed(CROWDED);
+    let mut model = CollisionModel::new(&robot, None).unwrap();
+    model.allow("a", "c").unwrap();
+    model.allow("b", "c").unwrap();
+    let post = Mesh::cylinder(0.001, 1.0, 8).unwrap();
+    model
+        .add_obstacle("pole", Pose::translation(0.5, 0.0, 0.0), &post)
+        .unwrap();
+    let (from, to) = ([0.0, 0.0, -1.0], [0.0, 0.0, 1.0]);
+    for q in [from, [0.0; 3], to] {
+        assert!(model.collision(&q, 0.0).unwrap().is_none());
+    }
+    let contact = model.segment_contact(&from, &to, 0.0).unwrap().unwrap();
+    assert_eq!(
+        (model.name(contact.a), model.name(contact.b)),
+        ("c", "pole")
+    );
+    assert!(
+        model
+            .segment_contact(&from, &[0.0, 0.0, 0.29], 0.0)
+            .unwrap()
+            .is_none()
+    );
+}
+
+#[test]
+fn the_shipped_srdf_files_are_valid() {
+    for (name, groups) in [
+        ("humanoid", &["right_arm", "left_arm"][..]),
+        ("arm7", &["arm"]),
+        ("arm6", &["arm"]),
+    ] {
+        let robot = robot(name);
+        let srdf = srdf(name, &robot);
+        let found: Vec<_> = srdf
+            .groups
+            .iter()
+            .map(|group| group.name.as_str())
+            .collect();
+        assert_eq!(found, groups);
+        for group in &srdf.groups {
+            robot.chain(group.base, group.tip).unwrap();
         }
-        println!("{name}: {free} {hits:?}");
-        assert!(free > 100, "{name}: {free} of 1000");
+        let ready = srdf.state("ready").unwrap();
+        assert_eq!(ready.positions.len(), robot.dof());
+        assert_eq!(
+            robot
+                .limit_faults(&ready.applied_to(&vec![0.0; robot.dof()]))
+                .unwrap(),
+            []
+        );
+    }
+    let whole_body = &srdf("humanoid", &robot("humanoid")).ignored[0];
+    assert_eq!(whole_body.what, "group \"whole_body\": not one chain");
+}
+
+#[test]
+fn the_ready_humanoid_is_symmetric_and_where_it_is_known_to_be() {
+    let (robot, ..) = &*HUMANOID;
+    let kinematics = robot.forward_kinematics(&ready("humanoid")).unwrap();
+    let world_from = |link: &str| kinematics.world_from_link(robot.link(link).unwrap());
+    let platform_from = |link: &str| {
+        world_from("platform")
+            .inv_mul(&world_from(link))
+            .translation
+            .vector
+    };
+    let (right, left) = (platform_from("right_tcp"), platform_from("left_tcp"));
+    assert!((right - Vector3::new(0.1731, -0.2228, 0.8110)).amax() < 1e-4);
+    assert!((right - Vector3::new(left.x, -left.y, left.z)).norm() < 1e-9);
+}
+
+#[test]
+fn ready_arms_point_down_before_their_base() {
+    for name in ["arm7", "arm6"] {
+        let robot = robot(name);
+        let kinematics = robot.forward_kinematics(&ready(name)).unwrap();
+        let world_from_tcp = kinematics.world_from_link(robot.link("tcp").unwrap());
+        let down = world_from_tcp * Vector3::z();
+        assert!(down.z < -0.999, "{name}: {down:?}");
+        let at = world_from_tcp.translation.vector;
+        assert!(
+            at.x > 0.25 && at.y.abs() < 0.2 && at.z > 0.1,
+            "{name}: {at:?}"
+        );
+    }
+}
+
+const ARM: &str = r#"<robot name="arm">
+  <group name="arm"><chain base_link="link_0" tip_link="tcp"/></group>
+  <group_state name="home" group="arm"><joint name="joint_1" value="0.5"/></group_state>
+  <disable_collisions link1="link_0" link2="link_2" reason="Never"/>
+</robot>"#;
+
+#[test]
+fn faults_of_an_srdf_are_found_and_placed() {
+    let robot = robot("arm7");
+    Srdf::parse("arm.srdf", ARM, &robot).unwrap();
+    let table = [
+        ("<robot", "<robots", "arm.srdf:"),
+        (
+            "tip_link=\"tcp\"",
+            "tip_link=\"tpc\"",
+            "arm.srdf:2:21: unknown link \"tpc\"; nearest: tcp",
+        ),
+        (
+            "tip_link=\"tcp\"",
+            "",
+            "arm.srdf:2:21: <chain tip_link=\"\">: expected a name",
+        ),
+        (
+            "base_link=\"link_0\" tip_link=\"tcp\"",
+            "base_link=\"tcp\" tip_link=\"link_0\"",
+            "arm.srdf:2:21: group \"arm\": link \"link_0\" does not hang on link \"tcp\"",
+        ),
+        (
+            "group=\"arm\"",
+            "group=\"amr\"",
+            "arm.srdf:3:3: unknown group \"amr\"; nearest: arm",
+        ),
+        (
+            "joint_1",
+            "joint_9",
+            "arm.srdf:3:40: unknown variable joint \"joint_9\"; nearest: joint_",
+        ),
+        (
+            "name=\"joint_1\"",
+            "name=\"flange\"",
+            "arm.srdf:3:40: unknown variable joint \"flange\"",
+        ),
+        (
+            "0.5",
+            "5.0",
+            "arm.srdf:3:40: <joint value=\"5.0\">: expected a position within the joint's limits",
+        ),
+        (
+            "0.5",
+            "half",
+            "arm.srdf:3:40: <joint value=\"half\">: expected a number",
+        ),
+        (
+            "0.5",
+            "NaN",
+            "arm.srdf:3:40: <joint value=\"NaN\">: expected a number",
+        ),
+        (
+            "link_2\"",
+            "link_99\"",
+            "arm.srdf:4:3: unknown link \"link_99\"; nearest: link_",
+        ),
+        (
+            "</group_state>",
+            "<joint name=\"joint_1\" value=\"0\"/></group_state>",
+            "arm.srdf:3:75: joint \"joint_1\" is there twice",
+        ),
+        (
+            "  <disable",
+            "<group name=\"arm\"/>  <disable",
+            "arm.srdf:4:1: group \"arm\" is there twice",
+        ),
+    ];
+    for (good, bad, expected) in table {
+        assert!(ARM.contains(good), "{good}");
+        let message = Srdf::parse("arm.srdf", &ARM.replacen(good, bad, 1), &robot)
+            .unwrap_err()
+            .to_string();
+        assert!(message.starts_with(expected), "{message}\n{expected}");
+    }
+}
+
+#[test]
+fn groups_that_are_no_chains_are_listed_as_not_read() {
+    let text = ARM.replace(
+        "<group name=\"arm\"><chain base_link=\"link_0\" tip_link=\"tcp\"/></group>",
+        "<group name=\"arm\"><joint name=\"joint_1\"/></group><group name=\"hand\"><link name=\"tcp\"/><link name=\"link_7\"/></group>",
+    );
+    let srdf = Srdf::parse("arm.srdf", &text, &robot("arm7")).unwrap();
+    assert!(srdf.groups.is_empty());
+    assert_eq!(srdf.states[0].positions, [(0, 0.5)]);
+    let ignored: Vec<_> = srdf.ignored.iter().map(|i| i.what.as_str()).collect();
+    assert_eq!(
+        ignored,
+        [
+            "group \"arm\" of a joint, not a chain",
+            "group \"hand\": not one chain"
+        ]
+    );
+    let message = srdf.group("arm").unwrap_err().to_string();
+    assert_eq!(
+        message,
+        "unknown group that is a chain \"arm\"; no group that is a chain is known"
+    );
+}
+
+proptest! {
+    #[test]
+    fn no_change_of_an_srdf_breaks_the_reader(
+        cuts in prop::collection::vec((any::<prop::sample::Index>(), 0..60usize, 0..6usize), 1..4)
+    ) {
+        let (robot, ..) = &*HUMANOID;
+        let mut text = committed("humanoid.srdf");
+        for (at, length, how) in cuts {
+            let start = text.floor_char_boundary(at.index(text.len()));
+            let end = text.floor_char_boundary((start + length).min(text.len()));
+            let with = ["", "torso_4", "-1e9", "\"", "<group name=\"right_arm\"/>", "0"][how];
+            text.replace_range(start..if how % 2 == 0 { end } else { start }, with);
+        }
+        if let Ok(srdf) = Srdf::parse("humanoid.srdf", &text, robot) {
+            for group in &srdf.groups {
+                robot.chain(group.base, group.tip).unwrap();
+            }
+            CollisionModel::new(robot, Some(&srdf)).unwrap();
+        }
     }
 }

@@ -4,9 +4,10 @@ use super::urdf::{Reader, elements};
 use super::{LinkId, RobotError, RobotModel};
 use crate::text::{Place, UnknownName};
 use roxmltree::Node;
+use std::collections::BTreeSet;
 
-/// Most groups, postures and disabled pairs together.
-const MAX_ENTRIES: usize = 500_000;
+/// Most groups.
+const MAX_GROUPS: usize = 1000;
 
 /// An SRDF, read for one robot.
 ///
@@ -26,7 +27,7 @@ const MAX_ENTRIES: usize = 500_000;
 /// assert_eq!(ready.applied_to(&[0.0]), [0.5]);
 ///
 /// let fault = Srdf::parse("r.srdf", &text.replace("pivot", "pivto"), &robot).unwrap_err();
-/// assert_eq!(fault.to_string(), "r.srdf:3:43: unknown variable joint \"pivto\"; nearest: pivot");
+/// assert_eq!(fault.to_string(), "r.srdf:3:41: unknown variable joint \"pivto\"; nearest: pivot");
 /// # Ok::<(), wisch::robot::RobotError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -37,8 +38,8 @@ pub struct Srdf {
     pub states: Vec<GroupState>,
     /// Pairs of links that are not checked against each other.
     pub disabled: Vec<DisabledPair>,
-    /// What the text has but is not read: groups by joints, links or other groups, and passive joints.
-    /// End effectors and virtual joints say nothing that the URDF does not, and are passed over.
+    /// Groups that are not read: those of joints, links or other groups. Virtual and passive joints
+    /// and end effectors are passed over.
     pub ignored: Vec<Ignored>,
 }
 
@@ -76,12 +77,12 @@ pub struct DisabledPair {
     pub reason: String,
 }
 
-/// An element that is not read.
+/// A group that is not read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Ignored {
     /// Where it is.
     pub at: Place,
-    /// What it is, such as `group "hand" of joints`.
+    /// What it is, such as `group "hand" of a joint, not a chain`.
     pub what: String,
 }
 
@@ -111,34 +112,35 @@ impl Srdf {
         let document = reader.document()?;
         let root = reader.robot(&document)?;
         let mut srdf = Self::default();
-        let mut group_names = Vec::new();
+        let mut groups = BTreeSet::new();
         // Postures may come before their groups.
         for node in elements(root, "group") {
             let name = reader.name(node, "name")?;
-            if group_names.contains(&name) {
+            srdf.read_group(&reader, node, &name, robot)?;
+            if !groups.insert(name.clone()) {
                 return Err(reader.fault(node, format!("group {name:?} is there twice")));
             }
-            srdf.read_group(&reader, node, &name, robot)?;
-            group_names.push(name);
+            if groups.len() > MAX_GROUPS {
+                return Err(reader.too_large("groups", groups.len(), MAX_GROUPS));
+            }
         }
-        for node in root.children().filter(Node::is_element) {
-            match node.tag_name().name() {
-                "group_state" => srdf.read_state(&reader, node, &group_names, robot)?,
-                "disable_collisions" => {
-                    let link = |attribute| reader.link_of(node, attribute, robot);
-                    srdf.disabled.push(DisabledPair {
-                        a: link("link1")?,
-                        b: link("link2")?,
-                        reason: node.attribute("reason").unwrap_or_default().to_owned(),
-                    });
-                }
-                "passive_joint" => srdf.ignore(&reader, node, "passive joint".to_owned()),
-                _ => {}
+        let mut states = BTreeSet::new();
+        for node in elements(root, "group_state") {
+            let state = reader.state(node, &groups, robot)?;
+            let GroupState { name, group, .. } = &state;
+            if !states.insert((group.clone(), name.clone())) {
+                let problem = format!("state {name:?} of group {group:?} is there twice");
+                return Err(reader.fault(node, problem));
             }
-            let entries = srdf.states.len() + srdf.disabled.len();
-            if entries > MAX_ENTRIES {
-                return Err(reader.too_large("entries", entries, MAX_ENTRIES));
-            }
+            srdf.states.push(state);
+        }
+        for node in elements(root, "disable_collisions") {
+            let link = |attribute| reader.link_of(node, attribute, robot);
+            srdf.disabled.push(DisabledPair {
+                a: link("link1")?,
+                b: link("link2")?,
+                reason: node.attribute("reason").unwrap_or_default().to_owned(),
+            });
         }
         Ok(srdf)
     }
@@ -200,52 +202,6 @@ impl Srdf {
         self.groups.push(Group { name, base, tip });
         Ok(())
     }
-
-    fn read_state(
-        &mut self,
-        reader: &Reader,
-        node: Node,
-        groups: &[String],
-        robot: &RobotModel,
-    ) -> Result<(), RobotError> {
-        let name = reader.name(node, "name")?;
-        let group = reader.name(node, "group")?;
-        if !groups.contains(&group) {
-            let known = groups.iter().map(String::as_str);
-            return Err(reader.unknown_at(node, "group", &group, known));
-        }
-        if self
-            .states
-            .iter()
-            .any(|state| state.name == name && state.group == group)
-        {
-            let problem = format!("state {name:?} of group {group:?} is there twice");
-            return Err(reader.fault(node, problem));
-        }
-        let mut positions: Vec<(usize, f64)> = Vec::new();
-        for joint in elements(node, "joint") {
-            let joint_name = reader.name(joint, "name")?;
-            let position = reader.needed(joint, "value")?;
-            if let Some(variable) = reader.variable_of(joint, &joint_name, robot)? {
-                if positions.iter().any(|&(known, _)| known == variable) {
-                    let problem = format!("joint {joint_name:?} is there twice");
-                    return Err(reader.fault(joint, problem));
-                }
-                let limits = robot.variable(variable).limits.position;
-                if limits.is_some_and(|l| position < l.lower || position > l.upper) {
-                    let expected = "a position within the joint's limits";
-                    return Err(reader.attribute_fault(joint, "value", expected));
-                }
-                positions.push((variable, position));
-            }
-        }
-        self.states.push(GroupState {
-            name,
-            group,
-            positions,
-        });
-        Ok(())
-    }
 }
 
 fn unknown<'a>(kind: &'static str, name: &str, known: impl Iterator<Item = &'a str>) -> RobotError {
@@ -278,6 +234,43 @@ impl Reader<'_> {
             at: self.at(node),
             unknown: Box::new(UnknownName::new(kind, name, known)),
         }
+    }
+
+    fn state(
+        &self,
+        node: Node,
+        groups: &BTreeSet<String>,
+        robot: &RobotModel,
+    ) -> Result<GroupState, RobotError> {
+        let name = self.name(node, "name")?;
+        let group = self.name(node, "group")?;
+        if !groups.contains(&group) {
+            let known = groups.iter().map(String::as_str);
+            return Err(self.unknown_at(node, "group", &group, known));
+        }
+        let mut positions: Vec<(usize, f64)> = Vec::new();
+        for joint in elements(node, "joint") {
+            let joint_name = self.name(joint, "name")?;
+            let position = self.needed(joint, "value")?;
+            let Some(variable) = self.variable_of(joint, &joint_name, robot)? else {
+                continue;
+            };
+            if positions.iter().any(|&(known, _)| known == variable) {
+                let problem = format!("joint {joint_name:?} is there twice");
+                return Err(self.fault(joint, problem));
+            }
+            let limits = robot.variable(variable).limits.position;
+            if limits.is_some_and(|l| position < l.lower || position > l.upper) {
+                let expected = "a position within the joint's limits";
+                return Err(self.attribute_fault(joint, "value", expected));
+            }
+            positions.push((variable, position));
+        }
+        Ok(GroupState {
+            name,
+            group,
+            positions,
+        })
     }
 
     fn link_of(

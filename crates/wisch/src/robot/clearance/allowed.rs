@@ -60,11 +60,8 @@ pub(super) fn neighbours(robot: &RobotModel) -> Vec<Vec<BodyId>> {
 impl CollisionModel {
     /// Lets two bodies touch; a reason that is known stays.
     pub(super) fn permit(&mut self, a: BodyId, b: BodyId, reason: Reason) {
-        let pair = [a.min(b), a.max(b)];
-        if a != b
-            && let Err(at) = self.allowed.binary_search_by_key(&pair, |(p, _)| *p)
-        {
-            self.allowed.insert(at, (pair, reason));
+        if a != b {
+            self.allowed.entry([a.min(b), a.max(b)]).or_insert(reason);
         }
     }
 

