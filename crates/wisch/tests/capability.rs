@@ -7,7 +7,10 @@ use std::f64::consts::{FRAC_PI_3, PI};
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 use wisch::geometry::{Point3, Pose, Vector3};
-use wisch::robot::{CapabilityMap, MapConfig, MapError, MapStage, MapTool, RobotHash, RobotModel};
+use wisch::robot::{
+    CapabilityMap, CollisionModel, IkConfig, IkOutcome, IkSolver, MapConfig, MapError, MapStage,
+    MapTool, RobotHash, RobotModel, RotationGoal,
+};
 
 fn read(text: &str) -> RobotModel {
     RobotModel::from_urdf("test.urdf", text, &mut |_| Err("no meshes".into())).unwrap()
@@ -80,11 +83,11 @@ fn is_in_reach(base_from_tool: &Pose, bend: f64) -> bool {
 }
 
 const CONFIG: MapConfig = MapConfig {
-    voxel: 0.06,
+    voxel: 0.075,
     frequency: 4,
-    samples: 50_000,
+    samples: 20_000,
     seed: 7,
-    starts: 4,
+    starts: 3,
     refinements: 4,
 };
 
@@ -102,6 +105,14 @@ fn build(robot: &RobotModel, config: &MapConfig) -> Result<CapabilityMap, MapErr
     let posture = vec![0.0; robot.dof()];
     CapabilityMap::build(&tool(robot, &posture), |_| true, config, |_, _, _| {})
 }
+
+/// Coarse, and so made soon.
+const COARSE: MapConfig = MapConfig {
+    voxel: 0.12,
+    frequency: 2,
+    samples: 5_000,
+    ..CONFIG
+};
 
 static TELESCOPE: LazyLock<(RobotModel, CapabilityMap)> = LazyLock::new(|| {
     let robot = telescope(FRAC_PI_3);
@@ -212,7 +223,7 @@ fn the_index_is_the_share_of_the_sphere_that_the_cone_has() {
             (index - expected).abs() < 0.03,
             "{index}, expected {expected}"
         );
-        assert_eq!(map.index(&Point3::from(0.75 * axis)), 0.0);
+        assert_eq!(map.index(&Point3::from(0.8 * axis)), 0.0);
     }
     assert!(
         (mean - expected).abs() < 0.01,
@@ -241,9 +252,9 @@ fn what_forward_kinematics_reaches_is_in_the_map() {
         // Even at the boundary half of the cell that it is in can be reached.
         assert!(map.reachability(&base_from_tool) > 0.1);
     }
-    // A sample within a tenth of a cell of the boundary may be missed: the range of the slide is five
-    // cells wide and that of the bend seven, either with two ends.
-    assert!(f64::from(found) > 0.95 * f64::from(POSES), "{found}");
+    // A sample within a tenth of a cell of the boundary may be missed. The range of the slide is four
+    // cells wide and has two ends, that of the bend three and one: 5 % and 3 %.
+    assert!(f64::from(found) > 0.92 * f64::from(POSES), "{found}");
 }
 
 #[test]
@@ -257,56 +268,98 @@ fn what_collides_is_not_reached() {
     // Pitching down is a collision, unless the joint that is not of the chain is elsewhere.
     let is_free = |q: &[f64]| q[0] == lamp && q[pitch] < 0.0;
     let map =
-        CapabilityMap::build(&tool(&robot, &posture), is_free, &CONFIG, |_, _, _| {}).unwrap();
+        CapabilityMap::build(&tool(&robot, &posture), is_free, &COARSE, |_, _, _| {}).unwrap();
     let mut random = ChaCha8Rng::seed_from_u64(5);
     for _ in 0..2_000 {
         let pose = random_pose(&mut random, 0.7);
-        if pose.translation.z < -CONFIG.voxel {
+        if pose.translation.z < -COARSE.voxel {
             assert!(!map.is_reachable(&pose));
         }
     }
     assert!(map.is_reachable(&pose(&(Vector3::z() * 0.45), &Vector3::z())));
-    let nowhere = CapabilityMap::build(&tool(&robot, &posture), |_| false, &CONFIG, |_, _, _| {});
-    assert_eq!(nowhere, Err(MapError::NothingReached { samples: 50_000 }));
+    let nowhere = CapabilityMap::build(&tool(&robot, &posture), |_| false, &COARSE, |_, _, _| {});
+    assert_eq!(
+        nowhere,
+        Err(MapError::NothingReached {
+            samples: COARSE.samples
+        })
+    );
+}
+
+/// Of poses in the ball that arm6 could reach at most, the share that its map and inverse kinematics,
+/// started often and checked for collision, say the same of.
+#[test]
+fn the_map_of_an_arm_agrees_with_inverse_kinematics() {
+    let text = include_str!("../../../robots/arm6.urdf");
+    let robot = read(text);
+    let posture = vec![0.0; robot.dof()];
+    let tool = MapTool {
+        robot: &robot,
+        base: robot.root(),
+        tip: robot.link("tcp").unwrap(),
+        tip_from_tool: Pose::identity(),
+        posture: &posture,
+    };
+    let collisions = CollisionModel::new(&robot, None).unwrap();
+    let is_free = |q: &[f64]| collisions.collision(q, 0.0).unwrap().is_none();
+    let config = MapConfig {
+        voxel: 0.12,
+        frequency: 3,
+        samples: 20_000,
+        ..CONFIG
+    };
+    let map = CapabilityMap::build(&tool, is_free, &config, |_, _, _| {}).unwrap();
+    let solver = IkSolver::new(&robot, tool.base, tool.tip, tool.tip_from_tool).unwrap();
+    let mut random = ChaCha8Rng::seed_from_u64(6);
+    const POSES: usize = 200;
+    const STARTS: usize = 30;
+    let (mut agree, mut solved) = (0, 0);
+    for _ in 0..POSES {
+        let pose = Pose::translation(0.0, 0.0, 0.089) * random_pose(&mut random, 1.1);
+        let is_solved = (0..STARTS).any(|_| {
+            let q: Vec<f64> = (0..6)
+                .map(|_| PI * (2.0 * random.random::<f64>() - 1.0))
+                .collect();
+            let free = RotationGoal::AboutToolZFree;
+            let outcome = solver.solve_from(&pose, free, &q, &IkConfig::default());
+            matches!(outcome.unwrap(), IkOutcome::Solved(q) if is_free(&q))
+        });
+        agree += usize::from(map.is_reachable(&pose) == is_solved);
+        solved += usize::from(is_solved);
+    }
+    // More than twice as coarse as by default; there is something to tell apart.
+    assert!(agree * 100 > 95 * POSES, "{agree} of {POSES} agree");
+    assert!(
+        (POSES / 5..4 * POSES / 5).contains(&solved),
+        "{solved} of {POSES} are solved"
+    );
 }
 
 #[test]
 fn the_map_is_the_same_on_any_number_of_threads() {
     let robot = telescope(FRAC_PI_3);
-    let config = MapConfig {
-        voxel: 0.1,
-        frequency: 2,
-        samples: 30_000,
-        ..CONFIG
-    };
-    let maps = [1, 2, 5].map(|threads| {
+    let maps = [1, 3].map(|threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         pool.unwrap()
-            .install(|| build(&robot, &config).unwrap().to_bytes())
+            .install(|| build(&robot, &COARSE).unwrap().to_bytes())
     });
-    assert!(maps[0] == maps[1] && maps[0] == maps[2]);
-    let other = build(&robot, &MapConfig { seed: 8, ..config }).unwrap();
+    assert!(maps[0] == maps[1]);
+    let other = build(&robot, &MapConfig { seed: 8, ..COARSE }).unwrap();
     assert!(maps[0] != other.to_bytes());
 }
 
 #[test]
 fn progress_reaches_its_end() {
     let robot = telescope(FRAC_PI_3);
-    let config = MapConfig {
-        voxel: 0.1,
-        frequency: 2,
-        samples: 30_000,
-        ..CONFIG
-    };
     let most = [(); 3].map(|()| AtomicU64::new(0));
     let progress = |stage: MapStage, done: u64, total: u64| {
         assert!(done <= total);
         most[stage as usize].fetch_max(done, Ordering::Relaxed);
     };
     let posture = vec![0.0; robot.dof()];
-    CapabilityMap::build(&tool(&robot, &posture), |_| true, &config, progress).unwrap();
+    CapabilityMap::build(&tool(&robot, &posture), |_| true, &COARSE, progress).unwrap();
     let [sampled, spread, refined] = most.map(AtomicU64::into_inner);
-    assert_eq!(sampled, 30_000);
+    assert_eq!(sampled, COARSE.samples);
     assert!(spread > 0 && refined > 0);
 }
 

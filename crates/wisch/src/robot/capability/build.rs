@@ -73,7 +73,7 @@ impl CapabilityMap {
         let grid = grid(&arm, config)?;
         let directions = Directions::new(config.frequency as usize);
         let mut builder = Builder {
-            cells: Cells::new(grid, directions, arm.chain.dof()),
+            cells: Cells::new(grid, directions, arm.variables().len()),
             arm: &arm,
             posture: tool.posture,
             is_free: &is_free,
@@ -311,7 +311,7 @@ impl<F: Fn(&[f64]) -> bool + Sync, P: Fn(MapStage, u64, u64) + Sync> Builder<'_,
 
     /// Whether the chain may be at these positions; `all` is room for those of the robot.
     fn is_allowed(&self, q: &Positions, all: &mut [f64]) -> bool {
-        for (&variable, &q) in self.arm.chain.variables().iter().zip(q) {
+        for (&variable, &q) in self.arm.variables().iter().zip(q) {
             all[variable] = q;
         }
         self.arm.is_within_limits(all) && (self.is_free)(all)
