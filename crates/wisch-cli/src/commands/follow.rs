@@ -77,7 +77,7 @@ pub fn follow_plan(
     let config = WorkcellConfig {
         group: record.group.clone(),
         world_from_robot: record.world_from_robot.or_else(|| before_surface(task)),
-        tip_from_tool: None,
+        ..WorkcellConfig::default()
     };
     let in_task = |error: &dyn std::fmt::Display| prepared.failure(task_args, error);
     let cell = Workcell::new(robot.model, robot.srdf.as_ref(), task, &config)
