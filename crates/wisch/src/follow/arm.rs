@@ -128,7 +128,7 @@ impl<'a> Arm<'a> {
         let target = self.base_from_tool(pose);
         let config = IkConfig {
             max_restarts: restarts,
-            ..self.ik.clone()
+            ..self.ik
         };
         let outcome = (self.cell.ik()).solve(&target, RotationGoal::Full, starts, seed, &config);
         self.solved(outcome)

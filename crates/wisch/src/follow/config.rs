@@ -43,8 +43,8 @@ impl Default for FollowConfig {
             line_tolerance: 1e-3,
             turn_tolerance: 0.5_f64.to_radians(),
             contact_speed: 0.25,
-            start_configurations: 16,
-            placements: 3,
+            start_configurations: 10,
+            placements: 2,
             seed: 0,
         }
     }

@@ -3,7 +3,7 @@
 use super::arm::Arm;
 use super::edge::{Freedom, freedoms};
 use super::placement::{Ahead, Candidate, Reachability, best};
-use super::stroke_run::{Now, Piece, PieceKind, run};
+use super::stroke_run::{Now, Piece, PieceKind, Run, run};
 use super::transfer::transfer;
 use super::{
     AbandonedNode, Attempt, FollowConfig, FollowError, Followed, Motion, Phase, Placement,
@@ -12,14 +12,19 @@ use super::{
 use crate::geometry::{PlanarPose, wrap_angle};
 use crate::plan::{Plan, Stroke};
 use crate::represent::Task;
-use crate::robot::CapabilityMap;
+use crate::robot::{CapabilityMap, JointPositions};
+use rayon::prelude::*;
 
 /// How often a way back to the ready posture is looked for.
 const WAYS_BACK: u64 = 3;
 
 /// A placement from which the tool is turned away from the plan by less than this per node is as good as
 /// any [rad].
-const TURNED: f64 = 0.1;
+const TURNED: f64 = 0.2;
+
+/// How many placements are tried at the same time; a constant, so that the outcome is the same on any
+/// number of threads.
+const AT_ONCE: usize = 2;
 
 /// A node still to be passed.
 #[derive(Debug, Clone, Copy)]
@@ -44,13 +49,16 @@ struct Open {
 /// What the arm does from one placement.
 struct Stay {
     world_from_base: PlanarPose,
-    runs: Vec<(Vec<usize>, super::stroke_run::Run)>,
+    runs: Vec<(Vec<usize>, Run)>,
     /// From the last stroke back to the ready posture.
-    back: Vec<crate::robot::JointPositions>,
+    back: Vec<JointPositions>,
     open: Vec<Open>,
     /// Why it went no further.
     stopped: Vec<Attempt>,
 }
+
+/// The way to a place, the place, and what is done from there.
+type Reached = (Vec<PlanarPose>, Placement, Stay);
 
 impl Stay {
     /// How far the tool is turned away from its planned orientation, per node [rad].
@@ -123,14 +131,9 @@ struct Follower<'a> {
 impl Follower<'_> {
     fn follow(&self, progress: &mut dyn FnMut(usize)) -> Result<Followed, FollowError> {
         let mut open: Vec<Open> = self.open();
-        let count = |open: &[Open]| -> usize {
-            open.iter()
-                .map(|o| o.nodes.len() - usize::from(o.begun))
-                .sum()
-        };
-        let all = count(&open);
+        let all = waiting(&open);
         let mut at = self.cell.base_pose(self.cell.ready());
-        let mut stays: Vec<(Vec<PlanarPose>, Placement, Stay)> = Vec::new();
+        let mut stays: Vec<Reached> = Vec::new();
         let mut abandoned: Vec<AbandonedNode> = Vec::new();
         let mut rated: Vec<RatedPlace> = Vec::new();
         while !open.is_empty() {
@@ -138,34 +141,8 @@ impl Follower<'_> {
             if rated.is_empty() {
                 rated = self.rated_places(&candidates);
             }
-            let mut chosen: Option<(Vec<PlanarPose>, Placement, Stay)> = None;
-            let mut stopped = Vec::new();
-            for candidate in &best_or_here(self.cell, &candidates, &at, self.config) {
-                let Some(way) =
-                    drive::drive(self.cell, &at, &candidate.world_from_base, self.config)
-                else {
-                    continue;
-                };
-                let stay = self.work(way.last().unwrap_or(&at), &open)?;
-                if stopped.is_empty() {
-                    stopped.clone_from(&stay.stopped);
-                }
-                if stay.runs.is_empty() {
-                    continue;
-                }
-                let left = count(&stay.open);
-                let is_better = (chosen.as_ref()).is_none_or(|(.., best)| {
-                    let other = count(&best.open);
-                    left < other || left == other && stay.turned() < best.turned()
-                });
-                let is_as_planned = left == 0 && stay.turned() <= TURNED;
-                if is_better {
-                    chosen = Some((way, Placement::from(candidate), stay));
-                }
-                if is_as_planned {
-                    break;
-                }
-            }
+            let places = best_or_here(self.cell, &candidates, &at, self.config);
+            let (chosen, stopped) = self.best_stay(&places, &at, &open)?;
             match chosen {
                 Some(next) => {
                     open.clone_from(&next.2.open);
@@ -174,9 +151,52 @@ impl Follower<'_> {
                 }
                 None => abandoned.extend(give_up(&mut open, stopped)),
             }
-            progress(all - count(&open));
+            progress(all - waiting(&open));
         }
         self.timed(stays, abandoned, rated)
+    }
+
+    /// Works off what is open from several places, and takes the first from which all goes as planned, or
+    /// else the one from which least is left. Also why it went no further where nothing came of any.
+    fn best_stay(
+        &self,
+        places: &[Candidate],
+        at: &PlanarPose,
+        open: &[Open],
+    ) -> Result<(Option<Reached>, Vec<Attempt>), FollowError> {
+        let mut chosen: Option<Reached> = None;
+        let mut stopped = Vec::new();
+        for some in places.chunks(AT_ONCE) {
+            let stays = some.par_iter().map(|place| {
+                let way = drive::drive(self.cell, at, &place.world_from_base, self.config);
+                way.map(|way| {
+                    let stay = self.work(way.last().unwrap_or(at), open)?;
+                    Ok((way, Placement::from(place), stay))
+                })
+                .transpose()
+            });
+            let stays = stays.collect::<Result<Vec<Option<Reached>>, FollowError>>()?;
+            for reached in stays.into_iter().flatten() {
+                let (left, turned) = (waiting(&reached.2.open), reached.2.turned());
+                if stopped.is_empty() {
+                    stopped.clone_from(&reached.2.stopped);
+                }
+                if reached.2.runs.is_empty() {
+                    continue;
+                }
+                let is_better = (chosen.as_ref()).is_none_or(|(.., best)| {
+                    let other = waiting(&best.open);
+                    left < other || left == other && turned < best.turned()
+                });
+                if is_better {
+                    chosen = Some(reached);
+                }
+                if left == 0 && turned <= TURNED {
+                    return Ok((chosen, stopped));
+                }
+            }
+        }
+        Ok((chosen, stopped))
     }
 
     fn open(&self) -> Vec<Open> {
@@ -265,7 +285,6 @@ impl Follower<'_> {
             open: open.to_vec(),
             stopped: Vec::new(),
         };
-        let mut backs: Vec<Vec<crate::robot::JointPositions>> = Vec::new();
         while let Some(first) = stay.open.first_mut() {
             let planned: Vec<PlanarPose> = first.nodes.iter().map(|w| w.pose).collect();
             let seed = self.config.seed ^ (stay.runs.len() as u64) << 32;
@@ -297,7 +316,6 @@ impl Follower<'_> {
                 stay.open.remove(0);
             }
             stay.runs.push((nodes, run));
-            backs.clear();
         }
         if !stay.runs.is_empty() {
             let ready = arm.ready();
@@ -315,7 +333,7 @@ impl Follower<'_> {
     /// Puts everything in order and times it.
     fn timed(
         &self,
-        stays: Vec<(Vec<PlanarPose>, Placement, Stay)>,
+        stays: Vec<Reached>,
         abandoned: Vec<AbandonedNode>,
         rated: Vec<RatedPlace>,
     ) -> Result<Followed, FollowError> {
@@ -384,6 +402,14 @@ impl Follower<'_> {
     }
 }
 
+/// How many nodes are still to be passed.
+fn waiting(open: &[Open]) -> usize {
+    let each = open
+        .iter()
+        .map(|open| open.nodes.len() - usize::from(open.begun));
+    each.sum()
+}
+
 /// The places to try; for a robot without a planar base where it is.
 fn best_or_here(
     cell: &Workcell,
@@ -397,6 +423,7 @@ fn best_or_here(
     vec![Candidate {
         world_from_base: *at,
         in_reach: None,
+        share: 1.0,
         rating: 1.0,
     }]
 }

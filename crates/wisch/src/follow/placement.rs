@@ -1,9 +1,10 @@
 //! Where the base stands while the arm wipes: places rated by how much of the rest of the path is in
 //! reach; paper §3.3.
 
+use super::edge::{freedoms, rank};
 use super::{FollowConfig, Placement, RatedPlace, ToolPose, Workcell};
 use crate::geometry::{Bounds2, PlanarPose, Point2, Point3, Pose, Vector3, wrap_angle};
-use crate::represent::Task;
+use crate::represent::{Task, Tool};
 use crate::robot::{CapabilityMap, IkConfig, IkOutcome, RobotError, RotationGoal};
 use nalgebra::UnitQuaternion;
 use rayon::prelude::*;
@@ -23,6 +24,8 @@ const SPARSE_POSES: usize = 16;
 const APART: (f64, f64) = (0.15, 0.4);
 /// Ratings that differ less than this are the same: then the nearer place is taken.
 const SAME_RATING: f64 = 0.05;
+/// Increment in which the tool is turned for a rating [rad].
+const TURN: f64 = PI / 4.0;
 /// Ratings above this are in reach, as in a capability map.
 const IN_REACH: f64 = 0.5;
 /// How far round the path places are looked for [m].
@@ -39,10 +42,28 @@ pub(super) struct Reachability<'a> {
     cell: &'a Workcell,
     task: &'a Task,
     map: Option<&'a CapabilityMap>,
-    /// Whether half a turn makes no difference to the tool.
-    symmetric: bool,
+    /// Ways to turn the tool, nearest to the plan first.
+    turns: Vec<Turn>,
     /// The group's base where the planar base is at the origin.
     root_from_base: Pose,
+}
+
+/// A rotation of the tool about the surface normal against the plan.
+struct Turn {
+    rotation: UnitQuaternion<f64>,
+    /// 1 as planned, less away from it.
+    worth: f64,
+}
+
+fn turns(tool: &Tool) -> Vec<Turn> {
+    let symmetric = tool.is_half_turn_symmetric();
+    (freedoms(tool, TURN).iter())
+        .filter(|freedom| freedom.tilt.abs() < TURN / 2.0)
+        .map(|freedom| Turn {
+            rotation: UnitQuaternion::from_axis_angle(&Vector3::z_axis(), freedom.rotation),
+            worth: 1.0 / (1.0 + rank(freedom, symmetric)),
+        })
+        .collect()
 }
 
 impl<'a> Reachability<'a> {
@@ -59,41 +80,38 @@ impl<'a> Reachability<'a> {
             cell,
             task,
             map,
-            symmetric: task.tool.is_half_turn_symmetric(),
+            turns: turns(&task.tool),
             root_from_base,
         })
     }
 
-    /// Whether a pose is in reach as planned, or for a symmetric tool turned by half, and how amply, 0 to
-    /// 1: the share of directions from which the place can be reached.
+    /// Whether a pose is in reach, and how amply, 0 to 1: the share of directions from which the place can
+    /// be reached, less where the tool has to be turned away from the plan.
     fn of(&self, world_from_tool: &Pose, world_from_base: &PlanarPose) -> Option<f64> {
         let stands = Pose::new(
             Vector3::new(world_from_base.position.x, world_from_base.position.y, 0.0),
             Vector3::z() * world_from_base.heading,
         );
         let base_from_tool = (stands * self.root_from_base).inverse() * world_from_tool;
-        let turned = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), PI);
-        let orientations = if self.symmetric {
-            &[UnitQuaternion::identity(), turned][..]
-        } else {
-            &[UnitQuaternion::identity()][..]
-        };
-        let mut poses = orientations.iter().map(|turn| base_from_tool * turn);
+        let mut poses = self
+            .turns
+            .iter()
+            .map(|turn| (base_from_tool * turn.rotation, turn.worth));
         match self.map {
-            Some(map) => poses.find_map(|base_from_tool| {
+            Some(map) => poses.find_map(|(base_from_tool, worth)| {
                 let base_from_tip = base_from_tool * self.cell.tip_from_tool().inverse();
                 let place = Point3::from(base_from_tip.translation.vector);
-                (map.reachability(&base_from_tip) > IN_REACH).then(|| map.index(&place))
+                (map.reachability(&base_from_tip) > IN_REACH).then(|| worth * map.index(&place))
             }),
             None => {
                 let config = IkConfig {
                     max_restarts: 2,
                     ..IkConfig::default()
                 };
-                poses.find_map(|base_from_tool| {
+                poses.find_map(|(base_from_tool, worth)| {
                     let goal = RotationGoal::Full;
                     let found = (self.cell.ik()).solve(&base_from_tool, goal, &[], 0, &config);
-                    matches!(found, Ok(IkOutcome::Solved(_))).then_some(1.0)
+                    matches!(found, Ok(IkOutcome::Solved(_))).then_some(worth)
                 })
             }
         }
@@ -114,24 +132,19 @@ impl<'a> Reachability<'a> {
                     return Candidate {
                         world_from_base,
                         in_reach: None,
+                        share: 0.0,
                         rating: 0.0,
                     };
                 }
-                let (mut in_reach, mut sum) = (0, 0.0);
-                let (mut is_prefix, mut covered) = (true, 0);
-                for pose in &poses {
-                    let reach = self.of(pose, &world_from_base);
-                    is_prefix &= reach.is_some();
-                    in_reach += usize::from(is_prefix);
-                    covered += usize::from(reach.is_some());
-                    sum += reach.filter(|_| is_prefix).unwrap_or(0.0);
-                }
+                let reached = poses
+                    .iter()
+                    .map_while(|pose| self.of(pose, &world_from_base));
+                let (in_reach, sum) =
+                    reached.fold((0, 0.0), |(n, sum), ample| (n + 1, sum + ample));
                 Candidate {
                     world_from_base,
-                    in_reach: Some(Reach {
-                        first: in_reach,
-                        share: covered as f64 / poses.len() as f64,
-                    }),
+                    in_reach: Some(in_reach),
+                    share: in_reach as f64 / poses.len() as f64,
                     rating: sum / in_reach.max(1) as f64,
                 }
             })
@@ -180,21 +193,14 @@ impl<'a> Reachability<'a> {
     }
 }
 
-/// How much of a path is in reach.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Reach {
-    /// How many poses from the first on.
-    pub first: usize,
-    /// Share of all poses.
-    pub share: f64,
-}
-
 /// A rated place.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Candidate {
     pub world_from_base: PlanarPose,
-    /// `None` where the robot cannot stand.
-    pub in_reach: Option<Reach>,
+    /// How many poses from the first on are in reach; `None` where the robot cannot stand.
+    pub in_reach: Option<usize>,
+    /// The same as a share of all.
+    pub share: f64,
     /// How amply the first poses are in reach, 0 to 1.
     pub rating: f64,
 }
@@ -203,7 +209,7 @@ impl From<&Candidate> for RatedPlace {
     fn from(candidate: &Candidate) -> Self {
         Self {
             world_from_base: candidate.world_from_base,
-            rating: candidate.in_reach.map(|reach| reach.share),
+            rating: candidate.in_reach.map(|_| candidate.share),
         }
     }
 }
@@ -223,10 +229,10 @@ pub(super) fn best(candidates: &[Candidate], from: &PlanarPose, count: usize) ->
     let mut usable: Vec<(usize, i64, f64, &Candidate)> = candidates
         .iter()
         .filter_map(|candidate| {
-            let reach = candidate.in_reach.filter(|reach| reach.first > 0)?;
+            let in_reach = candidate.in_reach.filter(|&count| count > 0)?;
             let away = (candidate.world_from_base.position - from.position).norm();
             let level = (candidate.rating / SAME_RATING).round() as i64;
-            Some((reach.first, level, away, candidate))
+            Some((in_reach, level, away, candidate))
         })
         .collect();
     usable.sort_by(|a, b| (b.0, b.1).cmp(&(a.0, a.1)).then(a.2.total_cmp(&b.2)));

@@ -15,7 +15,7 @@ const STARTS: u64 = 2;
 /// Configurations that are looked at for one that touches nothing.
 const FREE_TRIES: u64 = 4;
 /// A stroke on which the tool is turned away from the plan by less than this per node is as planned [rad].
-const TURNED: f64 = 0.1;
+const TURNED: f64 = 0.35;
 
 /// Where the arm is between strokes.
 #[derive(Debug, Clone, Copy)]
@@ -94,7 +94,9 @@ pub(super) fn run(
         attempts: Vec::new(),
         best: None,
     };
-    if !search.from_any(&exact, EXACT_STARTS) && !search.from_any(freedoms, STARTS) {
+    // Where the orientation makes no difference, it need not be kept to.
+    let is_exact = arm.task.action != Action::Absorb && search.try_any(&exact, EXACT_STARTS);
+    if !is_exact && !search.try_any(freedoms, STARTS) {
         search.globally(freedoms);
     }
     search.best.map(|(run, ..)| run).ok_or(search.attempts)
@@ -116,7 +118,7 @@ impl Search<'_> {
     /// Tries configurations until a run goes all the way about as planned; whether one does.
     ///
     /// The tool is carried on over the surface, then put down in configurations reached by free motion.
-    fn from_any(&mut self, freedoms: &[Freedom], starts: u64) -> bool {
+    fn try_any(&mut self, freedoms: &[Freedom], starts: u64) -> bool {
         let mut tried = 0;
         for start in 0..=starts {
             if start == 0 && self.now.tool.is_none() {
@@ -126,7 +128,8 @@ impl Search<'_> {
                 if tried == self.arm.config.start_configurations {
                     return self.is_whole();
                 }
-                let Some(is_new_best) = self.from(freedom, start, freedoms, Effort::Local) else {
+                let Some(is_new_best) = self.try_one(freedom, start, freedoms, Effort::Local)
+                else {
                     continue;
                 };
                 tried += 1;
@@ -141,7 +144,7 @@ impl Search<'_> {
     /// The best run again, with the global search where it stopped.
     fn globally(&mut self, freedoms: &[Freedom]) {
         if let Some((_, freedom, start)) = self.best {
-            self.from(&freedom, start, freedoms, Effort::Global);
+            self.try_one(&freedom, start, freedoms, Effort::Global);
         }
     }
 
@@ -155,7 +158,7 @@ impl Search<'_> {
     }
 
     /// One configuration: whether it gives the best run so far; `None` if the tool cannot be put down.
-    fn from(
+    fn try_one(
         &mut self,
         freedom: &Freedom,
         start: u64,
