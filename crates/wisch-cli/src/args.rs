@@ -183,9 +183,9 @@ pub struct RobotMapArgs {
     /// Edge of a voxel [m]
     #[arg(long, value_name = "METRES", default_value_t = 0.05)]
     pub voxel_m: f64,
-    /// Random postures that are looked at [default: enough for this robot]
-    #[arg(long, value_name = "N")]
-    pub samples: Option<u64>,
+    /// Random postures that are looked at
+    #[arg(long, value_name = "N", default_value_t = 1_000_000)]
+    pub samples: u64,
     /// Where to write it [default: the robot's name with the ending .reach]
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub out: Option<PathBuf>,

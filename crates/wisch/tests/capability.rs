@@ -505,6 +505,17 @@ fn a_slide_without_end_is_refused() {
 }
 
 #[test]
+fn a_chain_without_joints_reaches_one_pose() {
+    let robot = read(
+        r#"<robot name="post"><link name="floor"/><link name="tool"/>
+           <joint name="post" type="fixed"><parent link="floor"/><child link="tool"/></joint></robot>"#,
+    );
+    let map = build(&robot, &COARSE).unwrap();
+    assert!(map.reachability(&tip_from_tool()) > 0.0);
+    assert_eq!(map.reachability(&Pose::translation(0.0, 0.0, 0.3)), 0.0);
+}
+
+#[test]
 fn the_hash_tells_reach_apart_and_nothing_else() {
     let hash = |text: &str| RobotHash::of(&read(text));
     let arm = r#"<robot name="r"><link name="wall"/><link name="rod">

@@ -27,8 +27,9 @@ impl CapabilityMap {
     /// Makes the map of a tool.
     ///
     /// `is_free` says of positions of all variables of the robot (n) whether nothing collides.
-    /// `progress` is called from time to time, from several threads, with a stage and what is done of
-    /// what is known to be to do in it. The map is the same on any number of threads.
+    /// `progress` is called from time to time, from several threads and not always in order, with a
+    /// stage and what is done of what is known to be to do in it. The map is the same on any number of
+    /// threads.
     ///
     /// ```
     /// # use wisch::robot::{CapabilityMap, MapConfig, MapTool, RobotModel};
@@ -61,6 +62,9 @@ impl CapabilityMap {
     /// # Errors
     /// If a setting is out of range, the posture does not fit the robot, the tip does not hang on the
     /// base, a sliding joint has no limits, there would be too many cells, or nothing can be reached.
+    ///
+    /// # Panics
+    /// If a link is one of another, larger robot.
     pub fn build(
         tool: &MapTool<'_>,
         is_free: impl Fn(&[f64]) -> bool + Sync,

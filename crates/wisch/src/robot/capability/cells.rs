@@ -24,9 +24,10 @@ pub(super) struct Cells {
     reached: Vec<u32>,
     /// Per cell: how often reaching its centre has failed.
     failures: Vec<u8>,
-    /// Positions of `dof` variables each; half the digits halve the memory.
+    /// Positions of `width` variables each; half the digits halve the memory.
     positions: Vec<f32>,
-    dof: usize,
+    /// Number of variables of the chain, but at least one.
+    width: usize,
 }
 
 impl Cells {
@@ -39,7 +40,7 @@ impl Cells {
             reached: Vec::new(),
             failures: Vec::new(),
             positions: Vec::new(),
-            dof,
+            width: dof.max(1),
         }
     }
 
@@ -97,8 +98,8 @@ impl Cells {
 
     /// Positions that reach a cell that is reached.
     pub(super) fn positions(&self, cell: Cell) -> Positions {
-        let first = self.reached[cell as usize] as usize * self.dof;
-        let stored = &self.positions[first..first + self.dof];
+        let first = self.reached[cell as usize] as usize * self.width;
+        let stored = &self.positions[first..first + self.width];
         let mut q = [0.0; MAX_CHAIN];
         for (q, &stored) in q.iter_mut().zip(stored) {
             *q = f64::from(stored);
@@ -107,8 +108,8 @@ impl Cells {
     }
 
     pub(super) fn reach(&mut self, cell: Cell, q: &Positions) {
-        self.reached[cell as usize] = (self.positions.len() / self.dof) as u32;
-        let stored = q[..self.dof].iter().map(|&q| q as f32);
+        self.reached[cell as usize] = (self.positions.len() / self.width) as u32;
+        let stored = q[..self.width].iter().map(|&q| q as f32);
         self.positions.extend(stored);
     }
 

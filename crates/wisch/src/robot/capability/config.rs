@@ -62,7 +62,10 @@ impl MapConfig {
     /// Number of directions: 10 frequency² + 2.
     pub const fn directions(&self) -> usize {
         let frequency = self.frequency as usize;
-        10 * frequency * frequency + 2
+        frequency
+            .saturating_mul(frequency)
+            .saturating_mul(10)
+            .saturating_add(2)
     }
 
     /// Whether every setting is in its range.

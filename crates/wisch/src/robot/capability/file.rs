@@ -80,7 +80,9 @@ impl CapabilityMap {
         bytes
     }
 
-    /// The map that [`to_bytes`](Self::to_bytes) wrote for a robot. `name` is used in messages.
+    /// The map that [`to_bytes`](Self::to_bytes) wrote for a robot. `name` is used in messages. What
+    /// else the map depends on, the posture of the other joints and what counts as a collision, is not
+    /// checked; base, tip and tool are in [`origin`](Self::origin).
     ///
     /// # Errors
     /// If the bytes are no map, or one of another version or robot.
