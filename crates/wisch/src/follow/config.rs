@@ -44,7 +44,7 @@ impl Default for FollowConfig {
             turn_tolerance: 0.5_f64.to_radians(),
             contact_speed: 0.25,
             start_configurations: 10,
-            placements: 2,
+            placements: 4,
             seed: 0,
         }
     }

@@ -10,7 +10,7 @@ use super::{
     RatedPlace, ToolPose, Workcell, drive, schedule,
 };
 use crate::geometry::{PlanarPose, wrap_angle};
-use crate::plan::{Plan, Stroke};
+use crate::plan::{Plan, predict};
 use crate::represent::Task;
 use crate::robot::{CapabilityMap, JointPositions};
 use rayon::prelude::*;
@@ -18,9 +18,8 @@ use rayon::prelude::*;
 /// How often a way back to the ready posture is looked for.
 const WAYS_BACK: u64 = 3;
 
-/// A placement from which the tool is turned away from the plan by less than this per node is as good as
-/// any [rad].
-const TURNED: f64 = 0.2;
+/// Share of the planned effect with which no further placement is tried.
+const ENOUGH: f64 = 0.95;
 
 /// How many placements are tried at the same time; a constant, so that the outcome is the same on any
 /// number of threads.
@@ -60,13 +59,12 @@ struct Stay {
 /// The way to a place, the place, and what is done from there.
 type Reached = (Vec<PlanarPose>, Placement, Stay);
 
-impl Stay {
-    /// How far the tool is turned away from its planned orientation, per node [rad].
-    fn turned(&self) -> f64 {
-        let nodes: usize = self.runs.iter().map(|(nodes, _)| nodes.len()).sum();
-        let turned: f64 = self.runs.iter().map(|(_, run)| run.turned).sum();
-        turned / nodes.max(1) as f64
-    }
+/// What is to be expected of a stay.
+struct Outcome {
+    /// Nodes still to be passed.
+    left: usize,
+    /// Particles where the action wants them.
+    achieved: usize,
 }
 
 /// Follows a plan with a robot: the base is placed so that much of the path is in reach, each stroke is
@@ -99,6 +97,7 @@ pub fn follow(
         config,
         map,
         freedoms: freedoms(&task.tool, config.freedom_increment),
+        planned: predict(task, plan, |_| ()).performance.achieved,
     };
     follower.follow(progress)
 }
@@ -126,6 +125,8 @@ struct Follower<'a> {
     config: &'a FollowConfig,
     map: Option<&'a CapabilityMap>,
     freedoms: Vec<Freedom>,
+    /// Particles where the action wants them if the plan is followed exactly.
+    planned: usize,
 }
 
 impl Follower<'_> {
@@ -142,7 +143,7 @@ impl Follower<'_> {
                 rated = self.rated_places(&candidates);
             }
             let places = best_or_here(self.cell, &candidates, &at, self.config);
-            let (chosen, stopped) = self.best_stay(&places, &at, &open)?;
+            let (chosen, stopped) = self.best_stay(&places, &at, &open, &stays)?;
             match chosen {
                 Some(next) => {
                     open.clone_from(&next.2.open);
@@ -156,15 +157,16 @@ impl Follower<'_> {
         self.timed(stays, abandoned, rated)
     }
 
-    /// Works off what is open from several places, and takes the first from which all goes as planned, or
-    /// else the one from which least is left. Also why it went no further where nothing came of any.
+    /// Works off what is open from several places, and takes the one from which least is left, of these the
+    /// one with the best predicted effect. Also why it went no further where nothing came of any.
     fn best_stay(
         &self,
         places: &[Candidate],
         at: &PlanarPose,
         open: &[Open],
+        before: &[Reached],
     ) -> Result<(Option<Reached>, Vec<Attempt>), FollowError> {
-        let mut chosen: Option<Reached> = None;
+        let mut chosen: Option<(Outcome, Reached)> = None;
         let mut stopped = Vec::new();
         for some in places.chunks(AT_ONCE) {
             let stays = some.par_iter().map(|place| {
@@ -177,26 +179,43 @@ impl Follower<'_> {
             });
             let stays = stays.collect::<Result<Vec<Option<Reached>>, FollowError>>()?;
             for reached in stays.into_iter().flatten() {
-                let (left, turned) = (waiting(&reached.2.open), reached.2.turned());
                 if stopped.is_empty() {
                     stopped.clone_from(&reached.2.stopped);
                 }
                 if reached.2.runs.is_empty() {
                     continue;
                 }
-                let is_better = (chosen.as_ref()).is_none_or(|(.., best)| {
-                    let other = waiting(&best.open);
-                    left < other || left == other && turned < best.turned()
+                let outcome = self.outcome(before, &reached.2);
+                let is_better = (chosen.as_ref()).is_none_or(|(best, _)| {
+                    (outcome.left, best.achieved) < (best.left, outcome.achieved)
                 });
                 if is_better {
-                    chosen = Some(reached);
-                }
-                if left == 0 && turned <= TURNED {
-                    return Ok((chosen, stopped));
+                    chosen = Some((outcome, reached));
                 }
             }
+            let is_as_planned = |outcome: &Outcome| {
+                outcome.left == 0 && outcome.achieved as f64 >= ENOUGH * self.planned as f64
+            };
+            if (chosen.as_ref()).is_some_and(|(outcome, _)| is_as_planned(outcome)) {
+                break;
+            }
         }
+        let chosen = chosen.map(|(_, reached)| reached);
         Ok((chosen, stopped))
+    }
+
+    /// What comes of a stay after those before it, as the effect model predicts.
+    fn outcome(&self, before: &[Reached], stay: &Stay) -> Outcome {
+        let stays = before.iter().map(|(.., stay)| stay).chain([stay]);
+        let strokes = stays.flat_map(|stay| stay.runs.iter().map(|(nodes, run)| run.stroke(nodes)));
+        let wiped = Plan {
+            strokes: strokes.collect(),
+            ..self.plan.clone()
+        };
+        Outcome {
+            left: waiting(&stay.open),
+            achieved: predict(self.task, &wiped, |_| ()).performance.achieved,
+        }
     }
 
     fn open(&self) -> Vec<Open> {
@@ -357,6 +376,7 @@ impl Follower<'_> {
             let arm = Arm::new(self.cell, self.task, self.config, &stay.world_from_base)?;
             for (nodes, run) in stay.runs {
                 let stroke = followed.strokes.len();
+                let wiped = run.stroke(&nodes);
                 for Piece { phase, path, line } in run.pieces {
                     let phase = match phase {
                         PieceKind::Plain(phase) => phase,
@@ -365,14 +385,7 @@ impl Follower<'_> {
                     let path: Vec<Vec<f64>> = path.iter().map(|q| arm.to_robot(q)).collect();
                     self.append(&mut followed, phase, &path, line)?;
                 }
-                followed.strokes.push(Stroke {
-                    nodes,
-                    poses: run
-                        .wiped
-                        .iter()
-                        .map(|pose| pose.surface_from_tool)
-                        .collect(),
-                });
+                followed.strokes.push(wiped);
             }
             let back: Vec<Vec<f64>> = stay.back.iter().map(|q| arm.to_robot(q)).collect();
             self.append(&mut followed, Phase::Transfer, &back, Vec::new())?;

@@ -5,6 +5,7 @@ use super::edge::{Effort, Freedom, Leg, follow_edge, rank, turned};
 use super::transfer::transfer;
 use super::{Attempt, Obstruction, Phase, ToolPose, Touch};
 use crate::geometry::PlanarPose;
+use crate::plan::Stroke;
 use crate::represent::Action;
 use crate::robot::JointPositions;
 
@@ -15,7 +16,7 @@ const STARTS: u64 = 2;
 /// Configurations that are looked at for one that touches nothing.
 const FREE_TRIES: u64 = 4;
 /// A stroke on which the tool is turned away from the plan by less than this per node is as planned [rad].
-const TURNED: f64 = 0.35;
+const TURNED: f64 = 0.2;
 
 /// Where the arm is between strokes.
 #[derive(Debug, Clone, Copy)]
@@ -56,6 +57,20 @@ pub(super) struct Run {
     pub now: Now,
     /// Why it went no further; empty if it went all the way.
     pub stopped: Vec<Attempt>,
+}
+
+impl Run {
+    /// The stroke as it is wiped, through these nodes of the graph.
+    pub fn stroke(&self, nodes: &[usize]) -> Stroke {
+        Stroke {
+            nodes: nodes.to_vec(),
+            poses: self
+                .wiped
+                .iter()
+                .map(|pose| pose.surface_from_tool)
+                .collect(),
+        }
+    }
 }
 
 /// The stroke in contact alone.
