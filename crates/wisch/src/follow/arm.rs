@@ -193,7 +193,7 @@ impl<'a> Arm<'a> {
         let model = self.cell.arm_collisions(touch);
         match model.segment_contact(&from, &to, self.config.margin) {
             Ok(None) => Ok(()),
-            Ok(Some(contact)) => Err(self.obstruction(&contact)),
+            Ok(Some(contact)) => Err(self.obstruction(&contact, touch)),
             Err(_) => Err(Obstruction::OutOfReach {
                 position_error: f64::INFINITY,
                 rotation_error: f64::INFINITY,
@@ -208,8 +208,8 @@ impl<'a> Arm<'a> {
         matches!(contact, Ok(None))
     }
 
-    fn obstruction(&self, contact: &Contact) -> Obstruction {
-        let model = self.cell.collisions();
+    fn obstruction(&self, contact: &Contact, touch: Touch) -> Obstruction {
+        let model = self.cell.arm_collisions(touch);
         let (a, b) = (model.name(contact.a), model.name(contact.b));
         let distance = contact.distance;
         match (self.cell.is_obstacle(a), self.cell.is_obstacle(b)) {

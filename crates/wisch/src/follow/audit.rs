@@ -168,6 +168,13 @@ fn limits(
     cell: &Workcell,
     faults: &mut Vec<MotionFault>,
 ) -> Result<(), FollowError> {
+    for sample in samples {
+        let found = cell.robot().limit_faults(&sample.q)?;
+        faults.extend(found.into_iter().map(|fault| MotionFault::Limit {
+            time: motion.start + sample.time,
+            fault,
+        }));
+    }
     let path: Vec<&[f64]> = samples.iter().map(|sample| sample.q.as_slice()).collect();
     if path.len() > 1 {
         // The samples themselves are the path: what is checked here is not the way but its times.
@@ -175,13 +182,6 @@ fn limits(
         let found = trajectory_faults(samples, &path, cell.limits(), &CheckConfig::default());
         faults.extend(found.into_iter().map(|fault| MotionFault::Trajectory {
             motion: number,
-            fault,
-        }));
-    }
-    for sample in samples {
-        let found = cell.robot().limit_faults(&sample.q)?;
-        faults.extend(found.into_iter().map(|fault| MotionFault::Limit {
-            time: motion.start + sample.time,
             fault,
         }));
     }
@@ -200,7 +200,8 @@ fn clearance(
     };
     let model = cell.all_collisions(touch);
     for pair in samples.windows(2) {
-        let near = model.clearance(&pair[0].q, audit.min_clearance)?;
+        // Bodies that overlap are told apart from those that touch by the fault below.
+        let near = model.clearance(&pair[0].q, audit.min_clearance.max(0.0))?;
         audit.min_clearance = audit.min_clearance.min(near.distance);
         if let Some(contact) = model.segment_contact(&pair[0].q, &pair[1].q, 0.0)? {
             audit.faults.push(MotionFault::Contact {
@@ -236,7 +237,8 @@ fn base(
 
 /// How far the tool leaves its line at any time of a motion; nothing if it follows none.
 ///
-/// The tool is compared with the nearest point of the line that lies no earlier than the one before.
+/// The tool is compared with the nearest point of the line that lies no earlier than the one before, at the
+/// begin and the end of the motion with those of the line.
 pub(super) fn line_deviation(
     cell: &Workcell,
     task: &Task,
@@ -249,13 +251,23 @@ pub(super) fn line_deviation(
     }
     let line = Line::new(task, corners);
     let mut at = 0;
+    let mut add = |off: LineDeviation| {
+        deviation.position = deviation.position.max(off.position);
+        deviation.rotation = deviation.rotation.max(off.rotation);
+    };
+    let mut last = None;
     for sample in trajectory.samples(PERIOD / 2.0) {
         let kinematics = cell.robot().forward_kinematics(&sample.q)?;
         let world_from_tool =
             cell.world_from_root() * kinematics.world_from_link(cell.tip()) * cell.tip_from_tool();
-        let off = line.off(&mut at, &world_from_tool);
-        deviation.position = deviation.position.max(off.position);
-        deviation.rotation = deviation.rotation.max(off.rotation);
+        if last.is_none() {
+            add(between(&line.poses[0], &line.poses[0], &world_from_tool));
+        }
+        add(line.off(&mut at, &world_from_tool));
+        last = Some(world_from_tool);
+    }
+    if let (Some(tool), Some(end)) = (last, line.poses.last()) {
+        add(between(end, end, &tool));
     }
     Ok(deviation)
 }

@@ -138,13 +138,15 @@ impl Workcell {
         let bare = CollisionModel::new(&robot, srdf)?;
         let mut collisions = bare.clone();
         collisions.attach(&tool, tip, tip_from_tool, &task.tool.mesh)?;
+        // Whole against the robot, without its rim against the scene.
         let mut slim = bare;
-        slim.attach(
-            &tool,
-            tip,
-            tip_from_tool,
-            &without_rim(&task.tool.mesh, TOOL_RIM)?,
-        )?;
+        let core = unlike(&robot, &format!("core of {}", task.tool.name));
+        let core_mesh = without_rim(&task.tool.mesh, TOOL_RIM)?;
+        slim.attach(&tool, tip, tip_from_tool, &task.tool.mesh)?;
+        slim.attach(&core, tip, tip_from_tool, &core_mesh)?;
+        for link in robot.links() {
+            slim.allow(&core, &link.name)?;
+        }
         let root_from_world = world_from_root.inverse();
         let mut obstacles = Vec::new();
         let mut carriers = Vec::new();
@@ -156,6 +158,7 @@ impl Workcell {
             let root_from_object = root_from_world * object.world_from_object;
             collisions.add_obstacle(&name, root_from_object, &object.mesh)?;
             slim.add_obstacle(&name, root_from_object, &object.mesh)?;
+            slim.allow(&tool, &name)?;
             if object.part == ScenePart::Carrier {
                 carriers.push(name.clone());
             }
@@ -164,7 +167,7 @@ impl Workcell {
         let mut in_contact = collisions.clone();
         for carrier in &carriers {
             in_contact.allow(&tool, carrier)?;
-            slim.allow(&tool, carrier)?;
+            slim.allow(&core, carrier)?;
         }
         let arm_collisions = collisions.for_variables(ik.chain().variables());
         let arm_collisions_in_contact = slim.for_variables(ik.chain().variables());

@@ -1,0 +1,323 @@
+//! Random problems of following: a robot, a surface somewhere before it, things in the way.
+
+use nalgebra::{Translation3, UnitQuaternion};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use std::collections::BTreeSet;
+use std::error::Error;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
+use wisch::follow::{FollowConfig, Followed, Workcell, WorkcellConfig, audit, follow};
+use wisch::geometry::{Mesh, Point2, Polygon, Pose, Region, Vector2, Vector3};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan};
+use wisch::represent::{
+    Action, AngleRange, Interaction, LogNormal, ParticleDistribution, SceneObject, ScenePart,
+    Surface, SurfaceScope, Task, Tool,
+};
+use wisch::robot::{CapabilityMap, RobotHash, RobotModel, Srdf};
+
+type AnyError = Box<dyn Error + Send + Sync>;
+
+/// Depth, width and height of the sponge [m].
+const SPONGE: [f64; 3] = [0.07, 0.11, 0.05];
+/// Thickness of the plate whose upper face is the surface [m].
+const PLATE: f64 = 0.02;
+
+/// A shipped robot.
+pub struct Robot {
+    /// Its name.
+    pub name: &'static str,
+    /// What it is.
+    pub model: RobotModel,
+    /// Its groups and postures.
+    pub srdf: Srdf,
+    /// What its arm reaches, if its base moves.
+    pub map: Option<CapabilityMap>,
+}
+
+/// The shipped robots: arm7, arm6, humanoid.
+pub fn robots() -> Result<[Robot; 3], AnyError> {
+    let map: &[u8] = include_bytes!("../../../../robots/humanoid.reach");
+    Ok([
+        robot(
+            "arm7",
+            include_str!("../../../../robots/arm7.urdf"),
+            include_str!("../../../../robots/arm7.srdf"),
+            None,
+        )?,
+        robot(
+            "arm6",
+            include_str!("../../../../robots/arm6.urdf"),
+            include_str!("../../../../robots/arm6.srdf"),
+            None,
+        )?,
+        robot(
+            "humanoid",
+            include_str!("../../../../robots/humanoid.urdf"),
+            include_str!("../../../../robots/humanoid.srdf"),
+            Some(map),
+        )?,
+    ])
+}
+
+fn robot(
+    name: &'static str,
+    urdf: &str,
+    srdf: &str,
+    map: Option<&[u8]>,
+) -> Result<Robot, AnyError> {
+    let model = RobotModel::from_urdf(name, urdf, &mut |_| Err("there are no meshes".into()))?;
+    let srdf = Srdf::parse(name, srdf, &model)?;
+    let map = map
+        .map(|bytes| CapabilityMap::from_bytes(name, bytes, RobotHash::of(&model)))
+        .transpose()?;
+    Ok(Robot {
+        name,
+        model,
+        srdf,
+        map,
+    })
+}
+
+/// What is to be wiped by which robot.
+pub struct Problem {
+    /// The robot's number among [`robots`].
+    pub robot: usize,
+    /// Surface, scene, tool and dirt.
+    pub task: Task,
+    /// How it is planned.
+    pub plan: PlanConfig,
+    /// Where the robot stands.
+    pub cell: WorkcellConfig,
+}
+
+/// What became of a problem.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Outcome {
+    /// Every node is passed.
+    Whole,
+    /// Some nodes are abandoned.
+    Partly,
+    /// All nodes are abandoned.
+    NotAtAll,
+    /// It was refused, before or while it was planned or followed.
+    Refused(String),
+    /// What was followed is wrong.
+    Faulty(Vec<String>),
+}
+
+/// A problem that was followed.
+pub struct Tried {
+    /// The motion.
+    pub motion: Followed,
+    /// What is wrong with it.
+    pub faults: Vec<String>,
+}
+
+impl Problem {
+    /// The problem of a seed: every fifth the humanoid's, of the others half each arm's.
+    pub fn random(seed: u64) -> Result<Self, AnyError> {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let random = &mut random;
+        let robot = match seed % 5 {
+            4 => 2,
+            _ => random.random_range(0..2),
+        };
+        let size = Vector2::new(random.random_range(0.1..0.5), random.random_range(0.1..0.4));
+        // The humanoid works at the height of a table and drives up to it.
+        let (distance, height, away) = match robot {
+            2 => (0.0, 0.6..1.1, random.random_range(1.0..1.5)),
+            _ => (random.random_range(0.3..0.8), 0.0..0.6, 0.0),
+        };
+        let bearing = random.random_range(-PI..PI);
+        let place = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), bearing)
+            * Vector3::new(distance, 0.0, random.random_range(height));
+        let world_from_surface = Pose::from_parts(place.into(), orientation(random, bearing));
+        let action = Action::ALL[random.random_range(0..Action::ALL.len())];
+        let strategies = [CoverageStrategy::Grid, CoverageStrategy::Kde];
+        let strategy = strategies[random.random_range(0..2)];
+        let particles = particles(random, size);
+        let scene = scene(random, size, &world_from_surface)?;
+        let robot_at = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), bearing);
+        Ok(Self {
+            robot,
+            task: Task {
+                name: format!("problem {seed}"),
+                action,
+                surface: Surface {
+                    name: "plate".into(),
+                    outline: Polygon::rectangle(size),
+                    world_from_surface,
+                    skim_edges: vec![random.random_range(0..4)],
+                },
+                scene,
+                tool: sponge()?,
+                medium: "breadcrumbs".into(),
+                interaction: interaction(),
+                particles: ParticleDistribution::new(&particles)?,
+                collect_goal: None,
+                tool_start: Point2::new(-size.x, -size.y),
+                seed,
+            },
+            plan: PlanConfig {
+                strategy,
+                seed,
+                bandwidth: None,
+                lift_height: 0.05,
+            },
+            cell: WorkcellConfig {
+                world_from_robot: Some(Pose::from_parts(
+                    Translation3::from(robot_at * Vector3::new(-away, 0.0, 0.0)),
+                    if away > 0.0 {
+                        robot_at
+                    } else {
+                        UnitQuaternion::identity()
+                    },
+                )),
+                ..WorkcellConfig::default()
+            },
+        })
+    }
+
+    /// Plans it, follows the plan and audits the motion.
+    pub fn outcome(&self, robots: &[Robot]) -> Outcome {
+        match self.followed(&robots[self.robot]) {
+            Err(error) => Outcome::Refused(kind(&error.to_string())),
+            Ok(Tried { motion, faults }) => {
+                match (faults.is_empty(), motion.abandoned.is_empty()) {
+                    (false, _) => Outcome::Faulty(faults),
+                    (true, true) => Outcome::Whole,
+                    (true, false) if motion.strokes.is_empty() => Outcome::NotAtAll,
+                    (true, false) => Outcome::Partly,
+                }
+            }
+        }
+    }
+
+    /// The motion and what is wrong with it.
+    pub fn followed(&self, robot: &Robot) -> Result<Tried, AnyError> {
+        let plan = plan(&self.task, &self.plan)?;
+        let cell = Workcell::new(
+            robot.model.clone(),
+            Some(&robot.srdf),
+            &self.task,
+            &self.cell,
+        )?;
+        let config = FollowConfig::default();
+        let map = robot.map.as_ref();
+        let motion = follow(&self.task, &plan, &cell, map, &config, &mut |_| ())?;
+        let audit = audit(&motion, &cell, &self.task, &config)?;
+        let mut faults: Vec<String> = audit.faults.iter().map(ToString::to_string).collect();
+        faults.extend(lost_nodes(&plan, &motion));
+        Ok(Tried { motion, faults })
+    }
+}
+
+/// Nodes of a plan that are neither passed nor abandoned, and nodes of the motion that were not planned.
+pub fn lost_nodes(plan: &Plan, followed: &Followed) -> Option<String> {
+    let planned: BTreeSet<usize> = (plan.strokes.iter())
+        .flat_map(|stroke| stroke.nodes.iter().copied())
+        .collect();
+    let mut told: BTreeSet<usize> = (followed.strokes.iter())
+        .flat_map(|stroke| stroke.nodes.iter().copied())
+        .collect();
+    told.extend(followed.abandoned.iter().map(|node| node.node));
+    let lost: Vec<&usize> = planned.symmetric_difference(&told).collect();
+    (!lost.is_empty()).then(|| format!("nodes {lost:?} are lost"))
+}
+
+/// Up and tilted by up to 60°, or now and then upright before the robot, or overhead.
+fn orientation(random: &mut ChaCha8Rng, bearing: f64) -> UnitQuaternion<f64> {
+    let about = |angle: f64| UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle);
+    let over = |angle: f64| UnitQuaternion::from_axis_angle(&Vector3::y_axis(), angle);
+    let turn = random.random_range(0.0..TAU);
+    let tilted = match random.random_range(0..20) {
+        // Its normal towards the robot.
+        0..3 => about(bearing) * over(-FRAC_PI_2),
+        3..5 => over(PI),
+        _ => about(random.random_range(0.0..TAU)) * over(random.random_range(0.0..FRAC_PI_3)),
+    };
+    tilted * about(turn)
+}
+
+fn particles(random: &mut ChaCha8Rng, size: Vector2) -> Vec<Point2> {
+    let count = random.random_range(10..=60);
+    let mut at = |length: f64| length * random.random_range(-0.5..0.5);
+    (0..count)
+        .map(|_| Point2::new(at(size.x), at(size.y)))
+        .collect()
+}
+
+/// The plate, and up to six boxes and cylinders on it and about it.
+fn scene(
+    random: &mut ChaCha8Rng,
+    size: Vector2,
+    world_from_surface: &Pose,
+) -> Result<Vec<SceneObject>, AnyError> {
+    let mut scene = vec![SceneObject {
+        name: "plate".into(),
+        part: ScenePart::Carrier,
+        mesh: Mesh::cuboid(Vector3::new(size.x, size.y, PLATE))?,
+        world_from_object: world_from_surface * Translation3::new(0.0, 0.0, -PLATE / 2.0),
+    }];
+    for number in 0..random.random_range(0..=6) {
+        let mut length = || random.random_range(0.02..0.12);
+        let (a, b, height) = (length(), length(), 2.0 * length());
+        let mesh = if random.random_bool(0.5) {
+            Mesh::cuboid(Vector3::new(a, b, height))?
+        } else {
+            Mesh::cylinder(a / 2.0, height, 24)?
+        };
+        let mut at = |length: f64| (length / 2.0 + 0.2) * random.random_range(-1.0..1.0);
+        let standing = Translation3::new(at(size.x), at(size.y), height / 2.0);
+        scene.push(SceneObject {
+            name: format!("thing {number}"),
+            part: ScenePart::Obstacle,
+            mesh,
+            world_from_object: world_from_surface * standing,
+        });
+    }
+    Ok(scene)
+}
+
+/// The sponge: its lower face is in the contact plane.
+pub fn sponge() -> Result<Tool, AnyError> {
+    let [depth, width, height] = SPONGE;
+    let tool_from_mesh = Pose::translation(0.0, 0.0, height / 2.0);
+    Ok(Tool {
+        name: "sponge".into(),
+        mesh: Mesh::cuboid(Vector3::new(depth, width, height))?.transformed(&tool_from_mesh),
+        footprint: Region::new(vec![Polygon::rectangle(Vector2::new(depth, width))]),
+        area_of_effect: Vector2::new(depth, width),
+        rotation_about_normal: AngleRange::FULL,
+        tilt: None,
+    })
+}
+
+/// The sponge on breadcrumbs.
+pub fn interaction() -> Interaction {
+    Interaction {
+        tool: "sponge".into(),
+        medium: "breadcrumbs".into(),
+        surface: SurfaceScope::Any,
+        actions: Action::ALL.into_iter().collect(),
+        press_force_n: 10.0,
+        stiffness_n_per_m: 500.0,
+        damping_ratio: 0.7,
+        nullspace_posture_weight: 0.1,
+        compression_depth_m: 0.005,
+        likelihood: LogNormal {
+            mu: -1.0,
+            sigma: 0.25,
+        },
+    }
+}
+
+/// An error without its numbers, so that alike ones can be counted.
+fn kind(message: &str) -> String {
+    let digits = |c: char| c.is_ascii_digit() || c == '.' || c == '-';
+    message
+        .split_whitespace()
+        .filter(|word| !word.contains(digits))
+        .collect::<Vec<_>>()
+        .join(" ")
+}

@@ -1,0 +1,90 @@
+//! A small board in front of the arm of seven joints.
+
+use crate::problems::{self, Robot, lost_nodes};
+use wisch::follow::{FollowConfig, Followed, Workcell, WorkcellConfig, audit};
+use wisch::geometry::{Mesh, Point2, Polygon, Pose, Vector2, Vector3};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan};
+use wisch::represent::{Action, ParticleDistribution, SceneObject, ScenePart, Surface, Task};
+
+/// Extent of the board [m].
+const BOARD: [f64; 2] = [0.24, 0.18];
+
+pub fn arm7() -> Robot {
+    let [arm7, ..] = problems::robots().unwrap();
+    arm7
+}
+
+pub fn block(name: &str, size: [f64; 3], at: [f64; 3]) -> SceneObject {
+    SceneObject {
+        name: name.into(),
+        part: ScenePart::Obstacle,
+        mesh: Mesh::cuboid(Vector3::from(size)).unwrap(),
+        world_from_object: Pose::translation(at[0], at[1], at[2]),
+    }
+}
+
+/// The board with the middle of its upper face at a place in the world, 24 crumbs on a lattice.
+pub fn board(action: Action, [x, y, z]: [f64; 3]) -> Task {
+    let size = Vector2::from(BOARD);
+    let crumbs: Vec<Point2> = (0..24)
+        .map(|i| ((i % 6) as f64, (i / 6) as f64))
+        .map(|(i, j)| Point2::new(0.04 * (i - 2.5), 0.04 * (j - 1.5)))
+        .collect();
+    Task {
+        name: "board".into(),
+        action,
+        surface: Surface {
+            name: "board".into(),
+            outline: Polygon::rectangle(size),
+            world_from_surface: Pose::translation(x, y, z),
+            skim_edges: vec![0],
+        },
+        scene: vec![SceneObject {
+            part: ScenePart::Carrier,
+            ..block("board", [size.x, size.y, 0.02], [x, y, z - 0.01])
+        }],
+        tool: problems::sponge().unwrap(),
+        medium: "breadcrumbs".into(),
+        interaction: problems::interaction(),
+        particles: ParticleDistribution::new(&crumbs).unwrap(),
+        collect_goal: None,
+        tool_start: Point2::new(-0.2, 0.0),
+        seed: 1,
+    }
+}
+
+pub fn planned(task: &Task) -> Plan {
+    let config = PlanConfig {
+        strategy: CoverageStrategy::Grid,
+        seed: 1,
+        bandwidth: None,
+        lift_height: 0.05,
+    };
+    plan(task, &config).unwrap()
+}
+
+pub fn cell(task: &Task) -> Workcell {
+    let robot = arm7();
+    let config = WorkcellConfig::default();
+    Workcell::new(robot.model, Some(&robot.srdf), task, &config).unwrap()
+}
+
+/// Everything that is wrong with a followed plan: what the audit finds, nodes that are lost, and strokes that
+/// are not the line that is wiped.
+pub fn faults(task: &Task, plan: &Plan, cell: &Workcell, followed: &Followed) -> Vec<String> {
+    let audit = audit(followed, cell, task, &FollowConfig::default()).unwrap();
+    let mut faults: Vec<String> = audit.faults.iter().map(ToString::to_string).collect();
+    faults.extend(lost_nodes(plan, followed));
+    for (number, stroke) in followed.strokes.iter().enumerate() {
+        let wiped: Vec<_> = (followed.motions.iter())
+            .filter(|motion| motion.phase.stroke() == Some(number))
+            .flat_map(|motion| &motion.tool_line)
+            .map(|pose| pose.surface_from_tool)
+            .collect();
+        // A stroke of one node only touches: nothing moves while it wipes.
+        if wiped != stroke.poses && stroke.poses.len() > 1 {
+            faults.push(format!("stroke {number} is not the line that is wiped"));
+        }
+    }
+    faults
+}
