@@ -276,7 +276,17 @@ fn a_map_is_built_found_and_used() {
     let bytes = fs::read(&map).expect("beside the URDF");
     assert_eq!(record["bytes"], bytes.len());
 
-    let follow = ["follow", "task.toml", "--out", "result", "--robot"];
+    // This arm's first link hangs lower than that of the scene's arm.
+    let raised = "robot.position_m=[0, -0.45, 0.8]";
+    let follow = [
+        "follow",
+        "task.toml",
+        "--out",
+        "result",
+        "--set",
+        raised,
+        "--robot",
+    ];
     for robot in [&["arm6.urdf"][..], &["arm6", "--map", "arm6.reach"]] {
         let summary_of = summary(folder.path(), &[&follow[..], robot].concat());
         assert_eq!(summary_of["robot"], "arm6");
