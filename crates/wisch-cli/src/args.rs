@@ -6,6 +6,7 @@ use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum, 
 use std::path::PathBuf;
 use wisch::plan::CoverageStrategy;
 use wisch::represent::Action;
+use wisch::robot::MapConfig;
 
 /// Plan robotic wiping, predict what it does to the dirt, and follow the plan with a robot.
 ///
@@ -141,7 +142,8 @@ Examples:
     #[command(after_help = "\
 Examples:
   wisch check board.toml
-  wisch check board.toml --strategy kde --set plan.bandwidth_m=0.04")]
+  wisch check board.toml --strategy kde --set plan.bandwidth_m=0.04
+  wisch check board.toml --robot arm7 --set 'robot.position_m=[0, -0.45, 0.75]'")]
     Check(CheckArgs),
     /// Look at robots
     #[command(subcommand, arg_required_else_help = true)]
@@ -167,7 +169,8 @@ Examples:
   wisch robot map my_robot.urdf --group manipulator --out my_robot.reach
 
 The map is used to find where a mobile base should stand. Beside the URDF, with its name and the
-ending .reach, it is found by itself. It belongs to this very robot: change it, and build it anew.")]
+ending .reach, it is found by itself; elsewhere, --map names it. It belongs to this very robot: change
+the robot, and build it anew.")]
     Map(RobotMapArgs),
 }
 
@@ -180,13 +183,14 @@ pub struct RobotMapArgs {
     /// The group of the robot's SRDF that reaches [default: the first]
     #[arg(long, value_name = "NAME")]
     pub group: Option<String>,
-    /// Edge of a voxel [m]
-    #[arg(long, value_name = "METRES", default_value_t = 0.05)]
+    /// Edge of a voxel [m], 0.001 to 10
+    #[arg(long, value_name = "METRES", default_value_t = MapConfig::default().voxel, allow_negative_numbers = true)]
     pub voxel_m: f64,
     /// Random postures that are looked at
-    #[arg(long, value_name = "N", default_value_t = 1_000_000)]
+    #[arg(long, value_name = "N", default_value_t = MapConfig::default().samples)]
     pub samples: u64,
-    /// Where to write it [default: the robot's name with the ending .reach]
+    /// Where to write it, a file that ends in .reach [default: beside the URDF; of a robot that is
+    /// shipped, here]
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub out: Option<PathBuf>,
     /// Where the files of package://NAME are; may be given more than once
@@ -339,6 +343,9 @@ pub struct CheckArgs {
     /// The task.
     #[command(flatten)]
     pub task: TaskArgs,
+    /// The robot.
+    #[command(flatten)]
+    pub robot: RobotArgs,
 }
 
 fn strategy_parser() -> impl TypedValueParser<Value = CoverageStrategy> {

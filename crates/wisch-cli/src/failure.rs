@@ -1,6 +1,7 @@
 //! Errors as the user reads them: one sentence, and what to do about it.
 
 use miette::Diagnostic;
+use std::path::Path;
 
 /// Why a command could not do its work.
 #[derive(Debug, thiserror::Error, Diagnostic)]
@@ -17,6 +18,14 @@ impl Failure {
         Self {
             sentence: sentence.to_string(),
             help: None,
+        }
+    }
+
+    /// The same, with the file that led there named first.
+    pub fn within(self, file: &Path) -> Self {
+        Self {
+            sentence: format!("{}: {}", file.display(), self.sentence),
+            ..self
         }
     }
 

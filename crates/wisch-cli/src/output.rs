@@ -25,20 +25,69 @@ pub const TCP_PATH_FILE: &str = "tcp-path.csv";
 /// The report.
 pub const REPORT_FILE: &str = "report.html";
 
-/// Writes one file: it is there whole or not at all.
-///
-/// # Errors
-/// What the system says.
-pub fn write_whole(path: &Path, contents: &[u8]) -> Result<(), Failure> {
-    let failed = |error: io::Error| cannot_write(path, &error);
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let file = tempfile::NamedTempFile::new_in(folder).map_err(failed)?;
-    fs::write(file.path(), contents).map_err(failed)?;
-    file.persist(path).map_err(|error| failed(error.error))?;
-    Ok(())
+/// A file in the making: in the end it is there whole or not at all.
+pub struct OutputFile {
+    target: PathBuf,
+    file: tempfile::NamedTempFile,
+}
+
+impl OutputFile {
+    /// Begins a file that is to stand at `target`.
+    ///
+    /// # Errors
+    /// If a folder stands there, or nothing can be written.
+    pub fn begin(target: &Path) -> Result<Self, Failure> {
+        if target.is_dir() {
+            return Err(Failure::new(format!(
+                "{}: a file is to be written, but a folder stands there",
+                target.display()
+            ))
+            .with_help("choose another file with --out"));
+        }
+        let folder = match target.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder,
+            _ => Path::new("."),
+        };
+        let file = tempfile::NamedTempFile::new_in(folder)
+            .map_err(|error| cannot_write(target, &error))?;
+        Ok(Self {
+            target: target.to_path_buf(),
+            file,
+        })
+    }
+
+    /// Moves the file to its place, with these contents.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn finish(self, contents: &[u8]) -> Result<(), Failure> {
+        let Self { target, file } = self;
+        let failed = |error: io::Error| cannot_write(&target, &error);
+        fs::write(file.path(), contents).map_err(failed)?;
+        file.persist(&target).map_err(|error| failed(error.error))?;
+        Ok(())
+    }
+}
+
+/// Folders that were made on the way to a target. Dropped, those that are still empty go again.
+struct MadeFolders(Vec<PathBuf>);
+
+impl MadeFolders {
+    fn make(folder: &Path) -> io::Result<Self> {
+        let missing = folder.ancestors().take_while(|folder| !folder.exists());
+        let missing = missing.map(Path::to_path_buf).collect();
+        fs::create_dir_all(folder)?;
+        Ok(Self(missing))
+    }
+}
+
+impl Drop for MadeFolders {
+    fn drop(&mut self) {
+        for folder in &self.0 {
+            // Those that hold something stay.
+            let _ = fs::remove_dir(folder);
+        }
+    }
 }
 
 /// A folder of results in the making. Dropped unfinished, it leaves nothing behind.
@@ -46,6 +95,8 @@ pub struct OutputFolder {
     target: PathBuf,
     /// Holds `new`, and `old` while folders change places; on the same file system as the target.
     workplace: TempDir,
+    /// Dropped after `workplace`, which stands in them.
+    _made: MadeFolders,
 }
 
 impl OutputFolder {
@@ -62,12 +113,16 @@ impl OutputFolder {
                 target.display()
             )));
         };
-        fs::create_dir_all(parent).map_err(|error| cannot_write(parent, &error))?;
+        let made = MadeFolders::make(parent).map_err(|error| cannot_write(parent, &error))?;
         let workplace = tempfile::Builder::new()
             .prefix(&format!(".{}.", name.to_string_lossy()))
             .tempdir_in(parent)
             .map_err(|error| cannot_write(parent, &error))?;
-        let folder = Self { target, workplace };
+        let folder = Self {
+            target,
+            workplace,
+            _made: made,
+        };
         fs::create_dir(folder.new_path())
             .map_err(|error| cannot_write(&folder.new_path(), &error))?;
         Ok(folder)
@@ -170,6 +225,10 @@ fn is_result_file(name: &str) -> bool {
         PLAN_FILE,
         PARTICLES_BEFORE_FILE,
         PARTICLES_AFTER_FILE,
+        FOLLOWING_FILE,
+        TRAJECTORY_JSON_FILE,
+        TRAJECTORY_YAML_FILE,
+        TCP_PATH_FILE,
         REPORT_FILE,
     ];
     fixed.contains(&name) || name.ends_with(".svg") || name.ends_with(".png")

@@ -1,5 +1,6 @@
 //! `wisch check`: what a task asks for, in words.
 
+use super::follow::{Chosen, can_start, stand_in_words, workcell};
 use super::prepare::Prepared;
 use super::words::{counted, percent};
 use crate::args::{CheckArgs, GlobalArgs};
@@ -25,9 +26,18 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     let room = Room::of(&prepared.task).map_err(failure)?;
     progress.say(format!("planning ({})", prepared.strategy()));
     let plan = plan(&prepared.task, &prepared.config).map_err(failure)?;
+    progress.say("reading the robot");
+    let robot = match Chosen::new(&args.robot, &prepared)? {
+        Some(chosen) => {
+            let (cell, _) = workcell(&chosen, &args.task, &prepared)?;
+            can_start(&cell, &chosen, &args.task, &prepared, &plan)?;
+            stand_in_words(&cell)
+        }
+        None => "none; the plan can be predicted, but not followed".to_owned(),
+    };
     drop(progress);
     if !global.quiet {
-        print(&explanation(&prepared, &room, &plan))?;
+        print(&explanation(&prepared, &room, &plan, robot))?;
     }
     Ok(Outcome::Done)
 }
@@ -87,7 +97,7 @@ fn raster(task: &Task) -> Vec<Point2> {
         .collect()
 }
 
-fn explanation(prepared: &Prepared, room: &Room, plan: &Plan) -> String {
+fn explanation(prepared: &Prepared, room: &Room, plan: &Plan, robot: String) -> String {
     let task = &prepared.task;
     let mut lines: Vec<(&str, String)> = vec![("action", action(prepared))];
     if let Some(derived) = &prepared.derived {
@@ -122,6 +132,7 @@ fn explanation(prepared: &Prepared, room: &Room, plan: &Plan) -> String {
             percent(plan.unreachable_share)
         ),
     ));
+    lines.push(("robot", robot));
     lines.push(("target", percent(prepared.file.target_performance())));
     let mut text = format!("{}: the task is sound\n", task.name);
     for (name, value) in lines {

@@ -12,11 +12,13 @@ use crate::report::{
 use crate::robots::Robot;
 use std::time::Instant;
 use wisch::follow::{
-    Audit, FollowConfig, Followed, Phase, TrajectorySample, Workcell, WorkcellConfig, audit, follow,
+    AbandonedNode, Audit, FollowConfig, FollowError, Followed, Phase, TrajectorySample, Workcell,
+    WorkcellConfig, audit, follow,
 };
 use wisch::geometry::{Pose, Vector3};
 use wisch::plan::Plan;
 use wisch::represent::{Fate, RobotDescription, RobotRecord, ScenePart, Task};
+use wisch::robot::CapabilityMap;
 
 /// What `--robot` says to leave the robot out.
 const NO_ROBOT: &str = "none";
@@ -37,51 +39,128 @@ pub struct Following {
     pub time_s: f64,
 }
 
-/// The robot that is to follow, if there is one.
-pub fn chosen(args: &RobotArgs, prepared: &Prepared) -> Option<RobotRecord> {
-    let in_file = prepared.file.robot();
-    let record = match args.robot.as_deref() {
-        Some(NO_ROBOT) => return None,
-        Some(text) => RobotRecord {
-            description: Robot::description(text),
-            group: None,
-            world_from_robot: in_file.and_then(|robot| robot.world_from_robot),
-        },
-        None => in_file?.clone(),
+/// The robot that is to follow, with what the command line says of it.
+pub struct Chosen<'a> {
+    record: RobotRecord,
+    args: &'a RobotArgs,
+}
+
+impl<'a> Chosen<'a> {
+    /// The robot that is to follow, if there is one.
+    ///
+    /// # Errors
+    /// Options that are of no use without a robot.
+    pub fn new(args: &'a RobotArgs, prepared: &Prepared) -> Result<Option<Self>, Failure> {
+        let in_file = prepared.file.robot();
+        let record = match (args.robot.as_deref(), in_file) {
+            (Some(NO_ROBOT), _) | (None, None) => return no_robot(args).map(|()| None),
+            (Some(text), _) => RobotRecord {
+                description: Robot::description(text),
+                group: None,
+                world_from_robot: in_file.and_then(|robot| robot.world_from_robot),
+            },
+            (None, Some(record)) => record.clone(),
+        };
+        let group = args.group.clone().or(record.group);
+        let record = RobotRecord { group, ..record };
+        Ok(Some(Self { record, args }))
+    }
+}
+
+fn no_robot(args: &RobotArgs) -> Result<(), Failure> {
+    let useless = [
+        ("--group", args.group.is_some()),
+        ("--map", args.map.is_some()),
+    ];
+    match useless.iter().find(|(_, given)| *given) {
+        Some((option, _)) => Err(
+            Failure::new(format!("{option}: there is no robot to use it"))
+                .with_help("add a [robot] table to the task, or name a robot with --robot"),
+        ),
+        None => Ok(()),
+    }
+}
+
+/// Robot, tool and scene, and what is known of the robot's reach.
+pub fn workcell(
+    chosen: &Chosen<'_>,
+    task_args: &TaskArgs,
+    prepared: &Prepared,
+) -> Result<(Workcell, Option<CapabilityMap>), Failure> {
+    let Chosen { record, args } = chosen;
+    let task_file = &task_args.task;
+    let robot = Robot::read(
+        &record.description,
+        task_file,
+        args.map.as_deref(),
+        &args.packages,
+    )
+    .map_err(|failure| match args.robot {
+        Some(_) => failure,
+        None => failure.within(task_file),
+    })?;
+    let config = WorkcellConfig {
+        group: record.group.clone(),
+        world_from_robot: (record.world_from_robot).or_else(|| before_surface(&prepared.task)),
+        ..WorkcellConfig::default()
     };
-    Some(RobotRecord {
-        group: args.group.clone().or(record.group),
-        ..record
-    })
+    let cell = Workcell::new(robot.model, robot.srdf.as_ref(), &prepared.task, &config)
+        .map_err(|error| cannot_follow(&error, &chosen.record, task_args, prepared))?;
+    Ok((cell, robot.map))
+}
+
+/// Whether the robot can start; there need not be a plan.
+pub fn can_start(
+    cell: &Workcell,
+    chosen: &Chosen<'_>,
+    task_args: &TaskArgs,
+    prepared: &Prepared,
+    plan: &Plan,
+) -> Result<(), Failure> {
+    let nothing = Plan {
+        strokes: Vec::new(),
+        ..plan.clone()
+    };
+    let config = FollowConfig::default();
+    follow(&prepared.task, &nothing, cell, None, &config, &mut |_| ())
+        .map_err(|error| cannot_follow(&error, &chosen.record, task_args, prepared))?;
+    Ok(())
+}
+
+/// Which robot stands where, in one line.
+pub fn stand_in_words(cell: &Workcell) -> String {
+    let robot = cell.robot();
+    let tip = &robot.links()[cell.tip().index()].name;
+    let place = match cell.base() {
+        Some(base) => {
+            let [x, y, yaw] = [base.x, base.y, base.yaw].map(|i| cell.ready()[i]);
+            format!(
+                "starts at ({x:.3}, {y:.3}) m, heading {:.1}°, and moves its base",
+                yaw.to_degrees()
+            )
+        }
+        None => {
+            let at = cell.world_from_root().translation.vector;
+            format!("is fixed at ({:.3}, {:.3}, {:.3}) m", at.x, at.y, at.z)
+        }
+    };
+    format!("{} holds the tool with {tip}; it {place}", robot.name())
 }
 
 /// Lets the robot follow the plan.
 pub fn follow_plan(
-    record: &RobotRecord,
-    args: &RobotArgs,
+    chosen: &Chosen<'_>,
     task_args: &TaskArgs,
     prepared: &Prepared,
     plan: &Plan,
     progress: &Progress,
 ) -> Result<Following, Failure> {
     let task = &prepared.task;
-    let robot = Robot::read(
-        &record.description,
-        &task_args.task,
-        args.map.as_deref(),
-        &args.packages,
-    )?;
-    let name = robot.model.name().to_owned();
+    progress.say("reading the robot");
+    let (cell, map) = workcell(chosen, task_args, prepared)?;
+    let name = cell.robot().name().to_owned();
     progress.say(format!("following with {name}"));
     let start = Instant::now();
-    let config = WorkcellConfig {
-        group: record.group.clone(),
-        world_from_robot: record.world_from_robot.or_else(|| before_surface(task)),
-        ..WorkcellConfig::default()
-    };
-    let in_task = |error: &dyn std::fmt::Display| prepared.failure(task_args, error);
-    let cell = Workcell::new(robot.model, robot.srdf.as_ref(), task, &config)
-        .map_err(|error| in_task(&error).with_help(help_for(&record.description)))?;
     let config = FollowConfig {
         seed: prepared.config.seed,
         ..FollowConfig::default()
@@ -90,11 +169,12 @@ pub fn follow_plan(
     let mut say = |passed: usize| {
         progress.say(format!("following with {name}: {passed} of {nodes} nodes"));
     };
-    let followed = follow(task, plan, &cell, robot.map.as_ref(), &config, &mut say)
-        .map_err(|error| in_task(&error).with_help(help_for(&record.description)))?;
+    let followed = follow(task, plan, &cell, map.as_ref(), &config, &mut say)
+        .map_err(|error| cannot_follow(&error, &chosen.record, task_args, prepared))?;
     let time_s = start.elapsed().as_secs_f64();
     progress.say("checking the motion");
-    let audit = audit(&followed, &cell, task, &config).map_err(|error| in_task(&error))?;
+    let audit = audit(&followed, &cell, task, &config)
+        .map_err(|error| prepared.failure(task_args, error))?;
     Ok(Following {
         robot: name,
         cell,
@@ -104,17 +184,34 @@ pub fn follow_plan(
     })
 }
 
-fn help_for(description: &RobotDescription) -> String {
-    match description {
-        RobotDescription::Named(_) => {
-            "[robot] in the task file says where the robot stands; --robot none leaves it out"
-                .into()
+fn cannot_follow(
+    error: &FollowError,
+    record: &RobotRecord,
+    task_args: &TaskArgs,
+    prepared: &Prepared,
+) -> Failure {
+    let failure = prepared.failure(task_args, error);
+    match (error, &record.description) {
+        (FollowError::UnknownGroup(_), _) => {
+            failure.with_help("groups are those of the robot's SRDF; without --group and group in [robot], its first wipes")
         }
-        RobotDescription::Files { urdf, .. } => format!(
+        (_, RobotDescription::Named(_)) => failure.with_help(
+            "[robot] in the task file says where the robot stands; --robot none leaves it out",
+        ),
+        (_, RobotDescription::Files { urdf, .. }) => failure.with_help(format!(
             "[robot] in the task file says where the robot stands, the SRDF beside {urdf} which \
              group wipes and a \"ready\" state that touches nothing"
-        ),
+        )),
     }
+}
+
+/// What was in the way of a node when it was last tried.
+fn first_obstruction(abandoned: &AbandonedNode) -> String {
+    let why = match abandoned.attempts.first() {
+        Some(attempt) => attempt.obstruction.to_string(),
+        None => "no place for the base leads there".to_owned(),
+    };
+    format!("node {}: {why}", abandoned.node)
 }
 
 /// Where the scene shows the robot, facing the surface; on the floor.
@@ -153,7 +250,9 @@ impl Following {
                 })
                 .collect(),
             execution_time_s: self.followed.duration(),
-            contact_time_s: self.followed.contact_time(),
+            // The sum of nothing is -0.
+            contact_time_s: self.followed.contact_time() + 0.0,
+            first_obstruction: (self.followed.abandoned.first()).map(first_obstruction),
             following_time_s: self.time_s,
             max_path_deviation_m: self.audit.line.position,
             max_turn_deviation_rad: self.audit.line.rotation,

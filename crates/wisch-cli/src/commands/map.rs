@@ -2,7 +2,7 @@
 
 use crate::args::{GlobalArgs, RobotMapArgs};
 use crate::failure::Failure;
-use crate::output::write_whole;
+use crate::output::OutputFile;
 use crate::progress::Progress;
 use crate::robots::{MAP_EXTENSION, Robot};
 use crate::terminal::{Outcome, print};
@@ -43,8 +43,9 @@ pub fn map(args: &RobotMapArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
     let description = Robot::description(&args.robot);
     // A path on the command line counts from the working directory.
     let robot = Robot::read_without_map(&description, Path::new(""), &args.packages)?;
+    let of_robot = |error| Failure::new(format!("{}: {error}", args.robot));
     let group = Group::choose(&robot.model, robot.srdf.as_ref(), args.group.as_deref())
-        .map_err(Failure::new)?;
+        .map_err(of_robot)?;
     let collisions =
         CollisionModel::new(&robot.model, robot.srdf.as_ref()).map_err(Failure::new)?;
     let chain = robot
@@ -68,6 +69,9 @@ pub fn map(args: &RobotMapArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
         refinements: 2,
         ..MapConfig::default()
     };
+    // Before the long part: nobody likes to wait for "permission denied".
+    let out = out_file(args, &description, robot.model.name())?;
+    let file = OutputFile::begin(&out)?;
     let start = Instant::now();
     let is_free = |q: &[f64]| matches!(collisions.collision(q, MARGIN), Ok(None));
     let built = CapabilityMap::build(&tool, is_free, &config, |stage, done, total| {
@@ -80,8 +84,7 @@ pub fn map(args: &RobotMapArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
     })
     .map_err(Failure::new)?;
     let bytes = built.to_bytes();
-    let out = out_file(args, &description, robot.model.name());
-    write_whole(&out, &bytes)?;
+    file.finish(&bytes)?;
     drop(progress);
 
     let (voxels, directions) = built.shape();
@@ -111,13 +114,24 @@ pub fn map(args: &RobotMapArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
 }
 
 /// Where the map goes: beside a URDF, where it is found by itself.
-fn out_file(args: &RobotMapArgs, description: &RobotDescription, robot: &str) -> PathBuf {
+fn out_file(
+    args: &RobotMapArgs,
+    description: &RobotDescription,
+    robot: &str,
+) -> Result<PathBuf, Failure> {
     match (&args.out, description) {
-        (Some(out), _) => out.clone(),
-        (None, RobotDescription::Files { urdf, .. }) => {
-            Path::new(urdf).with_extension(MAP_EXTENSION)
+        // So that no task or URDF is written over by mistake.
+        (Some(out), _) if out.extension().is_none_or(|e| e != MAP_EXTENSION) => {
+            Err(Failure::new(format!(
+                "{}: the file of a capability map ends in .{MAP_EXTENSION}",
+                out.display()
+            )))
         }
-        (None, RobotDescription::Named(_)) => PathBuf::from(format!("{robot}.{MAP_EXTENSION}")),
+        (Some(out), _) => Ok(out.clone()),
+        (None, RobotDescription::Files { urdf, .. }) => {
+            Ok(Path::new(urdf).with_extension(MAP_EXTENSION))
+        }
+        (None, RobotDescription::Named(_)) => Ok(PathBuf::from(format!("{robot}.{MAP_EXTENSION}"))),
     }
 }
 

@@ -1,6 +1,6 @@
 //! `wisch run`, `wisch plan`, `wisch predict` and `wisch follow`: the stages, and the folder with their results.
 
-use super::follow::{Following, chosen, follow_plan};
+use super::follow::{Chosen, Following, follow_plan};
 use super::prepare::Prepared;
 use super::words::{counted, percent};
 use crate::args::{FollowArgs, GlobalArgs, PredictArgs, ResultArgs, RobotArgs, RunArgs, TaskArgs};
@@ -33,25 +33,23 @@ enum Extent<'a> {
     Plan,
     Predict,
     /// With the robot of the task, if there is one.
+    Run(&'a RobotArgs),
+    /// With the robot of the task, which has to have one.
     Follow(&'a RobotArgs),
 }
 
 /// `wisch run`: plan, follow with the task's robot if it has one, and predict.
 pub fn run(args: &FollowArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let plan = args.plan.as_deref();
-    let extent = Extent::Follow(&args.robot);
+    let extent = Extent::Run(&args.robot);
     work(&args.task, &args.results, plan, extent, global)
 }
 
 /// `wisch follow`: the same, but without a robot there is nothing to do.
 pub fn follow_only(args: &FollowArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    let prepared = Prepared::read(&args.task)?;
-    if chosen(&args.robot, &prepared).is_none() {
-        return Err(prepared
-            .failure(&args.task, "the task has no robot to follow the plan")
-            .with_help("add a [robot] table, or name one with --robot"));
-    }
-    run(args, global)
+    let plan = args.plan.as_deref();
+    let extent = Extent::Follow(&args.robot);
+    work(&args.task, &args.results, plan, extent, global)
 }
 
 /// `wisch plan`.
@@ -86,6 +84,15 @@ fn work(
     let progress = Progress::start(global);
     progress.say("reading the task");
     let mut prepared = Prepared::read(task_args)?;
+    let robot = match extent {
+        Extent::Plan | Extent::Predict => None,
+        Extent::Run(args) => Chosen::new(args, &prepared)?,
+        Extent::Follow(args) => Some(Chosen::new(args, &prepared)?.ok_or_else(|| {
+            prepared
+                .failure(task_args, "there is no robot to follow the plan")
+                .with_help("add a [robot] table to the task, or name a robot with --robot")
+        })?),
+    };
     let given = plan_file
         .map(|path| given_plan(path, &mut prepared))
         .transpose()?;
@@ -93,7 +100,14 @@ fn work(
     // Before the long part: nobody likes to wait for "permission denied".
     let folder = OutputFolder::begin(&out)?;
 
-    let results_of = stages(task_args, &prepared, given, extent, &progress)?;
+    let results_of = stages(
+        task_args,
+        &prepared,
+        given,
+        extent,
+        robot.as_ref(),
+        &progress,
+    )?;
     progress.say("writing the results");
     write(&folder, &prepared, &results_of)?;
     folder.finish()?;
@@ -122,6 +136,7 @@ fn stages(
     prepared: &Prepared,
     given: Option<Plan>,
     extent: Extent<'_>,
+    robot: Option<&Chosen<'_>>,
     progress: &Progress,
 ) -> Result<Results, Failure> {
     let task = &prepared.task;
@@ -135,16 +150,13 @@ fn stages(
             (plan, Some(start.elapsed().as_secs_f64()))
         }
     };
-    let following = match extent {
-        Extent::Follow(robot) => chosen(robot, prepared)
-            .map(|record| follow_plan(&record, robot, task_args, prepared, &plan, progress))
-            .transpose()?,
-        Extent::Plan | Extent::Predict => None,
-    };
+    let following = robot
+        .map(|robot| follow_plan(robot, task_args, prepared, &plan, progress))
+        .transpose()?;
     let mut abandoned_share = 0.0;
     let predicted = match extent {
         Extent::Plan => None,
-        Extent::Predict | Extent::Follow(_) => {
+        Extent::Predict | Extent::Run(_) | Extent::Follow(_) => {
             let wiped = (following.as_ref()).map_or_else(|| plan.clone(), |f| f.plan(&plan));
             progress.say(format!(
                 "predicting {}",
@@ -471,6 +483,12 @@ fn robot_in_words(following: &FollowingSummary) -> Vec<(&'static str, String)> {
             format!("{:.3} s", following.following_time_s),
         ),
     ];
+    if let Some(obstruction) = &following.first_obstruction {
+        lines.push((
+            "abandoned first",
+            format!("{obstruction}; all of them in {FOLLOWING_FILE}"),
+        ));
+    }
     if following.faults > 0 {
         let faults = counted(following.faults, "fault");
         lines.push(("faults", format!("{faults}, see {FOLLOWING_FILE}")));

@@ -68,8 +68,10 @@ pub struct PredictionSummary {
 pub struct FollowingSummary {
     /// Name of the robot.
     pub robot: String,
-    /// Nodes of the plan that no way of the robot leads to.
+    /// Nodes on the plan's strokes that no way of the robot leads to; a node on two strokes counts twice.
     pub abandoned_nodes: usize,
+    /// What was in the way of the first of them; null where there is none.
+    pub first_obstruction: Option<String>,
     /// Share of the particles that this loses: predicted for the plan less predicted for the motion.
     pub abandoned_share: f64,
     /// Where the base stands, one after the other: x [m], y [m], heading [rad] in the world.
@@ -78,8 +80,7 @@ pub struct FollowingSummary {
     pub execution_time_s: f64,
     /// How long of it the tool wipes.
     pub contact_time_s: f64,
-    /// How long finding the motion took, placements and timing included; null in what must not depend
-    /// on the clock.
+    /// How long finding the motion took, placements and timing included.
     pub following_time_s: f64,
     /// How far the tool centre point leaves its line at most.
     pub max_path_deviation_m: f64,

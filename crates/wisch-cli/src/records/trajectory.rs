@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use std::fmt::Write;
+use std::io;
 use wisch::follow::{Followed, TrajectorySample, Workcell};
 use wisch::geometry::Pose;
 use wisch::represent::Interaction;
@@ -165,15 +166,14 @@ impl RobotTrajectory {
     /// If a number is not finite.
     pub fn to_yaml(&self) -> serde_json::Result<String> {
         let mut yaml = String::new();
-        // JSON is flow style YAML.
         let mut part = |name: &str,
                         header: &Header,
                         names: &[String],
                         points: Vec<String>|
          -> serde_json::Result<()> {
             let _ = writeln!(yaml, "{name}:");
-            let _ = writeln!(yaml, "  header: {}", serde_json::to_string(header)?);
-            let _ = writeln!(yaml, "  joint_names: {}", serde_json::to_string(names)?);
+            let _ = writeln!(yaml, "  header: {}", flow(header)?);
+            let _ = writeln!(yaml, "  joint_names: {}", flow(names)?);
             let none = if points.is_empty() { " []" } else { "" };
             let _ = writeln!(yaml, "  points:{none}");
             for point in points {
@@ -182,7 +182,7 @@ impl RobotTrajectory {
             Ok(())
         };
         let joints = &self.joint_trajectory;
-        let points = joints.points.iter().map(serde_json::to_string);
+        let points = joints.points.iter().map(flow);
         part(
             "joint_trajectory",
             &joints.header,
@@ -190,7 +190,7 @@ impl RobotTrajectory {
             points.collect::<serde_json::Result<_>>()?,
         )?;
         let base = &self.multi_dof_joint_trajectory;
-        let points = base.points.iter().map(serde_json::to_string);
+        let points = base.points.iter().map(flow);
         part(
             "multi_dof_joint_trajectory",
             &base.header,
@@ -199,6 +199,24 @@ impl RobotTrajectory {
         )?;
         Ok(yaml)
     }
+}
+
+/// JSON is flow style YAML, but for its numbers: YAML 1.1 takes 6e-6 for a text.
+struct WithPoint;
+
+impl serde_json::ser::Formatter for WithPoint {
+    fn write_f64<W: io::Write + ?Sized>(&mut self, writer: &mut W, value: f64) -> io::Result<()> {
+        let digits = value.to_string();
+        let point = if digits.contains('.') { "" } else { ".0" };
+        write!(writer, "{digits}{point}")
+    }
+}
+
+fn flow(value: &(impl Serialize + ?Sized)) -> serde_json::Result<String> {
+    let mut text = Vec::new();
+    let mut serializer = serde_json::Serializer::with_formatter(&mut text, WithPoint);
+    value.serialize(&mut serializer)?;
+    Ok(String::from_utf8_lossy(&text).into_owned())
 }
 
 /// The tool centre point in the world over time with what the controller is to do there.

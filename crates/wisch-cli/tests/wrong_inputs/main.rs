@@ -1,5 +1,7 @@
 //! Wrong input of every kind ends in exit code 2 and a sentence that names the file and the fault.
 
+mod robots;
+
 use assert_cmd::Command;
 use std::fs;
 use std::path::Path;
@@ -656,11 +658,17 @@ fn fault_of(case: &Case) -> Option<String> {
 
 #[test]
 fn wrong_input_is_named_with_its_place_and_fault() {
-    let cases: Vec<Case> = [toml_cases(), meaning_cases(), file_cases(), line_cases()]
-        .into_iter()
-        .flatten()
-        .collect();
-    assert!(cases.len() >= 80, "{} cases", cases.len());
+    let cases: Vec<Case> = [
+        toml_cases(),
+        meaning_cases(),
+        file_cases(),
+        line_cases(),
+        robots::cases(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    assert!(cases.len() >= 115, "{} cases", cases.len());
     let faults: Vec<String> = cases
         .iter()
         .filter_map(|case| Some(format!("{}: {}", case.name, fault_of(case)?)))

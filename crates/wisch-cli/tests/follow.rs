@@ -1,0 +1,323 @@
+//! `wisch run` and `wisch follow` with a robot, and `wisch robot map`, in a real temporary directory.
+
+use assert_cmd::Command;
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Exit code, standard output and standard error.
+fn wisch(folder: &Path, args: &[&str]) -> (i32, String, String) {
+    let output = Command::new(assert_cmd::cargo::cargo_bin!("wisch"))
+        .current_dir(folder)
+        .args(args)
+        .output()
+        .expect("it runs");
+    (
+        output.status.code().expect("it ends by itself"),
+        String::from_utf8(output.stdout).expect("text"),
+        String::from_utf8(output.stderr).expect("text"),
+    )
+}
+
+/// The JSON object of a run that works, whether or not its goal is met.
+fn summary(folder: &Path, args: &[&str]) -> Value {
+    let (code, out, err) = wisch(folder, &[args, &["--json"]].concat());
+    assert!(code == 0 || code == 1, "{args:?}: {code}: {err}");
+    assert_eq!(err, "", "nothing of the progress reaches a pipe");
+    serde_json::from_str(&out).expect("exactly one JSON object")
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// A folder with a scenario as task.toml.
+fn folder_with(scenario: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let from = root().join("scenarios").join(scenario);
+    fs::copy(from, folder.path().join("task.toml")).expect("a task");
+    folder
+}
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).expect("a text file")
+}
+
+fn json(path: &Path) -> Value {
+    serde_json::from_str(&read(path)).expect("JSON")
+}
+
+/// Every file of a folder with its bytes, by name.
+fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let mut contents: Vec<(String, Vec<u8>)> = entries
+        .map(|entry| {
+            let path = entry.expect("an entry").path();
+            let name = path.file_name().expect("a name").to_string_lossy();
+            (name.into_owned(), fs::read(&path).expect("a file"))
+        })
+        .collect();
+    contents.sort();
+    contents
+}
+
+/// What a block of the trajectory's YAML holds: header, names and points.
+struct Block {
+    header: Value,
+    names: Value,
+    points: Vec<Value>,
+}
+
+/// Reads the two blocks of trajectory.yaml line by line; each value is JSON in YAML's flow style, and
+/// no number of it is one that YAML 1.1 would take for a text.
+fn blocks(yaml: &str) -> Vec<Block> {
+    let value = |text: &str| -> Value {
+        assert!(!text.contains("e-") || text.contains("frame_id"), "{text}");
+        serde_json::from_str(text).expect("JSON")
+    };
+    let mut blocks: Vec<Block> = Vec::new();
+    for line in yaml.lines() {
+        if !line.starts_with(' ') {
+            let [header, names] = [Value::Null, Value::Null];
+            let points = Vec::new();
+            blocks.push(Block {
+                header,
+                names,
+                points,
+            });
+            continue;
+        }
+        let block = blocks.last_mut().expect("a block");
+        if let Some(header) = line.strip_prefix("  header: ") {
+            block.header = value(header);
+        } else if let Some(names) = line.strip_prefix("  joint_names: ") {
+            block.names = value(names);
+        } else if let Some(point) = line.strip_prefix("  - ") {
+            block.points.push(value(point));
+        } else {
+            assert!(["  points:", "  points: []"].contains(&line), "{line}");
+        }
+    }
+    blocks
+}
+
+#[test]
+fn the_humanoid_follows_the_board() {
+    let folder = folder_with("chopping-board.toml");
+    let run = ["run", "task.toml", "--out", "result"];
+    let summary_of = summary(folder.path(), &run);
+    let number = |key: &str| summary_of[key].as_f64().expect("a number");
+    assert_eq!(summary_of["robot"], "humanoid");
+    assert_eq!(summary_of["abandoned_nodes"], 0);
+    assert!(summary_of["first_obstruction"].is_null());
+    assert_eq!(summary_of["faults"], 0);
+    let placements = summary_of["placements"].as_array().expect("a list");
+    assert!(
+        !placements.is_empty()
+            && placements
+                .iter()
+                .all(|p| p.as_array().map(Vec::len) == Some(3))
+    );
+    assert!(number("contact_time_s") > 0.0);
+    assert!(number("execution_time_s") > number("contact_time_s"));
+    assert!(number("following_time_s") > 0.0);
+    // The tolerance of the line and the clearance that following is asked to keep.
+    assert!(number("max_path_deviation_m") <= 1e-3);
+    assert!(number("min_clearance_m") >= 5e-3);
+
+    let result = folder.path().join("result");
+    let following = json(&result.join("following.json"));
+    assert_eq!(following["format"], "wisch-following");
+    assert_eq!(following["faults"], serde_json::json!([]));
+    let motions = following["motions"].as_array().expect("a list");
+    let ends = motions.last().expect("a motion")["end_s"].as_f64();
+    assert_eq!(ends, Some(number("execution_time_s")));
+
+    let message = json(&result.join("trajectory.json"));
+    let from_yaml = blocks(&read(&result.join("trajectory.yaml")));
+    let keys = ["joint_trajectory", "multi_dof_joint_trajectory"];
+    assert_eq!(from_yaml.len(), keys.len());
+    for (block, key) in from_yaml.into_iter().zip(keys) {
+        assert_eq!(block.header, message[key]["header"]);
+        assert_eq!(block.names, message[key]["joint_names"]);
+        assert_eq!(Value::Array(block.points), message[key]["points"]);
+    }
+
+    let mut path = csv::Reader::from_path(result.join("tcp-path.csv")).expect("a table");
+    let rows: Vec<csv::StringRecord> = path.records().map(|row| row.expect("a row")).collect();
+    let column = |row: &csv::StringRecord, i: usize| row[i].parse::<f64>().expect("a number");
+    assert!(rows.windows(2).all(|w| column(&w[0], 0) < column(&w[1], 0)));
+    // On the board while it wipes, which is 0.77 m high, and nowhere else is there force.
+    for row in &rows {
+        let wipes = &row[1] == "wipe";
+        assert_eq!(wipes, column(row, 11) > 0.0);
+        assert!(!wipes || (column(row, 5) - 0.77).abs() < 2e-3, "{row:?}");
+    }
+
+    // Results of an earlier run give way, those of the robot among them, also to a run without.
+    assert_eq!(summary(folder.path(), &run)["faults"], 0);
+    let plain = summary(folder.path(), &[&run[..], &["--robot", "none"]].concat());
+    assert!(plain.get("robot").is_none() && plain.get("abandoned_nodes").is_none());
+    assert!(plain["predicted_performance"].is_number());
+    assert!(!result.join("trajectory.yaml").exists());
+}
+
+#[test]
+fn an_arm_that_is_bolted_down_passes_every_node() {
+    let folder = folder_with("arm-board.toml");
+    let args = ["run", "task.toml", "--out", "result"];
+    let summary_of = summary(folder.path(), &args);
+    assert_eq!(summary_of["robot"], "arm7");
+    assert_eq!(summary_of["abandoned_nodes"], 0);
+    assert_eq!(summary_of["faults"], 0);
+    assert_eq!(summary_of["goal_met"], true);
+    assert_eq!(summary_of["placements"], serde_json::json!([]));
+    let message = json(&folder.path().join("result/trajectory.json"));
+    assert_eq!(
+        message["multi_dof_joint_trajectory"]["points"],
+        serde_json::json!([])
+    );
+    let points = &message["joint_trajectory"]["points"];
+    assert_eq!(points[0]["positions"].as_array().map(Vec::len), Some(7));
+
+    // The same bytes again on another number of threads.
+    let before = contents(&folder.path().join("result"));
+    summary(folder.path(), &[&args[..], &["--threads", "1"]].concat());
+    assert!(before == contents(&folder.path().join("result")));
+
+    // A plan of an earlier run leads to the same motion.
+    let follow = ["follow", "task.toml", "--out", "again", "--plan"];
+    summary(
+        folder.path(),
+        &[&follow[..], &["result/plan.json"]].concat(),
+    );
+    assert!(before == contents(&folder.path().join("again")));
+}
+
+#[test]
+fn another_robot_takes_the_place_of_the_tasks() {
+    let folder = folder_with("chopping-board.toml");
+    let arm = ["run", "task.toml", "--out", "result", "--robot", "arm7"];
+    let beside = ["--set", "robot.position_m=[0, -0.45, 0.75]"];
+    let summary_of = summary(folder.path(), &[&arm[..], &beside].concat());
+    assert_eq!(summary_of["robot"], "arm7");
+    assert_eq!(summary_of["abandoned_nodes"], 0);
+    assert_eq!(summary_of["faults"], 0);
+
+    // Where the humanoid stands nothing is in the arm's reach: an outcome, with the reason.
+    let (code, out, err) = wisch(folder.path(), &arm);
+    assert_eq!((code, err.as_str()), (1, ""));
+    assert!(out.contains("abandoned first"), "{out}");
+    assert!(!out.contains("-0.0"), "{out}");
+    let yaml = read(&folder.path().join("result/trajectory.yaml"));
+    assert!(blocks(&yaml).iter().all(|block| block.points.is_empty()));
+}
+
+#[test]
+fn a_task_without_a_robot_is_predicted_and_not_followed() {
+    let folder = folder_with("arm-board.toml");
+    let task = folder.path().join("task.toml");
+    let text = read(&task);
+    let (before, after) = text.split_once("[robot]").expect("a robot");
+    let (_, after) = after.split_once("\n\n").expect("more tables");
+    fs::write(&task, format!("{before}{after}")).expect("a task");
+
+    for args in [
+        &["follow", "task.toml"][..],
+        &["follow", "task.toml", "--robot", "none"],
+    ] {
+        let (code, out, err) = wisch(folder.path(), args);
+        assert_eq!((code, out.as_str()), (2, ""));
+        assert!(
+            err.contains("task.toml: there is no robot to follow the plan"),
+            "{err}"
+        );
+        assert!(err.contains("--robot"), "{err}");
+    }
+    assert!(!folder.path().join("out").exists());
+    let run = summary(folder.path(), &["run", "task.toml", "--out", "result"]);
+    assert!(run["predicted_performance"].is_number());
+    assert!(run.get("execution_time_s").is_none());
+    let (_, out, _) = wisch(folder.path(), &["check", "task.toml"]);
+    assert!(out.contains("robot      none"), "{out}");
+}
+
+#[test]
+fn check_says_which_robot_stands_where() {
+    for (scenario, expected) in [
+        (
+            "arm-board.toml",
+            "arm7 holds the tool with tcp; it is fixed at (0.000, -0.450, 0.750) m",
+        ),
+        (
+            "chopping-board.toml",
+            "starts at (0.000, -1.100) m, heading 90.0°, and moves its base",
+        ),
+    ] {
+        let (code, out, err) = wisch(folder_with(scenario).path(), &["check", "task.toml"]);
+        assert_eq!((code, err.as_str()), (0, ""));
+        assert!(out.contains(expected), "{out}");
+    }
+}
+
+#[test]
+fn a_map_is_built_found_and_used() {
+    let folder = folder_with("arm-board.toml");
+    for file in ["arm6.urdf", "arm6.srdf"] {
+        let from = root().join("robots").join(file);
+        fs::copy(from, folder.path().join(file)).expect("a robot");
+    }
+    let coarse = ["--voxel-m", "0.2", "--samples", "2000"];
+    let build = [&["robot", "map", "arm6.urdf"], &coarse[..]].concat();
+    let record = summary(folder.path(), &build);
+    assert_eq!(record["format"], "wisch-robot-map");
+    assert_eq!(record["robot"], "arm6");
+    let map = folder.path().join("arm6.reach");
+    let bytes = fs::read(&map).expect("beside the URDF");
+    assert_eq!(record["bytes"], bytes.len());
+
+    // This arm's first link hangs lower than that of the scene's arm.
+    let raised = "robot.position_m=[0, -0.45, 0.8]";
+    let follow = [
+        "follow",
+        "task.toml",
+        "--out",
+        "result",
+        "--set",
+        raised,
+        "--robot",
+    ];
+    for robot in [&["arm6.urdf"][..], &["arm6", "--map", "arm6.reach"]] {
+        let summary_of = summary(folder.path(), &[&follow[..], robot].concat());
+        assert_eq!(summary_of["robot"], "arm6");
+        assert_eq!(summary_of["abandoned_nodes"], 0);
+    }
+
+    // Beside its URDF a map is found by itself: a damaged one is told.
+    fs::write(&map, &bytes[..bytes.len() / 2]).expect("half a map");
+    let (code, _, err) = wisch(folder.path(), &[&follow[..], &["arm6.urdf"]].concat());
+    assert_eq!(code, 2);
+    assert!(err.contains("arm6.reach: no capability map"), "{err}");
+    // The shipped robot has none that could be damaged, and its map has the same bytes.
+    let out = [
+        &["robot", "map", "arm6", "--out", "other.reach"],
+        &coarse[..],
+    ]
+    .concat();
+    let (code, said, err) = wisch(folder.path(), &out);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(said.contains("other.reach"), "{said}");
+    assert!(bytes == fs::read(folder.path().join("other.reach")).expect("a map"));
+}
+
+#[test]
+fn the_help_of_the_robots_commands_ends_with_examples() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for command in ["follow", "robot map", "robot check"] {
+        let args: Vec<&str> = command.split(' ').chain(["--help"]).collect();
+        let (code, out, _) = wisch(folder.path(), &args);
+        assert_eq!(code, 0);
+        let (_, examples) = out.split_once("Examples:").expect("examples");
+        assert!(examples.contains(&format!("wisch {command}")), "{examples}");
+    }
+}
