@@ -239,3 +239,26 @@ fn a_torso_beyond_its_coupled_limit_is_a_fault_of_the_joint_that_follows() {
     let is_trajectory = |fault: &MotionFault| matches!(fault, MotionFault::Trajectory { .. });
     assert!(!faults.iter().any(is_trajectory), "{faults:?}");
 }
+
+#[test]
+fn a_node_left_out_and_a_stroke_elsewhere_are_found() {
+    let Good {
+        task,
+        cell,
+        followed,
+    } = good();
+    let plan = planned(&task);
+    let found = |followed: &Followed| crate::board::faults(&task, &plan, &cell, followed);
+    assert_eq!(found(&followed), [] as [String; 0]);
+
+    let mut lost = followed.clone();
+    lost.strokes[0].nodes.pop();
+    assert!(found(&lost).iter().any(|fault| fault.ends_with("are lost")));
+
+    let mut elsewhere = followed;
+    elsewhere.strokes[0].poses[0].position.x += 1e-3;
+    assert_eq!(
+        found(&elsewhere),
+        ["stroke 0 is not the line that is wiped"]
+    );
+}
