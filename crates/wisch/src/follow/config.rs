@@ -96,7 +96,12 @@ impl FollowConfig {
                 "0.001 to 10 m/s",
             ),
         ];
-        for (name, value, least, most, expected) in fields {
+        let count = |name, count: usize| (name, count as f64, 1.0, 1e4, "1 to 10000");
+        let counts = [
+            count("start_configurations", self.start_configurations),
+            count("placements", self.placements),
+        ];
+        for (name, value, least, most, expected) in fields.into_iter().chain(counts) {
             if !(value >= least && value <= most) {
                 return Err(FollowError::Config {
                     name,

@@ -213,6 +213,6 @@ impl Followed {
     /// Time during which the tool wipes [s].
     pub fn contact_time(&self) -> f64 {
         let contact = self.motions.iter().filter(|m| m.phase.is_contact());
-        contact.map(|motion| motion.trajectory.duration()).sum()
+        contact.fold(0.0, |sum, motion| sum + motion.trajectory.duration())
     }
 }

@@ -30,9 +30,9 @@ pub struct PlanarBase {
     pub yaw: usize,
 }
 
-/// How much less than the margin the tool keeps clear of the scene while it wipes [m]: all but a fraction of
-/// a millimetre of the usual margin.
-const TOOL_RIM: f64 = 4.8e-3;
+/// How much less than the margin the sides of the tool keep clear of the scene while it wipes [m]. A corner
+/// loses √3 times as much, which is still less than the usual margin.
+const TOOL_RIM: f64 = 2.8e-3;
 
 /// What the tool may touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -378,6 +378,11 @@ fn robot(field: &Field<'_>) -> Result<RobotRecord, TaskError> {
         group: text("group")?,
         world_from_robot: match section.get("position_m") {
             Some(_) => Some(pose(section)?),
+            None if section.get("rpy_rad").is_some()
+                || section.get("quaternion_xyzw").is_some() =>
+            {
+                return Err(section.inconsistent("a rotation needs position_m beside it"));
+            }
             None => None,
         },
     })
