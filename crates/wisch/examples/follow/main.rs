@@ -88,9 +88,6 @@ fn main() -> Result<(), AnyError> {
     let mut all: Vec<Trial> = Vec::new();
     for (a, action) in Action::ALL.into_iter().enumerate() {
         for (s, name) in SCENARIOS.into_iter().enumerate() {
-            if std::env::var("ONLY").is_ok_and(|o| !name.contains(&o)) {
-                continue;
-            }
             let scenario = scenario(&root.join(format!("scenarios/{name}.toml")))?;
             let mut trials = Vec::new();
             for seed in first..first + count {
@@ -139,7 +136,6 @@ fn trial(task: &Task, file: &TaskFile, robot: &Robot) -> Result<Trial, AnyError>
     };
     let plan = plan(task, &config)?;
     let config = WorkcellConfig {
-        hand_lean: std::env::var("LEAN").map_or(0.8, |s| s.parse().unwrap()),
         world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
         ..WorkcellConfig::default()
     };
