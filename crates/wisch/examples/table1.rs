@@ -7,16 +7,14 @@
 //! Distances are those in contact. The paper's computation times are of another planner on another
 //! machine, so only ours are printed.
 
+mod shipped;
+
 use rayon::prelude::*;
-use std::error::Error;
-use std::path::{Path, PathBuf};
+use shipped::{AnyError, SCENARIOS, knowledge, scenario, task};
+use std::path::Path;
 use std::time::Instant;
 use wisch::plan::{CoverageStrategy, PlanConfig, plan, predict};
-use wisch::represent::{Action, Intent, KnowledgeBase, Task, TaskFile};
-
-type AnyError = Box<dyn Error + Send + Sync>;
-
-const SCENARIOS: [&str; 3] = ["chopping-board", "table", "windshield"];
+use wisch::represent::{Action, Task, TaskFile};
 
 /// Table 1, performance [%]: action × scenario × (grid, rrt, kde).
 const PAPER_PERFORMANCE: [[[f64; 3]; 3]; 3] = [
@@ -126,55 +124,4 @@ fn trial(task: &Task, strategy: CoverageStrategy, file: &TaskFile) -> Result<Tri
         unreachable: 100.0 * plan.unreachable_share,
         milliseconds: 1e3 * begin.elapsed().as_secs_f64(),
     })
-}
-
-fn task(
-    scenario: &TaskFile,
-    action: Action,
-    seed: u64,
-    knowledge: &KnowledgeBase,
-    root: &Path,
-) -> Result<Task, AnyError> {
-    let Intent::Action { tool, medium, .. } = scenario.intent() else {
-        return Err(format!("{} names no tool", scenario.name()).into());
-    };
-    let read = |folder: PathBuf| {
-        move |path: &str| std::fs::read(folder.join(path)).map_err(|error| error.to_string())
-    };
-    Ok(scenario.resolve(
-        action,
-        tool,
-        medium,
-        seed,
-        knowledge,
-        &mut read(root.join("scenarios")),
-        &mut read(root.join("knowledge")),
-    )?)
-}
-
-fn scenario(path: &Path) -> Result<TaskFile, AnyError> {
-    let text = text(path)?;
-    Ok(TaskFile::parse(&path.display().to_string(), &text, &[])?)
-}
-
-fn knowledge(folder: &Path) -> Result<KnowledgeBase, AnyError> {
-    let names = [
-        "tools.toml",
-        "media.toml",
-        "surfaces.toml",
-        "interactions.toml",
-    ];
-    let texts = names
-        .iter()
-        .map(|name| text(&folder.join(name)))
-        .collect::<Result<Vec<String>, _>>()?;
-    let files: Vec<(&str, &str)> = names
-        .into_iter()
-        .zip(texts.iter().map(String::as_str))
-        .collect();
-    Ok(KnowledgeBase::from_toml(&files)?)
-}
-
-fn text(path: &Path) -> Result<String, AnyError> {
-    std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()).into())
 }

@@ -7,17 +7,16 @@
 //!
 //! Seeds run one after the other, so that the times of one cell are those of one run.
 
-use std::error::Error;
-use std::path::{Path, PathBuf};
+#[path = "../shipped/mod.rs"]
+mod shipped;
+
+use shipped::{AnyError, SCENARIOS, knowledge, scenario, task, text};
+use std::path::Path;
 use std::time::Instant;
 use wisch::follow::{FollowConfig, Workcell, WorkcellConfig, audit, follow};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan, predict};
-use wisch::represent::{Action, Intent, KnowledgeBase, Task, TaskFile};
+use wisch::represent::{Action, Task, TaskFile};
 use wisch::robot::{CapabilityMap, RobotHash, RobotModel, Srdf};
-
-type AnyError = Box<dyn Error + Send + Sync>;
-
-const SCENARIOS: [&str; 3] = ["chopping-board", "table", "windshield"];
 
 /// Table 1, KDE: action × scenario × (performance [%], execution time [s], computation time [s]).
 const PAPER: [[[f64; 3]; 3]; 3] = [
@@ -187,55 +186,4 @@ fn humanoid(folder: &Path) -> Result<Robot, AnyError> {
         Err(_) => None,
     };
     Ok(Robot { model, srdf, map })
-}
-
-fn task(
-    scenario: &TaskFile,
-    action: Action,
-    seed: u64,
-    knowledge: &KnowledgeBase,
-    root: &Path,
-) -> Result<Task, AnyError> {
-    let Intent::Action { tool, medium, .. } = scenario.intent() else {
-        return Err(format!("{} names no tool", scenario.name()).into());
-    };
-    let read = |folder: PathBuf| {
-        move |path: &str| std::fs::read(folder.join(path)).map_err(|error| error.to_string())
-    };
-    Ok(scenario.resolve(
-        action,
-        tool,
-        medium,
-        seed,
-        knowledge,
-        &mut read(root.join("scenarios")),
-        &mut read(root.join("knowledge")),
-    )?)
-}
-
-fn scenario(path: &Path) -> Result<TaskFile, AnyError> {
-    let text = text(path)?;
-    Ok(TaskFile::parse(&path.display().to_string(), &text, &[])?)
-}
-
-fn knowledge(folder: &Path) -> Result<KnowledgeBase, AnyError> {
-    let names = [
-        "tools.toml",
-        "media.toml",
-        "surfaces.toml",
-        "interactions.toml",
-    ];
-    let texts = names
-        .iter()
-        .map(|name| text(&folder.join(name)))
-        .collect::<Result<Vec<String>, _>>()?;
-    let files: Vec<(&str, &str)> = names
-        .into_iter()
-        .zip(texts.iter().map(String::as_str))
-        .collect();
-    Ok(KnowledgeBase::from_toml(&files)?)
-}
-
-fn text(path: &Path) -> Result<String, AnyError> {
-    std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()).into())
 }
