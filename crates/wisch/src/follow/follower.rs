@@ -1,8 +1,8 @@
 //! From a plan to joint motion: placements, strokes, times.
 
 use super::arm::Arm;
-use super::edge::{Freedom, freedoms};
-use super::placement::{Ahead, Candidate, Reachability, best};
+use super::freedom::{Freedom, freedoms};
+use super::placement::{Candidate, Reachability, best};
 use super::stroke_run::{Now, Piece, PieceKind, Run, run};
 use super::transfer::transfer;
 use super::{
@@ -138,7 +138,7 @@ impl Follower<'_> {
         let mut abandoned: Vec<AbandonedNode> = Vec::new();
         let mut rated: Vec<RatedPlace> = Vec::new();
         while !open.is_empty() {
-            let candidates = self.candidates(&open, &at)?;
+            let candidates = self.candidates(&open)?;
             if rated.is_empty() {
                 rated = self.rated_places(&candidates);
             }
@@ -234,40 +234,29 @@ impl Follower<'_> {
     }
 
     /// Rated places for the rest of the path; none for a robot without a planar base.
-    fn candidates(&self, open: &[Open], at: &PlanarPose) -> Result<Vec<Candidate>, FollowError> {
+    fn candidates(&self, open: &[Open]) -> Result<Vec<Candidate>, FollowError> {
         if self.cell.base().is_none() {
             return Ok(Vec::new());
         }
         let reachability = Reachability::new(self.cell, self.task, self.map)?;
-        let poses = open
-            .iter()
-            .flat_map(|open| {
-                let nodes = open.nodes.iter().map(|waiting| waiting.pose);
-                let halves = open.nodes.windows(2).map(|pair| {
-                    let middle = nalgebra::center(&pair[0].pose.position, &pair[1].pose.position);
-                    PlanarPose::new(middle, pair[0].pose.heading)
-                });
-                let mut all: Vec<PlanarPose> = Vec::new();
-                let mut halves = halves;
-                for node in nodes {
-                    all.push(node);
-                    all.extend(halves.next());
-                }
-                all
-            })
-            .map(|surface_from_tool| ToolPose {
-                surface_from_tool,
+        let mut ahead: Vec<ToolPose> = Vec::new();
+        let mut add = |position, heading| {
+            ahead.push(ToolPose {
+                surface_from_tool: PlanarPose::new(position, heading),
                 height: 0.0,
                 tilt: 0.0,
-            })
-            .collect();
-        let mut candidates = reachability.rated(&Ahead { poses }, self.config);
-        // Where the base stands already is as good a place as any other.
-        candidates.sort_by(|a, b| {
-            let away = |c: &Candidate| (c.world_from_base.position - at.position).norm();
-            away(a).total_cmp(&away(b))
-        });
-        Ok(candidates)
+            });
+        };
+        for open in open {
+            for (i, Waiting { pose, .. }) in open.nodes.iter().enumerate() {
+                add(pose.position, pose.heading);
+                if let Some(next) = open.nodes.get(i + 1) {
+                    let middle = nalgebra::center(&pose.position, &next.pose.position);
+                    add(middle, pose.heading);
+                }
+            }
+        }
+        Ok(reachability.rated(&ahead, self.config))
     }
 
     /// The best heading of every place.
@@ -423,21 +412,23 @@ fn waiting(open: &[Open]) -> usize {
     each.sum()
 }
 
-/// The places to try; for a robot without a planar base where it is.
+/// The places to try; where the robot is if it has no planar base, or if the path is in reach of none, so
+/// that what is out of reach is told with the reason.
 fn best_or_here(
     cell: &Workcell,
     candidates: &[Candidate],
     at: &PlanarPose,
     config: &FollowConfig,
 ) -> Vec<Candidate> {
-    if cell.base().is_some() {
-        return best(candidates, at, config.placements);
+    let places = best(candidates, at, config.placements);
+    if cell.base().is_some() && !places.is_empty() {
+        return places;
     }
     vec![Candidate {
         world_from_base: *at,
         in_reach: None,
-        share: 1.0,
-        rating: 1.0,
+        share: 0.0,
+        rating: 0.0,
     }]
 }
 

@@ -7,7 +7,7 @@
 //! failed once is not entered again, so the search ends, and within the discretisation it is complete.
 
 use super::arm::Arm;
-use super::edge::{Freedom, Leg, deviation, turned_along};
+use super::freedom::{Freedom, deviation, turned_along};
 use super::{ToolPose, Touch};
 use crate::geometry::PlanarPose;
 use crate::robot::JointPositions;
@@ -24,6 +24,17 @@ const MAX_FREEDOMS: usize = 18;
 const MAX_CHANGE: f64 = 0.8;
 /// Configurations nearer than this are the same [rad or m].
 const SAME: f64 = 0.05;
+
+/// Part of a stroke, from one node to the next.
+#[derive(Debug, Clone)]
+pub(super) struct Leg {
+    /// Configurations after the start, the last at the node.
+    pub configurations: Vec<JointPositions>,
+    /// Corners of the tool's line after the start, the last at the node.
+    pub line: Vec<ToolPose>,
+    /// How far the tool is turned away from the plan at the node, and by how much more on the way [rad].
+    pub turned: f64,
+}
 
 struct State {
     pose: ToolPose,

@@ -13,6 +13,7 @@ mod drive;
 mod edge;
 mod error;
 mod follower;
+mod freedom;
 mod global;
 mod motion;
 mod placement;

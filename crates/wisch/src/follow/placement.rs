@@ -1,7 +1,7 @@
 //! Where the base stands while the arm wipes: places rated by how much of the rest of the path is in
 //! reach; paper §3.3.
 
-use super::edge::{freedoms, rank};
+use super::freedom::{freedoms, rank};
 use super::{FollowConfig, Placement, RatedPlace, ToolPose, Workcell};
 use crate::geometry::{Bounds2, PlanarPose, Point2, Point3, Pose, Vector3, wrap_angle};
 use crate::represent::{Task, Tool};
@@ -30,12 +30,6 @@ const TURN: f64 = PI / 4.0;
 const IN_REACH: f64 = 0.5;
 /// How far round the path places are looked for [m].
 const AROUND: f64 = 1.6;
-
-/// The rest of a path, as far as reach is concerned.
-pub(super) struct Ahead {
-    /// Poses of the tool in order.
-    pub poses: Vec<ToolPose>,
-}
 
 /// What rates a pose.
 pub(super) struct Reachability<'a> {
@@ -118,7 +112,7 @@ impl<'a> Reachability<'a> {
     }
 
     /// Places round the path: how many of its poses are in reach one after the other, and how amply.
-    pub fn rated(&self, ahead: &Ahead, config: &FollowConfig) -> Vec<Candidate> {
+    pub fn rated(&self, ahead: &[ToolPose], config: &FollowConfig) -> Vec<Candidate> {
         let poses = self.sampled(ahead);
         let Some(places) = self.places(&poses) else {
             return Vec::new();
@@ -151,15 +145,15 @@ impl<'a> Reachability<'a> {
             .collect()
     }
 
-    fn sampled(&self, ahead: &Ahead) -> Vec<Pose> {
+    fn sampled(&self, ahead: &[ToolPose]) -> Vec<Pose> {
         let most = if self.map.is_some() {
             MAX_POSES
         } else {
             SPARSE_POSES
         };
-        let stride = ahead.poses.len().div_ceil(most).max(1);
-        let last = ahead.poses.len().saturating_sub(1);
-        (ahead.poses.iter().enumerate())
+        let stride = ahead.len().div_ceil(most).max(1);
+        let last = ahead.len().saturating_sub(1);
+        (ahead.iter().enumerate())
             .filter(|(i, _)| i % stride == 0 || *i == last)
             .map(|(_, pose)| Workcell::world_from_tool(self.task, pose))
             .collect()

@@ -1,7 +1,9 @@
 //! One stroke from touching down to lifting off, from one placement of the base.
 
 use super::arm::Arm;
-use super::edge::{Effort, Freedom, Leg, follow_edge, rank, turned};
+use super::edge::{Effort, follow_edge};
+use super::freedom::{Freedom, rank, turned};
+use super::global::Leg;
 use super::transfer::transfer;
 use super::{Attempt, Obstruction, Phase, ToolPose, Touch};
 use crate::geometry::PlanarPose;

@@ -1,0 +1,124 @@
+//! The tool's free degrees of freedom (paper §3.3), measured against the plan.
+
+use super::ToolPose;
+use crate::geometry::{PlanarPose, wrap_angle};
+use crate::represent::Tool;
+use std::f64::consts::{PI, TAU};
+
+/// Angles nearer than this are the same [rad].
+const SAME_ANGLE: f64 = 1e-6;
+
+/// A value of the tool's free degrees of freedom.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Freedom {
+    /// Rotation about the surface normal against the planned heading [rad].
+    pub rotation: f64,
+    /// Lean about the tilt axis [rad].
+    pub tilt: f64,
+}
+
+/// All values of a tool's freedoms, nearest to the planned orientation first.
+///
+/// A tool that half a turn maps onto itself is as near at half a turn as at none.
+pub(super) fn freedoms(tool: &Tool, increment: f64) -> Vec<Freedom> {
+    let range = tool.rotation_about_normal;
+    let whole_turn = range.max_rad - range.min_rad > TAU - increment / 2.0;
+    let rotations = multiples(range.min_rad, range.max_rad, increment, whole_turn);
+    let tilts = tool.tilt.map_or_else(
+        || vec![0.0],
+        |tilt| multiples(tilt.range.min_rad, tilt.range.max_rad, increment, false),
+    );
+    let symmetric = tool.is_half_turn_symmetric();
+    let mut all: Vec<Freedom> = rotations
+        .iter()
+        .flat_map(|&rotation| tilts.iter().map(move |&tilt| Freedom { rotation, tilt }))
+        .collect();
+    all.sort_by(|a, b| rank(a, symmetric).total_cmp(&rank(b, symmetric)));
+    all
+}
+
+/// Freedoms in the order in which they are tried: by how far they are from the planned orientation, and how
+/// far the tool turns on this edge beyond what is planned.
+pub(super) fn nearest_first(
+    freedoms: &[Freedom],
+    begin: &PlanarPose,
+    from: &ToolPose,
+    symmetric: bool,
+) -> Vec<Freedom> {
+    let mut order = freedoms.to_vec();
+    let cost = |freedom: &Freedom| deviation(freedom, begin, from, symmetric);
+    order.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
+    order
+}
+
+/// How far the tool is turned away from the plan at the end of an edge, and by how much more it turns on
+/// the way [rad].
+pub(super) fn deviation(
+    freedom: &Freedom,
+    begin: &PlanarPose,
+    from: &ToolPose,
+    symmetric: bool,
+) -> f64 {
+    rank(freedom, symmetric) + change(begin, freedom, from).abs()
+}
+
+/// How far a freedom is from the planned orientation [rad], in steps fine enough for comparison.
+pub(super) fn rank(freedom: &Freedom, symmetric: bool) -> f64 {
+    let turned = wrap_angle(freedom.rotation).abs();
+    let turned = if symmetric {
+        turned.min(PI - turned)
+    } else {
+        turned
+    };
+    ((turned + freedom.tilt.abs()) / SAME_ANGLE).round() * SAME_ANGLE
+}
+
+/// Multiples of an increment within a range; the nearest to zero if none is.
+fn multiples(min: f64, max: f64, increment: f64, whole_turn: bool) -> Vec<f64> {
+    let slack = 1e-9;
+    let first = ((min - slack) / increment).ceil() as i64;
+    let last = ((max + slack) / increment).floor() as i64;
+    let mut values: Vec<f64> = (first..=last).map(|i| i as f64 * increment).collect();
+    if whole_turn && values.len() > 1 {
+        // Half a turn either way is the same.
+        values.remove(0);
+    }
+    if values.is_empty() {
+        values.push(0.0_f64.clamp(min, max));
+    }
+    values
+}
+
+/// A planned pose with a freedom's rotation and tilt, on the surface, as it is first reached: turned from
+/// `heading` by at most half a turn.
+pub(super) fn turned(planned: &PlanarPose, freedom: &Freedom, heading: f64) -> ToolPose {
+    let turn = wrap_angle(planned.heading + freedom.rotation - heading);
+    ToolPose {
+        surface_from_tool: PlanarPose::new(planned.position, heading + turn),
+        height: 0.0,
+        tilt: freedom.tilt,
+    }
+}
+
+/// The end of an edge: the tool turns as planned, and by what its rotation against the plan changes.
+///
+/// What a turning tool does to particles depends on which way round it turns, so that this way is kept.
+pub(super) fn turned_along(
+    planned: [&PlanarPose; 2],
+    freedom: &Freedom,
+    from: &ToolPose,
+) -> ToolPose {
+    let [begin, end] = planned;
+    let heading = from.surface_from_tool.heading;
+    let turn = end.heading - begin.heading + change(begin, freedom, from);
+    ToolPose {
+        surface_from_tool: PlanarPose::new(end.position, heading + turn),
+        height: 0.0,
+        tilt: freedom.tilt,
+    }
+}
+
+/// By how much the rotation against the plan changes [rad].
+fn change(begin: &PlanarPose, freedom: &Freedom, from: &ToolPose) -> f64 {
+    wrap_angle(freedom.rotation - (from.surface_from_tool.heading - begin.heading))
+}
