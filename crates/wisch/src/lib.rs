@@ -15,8 +15,10 @@
 //!
 //! Units are SI and radians; frames are named in the identifiers (`surface_from_tool`).
 
+pub mod execute;
 pub mod follow;
 pub mod geometry;
+pub mod interpret;
 pub mod plan;
 pub mod represent;
 pub mod robot;

@@ -4,7 +4,15 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The stages in the order in which data walks through them.
-const STAGES: [&str; 5] = ["geometry", "represent", "plan", "robot", "follow"];
+const STAGES: [&str; 7] = [
+    "geometry",
+    "represent",
+    "plan",
+    "robot",
+    "follow",
+    "execute",
+    "interpret",
+];
 
 fn source() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
