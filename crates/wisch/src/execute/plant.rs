@@ -4,8 +4,8 @@ use super::{ExecuteConfig, ExecuteError};
 use crate::follow::Workcell;
 use crate::geometry::{Mesh, Point2, Point3, Pose, Vector3};
 use crate::represent::{Reality, ScenePart, Task};
-use crate::robot::{Articulation, ArticulationState, Body, Collision, Shape};
-use nalgebra::{Matrix3, Translation3};
+use crate::robot::{ArticulatedJoint, Articulation, ArticulationState, Body, Collision, Shape};
+use nalgebra::{DMatrix, DVector, Matrix3, Translation3};
 use rapier3d_f64::dynamics::{
     GenericJoint, MassProperties, MultibodyJointHandle, PrismaticJointBuilder,
     RevoluteJointBuilder, RigidBodyBuilder, RigidBodyHandle, SpringCoefficients,
@@ -29,13 +29,13 @@ const ALLOWED_ERROR: f64 = 1e-4;
 /// How fast the engine may push bodies apart [m/s].
 const CORRECTION: f64 = 0.5;
 /// Stiffness and damping of contacts: natural frequency [Hz] and damping ratio [1].
-const CONTACT: [f64; 2] = [60.0, 10.0];
+const CONTACT: [f64; 2] = [240.0, 10.0];
 /// Thickness of surface and tool plate [m].
 const SURFACE_THICKNESS: f64 = 0.02;
 const PLATE_THICKNESS: f64 = 0.005;
 /// Mass of the tool and of the part of it that gives way [kg].
 const TOOL_MASS: f64 = 0.1;
-const PLATE_MASS: f64 = 0.03;
+const PLATE_MASS: f64 = 0.05;
 /// Mass of a link that only stands between two joints of the tool [kg].
 const LINK_MASS: f64 = 2e-3;
 /// Damping of the tool's compliance, as a damping ratio of the mass that an arm presses with [1, kg].
@@ -43,7 +43,7 @@ const TOOL_DAMPING: [f64; 2] = [0.2, 5.0];
 /// Least stiffness against rocking, for tools as narrow as a blade [Nm/rad].
 const LEAST_ROCKING: f64 = 0.3;
 /// Natural frequency of joints that follow others and of drives that hold a position [rad/s].
-const COUPLING_RATE: f64 = 120.0;
+const COUPLING_RATE: f64 = 250.0;
 const SERVO_RATE: f64 = 100.0;
 
 const ROBOT: Group = Group::GROUP_1;
@@ -288,6 +288,7 @@ impl Plant {
         let mut state = self.articulation.state();
         let still = vec![0.0; self.articulation.dof()];
         self.articulation.evaluate(&mut state, q, &still, GRAVITY);
+        let joints = self.articulation.joint_mass_matrix(&state);
         let Some((multibody, _)) = self.world.multibody_joints.get_mut(self.multibody) else {
             return;
         };
@@ -303,14 +304,7 @@ impl Plant {
                 self.servos[variable] = Some([stiffness, damping]);
                 multibody.damping_mut()[self.links[i].at] = damping;
             } else {
-                // Roughly the inertia that the coupling moves: that of the following joint's own body
-                // against those that it follows.
-                let inertia: f64 = joint
-                    .terms
-                    .iter()
-                    .map(|&(v, f)| state.mass_matrix()[(v, v)] / (f * f))
-                    .fold(f64::INFINITY, f64::min);
-                let inertia = inertia.min(1e3) * 0.2;
+                let inertia = coupled_inertia(&self.articulation, &joints, i);
                 self.couplings.push(Coupling {
                     link: i,
                     stiffness: inertia * COUPLING_RATE * COUPLING_RATE,
@@ -524,6 +518,20 @@ impl Plant {
     pub const fn normal(&self) -> Vector3 {
         self.normal
     }
+}
+
+/// The inertia that stands against closing the gap between a following joint and those that it follows.
+fn coupled_inertia(articulation: &Articulation, mass: &DMatrix<f64>, follower: usize) -> f64 {
+    let mut gap = DVector::zeros(mass.nrows());
+    gap[follower] = 1.0;
+    for &(variable, factor) in &articulation.joints()[follower].terms {
+        let leads = |j: &ArticulatedJoint| j.is_variable() && j.terms[0].0 == variable;
+        if let Some(leader) = articulation.joints().iter().position(leads) {
+            gap[leader] -= factor;
+        }
+    }
+    let accelerations = mass.clone().cholesky().map(|mass| mass.solve(&gap));
+    accelerations.map_or(0.0, |a| 1.0 / gap.dot(&a).max(f64::MIN_POSITIVE))
 }
 
 /// The one free axis of a joint, in the engine's order: linear, then angular.

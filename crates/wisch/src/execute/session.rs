@@ -217,7 +217,7 @@ impl<'a> Session<'a> {
         self.check()?;
         self.articulation
             .evaluate(&mut self.state, &self.q, &self.qd, GRAVITY);
-        let (desired, height) = self.desired(time);
+        let desired = self.desired(time);
         let world_from_tool = self.state.pose(self.carrier) * self.joint_from_tool;
         let tool = world_from_tool.translation.vector.into();
         let (state, carrier) = (&self.state, self.carrier);
@@ -244,6 +244,10 @@ impl<'a> Session<'a> {
         let felt = self.controller.external_wrench(external);
         let flow = self.record(time, &desired, world_from_tool, wrench, felt, sample);
 
+        // What joints that follow others will need, the planned acceleration included.
+        let [_, _, qdd] = &self.planned_q;
+        self.articulation
+            .inverse_dynamics(&mut self.state, &self.qd, qdd, GRAVITY);
         self.plant.drive(
             &self.state,
             self.controller.compliant(),
@@ -257,7 +261,7 @@ impl<'a> Session<'a> {
         self.plant.step();
         self.grains
             .settle(&mut self.plant, &mut self.dirt, self.task);
-        self.observe_truth(time, &desired, &world_from_tool, height, is_pushed, &wrench);
+        self.observe_truth(time, &desired, &world_from_tool, is_pushed, &wrench);
         Ok(flow)
     }
 
@@ -277,9 +281,8 @@ impl<'a> Session<'a> {
         Ok(())
     }
 
-    /// Where the tool shall be at a time, the press into the surface included, and how high over the
-    /// surface it was planned.
-    fn desired(&mut self, time: f64) -> (Desired, f64) {
+    /// Where the tool shall be at a time, the press into the surface included.
+    fn desired(&mut self, time: f64) -> Desired {
         let motions: &[Motion] = &self.followed.motions;
         while motions
             .get(self.motion + 1)
@@ -318,11 +321,10 @@ impl<'a> Session<'a> {
             self.config.press_margin * interaction.press_force_n / interaction.stiffness_n_per_m;
         let share = (1.0 - height / self.config.approach_height).clamp(0.0, 1.0);
         world_from_tool = Translation3::from(-normal * (depth * share)) * world_from_tool;
-        let desired = Desired {
+        Desired {
             world_from_tool,
             velocity,
-        };
-        (desired, height)
+        }
     }
 
     /// Hands out what is measured.
@@ -401,20 +403,25 @@ impl<'a> Session<'a> {
         is_pushed
     }
 
+    fn is_wiping(&self) -> bool {
+        let motion = self.followed.motions.get(self.motion);
+        motion.is_some_and(|motion| motion.phase.is_contact())
+    }
+
     /// What really happened in this period.
     fn observe_truth(
         &mut self,
         time: f64,
         desired: &Desired,
         world_from_tool: &Pose,
-        height: f64,
         is_pushed: bool,
         wrench: &Wrench,
     ) {
+        let is_wiping = self.is_wiping();
         let truth = &mut self.truth;
         truth.max_controller_force = truth.max_controller_force.max(wrench.force.norm());
         let speed = desired.velocity.fixed_rows::<3>(0).norm();
-        let slides = height < 1e-3 && speed > SLIDING && !is_pushed;
+        let slides = is_wiping && speed > SLIDING && !is_pushed;
         if !slides {
             self.sliding_since = None;
             return;

@@ -264,11 +264,74 @@ impl Articulation {
         gravity_in_world: Vector3,
     ) {
         self.locate(state, q);
-        self.newton_euler(state, qd, gravity_in_world);
-        self.composite_bodies(state);
+        state.bias.fill(0.0);
+        let still = std::mem::take(&mut state.bias);
+        self.newton_euler(state, qd, &still, gravity_in_world);
+        state.bias = still;
+        for (joint, effort) in self.joints.iter().zip(&state.joint_efforts) {
+            for &(variable, factor) in &joint.terms {
+                state.bias[variable] += factor * effort;
+            }
+        }
+        state.mass.fill(0.0);
+        self.composite_bodies(state, |mass, i, j, entry| {
+            for &(row, a) in &self.joints[i].terms {
+                for &(column, b) in &self.joints[j].terms {
+                    mass[(row, column)] += a * b * entry;
+                    if j != i {
+                        mass[(column, row)] += a * b * entry;
+                    }
+                }
+            }
+        });
     }
 
-    fn newton_euler(&self, state: &mut ArticulationState, qd: &[f64], gravity: Vector3) {
+    /// Efforts of every moving joint, as if each had a drive of its own, for accelerations `qdd` of the own
+    /// variables where the state is: in [`ArticulationState::joint_efforts`] [Nm or N].
+    ///
+    /// # Panics
+    /// As [`Articulation::locate`].
+    pub fn inverse_dynamics(
+        &self,
+        state: &mut ArticulationState,
+        qd: &[f64],
+        qdd: &[f64],
+        gravity_in_world: Vector3,
+    ) {
+        self.newton_euler(state, qd, qdd, gravity_in_world);
+    }
+
+    /// The mass matrix of the moving joints as if none followed others, where the state is: joints ×
+    /// joints [kg m², kg m or kg].
+    pub fn joint_mass_matrix(&self, state: &ArticulationState) -> DMatrix<f64> {
+        let count = self.joints.len();
+        let mut composites = state.clone();
+        composites.mass = DMatrix::zeros(count, count);
+        for (i, joint) in self.joints.iter().enumerate() {
+            composites.composites[i] = self.body_in_world(state, i, &joint.body);
+        }
+        self.composite_bodies(&mut composites, |mass, i, j, entry| {
+            mass[(i, j)] = entry;
+            mass[(j, i)] = entry;
+        });
+        composites.mass
+    }
+
+    fn body_in_world(&self, state: &ArticulationState, joint: usize, body: &Body) -> Composite {
+        let frame = &state.frames[joint];
+        let turned = Matrix3::from_columns(&frame.axes);
+        let center = frame.translation + frame.turn(&body.center_in_link.coords);
+        let inertia = turned * body.inertia_about_center * turned.transpose();
+        Composite::of(body.mass, center, &inertia)
+    }
+
+    fn newton_euler(
+        &self,
+        state: &mut ArticulationState,
+        qd: &[f64],
+        qdd: &[f64],
+        gravity: Vector3,
+    ) {
         for (i, joint) in self.joints.iter().enumerate() {
             let frame = &state.frames[i];
             let (mut at, arm) = match joint.parent {
@@ -281,11 +344,12 @@ impl Articulation {
             let w = at.angular_velocity;
             at.acceleration += at.angular_acceleration.cross(&arm) + w.cross(&w.cross(&arm));
             let velocity = frame.axes[2] * joint.rate(qd);
+            let acceleration = frame.axes[2] * joint.rate(qdd);
             if joint.slides {
-                at.acceleration += 2.0 * w.cross(&velocity);
+                at.acceleration += acceleration + 2.0 * w.cross(&velocity);
             } else {
                 at.angular_velocity += velocity;
-                at.angular_acceleration += w.cross(&velocity);
+                at.angular_acceleration += acceleration + w.cross(&velocity);
             }
             state.motions[i] = at;
             let center = frame.turn(&joint.body.center_in_link.coords);
@@ -301,15 +365,10 @@ impl Articulation {
             state.composites[i] =
                 Composite::of(joint.body.mass, frame.translation + center, &inertia);
         }
-        state.bias.fill(0.0);
         for (i, joint) in self.joints.iter().enumerate().rev() {
             let (force, moment) = state.wrenches[i];
             let axis = state.frames[i].axes[2];
-            let effort = axis.dot(if joint.slides { &force } else { &moment });
-            state.joint_efforts[i] = effort;
-            for &(variable, factor) in &joint.terms {
-                state.bias[variable] += factor * effort;
-            }
+            state.joint_efforts[i] = axis.dot(if joint.slides { &force } else { &moment });
             if let Some(p) = joint.parent {
                 let arm = state.frames[i].translation - state.frames[p].translation;
                 state.wrenches[p].0 += force;
@@ -318,12 +377,17 @@ impl Articulation {
         }
     }
 
-    fn composite_bodies(&self, state: &mut ArticulationState) {
-        state.mass.fill(0.0);
+    /// Hands every pair of a joint and one it hangs on (or itself) to `put`, with their entry in the mass
+    /// matrix of the joints. The state's composites are those of single bodies before, of all that a joint
+    /// carries after.
+    fn composite_bodies(
+        &self,
+        state: &mut ArticulationState,
+        put: impl Fn(&mut DMatrix<f64>, usize, usize, f64),
+    ) {
         for i in (0..self.joints.len()).rev() {
-            let joint = &self.joints[i];
             let carried = state.composites[i];
-            if let Some(p) = joint.parent {
+            if let Some(p) = self.joints[i].parent {
                 state.composites[p].add(&carried);
             }
             let (linear, angular) = self.twist(state, i);
@@ -333,14 +397,7 @@ impl Articulation {
             while let Some(j) = at {
                 let (linear, angular) = self.twist(state, j);
                 let entry = linear.dot(&momentum) + angular.dot(&spin);
-                for &(row, a) in &joint.terms {
-                    for &(column, b) in &self.joints[j].terms {
-                        state.mass[(row, column)] += a * b * entry;
-                        if j != i {
-                            state.mass[(column, row)] += a * b * entry;
-                        }
-                    }
-                }
+                put(&mut state.mass, i, j, entry);
                 at = self.joints[j].parent;
             }
         }
