@@ -118,10 +118,9 @@ fn main() -> Result<(), AnyError> {
         100.0 * performance.ratio()
     );
     println!(
-        "contact force {:.2} +- {:.2} N, friction {:.2} N, lost {:.1} %",
+        "contact force {:.2} +- {:.2} N, lost {:.1} %",
         truth.contact_force.mean(),
         truth.contact_force.deviation(),
-        truth.friction_force.mean(),
         100.0 * truth.lost_share
     );
     println!(

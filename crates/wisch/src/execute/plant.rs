@@ -53,15 +53,6 @@ const PLATE: Group = Group::GROUP_4;
 const TOOL: Group = Group::GROUP_5;
 const GRAIN: Group = Group::GROUP_6;
 
-/// What the tool's compliance feels.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Contact {
-    /// Force of the surface on the plate along the surface's normal [N].
-    pub normal: f64,
-    /// Size of the force along the surface [N].
-    pub tangential: f64,
-}
-
 /// How the tool gives way: the plate against its frame at rest.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Compression {
@@ -99,6 +90,8 @@ pub(super) struct Plant {
     links: Vec<Link>,
     /// Links of the tool's compliance in the multibody: depth, rocking about x, about y.
     foam: [usize; 3],
+    /// Stiffness and damping of its depth.
+    foam_spring: [f64; 2],
     plate: RigidBodyHandle,
     hand: RigidBodyHandle,
     plate_collider: ColliderHandle,
@@ -108,7 +101,6 @@ pub(super) struct Plant {
     /// compliant ones.
     servos: Vec<Option<[f64; 2]>>,
     couplings: Vec<Coupling>,
-    period: f64,
 }
 
 /// A joint that follows others, held to them by a stiff spring.
@@ -224,6 +216,7 @@ impl Plant {
         let mut plant = Self {
             links: Vec::new(),
             foam: [0; 3],
+            foam_spring: foam_springs(task)[0],
             plate,
             hand,
             plate_collider,
@@ -233,7 +226,6 @@ impl Plant {
             couplings: Vec::new(),
             articulation: articulation.clone(),
             multibody,
-            period: config.period,
             world,
         };
         plant.place(&bodies, &foam_bodies, q)?;
@@ -469,22 +461,17 @@ impl Plant {
         }
     }
 
-    /// What the surface does to the tool: the truth.
-    pub fn contact(&self) -> Contact {
-        let mut contact = Contact::default();
-        let pair = self
-            .world
-            .contact_pair(self.plate_collider, self.surface_collider);
-        for point in pair
-            .iter()
-            .flat_map(|pair| pair.manifolds())
-            .flat_map(|m| &m.points)
-        {
-            contact.normal += point.data.impulse / self.period;
-            let [x, y] = [point.data.tangent_impulse[0], point.data.tangent_impulse[1]];
-            contact.tangential += x.hypot(y) / self.period;
-        }
-        contact
+    /// Force of the surface on the tool along the surface's normal, by how much the tool gives way [N]: the
+    /// truth.
+    pub fn contact_force(&self) -> f64 {
+        let Some((multibody, _)) = self.world.multibody_joints.get(self.multibody) else {
+            return 0.0;
+        };
+        let rate = multibody.link(self.foam[0]).map_or(0.0, |link| {
+            multibody.generalized_velocity()[link.assembly_id()]
+        });
+        let [stiffness, damping] = self.foam_spring;
+        (stiffness * self.compression().depth + damping * rate).max(0.0)
     }
 
     /// How the tool gives way.

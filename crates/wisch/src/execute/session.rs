@@ -196,7 +196,6 @@ impl<'a> Session<'a> {
             truth: GroundTruth {
                 dirt: Dirt::default(),
                 contact_force: Spread::default(),
-                friction_force: Spread::default(),
                 max_plane_distance: 0.0,
                 max_controller_force: 0.0,
                 lost_share: 0.0,
@@ -430,13 +429,12 @@ impl<'a> Session<'a> {
         if time - since < SETTLING {
             return;
         }
-        let contact = self.plant.contact();
+        let force = self.plant.contact_force();
         self.sliding_time += self.config.period;
-        if contact.normal <= 0.0 {
+        if force <= 0.0 {
             self.lost_time += self.config.period;
         }
-        truth.contact_force.add(contact.normal);
-        truth.friction_force.add(contact.tangential);
+        truth.contact_force.add(force);
         let world_from_real =
             self.task.surface.world_from_surface * self.reality.believed_from_real;
         let in_real = world_from_real.inverse() * Point3::from(world_from_tool.translation.vector);

@@ -42,8 +42,6 @@ pub struct GroundTruth {
     pub dirt: Dirt,
     /// Normal force of the surface on the tool while it slides over it and nobody pushes [N].
     pub contact_force: Spread,
-    /// Size of the friction force at the same times [N].
-    pub friction_force: Spread,
     /// Greatest distance of the tool centre point from the plane of the real surface at these times [m].
     pub max_plane_distance: f64,
     /// Greatest size of f_c in all of the execution [N].
