@@ -30,6 +30,8 @@ const ALLOWED_ERROR: f64 = 1e-4;
 const CORRECTION: f64 = 0.5;
 /// Stiffness and damping of contacts: natural frequency [Hz] and damping ratio [1].
 const CONTACT: [f64; 2] = [240.0, 10.0];
+const SOLVER_ITERATIONS: usize = 1;
+const CONTACT_ITERATIONS: usize = 4;
 /// Thickness of surface and tool plate [m].
 const SURFACE_THICKNESS: f64 = 0.02;
 const PLATE_THICKNESS: f64 = 0.005;
@@ -148,6 +150,9 @@ impl Plant {
         parameters.normalized_prediction_distance = PREDICTION / LENGTH_UNIT;
         parameters.normalized_allowed_linear_error = ALLOWED_ERROR / LENGTH_UNIT;
         parameters.normalized_max_corrective_velocity = CORRECTION / LENGTH_UNIT;
+        // Each further iteration computes the robot's mass matrix anew; contacts are few and light.
+        parameters.num_solver_iterations = SOLVER_ITERATIONS;
+        parameters.num_internal_pgs_iterations = CONTACT_ITERATIONS;
         let [frequency, ratio] = CONTACT;
         parameters.static_contact_softness = SpringCoefficients::new(frequency, ratio);
         parameters.contact_softness = SpringCoefficients::new(frequency / 2.0, ratio);
