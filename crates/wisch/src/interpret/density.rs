@@ -6,6 +6,8 @@ use crate::represent::{ParticleDistribution, Surface};
 
 /// Most cells of a map: a million are a square metre in square millimetres.
 const MAX_CELLS: usize = 1 << 22;
+/// Share of a cell by which a surface may exceed whole cells through rounding alone.
+const ROUNDING: f64 = 1e-9;
 
 /// Remaining particles per cell, over the replays of a belief. Cells are squares that cover the bounds of
 /// the surface, row by row, both from below.
@@ -29,7 +31,8 @@ impl DensityMap {
             min: Point2::origin(),
             max: Point2::origin(),
         });
-        let shape = bounds.size().map(|side| (side / cell_size).ceil().max(1.0));
+        let cells_along = |side: f64| (side / cell_size - ROUNDING).ceil().max(1.0);
+        let shape = bounds.size().map(cells_along);
         let cells = shape.x * shape.y;
         if !(cell_size > 0.0 && cells <= MAX_CELLS as f64) {
             return Err(InterpretError::Cells {
