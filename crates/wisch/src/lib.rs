@@ -20,8 +20,10 @@ pub mod follow;
 pub mod geometry;
 pub mod interpret;
 pub mod plan;
+pub mod recover;
 pub mod represent;
 pub mod robot;
+pub mod run;
 pub mod text;
 
 /// The README's example runs.

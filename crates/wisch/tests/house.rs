@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The stages in the order in which data walks through them.
-const STAGES: [&str; 7] = [
+const STAGES: [&str; 8] = [
     "geometry",
     "represent",
     "plan",
@@ -12,6 +12,7 @@ const STAGES: [&str; 7] = [
     "follow",
     "execute",
     "interpret",
+    "recover",
 ];
 
 fn source() -> PathBuf {

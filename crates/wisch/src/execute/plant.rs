@@ -215,7 +215,7 @@ impl Plant {
                 .collision_groups(groups(SURFACE, PLATE | GRAIN)),
             None,
         );
-        add_scene(&mut world, task);
+        add_scene(&mut world, task, reality);
         add_shapes(&mut world, cell, task, articulation, &bodies);
 
         let mut plant = Self {
@@ -624,7 +624,10 @@ fn prism(points: impl Iterator<Item = Point2>, from: f64, to: f64) -> Option<Sha
     SharedShape::convex_hull(&corners)
 }
 
-fn add_scene(world: &mut PhysicsWorld, task: &Task) {
+fn add_scene(world: &mut PhysicsWorld, task: &Task, reality: &Reality) {
+    // What is mislocated is the robot before the scene: everything is off by the same.
+    let world_from_surface = task.surface.world_from_surface;
+    let moved = world_from_surface * reality.believed_from_real * world_from_surface.inverse();
     for object in &task.scene {
         let filter = match object.part {
             ScenePart::Robot | ScenePart::Tool => continue,
@@ -633,7 +636,7 @@ fn add_scene(world: &mut PhysicsWorld, task: &Task) {
         };
         if let Some(shape) = trimesh(&object.mesh) {
             let collider = ColliderBuilder::new(shape)
-                .position(to_engine(&object.world_from_object))
+                .position(to_engine(&(moved * object.world_from_object)))
                 .collision_groups(groups(SCENE, filter));
             world.insert_collider(collider, None);
         }

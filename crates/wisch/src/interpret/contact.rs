@@ -16,6 +16,8 @@ const MIN_CALM: usize = 5;
 const POINT_TRAVEL: f64 = 5e-4;
 /// ... or this long afterwards [s], so that a tool held still does not outvote one that wipes.
 const POINT_PERIOD: f64 = 0.05;
+/// f′ from which on a weak contact tells where the surface is [1].
+const TOUCHING_SHARE: f64 = 0.3;
 /// f′ from which on force off the plane is a force like that of contact [1].
 const FALSE_POSITIVE_SHARE: f64 = 0.2;
 
@@ -41,8 +43,10 @@ pub(super) struct Judged {
 /// Tells contact apart.
 pub(super) fn judge(pieces: &[Piece], surface: &Surface, config: &InterpretConfig) -> Judged {
     let bias = bias(pieces, config.free_height_m);
-    let confident = confident_points(pieces, bias.z, config);
+    let confident = touching_points(pieces, bias.z, config.confident_share, config);
     let plane = fit_plane(&confident, &config.plane, config.seed).map(|fit| {
+        let touching = touching_points(pieces, bias.z, TOUCHING_SHARE, config);
+        let fit = widened(fit, &confident, &touching, config);
         let described = describe(&fit, confident.len(), surface);
         (fit, described)
     });
@@ -101,14 +105,41 @@ fn spring_back(normal_force: f64, config: &InterpretConfig) -> f64 {
     }
 }
 
-/// Where the underside touches with confidence (10), in the frame of the believed surface.
-fn confident_points(pieces: &[Piece], bias: f64, config: &InterpretConfig) -> Vec<Point3> {
+/// The plane with what weaker contacts tell of it. Where the surface falls away, confident contacts are few
+/// and close together, and say little of its slope; but how far the tool has sprung back tells where it
+/// touches. That plane holds if most of the confident contacts that made the first lie on it as well.
+fn widened(
+    first: PlaneFit,
+    confident: &[Point3],
+    touching: &[Point3],
+    config: &InterpretConfig,
+) -> PlaneFit {
+    let Some(wide) = fit_plane(touching, &config.plane, config.seed) else {
+        return first;
+    };
+    let is_near = |plane: &PlaneFit, point: &Point3| {
+        plane.distance(*point).abs() <= config.plane.inlier_distance_m
+    };
+    let ours = confident.iter().filter(|point| is_near(&first, point));
+    let (count, shared) = ours.fold((0_usize, 0_usize), |(count, shared), point| {
+        (count + 1, shared + usize::from(is_near(&wide, point)))
+    });
+    if 2 * shared >= count { wide } else { first }
+}
+
+/// Where the underside touches with at least this f′ (10), in the frame of the believed surface.
+fn touching_points(
+    pieces: &[Piece],
+    bias: f64,
+    least_share: f64,
+    config: &InterpretConfig,
+) -> Vec<Point3> {
     let mut points = Vec::new();
     let mut last: Option<(f64, Point3)> = None;
     for piece in pieces {
         let normal_force = -(piece.force.z - bias);
         let share = config.normalized(normal_force);
-        if !(config.confident_share..=config.confident_limit()).contains(&share) {
+        if !(least_share..=config.confident_limit()).contains(&share) {
             continue;
         }
         let height = piece.mean_height + spring_back(normal_force, config);

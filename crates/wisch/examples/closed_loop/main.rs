@@ -1,0 +1,216 @@
+//! The closed loop on shipped scenarios: what each round was predicted, estimated and really to achieve.
+//!
+//! ```text
+//! cargo run --release --package wisch --example closed_loop -- [scenario ...] [--seeds N] [--first-seed N]
+//! ```
+
+#[path = "../shipped/robot.rs"]
+mod robot;
+#[path = "../shipped/mod.rs"]
+mod shipped;
+
+use robot::{Robot, humanoid};
+use shipped::{AnyError, knowledge, scenario, task};
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::time::Instant;
+use wisch::execute::ExecuteConfig;
+use wisch::follow::{FollowConfig, WorkcellConfig};
+use wisch::interpret::EventKind;
+use wisch::plan::{CoverageStrategy, PlanConfig};
+use wisch::recover::Pace;
+use wisch::represent::{Intent, KnowledgeBase};
+use wisch::run::{News, Performer, Round, RunConfig, run};
+
+const SCENARIOS: [&str; 3] = [
+    "chopping-board",
+    "failure-tilted-table",
+    "failure-human-push",
+];
+
+fn main() -> Result<(), AnyError> {
+    let mut names = Vec::new();
+    let (mut seeds, mut first) = (5, 1);
+    let mut arguments = std::env::args().skip(1);
+    while let Some(argument) = arguments.next() {
+        match argument.as_str() {
+            "--seeds" => seeds = arguments.next().unwrap_or_default().parse()?,
+            "--first-seed" => first = arguments.next().unwrap_or_default().parse()?,
+            _ => names.push(argument),
+        }
+    }
+    if names.is_empty() {
+        names.extend(SCENARIOS.map(str::to_owned));
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let knowledge = knowledge(&root.join("knowledge"))?;
+    let robot = humanoid(&root.join("robots"))?;
+    println!(
+        "{:22} {:>4} {:>5} {:>6} {:>6} {:>15} {:>6} {:>6} {:>7} {:>6} {:>6} {:>6} {:>5} {:>6} {:>5} verdict",
+        "",
+        "seed",
+        "round",
+        "pred %",
+        "est %",
+        "90 %",
+        "true %",
+        "diff",
+        "contact",
+        "tilt°",
+        "off mm",
+        "F N",
+        "s",
+        "xreal",
+        "coll"
+    );
+    for name in &names {
+        let (mut errors, mut held, mut count) = (Vec::new(), 0, 0);
+        for seed in first..first + seeds {
+            for line in trial(name, seed, &root, &knowledge, &robot)? {
+                if let Some(error) = line {
+                    errors.push(error.0);
+                    held += usize::from(error.1);
+                    count += 1;
+                }
+            }
+        }
+        if count > 0 {
+            let mean = errors.iter().sum::<f64>() / count as f64;
+            let worst = errors.iter().copied().fold(0.0, f64::max);
+            println!(
+                "{name}: |estimated - true| {mean:.1} points on average, {worst:.1} at worst; interval holds the truth in {held} of {count}"
+            );
+        }
+    }
+    Ok(())
+}
+
+fn trial(
+    name: &str,
+    seed: u64,
+    root: &Path,
+    knowledge: &KnowledgeBase,
+    robot: &Robot,
+) -> Result<Vec<Option<(f64, bool)>>, AnyError> {
+    let file = scenario(&root.join(format!("scenarios/{name}.toml")))?;
+    let Intent::Action { action, .. } = file.intent() else {
+        return Err(format!("{name} names no action").into());
+    };
+    let task = task(&file, *action, seed, knowledge, root)?;
+    let reality = file.reality(&task, knowledge)?;
+    let config = RunConfig {
+        plan: PlanConfig {
+            strategy: CoverageStrategy::Kde,
+            seed,
+            bandwidth: file.bandwidth_m(),
+            lift_height: file.lift_height_m(),
+        },
+        workcell: WorkcellConfig {
+            world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
+            ..WorkcellConfig::default()
+        },
+        follow: FollowConfig::default(),
+        execute: ExecuteConfig::default(),
+        target: file.target_performance(),
+        max_rounds: reality.max_rounds,
+        pace: Pace::Whole,
+    };
+    let performer = Performer {
+        robot: &robot.model,
+        srdf: Some(&robot.srdf),
+        map: robot.map.as_ref(),
+    };
+    let mut begin = Instant::now();
+    let mut seconds = Vec::new();
+    let log = std::env::var_os("LOG");
+    let mut lines = String::new();
+    let rounds = run(&task, &performer, &reality, None, &config, &mut |news| {
+        match news {
+            News::Executing(_) => {
+                begin = Instant::now();
+                lines.clear();
+                lines.push_str("t,phase,px,py,pz,cx,cy,cz,fx,fy,fz,ex,ey,ez\n");
+            }
+            News::Sample(s) if log.is_some() => {
+                use std::fmt::Write;
+                let (p, c) = (
+                    s.world_from_tool.translation,
+                    s.world_from_commanded.translation,
+                );
+                let (f, e) = (s.controller.force, s.external.force);
+                let _ = writeln!(
+                    lines,
+                    "{:.3},{},{},{},{},{},{},{},{},{},{},{},{},{}",
+                    s.time,
+                    s.phase.as_str(),
+                    p.x,
+                    p.y,
+                    p.z,
+                    c.x,
+                    c.y,
+                    c.z,
+                    f.x,
+                    f.y,
+                    f.z,
+                    e.x,
+                    e.y,
+                    e.z
+                );
+            }
+            News::Interpreting => {
+                seconds.push(begin.elapsed().as_secs_f64());
+                if let Some(log) = &log {
+                    let _ =
+                        std::fs::write(format!("{}-{}.csv", log.display(), seconds.len()), &lines);
+                }
+            }
+            _ => (),
+        }
+        ControlFlow::Continue(())
+    })?;
+    Ok(rounds
+        .iter()
+        .zip(&seconds)
+        .map(|(round, &seconds)| line(name, seed, round, seconds))
+        .collect())
+}
+
+fn line(name: &str, seed: u64, round: &Round, seconds: f64) -> Option<(f64, bool)> {
+    let told = &round.interpretation;
+    let estimate = &told.performance;
+    let collisions: Vec<String> = (told.events.iter())
+        .filter(|event| event.kind == EventKind::Collision)
+        .map(|event| format!("{:.2}-{:.2}", event.start, event.end))
+        .collect();
+    let truth = round.true_performance;
+    let plane = told.plane;
+    println!(
+        "{name:22} {seed:4} {:5} {:6.1} {:6.1} {:>15} {:>6} {:>6} {:7.2} {:>6} {:>6} {:6.2} {:5.1} {:6.1} {:5} {} {}",
+        round.motion.number,
+        100.0 * round.motion.prediction.performance.ratio(),
+        100.0 * estimate.mean,
+        format!(
+            "{:.1} to {:.1}",
+            100.0 * estimate.low,
+            100.0 * estimate.high
+        ),
+        truth.map_or("-".to_owned(), |t| format!("{:.1}", 100.0 * t)),
+        truth.map_or("-".to_owned(), |t| format!(
+            "{:+.1}",
+            100.0 * (estimate.mean - t)
+        )),
+        told.contact_share,
+        plane.map_or("-".to_owned(), |p| format!("{:.2}", p.tilt.to_degrees())),
+        plane.map_or("-".to_owned(), |p| format!("{:.1}", 1e3 * p.offset)),
+        round.executed.truth.contact_force.mean(),
+        round.executed.duration,
+        round.executed.duration / seconds,
+        collisions.len(),
+        round.verdict.as_str(),
+        collisions.join(" "),
+    );
+    truth.map(|truth| {
+        let is_held = (estimate.low..=estimate.high).contains(&truth);
+        (100.0 * (estimate.mean - truth).abs(), is_held)
+    })
+}

@@ -1,0 +1,339 @@
+//! The whole loop: plan, predict, follow, execute, interpret, and again until the goal is met; paper §4.
+
+use crate::execute::{Dirt, ExecuteConfig, ExecuteError, Executed, TelemetrySample, execute};
+use crate::follow::{FollowConfig, FollowError, Followed, Workcell, WorkcellConfig, follow};
+use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
+use crate::interpret::{
+    Belief, InterpretConfig, InterpretError, Interpretation, Interpreter, TouchSample,
+};
+use crate::plan::{Plan, PlanConfig, PlanError, Prediction, plan, predict};
+use crate::recover::{Pace, Verdict, believed_performance, judge, next_task, paced, unfinished};
+use crate::represent::{GoalState, ParticleError, Performance, Reality, Task};
+use crate::robot::{CapabilityMap, RobotModel, Srdf};
+use nalgebra::{Translation3, UnitQuaternion};
+use std::ops::ControlFlow;
+
+/// The robot that does it.
+#[derive(Debug, Clone, Copy)]
+pub struct Performer<'a> {
+    /// Its description.
+    pub robot: &'a RobotModel,
+    /// Its groups, states and pairs that may touch.
+    pub srdf: Option<&'a Srdf>,
+    /// What it reaches.
+    pub map: Option<&'a CapabilityMap>,
+}
+
+/// How each stage works, and when to stop.
+#[derive(Debug, Clone)]
+pub struct RunConfig {
+    /// Of the plans.
+    pub plan: PlanConfig,
+    /// Of robot and tool.
+    pub workcell: WorkcellConfig,
+    /// Of the motions.
+    pub follow: FollowConfig,
+    /// Of the executions; round and seed are set by the loop.
+    pub execute: ExecuteConfig,
+    /// Estimated performance at which the goal is met.
+    pub target: f64,
+    /// Most rounds.
+    pub max_rounds: usize,
+    /// How far a round goes.
+    pub pace: Pace,
+}
+
+/// What the loop is at.
+#[derive(Debug)]
+pub enum News<'a> {
+    /// A round, from 1, is being planned.
+    Planning(usize),
+    /// The plan is being followed; so many nodes are passed.
+    Following {
+        /// Nodes passed.
+        passed: usize,
+        /// Of so many.
+        nodes: usize,
+    },
+    /// An execution begins.
+    Executing(&'a Motion),
+    /// One sample of it.
+    Sample(&'a TelemetrySample<'a>),
+    /// The log is being interpreted.
+    Interpreting,
+    /// A round is over.
+    Over(&'a Round),
+}
+
+/// What is about to be executed.
+#[derive(Debug, Clone)]
+pub struct Motion {
+    /// The round, from 1.
+    pub number: usize,
+    /// The task as it was believed.
+    pub task: Task,
+    /// Where the dirt was believed to lie.
+    pub believed: Belief,
+    /// The plan.
+    pub plan: Plan,
+    /// Robot, tool and scene.
+    pub cell: Workcell,
+    /// The joint motion.
+    pub followed: Followed,
+    /// What it is predicted to do.
+    pub prediction: Prediction,
+}
+
+/// One round.
+#[derive(Debug, Clone)]
+pub struct Round {
+    /// What was planned.
+    pub motion: Motion,
+    /// What was executed, with the truth that only reports and tests may look at.
+    pub executed: Executed,
+    /// What the robot makes of it.
+    pub interpretation: Interpretation,
+    /// What follows.
+    pub verdict: Verdict,
+    /// The true performance; `None` where no dirt was simulated.
+    pub true_performance: Option<f64>,
+}
+
+/// Why a run failed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum RunError {
+    /// No plan.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// No motion.
+    #[error(transparent)]
+    Follow(#[from] FollowError),
+    /// No execution.
+    #[error(transparent)]
+    Execute(#[from] ExecuteError),
+    /// No interpretation.
+    #[error(transparent)]
+    Interpret(#[from] InterpretError),
+    /// Dirt at places that are none.
+    #[error(transparent)]
+    Particles(#[from] ParticleError),
+}
+
+/// Wipes until the estimated performance reaches the target, no progress is made, or the rounds are spent.
+///
+/// The robot knows of the world only what it measures. `first_plan` is used in the first round, if given.
+/// `news` may stop an execution; the round is then interpreted as far as it went, and is the last.
+///
+/// # Errors
+/// Those of the stages.
+pub fn run(
+    task: &Task,
+    performer: &Performer<'_>,
+    reality: &Reality,
+    first_plan: Option<Plan>,
+    config: &RunConfig,
+    news: &mut dyn FnMut(News<'_>) -> ControlFlow<()>,
+) -> Result<Vec<Round>, RunError> {
+    let world_from_real = task.surface.world_from_surface * reality.believed_from_real;
+    let mut rounds: Vec<Round> = Vec::new();
+    let mut task = task.clone();
+    let mut belief = Belief::certain(task.particles.clone());
+    let mut dirt = real_dirt(&task, reality);
+    let mut workcell = config.workcell.clone();
+    let mut given = first_plan;
+    let mut goal = None;
+    for number in 1..=config.max_rounds {
+        let _ = news(News::Planning(number));
+        let Some(plan) = plan_round(&task, goal.as_ref(), given.take(), config)? else {
+            break;
+        };
+        let goal = *goal.get_or_insert(plan.graph.goal);
+        let motion = follow_round(
+            number, &task, &belief, plan, performer, &workcell, config, news,
+        )?;
+
+        let _ = news(News::Executing(&motion));
+        let real = Reality {
+            believed_from_real: task.surface.world_from_surface.inverse() * world_from_real,
+            ..reality.clone()
+        };
+        let interpret_config = InterpretConfig::of(&task);
+        let mut interpreter = Interpreter::new(&task, &interpret_config)?;
+        let executed = execute_round(&motion, &real, &dirt, config, &mut interpreter, news)?;
+
+        let _ = news(News::Interpreting);
+        let interpretation = interpreter.conclude(&belief, &goal)?;
+        let before = believed_performance(&belief, &goal, &task.surface);
+        let is_last = !executed.is_complete;
+        let round = Round {
+            verdict: judge(&interpretation, before, config.target),
+            true_performance: true_performance(&executed.truth.dirt, &goal, &task)?,
+            motion,
+            interpretation,
+            executed,
+        };
+        let _ = news(News::Over(&round));
+
+        belief = round.interpretation.belief.clone();
+        dirt = round.executed.truth.dirt.clone();
+        task = next_task(
+            &task,
+            &goal,
+            &round.interpretation,
+            task.seed.wrapping_add(1),
+        )?;
+        workcell.world_from_robot = Some(standing(&round, config));
+        let verdict = round.verdict;
+        rounds.push(round);
+        if verdict != Verdict::Again || is_last {
+            break;
+        }
+    }
+    Ok(rounds)
+}
+
+/// The plan of a round: on what is not yet done. `None` if nothing is left to do.
+fn plan_round(
+    task: &Task,
+    goal: Option<&GoalState>,
+    given: Option<Plan>,
+    config: &RunConfig,
+) -> Result<Option<Plan>, RunError> {
+    let plan = match (given, goal) {
+        (Some(plan), _) => plan,
+        (None, None) => plan(task, &config.plan)?,
+        (None, Some(goal)) => {
+            let open = unfinished(task, goal)?;
+            if open.is_empty() {
+                return Ok(None);
+            }
+            let mut open_task = task.clone();
+            open_task.particles = open;
+            plan(
+                &open_task,
+                &PlanConfig {
+                    seed: task.seed,
+                    ..config.plan.clone()
+                },
+            )?
+        }
+    };
+    Ok(Some(paced(plan, config.pace)))
+}
+
+/// The joint motion of a round, and what it is predicted to do.
+#[allow(clippy::too_many_arguments, reason = "what a round is made of")]
+fn follow_round(
+    number: usize,
+    task: &Task,
+    belief: &Belief,
+    plan: Plan,
+    performer: &Performer<'_>,
+    workcell: &WorkcellConfig,
+    config: &RunConfig,
+    news: &mut dyn FnMut(News<'_>) -> ControlFlow<()>,
+) -> Result<Motion, RunError> {
+    let cell = Workcell::new(performer.robot.clone(), performer.srdf, task, workcell)?;
+    let nodes = plan.strokes.iter().map(|stroke| stroke.nodes.len()).sum();
+    let mut say = |passed| {
+        let _ = news(News::Following { passed, nodes });
+    };
+    let followed = follow(task, &plan, &cell, performer.map, &config.follow, &mut say)?;
+    let wiped = Plan {
+        strokes: followed.strokes.clone(),
+        ..plan.clone()
+    };
+    Ok(Motion {
+        number,
+        prediction: predict(task, &wiped, |_| ()),
+        task: task.clone(),
+        believed: belief.clone(),
+        plan,
+        cell,
+        followed,
+    })
+}
+
+/// Executes a round, and lets the interpreter feel it.
+fn execute_round(
+    motion: &Motion,
+    reality: &Reality,
+    dirt: &Dirt,
+    config: &RunConfig,
+    interpreter: &mut Interpreter,
+    news: &mut dyn FnMut(News<'_>) -> ControlFlow<()>,
+) -> Result<Executed, RunError> {
+    let execute_config = ExecuteConfig {
+        round: motion.number,
+        seed: motion.task.seed,
+        ..config.execute
+    };
+    let mut refused = None;
+    let Motion {
+        task,
+        cell,
+        followed,
+        ..
+    } = motion;
+    let executed = execute(
+        task,
+        cell,
+        followed,
+        reality,
+        dirt,
+        &execute_config,
+        &mut |sample| {
+            let touch = TouchSample {
+                time: sample.time,
+                world_from_tool: sample.world_from_tool,
+                force: sample.external.force,
+            };
+            if let Err(error) = interpreter.push(&touch) {
+                refused = Some(error);
+                return ControlFlow::Break(());
+            }
+            news(News::Sample(sample))
+        },
+    )?;
+    refused.map_or(Ok(executed), |error| Err(error.into()))
+}
+
+/// The dirt as it really lies: where the task has it, unless there is too much of it for the simulation.
+fn real_dirt(task: &Task, reality: &Reality) -> Dirt {
+    if task.particles.len() > reality.max_bodies {
+        return Dirt::default();
+    }
+    Dirt::scatter(&task.particles, reality, task.seed)
+}
+
+fn true_performance(
+    dirt: &Dirt,
+    goal: &GoalState,
+    task: &Task,
+) -> Result<Option<f64>, ParticleError> {
+    if dirt.grains().is_empty() {
+        return Ok(None);
+    }
+    let particles = dirt.particles()?;
+    Ok(Some(
+        Performance::of(&particles, goal, &task.surface).ratio(),
+    ))
+}
+
+/// Where the robot stands after a round.
+fn standing(round: &Round, config: &RunConfig) -> Pose {
+    let cell = &round.motion.cell;
+    let Some(base) = cell.base() else {
+        return *cell.world_from_root();
+    };
+    let q = &round.executed.positions;
+    let at = PlanarPose::new(Point2::new(q[base.x], q[base.y]), q[base.yaw]);
+    let start = config
+        .workcell
+        .world_from_robot
+        .unwrap_or_else(Pose::identity);
+    Pose::from_parts(
+        Translation3::new(at.position.x, at.position.y, start.translation.z),
+        UnitQuaternion::from_axis_angle(&Vector3::z_axis(), at.heading),
+    )
+}
