@@ -10,8 +10,8 @@ const STUCK: f64 = 0.3;
 const SLIPPING: f64 = 1.4;
 /// Longest time between two turns of the same stick-slip [s]: slower ones are the plan's own stops.
 const LONGEST_TURN: f64 = 0.25;
-/// Slowest mean speed at which it can be told [m/s].
-const SLOWEST: f64 = 0.01;
+/// Slowest mean speed at which it can be told [m/s]: positions off by 0.1 mm look like half of it.
+const SLOWEST: f64 = 0.03;
 /// Least change of the force along the surface between stuck and slipping [N].
 const LEAST_FORCE: f64 = 1.0;
 
@@ -25,6 +25,7 @@ enum Gait {
 #[derive(Debug, Clone, Copy)]
 struct Turn {
     piece: usize,
+    to: Gait,
     /// Largest force along the surface since the turn before [N].
     peak: f64,
     /// Smallest [N].
@@ -47,7 +48,12 @@ impl Evidence<'_> {
                     .iter()
                     .all(|turn| turn.peak - turn.least >= LEAST_FORCE)
             })
-            .map(|run| self.described(EventKind::StickSlip, run[0].piece, run[run.len() - 1].piece))
+            .map(|run| {
+                // Standing before a stroke is no sticking: it begins with the first slip.
+                let first = usize::from(run[0].to == Gait::Stuck);
+                let last = run.len() - 1;
+                self.described(EventKind::StickSlip, run[first].piece, run[last].piece)
+            })
             .collect()
     }
 
@@ -86,6 +92,7 @@ impl Evidence<'_> {
                 gait = next;
                 turns.push(Turn {
                     piece: i,
+                    to: gait,
                     peak,
                     least,
                 });
