@@ -61,12 +61,18 @@ impl Evidence<'_> {
         (first..=last).all(|i| self.is_touching(i))
     }
 
+    /// Speed along the surface, over the neighbours of a piece that has two [m/s].
+    fn speed(&self, i: usize) -> f64 {
+        let (before, after) = (&self.path[i - 1], &self.path[i + 1]);
+        (after.position - before.position).xy().norm() / (after.time[1] - before.time[1])
+    }
+
     fn turns(&self) -> Vec<Turn> {
         let mut turns: Vec<Turn> = Vec::new();
         let (mut first, mut last) = (0, 0);
         let (mut peak, mut least) = (f64::NEG_INFINITY, f64::INFINITY);
         let mut gait = Gait::Slipping;
-        for i in 1..self.path.len() {
+        for i in 1..self.path.len().saturating_sub(1) {
             let now = self.path[i].time[1];
             while self.path[first].time[1] < now - WINDOW {
                 first += 1;
@@ -76,8 +82,7 @@ impl Evidence<'_> {
             }
             let mean = self.way[last] - self.way[first];
             let mean = mean / (self.path[last].time[1] - self.path[first].time[1]);
-            let speed = self.way[i] - self.way[i - 1];
-            let speed = speed / (now - self.path[i - 1].time[1]);
+            let speed = self.speed(i);
             peak = peak.max(self.path[i].tangential_force);
             least = least.min(self.path[i].tangential_force);
             if mean < SLOWEST || !self.is_touching(i) {
