@@ -2,12 +2,13 @@
 //!
 //! Assumptions of this stand-in for reality: the underside of a tool closes round a grain instead of
 //! riding on it, so that grains do not lift the tool; where the tool's pressure at a grain's place
-//! exceeds the grain's own threshold, the grain is taken up (absorb) or moves with the tool (push);
-//! grains do not roll. Pressure is that of the tool's compliance, uneven where the tool is tilted.
+//! exceeds the grain's own threshold, the grain is taken up (absorb) or moved (push): one that the tool's
+//! side meets is pushed ahead of it, one that the tool was set down on is held under it. Grains do not
+//! roll. Pressure is that of the tool's compliance, uneven where the tool is tilted.
 
 use super::Dirt;
 use super::plant::{Plant, groups_of_grains, vector};
-use crate::geometry::{Point2, Point3, Pose};
+use crate::geometry::{Point2, Point3, Pose, Vector2, Vector3};
 use crate::represent::{Effect, Fate, MediumKind, Reality, Task};
 use rapier3d_f64::dynamics::{CoefficientCombineRule, RigidBodyBuilder, RigidBodyHandle};
 use rapier3d_f64::geometry::ColliderBuilder;
@@ -22,12 +23,27 @@ const GRIP_RATE: f64 = 200.0;
 /// A grain that is this far below the surface has fallen off it [m].
 const FALLEN: f64 = 0.004;
 
-/// A grain's body, and where the tool holds it.
+/// Deeper than this under the tool a grain is no longer pushed by its side [m].
+const SIDE: f64 = 4e-3;
+
+/// A grain's body, and how the tool has it.
 #[derive(Debug, Clone, Copy)]
 struct GrainBody {
     body: RigidBodyHandle,
-    /// Place in the frame of the tool's underside at which it is gripped.
-    grip: Option<Point3>,
+    grip: Grip,
+}
+
+/// How the tool has a grain.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Grip {
+    /// Not at all; the grain lies beside the tool.
+    Beside,
+    /// Not at all; the grain lies under the tool, which does not reach down to it or slips over it.
+    Below,
+    /// The side of the tool pushes it.
+    Side,
+    /// The underside holds it at a place in its frame.
+    Held(Point3),
 }
 
 /// The bodies of some dirt.
@@ -67,7 +83,10 @@ impl GrainBodies {
                 .friction_combine_rule(CoefficientCombineRule::Max)
                 .collision_groups(groups_of_grains());
             plant.world.insert_collider(collider, Some(body));
-            Some(GrainBody { body, grip: None })
+            Some(GrainBody {
+                body,
+                grip: Grip::Beside,
+            })
         };
         let bodies = dirt.grains.iter().map(put).collect();
         let corners = task.tool.footprint.edges();
@@ -90,24 +109,28 @@ impl GrainBodies {
         let to_plate = plate.inverse();
         let compression = plant.compression();
         let near = self.reach + self.tallest;
+        let normal = self.world_from_real.rotation * Vector3::z();
         for (grain, slot) in dirt.grains.iter_mut().zip(&mut self.bodies) {
             let Some(held) = slot else {
                 continue;
             };
-            let body = &plant.world.bodies[held.body];
-            let at = body.translation();
+            let at = plant.world.bodies[held.body].translation();
             let at = Point3::new(at.x, at.y, at.z);
             if (at.coords - plate.translation.vector).norm_squared() > near * near {
-                held.grip = None;
+                held.grip = Grip::Beside;
                 continue;
             }
             let in_plate = to_plate * at;
             let under = Point2::new(in_plate.x, in_plate.y);
+            if !task.tool.footprint.contains(under) {
+                held.grip = Grip::Beside;
+                continue;
+            }
             let is_reached = in_plate.z + grain.radius > 0.0
                 && in_plate.z < grain.radius + self.nominal_depth
-                && task.tool.footprint.contains(under);
-            if !is_reached || compression.pressure(under, self.nominal_depth) < grain.threshold {
-                held.grip = None;
+                && compression.pressure(under, self.nominal_depth) >= grain.threshold;
+            if !is_reached {
+                held.grip = Grip::Below;
                 continue;
             }
             if self.effect == Effect::Absorb {
@@ -117,18 +140,31 @@ impl GrainBodies {
                 *slot = None;
                 continue;
             }
-            let grip = *held.grip.get_or_insert(in_plate);
-            let goal = plate * grip;
+            let (depth, outward) = nearest_side(task, under);
+            held.grip = match held.grip {
+                Grip::Beside => Grip::Side,
+                Grip::Side if depth > SIDE => Grip::Held(in_plate),
+                Grip::Below => Grip::Held(in_plate),
+                kept => kept,
+            };
+            let goal = match held.grip {
+                Grip::Held(place) => plate * place,
+                _ => at,
+            };
             let velocity = plant.plate_velocity(&goal);
             let Some(body) = plant.world.bodies.get_mut(held.body) else {
                 continue;
             };
             let (v, mass) = (body.linvel(), body.mass());
-            let normal = self.world_from_real.rotation * crate::geometry::Vector3::z();
-            let lag = goal - at;
-            let slip = velocity - crate::geometry::Vector3::new(v.x, v.y, v.z);
-            let force = mass * (GRIP_RATE * GRIP_RATE * lag + 2.0 * GRIP_RATE * slip);
-            // The grip holds along the surface; the tool gives way upwards.
+            let slip = velocity - Vector3::new(v.x, v.y, v.z);
+            let force = if let Grip::Held(_) = held.grip {
+                mass * (GRIP_RATE * GRIP_RATE * (goal - at) + 2.0 * GRIP_RATE * slip)
+            } else {
+                let outward = plate * Vector3::new(outward.x, outward.y, 0.0);
+                let push = GRIP_RATE * GRIP_RATE * depth + 2.0 * GRIP_RATE * slip.dot(&outward);
+                mass * push.max(0.0) * outward
+            };
+            // It acts along the surface; upwards the tool gives way.
             let along = force - normal * normal.dot(&force);
             body.reset_forces(true);
             body.add_force(vector(&along), true);
@@ -144,7 +180,7 @@ impl GrainBodies {
             let Some(body) = plant.world.bodies.get_mut(held.body) else {
                 continue;
             };
-            if held.grip.is_none() {
+            if matches!(held.grip, Grip::Beside | Grip::Below) {
                 if body.is_sleeping() {
                     continue;
                 }
@@ -170,6 +206,19 @@ impl GrainBodies {
             }
         }
     }
+}
+
+/// How far a place under the tool is inside the nearest side, and which way is out of it.
+fn nearest_side(task: &Task, under: Point2) -> (f64, Vector2) {
+    let mut nearest = (f64::INFINITY, Vector2::zeros());
+    for edge in task.tool.footprint.edges() {
+        let distance = edge.distance(under);
+        if distance < nearest.0 {
+            let along = (edge.end - edge.start).normalize();
+            nearest = (distance, Vector2::new(along.y, -along.x));
+        }
+    }
+    nearest
 }
 
 fn on_surface(world_from_real: &Pose, at: &Point3) -> Point2 {

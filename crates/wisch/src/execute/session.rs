@@ -6,7 +6,7 @@ use super::grains::GrainBodies;
 use super::observer::MomentumObserver;
 use super::plant::{GRAVITY, Plant, tool_load};
 use super::{Dirt, ExecuteConfig, ExecuteError, GroundTruth, Spread, TelemetrySample, Wrench};
-use crate::follow::{Followed, Motion, TrajectorySample, Workcell};
+use crate::follow::{Followed, Motion, Phase, TrajectorySample, Workcell};
 use crate::geometry::{Point3, Pose, Vector3};
 use crate::represent::{FrictionChange, Push, Reality, Task};
 use crate::robot::{Articulation, ArticulationState};
@@ -318,7 +318,14 @@ impl<'a> Session<'a> {
         let interaction = &self.task.interaction;
         let depth =
             self.config.press_margin * interaction.press_force_n / interaction.stiffness_n_per_m;
-        let share = (1.0 - height / self.config.approach_height).clamp(0.0, 1.0);
+        let presses = motions
+            .get(self.motion)
+            .is_some_and(|motion| matches!(motion.phase, Phase::Lower | Phase::Wipe(_) | Phase::Lift));
+        let share = if presses {
+            (1.0 - height / self.config.approach_height).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
         world_from_tool = Translation3::from(-normal * (depth * share)) * world_from_tool;
         Desired {
             world_from_tool,
