@@ -15,6 +15,11 @@ use rayon::prelude::*;
 
 /// Longest motion that is replayed at once [m]: thresholds are drawn between motions.
 const MAX_LENGTH: f64 = 5e-3;
+/// Less travel than this is standing [m], and less turn, if it turns [rad].
+const STANDING: [f64; 2] = [2e-3, 0.035];
+/// The same for the beginning of a contact: what the tool comes down on is carried the way that it first
+/// moves, which must not be the way it trembles, settles or turns in before its stroke.
+const SETTLING: [f64; 2] = [0.01, 0.35];
 /// How far a path may be off the straight motion that stands for it [m].
 const MAX_DEVIATION: f64 = 2.5e-4;
 /// Change of f′ from which on a new motion begins [1]; beyond the noise of forces at 100 Hz, which would
@@ -22,8 +27,10 @@ const MAX_DEVIATION: f64 = 2.5e-4;
 const MAX_SHARE_CHANGE: f64 = 0.15;
 /// Turn below which the heading counts as kept [rad]: half a degree, half a millimetre at a sponge's corner.
 const HEADING_STEP: f64 = 0.0087;
-/// Standing contact is one motion for as long as the tool stays within this [m].
-const STANDING: f64 = 1e-4;
+/// Most that a tool turns in one motion [rad]; 3°, in which a straight line stands for a bent one.
+const MAX_TURN: f64 = 0.052;
+/// Places closer together than this are the same [m].
+const SAME_PLACE: f64 = 1e-4;
 /// A particle that is touched again within this travel is still in the same contact [m]: it may have been
 /// out of touch while the tool stood or turned a corner.
 const SAME_CONTACT: f64 = MAX_LENGTH;
@@ -75,7 +82,9 @@ impl Replay<'_> {
         let mut field = ParticleField::new(particles);
         let mut model = EffectModel::new(self.footprint, self.effect);
         for contact in motions {
-            chances.advance(contact, &self.config.likelihood);
+            if !chances.advance(contact, &self.config.likelihood) {
+                continue;
+            }
             model.apply_where(&mut field, self.surface, &contact.motion, |particle| {
                 chances.responds(particle, self.config.redraw_length_m)
             });
@@ -124,7 +133,8 @@ impl Chances {
         }
     }
 
-    fn advance(&mut self, contact: &ContactMotion, likelihood: &LogNormal) {
+    /// Goes on to a motion, and says whether any particle can respond to it.
+    fn advance(&mut self, contact: &ContactMotion, likelihood: &LogNormal) -> bool {
         let begin = self.travelled[1]
             + if contact.continues {
                 0.0
@@ -133,6 +143,7 @@ impl Chances {
             };
         self.travelled = [begin, begin + contact.motion.travel().1];
         self.probability = likelihood.probability(contact.share);
+        self.probability > 0.0
     }
 
     /// Whether a particle that the motion at hand touches responds to it.
@@ -170,10 +181,8 @@ pub(super) fn contact_motions(path: &[PathPiece], real_from_believed: &Pose) -> 
     let mut builder = Builder::default();
     for piece in path {
         match piece.touch {
-            Touch::Weak | Touch::Confident if piece.normalized_force > 0.0 => {
-                builder.take(piece, real_from_believed);
-            }
-            _ => builder.interrupt(),
+            Touch::Weak | Touch::Confident => builder.take(piece, real_from_believed),
+            Touch::Free | Touch::FalsePositive => builder.interrupt(),
         }
     }
     builder.interrupt();
@@ -195,8 +204,11 @@ struct Open {
     last_time: f64,
     /// Places passed on the way, the last one included.
     passed: Vec<Point2>,
-    pieces: u32,
-    share: f64,
+    /// Travel and f′ times travel; standing, pieces count instead [m].
+    travel: f64,
+    share_by_travel: f64,
+    pieces: f64,
+    share_by_pieces: f64,
     continues: bool,
 }
 
@@ -213,31 +225,44 @@ impl Builder {
             self.open = Some(Open::at(at, piece, false));
             return;
         };
-        let heading = kept_heading(open.to.heading, piece.heading);
-        let to = PlanarPose::new(position, heading);
-        if open.goes_on_to(&to, piece.normalized_force) {
+        let turn = wrap_angle(piece.heading - open.to.heading);
+        let to = PlanarPose::new(position, open.to.heading + turn);
+        if open.is_standing() || open.goes_on_to(&to, piece.normalized_force) {
             open.grow(to, piece);
         } else {
-            let mut next = Open::at(open.to, piece, true);
-            next.grow_to(to);
-            self.interrupt();
+            let mut next = Open::at(open.end(), piece, true);
+            next.grow(to, piece);
+            self.close();
             self.open = Some(next);
         }
     }
 
+    /// Ends the contact. What is left of it is standing, which counts only where there was nothing else.
     fn interrupt(&mut self) {
-        if let Some(open) = self.open.take() {
-            self.close(&open);
+        match &mut self.open {
+            Some(open) if open.is_within(STANDING) && open.continues => self.open = None,
+            Some(open) => {
+                if open.is_within(STANDING) {
+                    open.to = open.from;
+                }
+                self.close();
+            }
+            None => {}
         }
     }
 
     /// Keeps a motion, in parts if it is long: a slow log has pieces longer than a motion should be.
-    fn close(&mut self, open: &Open) {
-        let way = open.to.position - open.from.position;
-        let turn = open.to.heading - open.from.heading;
+    fn close(&mut self) {
+        let Some(open) = self.open.take() else {
+            return;
+        };
+        let to = open.end();
+        let way = to.position - open.from.position;
+        let turn = to.heading - open.from.heading;
         let parts = (way.norm() / MAX_LENGTH).ceil().max(1.0) as u32;
         let at = |part: u32| {
             let share = f64::from(part) / f64::from(parts);
+            // The same bits in all parts where it does not turn.
             PlanarPose::new(
                 open.from.position + way * share,
                 open.from.heading + turn * share,
@@ -248,20 +273,9 @@ impl Builder {
                 from: at(part),
                 to: at(part + 1),
             },
-            share: open.share,
+            share: open.share(),
             continues: open.continues || part > 0,
         }));
-    }
-}
-
-/// A heading near the measured one: the one before, as long as it differs too little to matter, and
-/// otherwise the measured one, turned on without a jump.
-fn kept_heading(before: f64, measured: f64) -> f64 {
-    let turn = wrap_angle(measured - before);
-    if turn.abs() < HEADING_STEP {
-        before
-    } else {
-        before + turn
     }
 }
 
@@ -272,9 +286,45 @@ impl Open {
             to: from,
             last_time: piece.time[1],
             passed: Vec::new(),
-            pieces: 1,
-            share: piece.normalized_force,
+            travel: 0.0,
+            share_by_travel: 0.0,
+            pieces: 1.0,
+            share_by_pieces: piece.normalized_force,
             continues,
+        }
+    }
+
+    fn length(&self) -> f64 {
+        (self.to.position - self.from.position).norm()
+    }
+
+    fn turn(&self) -> f64 {
+        self.to.heading - self.from.heading
+    }
+
+    fn is_within(&self, [length, turn]: [f64; 2]) -> bool {
+        self.length() < length && self.turn().abs() < turn
+    }
+
+    fn is_standing(&self) -> bool {
+        self.is_within(if self.continues { STANDING } else { SETTLING })
+    }
+
+    /// Where it ends: with the heading of its beginning, as long as it differs too little to matter.
+    fn end(&self) -> PlanarPose {
+        if self.turn().abs() < HEADING_STEP {
+            PlanarPose::new(self.to.position, self.from.heading)
+        } else {
+            self.to
+        }
+    }
+
+    /// Mean f′ along the way [1].
+    fn share(&self) -> f64 {
+        if self.travel > SAME_PLACE {
+            self.share_by_travel / self.travel
+        } else {
+            self.share_by_pieces / self.pieces
         }
     }
 
@@ -283,25 +333,27 @@ impl Open {
             start: self.from.position,
             end: to.position,
         };
-        (share - self.share).abs() <= MAX_SHARE_CHANGE
-            && to.heading == self.to.heading
-            && self.from.heading == self.to.heading
+        (share - self.share()).abs() <= MAX_SHARE_CHANGE
+            && (to.heading - self.from.heading).abs() <= MAX_TURN
             && (to.position - self.from.position).norm() <= MAX_LENGTH
             && (self.passed.iter()).all(|place| chord.distance(*place) <= MAX_DEVIATION)
     }
 
     fn grow(&mut self, to: PlanarPose, piece: &PathPiece) {
-        self.pieces += 1;
-        self.share += (piece.normalized_force - self.share) / f64::from(self.pieces);
-        self.last_time = piece.time[1];
-        self.grow_to(to);
-    }
-
-    fn grow_to(&mut self, to: PlanarPose) {
         let last = self.passed.last().copied().unwrap_or(self.from.position);
-        if (to.position - last).norm() > STANDING {
+        let step = (to.position - last).norm();
+        if step > SAME_PLACE {
+            self.travel += step;
+            self.share_by_travel += step * piece.normalized_force;
+            // What it passed while standing is not on its way.
+            if self.is_standing() {
+                self.passed.clear();
+            }
             self.passed.push(to.position);
         }
+        self.pieces += 1.0;
+        self.share_by_pieces += piece.normalized_force;
+        self.last_time = piece.time[1];
         self.to = to;
     }
 }
