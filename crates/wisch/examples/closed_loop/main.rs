@@ -174,15 +174,43 @@ fn trial(
             use std::fmt::Write;
             let _ = writeln!(text, "goal {:?}", round.motion.plan.graph.goal);
             for stroke in &round.motion.followed.strokes {
-                let _ = writeln!(text, "stroke {:?}", stroke.poses.iter().map(|p| (p.position.x, p.position.y, p.heading)).collect::<Vec<_>>());
+                let _ = writeln!(
+                    text,
+                    "stroke {:?}",
+                    stroke
+                        .poses
+                        .iter()
+                        .map(|p| (p.position.x, p.position.y, p.heading))
+                        .collect::<Vec<_>>()
+                );
             }
             for (i, (p, fate)) in round.executed.truth.dirt.particles()?.iter().enumerate() {
                 let (b, _) = (round.motion.task.particles.position(i), 0);
                 let e = round.interpretation.belief.replays()[0].position(i);
                 let q = round.motion.prediction.particles.position(i);
-                let _ = writeln!(text, "p {} {} {:?} {} {} {} {} {} {} {}", p.x, p.y, fate, b.x, b.y, e.x, e.y, q.x, q.y, round.executed.truth.dirt.grains()[i].threshold);
+                let _ = writeln!(
+                    text,
+                    "p {} {} {:?} {} {} {} {} {} {} {}",
+                    p.x,
+                    p.y,
+                    fate,
+                    b.x,
+                    b.y,
+                    e.x,
+                    e.y,
+                    q.x,
+                    q.y,
+                    round.executed.truth.dirt.grains()[i].threshold
+                );
             }
-            std::fs::write(format!("{}-{name}-{seed}-{}.txt", dump.display(), round.motion.number), text)?;
+            std::fs::write(
+                format!(
+                    "{}-{name}-{seed}-{}.txt",
+                    dump.display(),
+                    round.motion.number
+                ),
+                text,
+            )?;
         }
     }
     Ok(rounds

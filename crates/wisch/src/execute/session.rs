@@ -318,9 +318,9 @@ impl<'a> Session<'a> {
         let interaction = &self.task.interaction;
         let depth =
             self.config.press_margin * interaction.press_force_n / interaction.stiffness_n_per_m;
-        let presses = motions
-            .get(self.motion)
-            .is_some_and(|motion| matches!(motion.phase, Phase::Lower | Phase::Wipe(_) | Phase::Lift));
+        let presses = motions.get(self.motion).is_some_and(|motion| {
+            matches!(motion.phase, Phase::Lower | Phase::Wipe(_) | Phase::Lift)
+        });
         let share = if presses {
             (1.0 - height / self.config.approach_height).clamp(0.0, 1.0)
         } else {
