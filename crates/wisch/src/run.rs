@@ -1,17 +1,23 @@
 //! The whole loop: plan, predict, follow, execute, interpret, and again until the goal is met; paper §4.
 
-use crate::execute::{Dirt, ExecuteConfig, ExecuteError, Executed, TelemetrySample, execute};
+use crate::execute::{
+    Dirt, Ending, ExecuteConfig, ExecuteError, Executed, TelemetrySample, execute,
+};
 use crate::follow::{FollowConfig, FollowError, Followed, Workcell, WorkcellConfig, follow};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::interpret::{
     Belief, InterpretConfig, InterpretError, Interpretation, Interpreter, TouchSample,
 };
-use crate::plan::{Plan, PlanConfig, PlanError, Prediction, plan, predict};
+use crate::plan::{CoverageStrategy, Plan, PlanConfig, PlanError, Prediction, best_plan, predict};
 use crate::recover::{Pace, Verdict, believed_performance, judge, next_task, paced, unfinished};
 use crate::represent::{GoalState, ParticleError, Performance, Reality, Task};
 use crate::robot::{CapabilityMap, RobotModel, Srdf};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::ops::ControlFlow;
+
+/// Plans that are tried for what is left over; there the density is that of a few scattered grains, and
+/// the prediction tells best what becomes of them.
+const RECOVERY_VARIANTS: usize = 10;
 
 /// The robot that does it.
 #[derive(Debug, Clone, Copy)]
@@ -29,6 +35,8 @@ pub struct Performer<'a> {
 pub struct RunConfig {
     /// Of the plans.
     pub plan: PlanConfig,
+    /// How many plans the prediction chooses from in the first round.
+    pub variants: usize,
     /// Of robot and tool.
     pub workcell: WorkcellConfig,
     /// Of the motions.
@@ -164,7 +172,7 @@ pub fn run(
         let _ = news(News::Interpreting);
         let interpretation = interpreter.conclude(&belief, &goal)?;
         let before = believed_performance(&belief, &goal, &task.surface);
-        let is_last = !executed.is_complete;
+        let is_last = executed.ending == Ending::Stopped;
         let round = Round {
             verdict: judge(&interpretation, before, config.target),
             true_performance: true_performance(&executed.truth.dirt, &goal, &task)?,
@@ -201,21 +209,18 @@ fn plan_round(
 ) -> Result<Option<Plan>, RunError> {
     let plan = match (given, goal) {
         (Some(plan), _) => plan,
-        (None, None) => plan(task, &config.plan)?,
+        (None, None) => best_plan(task, &task.particles, &config.plan, config.variants)?,
         (None, Some(goal)) => {
             let open = unfinished(task, goal)?;
             if open.is_empty() {
                 return Ok(None);
             }
-            let mut open_task = task.clone();
-            open_task.particles = open;
-            plan(
-                &open_task,
-                &PlanConfig {
-                    seed: task.seed,
-                    ..config.plan.clone()
-                },
-            )?
+            let kde = PlanConfig {
+                strategy: CoverageStrategy::Kde,
+                seed: task.seed,
+                ..config.plan.clone()
+            };
+            best_plan(task, &open, &kde, RECOVERY_VARIANTS)?
         }
     };
     Ok(Some(paced(plan, config.pace)))

@@ -105,6 +105,7 @@ fn trial(
             bandwidth: file.bandwidth_m(),
             lift_height: file.lift_height_m(),
         },
+        variants: file.plan_variants(),
         workcell: WorkcellConfig {
             world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
             ..WorkcellConfig::default()

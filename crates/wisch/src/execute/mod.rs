@@ -22,6 +22,6 @@ mod truth;
 pub use config::ExecuteConfig;
 pub use dirt::{Dirt, Grain};
 pub use error::ExecuteError;
-pub use session::{Executed, execute};
+pub use session::{Ending, Executed, StopCause, execute};
 pub use telemetry::{TelemetrySample, Wrench};
 pub use truth::{GroundTruth, Spread};

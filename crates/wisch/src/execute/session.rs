@@ -9,7 +9,7 @@ use super::{Dirt, ExecuteConfig, ExecuteError, GroundTruth, Spread, TelemetrySam
 use crate::follow::{Followed, Motion, Phase, TrajectorySample, Workcell};
 use crate::geometry::{Point3, Pose, Vector3};
 use crate::represent::{FrictionChange, Push, Reality, Task};
-use crate::robot::{Articulation, ArticulationState};
+use crate::robot::{Articulation, ArticulationState, Range};
 use nalgebra::{Matrix6xX, Translation3, Vector6};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -24,13 +24,69 @@ const SETTLING: f64 = 0.3;
 /// Streams of random numbers.
 const NOISE_STREAM: u64 = 0x6e6f_6973;
 
+/// Further off than this from where it is told to be, the tool is caught or led astray [m].
+const MAX_ASTRAY: f64 = 0.5;
+/// Faster than this over its limit a joint moves only when something is wrong [1].
+const MAX_OVERSPEED: f64 = 4.0;
+/// Beyond its limit by more than this a joint moves only when something is wrong [rad or m].
+const MAX_OVERSHOOT: f64 = 0.1;
+
+/// How an execution ended.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Ending {
+    /// All motions are done.
+    Complete,
+    /// Who took the samples stopped it.
+    Stopped,
+    /// The robot stopped itself, as robots do that are caught on something or led far astray.
+    ProtectiveStop {
+        /// When [s].
+        time: f64,
+        /// Why.
+        cause: StopCause,
+    },
+}
+
+/// Why a robot stopped itself.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum StopCause {
+    /// The tool is too far from where it was told to be.
+    #[error("the tool is {distance:.2} m from where it was told to be, more than {limit} m")]
+    Astray {
+        /// How far [m].
+        distance: f64,
+        /// The limit [m].
+        limit: f64,
+    },
+    /// A joint is too fast.
+    #[error("joint {joint:?} moves at {velocity:.2} rad/s or m/s, more than {limit:.2}")]
+    Overspeed {
+        /// The joint.
+        joint: String,
+        /// Its velocity [rad/s or m/s].
+        velocity: f64,
+        /// The limit [rad/s or m/s].
+        limit: f64,
+    },
+    /// A joint is beyond its limits.
+    #[error("joint {joint:?} is at {position:.2} rad or m, beyond its limits {} to {}", limits.lower, limits.upper)]
+    Overshoot {
+        /// The joint.
+        joint: String,
+        /// Where it is [rad or m].
+        position: f64,
+        /// Where it may be [rad or m].
+        limits: Range,
+    },
+}
+
 /// What an execution gives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Executed {
     /// How long it took [s].
     pub duration: f64,
-    /// Whether it ran to its end, rather than being stopped by who took the samples.
-    pub is_complete: bool,
+    /// How it ended.
+    pub ending: Ending,
     /// All n variables of the robot at the end [rad or m].
     pub positions: Vec<f64>,
     /// The truth about it.
@@ -57,12 +113,11 @@ pub fn execute(
     let mut session = Session::new(task, cell, followed, reality, dirt, config)?;
     let periods = (followed.duration() / config.period).ceil() as usize;
     for k in 0..=periods {
-        let flow = session.period(k as f64 * config.period, sample)?;
-        if flow.is_break() {
-            return Ok(session.finish(false));
+        if let Some(ending) = session.period(k as f64 * config.period, sample)? {
+            return Ok(session.finish(ending));
         }
     }
-    Ok(session.finish(true))
+    Ok(session.finish(Ending::Complete))
 }
 
 /// Everything that one execution needs, allocated once.
@@ -210,7 +265,7 @@ impl<'a> Session<'a> {
         &mut self,
         time: f64,
         sample: &mut dyn FnMut(&TelemetrySample<'_>) -> ControlFlow<()>,
-    ) -> Result<ControlFlow<()>, ExecuteError> {
+    ) -> Result<Option<Ending>, ExecuteError> {
         self.time = time;
         self.plant.read(&mut self.q, &mut self.qd);
         self.check()?;
@@ -241,6 +296,9 @@ impl<'a> Session<'a> {
             .command(&self.state, &measured, &desired, &posture);
         let wrench = command.ok_or(ExecuteError::NoInertia { time })?;
         let felt = self.controller.external_wrench(external);
+        if let Some(cause) = self.stop_cause(&desired, &world_from_tool) {
+            return Ok(Some(Ending::ProtectiveStop { time, cause }));
+        }
         let flow = self.record(time, &desired, world_from_tool, wrench, felt, sample);
 
         // What joints that follow others will need, the planned acceleration included.
@@ -261,7 +319,42 @@ impl<'a> Session<'a> {
         self.grains
             .settle(&mut self.plant, &mut self.dirt, self.task);
         self.observe_truth(time, &desired, &world_from_tool, is_pushed, &wrench);
-        Ok(flow)
+        Ok(flow.is_break().then_some(Ending::Stopped))
+    }
+
+    /// Whether the robot has to stop itself.
+    fn stop_cause(&self, desired: &Desired, world_from_tool: &Pose) -> Option<StopCause> {
+        let told = desired.world_from_tool.translation.vector;
+        let distance = (told - world_from_tool.translation.vector).norm();
+        if distance > MAX_ASTRAY {
+            let limit = MAX_ASTRAY;
+            return Some(StopCause::Astray { distance, limit });
+        }
+        let limits = self.cell.limits().joints();
+        for &k in self.controller.compliant() {
+            let i = self.articulation.variables()[k];
+            let joint = self.cell.robot().variable(i);
+            let limit = MAX_OVERSPEED * limits[i].velocity;
+            if self.qd[k].abs() > limit {
+                return Some(StopCause::Overspeed {
+                    joint: joint.name.clone(),
+                    velocity: self.qd[k],
+                    limit,
+                });
+            }
+            let range = joint.limits.position;
+            let beyond = |range: &Range| {
+                !(range.lower - MAX_OVERSHOOT..=range.upper + MAX_OVERSHOOT).contains(&self.q[k])
+            };
+            if let Some(limits) = range.filter(beyond) {
+                return Some(StopCause::Overshoot {
+                    joint: joint.name.clone(),
+                    position: self.q[k],
+                    limits,
+                });
+            }
+        }
+        None
     }
 
     /// Whether the simulated robot is still one.
@@ -452,12 +545,12 @@ impl<'a> Session<'a> {
         truth.max_lateral_error = truth.max_lateral_error.max(lateral.norm());
     }
 
-    fn finish(mut self, is_complete: bool) -> Executed {
+    fn finish(mut self, ending: Ending) -> Executed {
         self.truth.lost_share = self.lost_time / self.sliding_time.max(self.config.period);
         self.truth.dirt = self.dirt;
         Executed {
             duration: self.time,
-            is_complete,
+            ending,
             positions: self.robot_q,
             truth: self.truth,
         }

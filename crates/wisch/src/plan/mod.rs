@@ -10,6 +10,7 @@ mod predict;
 mod strokes;
 mod tour;
 mod tree;
+mod variants;
 
 pub use clearance::FreeSpace;
 pub use coverage::{
@@ -25,3 +26,4 @@ pub use tour::{
     CostMatrix, MAX_TOUR_COST, MAX_TOUR_NODES, TourConfig, TourError, shortest_path_from,
     shortest_tour,
 };
+pub use variants::best_plan;

@@ -91,6 +91,7 @@ struct Contents {
     particles_at: Place,
     bandwidth: Option<f64>,
     lift_height: f64,
+    variants: usize,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -230,6 +231,11 @@ impl TaskFile {
     /// How high the tool is lifted between strokes [m].
     pub fn lift_height_m(&self) -> f64 {
         self.contents.lift_height
+    }
+
+    /// How many plans the prediction chooses from.
+    pub fn plan_variants(&self) -> usize {
+        self.contents.variants
     }
 
     /// The performance at which the task counts as done, in [0, 1].

@@ -36,6 +36,8 @@ const WEIGHT: RangeInclusive<f64> = 1e-9..=1e9;
 const BANDWIDTH_M: RangeInclusive<f64> = 1e-3..=10.0;
 /// Clear of the surface, within an arm's reach.
 const LIFT_HEIGHT_M: RangeInclusive<f64> = 1e-3..=1.0;
+/// Plans to choose from.
+const VARIANTS: RangeInclusive<u64> = 1..=10;
 /// Distances between colours in RGB; black and white are 441.67 apart.
 const TOLERANCE: RangeInclusive<f64> = 0.0..=442.0;
 /// A channel of a colour.
@@ -136,7 +138,7 @@ const IMAGE_KEYS: &[&str] = &[
     "tolerance",
     "count",
 ];
-const PLAN_KEYS: &[&str] = &["bandwidth_m", "lift_height_m"];
+const PLAN_KEYS: &[&str] = &["bandwidth_m", "lift_height_m", "variants"];
 
 /// Every list of keys, for the template's test.
 #[cfg(test)]
@@ -191,7 +193,7 @@ pub(super) fn read(source: &Source<'_>) -> Result<Contents, TaskError> {
         }
         None => None,
     };
-    let (bandwidth, lift_height) = match root.get("plan") {
+    let (bandwidth, lift_height, variants) = match root.get("plan") {
         Some(field) => {
             let plan = field.section(PLAN_KEYS)?;
             let bandwidth = plan.get("bandwidth_m");
@@ -200,9 +202,11 @@ pub(super) fn read(source: &Source<'_>) -> Result<Contents, TaskError> {
                     .map(|field| field.number(&BANDWIDTH_M))
                     .transpose()?,
                 plan.number_or("lift_height_m", &LIFT_HEIGHT_M, LIFT_HEIGHT_DEFAULT)?,
+                plan.get("variants")
+                    .map_or(Ok(1), |field| field.integer(VARIANTS))? as usize,
             )
         }
-        None => (None, LIFT_HEIGHT_DEFAULT),
+        None => (None, LIFT_HEIGHT_DEFAULT, 1),
     };
     let scene = match root.get("scene") {
         Some(field) => scene(&field)?,
@@ -242,6 +246,7 @@ pub(super) fn read(source: &Source<'_>) -> Result<Contents, TaskError> {
         scene,
         bandwidth,
         lift_height,
+        variants,
         intent,
     })
 }

@@ -1,0 +1,62 @@
+//! Several plans for the same dirt, of which the predicted effect chooses one.
+
+use super::{CoverageStrategy, Plan, PlanConfig, PlanError, plan, predict};
+use crate::represent::{ParticleDistribution, Task};
+
+/// Bandwidths of the density estimate that are tried beside the configured one, over half the radius of the
+/// collision sphere. The density's peaks, and with them the strokes, differ from one to the next.
+const BANDWIDTHS: [f64; 9] = [0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.7, 2.0, 2.6];
+
+/// The plan with the greatest predicted performance among `count` variants; of equal ones that with the
+/// shortest way in contact.
+///
+/// Nodes are placed on `to_plan_on`, such as the dirt that is not yet where it belongs; what the plans do is
+/// predicted on all of the task's dirt, so that a stroke that scatters a heap counts against its plan.
+/// Variants differ in the bandwidth of the density estimate; other strategies than KDE have none. The first
+/// is the plan as configured, so with a count of 1 this is [`plan`].
+///
+/// # Errors
+/// Those of [`plan`], if no variant gives a plan.
+pub fn best_plan(
+    task: &Task,
+    to_plan_on: &ParticleDistribution,
+    config: &PlanConfig,
+    count: usize,
+) -> Result<Plan, PlanError> {
+    let mut open = task.clone();
+    open.particles = to_plan_on.clone();
+    let half_radius = task.tool.collision_radius() / 2.0;
+    let others = match config.strategy {
+        CoverageStrategy::Kde => BANDWIDTHS.map(|scale| Some(scale * half_radius)).to_vec(),
+        CoverageStrategy::Grid | CoverageStrategy::Rrt => Vec::new(),
+    };
+    let bandwidths = std::iter::once(config.bandwidth).chain(others);
+    let mut best: Option<(usize, f64, Plan)> = None;
+    let mut failure = None;
+    for bandwidth in bandwidths.take(count.max(1)) {
+        let variant = PlanConfig {
+            bandwidth,
+            ..config.clone()
+        };
+        let plan = match plan(&open, &variant) {
+            Ok(plan) => plan,
+            Err(error) => {
+                failure.get_or_insert(error);
+                continue;
+            }
+        };
+        let achieved = predict(task, &plan, |_| ()).performance.achieved;
+        let distance = plan.contact_distance();
+        let is_better = best.as_ref().is_none_or(|(most, shortest, _)| {
+            achieved > *most || achieved == *most && distance < *shortest
+        });
+        if is_better {
+            best = Some((achieved, distance, plan));
+        }
+    }
+    match (best, failure) {
+        (Some((_, _, plan)), _) => Ok(plan),
+        (None, Some(error)) => Err(error),
+        (None, None) => plan(&open, config),
+    }
+}
