@@ -1,0 +1,34 @@
+//! Telemetry files: ROS 2 bags (MCAP) that Foxglove, rosbag2 and Rerun open, written while a robot wipes.
+
+mod definitions;
+mod error;
+mod messages;
+mod writer;
+
+pub use error::WriteError;
+pub use writer::{BagHead, BagWriter};
+
+use std::path::{Path, PathBuf};
+
+/// Frame of the world.
+const FRAME_WORLD: &str = "world";
+/// Frame of the tool, its tool centre point at the origin.
+const FRAME_TOOL: &str = "tool";
+/// Frame of the target surface.
+const SURFACE_FRAME: &str = "surface";
+
+/// Key of a channel's metadata that says what the channel is to the interpretation.
+const ROLE_KEY: &str = "wisch.role";
+/// The channel says where the tool is.
+const ROLE_POSE: &str = "tool pose";
+/// The channel says what the tool feels.
+const ROLE_WRENCH: &str = "external wrench";
+/// Key of a channel's metadata that says in whose axes a wrench is given.
+const AXES_KEY: &str = "wisch.axes";
+
+/// The name of a bag that is being written.
+pub fn active_path(bag: &Path) -> PathBuf {
+    let mut name = bag.as_os_str().to_owned();
+    name.push(".active");
+    PathBuf::from(name)
+}
