@@ -69,7 +69,7 @@ impl Wiping {
     ) -> T {
         let contact = tip.z < 1e-9;
         let force_in_surface = if contact {
-            Vector3::new(0.0, 0.0, self.press) - along * (FRICTION * self.press)
+            Vector3::new(-FRICTION * along.x, -FRICTION * along.y, 1.0) * self.press
         } else {
             Vector3::zeros()
         };

@@ -105,8 +105,13 @@ bool mesh_use_embedded_materials
 ];
 
 /// What stands between the definitions of a type and of those that it is made of.
-pub(super) const SEPARATOR: &str =
+const SEPARATOR: &str =
     "================================================================================\n";
+
+/// Whether a line separates definitions.
+pub(super) fn is_separator(line: &str) -> bool {
+    line.starts_with("===") && line.bytes().all(|byte| byte == b'=')
+}
 
 /// The text of a schema with encoding `ros2msg`: the type's fields, then those of every type in it, each once.
 ///

@@ -1,11 +1,23 @@
 //! Telemetry files: ROS 2 bags (MCAP) that Foxglove, rosbag2 and Rerun open, written while a robot wipes.
 
+mod bag;
 mod definitions;
 mod error;
+mod log;
 mod messages;
+mod quantity;
+mod schema;
+mod source;
+mod table;
+mod track;
+mod walk;
 mod writer;
 
-pub use error::WriteError;
+pub use error::{ReadError, ReadFault, WriteError};
+pub use log::{Axes, AxesChoice, AxesSource, Log, LogOptions, TopicChoice, WrenchSign, read};
+pub use quantity::QuantityError;
+pub use schema::SchemaError;
+pub use walk::MessageError;
 pub use writer::{BagHead, BagWriter};
 
 use std::path::{Path, PathBuf};
@@ -23,6 +35,8 @@ const ROLE_KEY: &str = "wisch.role";
 const ROLE_POSE: &str = "tool pose";
 /// The channel says what the tool feels.
 const ROLE_WRENCH: &str = "external wrench";
+/// Key of a channel's metadata that says the log's time when the samples' time is 0 [ns].
+const START_KEY: &str = "wisch.start_ns";
 /// Key of a channel's metadata that says in whose axes a wrench is given.
 const AXES_KEY: &str = "wisch.axes";
 

@@ -8,7 +8,8 @@ use super::messages::{
     WrenchStamped,
 };
 use super::{
-    AXES_KEY, FRAME_TOOL, FRAME_WORLD, ROLE_KEY, ROLE_POSE, ROLE_WRENCH, SURFACE_FRAME, active_path,
+    AXES_KEY, FRAME_TOOL, FRAME_WORLD, ROLE_KEY, ROLE_POSE, ROLE_WRENCH, START_KEY, SURFACE_FRAME,
+    active_path,
 };
 use cdr::{CdrLe, Infinite};
 use mcap::records::MessageHeader;
@@ -95,7 +96,8 @@ impl Topic {
     }
 
     /// What a reader has to know beside the type.
-    fn metadata(self) -> BTreeMap<String, String> {
+    fn metadata(self, start: u64) -> BTreeMap<String, String> {
+        let start = start.to_string();
         let says: &[(&str, &str)] = match self {
             Self::Commanded => &[(
                 "wisch.meaning",
@@ -103,6 +105,7 @@ impl Topic {
             )],
             Self::Measured => &[
                 (ROLE_KEY, ROLE_POSE),
+                (START_KEY, &start),
                 (
                     "wisch.meaning",
                     "tool centre point by the joints' positions",
@@ -200,7 +203,7 @@ impl BagWriter {
                 .add_schema(&kind, "ros2msg", definition.as_bytes())
                 .map_err(failed)?;
             *channel = mcap
-                .add_channel(schema, name, "cdr", &topic.metadata())
+                .add_channel(schema, name, "cdr", &topic.metadata(head.start))
                 .map_err(failed)?;
         }
         Ok(Self {
