@@ -100,6 +100,19 @@ impl ParticleDistribution {
         })
     }
 
+    /// Particles with their fates; of one that is gone, the point tells where it went [m].
+    ///
+    /// # Errors
+    /// A point that is not finite, or more than [`MAX_PARTICLES`] points.
+    pub fn with_fates(particles: &[(Point2, Fate)]) -> Result<Self, ParticleError> {
+        let points: Vec<Point2> = particles.iter().map(|(point, _)| *point).collect();
+        let mut distribution = Self::new(&points)?;
+        for (fate, (_, given)) in distribution.fate.iter_mut().zip(particles) {
+            *fate = *given;
+        }
+        Ok(distribution)
+    }
+
     /// Number of particles, whatever their fate.
     pub fn len(&self) -> usize {
         self.fate.len()
