@@ -1,4 +1,9 @@
-//! Writes a bag of a made-up tool that wipes a table: `cargo run --example demo_bag -- demo.mcap`.
+//! Writes a bag of a made-up tool that wipes the board of `scenarios/chopping-board.toml`:
+//!
+//! ```text
+//! cargo run -p wisch-cli --example demo_bag -- demo.mcap
+//! wisch interpret demo.mcap --task scenarios/chopping-board.toml --action absorb
+//! ```
 
 mod wiping;
 
@@ -13,7 +18,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             .nth(1)
             .unwrap_or_else(|| "demo.mcap".to_owned()),
     );
-    let world_from_surface = Pose::translation(0.6, 0.0, 0.75);
+    let world_from_surface = Pose::translation(0.0, 0.0, 0.77);
     let wiping = wiping::Wiping {
         world_from_surface,
         extent: [0.3, 0.2],

@@ -265,7 +265,8 @@ fn surface_in_words(record: &InterpretationRecord) -> String {
     let (Some(plane), Some(tilt), Some(offset)) =
         (&record.plane, record.plane_tilt_rad, record.plane_offset_m)
     else {
-        return "not found: too few confident contacts".to_owned();
+        let advice = "did the tool press? then see --wrench-frame and --wrench-sign";
+        return format!("not found: too few confident contacts ({advice})");
     };
     let verdict = match record.world_from_surface {
         Some(_) => "elsewhere than believed",

@@ -1,7 +1,7 @@
 //! `interpretation.json`, and what `wisch interpret --json` prints: what a log says.
 
+use super::plan::PoseRecord;
 use serde::Serialize;
-use wisch::geometry::Pose;
 use wisch::interpret::{Diagnosis, Event, EventKind, FittedPlane, Interpretation};
 use wisch_telemetry::{AxesSource, Log};
 
@@ -9,6 +9,9 @@ use wisch_telemetry::{AxesSource, Log};
 pub const INTERPRETATION_FORMAT: &str = "wisch-interpretation";
 /// The schema of the record.
 const SCHEMA: u32 = 1;
+
+/// A mean of equal shares may come out this much below them: far less than one particle of the most there may be.
+const ROUNDING: f64 = 1e-9;
 
 /// What a log says.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -45,8 +48,8 @@ pub struct InterpretationRecord {
     pub plane: Option<PlaneRecord>,
     /// localized, relocalize or no_contact.
     pub diagnosis: &'static str,
-    /// Where the surface is, if it is not where it was believed: x, y, z and quaternion x, y, z, w in the world.
-    pub world_from_surface: Option<[f64; 7]>,
+    /// Where the surface is, if it is not where it was believed; else null.
+    pub world_from_surface: Option<PoseRecord>,
     /// Bias of the normal force that was taken off.
     pub force_bias_n: f64,
     /// What happened, by start.
@@ -135,7 +138,7 @@ impl InterpretationRecord {
             estimated_low: performance.low,
             estimated_high: performance.high,
             target_performance,
-            goal_met: performance.mean >= target_performance,
+            goal_met: performance.mean >= target_performance - ROUNDING,
             replays: told.belief.replays().len(),
             contact_share: told.contact_share,
             collisions: told.events.iter().filter(is_collision).count(),
@@ -144,10 +147,11 @@ impl InterpretationRecord {
             plane: told.plane.as_ref().map(PlaneRecord::new),
             diagnosis: diagnosis(&told.diagnosis),
             world_from_surface: match &told.diagnosis {
-                Diagnosis::Relocalize { world_from_surface } => Some(seven(world_from_surface)),
+                Diagnosis::Relocalize { world_from_surface } => Some(world_from_surface.into()),
                 Diagnosis::Localized | Diagnosis::NoContact => None,
             },
-            force_bias_n: told.force_bias,
+            // No bias is 0, not -0.
+            force_bias_n: told.force_bias + 0.0,
             events: told.events.iter().map(EventRecord::new).collect(),
             log,
         }
@@ -212,10 +216,4 @@ fn diagnosis(diagnosis: &Diagnosis) -> &'static str {
         Diagnosis::Relocalize { .. } => "relocalize",
         Diagnosis::NoContact => "no_contact",
     }
-}
-
-/// A pose as numbers: position and quaternion x, y, z, w.
-fn seven(pose: &Pose) -> [f64; 7] {
-    let (t, q) = (&pose.translation.vector, &pose.rotation.coords);
-    [t.x, t.y, t.z, q.x, q.y, q.z, q.w]
 }
