@@ -3,6 +3,9 @@
     cargo run --release --workspace --example demo_bag -- /tmp/demo.mcap
     python peers/bag.py /tmp/demo.mcap
 
+With --write FILE it writes a small bag as another robot's recorder would (Zstandard, other topics, a stamp
+that is not the time of recording); crates/wisch-cli/tests/data/foreign.mcap is that file.
+
 Also takes a bag that a killed program left (NAME.mcap.active): then it is read from its beginning, without
 the index that such a bag lacks.
 """
@@ -15,7 +18,9 @@ from pathlib import Path
 from mcap.exceptions import EndOfFile
 from mcap.reader import NonSeekingReader, make_reader
 from mcap_ros2.decoder import DecoderFactory
+from mcap_ros2.writer import Writer
 from rosbags.highlevel import AnyReader
+from rosbags.typesys import Stores, get_typestore
 
 EXPECTED_TYPES = {
     "/joint_states": "sensor_msgs/msg/JointState",
@@ -110,7 +115,39 @@ def check(messages):
     print(f"  phases {phases}, largest force along z {pressed:.2f} N")
 
 
+def write_foreign(path):
+    """Flange poses at 10 Hz and forces at 100 Hz for 2 s, and an image that has nothing to do with them."""
+    types = get_typestore(Stores.ROS2_HUMBLE)
+    names = ["geometry_msgs/msg/PoseStamped", "geometry_msgs/msg/WrenchStamped", "sensor_msgs/msg/Image"]
+    with open(path, "wb") as stream:
+        writer = Writer(stream, chunk_size=4096)
+        pose, wrench, image = (
+            writer.register_msgdef(name, types.generate_msgdef(name, ros_version=2)[0]) for name in names
+        )
+        for tick in range(201):
+            log_ns = 1_700_000_000 * 10**9 + tick * 10_000_000
+            stamp_ns = log_ns - 5_000_000
+            header = {"stamp": {"sec": stamp_ns // 10**9, "nanosec": stamp_ns % 10**9}, "frame_id": "base"}
+
+            def put(topic, schema, message):
+                writer.write_message(topic, schema, {"header": header, **message}, log_ns, log_ns)
+
+            x = tick * 0.001
+            if tick % 10 == 0:
+                position = {"x": x, "y": 0.0, "z": 0.5}
+                orientation = {"x": 0.0, "y": 0.0, "z": 0.0, "w": 1.0}
+                put("/arm/flange", pose, {"pose": {"position": position, "orientation": orientation}})
+            force = {"x": 0.0, "y": x, "z": 5.0}
+            put("/arm/ft", wrench, {"wrench": {"force": force, "torque": {"x": 0.0, "y": 0.0, "z": 0.0}}})
+            if tick == 100:
+                pixels = {"height": 2, "width": 3, "encoding": "mono8", "is_bigendian": 0, "step": 3}
+                put("/camera", image, {**pixels, "data": [1, 2, 3, 4, 5, 6]})
+        writer.finish()
+
+
 def main():
+    if sys.argv[1] == "--write":
+        return write_foreign(sys.argv[2])
     path = sys.argv[1]
     active = path.endswith(".active")
     print(f"mcap {'without' if active else 'with'} an index")

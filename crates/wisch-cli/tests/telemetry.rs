@@ -601,6 +601,31 @@ fn what_is_no_bag_is_told_by_its_first_bytes() {
     assert!(shown.starts_with(": No such file"), "{shown}");
 }
 
+/// The bag is written by the Python libraries of MCAP, see peers/bag.py.
+#[test]
+fn a_bag_of_another_library_is_understood() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/foreign.mcap");
+    let log = read(&path, &LogOptions::default()).unwrap();
+    assert_eq!(
+        (log.pose_name.as_str(), log.wrench_name.as_str()),
+        ("/arm/flange", "/arm/ft")
+    );
+    assert_eq!((log.axes, log.axes_source), (Axes::Log, AxesSource::Logged));
+    assert_eq!(
+        log.start, 1_699_999_999_995_000_000,
+        "the stamp counts, not the recording"
+    );
+    assert_eq!((log.samples.len(), log.unpaired, log.repeated), (201, 0, 0));
+    for (tick, sample) in log.samples.iter().enumerate() {
+        let x = tick as f64 * 0.001;
+        assert!((sample.time - tick as f64 * 0.01).abs() < 1e-12);
+        assert!(
+            (sample.world_from_tool.translation.vector - Vector3::new(x, 0.0, 0.5)).norm() < 1e-12
+        );
+        assert!((sample.force - Vector3::new(0.0, x, 5.0)).norm() < 1e-12);
+    }
+}
+
 #[test]
 fn a_folder_of_parts_is_one_log() {
     let (folder, _) = in_folder();
@@ -650,16 +675,22 @@ static PLAIN: LazyLock<Vec<u8>> = LazyLock::new(|| {
     plain.into_inner()
 });
 
+/// That of another library, packed with Zstandard.
+static FOREIGN: LazyLock<Vec<u8>> = LazyLock::new(|| {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/foreign.mcap");
+    fs::read(path).unwrap()
+});
+
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(192))]
+    #![proptest_config(ProptestConfig::with_cases(256))]
 
     /// Any damage ends in a log or in an error that names the file, never in a panic.
     #[test]
     fn damaged_bags_are_no_panic(
-        is_plain: bool, is_active: bool, damage in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
+        which in 0..3_usize, is_active: bool, damage in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
         end in prop::option::of(any::<prop::sample::Index>()),
     ) {
-        let mut bytes = if is_plain { PLAIN.clone() } else { SMALL.clone() };
+        let mut bytes = [&*SMALL, &*PLAIN, &*FOREIGN][which].clone();
         for (index, byte) in damage {
             let index = index.index(bytes.len());
             bytes[index] = byte;

@@ -7,6 +7,7 @@ use super::schema::Schema;
 use super::source::{Found, Source};
 use super::track::Track;
 use super::walk::{MessageError, Value, decode};
+use super::zstd::Zstd;
 use super::{AXES_KEY, ROLE_KEY, ROLE_POSE, ROLE_WRENCH, START_KEY};
 use mcap::sans_io::LinearReaderOptions;
 use mcap::{Channel, MAGIC, McapError, Message};
@@ -73,7 +74,10 @@ impl BagReader {
             ..LinearReaderOptions::default()
         };
         self.channels.clear();
-        for message in mcap::io::MessageReader::new_with_options(source, options) {
+        let mut messages = mcap::io::MessageReader::new_with_options(source, options);
+        (messages.add_decompressor(Zstd::new(MAX_RECORD_LEN)))
+            .map_err(|error| fault(error, 0, MAGIC))?;
+        for message in messages {
             match message {
                 Ok(message) => self.message(&message)?,
                 Err(McapError::UnexpectedEof) if is_active && *begin.borrow() == MAGIC => {

@@ -94,7 +94,7 @@ pub enum ReadFault {
     },
     /// It is packed in a way that is not read.
     #[error(
-        "near byte {byte}: a chunk is compressed with {compression:?}, and only \"lz4\" and none at all are read"
+        "near byte {byte}: a chunk is compressed with {compression:?}, and only \"lz4\", \"zstd\" and none at all are read"
     )]
     Compression {
         /// How far reading came.

@@ -12,6 +12,7 @@ mod table;
 mod track;
 mod walk;
 mod writer;
+mod zstd;
 
 pub use error::{ReadError, ReadFault, WriteError};
 pub use log::{Axes, AxesChoice, AxesSource, Log, LogOptions, TopicChoice, WrenchSign, read};
