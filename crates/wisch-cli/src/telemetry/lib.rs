@@ -1,4 +1,10 @@
-//! Telemetry files: ROS 2 bags (MCAP) that Foxglove, rosbag2 and Rerun open, written while a robot wipes.
+//! Telemetry files: ROS 2 bags (MCAP) that Foxglove, rosbag2 and Rerun open, written while a robot wipes; and
+//! logs of whatever robot, read as what the interpretation takes.
+//!
+//! A bag that is written goes from `writer` through `messages` (as CDR lays them out) and `definitions` (their
+//! schemas). One that is read goes through `bag` (the container), `schema` and `walk` (messages of any type),
+//! `source` (where in them a pose or force stands), `track` (pairing in time) and `log` (frames, signs, units);
+//! a table joins at `track`.
 
 mod bag;
 mod definitions;

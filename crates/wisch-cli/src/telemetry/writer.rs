@@ -144,6 +144,54 @@ impl Topic {
 ///
 /// Until [`finish`](Self::finish), the file bears the ending `.active` after its own; a program that is killed
 /// leaves it readable up to its last second. Time comes from the samples, so the same samples give the same bytes.
+/// Dropped unfinished, it is complete but keeps that ending.
+///
+/// | topic | type | how often |
+/// |---|---|---|
+/// | `/joint_states` | `sensor_msgs/JointState` | every sample |
+/// | `/tcp/commanded`, `/tcp/measured` | `geometry_msgs/PoseStamped`, in the world | every sample |
+/// | `/wrench/controller`, `/wrench/external` | `geometry_msgs/WrenchStamped`, axes of the world, about the tool centre point | every sample |
+/// | `/tf` | `tf2_msgs/TFMessage`: world to tool, world to surface | at most 50 Hz |
+/// | `/particles` | `visualization_msgs/Marker`, points in the world | at most 2 Hz |
+/// | `/phase` | `std_msgs/String` | when it changes |
+///
+/// ```
+/// use wisch::execute::{TelemetrySample, Wrench};
+/// use wisch::follow::Phase;
+/// use wisch::geometry::{Pose, Vector3};
+/// use wisch_telemetry::{BagHead, BagWriter, LogOptions, read};
+///
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("wipe.mcap");
+/// let head = BagHead {
+///     joints: vec!["slide".into()],
+///     world_from_surface: Pose::translation(0.6, 0.0, 0.75),
+///     start: 0,
+///     notes: [("task".into(), "board".into())].into(),
+/// };
+/// let mut bag = BagWriter::create(&path, head)?;
+/// for index in 0..100 {
+///     let time = f64::from(index) * 1e-3;
+///     bag.write(&TelemetrySample {
+///         time,
+///         positions: &[0.1 * time],
+///         velocities: &[0.1],
+///         efforts: &[3.0],
+///         world_from_commanded: Pose::translation(0.6 + 0.1 * time, 0.0, 0.74),
+///         world_from_tool: Pose::translation(0.6 + 0.1 * time, 0.0, 0.75),
+///         controller: Wrench::default(),
+///         external: Wrench { force: Vector3::new(0.0, 0.0, 10.0), moment: Vector3::zeros() },
+///         motion: 0,
+///         phase: Phase::Wipe(0),
+///     })?;
+/// }
+/// bag.finish()?;
+///
+/// let log = read(&path, &LogOptions::default())?;
+/// assert_eq!(log.samples.len(), 100);
+/// assert_eq!(log.samples[0].force.z, 10.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub struct BagWriter {
     target: PathBuf,
     active: PathBuf,
