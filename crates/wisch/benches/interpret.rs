@@ -1,5 +1,6 @@
 //! A log as it comes in, what it tells, and the plane of its contacts.
 
+#[allow(dead_code, reason = "the tests use all of it")]
 #[path = "../tests/interpret/log.rs"]
 mod log;
 

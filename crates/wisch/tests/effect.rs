@@ -227,6 +227,45 @@ fn the_number_of_threads_changes_nothing() {
     assert_eq!(one, on(3));
 }
 
+#[test]
+fn particles_that_do_not_respond_stay_and_the_others_do_what_they_did() {
+    let points: Vec<Point2> = (0..5_000)
+        .map(|i| {
+            let a = f64::from(i) * 2.399_963;
+            Point2::new(a.cos(), a.sin()) * (0.3 * (f64::from(i) / 5_000.0).sqrt())
+        })
+        .collect();
+    let surface = board(1.0);
+    for turn in [0.0, 1.5] {
+        let motion = ToolMotion {
+            from: pose(-0.2, 0.0, 0.0),
+            to: pose(0.2, 0.05, turn),
+        };
+        for kind in [Effect::Push, Effect::Absorb] {
+            let all = wiped(&sponge(), kind, &points, &[motion]);
+            let mut asked = vec![0; points.len()];
+            let mut field = ParticleField::new(&ParticleDistribution::new(&points).unwrap());
+            EffectModel::new(&sponge(), kind).apply_where(&mut field, &surface, &motion, |i| {
+                asked[i] += 1;
+                i % 3 == 0
+            });
+            let some = field.distribution();
+            for (i, point) in points.iter().enumerate() {
+                let touched = (all.position(i), all.fate(i)) != (*point, Fate::OnSurface);
+                assert_eq!(asked[i], usize::from(touched), "particle {i}");
+                if i % 3 == 0 {
+                    assert_eq!(
+                        (some.position(i), some.fate(i)),
+                        (all.position(i), all.fate(i))
+                    );
+                } else {
+                    assert_eq!((some.position(i), some.fate(i)), (*point, Fate::OnSurface));
+                }
+            }
+        }
+    }
+}
+
 fn any_motion() -> impl Strategy<Value = ToolMotion> {
     (
         -0.2..0.2f64,

@@ -1,16 +1,20 @@
 //! What synthetic logs tell, held against what was put into them.
 
+#[path = "interpret/effects.rs"]
+mod effects;
+#[path = "interpret/events.rs"]
+mod events_found;
 #[path = "interpret/log.rs"]
 mod log;
 
-use log::{DEPTH, Hand, PRESS, STEEP, Script, task};
+use log::{DEPTH, PRESS, STEEP, Script, task};
 use proptest::prelude::*;
 use wisch::geometry::{Point2, Point3, Pose, Vector3};
 use wisch::interpret::{
     Belief, Diagnosis, Event, EventKind, InterpretConfig, InterpretError, Interpretation,
-    Interpreter, ToolCompliance, Touch, TouchSample, interpret,
+    Interpreter, PlaneConfig, ToolCompliance, TouchSample, fit_plane, interpret,
 };
-use wisch::represent::{Fate, GoalState, LogNormal, ParticleDistribution, Task};
+use wisch::represent::{Fate, GoalState, Task};
 
 /// How exactly events are to be found [s].
 const EVENT_TOLERANCE: f64 = 0.05;
@@ -141,120 +145,6 @@ fn a_tilted_board_is_found_and_the_side_out_of_reach_not_wiped() {
     }
 }
 
-/// A hand that lifts the sponge on the second stroke by 2 cm, with the force of contact.
-fn lifted() -> Script {
-    let script = Script::default();
-    let [start, _] = script.contacts()[1];
-    Script {
-        hands: vec![Hand {
-            start: start + 1.2,
-            end: start + 2.0,
-            off: Vector3::new(0.0, 0.0, 0.02),
-            force: Vector3::new(0.0, 0.0, PRESS),
-        }],
-        ..script
-    }
-}
-
-#[test]
-fn a_hand_that_lifts_the_tool_is_a_collision_and_what_lies_under_it_stays() {
-    let script = lifted();
-    let told = told(&script);
-    let collisions = events(&told, EventKind::Collision);
-    let hand = script.hands[0];
-    assert_eq!(collisions.len(), 1, "{collisions:?}");
-    assert_near_times(&collisions[0], [hand.start, hand.end]);
-    assert!((collisions[0].peak_height - 0.02).abs() < 2e-3);
-    assert_eq!(events(&told, EventKind::ContactLoss), []);
-    assert_eq!(events(&told, EventKind::Contact).len(), 4);
-    let false_positives = (told.path.iter()).filter(|piece| piece.touch == Touch::FalsePositive);
-    let times: Vec<f64> = false_positives.map(|piece| piece.time[1]).collect();
-    assert!(times.len() > 70);
-    assert!(
-        times
-            .iter()
-            .all(|time| (hand.start..hand.end + 0.01).contains(time)),
-        "{times:?}"
-    );
-    // The stroke runs from +0.16 at 0.1 m/s: lifted between 0.04 and -0.04, of which the sponge covers
-    // from either side all but 1 cm. Nothing there is wiped.
-    let task = task(2000, STEEP);
-    let told = told_with(&script.samples(&task), &task, &InterpretConfig::of(&task));
-    let under: Vec<usize> = (0..task.particles.len())
-        .filter(|&i| {
-            let place = task.particles.position(i);
-            place.x.abs() < 0.003 && place.y.abs() < 0.028
-        })
-        .collect();
-    assert!(under.len() > 2);
-    for replay in told.belief.replays() {
-        assert!(under.iter().all(|&i| replay.fate(i) == Fate::OnSurface));
-    }
-}
-
-#[test]
-fn pushes_from_every_side_are_collisions_with_start_and_end() {
-    let script = Script::default();
-    let [start, _] = script.contacts()[1];
-    let pushes = [
-        // Up, off the surface.
-        (Vector3::new(0.0, 0.0, 0.015), Vector3::new(0.0, 0.0, 15.0)),
-        // Aside: the saturated controller gives way and presses less.
-        (Vector3::new(0.0, 0.03, 0.0), Vector3::new(0.0, 15.0, 5.0)),
-        // Down: the sponge gives way beyond its nominal compression.
-        (
-            Vector3::new(0.0, 0.0, -0.0075),
-            Vector3::new(0.0, 0.0, 10.0),
-        ),
-        // Down where the sensor sees it.
-        (
-            Vector3::new(0.0, 0.0, -0.0075),
-            Vector3::new(0.0, 0.0, 25.0),
-        ),
-    ];
-    for (off, force) in pushes {
-        let hand = Hand {
-            start: start + 1.0,
-            end: start + 1.5,
-            off,
-            force,
-        };
-        let told = told(&Script {
-            hands: vec![hand],
-            ..script.clone()
-        });
-        let collisions = events(&told, EventKind::Collision);
-        assert_eq!(collisions.len(), 1, "{force}: {collisions:?}");
-        assert_near_times(&collisions[0], [hand.start, hand.end]);
-    }
-}
-
-#[test]
-fn a_gap_in_the_press_is_a_loss_of_contact() {
-    let script = Script {
-        press: |place| {
-            if place.x.abs() < 0.03 && place.y.abs() < 0.01 {
-                0.0
-            } else {
-                PRESS
-            }
-        },
-        ..Script::default()
-    };
-    let told = told(&script);
-    let losses = events(&told, EventKind::ContactLoss);
-    assert_eq!(losses.len(), 1, "{:?}", told.events);
-    let [start, _] = script.contacts()[1];
-    assert_near_times(&losses[0], [start + 1.3, start + 1.9]);
-    assert_eq!(events(&told, EventKind::Collision), []);
-    let whole = told_with(
-        &Script::default().samples(&task(80, STEEP)),
-        &task(80, STEEP),
-        &InterpretConfig::of(&task(80, STEEP)),
-    );
-    assert!(told.contact_share < whole.contact_share - 0.03);
-}
-
 #[test]
 fn without_contact_nothing_is_said_and_nothing_wiped() {
     let script = Script {
@@ -324,7 +214,7 @@ fn one_stroke_tells_height_and_slope_along_itself() {
 fn a_log_at_100_hz_tells_what_one_at_1_khz_does() {
     let task = task(2000, STEEP);
     let config = InterpretConfig::of(&task);
-    for script in [Script::default(), tilted(), lifted()] {
+    for script in [Script::default(), tilted(), events_found::lifted()] {
         let fast = script.samples(&task);
         let slow: Vec<TouchSample> = fast.iter().copied().step_by(10).collect();
         let (fast, slow) = (
@@ -341,143 +231,6 @@ fn a_log_at_100_hz_tells_what_one_at_1_khz_does() {
         let kinds = |told: &Interpretation| told.events.iter().map(|e| e.kind).collect::<Vec<_>>();
         assert_eq!(kinds(&fast), kinds(&slow));
     }
-}
-
-/// One stroke at a share of the force that reaches the board's whole height: what is wiped is P(X ≤ f′).
-fn share_affected(likelihood: LogNormal, press: fn(Point2) -> f64) -> f64 {
-    let task = task(4000, likelihood);
-    let script = Script {
-        strokes: vec![
-            // In full contact far off the particles, so that the plane is known.
-            [Point2::new(-0.5, -0.5), Point2::new(-0.3, -0.5)],
-            [Point2::new(0.0, 0.0), Point2::new(0.05, 0.0)],
-        ],
-        press,
-        force_noise: 0.0,
-        position_noise: 0.0,
-        ..Script::default()
-    };
-    let config = InterpretConfig {
-        redraw_length_m: 1.0,
-        replays: 16,
-        ..InterpretConfig::of(&task)
-    };
-    let told = told_with(&script.samples(&task), &task, &config);
-    let inside = |p: Point2| p.x > -0.03 && p.x < 0.08 && p.y.abs() < 0.05;
-    let (mut under, mut affected) = (0.0, 0.0);
-    for replay in told.belief.replays() {
-        for i in (0..replay.len()).filter(|&i| inside(task.particles.position(i))) {
-            under += 1.0;
-            affected += f64::from(u8::from(replay.fate(i) == Fate::Absorbed));
-        }
-    }
-    assert!(under > 5000.0);
-    affected / under
-}
-
-#[test]
-fn the_share_that_is_wiped_is_that_of_the_curve() {
-    let flat = LogNormal {
-        mu: -0.3,
-        sigma: 0.9,
-    };
-    let half: fn(Point2) -> f64 = |p| if p.y < -0.2 { PRESS } else { 0.5 * PRESS };
-    let third: fn(Point2) -> f64 = |p| if p.y < -0.2 { PRESS } else { 0.3 * PRESS };
-    let full: fn(Point2) -> f64 = |_| PRESS;
-    for likelihood in [STEEP, flat] {
-        for (press, share) in [(third, 0.3), (half, 0.5), (full, 1.0)] {
-            let expected = likelihood.probability(share);
-            let found = share_affected(likelihood, press);
-            // Four standard errors of at least 5000 draws.
-            let error = 4.0 * (0.25_f64 / 5000.0).sqrt();
-            assert!(
-                (found - expected).abs() < error,
-                "{share}: {found}, expected {expected}"
-            );
-        }
-    }
-    // Fig. 11: a steep curve lets weak contact work, a flat one lets strong contact fail.
-    assert!(STEEP.probability(0.5) > 0.9 && flat.probability(1.0) < 0.7);
-}
-
-#[test]
-fn a_threshold_is_drawn_again_after_some_travel() {
-    let flat = LogNormal {
-        mu: 0.0,
-        sigma: 1.0,
-    };
-    let task = task(4000, flat);
-    // Half of them respond at once; the sponge is 7 cm deep, so with l = 2 cm the rest get three more draws.
-    let script = Script {
-        strokes: vec![[Point2::new(-0.2, 0.0), Point2::new(0.2, 0.0)]],
-        ..Script::default()
-    };
-    let share = |redraw_length_m: f64| {
-        let config = InterpretConfig {
-            redraw_length_m,
-            replays: 8,
-            ..InterpretConfig::of(&task)
-        };
-        let told = told_with(&script.samples(&task), &task, &config);
-        let inside = |i: &usize| {
-            task.particles.position(*i).x.abs() < 0.1 && task.particles.position(*i).y.abs() < 0.05
-        };
-        let all: Vec<usize> = (0..task.particles.len()).filter(inside).collect();
-        let wiped = told
-            .belief
-            .replays()
-            .iter()
-            .flat_map(|replay| all.iter().map(|&i| replay.fate(i)));
-        wiped.filter(|fate| *fate == Fate::Absorbed).count() as f64 / (all.len() * 8) as f64
-    };
-    assert!((share(1.0) - 0.5).abs() < 0.02, "{}", share(1.0));
-    assert!(
-        (share(0.02) - (1.0 - 0.5_f64.powi(4))).abs() < 0.02,
-        "{}",
-        share(0.02)
-    );
-}
-
-#[test]
-fn the_seed_decides_and_the_number_of_threads_does_not() {
-    let task = task(
-        300,
-        LogNormal {
-            mu: -0.5,
-            sigma: 0.5,
-        },
-    );
-    let samples = Script::default().samples(&task);
-    let config = InterpretConfig {
-        replays: 8,
-        ..InterpretConfig::of(&task)
-    };
-    let on = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
-        pool.install(|| told_with(&samples, &task, &config))
-    };
-    let (one, three) = (on(1), on(3));
-    assert_eq!(one.belief, three.belief);
-    assert_eq!(one.plane, three.plane);
-    let other = told_with(
-        &samples,
-        &task,
-        &InterpretConfig {
-            seed: 8,
-            ..config.clone()
-        },
-    );
-    assert_ne!(one.belief, other.belief);
-    // Replays differ from one another, particles too.
-    let first = &one.belief.replays()[0];
-    assert!(
-        one.belief.replays()[1..]
-            .iter()
-            .all(|replay| replay != first)
-    );
 }
 
 #[test]
@@ -502,68 +255,6 @@ fn pieces_are_joined_beyond_the_limit_and_tell_nearly_the_same() {
     );
     assert!((fine.performance.mean - coarse.performance.mean).abs() < 0.02);
     assert_eq!(fine.events.len(), coarse.events.len());
-}
-
-#[test]
-fn a_belief_of_several_is_continued_member_by_member() {
-    let task = task(80, STEEP);
-    let script = Script::default();
-    let config = InterpretConfig {
-        replays: 4,
-        ..InterpretConfig::of(&task)
-    };
-    let samples = script.samples(&task);
-    let before = told_with(&samples, &task, &config).belief;
-    let after = interpret(&samples, &task, &before, &GoalState::Absorbed, &config)
-        .unwrap()
-        .belief;
-    assert_eq!(after.replays().len(), 4);
-    for (one, next) in before.replays().iter().zip(after.replays()) {
-        assert!(next.tally().absorbed >= one.tally().absorbed);
-    }
-    let few = ParticleDistribution::new(&[]).unwrap();
-    assert_eq!(
-        Belief::of(vec![task.particles.clone(), few]).unwrap_err(),
-        InterpretError::UnequalReplays {
-            replay: 1,
-            count: 0,
-            expected: 80
-        }
-    );
-    assert_eq!(Belief::of(vec![]).unwrap_err(), InterpretError::NoReplays);
-}
-
-#[test]
-fn a_sample_of_a_belief_and_its_density_hold_the_mean() {
-    let task = task(
-        2000,
-        LogNormal {
-            mu: -0.5,
-            sigma: 0.6,
-        },
-    );
-    let told = told_with(
-        &Script::default().samples(&task),
-        &task,
-        &InterpretConfig::of(&task),
-    );
-    let belief = &told.belief;
-    let remaining = |p: &ParticleDistribution| p.tally().remaining as f64;
-    let mean = belief.replays().iter().map(remaining).sum::<f64>() / 64.0;
-    let sample = belief.sample(1).unwrap();
-    assert_eq!(sample, belief.sample(1).unwrap());
-    assert_ne!(sample, belief.sample(2).unwrap());
-    // Four standard deviations of a binomial count.
-    assert!((remaining(&sample) - mean).abs() < 4.0 * (2000.0_f64 * 0.25).sqrt());
-    let map = belief.density(&task.surface, 0.02).unwrap();
-    assert_eq!(map.shape(), (20, 14));
-    let cells = || (0..14).flat_map(|row| (0..20).map(move |column| (column, row)));
-    let sum: f64 = cells().map(|(column, row)| map.mean(column, row)).sum();
-    assert!((sum - mean).abs() < 1e-6);
-    assert!(cells().any(|(column, row)| map.standard_deviation(column, row) > 0.1));
-    for cell_size in [0.0, -1.0, f64::NAN, 1e-9] {
-        assert!(belief.density(&task.surface, cell_size).is_err());
-    }
 }
 
 #[test]
@@ -653,6 +344,67 @@ fn a_tool_believed_rigid_is_thought_off_the_plane_where_it_presses_less() {
     let rigid = told_with(&samples, &task, &rigid);
     assert_eq!(events(&soft, EventKind::Collision), []);
     assert!(soft.performance.mean > rigid.performance.mean + 0.2);
+}
+
+/// A surface far above the believed one, on which the tool presses as it should.
+#[test]
+fn a_surface_far_above_the_believed_one_is_no_bias() {
+    let told = told(&Script {
+        surface: |_| 0.025,
+        ..Script::default()
+    });
+    assert!(told.force_bias.abs() < 0.1, "{}", told.force_bias);
+    let plane = told.plane.unwrap();
+    assert!((plane.offset - 0.025).abs() < 5e-4, "{plane:?}");
+    assert!(matches!(told.diagnosis, Diagnosis::Relocalize { .. }));
+}
+
+#[test]
+fn planes_are_found_among_outliers_and_none_where_there_is_none() {
+    let grid = |i: i32| {
+        (
+            f64::from(i % 25) * 0.016 - 0.2,
+            f64::from(i / 25) * 0.014 - 0.14,
+        )
+    };
+    let points: Vec<Point3> = (0..500)
+        .map(|i| {
+            let (x, y) = grid(i);
+            let off = if i % 5 < 2 {
+                0.002 + f64::from(i % 37) * 1e-3
+            } else {
+                0.0
+            };
+            Point3::new(x, y, 0.03 * x - 0.05 * y + 0.01 + off)
+        })
+        .collect();
+    let config = PlaneConfig::default();
+    let plane = fit_plane(&points, &config, 3).unwrap();
+    assert_eq!(plane, fit_plane(&points, &config, 3).unwrap());
+    assert!((plane.slope.x - 0.03).abs() < 1e-9 && (plane.slope.y + 0.05).abs() < 1e-9);
+    assert_eq!(plane.inliers, 300);
+    assert!((plane.tilt() - plane.normal().angle(&Vector3::z())).abs() < 1e-9);
+    // The cone: a surface that steep is not believed.
+    let narrow = PlaneConfig {
+        cone: 1.0_f64.to_radians(),
+        ..config.clone()
+    };
+    let held = fit_plane(&points, &narrow, 3);
+    assert!(held.is_none_or(|plane| plane.tilt() <= narrow.cone + 1e-12));
+    // Points all over the place lie on no plane.
+    let scattered: Vec<Point3> = (0..500)
+        .map(|i| {
+            let (x, y) = grid(i);
+            Point3::new(x, y, (f64::from(i) * 2.399_963).sin() * 0.05)
+        })
+        .collect();
+    assert_eq!(fit_plane(&scattered, &config, 3), None);
+    assert_eq!(fit_plane(&points[..5], &config, 3), None);
+    assert_eq!(fit_plane(&[], &config, 3), None);
+    // All in one place: its height.
+    let same = vec![Point3::new(0.1, 0.1, 0.02); 20];
+    let flat = fit_plane(&same, &config, 3).unwrap();
+    assert!((flat.height - 0.02).abs() < 1e-12 && flat.slope.norm() == 0.0);
 }
 
 fn any_log() -> impl Strategy<Value = Vec<TouchSample>> {

@@ -31,6 +31,8 @@ pub struct InterpretConfig {
     /// Raw height over the believed surface from which on the tool is certainly free, so that what is
     /// felt there is bias [m].
     pub free_height_m: f64,
+    /// How far the real surface may be from the believed one [m].
+    pub search_height_m: f64,
     /// When an event is one.
     pub events: EventConfig,
     /// Most pieces that a log is kept in; beyond it neighbours become one.
@@ -128,6 +130,7 @@ impl InterpretConfig {
             relocalize_tilt: 0.5_f64.to_radians(),
             relocalize_offset_m: 0.003,
             free_height_m: 0.015,
+            search_height_m: 0.05,
             events: EventConfig::default(),
             max_pieces: 1 << 20,
             seed: task.seed,
@@ -192,6 +195,13 @@ impl InterpretConfig {
             ),
             ("free_height_m", self.free_height_m, 0.0, 1e6, "0 to 1e6 m"),
             (
+                "search_height_m",
+                self.search_height_m,
+                0.0,
+                1e6,
+                "0 to 1e6 m",
+            ),
+            (
                 "plane.inlier_distance_m",
                 plane.inlier_distance_m,
                 1e-9,
@@ -200,6 +210,7 @@ impl InterpretConfig {
             ),
             ("plane.cone", cone, 0.0, 1.5, "0 to 1.5 rad"),
             ("plane.confidence", plane.confidence, 0.0, 1.0, share),
+            ("plane.min_share", plane.min_share, 0.0, 1.0, share),
             (
                 "plane.min_spread_m",
                 plane.min_spread_m,
@@ -276,6 +287,16 @@ impl InterpretConfig {
     /// Largest f′ that still counts as confident (10).
     pub(super) fn confident_limit(&self) -> f64 {
         1.0 + self.force_noise_n / self.nominal_force()
+    }
+
+    /// How far the tool is compressed at nominal force [m].
+    pub(super) fn nominal_compression(&self) -> f64 {
+        match self.compliance {
+            ToolCompliance::Rigid => 0.0,
+            ToolCompliance::Spring {
+                stiffness_n_per_m, ..
+            } => self.nominal_force() / stiffness_n_per_m,
+        }
     }
 
     /// f′ of (9) before it is held to at most 1.

@@ -19,48 +19,111 @@ const POINT_PERIOD: f64 = 0.05;
 /// f′ from which on force off the plane is a force like that of contact [1].
 const FALSE_POSITIVE_SHARE: f64 = 0.2;
 
-/// What is known of a piece beyond what is told of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Clearance {
-    /// Height of the tool's underside over the plane [m].
-    pub(super) height: f64,
-    /// Size up to which it is on the plane [m].
-    pub(super) tolerance: f64,
-}
-
 /// A path with contact told apart.
 #[derive(Debug, Clone)]
 pub(super) struct Judged {
     pub(super) path: Vec<PathPiece>,
-    pub(super) clearances: Vec<Clearance>,
+    /// By how much the tool's underside is farther from the plane than one that touches may be [m]; at most
+    /// 0 on the plane.
+    pub(super) off: Vec<f64>,
     pub(super) plane: Option<(PlaneFit, FittedPlane)>,
     /// Mean of what is felt in free motion, in the axes of the believed surface [N].
     pub(super) bias: Vector3,
 }
 
-/// Tells contact apart.
-pub(super) fn judge(pieces: &[Piece], surface: &Surface, config: &InterpretConfig) -> Judged {
-    let bias = bias(pieces, config.free_height_m);
-    let confident = confident_points(pieces, bias.z, config);
-    let plane = fit_plane(&confident, &config.plane, config.seed).map(|fit| {
-        let described = describe(&fit, confident.len(), surface);
-        (fit, described)
-    });
-    let (path, clearances) = pieces
-        .iter()
-        .map(|piece| judge_piece(piece, bias, plane.as_ref().map(|(fit, _)| fit), config))
-        .unzip();
-    Judged {
-        path,
-        clearances,
-        plane,
-        bias,
+/// What pieces are judged by.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Judge<'a> {
+    pub(super) surface: &'a Surface,
+    /// Largest distance of the footprint from the tool centre point [m].
+    pub(super) reach: f64,
+    pub(super) config: &'a InterpretConfig,
+}
+
+impl Judge<'_> {
+    /// Tells contact apart.
+    pub(super) fn judge(&self, pieces: &[Piece]) -> Judged {
+        let config = self.config;
+        let bias = bias(pieces, config);
+        let confident = confident_points(pieces, bias.z, config);
+        let plane = fit_plane(&confident, &config.plane, config.seed).map(|fit| {
+            let described = describe(&fit, confident.len(), self.surface);
+            (fit, described)
+        });
+        let fit = plane.as_ref().map(|(fit, _)| fit);
+        let (path, off) = (pieces.iter())
+            .map(|piece| self.judge_piece(piece, bias, fit))
+            .unzip();
+        Judged {
+            path,
+            off,
+            plane,
+            bias,
+        }
+    }
+
+    fn judge_piece(
+        &self,
+        piece: &Piece,
+        bias: Vector3,
+        plane: Option<&PlaneFit>,
+    ) -> (PathPiece, f64) {
+        let force = piece.force - bias;
+        let normal_force = -force.z;
+        let share = self.config.normalized(normal_force);
+        let center = Point3::new(piece.position.x, piece.position.y, piece.mean_height);
+        let height = plane.map_or(center.z, |plane| plane.distance(center));
+        let off = self.off(center.xy(), height, normal_force);
+        let on_plane = plane.is_some() && off <= 0.0;
+        let touch = match (on_plane, share) {
+            (true, share) if share >= self.config.confident_share => Touch::Confident,
+            (true, _) => Touch::Weak,
+            (false, share) if share >= FALSE_POSITIVE_SHARE => Touch::FalsePositive,
+            (false, _) => Touch::Free,
+        };
+        let judged = PathPiece {
+            time: piece.time,
+            position: piece.position,
+            heading: piece.heading,
+            normal_force,
+            tangential_force: force.xy().norm(),
+            normalized_force: share.clamp(0.0, 1.0),
+            height,
+            touch,
+        };
+        (judged, off)
+    }
+
+    /// By how much the underside of a tool at this height is farther off the plane than it may be [m].
+    fn off(&self, place: Point2, height: f64, normal_force: f64) -> f64 {
+        let spring_back = spring_back(normal_force, self.config);
+        let doubt = match self.config.compliance {
+            ToolCompliance::Rigid => 0.0,
+            ToolCompliance::Spring { uncertainty, .. } => uncertainty * spring_back.abs(),
+        };
+        let clearance = height + spring_back;
+        let off = clearance.abs() - self.config.plane.inlier_distance_m - doubt;
+        // Over an edge only a part of the tool carries the force, half of it gives way twice as far.
+        if clearance < 0.0 && off > 0.0 && self.is_over_edge(place) {
+            off - self.config.nominal_compression()
+        } else {
+            off
+        }
+    }
+
+    fn is_over_edge(&self, place: Point2) -> bool {
+        let mut edges = self.surface.outline.edges();
+        edges.any(|edge| edge.distance(place) < self.reach)
     }
 }
 
 /// Median force in calm free motion, by component; zero where there is none.
-fn bias(pieces: &[Piece], free_height: f64) -> Vector3 {
-    let is_free = |piece: &Piece| piece.mean_height > free_height;
+fn bias(pieces: &[Piece], config: &InterpretConfig) -> Vector3 {
+    // Half the nominal force is no bias: that is a surface far above the believed one.
+    let is_free = |piece: &Piece| {
+        piece.mean_height > config.free_height_m
+            && piece.force.z.abs() < 0.5 * config.nominal_force()
+    };
     let calm: Vec<Vector3> = (0..pieces.len())
         .filter(|&i| is_free(&pieces[i]) && is_calm(pieces, i))
         .map(|i| pieces[i].force)
@@ -112,6 +175,9 @@ fn confident_points(pieces: &[Piece], bias: f64, config: &InterpretConfig) -> Ve
             continue;
         }
         let height = piece.mean_height + spring_back(normal_force, config);
+        if height.abs() > config.search_height_m {
+            continue;
+        }
         let point = Point3::new(piece.position.x, piece.position.y, height);
         let is_new = last.is_none_or(|(time, place)| {
             (point - place).norm() >= POINT_TRAVEL || piece.time[1] - time >= POINT_PERIOD
@@ -142,44 +208,4 @@ fn describe(fit: &PlaneFit, confident: usize, surface: &Surface) -> FittedPlane 
         confident,
         rms: fit.rms,
     }
-}
-
-fn judge_piece(
-    piece: &Piece,
-    bias: Vector3,
-    plane: Option<&PlaneFit>,
-    config: &InterpretConfig,
-) -> (PathPiece, Clearance) {
-    let force = piece.force - bias;
-    let normal_force = -force.z;
-    let share = config.normalized(normal_force);
-    let center = Point3::new(piece.position.x, piece.position.y, piece.mean_height);
-    let height = plane.map_or(center.z, |plane| plane.distance(center));
-    let spring_back = spring_back(normal_force, config);
-    let doubt = match config.compliance {
-        ToolCompliance::Rigid => 0.0,
-        ToolCompliance::Spring { uncertainty, .. } => uncertainty * spring_back.abs(),
-    };
-    let clearance = Clearance {
-        height: height + spring_back,
-        tolerance: config.plane.inlier_distance_m + doubt,
-    };
-    let on_plane = plane.is_some() && clearance.height.abs() <= clearance.tolerance;
-    let touch = match (on_plane, share) {
-        (true, share) if share >= config.confident_share => Touch::Confident,
-        (true, _) => Touch::Weak,
-        (false, share) if share >= FALSE_POSITIVE_SHARE => Touch::FalsePositive,
-        (false, _) => Touch::Free,
-    };
-    let judged = PathPiece {
-        time: piece.time,
-        position: piece.position,
-        heading: piece.heading,
-        normal_force,
-        tangential_force: force.xy().norm(),
-        normalized_force: share.clamp(0.0, 1.0),
-        height,
-        touch,
-    };
-    (judged, clearance)
 }

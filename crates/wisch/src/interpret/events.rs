@@ -3,16 +3,18 @@
 //! Every event has two thresholds: where the higher one is passed for long enough there is an event, and it
 //! reaches as far as the lower one is passed, short interruptions included.
 
-use super::contact::{Clearance, Judged};
+use super::contact::Judged;
 use super::pieces::Piece;
 use super::{Event, EventKind, InterpretConfig, PathPiece, Touch};
+use crate::represent::Surface;
 
 /// A log as events see it; all lists are as long.
 #[derive(Debug)]
 pub(super) struct Evidence<'a> {
     pieces: &'a [Piece],
     pub(super) path: &'a [PathPiece],
-    clearances: &'a [Clearance],
+    off: &'a [f64],
+    surface: &'a Surface,
     /// Travel along the surface up to each piece [m].
     pub(super) way: Vec<f64>,
     has_plane: bool,
@@ -39,6 +41,7 @@ impl<'a> Evidence<'a> {
     pub(super) fn new(
         pieces: &'a [Piece],
         judged: &'a Judged,
+        surface: &'a Surface,
         config: &'a InterpretConfig,
     ) -> Self {
         let path = &judged.path;
@@ -50,7 +53,8 @@ impl<'a> Evidence<'a> {
         Self {
             pieces,
             path,
-            clearances: &judged.clearances,
+            off: &judged.off,
+            surface,
             way: steps
                 .scan(0.0, |way, step| {
                     *way += step;
@@ -113,7 +117,9 @@ impl<'a> Evidence<'a> {
     }
 
     fn is_near(&self, i: usize) -> bool {
-        self.path[i].height.abs() <= self.config.events.near_height_m
+        let piece = &self.path[i];
+        piece.height.abs() <= self.config.events.near_height_m
+            && self.surface.outline.contains(piece.position.xy())
     }
 
     fn contact(&self, i: usize) -> Level {
@@ -123,11 +129,11 @@ impl<'a> Evidence<'a> {
         level(on_plane && share >= end, on_plane && share >= begin)
     }
 
-    /// Near the surface, moving along it, without force.
+    /// Over the surface and near it, moving along it, without force.
     fn loss(&self, i: usize) -> Level {
         let without_force = self.path[i].normalized_force < self.config.events.contact_share[0]
             && !self.is_pushed(i);
-        let lost = self.has_plane && self.is_near(i) && without_force;
+        let lost = self.has_plane && without_force && self.is_near(i);
         let [rise, along] = self.travel(i);
         level(lost, lost && along > 2.0 * rise)
     }
@@ -168,9 +174,8 @@ impl<'a> Evidence<'a> {
             return Level::Below;
         }
         let events = &self.config.events;
-        let clearance = self.clearances[i];
         let share = self.path[i].normalized_force;
-        let off = clearance.height.abs() - clearance.tolerance;
+        let off = self.off[i];
         let far = events.collision_height_m + events.force_lag_s * self.climb(i);
         level(
             off > 0.0 && share >= events.collision_share[1],

@@ -1,6 +1,6 @@
 //! From samples to what was wiped.
 
-use super::contact::{Judged, judge, middle};
+use super::contact::{Judge, Judged, middle};
 use super::events::Evidence;
 use super::pieces::Recorder;
 use super::plane::PlaneFit;
@@ -109,14 +109,33 @@ impl Interpreter {
     /// member by member. Same samples, settings and belief, same answer, on any number of threads.
     ///
     /// # Errors
-    /// None at present of what a log may hold: too little contact is a diagnosis.
+    /// A goal that is no place. Too little contact is no error but a diagnosis.
     pub fn conclude(
         &self,
         believed: &Belief,
         goal: &GoalState,
     ) -> Result<Interpretation, InterpretError> {
+        if let GoalState::Collected { center, radius } = goal {
+            let numbers = [
+                ("goal x [m]", center.x),
+                ("goal y [m]", center.y),
+                ("goal radius [m]", *radius),
+            ];
+            if let Some((name, value)) = numbers.into_iter().find(|(_, value)| !value.is_finite()) {
+                return Err(InterpretError::Config {
+                    name,
+                    value,
+                    expected: "the finite numbers",
+                });
+            }
+        }
         let pieces = self.recorder.pieces();
-        let judged = judge(pieces, &self.surface, &self.config);
+        let judge = Judge {
+            surface: &self.surface,
+            reach: self.reach(),
+            config: &self.config,
+        };
+        let judged = judge.judge(pieces);
         let believed_from_real = judged
             .plane
             .as_ref()
@@ -131,7 +150,7 @@ impl Interpreter {
             config: &self.config,
         };
         let belief = replay.run(believed, &motions);
-        let evidence = Evidence::new(pieces, &judged, &self.config);
+        let evidence = Evidence::new(pieces, &judged, &self.surface, &self.config);
         Ok(Interpretation {
             events: evidence.events(),
             contact_share: evidence.contact_share(),
@@ -142,6 +161,12 @@ impl Interpreter {
             plane: judged.plane.map(|(_, described)| described),
             path: judged.path,
         })
+    }
+
+    /// Largest distance of the footprint from the tool centre point [m].
+    fn reach(&self) -> f64 {
+        let corners = self.footprint.edges().map(|edge| edge.start.coords.norm());
+        corners.fold(0.0, f64::max)
     }
 
     fn diagnosis(&self, judged: &Judged, believed_from_real: &Pose) -> Diagnosis {

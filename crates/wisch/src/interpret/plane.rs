@@ -26,6 +26,8 @@ pub struct PlaneConfig {
     pub max_iterations: usize,
     /// Fewest inliers.
     pub min_points: usize,
+    /// Least share of the points that are inliers: scattered points lie on no plane [1].
+    pub min_share: f64,
     /// Standard deviation of the points along a direction from which on they tell the slope there [m].
     pub min_spread_m: f64,
 }
@@ -38,6 +40,7 @@ impl Default for PlaneConfig {
             confidence: 0.9999,
             max_iterations: 1000,
             min_points: 10,
+            min_share: 0.2,
             min_spread_m: 0.02,
         }
     }
@@ -109,7 +112,8 @@ pub fn fit_plane(points: &[Point3], config: &PlaneConfig, seed: u64) -> Option<P
     let scored: Vec<Point3> = points.iter().step_by(stride).copied().collect();
     let best = search(&scored, &axes, config, seed)?;
     let refined = refine(points, best, config);
-    (refined.inliers >= config.min_points).then_some(refined)
+    let least = (config.min_share * points.len() as f64).max(config.min_points as f64);
+    (refined.inliers as f64 >= least).then_some(refined)
 }
 
 /// The hypothesis with the least truncated squares (MSAC; Torr and Zisserman, 2000).

@@ -10,8 +10,8 @@ const STUCK: f64 = 0.3;
 const SLIPPING: f64 = 1.4;
 /// Longest time between two turns of the same stick-slip [s]: slower ones are the plan's own stops.
 const LONGEST_TURN: f64 = 0.25;
-/// Slowest mean speed at which it can be told [m/s].
-const SLOWEST: f64 = 0.01;
+/// Slowest mean speed at which it can be told [m/s]: positions off by 0.1 mm look like half of it.
+const SLOWEST: f64 = 0.03;
 /// Least change of the force along the surface between stuck and slipping [N].
 const LEAST_FORCE: f64 = 1.0;
 
@@ -25,6 +25,7 @@ enum Gait {
 #[derive(Debug, Clone, Copy)]
 struct Turn {
     piece: usize,
+    to: Gait,
     /// Largest force along the surface since the turn before [N].
     peak: f64,
     /// Smallest [N].
@@ -47,7 +48,12 @@ impl Evidence<'_> {
                     .iter()
                     .all(|turn| turn.peak - turn.least >= LEAST_FORCE)
             })
-            .map(|run| self.described(EventKind::StickSlip, run[0].piece, run[run.len() - 1].piece))
+            .map(|run| {
+                // Standing before a stroke is no sticking: it begins with the first slip.
+                let first = usize::from(run[0].to == Gait::Stuck);
+                let last = run.len() - 1;
+                self.described(EventKind::StickSlip, run[first].piece, run[last].piece)
+            })
             .collect()
     }
 
@@ -55,12 +61,18 @@ impl Evidence<'_> {
         (first..=last).all(|i| self.is_touching(i))
     }
 
+    /// Speed along the surface, over the neighbours of a piece that has two [m/s].
+    fn speed(&self, i: usize) -> f64 {
+        let (before, after) = (&self.path[i - 1], &self.path[i + 1]);
+        (after.position - before.position).xy().norm() / (after.time[1] - before.time[1])
+    }
+
     fn turns(&self) -> Vec<Turn> {
         let mut turns: Vec<Turn> = Vec::new();
         let (mut first, mut last) = (0, 0);
         let (mut peak, mut least) = (f64::NEG_INFINITY, f64::INFINITY);
         let mut gait = Gait::Slipping;
-        for i in 1..self.path.len() {
+        for i in 1..self.path.len().saturating_sub(1) {
             let now = self.path[i].time[1];
             while self.path[first].time[1] < now - WINDOW {
                 first += 1;
@@ -70,8 +82,7 @@ impl Evidence<'_> {
             }
             let mean = self.way[last] - self.way[first];
             let mean = mean / (self.path[last].time[1] - self.path[first].time[1]);
-            let speed = self.way[i] - self.way[i - 1];
-            let speed = speed / (now - self.path[i - 1].time[1]);
+            let speed = self.speed(i);
             peak = peak.max(self.path[i].tangential_force);
             least = least.min(self.path[i].tangential_force);
             if mean < SLOWEST || !self.is_touching(i) {
@@ -86,6 +97,7 @@ impl Evidence<'_> {
                 gait = next;
                 turns.push(Turn {
                     piece: i,
+                    to: gait,
                     peak,
                     least,
                 });

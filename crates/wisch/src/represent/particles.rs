@@ -100,17 +100,16 @@ impl ParticleDistribution {
         })
     }
 
-    /// Particles with their fates; of one that is gone, the point tells where it went [m].
+    /// Particles with what became of them; for one that is gone, the position is where it went [m].
     ///
     /// # Errors
-    /// A point that is not finite, or more than [`MAX_PARTICLES`] points.
+    /// As [`ParticleDistribution::new`].
     pub fn with_fates(particles: &[(Point2, Fate)]) -> Result<Self, ParticleError> {
         let points: Vec<Point2> = particles.iter().map(|(point, _)| *point).collect();
-        let mut distribution = Self::new(&points)?;
-        for (fate, (_, given)) in distribution.fate.iter_mut().zip(particles) {
-            *fate = *given;
-        }
-        Ok(distribution)
+        Ok(Self {
+            fate: particles.iter().map(|(_, fate)| *fate).collect(),
+            ..Self::new(&points)?
+        })
     }
 
     /// Number of particles, whatever their fate.

@@ -100,6 +100,10 @@ pub struct Script {
     pub force_noise: f64,
     pub position_noise: f64,
     pub rate: f64,
+    /// Time constant of the estimate of the force [s].
+    pub force_lag: f64,
+    /// Sticking and slipping on the strokes [Hz].
+    pub stick_slip: f64,
 }
 
 impl Default for Script {
@@ -115,6 +119,8 @@ impl Default for Script {
             force_noise: 0.5,
             position_noise: 1e-4,
             rate: 1000.0,
+            force_lag: 0.0,
+            stick_slip: 0.0,
         }
     }
 }
@@ -163,26 +169,33 @@ impl Script {
         let mut samples = Vec::new();
         let mut begin = 0.0;
         let mut index = 0_u32;
+        let mut lagging = Vector3::zeros();
         for (from, to, speed) in self.legs() {
-            let duration = (to - from).norm() / speed;
-            loop {
+            let way = to - from;
+            let duration = way.norm() / speed;
+            let moving = if way.xy().norm() > 0.0 {
+                way.xy().normalize()
+            } else {
+                Vector2::zeros()
+            };
+            let wipes = from.z == 0.0 && to.z == 0.0;
+            while f64::from(index) / self.rate <= begin + duration {
                 let time = f64::from(index) / self.rate;
-                if time > begin + duration {
-                    break;
+                let mut along = (time - begin) / duration;
+                let mut friction = FRICTION;
+                if wipes && self.stick_slip > 0.0 {
+                    let phase = std::f64::consts::TAU * self.stick_slip * (time - begin);
+                    along -= phase.sin() / (std::f64::consts::TAU * self.stick_slip * duration);
+                    friction *= 1.0 + 0.3 * phase.cos();
                 }
-                let nominal = from + (to - from) * ((time - begin) / duration);
-                let moving = if to.xy() == from.xy() {
-                    Vector2::zeros()
-                } else {
-                    (to - from).xy().normalize()
-                };
-                let (place, force) = self.felt(time, nominal, moving);
+                let (place, force) = self.felt(time, from + way * along, moving * friction);
+                lagging += (force - lagging) / (1.0 + self.force_lag * self.rate);
                 let surface_from_tool = Pose::from(place + noise(self.position_noise));
+                let measured = lagging + Vector3::z() * self.bias + noise(self.force_noise);
                 samples.push(TouchSample {
                     time,
                     world_from_tool: task.surface.world_from_surface * surface_from_tool,
-                    force: task.surface.world_from_surface.rotation
-                        * (force + Vector3::z() * self.bias + noise(self.force_noise)),
+                    force: task.surface.world_from_surface.rotation * measured,
                 });
                 index += 1;
             }
@@ -192,13 +205,13 @@ impl Script {
     }
 
     /// Where the tool centre point then is and what it feels, in the frame of the believed surface.
-    fn felt(&self, time: f64, nominal: Point3, moving: Vector2) -> (Point3, Vector3) {
+    fn felt(&self, time: f64, nominal: Point3, friction: Vector2) -> (Point3, Vector3) {
         let place = nominal.xy();
         // A press below the nominal one leaves the sponge less compressed.
         let least = DEPTH * (1.0 - (self.press)(place) / PRESS);
         let height = nominal.z.max(least);
         let normal = PRESS * (1.0 - height / DEPTH).clamp(0.0, 1.0);
-        let force = Vector3::new(-moving.x * FRICTION, -moving.y * FRICTION, 1.0) * normal;
+        let force = Vector3::new(-friction.x, -friction.y, 1.0) * normal;
         let center = Point3::new(place.x, place.y, (self.surface)(place) + height);
         let hand = self
             .hands

@@ -1,0 +1,206 @@
+//! What is believed to be wiped: shares in closed form, seeds, samples and densities.
+
+use super::log::{PRESS, STEEP, Script, task};
+use super::told_with;
+use wisch::geometry::Point2;
+use wisch::interpret::{Belief, InterpretConfig, InterpretError, interpret};
+use wisch::represent::{Fate, GoalState, LogNormal, ParticleDistribution};
+
+/// One stroke at a share of the force that reaches the board's whole height: what is wiped is P(X ≤ f′).
+fn share_affected(likelihood: LogNormal, press: fn(Point2) -> f64) -> f64 {
+    let task = task(4000, likelihood);
+    let script = Script {
+        strokes: vec![
+            // In full contact far off the particles, so that the plane is known.
+            [Point2::new(-0.5, -0.5), Point2::new(-0.3, -0.5)],
+            [Point2::new(0.0, 0.0), Point2::new(0.05, 0.0)],
+        ],
+        press,
+        force_noise: 0.0,
+        position_noise: 0.0,
+        ..Script::default()
+    };
+    let config = InterpretConfig {
+        redraw_length_m: 1.0,
+        replays: 16,
+        ..InterpretConfig::of(&task)
+    };
+    let told = told_with(&script.samples(&task), &task, &config);
+    let inside = |p: Point2| p.x > -0.03 && p.x < 0.08 && p.y.abs() < 0.05;
+    let (mut under, mut affected) = (0.0, 0.0);
+    for replay in told.belief.replays() {
+        for i in (0..replay.len()).filter(|&i| inside(task.particles.position(i))) {
+            under += 1.0;
+            affected += f64::from(u8::from(replay.fate(i) == Fate::Absorbed));
+        }
+    }
+    assert!(under > 5000.0);
+    affected / under
+}
+
+#[test]
+fn the_share_that_is_wiped_is_that_of_the_curve() {
+    let flat = LogNormal {
+        mu: -0.3,
+        sigma: 0.9,
+    };
+    let half: fn(Point2) -> f64 = |p| if p.y < -0.2 { PRESS } else { 0.5 * PRESS };
+    let third: fn(Point2) -> f64 = |p| if p.y < -0.2 { PRESS } else { 0.3 * PRESS };
+    let full: fn(Point2) -> f64 = |_| PRESS;
+    for likelihood in [STEEP, flat] {
+        for (press, share) in [(third, 0.3), (half, 0.5), (full, 1.0)] {
+            let expected = likelihood.probability(share);
+            let found = share_affected(likelihood, press);
+            // Four standard errors of at least 5000 draws.
+            let error = 4.0 * (0.25_f64 / 5000.0).sqrt();
+            assert!(
+                (found - expected).abs() < error,
+                "{share}: {found}, expected {expected}"
+            );
+        }
+    }
+    // Fig. 11: a steep curve lets weak contact work, a flat one lets strong contact fail.
+    assert!(STEEP.probability(0.5) > 0.9 && flat.probability(1.0) < 0.7);
+}
+
+#[test]
+fn a_threshold_is_drawn_again_after_some_travel() {
+    let flat = LogNormal {
+        mu: 0.0,
+        sigma: 1.0,
+    };
+    let task = task(4000, flat);
+    // Half of them respond at once; the sponge is 7 cm deep, so with l = 2 cm the rest get three more draws.
+    let script = Script {
+        strokes: vec![[Point2::new(-0.2, 0.0), Point2::new(0.2, 0.0)]],
+        ..Script::default()
+    };
+    let share = |redraw_length_m: f64| {
+        let config = InterpretConfig {
+            redraw_length_m,
+            replays: 8,
+            ..InterpretConfig::of(&task)
+        };
+        let told = told_with(&script.samples(&task), &task, &config);
+        let inside = |i: &usize| {
+            task.particles.position(*i).x.abs() < 0.1 && task.particles.position(*i).y.abs() < 0.05
+        };
+        let all: Vec<usize> = (0..task.particles.len()).filter(inside).collect();
+        let wiped = told
+            .belief
+            .replays()
+            .iter()
+            .flat_map(|replay| all.iter().map(|&i| replay.fate(i)));
+        wiped.filter(|fate| *fate == Fate::Absorbed).count() as f64 / (all.len() * 8) as f64
+    };
+    assert!((share(1.0) - 0.5).abs() < 0.02, "{}", share(1.0));
+    assert!(
+        (share(0.02) - (1.0 - 0.5_f64.powi(4))).abs() < 0.02,
+        "{}",
+        share(0.02)
+    );
+}
+
+#[test]
+fn the_seed_decides_and_the_number_of_threads_does_not() {
+    let task = task(
+        300,
+        LogNormal {
+            mu: -0.5,
+            sigma: 0.5,
+        },
+    );
+    let samples = Script::default().samples(&task);
+    let config = InterpretConfig {
+        replays: 8,
+        ..InterpretConfig::of(&task)
+    };
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
+        pool.install(|| told_with(&samples, &task, &config))
+    };
+    let (one, three) = (on(1), on(3));
+    assert_eq!(one.belief, three.belief);
+    assert_eq!(one.plane, three.plane);
+    let other = told_with(
+        &samples,
+        &task,
+        &InterpretConfig {
+            seed: 8,
+            ..config.clone()
+        },
+    );
+    assert_ne!(one.belief, other.belief);
+    // Replays differ from one another, particles too.
+    let first = &one.belief.replays()[0];
+    assert!(
+        one.belief.replays()[1..]
+            .iter()
+            .all(|replay| replay != first)
+    );
+}
+
+#[test]
+fn a_belief_of_several_is_continued_member_by_member() {
+    let task = task(80, STEEP);
+    let script = Script::default();
+    let config = InterpretConfig {
+        replays: 4,
+        ..InterpretConfig::of(&task)
+    };
+    let samples = script.samples(&task);
+    let before = told_with(&samples, &task, &config).belief;
+    let after = interpret(&samples, &task, &before, &GoalState::Absorbed, &config)
+        .unwrap()
+        .belief;
+    assert_eq!(after.replays().len(), 4);
+    for (one, next) in before.replays().iter().zip(after.replays()) {
+        assert!(next.tally().absorbed >= one.tally().absorbed);
+    }
+    let few = ParticleDistribution::new(&[]).unwrap();
+    assert_eq!(
+        Belief::of(vec![task.particles.clone(), few]).unwrap_err(),
+        InterpretError::UnequalReplays {
+            replay: 1,
+            count: 0,
+            expected: 80
+        }
+    );
+    assert_eq!(Belief::of(vec![]).unwrap_err(), InterpretError::NoReplays);
+}
+
+#[test]
+fn a_sample_of_a_belief_and_its_density_hold_the_mean() {
+    let task = task(
+        2000,
+        LogNormal {
+            mu: -0.5,
+            sigma: 0.6,
+        },
+    );
+    let told = told_with(
+        &Script::default().samples(&task),
+        &task,
+        &InterpretConfig::of(&task),
+    );
+    let belief = &told.belief;
+    let remaining = |p: &ParticleDistribution| p.tally().remaining as f64;
+    let mean = belief.replays().iter().map(remaining).sum::<f64>() / 64.0;
+    let sample = belief.sample(1).unwrap();
+    assert_eq!(sample, belief.sample(1).unwrap());
+    assert_ne!(sample, belief.sample(2).unwrap());
+    // Four standard deviations of a binomial count.
+    assert!((remaining(&sample) - mean).abs() < 4.0 * (2000.0_f64 * 0.25).sqrt());
+    let map = belief.density(&task.surface, 0.02).unwrap();
+    assert_eq!(map.shape(), (20, 14));
+    let cells = || (0..14).flat_map(|row| (0..20).map(move |column| (column, row)));
+    let sum: f64 = cells().map(|(column, row)| map.mean(column, row)).sum();
+    assert!((sum - mean).abs() < 1e-6);
+    assert!(cells().any(|(column, row)| map.standard_deviation(column, row) > 0.1));
+    for cell_size in [0.0, -1.0, f64::NAN, 1e-9] {
+        assert!(belief.density(&task.surface, cell_size).is_err());
+    }
+}

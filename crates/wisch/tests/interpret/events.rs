@@ -1,0 +1,189 @@
+//! Collisions, losses of contact, stick-slip: their times, and silence where there are none.
+
+use super::log::{Hand, PRESS, STEEP, Script, task};
+use super::{assert_near_times, events, told, told_with};
+use wisch::geometry::{Point2, Vector3};
+use wisch::interpret::{Diagnosis, EventKind, InterpretConfig, Touch};
+use wisch::represent::Fate;
+
+/// A hand that lifts the sponge on the second stroke by 2 cm, with the force of contact.
+pub fn lifted() -> Script {
+    let script = Script::default();
+    let [start, _] = script.contacts()[1];
+    Script {
+        hands: vec![Hand {
+            start: start + 1.2,
+            end: start + 2.0,
+            off: Vector3::new(0.0, 0.0, 0.02),
+            force: Vector3::new(0.0, 0.0, PRESS),
+        }],
+        ..script
+    }
+}
+
+#[test]
+fn a_hand_that_lifts_the_tool_is_a_collision_and_what_lies_under_it_stays() {
+    let script = lifted();
+    let told = told(&script);
+    let collisions = events(&told, EventKind::Collision);
+    let hand = script.hands[0];
+    assert_eq!(collisions.len(), 1, "{collisions:?}");
+    assert_near_times(&collisions[0], [hand.start, hand.end]);
+    assert!((collisions[0].peak_height - 0.02).abs() < 2e-3);
+    assert_eq!(events(&told, EventKind::ContactLoss), []);
+    assert_eq!(events(&told, EventKind::Contact).len(), 4);
+    let false_positives = (told.path.iter()).filter(|piece| piece.touch == Touch::FalsePositive);
+    let times: Vec<f64> = false_positives.map(|piece| piece.time[1]).collect();
+    assert!(times.len() > 70);
+    assert!(
+        times
+            .iter()
+            .all(|time| (hand.start..hand.end + 0.01).contains(time)),
+        "{times:?}"
+    );
+    // The stroke runs from +0.16 at 0.1 m/s: lifted between 0.04 and -0.04, of which the sponge covers
+    // from either side all but 1 cm. Nothing there is wiped.
+    let task = task(2000, STEEP);
+    let told = told_with(&script.samples(&task), &task, &InterpretConfig::of(&task));
+    let under: Vec<usize> = (0..task.particles.len())
+        .filter(|&i| {
+            let place = task.particles.position(i);
+            place.x.abs() < 0.003 && place.y.abs() < 0.028
+        })
+        .collect();
+    assert!(under.len() > 2);
+    for replay in told.belief.replays() {
+        assert!(under.iter().all(|&i| replay.fate(i) == Fate::OnSurface));
+    }
+}
+
+#[test]
+fn pushes_from_every_side_are_collisions_with_start_and_end() {
+    let script = Script::default();
+    let [start, _] = script.contacts()[1];
+    let pushes = [
+        // Up, off the surface.
+        (Vector3::new(0.0, 0.0, 0.015), Vector3::new(0.0, 0.0, 15.0)),
+        // Aside: the saturated controller gives way and presses less.
+        (Vector3::new(0.0, 0.03, 0.0), Vector3::new(0.0, 15.0, 5.0)),
+        // Down: the sponge gives way beyond its nominal compression.
+        (
+            Vector3::new(0.0, 0.0, -0.0075),
+            Vector3::new(0.0, 0.0, 10.0),
+        ),
+        // Down where the sensor sees it.
+        (
+            Vector3::new(0.0, 0.0, -0.0075),
+            Vector3::new(0.0, 0.0, 25.0),
+        ),
+    ];
+    for (off, force) in pushes {
+        let hand = Hand {
+            start: start + 1.0,
+            end: start + 1.5,
+            off,
+            force,
+        };
+        let told = told(&Script {
+            hands: vec![hand],
+            ..script.clone()
+        });
+        let collisions = events(&told, EventKind::Collision);
+        assert_eq!(collisions.len(), 1, "{force}: {collisions:?}");
+        assert_near_times(&collisions[0], [hand.start, hand.end]);
+    }
+}
+
+#[test]
+fn a_gap_in_the_press_is_a_loss_of_contact() {
+    let script = Script {
+        press: |place| {
+            if place.x.abs() < 0.03 && place.y.abs() < 0.01 {
+                0.0
+            } else {
+                PRESS
+            }
+        },
+        ..Script::default()
+    };
+    let told = told(&script);
+    let losses = events(&told, EventKind::ContactLoss);
+    assert_eq!(losses.len(), 1, "{:?}", told.events);
+    let [start, _] = script.contacts()[1];
+    assert_near_times(&losses[0], [start + 1.3, start + 1.9]);
+    assert_eq!(events(&told, EventKind::Collision), []);
+    let whole = told_with(
+        &Script::default().samples(&task(80, STEEP)),
+        &task(80, STEEP),
+        &InterpretConfig::of(&task(80, STEEP)),
+    );
+    assert!(told.contact_share < whole.contact_share - 0.03);
+}
+
+/// Forces estimated from drives lag; then the sponge seems to be pressed while it already lifts off.
+#[test]
+fn forces_that_lag_raise_no_alarm_and_hide_none() {
+    for force_lag in [0.01, 0.02, 0.04] {
+        let calm = told(&Script {
+            force_lag,
+            ..Script::default()
+        });
+        assert_eq!(events(&calm, EventKind::Collision), [], "{force_lag}");
+        assert_eq!(events(&calm, EventKind::Contact).len(), 3);
+        assert_eq!(calm.diagnosis, Diagnosis::Localized);
+    }
+    let script = Script {
+        force_lag: 0.02,
+        ..lifted()
+    };
+    let collisions = events(&told(&script), EventKind::Collision);
+    assert_eq!(collisions.len(), 1);
+    assert_near_times(&collisions[0], [script.hands[0].start, script.hands[0].end]);
+}
+
+#[test]
+fn sticking_and_slipping_is_noticed() {
+    for stick_slip in [4.0, 8.0] {
+        let script = Script {
+            stick_slip,
+            ..Script::default()
+        };
+        let told = told(&script);
+        let found = events(&told, EventKind::StickSlip);
+        assert_eq!(found.len(), 3, "{found:?}");
+        for (event, [start, end]) in found.iter().zip(script.contacts()) {
+            assert!(
+                event.start > start - 0.05 && event.start < start + 0.5,
+                "{event:?}"
+            );
+            assert!(event.end < end + 0.05 && event.end > end - 0.5, "{event:?}");
+        }
+        assert_eq!(events(&told, EventKind::Collision), []);
+    }
+}
+
+/// Half over the edge the sponge gives way twice as far: that is wiping, not a push.
+#[test]
+fn a_tool_that_sinks_over_an_edge_is_still_in_contact() {
+    let stroke = |x: f64| {
+        vec![
+            [Point2::new(-0.1, 0.0), Point2::new(0.1, 0.0)],
+            [Point2::new(x, -0.1), Point2::new(x, 0.1)],
+        ]
+    };
+    let sunk = |x: f64| Script {
+        strokes: stroke(x),
+        surface: |place| {
+            if place.y.abs() < 0.08 && place.y != 0.0 {
+                -0.0045
+            } else {
+                0.0
+            }
+        },
+        ..Script::default()
+    };
+    let at_edge = told(&sunk(0.19));
+    assert_eq!(events(&at_edge, EventKind::Collision), []);
+    let inland = told(&sunk(0.05));
+    assert_eq!(events(&inland, EventKind::Collision).len(), 1);
+}
