@@ -15,6 +15,7 @@ mod quantity;
 mod schema;
 mod source;
 mod table;
+mod topic;
 mod track;
 mod walk;
 mod writer;

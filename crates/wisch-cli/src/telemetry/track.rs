@@ -78,12 +78,10 @@ pub(super) fn paired<P: Quantity, W: Quantity>(
     max_gap: f64,
 ) -> Result<Vec<(i64, P, W)>, ReadFault> {
     let pairs: Vec<_> = if poses.entries.len() >= wrenches.entries.len() {
-        let at = at_times_of(&poses.entries, &wrenches.entries, max_gap);
-        at.map(|(time, pose, wrench)| (time, pose, wrench))
-            .collect()
+        at_times_of(&poses.entries, &wrenches.entries, max_gap).collect()
     } else {
-        let at = at_times_of(&wrenches.entries, &poses.entries, max_gap);
-        at.map(|(time, wrench, pose)| (time, pose, wrench))
+        at_times_of(&wrenches.entries, &poses.entries, max_gap)
+            .map(|(time, wrench, pose)| (time, pose, wrench))
             .collect()
     };
     if pairs.is_empty() {

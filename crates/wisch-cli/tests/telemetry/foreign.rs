@@ -1,244 +1,16 @@
-//! Bags as they are written and read: whole, cut off, damaged, and of other writers.
+//! Bags of other robots and other libraries.
 
-#[path = "../examples/demo_bag/wiping.rs"]
-mod wiping;
-
+use super::{in_folder, named, refused, surface};
+use mcap::WriteOptions;
 use mcap::records::MessageHeader;
-use mcap::{Compression, WriteOptions};
-use proptest::prelude::*;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::sync::LazyLock;
-use std::time::{Duration, Instant};
-use tempfile::TempDir;
-use wiping::Wiping;
-use wisch::execute::{TelemetrySample, Wrench};
-use wisch::follow::Phase;
+use std::path::Path;
 use wisch::geometry::{Point3, Pose, Vector3};
 use wisch_telemetry::{
-    Axes, AxesChoice, AxesSource, BagHead, BagWriter, Log, LogOptions, TopicChoice, WrenchSign,
-    active_path, read,
+    Axes, AxesChoice, AxesSource, Log, LogOptions, TopicChoice, WrenchSign, read,
 };
-
-fn surface() -> Pose {
-    Pose::new(Vector3::new(0.6, 0.1, 0.75), Vector3::new(0.0, 0.3, 0.0))
-}
-
-fn wipe(rate: f64) -> Wiping {
-    Wiping {
-        world_from_surface: surface(),
-        extent: [0.2, 0.1],
-        rows: 2,
-        speed: 0.1,
-        press: 10.0,
-        rate,
-    }
-}
-
-fn head(start: u64) -> BagHead {
-    BagHead {
-        joints: wiping::JOINTS.map(str::to_owned).to_vec(),
-        world_from_surface: surface(),
-        start,
-        notes: BTreeMap::new(),
-    }
-}
-
-/// Writes the made-up log; how many samples it has.
-fn write_bag(path: &Path, rate: f64, start: u64) -> usize {
-    let mut bag = BagWriter::create(path, head(start)).unwrap();
-    bag.write_particles(0.0, &[Point3::origin()]).unwrap();
-    let count = wipe(rate).write(&mut bag).unwrap();
-    bag.finish().unwrap();
-    count
-}
-
-fn in_folder() -> (TempDir, PathBuf) {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("wipe.mcap");
-    (folder, path)
-}
-
-fn refused(path: &Path, options: &LogOptions) -> String {
-    let shown = read(path, options).map(|log| log.samples.len());
-    let shown = shown.expect_err("the log should be refused").to_string();
-    let start = path.display().to_string();
-    assert!(shown.starts_with(&start), "{shown} names the file {start}");
-    shown[start.len()..].to_owned()
-}
-
-fn named(pose: &str, wrench: &str) -> LogOptions {
-    LogOptions {
-        pose_topic: TopicChoice::Named(pose.to_owned()),
-        wrench_topic: TopicChoice::Named(wrench.to_owned()),
-        ..LogOptions::default()
-    }
-}
-
-#[test]
-fn what_is_written_is_read() {
-    let (_folder, path) = in_folder();
-    let count = write_bag(&path, 200.0, 5_000_000_000);
-    let log = read(&path, &LogOptions::default()).unwrap();
-    assert_eq!(log.samples.len(), count);
-    assert_eq!(
-        (log.pose_name.as_str(), log.wrench_name.as_str()),
-        ("/tcp/measured", "/wrench/external")
-    );
-    assert_eq!(
-        (log.axes, log.axes_source),
-        (Axes::World, AxesSource::Logged)
-    );
-    assert_eq!(
-        (log.start, log.repeated, log.unpaired),
-        (5_000_000_000, 0, 0)
-    );
-    assert!(!log.is_unfinished && !active_path(&path).exists());
-    let wiped: Vec<_> = log
-        .samples
-        .iter()
-        .filter(|s| s.force.norm() > 0.0)
-        .collect();
-    for (index, sample) in log.samples.iter().enumerate() {
-        assert!((sample.time - index as f64 / 200.0).abs() < 1e-9);
-        assert!(
-            sample
-                .world_from_tool
-                .rotation
-                .angle_to(&surface().rotation)
-                < 1e-9
-        );
-    }
-    for sample in &wiped {
-        let tip_in_surface = surface().inverse() * sample.world_from_tool;
-        assert!(tip_in_surface.translation.z.abs() < 1e-9);
-        assert!(((surface().rotation.inverse() * sample.force).z - 10.0).abs() < 1e-9);
-    }
-    assert!(wiped.len() > count / 4);
-}
-
-#[test]
-fn the_same_samples_give_the_same_bytes() {
-    let (_folder, path) = in_folder();
-    write_bag(&path, 100.0, 0);
-    let first = fs::read(&path).unwrap();
-    write_bag(&path, 100.0, 0);
-    assert_eq!(first, fs::read(&path).unwrap());
-}
-
-#[test]
-fn samples_that_do_not_fit_are_refused() {
-    let (_folder, path) = in_folder();
-    let mut bag = BagWriter::create(&path, head(0)).unwrap();
-    let sample = |time, joints: &'static [f64]| TelemetrySample {
-        time,
-        positions: joints,
-        velocities: &[0.0; 3],
-        efforts: &[0.0; 3],
-        world_from_commanded: Pose::identity(),
-        world_from_tool: Pose::identity(),
-        controller: Wrench::default(),
-        external: Wrench::default(),
-        motion: 0,
-        phase: Phase::Drive,
-    };
-    let three = &[0.0; 3];
-    bag.write(&sample(0.5, three)).unwrap();
-    let mut refused = |sample: TelemetrySample<'_>| bag.write(&sample).unwrap_err().to_string();
-    assert_eq!(
-        refused(sample(0.5, three)),
-        "a sample's time of 0.5 s is not after that of the sample before, 0.5 s"
-    );
-    assert_eq!(
-        refused(sample(f64::NAN, three)),
-        "a sample's time of NaN s is not within 0 to 1000000000 s"
-    );
-    assert_eq!(
-        refused(sample(0.6, &[0.0])),
-        "a sample has 1 positions, but the bag has 3 joints"
-    );
-}
-
-#[test]
-fn a_bag_that_is_cut_off_anywhere_is_read_up_to_its_last_whole_second() {
-    let (folder, path) = in_folder();
-    write_bag(&path, 200.0, 0);
-    let bytes = fs::read(&path).unwrap();
-    let whole = read(&path, &LogOptions::default()).unwrap().samples;
-    let cut = folder.path().join("cut.mcap");
-    let mut most = 0;
-    for share in [0.2, 0.4, 0.6, 0.8] {
-        let cut_bytes = &bytes[..(bytes.len() as f64 * share) as usize];
-        fs::write(active_path(&cut), cut_bytes).unwrap();
-        // By its own name or by the one that it is to have.
-        for name in [active_path(&cut), cut.clone()] {
-            let Ok(log) = read(&name, &LogOptions::default()) else {
-                assert!(share < 0.4);
-                continue;
-            };
-            assert!(log.is_unfinished);
-            assert_eq!(log.samples, whole[..log.samples.len()]);
-            assert_eq!(log.samples.len() % 200, 0, "whole seconds");
-            assert!(log.samples.len() >= most);
-            most = log.samples.len();
-        }
-        fs::write(folder.path().join("finished.mcap"), cut_bytes).unwrap();
-        let shown = refused(&folder.path().join("finished.mcap"), &LogOptions::default());
-        let expected = format!(
-            ": the bag ends at byte {} in the middle of a record, as one that is being written does",
-            cut_bytes.len()
-        );
-        assert_eq!(shown, expected);
-    }
-    assert!(most >= whole.len() / 2, "{most} of {}", whole.len());
-}
-
-/// Not a test of its own: what the next one starts and kills.
-#[test]
-fn a_writer_that_does_not_end_by_itself() {
-    let Some(path) = std::env::var_os("WISCH_TEST_ENDLESS_BAG") else {
-        return;
-    };
-    let mut bag = BagWriter::create(Path::new(&path), head(0)).unwrap();
-    // Long enough to be killed, short enough not to fill a disk where it is not.
-    let endless = Wiping {
-        rows: 4000,
-        ..wipe(1000.0)
-    };
-    endless.write(&mut bag).unwrap();
-    std::thread::sleep(Duration::from_secs(60));
-}
-
-#[test]
-fn what_a_killed_writer_leaves_is_read() {
-    let (_folder, path) = in_folder();
-    let mut writer = Command::new(std::env::current_exe().unwrap())
-        .args(["--exact", "a_writer_that_does_not_end_by_itself"])
-        .env("WISCH_TEST_ENDLESS_BAG", &path)
-        .stdout(Stdio::null())
-        .spawn()
-        .unwrap();
-    let patience = Instant::now() + Duration::from_secs(60);
-    let enough = 500_000;
-    while fs::metadata(active_path(&path)).map_or(0, |file| file.len()) < enough {
-        assert!(Instant::now() < patience, "nothing is written");
-        std::thread::sleep(Duration::from_millis(5));
-    }
-    writer.kill().unwrap();
-    writer.wait().unwrap();
-    assert!(!path.exists());
-    let log = read(&path, &LogOptions::default()).unwrap();
-    assert!(
-        log.is_unfinished && log.samples.len() >= 1000,
-        "{}",
-        log.samples.len()
-    );
-    let last = log.samples[log.samples.len() - 1].time;
-    assert!((last - (log.samples.len() - 1) as f64 / 1000.0).abs() < 1e-9);
-}
 
 /// A bag of some other robot, topic by topic.
 struct Foreign {
@@ -334,9 +106,10 @@ fn foreign(path: &Path, wrench_frame: &'static str, stamp_offset_ms: u64) {
     let mut bag = Foreign::create(path);
     let (pose, wrench) = (bag.poses("/arm/pose"), bag.wrenches("/arm/wrench"));
     for time in (0..=1000).step_by(10) {
-        let stamp = (stamp_offset_ms > 0)
-            .then_some(stamp_offset_ms + time)
-            .unwrap_or(0);
+        let stamp = match stamp_offset_ms {
+            0 => 0,
+            offset => offset + time,
+        };
         if time % 100 == 0 {
             bag.put(
                 pose,
@@ -452,57 +225,6 @@ fn frames_signs_units_and_offsets_are_applied() {
 }
 
 #[test]
-fn topics_are_chosen_by_name_and_refused_by_name() {
-    let (_folder, path) = in_folder();
-    write_bag(&path, 20.0, 0);
-    let log = read(&path, &named("/tf:tool", "/wrench/controller")).unwrap();
-    assert_eq!(
-        (log.pose_name.as_str(), log.wrench_name.as_str()),
-        ("/tf:tool", "/wrench/controller")
-    );
-    let standing = read(&path, &named("/tf:surface", "/wrench/external")).unwrap();
-    for sample in &standing.samples {
-        assert!((sample.world_from_tool.to_matrix() - surface().to_matrix()).norm() < 1e-9);
-    }
-    let cases = [
-        (
-            "/tcp/mesured",
-            "/wrench/external",
-            ": unknown topic \"/tcp/mesured\"; nearest: /tcp/measured; known: ",
-        ),
-        (
-            "/tf",
-            "/wrench/external",
-            ": 2 topics hold a pose, and one has to be chosen: /tf:tool, /tf:surface",
-        ),
-        (
-            "/tf:tol",
-            "/wrench/external",
-            ": unknown child frame \"tol\"; nearest: tool; known: tool, surface",
-        ),
-        (
-            "/phase",
-            "/wrench/external",
-            ": topic /phase of type std_msgs/msg/String: there is no pose in it",
-        ),
-        (
-            "/tcp/measured:pos",
-            "/wrench/external",
-            ": topic /tcp/measured of type geometry_msgs/msg/PoseStamped: there is no pose in \"pos\"",
-        ),
-        (
-            "/tcp/measured",
-            "/tf",
-            ": topic /tf of type tf2_msgs/msg/TFMessage: there is no wrench in it",
-        ),
-    ];
-    for (pose, wrench, expected) in cases {
-        let shown = refused(&path, &named(pose, wrench));
-        assert!(shown.starts_with(expected), "{shown}");
-    }
-}
-
-#[test]
 fn two_topics_that_might_be_meant_are_told_and_none_as_well() {
     let (_folder, path) = in_folder();
     let mut bag = Foreign::create(&path);
@@ -527,7 +249,8 @@ fn two_topics_that_might_be_meant_are_told_and_none_as_well() {
 #[test]
 fn values_that_cannot_be_are_refused_with_their_message() {
     let (_folder, path) = in_folder();
-    let cases: [(&[(u64, f64, [f64; 4])], &str); 3] = [
+    type Poses = [(u64, f64, [f64; 4])];
+    let cases: [(&Poses, &str); 3] = [
         (
             &[(0, 0.0, QUARTER), (5, f64::NAN, QUARTER)],
             ": topic /p, message 2: x is NaN, which is not finite",
@@ -651,74 +374,4 @@ fn a_folder_of_parts_is_one_log() {
         refused(empty.path(), &LogOptions::default()),
         ": the folder holds no .mcap file"
     );
-}
-
-/// A small bag to damage.
-static SMALL: LazyLock<Vec<u8>> = LazyLock::new(|| {
-    let (_folder, path) = in_folder();
-    write_bag(&path, 10.0, 0);
-    fs::read(&path).unwrap()
-});
-
-/// The same, its messages unpacked, so that damage reaches them.
-static PLAIN: LazyLock<Vec<u8>> = LazyLock::new(|| {
-    let mut plain = std::io::Cursor::new(Vec::new());
-    let options = WriteOptions::new()
-        .compression(None::<Compression>)
-        .calculate_chunk_crcs(false);
-    let mut bag = options.create(&mut plain).unwrap();
-    for message in mcap::MessageStream::new(&SMALL).unwrap() {
-        bag.write(&message.unwrap()).unwrap();
-    }
-    bag.finish().unwrap();
-    drop(bag);
-    plain.into_inner()
-});
-
-/// That of another library, packed with Zstandard.
-static FOREIGN: LazyLock<Vec<u8>> = LazyLock::new(|| {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/foreign.mcap");
-    fs::read(path).unwrap()
-});
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(256))]
-
-    /// Any damage ends in a log or in an error that names the file, never in a panic.
-    #[test]
-    fn damaged_bags_are_no_panic(
-        which in 0..3_usize, is_active: bool, damage in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
-        end in prop::option::of(any::<prop::sample::Index>()),
-    ) {
-        let mut bytes = [&*SMALL, &*PLAIN, &*FOREIGN][which].clone();
-        for (index, byte) in damage {
-            let index = index.index(bytes.len());
-            bytes[index] = byte;
-        }
-        if let Some(end) = end {
-            bytes.truncate(end.index(bytes.len()));
-        }
-        let (_folder, path) = in_folder();
-        let path = if is_active { active_path(&path) } else { path };
-        fs::write(&path, bytes).unwrap();
-        for options in [LogOptions::default(), named("/tf:tool", "/wrench/controller")] {
-            match read(&path, &options) {
-                Ok(log) => prop_assert!(!log.samples.is_empty()),
-                Err(error) => {
-                    let starts_with_file = error.to_string().starts_with(&path.display().to_string());
-                    prop_assert!(starts_with_file);
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn a_flipped_bit_in_a_chunk_is_found_out() {
-    let (_folder, path) = in_folder();
-    let mut bytes = SMALL.clone();
-    let middle = bytes.len() / 4;
-    bytes[middle] ^= 1;
-    fs::write(&path, bytes).unwrap();
-    assert!(refused(&path, &LogOptions::default()).contains("near byte"));
 }
