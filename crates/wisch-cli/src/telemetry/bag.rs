@@ -1,5 +1,6 @@
 //! ROS 2 bags: finds the poses and forces in an MCAP file of whatever topics.
 
+use super::container::{Ending, messages};
 use super::error::ReadFault;
 use super::log::{RawLog, TopicChoice};
 use super::quantity::Quantity;
@@ -7,21 +8,15 @@ use super::schema::Schema;
 use super::source::{Found, Source};
 use super::track::Track;
 use super::walk::{MessageError, Value, decode};
-use super::zstd::Zstd;
 use super::{AXES_KEY, ROLE_KEY, ROLE_POSE, ROLE_WRENCH, START_KEY};
-use mcap::sans_io::LinearReaderOptions;
-use mcap::{Channel, MAGIC, McapError, Message};
-use std::cell::{Cell, RefCell};
+use mcap::Channel;
 use std::collections::{BTreeMap, HashMap};
 use std::fs::File;
-use std::io::{self, BufReader, Read};
+use std::io::BufReader;
 use std::path::Path;
 use std::rc::Rc;
 use wisch::geometry::{Pose, Vector3};
 use wisch::represent::UnknownName;
-
-/// Longest record that is read, unpacked [bytes]: above the largest chunks that recorders write.
-const MAX_RECORD_LEN: usize = 256 << 20;
 
 /// Gathers what the parts of a bag say.
 pub(super) struct BagReader {
@@ -58,34 +53,17 @@ impl BagReader {
 
     /// Reads a file. One that is being written may end where it likes; of one that is finished that is an error.
     pub fn read(&mut self, path: &Path) -> Result<(), ReadFault> {
-        let file = File::open(path).map_err(ReadFault::System)?;
-        let is_active = path.extension().is_some_and(|ending| ending == "active");
-        let (read, begin) = (Rc::default(), Rc::default());
-        let source = Counting {
-            source: BufReader::new(file),
-            read: Rc::clone(&read),
-            begin: Rc::clone(&begin),
-        };
-        // A chunk is checked before anything in it is believed.
-        let options = LinearReaderOptions {
-            prevalidate_chunk_crcs: true,
-            validate_chunk_crcs: true,
-            record_length_limit: Some(MAX_RECORD_LEN),
-            ..LinearReaderOptions::default()
-        };
+        let file = BufReader::new(File::open(path).map_err(ReadFault::System)?);
+        // Each file numbers its channels anew.
         self.channels.clear();
-        let mut messages = mcap::io::MessageReader::new_with_options(source, options);
-        (messages.add_decompressor(Zstd::new(MAX_RECORD_LEN)))
-            .map_err(|error| fault(error, 0, MAGIC))?;
-        for message in messages {
-            match message {
-                Ok(message) => self.message(&message)?,
-                Err(McapError::UnexpectedEof) if is_active && *begin.borrow() == MAGIC => {
-                    self.unfinished = true;
-                    break;
-                }
-                Err(error) => return Err(fault(error, read.get(), &begin.borrow())),
-            }
+        let ending = messages(file, &mut |channel, header, data| {
+            self.message(channel, header.log_time, data)
+        })?;
+        let is_active = path.extension().is_some_and(|ending| ending == "active");
+        match ending {
+            Ending::Footer => {}
+            Ending::CutOff { .. } if is_active => self.unfinished = true,
+            Ending::CutOff { byte } => return Err(ReadFault::Truncated { byte }),
         }
         Ok(())
     }
@@ -103,8 +81,12 @@ impl BagReader {
         })
     }
 
-    fn message(&mut self, message: &Message<'_>) -> Result<(), ReadFault> {
-        let channel = &message.channel;
+    fn message(
+        &mut self,
+        channel: &Channel<'_>,
+        log_time: u64,
+        data: &[u8],
+    ) -> Result<(), ReadFault> {
         if !self.channels.contains_key(&channel.id) {
             let reading = self.channel(channel)?;
             self.channels.insert(channel.id, reading);
@@ -117,8 +99,8 @@ impl BagReader {
         else {
             return Ok(());
         };
-        let value = decode(schema, &message.data);
-        let log_time = message.log_time.min(i64::MAX as u64) as i64;
+        let value = decode(schema, data);
+        let log_time = i64::try_from(log_time).unwrap_or(i64::MAX);
         if let Some(source) = pose {
             self.poses.take(channel, source, &value, log_time);
         }
@@ -435,48 +417,5 @@ impl<Q: Quantity> Candidate<Q> {
             },
             track,
         }
-    }
-}
-
-/// Counts what is read, and keeps its beginning.
-struct Counting<R> {
-    source: R,
-    read: Rc<Cell<u64>>,
-    begin: Rc<RefCell<Vec<u8>>>,
-}
-
-impl<R: Read> Read for Counting<R> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let count = self.source.read(buffer)?;
-        let mut begin = self.begin.borrow_mut();
-        let missing = MAGIC.len().saturating_sub(begin.len()).min(count);
-        begin.extend_from_slice(&buffer[..missing]);
-        self.read.set(self.read.get() + count as u64);
-        Ok(count)
-    }
-}
-
-/// An error of the container, with the place that reading had come to.
-fn fault(error: McapError, byte: u64, begin: &[u8]) -> ReadFault {
-    if begin != MAGIC {
-        let bytes: Vec<String> = begin.iter().map(|byte| format!("{byte:02x}")).collect();
-        return ReadFault::NotABag {
-            found: bytes.join(" "),
-        };
-    }
-    match error {
-        McapError::UnexpectedEof => ReadFault::Truncated { byte },
-        McapError::UnsupportedCompression(compression) => {
-            ReadFault::Compression { byte, compression }
-        }
-        // What the system or the unpacking says, instead of that it says something.
-        McapError::Io(error) => ReadFault::Damaged {
-            byte,
-            error: error.to_string(),
-        },
-        error => ReadFault::Damaged {
-            byte,
-            error: error.to_string(),
-        },
     }
 }

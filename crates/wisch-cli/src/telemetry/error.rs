@@ -94,18 +94,28 @@ pub enum ReadFault {
     },
     /// It is packed in a way that is not read.
     #[error(
-        "near byte {byte}: a chunk is compressed with {compression:?}, and only \"lz4\", \"zstd\" and none at all are read"
+        "byte {byte}: a chunk is compressed with {compression:?}, and only \"lz4\", \"zstd\" and none at all are read"
     )]
     Compression {
-        /// How far reading came.
+        /// Where the record begins.
         byte: u64,
         /// How it is packed.
         compression: String,
     },
+    /// A record that is longer than any.
+    #[error("byte {byte}: a record of {len} bytes exceeds the limit of {limit} bytes")]
+    RecordLength {
+        /// Where it begins.
+        byte: u64,
+        /// Its length, unpacked.
+        len: u64,
+        /// The limit.
+        limit: usize,
+    },
     /// The container is damaged.
-    #[error("near byte {byte}: {error}")]
+    #[error("byte {byte}: {error}")]
     Damaged {
-        /// How far reading came.
+        /// Where the record begins.
         byte: u64,
         /// What is wrong.
         error: String,

@@ -2,11 +2,12 @@
 //! logs of whatever robot, read as what the interpretation takes.
 //!
 //! A bag that is written goes from `writer` through `messages` (as CDR lays them out) and `definitions` (their
-//! schemas). One that is read goes through `bag` (the container), `schema` and `walk` (messages of any type),
+//! schemas). One that is read goes through `container` (records, packed or not), `bag` (topics), `schema` and `walk` (messages of any type),
 //! `source` (where in them a pose or force stands), `track` (pairing in time) and `log` (frames, signs, units);
 //! a table joins at `track`.
 
 mod bag;
+mod container;
 mod definitions;
 mod error;
 mod log;
@@ -17,9 +18,9 @@ mod source;
 mod table;
 mod topic;
 mod track;
+mod unpack;
 mod walk;
 mod writer;
-mod zstd;
 
 pub use error::{ReadError, ReadFault, WriteError};
 pub use log::{Axes, AxesChoice, AxesSource, Log, LogOptions, TopicChoice, WrenchSign, read};

@@ -155,5 +155,25 @@ fn a_flipped_bit_in_a_chunk_is_found_out() {
     let middle = bytes.len() / 4;
     bytes[middle] ^= 1;
     fs::write(&path, bytes).unwrap();
-    assert!(refused(&path, &LogOptions::default()).contains("near byte"));
+    assert!(refused(&path, &LogOptions::default()).contains(": byte "));
+}
+
+#[test]
+fn a_record_that_is_longer_than_its_chunk_is_found_out() {
+    let (_folder, path) = in_folder();
+    let mut bytes = PLAIN.clone();
+    let len_at = |bytes: &[u8], at: usize| {
+        u64::from_le_bytes(bytes[at + 1..at + 9].try_into().unwrap()) as usize
+    };
+    // After the magic and the file's header comes a chunk; its own header without compression has 40 bytes.
+    let chunk = 8 + 9 + len_at(&bytes, 8);
+    assert_eq!(bytes[chunk], mcap::records::op::CHUNK);
+    let first = chunk + 9 + 40;
+    let longer = len_at(&bytes, chunk) as u64;
+    bytes[first + 1..first + 9].copy_from_slice(&longer.to_le_bytes());
+    fs::write(&path, bytes).unwrap();
+    assert_eq!(
+        refused(&path, &LogOptions::default()),
+        format!(": byte {chunk}: Chunk ended in the middle of a record")
+    );
 }
