@@ -56,8 +56,8 @@ impl BagReader {
         let file = BufReader::new(File::open(path).map_err(ReadFault::System)?);
         // Each file numbers its channels anew.
         self.channels.clear();
-        let ending = messages(file, &mut |channel, header, data| {
-            self.message(channel, header.log_time, data)
+        let ending = messages(file, &mut |channel, log_time, data| {
+            self.message(channel, log_time, data)
         })?;
         let is_active = path.extension().is_some_and(|ending| ending == "active");
         match ending {

@@ -7,7 +7,7 @@
 use super::error::ReadFault;
 use super::unpack::{UnpackError, unpack};
 use mcap::read::ChannelAccumulator;
-use mcap::records::{MessageHeader, Record, op};
+use mcap::records::{Record, op};
 use mcap::{Channel, MAGIC, McapError, parse_record};
 use std::io::{self, Read};
 
@@ -16,6 +16,9 @@ const MAX_RECORD_LEN: usize = 256 << 20;
 
 /// Kind and length of a record, before its body [bytes].
 const HEAD_LEN: usize = 9;
+
+/// Takes a message: its channel, when it was recorded [ns], and its bytes.
+pub(super) type Take<'a> = dyn FnMut(&Channel<'_>, u64, &[u8]) -> Result<(), ReadFault> + 'a;
 
 /// Where a file ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,10 +36,7 @@ pub(super) enum Ending {
 ///
 /// # Errors
 /// What the system says, what `each` says, and every fault of the file but that it ends early.
-pub(super) fn messages(
-    source: impl Read,
-    each: &mut dyn FnMut(&Channel<'_>, &MessageHeader, &[u8]) -> Result<(), ReadFault>,
-) -> Result<Ending, ReadFault> {
+pub(super) fn messages(source: impl Read, each: &mut Take<'_>) -> Result<Ending, ReadFault> {
     let mut file = Records { source, byte: 0 };
     let magic = file.take(MAGIC.len() as u64)?;
     if magic != MAGIC {
@@ -114,7 +114,7 @@ fn record(
     body: &[u8],
     byte: u64,
     known: &mut ChannelAccumulator<'static>,
-    each: &mut dyn FnMut(&Channel<'_>, &MessageHeader, &[u8]) -> Result<(), ReadFault>,
+    each: &mut Take<'_>,
 ) -> Result<(), ReadFault> {
     let damaged = |error: McapError| ReadFault::Damaged {
         byte,
@@ -130,7 +130,7 @@ fn record(
             let channel = known
                 .get(header.channel_id)
                 .ok_or_else(|| damaged(unknown))?;
-            each(&channel, &header, &data)
+            each(&channel, header.log_time, &data)
         }
         Record::Chunk { header, data } => {
             let plain =
@@ -172,7 +172,7 @@ fn inner_records(
     mut plain: &[u8],
     byte: u64,
     known: &mut ChannelAccumulator<'static>,
-    each: &mut dyn FnMut(&Channel<'_>, &MessageHeader, &[u8]) -> Result<(), ReadFault>,
+    each: &mut Take<'_>,
 ) -> Result<(), ReadFault> {
     while !plain.is_empty() {
         let overrun = || ReadFault::Damaged {
