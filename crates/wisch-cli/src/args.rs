@@ -348,15 +348,15 @@ pub struct InterpretArgs {
     /// Folder with tools, media, surfaces, interactions and the domain [default: built in]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub knowledge: Option<PathBuf>,
-    /// How the log is to be understood.
-    #[command(flatten)]
-    pub reading: LogArgs,
     /// Folder for the results; one of an earlier run is replaced [default: out/NAME-OF-THE-TASK-interpreted]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: Option<PathBuf>,
     /// Print one JSON object in place of the summary
     #[arg(long)]
     pub json: bool,
+    /// How the log is to be understood.
+    #[command(flatten)]
+    pub reading: LogArgs,
 }
 
 /// How a log is to be understood.

@@ -222,6 +222,12 @@ pub enum ReadFault {
         /// The first byte that is none.
         byte: usize,
     },
+    /// A table that is longer than is read.
+    #[error("the table exceeds the limit of {limit} bytes")]
+    TableLength {
+        /// The limit.
+        limit: u64,
+    },
     /// A table without any line of numbers.
     #[error("the table has no line of numbers")]
     Empty,

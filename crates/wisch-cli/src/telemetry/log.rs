@@ -181,12 +181,28 @@ pub fn read(path: &Path, options: &LogOptions) -> Result<Log, ReadError> {
         }
         reader.finish()
     } else {
-        std::fs::read(path)
-            .map_err(ReadFault::System)
-            .and_then(|bytes| table::read(&bytes, options))
+        bytes(path).and_then(|bytes| table::read(&bytes, options))
     };
     raw.and_then(|raw| understood(&raw, options))
         .map_err(|fault| within(path, fault))
+}
+
+/// Longest table that is read [bytes]: half an hour at 1 kHz.
+const MAX_TABLE_LEN: u64 = 256 << 20;
+
+fn bytes(path: &Path) -> Result<Vec<u8>, ReadFault> {
+    let file = std::fs::File::open(path).map_err(ReadFault::System)?;
+    let mut bytes = Vec::new();
+    // Pipes and devices do not tell their length: count what comes.
+    file.take(MAX_TABLE_LEN + 1)
+        .read_to_end(&mut bytes)
+        .map_err(ReadFault::System)?;
+    if bytes.len() as u64 > MAX_TABLE_LEN {
+        return Err(ReadFault::TableLength {
+            limit: MAX_TABLE_LEN,
+        });
+    }
+    Ok(bytes)
 }
 
 /// The file, or the bags in the folder, in the order in which they were recorded.
