@@ -130,12 +130,12 @@ Exit codes: 0 the predicted performance reaches the task's target, 1 it does not
 Examples:
   wisch interpret wipe.mcap --task board.toml
   wisch interpret wipe.mcap --task board.toml --json | jq '.estimated, .diagnosis'
-  wisch interpret bag/ --task board.toml --pose-topic /tf:flange --wrench-topic /ft --wrench-frame tool
-  wisch interpret log.csv --task board.toml --csv-columns t=time,x=px,y=py,z=pz --wrench-sign by-tool
+  wisch interpret bag/ --task board.toml --pose-topic /tf:flange --wrench-topic /ft
+  wisch interpret log.csv --task board.toml --csv-columns t=time,x=px --wrench-sign by-tool
 
-A log is a ROS 2 bag (MCAP), a folder with the parts of one, or a table of numbers under a line of names.
-A bag that is still being written, or whose writer was killed (NAME.mcap.active), is read as far as it
-goes. Writes interpretation.json and particles-estimated.csv.
+A log is a ROS 2 bag (MCAP), a folder with the parts of one, or a table of numbers under a line of
+names. A bag that is being written, or whose writer was killed (NAME.mcap.active), is read as far as
+it goes. Writes interpretation.json and particles-estimated.csv.
 
 Exit codes: 0 the estimated performance reaches the task's target, 1 it does not, 2 an error.")]
     Interpret(Box<InterpretArgs>),
