@@ -1,15 +1,19 @@
 //! The folder with the results: written beside its place and moved there whole.
 
 use crate::failure::Failure;
-use crate::records::PLAN_FORMAT;
+use crate::records::{INTERPRETATION_FORMAT, PLAN_FORMAT};
 use serde::Deserialize;
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
-/// The file by which a folder of results is known.
+/// The plan. By this file, or by the next, a folder of results is known.
 pub const PLAN_FILE: &str = "plan.json";
+/// What a log says.
+pub const INTERPRETATION_FILE: &str = "interpretation.json";
+/// The particles as they are estimated to lie.
+pub const PARTICLES_ESTIMATED_FILE: &str = "particles-estimated.csv";
 /// The particles as they are believed to lie.
 pub const PARTICLES_BEFORE_FILE: &str = "particles-before.csv";
 /// The particles as they are predicted to lie.
@@ -195,7 +199,9 @@ fn check_replaceable(target: &Path) -> Result<(), Failure> {
     if names.is_empty() {
         return Ok(());
     }
-    if !is_plan_of_ours(&target.join(PLAN_FILE)) {
+    let is_known = is_of_ours(&target.join(PLAN_FILE), PLAN_FORMAT)
+        || is_of_ours(&target.join(INTERPRETATION_FILE), INTERPRETATION_FORMAT);
+    if !is_known {
         return refuse(format!(
             "the folder is not empty and holds no {PLAN_FILE} of wisch, so it is not replaced"
         ));
@@ -208,7 +214,7 @@ fn check_replaceable(target: &Path) -> Result<(), Failure> {
     }
 }
 
-fn is_plan_of_ours(path: &Path) -> bool {
+fn is_of_ours(path: &Path, format: &str) -> bool {
     #[derive(Deserialize)]
     struct Marker {
         format: String,
@@ -216,13 +222,15 @@ fn is_plan_of_ours(path: &Path) -> bool {
     fs::read(path)
         .ok()
         .and_then(|bytes| serde_json::from_slice::<Marker>(&bytes).ok())
-        .is_some_and(|marker| marker.format == PLAN_FORMAT)
+        .is_some_and(|marker| marker.format == format)
 }
 
 /// Whether a file of that name may be one of the results, of which the pictures are many.
 fn is_result_file(name: &str) -> bool {
     let fixed = [
         PLAN_FILE,
+        INTERPRETATION_FILE,
+        PARTICLES_ESTIMATED_FILE,
         PARTICLES_BEFORE_FILE,
         PARTICLES_AFTER_FILE,
         FOLLOWING_FILE,

@@ -3,6 +3,7 @@
 mod check;
 mod follow;
 mod footprint;
+mod interpret;
 mod map;
 mod new;
 mod prepare;
@@ -21,6 +22,7 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Follow(args) => run::follow_only(args, &cli.global),
         Command::Plan(args) => run::plan_only(args, &cli.global),
         Command::Predict(args) => run::predict_only(args, &cli.global),
+        Command::Interpret(args) => interpret::interpret(args, &cli.global),
         Command::Footprint(args) => footprint::footprint(args, &cli.global),
         Command::New(args) => new::new(args, &cli.global),
         Command::Check(args) => check::check(args, &cli.global),

@@ -218,7 +218,7 @@ fn write_motion(
 }
 
 /// Reads a plan, and takes over what it was made with.
-fn given_plan(path: &Path, prepared: &mut Prepared) -> Result<Plan, Failure> {
+pub(super) fn given_plan(path: &Path, prepared: &mut Prepared) -> Result<Plan, Failure> {
     let text = read_text(path)?;
     let in_file = |error| Failure::new(format!("{}: {error}", path.display()));
     let record = PlanRecord::parse(&text).map_err(in_file)?;
@@ -235,7 +235,7 @@ fn out_folder(results: &ResultArgs, prepared: &Prepared) -> PathBuf {
 }
 
 /// A task's name as that of a folder: a name may be anything, a path may not.
-fn folder_name(task: &str) -> String {
+pub(super) fn folder_name(task: &str) -> String {
     let plain = |c: char| {
         if c.is_alphanumeric() || "-_.".contains(c) {
             c
@@ -496,14 +496,14 @@ fn robot_in_words(following: &FollowingSummary) -> Vec<(&'static str, String)> {
     lines
 }
 
-fn json(record: &impl serde::Serialize) -> Result<String, Failure> {
+pub(super) fn json(record: &impl serde::Serialize) -> Result<String, Failure> {
     let mut text = serde_json::to_string_pretty(record).map_err(internal)?;
     text.push('\n');
     Ok(text)
 }
 
 /// A failure that no input should bring about.
-fn internal(error: impl std::fmt::Display) -> Failure {
+pub(super) fn internal(error: impl std::fmt::Display) -> Failure {
     Failure::new(format!("internal error: {error}"))
         .with_help("this is a fault of wisch, not of your files; please report it")
 }

@@ -2,11 +2,13 @@
 //! and poses say their frames.
 
 mod followed;
+mod interpretation;
 mod plan;
 mod summary;
 mod trajectory;
 
 pub use followed::FollowedRecord;
+pub use interpretation::{INTERPRETATION_FORMAT, InterpretationRecord, LogRecord};
 pub use plan::{PLAN_FORMAT, PlanRecord};
 pub use summary::{FollowingSummary, PredictionSummary, SUMMARY_SCHEMA, Summary};
 pub use trajectory::{RobotTrajectory, tcp_path_csv};

@@ -4,7 +4,7 @@
 //! depends on the clock or the machine, so the same task and seed give the same bytes.
 
 use serde::{Deserialize, Serialize};
-use wisch::geometry::{PlanarPose, Point2};
+use wisch::geometry::{PlanarPose, Point2, Pose};
 use wisch::plan::{
     CoverageStrategy, Node, NodeRole, Plan, SemanticDirectedGraph, Stroke, TcpWaypoint,
 };
@@ -71,6 +71,15 @@ pub struct PoseRecord {
     pub translation_m: [f64; 3],
     /// Unit quaternion: x, y, z, w.
     pub rotation_xyzw: [f64; 4],
+}
+
+impl From<&Pose> for PoseRecord {
+    fn from(pose: &Pose) -> Self {
+        Self {
+            translation_m: pose.translation.vector.into(),
+            rotation_xyzw: pose.rotation.coords.into(),
+        }
+    }
 }
 
 /// What the plan strives for.
@@ -224,8 +233,6 @@ const MAX_HEADING: f64 = 1e6;
 impl PlanRecord {
     /// The record of a plan.
     pub fn new(task: &Task, plan: &Plan, seed: u64) -> Self {
-        let pose = &task.surface.world_from_surface;
-        let (t, r) = (pose.translation.vector, pose.rotation.coords);
         Self {
             format: PLAN_FORMAT.to_owned(),
             schema: PLAN_SCHEMA,
@@ -236,10 +243,7 @@ impl PlanRecord {
             medium: task.medium.clone(),
             strategy: plan.strategy.to_string(),
             seed,
-            world_from_surface: PoseRecord {
-                translation_m: [t.x, t.y, t.z],
-                rotation_xyzw: [r.x, r.y, r.z, r.w],
-            },
+            world_from_surface: (&task.surface.world_from_surface).into(),
             tool_start_in_surface_m: plan.tool_start.into(),
             collision_radius_m: plan.collision_radius,
             lift_height_m: plan.lift_height,

@@ -1,0 +1,299 @@
+//! `wisch interpret`: what a log of poses and forces says about the dirt and the surface.
+
+use super::prepare::Prepared;
+use super::run::{folder_name, given_plan, internal, json};
+use super::words::{counted, percent};
+use crate::args::{GlobalArgs, InterpretArgs, LogArgs, TaskArgs};
+use crate::failure::Failure;
+use crate::output::{INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE};
+use crate::progress::Progress;
+use crate::records::{InterpretationRecord, LogRecord};
+use crate::terminal::{Outcome, print};
+use nalgebra::{Translation3, UnitQuaternion};
+use std::path::{Path, PathBuf};
+use wisch::geometry::Pose;
+use wisch::interpret::{Belief, InterpretConfig, Interpretation, interpret as conclude};
+use wisch::represent::{Action, GoalState};
+use wisch_telemetry::{AxesChoice, Log, LogOptions, ReadFault, TopicChoice, read};
+
+/// Reads the log, interprets it, and writes what it says.
+pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let progress = Progress::start(global);
+    progress.say("reading the task");
+    let task_args = task_args(args);
+    let mut prepared = Prepared::read(&task_args)?;
+    let goal = goal(args, &task_args, &mut prepared)?;
+    let out = (args.out.clone()).unwrap_or_else(|| default_out(&prepared));
+    check_apart(&args.log, &out)?;
+    // Before the long part: nobody likes to wait for "permission denied".
+    let folder = OutputFolder::begin(&out)?;
+
+    progress.say("reading the log");
+    let options = log_options(&args.reading, &prepared);
+    let log = read(&args.log, &options).map_err(|error| {
+        let advice = advice(&error.fault);
+        let failure = Failure::new(error);
+        match advice {
+            Some(advice) => failure.with_help(advice),
+            None => failure,
+        }
+    })?;
+    progress.say(format!(
+        "interpreting {}",
+        counted(log.samples.len(), "sample")
+    ));
+    let told = told(args, &prepared, &log, &goal)?;
+    let record = InterpretationRecord::new(
+        &prepared.task,
+        &told,
+        prepared.file.target_performance(),
+        LogRecord::new(&args.log, &log),
+    );
+    let particles = (told.belief.sample(prepared.task.seed)).map_err(internal)?;
+    folder.write(INTERPRETATION_FILE, json(&record)?)?;
+    folder.write(PARTICLES_ESTIMATED_FILE, particles.to_csv())?;
+    folder.finish()?;
+    drop(progress);
+
+    if args.json {
+        let line = serde_json::to_string(&record).map_err(internal)?;
+        print(&(line + "\n"))?;
+    } else if !global.quiet {
+        print(&in_words(&record, &out))?;
+    }
+    Ok(if record.goal_met {
+        Outcome::Done
+    } else {
+        Outcome::GoalNotMet
+    })
+}
+
+/// The part of the arguments that says which task it was.
+fn task_args(args: &InterpretArgs) -> TaskArgs {
+    TaskArgs {
+        task: args.task.clone(),
+        strategy: None,
+        action: args.action,
+        seed: args.seed,
+        settings: args.settings.clone(),
+        knowledge: args.knowledge.clone(),
+    }
+}
+
+/// What the particles are measured against. Where to collect, the planner may have chosen: then only its plan knows.
+fn goal(
+    args: &InterpretArgs,
+    task_args: &TaskArgs,
+    prepared: &mut Prepared,
+) -> Result<GoalState, Failure> {
+    if let Some(path) = &args.plan {
+        return Ok(given_plan(path, prepared)?.graph.goal);
+    }
+    let task = &prepared.task;
+    match (task.action, task.collect_goal) {
+        (Action::Absorb, _) => Ok(GoalState::Absorbed),
+        (Action::Skim, _) => Ok(GoalState::Skimmed),
+        (Action::Collect, Some(center)) => Ok(GoalState::Collected {
+            center,
+            radius: task.tool.collision_radius(),
+        }),
+        (Action::Collect, None) => Err(prepared
+            .failure(
+                task_args,
+                "the task leaves open where to collect, so nothing says what was to be reached",
+            )
+            .with_help(
+                "name the plan that was followed with --plan, or state collect.goal_m in the task",
+            )),
+    }
+}
+
+fn default_out(prepared: &Prepared) -> PathBuf {
+    let name = folder_name(&prepared.task.name);
+    Path::new("out").join(format!("{name}-interpreted"))
+}
+
+/// The results replace what stands in their folder, which must not be the log.
+fn check_apart(log: &Path, out: &Path) -> Result<(), Failure> {
+    let (Ok(real_log), Ok(real_out)) = (log.canonicalize(), out.canonicalize()) else {
+        return Ok(());
+    };
+    if !real_log.starts_with(&real_out) {
+        return Ok(());
+    }
+    Err(Failure::new(format!(
+        "{}: the results would replace this folder, in which the log {} is",
+        out.display(),
+        log.display()
+    ))
+    .with_help("choose another folder with --out"))
+}
+
+fn log_options(args: &LogArgs, prepared: &Prepared) -> LogOptions {
+    let topic = |name: &Option<String>| match name {
+        Some(name) => TopicChoice::Named(name.clone()),
+        None => TopicChoice::Sole,
+    };
+    LogOptions {
+        pose_topic: topic(&args.pose_topic),
+        wrench_topic: topic(&args.wrench_topic),
+        columns: args.csv_columns.clone(),
+        axes: (args.wrench_frame).map_or(AxesChoice::AsLogged, AxesChoice::Given),
+        sign: args.wrench_sign,
+        force_unit: args.force_unit_n,
+        length_unit: args.length_unit_m,
+        time_unit: args.time_unit_s,
+        logged_from_tool: pose(&args.pose_offset),
+        world_from_log: pose(&args.world_from_log),
+        world_from_surface: prepared.task.surface.world_from_surface,
+        max_gap: args.max_gap_s,
+    }
+}
+
+/// A pose of six numbers; of none, that which changes nothing.
+fn pose(numbers: &[f64]) -> Pose {
+    match *numbers {
+        [x, y, z, roll, pitch, yaw] => Pose::from_parts(
+            Translation3::new(x, y, z),
+            UnitQuaternion::from_euler_angles(roll, pitch, yaw),
+        ),
+        _ => Pose::identity(),
+    }
+}
+
+/// What the user can do about a log that cannot be read.
+fn advice(fault: &ReadFault) -> Option<String> {
+    Some(match fault {
+        ReadFault::Several { what, .. } => format!("choose one with --{what}-topic"),
+        ReadFault::Nothing { what, .. } => {
+            format!("--{what}-topic TOPIC:FIELD names a part of a larger message")
+        }
+        ReadFault::Truncated { .. } => {
+            "with .active appended to its name, it is read as far as it goes".to_owned()
+        }
+        ReadFault::Compression { .. } => "mcap compress --compression lz4 packs it anew".to_owned(),
+        ReadFault::Apart { .. } => "see --max-gap-s".to_owned(),
+        ReadFault::Unknown(error) if error.kind == "column" => {
+            "say with --csv-columns what the columns are called".to_owned()
+        }
+        _ => return None,
+    })
+}
+
+fn told(
+    args: &InterpretArgs,
+    prepared: &Prepared,
+    log: &Log,
+    goal: &GoalState,
+) -> Result<Interpretation, Failure> {
+    let task = &prepared.task;
+    let believed = Belief::certain(task.particles.clone());
+    let config = InterpretConfig::of(task);
+    conclude(&log.samples, task, &believed, goal, &config)
+        .map_err(|error| Failure::new(error).within(&args.log))
+}
+
+/// The summary for people.
+fn in_words(record: &InterpretationRecord, out: &Path) -> String {
+    let log = &record.log;
+    let assumed = if log.wrench_frame_assumed {
+        ", assumed"
+    } else {
+        ""
+    };
+    let mut lines = vec![
+        (
+            "log",
+            format!(
+                "{} in {:.1} s: {}, {} (axes of the {}{assumed})",
+                counted(log.samples, "sample"),
+                log.duration_s,
+                log.pose,
+                log.wrench,
+                log.wrench_frame
+            ),
+        ),
+        ("performance", performance_in_words(record)),
+        (
+            "contact",
+            format!(
+                "{} of the time on or near the surface",
+                percent(record.contact_share)
+            ),
+        ),
+        ("surface", surface_in_words(record)),
+        (
+            "force bias",
+            format!("{:.2} N along the normal, taken off", record.force_bias_n),
+        ),
+        ("events", events_in_words(record)),
+    ];
+    if log.unfinished {
+        let line = "the log ends before its writer was done".to_owned();
+        lines.insert(1, ("", line));
+    }
+    if log.repeated + log.unpaired > 0 {
+        let line = format!(
+            "left out: {} with the time of the one before, {} without a partner",
+            log.repeated, log.unpaired
+        );
+        lines.insert(1, ("", line));
+    }
+    lines.push((
+        "results",
+        out.join(INTERPRETATION_FILE).display().to_string(),
+    ));
+    let mut text = format!("{}: {}\n", record.task, record.action);
+    for (name, value) in lines {
+        text += &format!("  {name:<18} {value}\n");
+    }
+    text
+}
+
+fn performance_in_words(record: &InterpretationRecord) -> String {
+    let verdict = if record.goal_met { "met" } else { "not met" };
+    format!(
+        "{} estimated, {} to {} with 90 % probability (target {}: {verdict})",
+        percent(record.estimated),
+        percent(record.estimated_low),
+        percent(record.estimated_high),
+        percent(record.target_performance),
+    )
+}
+
+fn surface_in_words(record: &InterpretationRecord) -> String {
+    let (Some(plane), Some(tilt), Some(offset)) =
+        (&record.plane, record.plane_tilt_rad, record.plane_offset_m)
+    else {
+        let advice = "did the tool press? then see --wrench-frame and --wrench-sign";
+        return format!("not found: too few confident contacts ({advice})");
+    };
+    let verdict = match record.world_from_surface {
+        Some(_) => "elsewhere than believed",
+        None => "where it was believed",
+    };
+    format!(
+        "{verdict}: tilted by {:.2}°, {:+.1} mm off ({} of {} confident contacts, {:.2} mm rms)",
+        tilt.to_degrees(),
+        1e3 * offset,
+        plane.inliers,
+        plane.confident,
+        1e3 * plane.rms_m
+    )
+}
+
+fn events_in_words(record: &InterpretationRecord) -> String {
+    let kinds = ["contact", "contact_loss", "collision", "stick_slip"];
+    let told = kinds.map(|kind| {
+        let those = record.events.iter().filter(|event| event.kind == kind);
+        (kind.replace('_', " "), those.count())
+    });
+    let mut told: Vec<String> = (told.iter())
+        .filter(|(_, count)| *count > 0)
+        .map(|(kind, count)| format!("{count} {kind}"))
+        .collect();
+    if told.is_empty() {
+        told.push("none".to_owned());
+    }
+    told.join(", ")
+}

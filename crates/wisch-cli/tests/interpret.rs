@@ -1,0 +1,425 @@
+//! `wisch interpret` in a real temporary directory.
+
+#[path = "../examples/demo_bag/wiping.rs"]
+mod wiping;
+
+use assert_cmd::Command;
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+use tempfile::TempDir;
+use wiping::Wiping;
+use wisch::geometry::{Pose, Vector3};
+use wisch_telemetry::{BagHead, BagWriter, LogOptions, active_path, read};
+
+/// A board to be wiped with a sponge; the crumbs lie where the made-up tool passes, and one where it does not.
+const TASK: &str = r#"
+schema = 1
+name = "board"
+seed = 1
+action = "absorb"
+target_performance = 0.7
+
+[tool]
+name = "sponge"
+start_m = [0.0, -0.3]
+
+[medium]
+name = "breadcrumbs"
+
+[surface]
+name = "chopping_board"
+size_m = [0.4, 0.28]
+position_m = [0.6, 0.1, 0.75]
+
+[particles]
+source = "csv"
+file = "crumbs.csv"
+"#;
+
+const CRUMBS: &str = "0.0,0.05\n0.05,0.05\n-0.05,-0.05\n0.0,-0.05\n-0.18,0.12\n";
+
+fn believed() -> Pose {
+    Pose::translation(0.6, 0.1, 0.75)
+}
+
+fn wipe(world_from_surface: Pose) -> Wiping {
+    Wiping {
+        world_from_surface,
+        extent: [0.2, 0.1],
+        rows: 2,
+        speed: 0.1,
+        press: 10.0,
+        rate: 500.0,
+    }
+}
+
+fn write_bag(path: &Path, wipe: &Wiping) {
+    let head = BagHead {
+        joints: wiping::JOINTS.map(str::to_owned).to_vec(),
+        world_from_surface: believed(),
+        start: 0,
+        notes: BTreeMap::new(),
+    };
+    let mut bag = BagWriter::create(path, head).unwrap();
+    wipe.write(&mut bag).unwrap();
+    bag.finish().unwrap();
+}
+
+/// A folder with the task and a bag of the tool wiping where the surface really is.
+fn folder(world_from_real: Pose) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("task.toml"), TASK).unwrap();
+    fs::write(folder.path().join("crumbs.csv"), CRUMBS).unwrap();
+    write_bag(&folder.path().join("log.mcap"), &wipe(world_from_real));
+    folder
+}
+
+/// Exit code, standard output and standard error.
+fn wisch(folder: &Path, args: &[&str]) -> (i32, String, String) {
+    let output = Command::new(assert_cmd::cargo::cargo_bin!("wisch"))
+        .current_dir(folder)
+        .args(args)
+        .output()
+        .expect("it runs");
+    (
+        output.status.code().expect("it ends by itself"),
+        String::from_utf8(output.stdout).expect("text"),
+        String::from_utf8(output.stderr).expect("text"),
+    )
+}
+
+fn interpreted(folder: &Path, log: &str, more: &[&str]) -> (i32, Value) {
+    let args = [&["interpret", log, "--task", "task.toml", "--json"], more].concat();
+    let (code, out, err) = wisch(folder, &args);
+    assert_eq!(err, "", "{args:?}");
+    (
+        code,
+        serde_json::from_str(&out).expect("exactly one JSON object"),
+    )
+}
+
+fn refused(folder: &Path, log: &str, more: &[&str]) -> String {
+    let args = [&["interpret", log, "--task", "task.toml"], more].concat();
+    let (code, out, err) = wisch(folder, &args);
+    assert_eq!((code, out.as_str()), (2, ""), "{args:?}: {err}");
+    assert!(err.starts_with("error: "), "{err}");
+    assert!(!folder.join("out").exists(), "nothing is left behind");
+    err
+}
+
+#[test]
+fn a_log_of_a_wiped_board_says_so() {
+    let folder = folder(believed());
+    let (code, record) = interpreted(folder.path(), "log.mcap", &[]);
+    assert_eq!(code, 0, "{record}");
+    assert_eq!(record["format"], "wisch-interpretation");
+    // Four of five crumbs are under the tool.
+    assert!((record["estimated"].as_f64().unwrap() - 0.8).abs() < 1e-9);
+    assert_eq!(
+        (&record["diagnosis"], &record["collisions"]),
+        (&"localized".into(), &0.into())
+    );
+    assert_eq!(record["log"]["wrench_frame"], "world");
+    assert!(record["plane_tilt_rad"].as_f64().unwrap() < 1e-6);
+    let kinds: Vec<&Value> = record["events"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|e| &e["kind"])
+        .collect();
+    assert_eq!(kinds, ["contact"]);
+
+    let out = folder.path().join("out/board-interpreted");
+    let written = fs::read_to_string(out.join("interpretation.json")).unwrap();
+    assert_eq!(serde_json::from_str::<Value>(&written).unwrap(), record);
+    let particles = fs::read_to_string(out.join("particles-estimated.csv")).unwrap();
+    assert_eq!(particles.matches("absorbed").count(), 4, "{particles}");
+
+    // Once more, in words, over the results of the first time.
+    let (code, words, _) = wisch(
+        folder.path(),
+        &["interpret", "log.mcap", "--task", "task.toml"],
+    );
+    assert_eq!(code, 0);
+    for part in [
+        "80.0 % estimated",
+        "where it was believed",
+        "1 contact",
+        "axes of the world",
+    ] {
+        assert!(words.contains(part), "{part} in {words}");
+    }
+}
+
+#[test]
+fn a_goal_that_is_reached_exactly_is_reached() {
+    let folder = folder(believed());
+    let target = ["--set", "target_performance=0.8"];
+    assert_eq!(interpreted(folder.path(), "log.mcap", &target).0, 0);
+}
+
+#[test]
+fn the_estimate_is_what_the_next_log_begins_with() {
+    let folder = folder(believed());
+    interpreted(folder.path(), "log.mcap", &["--out", "first"]);
+    let next = ["--set", "particles.file=first/particles-estimated.csv"];
+    let (_, record) = interpreted(folder.path(), "log.mcap", &next);
+    assert!((record["estimated"].as_f64().unwrap() - 0.8).abs() < 1e-9);
+}
+
+#[test]
+fn a_goal_that_is_not_reached_is_no_error() {
+    let folder = folder(believed());
+    let target = ["--set", "target_performance=0.9", "--out", "mine"];
+    let (code, record) = interpreted(folder.path(), "log.mcap", &target);
+    assert_eq!((code, &record["goal_met"]), (1, &false.into()));
+    assert!(folder.path().join("mine/interpretation.json").exists());
+}
+
+#[test]
+fn a_surface_that_is_elsewhere_is_found() {
+    let tilt = 0.03;
+    let folder = folder(believed() * Pose::new(Vector3::new(0.0, 0.0, 0.006), Vector3::y() * tilt));
+    let (_, record) = interpreted(folder.path(), "log.mcap", &[]);
+    assert_eq!(record["diagnosis"], "relocalize");
+    let near = |value: &Value, expected: f64, tolerance: f64| {
+        let value = value.as_f64().unwrap();
+        assert!(
+            (value - expected).abs() < tolerance,
+            "{value} is not {expected}"
+        );
+    };
+    near(&record["plane_tilt_rad"], tilt, 1e-3);
+    near(&record["plane_offset_m"], 0.006, 1e-3);
+    near(
+        &record["world_from_surface"]["translation_m"][2],
+        0.756,
+        1e-3,
+    );
+}
+
+#[test]
+fn a_bag_that_a_killed_run_left_is_interpreted_as_far_as_it_goes() {
+    let folder = folder(believed());
+    let whole = folder.path().join("log.mcap");
+    let bytes = fs::read(&whole).unwrap();
+    fs::remove_file(&whole).unwrap();
+    fs::write(active_path(&whole), &bytes[..bytes.len() / 2]).unwrap();
+    let (_, record) = interpreted(folder.path(), "log.mcap", &[]);
+    assert_eq!(record["log"]["unfinished"], true);
+    let duration = record["log"]["duration_s"].as_f64().unwrap();
+    assert!(duration > 1.0 && duration < 4.0, "{duration}");
+}
+
+#[test]
+fn a_table_says_the_same_as_the_bag() {
+    let folder = folder(believed());
+    let (_, from_bag) = interpreted(folder.path(), "log.mcap", &[]);
+    let log = read(&folder.path().join("log.mcap"), &LogOptions::default()).unwrap();
+    // Other names, other units, other order, other sign, and a line of units.
+    let mut table = "fz;fy;fx;time;px;y;z;qw;qx;qy;qz\nkp;kp;kp;ms;mm;mm;mm;;;;\n".to_owned();
+    let kilopond = 9.80665;
+    for sample in &log.samples {
+        let (p, q, f) = (
+            sample.world_from_tool.translation.vector * 1e3,
+            sample.world_from_tool.rotation.coords,
+            sample.force / -kilopond,
+        );
+        let time = sample.time * 1e3;
+        writeln!(
+            table,
+            "{};{};{};{time};{};{};{};{};{};{};{}",
+            f.z, f.y, f.x, p.x, p.y, p.z, q.w, q.x, q.y, q.z
+        )
+        .unwrap();
+    }
+    fs::write(folder.path().join("log.csv"), table).unwrap();
+    let understood = [
+        "--csv-columns",
+        "t=time,x=px",
+        "--time-unit-s",
+        "0.001",
+        "--length-unit-m",
+        "0.001",
+        "--force-unit-n",
+        "9.80665",
+        "--wrench-sign",
+        "by-tool",
+        "--wrench-frame",
+        "log",
+    ];
+    let (_, from_table) = interpreted(folder.path(), "log.csv", &understood);
+    for key in ["estimated", "diagnosis", "collisions"] {
+        assert_eq!(from_table[key], from_bag[key], "{key}");
+    }
+    assert_eq!(from_table["log"]["samples"], from_bag["log"]["samples"]);
+}
+
+#[test]
+fn where_to_collect_has_to_be_known() {
+    let folder = folder(believed());
+    let shown = refused(folder.path(), "log.mcap", &["--action", "collect"]);
+    assert!(
+        shown.contains("the task leaves open where to collect"),
+        "{shown}"
+    );
+    assert!(shown.contains("--plan"), "{shown}");
+    let goal = ["--action", "collect", "--set", "collect.goal_m=[0.1, 0.05]"];
+    let (code, _) = interpreted(folder.path(), "log.mcap", &goal);
+    assert!(code < 2);
+
+    let (code, _, shown) = wisch(
+        folder.path(),
+        &[
+            "plan",
+            "task.toml",
+            "--action",
+            "collect",
+            "--out",
+            "planned",
+            "--quiet",
+        ],
+    );
+    assert_eq!(code, 0, "{shown}");
+    let by_plan = ["--action", "collect", "--plan", "planned/plan.json"];
+    let (_, record) = interpreted(folder.path(), "log.mcap", &by_plan);
+    assert_eq!(record["action"], "collect");
+}
+
+#[test]
+fn wrong_inputs_are_told_with_what_to_do() {
+    let folder = folder(believed());
+    let path = folder.path();
+    let good_names = "t,x,y,z,qx,qy,qz,qw,fx,fy,fz\n";
+    let good_line = "0,0,0,0,0,0,0,1,0,0,0\n";
+    let files = [
+        ("empty.csv", String::new()),
+        ("names.csv", good_names.to_owned()),
+        (
+            "column.csv",
+            format!("{}{good_line}", good_names.replace("fz", "force_z")),
+        ),
+        ("short.csv", format!("{good_names}{good_line}1,0,0\n")),
+        (
+            "text.csv",
+            format!("{good_names}{good_line}1,0,zero,0,0,0,0,1,0,0,0\n"),
+        ),
+        (
+            "nan.csv",
+            format!("{good_names}{good_line}1,0,NaN,0,0,0,0,1,0,0,0\n"),
+        ),
+        ("back.csv", format!("{good_names}1{good_line}{good_line}",)),
+        ("late.csv", format!("{good_names}1e300{}", &good_line[1..])),
+        ("turn.csv", format!("{good_names}0,0,0,0,0,0,0,2,0,0,0\n")),
+        ("cut.mcap", String::from("\u{89}MCAP")),
+    ];
+    for (name, contents) in files {
+        fs::write(path.join(name), contents).unwrap();
+    }
+    fs::write(path.join("bytes.csv"), b"t,x\n\xff").unwrap();
+    let cases: &[(&str, &[&str], &[&str])] = &[
+        (
+            "empty.csv",
+            &[],
+            &["empty.csv: the table has no line of numbers"],
+        ),
+        (
+            "names.csv",
+            &[],
+            &["names.csv: the table has no line of numbers"],
+        ),
+        (
+            "column.csv",
+            &[],
+            &["unknown column \"fz\"", "nearest: ", "--csv-columns"],
+        ),
+        (
+            "column.csv",
+            &["--csv-columns", "force=force_z"],
+            &["unknown column \"force\"", "known: fx"],
+        ),
+        (
+            "short.csv",
+            &[],
+            &["short.csv: line 3: it has 3 values, and column \"z\" is number 4"],
+        ),
+        (
+            "text.csv",
+            &[],
+            &["text.csv: line 3, column \"y\": \"zero\" is no number"],
+        ),
+        (
+            "nan.csv",
+            &[],
+            &["nan.csv: line 3: y is NaN, which is not finite"],
+        ),
+        (
+            "back.csv",
+            &[],
+            &["back.csv: line 3: its time of 0 s is before that of the one before, 10 s"],
+        ),
+        (
+            "late.csv",
+            &[],
+            &[
+                "late.csv: line 2: a time of ",
+                "is not within 9000000000 s of 0",
+            ],
+        ),
+        (
+            "turn.csv",
+            &[],
+            &["turn.csv: line 2: the quaternion has a length of 2"],
+        ),
+        (
+            "bytes.csv",
+            &[],
+            &["bytes.csv: byte 4: the table is not UTF-8 text"],
+        ),
+        ("cut.mcap", &[], &["cut.mcap: this is no bag"]),
+        ("none.mcap", &[], &["none.mcap: No such file"]),
+        (
+            "log.mcap",
+            &["--pose-topic", "/tcp/measurd"],
+            &["log.mcap: unknown topic \"/tcp/measurd\"; nearest: /tcp/measured"],
+        ),
+        (
+            "log.mcap",
+            &["--pose-topic", "/tf"],
+            &[
+                "2 topics hold a pose",
+                "/tf:tool, /tf:surface",
+                "--pose-topic",
+            ],
+        ),
+        (
+            "log.mcap",
+            &["--out", "."],
+            &["the results would replace this folder"],
+        ),
+        (
+            "log.mcap",
+            &["--force-unit-n", "0"],
+            &["it is not within 1e-9 to 1e9"],
+        ),
+        (
+            "log.mcap",
+            &["--pose-offset", "0", "0", "0", "0", "nan", "0"],
+            &["it is not finite"],
+        ),
+        (
+            "log.mcap",
+            &["--wrench-frame", "flange"],
+            &["world, log, tool, surface"],
+        ),
+    ];
+    for (log, more, parts) in cases {
+        let shown = refused(path, log, more);
+        for part in *parts {
+            assert!(shown.contains(part), "{log} {more:?}: {part} in {shown}");
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! Bags that are cut off or damaged.
+
+use super::{Wiping, head, in_folder, named, refused, wipe, write_bag};
+use mcap::{Compression, WriteOptions};
+use proptest::prelude::*;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::sync::LazyLock;
+use std::time::{Duration, Instant};
+use wisch_telemetry::{BagWriter, LogOptions, active_path, read};
+
+#[test]
+fn a_bag_that_is_cut_off_anywhere_is_read_up_to_its_last_whole_second() {
+    let (folder, path) = in_folder();
+    write_bag(&path, 200.0, 0);
+    let bytes = fs::read(&path).unwrap();
+    let whole = read(&path, &LogOptions::default()).unwrap().samples;
+    let cut = folder.path().join("cut.mcap");
+    let mut most = 0;
+    for share in [0.2, 0.4, 0.6, 0.8] {
+        let cut_bytes = &bytes[..(bytes.len() as f64 * share) as usize];
+        fs::write(active_path(&cut), cut_bytes).unwrap();
+        // By its own name or by the one that it is to have.
+        for name in [active_path(&cut), cut.clone()] {
+            let Ok(log) = read(&name, &LogOptions::default()) else {
+                assert!(share < 0.4);
+                continue;
+            };
+            assert!(log.is_unfinished);
+            assert_eq!(log.samples, whole[..log.samples.len()]);
+            assert_eq!(log.samples.len() % 200, 0, "whole seconds");
+            assert!(log.samples.len() >= most);
+            most = log.samples.len();
+        }
+        fs::write(folder.path().join("finished.mcap"), cut_bytes).unwrap();
+        let shown = refused(&folder.path().join("finished.mcap"), &LogOptions::default());
+        let expected = format!(
+            ": the bag ends at byte {} in the middle of a record, as one that is being written does",
+            cut_bytes.len()
+        );
+        assert_eq!(shown, expected);
+    }
+    assert!(most >= whole.len() / 2, "{most} of {}", whole.len());
+}
+
+/// Not a test of its own: what the next one starts and kills.
+#[test]
+fn a_writer_that_does_not_end_by_itself() {
+    let Some(path) = std::env::var_os("WISCH_TEST_ENDLESS_BAG") else {
+        return;
+    };
+    let mut bag = BagWriter::create(Path::new(&path), head(0)).unwrap();
+    // Long enough to be killed, short enough not to fill a disk where it is not.
+    let endless = Wiping {
+        rows: 4000,
+        ..wipe(1000.0)
+    };
+    endless.write(&mut bag).unwrap();
+    std::thread::sleep(Duration::from_secs(60));
+}
+
+#[test]
+fn what_a_killed_writer_leaves_is_read() {
+    let (_folder, path) = in_folder();
+    let mut writer = Command::new(std::env::current_exe().unwrap())
+        .args(["--exact", "damage::a_writer_that_does_not_end_by_itself"])
+        .env("WISCH_TEST_ENDLESS_BAG", &path)
+        .stdout(Stdio::null())
+        .spawn()
+        .unwrap();
+    let patience = Instant::now() + Duration::from_secs(60);
+    let enough = 500_000;
+    while fs::metadata(active_path(&path)).map_or(0, |file| file.len()) < enough {
+        assert!(Instant::now() < patience, "nothing is written");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    writer.kill().unwrap();
+    writer.wait().unwrap();
+    assert!(!path.exists());
+    let log = read(&path, &LogOptions::default()).unwrap();
+    assert!(
+        log.is_unfinished && log.samples.len() >= 1000,
+        "{}",
+        log.samples.len()
+    );
+    let last = log.samples[log.samples.len() - 1].time;
+    assert!((last - (log.samples.len() - 1) as f64 / 1000.0).abs() < 1e-9);
+}
+
+/// A small bag to damage.
+static SMALL: LazyLock<Vec<u8>> = LazyLock::new(|| {
+    let (_folder, path) = in_folder();
+    write_bag(&path, 10.0, 0);
+    fs::read(&path).unwrap()
+});
+
+/// The same, its messages unpacked, so that damage reaches them.
+static PLAIN: LazyLock<Vec<u8>> = LazyLock::new(|| {
+    let mut plain = std::io::Cursor::new(Vec::new());
+    let options = WriteOptions::new()
+        .compression(None::<Compression>)
+        .calculate_chunk_crcs(false);
+    let mut bag = options.create(&mut plain).unwrap();
+    for message in mcap::MessageStream::new(&SMALL).unwrap() {
+        bag.write(&message.unwrap()).unwrap();
+    }
+    bag.finish().unwrap();
+    drop(bag);
+    plain.into_inner()
+});
+
+/// That of another library, packed with Zstandard.
+static FOREIGN: LazyLock<Vec<u8>> = LazyLock::new(|| {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/foreign.mcap");
+    fs::read(path).unwrap()
+});
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    /// Any damage ends in a log or in an error that names the file, never in a panic.
+    #[test]
+    fn damaged_bags_are_no_panic(
+        which in 0..3_usize, is_active: bool, damage in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
+        end in prop::option::of(any::<prop::sample::Index>()),
+    ) {
+        let mut bytes = [&*SMALL, &*PLAIN, &*FOREIGN][which].clone();
+        for (index, byte) in damage {
+            let index = index.index(bytes.len());
+            bytes[index] = byte;
+        }
+        if let Some(end) = end {
+            bytes.truncate(end.index(bytes.len()));
+        }
+        let (_folder, path) = in_folder();
+        let path = if is_active { active_path(&path) } else { path };
+        fs::write(&path, bytes).unwrap();
+        for options in [LogOptions::default(), named("/tf:tool", "/wrench/controller")] {
+            match read(&path, &options) {
+                Ok(log) => prop_assert!(!log.samples.is_empty()),
+                Err(error) => {
+                    let starts_with_file = error.to_string().starts_with(&path.display().to_string());
+                    prop_assert!(starts_with_file);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_flipped_bit_in_a_chunk_is_found_out() {
+    let (_folder, path) = in_folder();
+    let mut bytes = SMALL.clone();
+    let middle = bytes.len() / 4;
+    bytes[middle] ^= 1;
+    fs::write(&path, bytes).unwrap();
+    assert!(refused(&path, &LogOptions::default()).contains(": byte "));
+}
+
+#[test]
+fn a_record_that_is_longer_than_its_chunk_is_found_out() {
+    let (_folder, path) = in_folder();
+    let mut bytes = PLAIN.clone();
+    let len_at = |bytes: &[u8], at: usize| {
+        u64::from_le_bytes(bytes[at + 1..at + 9].try_into().unwrap()) as usize
+    };
+    // After the magic and the file's header comes a chunk; its own header without compression has 40 bytes.
+    let chunk = 8 + 9 + len_at(&bytes, 8);
+    assert_eq!(bytes[chunk], mcap::records::op::CHUNK);
+    let first = chunk + 9 + 40;
+    let longer = len_at(&bytes, chunk) as u64;
+    bytes[first + 1..first + 9].copy_from_slice(&longer.to_le_bytes());
+    fs::write(&path, bytes).unwrap();
+    assert_eq!(
+        refused(&path, &LogOptions::default()),
+        format!(": byte {chunk}: Chunk ended in the middle of a record")
+    );
+}

@@ -1,0 +1,377 @@
+//! Bags of other robots and other libraries.
+
+use super::{in_folder, named, refused, surface};
+use mcap::WriteOptions;
+use mcap::records::MessageHeader;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use wisch::geometry::{Point3, Pose, Vector3};
+use wisch_telemetry::{
+    Axes, AxesChoice, AxesSource, Log, LogOptions, TopicChoice, WrenchSign, read,
+};
+
+/// A bag of some other robot, topic by topic.
+struct Foreign {
+    bag: mcap::Writer<std::io::BufWriter<fs::File>>,
+}
+
+#[derive(Serialize)]
+struct Stamped<T> {
+    stamp: [u32; 2],
+    frame: &'static str,
+    data: T,
+}
+
+const HEADER_PARTS: &str = "===\nMSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id\n===\n\
+                            MSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec\n";
+const POSE_PARTS: &str = "===\nMSG: geometry_msgs/Pose\nPoint position\nQuaternion orientation\n===\n\
+                          MSG: geometry_msgs/Point\nfloat64 x\nfloat64 y\nfloat64 z\n===\n\
+                          MSG: geometry_msgs/Quaternion\nfloat64 x 0\nfloat64 y 0\nfloat64 z 0\nfloat64 w 1\n";
+const WRENCH_PARTS: &str = "===\nMSG: geometry_msgs/Wrench\nVector3 force\nVector3 torque\n===\n\
+                            MSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\nfloat64 z\n";
+
+impl Foreign {
+    fn create(path: &Path) -> Self {
+        let file = std::io::BufWriter::new(fs::File::create(path).unwrap());
+        let options = WriteOptions::new().profile("ros2").compression(None);
+        Self {
+            bag: options.create(file).unwrap(),
+        }
+    }
+
+    fn topic(&mut self, name: &str, kind: &str, definition: &str) -> u16 {
+        let schema = self
+            .bag
+            .add_schema(kind, "ros2msg", definition.as_bytes())
+            .unwrap();
+        self.bag
+            .add_channel(schema, name, "cdr", &BTreeMap::new())
+            .unwrap()
+    }
+
+    fn poses(&mut self, name: &str) -> u16 {
+        let definition =
+            format!("# where it is\nstd_msgs/Header header\nPose pose\n{HEADER_PARTS}{POSE_PARTS}");
+        self.topic(name, "geometry_msgs/msg/PoseStamped", &definition)
+    }
+
+    fn wrenches(&mut self, name: &str) -> u16 {
+        let definition =
+            format!("std_msgs/Header header\nWrench wrench\n{HEADER_PARTS}{WRENCH_PARTS}");
+        self.topic(name, "geometry_msgs/msg/WrenchStamped", &definition)
+    }
+
+    /// The stamp may be zero where the log's time is not.
+    fn put<T: Serialize>(
+        &mut self,
+        channel: u16,
+        time_ms: u64,
+        stamp_ms: u64,
+        frame: &'static str,
+        data: T,
+    ) {
+        let stamp = [
+            (stamp_ms / 1000) as u32,
+            (stamp_ms % 1000) as u32 * 1_000_000,
+        ];
+        let message = Stamped { stamp, frame, data };
+        let data = cdr::serialize::<_, _, cdr::CdrLe>(&message, cdr::Infinite).unwrap();
+        let log_time = time_ms * 1_000_000;
+        let header = MessageHeader {
+            channel_id: channel,
+            sequence: 0,
+            log_time,
+            publish_time: log_time,
+        };
+        self.bag.write_to_known_channel(&header, &data).unwrap();
+    }
+
+    fn finish(mut self) {
+        self.bag.finish().unwrap();
+    }
+}
+
+/// Turned by a quarter about x: what is up in the log lies along y of the tool.
+const QUARTER: [f64; 4] = [
+    std::f64::consts::FRAC_1_SQRT_2,
+    0.0,
+    0.0,
+    std::f64::consts::FRAC_1_SQRT_2,
+];
+
+/// A robot that logs its flange at 10 Hz in millimetres and the force on it at 100 Hz.
+fn foreign(path: &Path, wrench_frame: &'static str, stamp_offset_ms: u64) {
+    let mut bag = Foreign::create(path);
+    let (pose, wrench) = (bag.poses("/arm/pose"), bag.wrenches("/arm/wrench"));
+    for time in (0..=1000).step_by(10) {
+        let stamp = match stamp_offset_ms {
+            0 => 0,
+            offset => offset + time,
+        };
+        if time % 100 == 0 {
+            bag.put(
+                pose,
+                60_000 + time,
+                stamp,
+                "base",
+                ([time as f64, 0.0, 50.0], QUARTER),
+            );
+        }
+        bag.put(
+            wrench,
+            60_000 + time,
+            stamp,
+            wrench_frame,
+            ([0.0, -2.0, 0.0], [0.0; 3]),
+        );
+    }
+    bag.finish();
+}
+
+fn in_millimetres() -> LogOptions {
+    LogOptions {
+        length_unit: 1e-3,
+        ..LogOptions::default()
+    }
+}
+
+#[test]
+fn a_foreign_bag_is_understood() {
+    let (_folder, path) = in_folder();
+    for stamp_offset in [0, 7_000] {
+        foreign(&path, "sensor", stamp_offset);
+        let log = read(&path, &in_millimetres()).unwrap();
+        assert_eq!(log.samples.len(), 101, "the force sets the pace");
+        assert_eq!(
+            (log.axes, log.axes_source),
+            (Axes::Tool, AxesSource::Assumed)
+        );
+        let start = if stamp_offset == 0 { 60 } else { 7 };
+        assert_eq!(log.start, start * 1_000_000_000);
+        for (index, sample) in log.samples.iter().enumerate() {
+            let time = index as f64 / 100.0;
+            assert!((sample.time - time).abs() < 1e-9);
+            // One metre per second, in millimetres.
+            assert!((sample.world_from_tool.translation.x - time).abs() < 1e-9);
+            assert!((sample.force - Vector3::new(0.0, 0.0, -2.0)).norm() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn frames_signs_units_and_offsets_are_applied() {
+    let (_folder, path) = in_folder();
+    foreign(&path, "base", 0);
+    let first = |options: LogOptions| {
+        let log: Log = read(&path, &options).unwrap();
+        (log.axes, log.axes_source, log.samples[0])
+    };
+    let (axes, source, sample) = first(in_millimetres());
+    assert_eq!(
+        (axes, source),
+        (Axes::Log, AxesSource::Logged),
+        "both are said to be in base"
+    );
+    assert_eq!(sample.force, Vector3::new(0.0, -2.0, 0.0));
+
+    let world_from_log = Pose::new(
+        Vector3::new(1.0, 0.0, 0.0),
+        Vector3::z() * std::f64::consts::FRAC_PI_2,
+    );
+    let base = LogOptions {
+        world_from_log,
+        world_from_surface: surface(),
+        ..in_millimetres()
+    };
+    let force_in = |axes| {
+        first(LogOptions {
+            axes: AxesChoice::Given(axes),
+            ..base.clone()
+        })
+        .2
+        .force
+    };
+    let close = |a: Vector3, b: Vector3| assert!((a - b).norm() < 1e-9, "{a} {b}");
+    close(force_in(Axes::World), Vector3::new(0.0, -2.0, 0.0));
+    close(force_in(Axes::Log), Vector3::new(2.0, 0.0, 0.0));
+    close(force_in(Axes::Tool), Vector3::new(0.0, 0.0, -2.0));
+    close(
+        force_in(Axes::Surface),
+        surface().rotation * Vector3::new(0.0, -2.0, 0.0),
+    );
+
+    let by_tool = LogOptions {
+        sign: WrenchSign::ByTool,
+        force_unit: 9.81,
+        ..in_millimetres()
+    };
+    close(first(by_tool).2.force, Vector3::new(0.0, 2.0 * 9.81, 0.0));
+
+    // The tool sticks out of the flange by 0.2 m along the flange's z, which is −y of the log.
+    let logged_from_tool = Pose::translation(0.0, 0.0, 0.2);
+    let (.., sample) = first(LogOptions {
+        logged_from_tool,
+        ..base.clone()
+    });
+    let tip = sample.world_from_tool.translation.vector;
+    close(
+        tip,
+        world_from_log
+            .transform_point(&Point3::new(0.0, -0.2, 0.05))
+            .coords,
+    );
+}
+
+#[test]
+fn two_topics_that_might_be_meant_are_told_and_none_as_well() {
+    let (_folder, path) = in_folder();
+    let mut bag = Foreign::create(&path);
+    let (left, right) = (bag.poses("/left"), bag.poses("/right"));
+    bag.put(left, 0, 0, "base", ([0.0; 3], QUARTER));
+    bag.put(right, 0, 0, "base", ([0.0; 3], QUARTER));
+    bag.finish();
+    assert_eq!(
+        refused(&path, &LogOptions::default()),
+        ": 2 topics hold a pose, and one has to be chosen: /left, /right"
+    );
+    let options = LogOptions {
+        pose_topic: TopicChoice::Named("/left".to_owned()),
+        ..LogOptions::default()
+    };
+    assert_eq!(
+        refused(&path, &options),
+        ": no topic holds a wrench; there are: /left (geometry_msgs/msg/PoseStamped), /right (geometry_msgs/msg/PoseStamped)"
+    );
+}
+
+#[test]
+fn values_that_cannot_be_are_refused_with_their_message() {
+    let (_folder, path) = in_folder();
+    type Poses = [(u64, f64, [f64; 4])];
+    let cases: [(&Poses, &str); 3] = [
+        (
+            &[(0, 0.0, QUARTER), (5, f64::NAN, QUARTER)],
+            ": topic /p, message 2: x is NaN, which is not finite",
+        ),
+        (
+            &[(0, 0.0, [0.0; 4])],
+            ": topic /p, message 1: the quaternion has a length of 0, which is not within 0.01 of 1",
+        ),
+        (
+            &[(9, 0.0, QUARTER), (5, 0.0, QUARTER)],
+            ": topic /p, message 2: its time of 0.005 s is before that of the one before, 0.009 s",
+        ),
+    ];
+    for (poses, expected) in cases {
+        let mut bag = Foreign::create(&path);
+        let (pose, wrench) = (bag.poses("/p"), bag.wrenches("/w"));
+        for (time, x, q) in poses {
+            bag.put(pose, *time, *time, "base", ([*x, 0.0, 0.0], *q));
+        }
+        bag.put(wrench, 0, 0, "base", ([0.0; 3], [0.0; 3]));
+        bag.finish();
+        assert_eq!(refused(&path, &LogOptions::default()), expected);
+    }
+}
+
+#[test]
+fn encodings_and_schemas_that_are_not_read_are_told() {
+    let (_folder, path) = in_folder();
+    let cases = [
+        (
+            ["ros1msg", "ros1", ""],
+            ": topic /p: its message encoding is \"ros1\", and only \"cdr\" is read",
+        ),
+        (
+            ["ros2idl", "cdr", ""],
+            ": topic /p: its schema encoding is \"ros2idl\", and only \"ros2msg\" is read",
+        ),
+        (
+            ["ros2msg", "cdr", "Pose pose\n"],
+            ": topic /p: line 1 of the schema: type \"Pose\" is not defined",
+        ),
+    ];
+    for ([schema_encoding, message_encoding, definition], expected) in cases {
+        let mut bag = Foreign::create(&path);
+        let schema = bag.bag.add_schema(
+            "geometry_msgs/msg/PoseStamped",
+            schema_encoding,
+            definition.as_bytes(),
+        );
+        let channel = bag
+            .bag
+            .add_channel(schema.unwrap(), "/p", message_encoding, &BTreeMap::new())
+            .unwrap();
+        bag.put(channel, 0, 0, "base", 0_u8);
+        bag.finish();
+        assert_eq!(refused(&path, &named("/p", "/w")), expected);
+    }
+}
+
+#[test]
+fn what_is_no_bag_is_told_by_its_first_bytes() {
+    let (_folder, path) = in_folder();
+    fs::write(&path, b"#ROSBAG V2.0\n").unwrap();
+    assert_eq!(
+        refused(&path, &LogOptions::default()),
+        ": this is no bag: it begins with bytes 23 52 4f 53 42 41 47 20, and an MCAP file with 89 4d 43 41 50 30 0d 0a"
+    );
+    fs::write(&path, b"").unwrap();
+    assert!(refused(&path, &LogOptions::default()).starts_with(": this is no bag"));
+    let shown = refused(Path::new("/no/such/place.mcap"), &LogOptions::default());
+    assert!(shown.starts_with(": No such file"), "{shown}");
+}
+
+/// The bag is written by the Python libraries of MCAP, see peers/bag.py.
+#[test]
+fn a_bag_of_another_library_is_understood() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/foreign.mcap");
+    let log = read(&path, &LogOptions::default()).unwrap();
+    assert_eq!(
+        (log.pose_name.as_str(), log.wrench_name.as_str()),
+        ("/arm/flange", "/arm/ft")
+    );
+    assert_eq!((log.axes, log.axes_source), (Axes::Log, AxesSource::Logged));
+    assert_eq!(
+        log.start, 1_699_999_999_995_000_000,
+        "the stamp counts, not the recording"
+    );
+    assert_eq!((log.samples.len(), log.unpaired, log.repeated), (201, 0, 0));
+    for (tick, sample) in log.samples.iter().enumerate() {
+        let x = tick as f64 * 0.001;
+        assert!((sample.time - tick as f64 * 0.01).abs() < 1e-12);
+        assert!(
+            (sample.world_from_tool.translation.vector - Vector3::new(x, 0.0, 0.5)).norm() < 1e-12
+        );
+        assert!((sample.force - Vector3::new(0.0, x, 5.0)).norm() < 1e-12);
+    }
+}
+
+#[test]
+fn a_folder_of_parts_is_one_log() {
+    let (folder, _) = in_folder();
+    for (part, name) in ["a_2.mcap", "a_10.mcap"].into_iter().enumerate() {
+        let mut bag = Foreign::create(&folder.path().join(name));
+        let (pose, wrench) = (bag.poses("/p"), bag.wrenches("/w"));
+        for time in [0, 10] {
+            let time = 1000 + 20 * part as u64 + time;
+            bag.put(pose, time, time, "base", ([0.0; 3], QUARTER));
+            bag.put(wrench, time, time, "base", ([0.0; 3], [0.0; 3]));
+        }
+        bag.finish();
+    }
+    assert_eq!(
+        read(folder.path(), &LogOptions::default())
+            .unwrap()
+            .samples
+            .len(),
+        4
+    );
+    let empty = tempfile::tempdir().unwrap();
+    assert_eq!(
+        refused(empty.path(), &LogOptions::default()),
+        ": the folder holds no .mcap file"
+    );
+}
