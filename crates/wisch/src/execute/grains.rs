@@ -18,6 +18,8 @@ const DENSITY: f64 = 600.0;
 /// Friction of grains on the surface: what lies on a slope stays there [1].
 const FRICTION: f64 = 0.8;
 const WET_FRICTION: f64 = 1.5;
+/// Friction of grains on the side of a tool: foam and bristles hold them [1].
+const SIDE_FRICTION: f64 = 1.0;
 /// Stiffness of the tool's grip on a grain, as a natural frequency [rad/s]; critically damped.
 const GRIP_RATE: f64 = 200.0;
 /// A grain that is this far below the surface has fallen off it [m].
@@ -40,8 +42,8 @@ enum Grip {
     Beside,
     /// Not at all; the grain lies under the tool, which does not reach down to it or slips over it.
     Below,
-    /// The side of the tool pushes it.
-    Side,
+    /// The side of the tool pushes it, and holds it by friction at a place in the underside's frame.
+    Side(Point3),
     /// The underside holds it at a place in its frame.
     Held(Point3),
 }
@@ -142,14 +144,14 @@ impl GrainBodies {
             }
             let (depth, outward) = nearest_side(task, under);
             held.grip = match held.grip {
-                Grip::Beside => Grip::Side,
-                Grip::Side if depth > SIDE => Grip::Held(in_plate),
+                Grip::Beside => Grip::Side(in_plate),
+                Grip::Side(_) if depth > SIDE => Grip::Held(in_plate),
                 Grip::Below => Grip::Held(in_plate),
                 kept => kept,
             };
             let goal = match held.grip {
-                Grip::Held(place) => plate * place,
-                _ => at,
+                Grip::Held(place) | Grip::Side(place) => plate * place,
+                Grip::Beside | Grip::Below => at,
             };
             let velocity = plant.plate_velocity(&goal);
             let Some(body) = plant.world.bodies.get_mut(held.body) else {
@@ -157,12 +159,20 @@ impl GrainBodies {
             };
             let (v, mass) = (body.linvel(), body.mass());
             let slip = velocity - Vector3::new(v.x, v.y, v.z);
+            let hold = mass * (GRIP_RATE * GRIP_RATE * (goal - at) + 2.0 * GRIP_RATE * slip);
             let force = if let Grip::Held(_) = held.grip {
-                mass * (GRIP_RATE * GRIP_RATE * (goal - at) + 2.0 * GRIP_RATE * slip)
+                hold
             } else {
                 let outward = plate * Vector3::new(outward.x, outward.y, 0.0);
                 let push = GRIP_RATE * GRIP_RATE * depth + 2.0 * GRIP_RATE * slip.dot(&outward);
-                mass * push.max(0.0) * outward
+                let push = (mass * push).max(0.0);
+                let sideways = normal.cross(&outward);
+                let held_back = hold.dot(&sideways);
+                if held_back.abs() > SIDE_FRICTION * push {
+                    held.grip = Grip::Side(in_plate);
+                }
+                let friction = held_back.clamp(-SIDE_FRICTION * push, SIDE_FRICTION * push);
+                push * outward + friction * sideways
             };
             // It acts along the surface; upwards the tool gives way.
             let along = force - normal * normal.dot(&force);
