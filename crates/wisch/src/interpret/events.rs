@@ -182,9 +182,11 @@ impl<'a> Evidence<'a> {
         let events = &self.config.events;
         let share = self.path[i].normalized_force;
         let off = self.off[i];
-        let far = events.collision_height_m + events.force_lag_s * self.climb(i);
+        // A tool that moves looks off the plane by as much as its force lags.
+        let lag = events.force_lag_s * self.climb(i);
+        let far = events.collision_height_m + lag;
         level(
-            off > 0.0 && share >= events.collision_share[1],
+            off > lag && share >= events.collision_share[1],
             off > far && share >= events.collision_share[0],
         )
     }
