@@ -76,7 +76,8 @@ pub struct EventConfig {
     /// Force along the surface over the normal force that wiping may take [1]; friction of rubber on a dry
     /// board is about 0.8.
     pub friction_limit: f64,
-    /// Force along the surface beyond friction that makes a collision, and that down to which it lasts [N].
+    /// Force along the surface that makes a collision: beyond `friction_limit`; and that down to which it lasts:
+    /// beyond the friction that the log itself shows [N].
     pub tangential_margin_n: [f64; 2],
     /// Normal force over the nominal one that makes a collision, and that down to which it lasts [1].
     pub overload: [f64; 2],
@@ -97,7 +98,7 @@ impl Default for EventConfig {
             collision_height_m: 0.002,
             collision_share: [0.5, 0.3],
             friction_limit: 0.8,
-            tangential_margin_n: [5.0, 3.0],
+            tangential_margin_n: [5.0, 1.5],
             overload: [1.8, 1.5],
             force_lag_s: 0.015,
             stick_slip_turns: 6,

@@ -18,6 +18,8 @@ const POINT_TRAVEL: f64 = 5e-4;
 const POINT_PERIOD: f64 = 0.05;
 /// f′ from which on a weak contact tells where the surface is [1].
 const TOUCHING_SHARE: f64 = 0.3;
+/// Share of the tool that a surface carries at least, for its contact to be one with the surface [1].
+const LEAST_SUPPORT: f64 = 0.3;
 /// f′ from which on force off the plane is a force like that of contact [1].
 const FALSE_POSITIVE_SHARE: f64 = 0.2;
 
@@ -107,17 +109,21 @@ impl Judge<'_> {
         };
         let clearance = height + spring_back;
         let off = clearance.abs() - self.config.plane.inlier_distance_m - doubt;
-        // Over an edge only a part of the tool carries the force, half of it gives way twice as far.
-        if clearance < 0.0 && off > 0.0 && self.is_over_edge(place) {
-            off - self.config.nominal_compression()
+        if clearance < 0.0 && off > 0.0 {
+            off - self.config.nominal_compression() * (1.0 / self.support(place) - 1.0)
         } else {
             off
         }
     }
 
-    fn is_over_edge(&self, place: Point2) -> bool {
-        let mut edges = self.surface.outline.edges();
-        edges.any(|edge| edge.distance(place) < self.reach)
+    /// Share of the tool that the surface carries: over an edge half of it, which gives way twice as far.
+    fn support(&self, place: Point2) -> f64 {
+        let outline = &self.surface.outline;
+        let distances = outline.edges().map(|edge| edge.distance(place));
+        let distance = distances.fold(f64::INFINITY, f64::min);
+        let inside = if outline.contains(place) { 1.0 } else { -1.0 };
+        (0.5 + 0.5 * inside * distance / self.reach.max(f64::MIN_POSITIVE))
+            .clamp(LEAST_SUPPORT, 1.0)
     }
 }
 

@@ -8,6 +8,9 @@ use super::pieces::Piece;
 use super::{Event, EventKind, InterpretConfig, PathPiece, Touch};
 use crate::represent::Surface;
 
+/// Confident pieces from which on a log tells its own friction: half a second.
+const LEAST_CONTACTS: usize = 50;
+
 /// A log as events see it; all lists are as long.
 #[derive(Debug)]
 pub(super) struct Evidence<'a> {
@@ -18,6 +21,8 @@ pub(super) struct Evidence<'a> {
     /// Travel along the surface up to each piece [m].
     pub(super) way: Vec<f64>,
     has_plane: bool,
+    /// Force along the surface over the normal force that the wiping of this log takes [1].
+    friction: f64,
     pub(super) config: &'a InterpretConfig,
 }
 
@@ -62,6 +67,7 @@ impl<'a> Evidence<'a> {
                 })
                 .collect(),
             has_plane: judged.plane.is_some(),
+            friction: friction(path, config),
             config,
         }
     }
@@ -176,9 +182,11 @@ impl<'a> Evidence<'a> {
         let events = &self.config.events;
         let share = self.path[i].normalized_force;
         let off = self.off[i];
-        let far = events.collision_height_m + events.force_lag_s * self.climb(i);
+        // A tool that moves looks off the plane by as much as its force lags.
+        let lag = events.force_lag_s * self.climb(i);
+        let far = events.collision_height_m + lag;
         level(
-            off > 0.0 && share >= events.collision_share[1],
+            off > lag && share >= events.collision_share[1],
             off > far && share >= events.collision_share[0],
         )
     }
@@ -187,11 +195,12 @@ impl<'a> Evidence<'a> {
     fn shoved(&self, i: usize) -> Level {
         let events = &self.config.events;
         let piece = &self.path[i];
-        let friction = events.friction_limit * (-piece.normal_force).max(0.0);
-        let beyond = piece.tangential_force - friction;
+        let press = (-piece.normal_force).max(0.0);
+        let beyond = |friction: f64| piece.tangential_force - friction * press;
+        let [begin, end] = events.tangential_margin_n;
         level(
-            beyond > events.tangential_margin_n[1],
-            beyond > events.tangential_margin_n[0],
+            beyond(self.friction) > end,
+            beyond(events.friction_limit) > begin,
         )
     }
 
@@ -270,6 +279,23 @@ impl<'a> Evidence<'a> {
                 .fold(0.0, f64::max),
         }
     }
+}
+
+/// Friction that nearly all of the confident contacts stay below, at most what wiping may take.
+fn friction(path: &[PathPiece], config: &InterpretConfig) -> f64 {
+    let confident = path.iter().filter(|piece| piece.touch == Touch::Confident);
+    let mut ratios: Vec<f64> = confident
+        .map(|piece| piece.tangential_force / piece.normal_force.abs())
+        .collect();
+    let limit = config.events.friction_limit;
+    if ratios.len() < LEAST_CONTACTS {
+        return limit;
+    }
+    let most = (ratios.len() - 1) * 9 / 10;
+    ratios
+        .select_nth_unstable_by(most, f64::total_cmp)
+        .1
+        .min(limit)
 }
 
 /// Pieces that may be an event.

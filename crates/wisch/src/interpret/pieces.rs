@@ -115,8 +115,7 @@ impl Recorder {
             ("force z [N]", sample.force.z, MAX_FORCE),
         ];
         for (field, value, limit) in fields {
-            // Not a number is not within the limit either.
-            if !(value.abs() <= limit) {
+            if value.is_nan() || value.abs() > limit {
                 return Err(InterpretError::Measurement {
                     sample: self.samples,
                     field,

@@ -14,21 +14,21 @@ use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use rayon::prelude::*;
 
 /// Longest motion that is replayed at once [m]: thresholds are drawn between motions.
-const MAX_LENGTH: f64 = 5e-3;
+const MAX_LENGTH: f64 = 0.01;
 /// Less travel than this is standing [m], and less turn, if it turns [rad].
 const STANDING: [f64; 2] = [2e-3, 0.035];
 /// The same for the beginning of a contact: what the tool comes down on is carried the way that it first
 /// moves, which must not be the way it trembles, settles or turns in before its stroke.
 const SETTLING: [f64; 2] = [0.01, 0.35];
 /// How far a path may be off the straight motion that stands for it [m].
-const MAX_DEVIATION: f64 = 2.5e-4;
+const MAX_DEVIATION: f64 = 5e-4;
 /// Change of f′ from which on a new motion begins [1]; beyond the noise of forces at 100 Hz, which would
 /// otherwise choose the strongest of many.
 const MAX_SHARE_CHANGE: f64 = 0.15;
 /// Turn below which the heading counts as kept [rad]: half a degree, half a millimetre at a sponge's corner.
 const HEADING_STEP: f64 = 0.0087;
-/// Most that a tool turns in one motion [rad]; 3°, in which a straight line stands for a bent one.
-const MAX_TURN: f64 = 0.052;
+/// Most that a tool turns in one motion [rad]; 6°, in which a straight line stands for a bent one.
+const MAX_TURN: f64 = 0.105;
 /// Places closer together than this are the same [m].
 const SAME_PLACE: f64 = 1e-4;
 /// A particle that is touched again within this travel is still in the same contact [m]: it may have been
@@ -151,10 +151,16 @@ impl Chances {
         let [begin, end] = self.travelled;
         let drawn = &mut self.drawn[particle];
         let is_new_contact = begin - drawn.touched > SAME_CONTACT;
-        if is_new_contact || begin - drawn.drew >= redraw_length {
+        let is_due = begin - drawn.drew >= redraw_length;
+        if is_new_contact || is_due {
             drawn.level = even(self.key, particle as u64, drawn.draws);
             drawn.draws += 1;
-            drawn.drew = begin;
+            // Draws are due every so often, whatever the length of the motions between which they fall.
+            drawn.drew = if is_new_contact {
+                begin
+            } else {
+                drawn.drew + redraw_length
+            };
         }
         drawn.touched = end;
         drawn.level <= self.probability

@@ -2,8 +2,8 @@
 
 use super::log::{PRESS, STEEP, Script, task};
 use super::told_with;
-use wisch::geometry::Point2;
-use wisch::interpret::{Belief, InterpretConfig, InterpretError, interpret};
+use wisch::geometry::{Point2, Pose, Vector3};
+use wisch::interpret::{Belief, InterpretConfig, InterpretError, TouchSample, interpret};
 use wisch::represent::{Fate, GoalState, LogNormal, ParticleDistribution};
 
 /// One stroke at a share of the force that reaches the board's whole height: what is wiped is P(X ≤ f′).
@@ -203,4 +203,48 @@ fn a_sample_of_a_belief_and_its_density_hold_the_mean() {
     for cell_size in [0.0, -1.0, f64::NAN, 1e-9] {
         assert!(belief.density(&task.surface, cell_size).is_err());
     }
+}
+
+/// A tool that trembles, settles and turns in before its stroke takes what lies under it along with the
+/// stroke all the same.
+#[test]
+fn trembling_before_a_stroke_pushes_nothing_away() {
+    let mut task = task(0, STEEP);
+    let under: Vec<Point2> = (0..9)
+        .map(|i| {
+            Point2::new(
+                f64::from(i % 3) * 0.02 - 0.02,
+                f64::from(i / 3) * 0.03 - 0.03,
+            )
+        })
+        .collect();
+    task.particles = ParticleDistribution::new(&under).unwrap();
+    let samples: Vec<TouchSample> = (0..3000)
+        .map(|i| {
+            let time = f64::from(i) * 1e-3;
+            let trembling = -0.003 * (time * 3.0).min(1.0) + 0.0005 * (40.0 * time).sin();
+            let turned = -0.15 * (time * 2.0).min(1.0);
+            let x = trembling + 0.05 * (time - 1.0).max(0.0);
+            let surface_from_tool = Pose::new(Vector3::new(x, 0.0, 0.0), Vector3::z() * turned);
+            TouchSample {
+                time,
+                world_from_tool: task.surface.world_from_surface * surface_from_tool,
+                force: task.surface.world_from_surface * Vector3::z() * 10.0,
+            }
+        })
+        .collect();
+    let goal = GoalState::Collected {
+        center: Point2::new(0.14, 0.0),
+        radius: 0.065,
+    };
+    let believed = Belief::certain(task.particles.clone());
+    let told = interpret(
+        &samples,
+        &task,
+        &believed,
+        &goal,
+        &InterpretConfig::of(&task),
+    )
+    .unwrap();
+    assert_eq!(told.performance.low, 1.0, "{:?}", told.performance);
 }
