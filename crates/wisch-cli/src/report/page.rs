@@ -8,7 +8,7 @@ use super::panel::{
 use super::picture::Drawing;
 use super::player::{self, Player};
 use super::view::{View, grouped, metres, percent, px};
-use super::{ReportInput, motion_section};
+use super::{ReportInput, motion_section, rounds};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use wisch::geometry::Vector2;
 use wisch::represent::GoalState;
@@ -35,6 +35,7 @@ pub fn page(input: &ReportInput) -> String {
                     (header(input))
                     (metrics(input))
                     @if let Some(motion) = input.motion { (motion_section(motion)) }
+                    @if let Some(rounds) = input.rounds { (rounds::section(rounds)) }
                     (surface(&drawing))
                     (effect(&drawing))
                     (density(&drawing))
