@@ -110,15 +110,18 @@ const RULES: &str = "\
 .felt-false{fill:none;stroke:{limit};stroke-width:3.4;stroke-linecap:round;stroke-linejoin:round}\
 .felt-1,.felt-2,.felt-3,.felt-4,.felt-5{fill:none;stroke-width:2.4;stroke-linecap:round;stroke-linejoin:round}\
 .felt-1{stroke:{felt-1}}.felt-2{stroke:{felt-2}}.felt-3{stroke:{felt-3}}.felt-4{stroke:{felt-4}}.felt-5{stroke:{felt-5}}\
+.believed-surface{fill:{surface};stroke:{outline};stroke-width:1.5;fill-rule:evenodd}\
 .fitted-plane{fill:{plane};fill-opacity:.17;stroke:{plane};stroke-opacity:.7;stroke-width:.8;stroke-linejoin:round}\
 .confident-band{fill:{felt-5};fill-opacity:.15;stroke:none}\
 .collision{fill:{limit};fill-opacity:.22;stroke:none}\
 .contact-lost{fill:{quiet};fill-opacity:.2;stroke:none}\
-.true-push{fill:{goal};fill-opacity:.16;stroke:{goal-line};stroke-width:1;stroke-dasharray:3 3}\
+.true-push{fill:{goal};fill-opacity:.12;stroke:{goal-line};stroke-width:1;stroke-dasharray:3 3}\
 .lane{fill:{quiet};fill-opacity:.1;stroke:none}\
-.event-contact{fill:{felt-4}}.event-loss{fill:{quiet}}.event-collision{fill:{limit}}.event-stick{fill:{plane}}\
+.event-contact{fill:{felt-4}}.event-loss{fill:{quiet}}.event-collision{fill:{limit}}.event-stick{fill:{plane}}.event-push{fill:{goal};stroke:{goal-line};stroke-width:.8}\
+.halo{paint-order:stroke;stroke:{paper};stroke-width:3;stroke-linejoin:round}\
 .contact-time{fill:{felt-4};stroke:none}\
-.cell{stroke:none}\
+.cell{stroke:none}.under-particles .cell{fill-opacity:.6}\
+.dot-rim{fill:none;stroke:{paper};stroke-linecap:round}\
 .bar-predicted{fill:{paper};stroke:{quiet};stroke-width:1.4;stroke-dasharray:4 2}\
 .bar-estimated{fill:{left};stroke:none}.bar-true{fill:{ink};fill-opacity:.75;stroke:none}\
 .whisker{fill:none;stroke:{ink};stroke-width:1.5}\

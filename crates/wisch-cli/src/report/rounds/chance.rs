@@ -1,6 +1,6 @@
 //! How likely contact of some force has its effect, and how strong contact was; paper Fig. 11.
 
-use super::{Figure, GAP, Round, RoundsInput, reduce};
+use super::{Figure, GAP, Round, RoundsInput, reduce, words};
 use crate::report::panel::Panel;
 use crate::report::view::{Pen, decimals, metres, percent, px, tick_step};
 use maud::{Markup, html};
@@ -23,13 +23,13 @@ const Z: f64 = 4.0;
 /// Longest axis of the density: beyond, a contact of full force has no effect anyhow.
 const MOST_X: f64 = 3.0;
 
-/// Time in contact by f′.
+/// Time in contact by f'.
 struct Histogram {
-    /// Share of the time in contact, per twentieth of f′.
+    /// Share of the time in contact, per twentieth of f'.
     shares: [f64; BINS],
     /// Time in contact [s].
     total: f64,
-    /// Mean of P(X ≤ f′) over the time in contact.
+    /// Mean of P(X ≤ f') over the time in contact.
     chance: f64,
 }
 
@@ -64,7 +64,8 @@ pub(super) fn section(input: &RoundsInput, round: &Round) -> Markup {
     let [curve, density] = panels(input, round);
     let histogram = histogram(input, round);
     html! {
-        p { (sentence(&input.task.interaction.likelihood, &histogram)) }
+        @let sentence = sentence(&input.task.interaction.likelihood, &histogram);
+        p { (words::unbroken(&sentence)) }
         div class="pair" {
             figure { (curve.inline("Chance of an effect over the normalised force, and how long contact had which force")) }
             figure { (density.inline("Density of the least force that has an effect")) }
@@ -108,7 +109,7 @@ fn sentence(likelihood: &LogNormal, histogram: &Histogram) -> String {
         "The tool was not in contact.".to_owned()
     };
     format!(
-        "Contact of full force moves {full} of the particles under the tool, and half of them from f′ = {median} on. {round}"
+        "Contact of full force affects {full} of the particles under the tool, and half of them from f' = {median} on. {round}"
     )
 }
 
@@ -145,7 +146,7 @@ fn forces(likelihood: &LogNormal, most: f64) -> Vec<f64> {
     [0.0].into_iter().chain(inner).chain([most]).collect()
 }
 
-/// P(X ≤ f′) with the histogram below.
+/// P(X ≤ f') with the histogram below.
 fn chance(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
     let mut curve = Pen::default();
     let places = forces(likelihood, 1.0).into_iter().map(|f| {
@@ -167,7 +168,7 @@ fn chance(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
         (left, right - left, down(share, BARS, CURVE + 26.0))
     };
     html! {
-        text class="text small quiet" x="8" y="14" { "P(X ≤ f′), the chance of an effect" }
+        text class="text small quiet" x="8" y="14" { "P(X ≤ f'), the chance of an effect" }
         @for quarter in 0..=4 {
             @let y = down(f64::from(quarter) / 4.0, CURVE, TOP);
             path class="rule" d=(format!("M{} {}H{}", px(LEFT), px(y), px(RIGHT))) {}
@@ -186,7 +187,7 @@ fn chance(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
                 rect class="contact-time" x=(px(left + 0.5)) y=(px(top)) width=(px(width - 1.0)) height=(px(BARS - top)) {}
             }
         }
-        (force_axis(1.0, BARS, "normalised contact force f′"))
+        (force_axis(1.0, BARS, "normalised contact force f'"))
     }
 }
 

@@ -16,7 +16,7 @@ const HEIGHT: f64 = 170.0;
 /// Between the two plots: room for the lower one's caption.
 const BETWEEN: f64 = 34.0;
 const LANE: f64 = 17.0;
-/// Confident contact (10): f′ from, to.
+/// Confident contact (10): f' from, to.
 const CONFIDENT: [f64; 2] = [0.9, 1.0];
 /// How much of a lifted move is shown above what is felt of the surface, and at least [m].
 const LIFT_SHOWN: f64 = 0.012;
@@ -86,10 +86,10 @@ pub(super) fn figure(input: &RoundsInput, round: &Round) -> Figure {
     let forces = force_plot(&path, press);
     let heights = height_plot(&path, forces.top + HEIGHT + BETWEEN);
     let bottom = heights.top + HEIGHT;
-    let (lanes, below) = lanes(&found.events, &times, bottom + 12.0);
     let pushes: Vec<_> = (round.view.pushes.iter())
         .filter_map(|&push| times.place(push))
         .collect();
+    let (lanes, below) = lanes(&found.events, &pushes, &times, bottom + 12.0);
     // A unit of the picture in seconds: pushes that close look like one.
     let gap = times.duration() / (RIGHT - LEFT);
     let collisions: Vec<_> = (reduce::spans(&path, Touch::FalsePositive, gap).into_iter())
@@ -107,9 +107,9 @@ pub(super) fn figure(input: &RoundsInput, round: &Round) -> Figure {
     };
     let body = html! {
         @for plot in [&forces, &heights] {
+            (bands(plot, &pushes, "true-push"))
             (bands(plot, &losses, "contact-lost"))
             (bands(plot, &collisions, "collision"))
-            (bands(plot, &pushes, "true-push"))
         }
         text class="text small quiet" x=(px(LEFT)) y="14" { "normal force on the surface [N], negative where the tool presses" }
         (intended(&forces, press))
@@ -188,7 +188,7 @@ fn intended(plot: &Plot, press: f64) -> Markup {
     html! {
         rect class="confident-band" x=(px(LEFT)) y=(px(weak)) width=(px(RIGHT - LEFT)) height=(px(full - weak)) {}
         path class="limit" d=(format!("M{} {}H{}", px(LEFT), px(full), px(RIGHT))) {}
-        text class="text small quiet end" x=(px(RIGHT - 4.0)) y=(px(full + 13.0)) {
+        text class="text small quiet end halo" x=(px(RIGHT - 4.0)) y=(px(full + 13.0)) {
             "f_min = " (metres(-press, decimals(press))) " N"
         }
     }
@@ -250,29 +250,31 @@ const fn class(touch: Touch) -> &'static str {
     }
 }
 
-/// A row of spans for each kind of event that occurs; gives their height too.
-fn lanes(events: &[Event], times: &Times, top: f64) -> (Markup, f64) {
-    let kinds: Vec<EventKind> = words::KINDS
-        .into_iter()
-        .filter(|&kind| events.iter().any(|event| event.kind == kind))
-        .collect();
-    let spans = |kind: EventKind| {
-        let of_kind = events.iter().filter(move |event| event.kind == kind);
+/// A row of spans for each kind of event that occurs, and one for what truly happened; gives their height too.
+fn lanes(events: &[Event], pushes: &[(f64, f64)], times: &Times, top: f64) -> (Markup, f64) {
+    let spans = |kind: EventKind| -> Vec<(f64, f64)> {
+        let of_kind = events.iter().filter(|event| event.kind == kind);
         of_kind
             .take(MAX_SPANS)
             .filter_map(|event| times.place([event.start, event.end]))
+            .collect()
     };
+    let felt = words::KINDS.map(|kind| (words::kind(kind), event_class(kind), spans(kind)));
+    let truth = ("pushed (truth)", "event-push", pushes.to_vec());
+    let lanes: Vec<_> = (felt.into_iter().chain([truth]))
+        .filter(|(_, _, spans)| !spans.is_empty())
+        .collect();
     let body = html! {
-        @for (i, &kind) in kinds.iter().enumerate() {
+        @for (i, (name, class, spans)) in lanes.iter().enumerate() {
             @let y = top + LANE * i as f64;
-            text class="text small quiet end" x=(px(LEFT - 6.0)) y=(px(y + 10.0)) { (words::kind(kind)) }
+            text class="text small quiet end" x=(px(LEFT - 6.0)) y=(px(y + 10.0)) { (name) }
             rect class="lane" x=(px(LEFT)) y=(px(y)) width=(px(RIGHT - LEFT)) height=(px(LANE - 4.0)) {}
-            @for (left, width) in spans(kind) {
-                rect class=(event_class(kind)) x=(px(left)) y=(px(y)) width=(px(width)) height=(px(LANE - 4.0)) {}
+            @for (left, width) in spans {
+                rect class=(class) x=(px(*left)) y=(px(y)) width=(px(*width)) height=(px(LANE - 4.0)) {}
             }
         }
     };
-    (body, LANE * kinds.len() as f64)
+    (body, LANE * lanes.len() as f64)
 }
 
 const fn event_class(kind: EventKind) -> &'static str {
@@ -320,7 +322,7 @@ fn entries(path: &[PathPiece], losses: &[(f64, f64)], pushes: &[(f64, f64)]) -> 
         .filter(|(touch, _)| has(*touch))
         .map(|(touch, label)| key::line(class(touch), label))
         .collect();
-    entries.push(key::area("confident-band", "confident force, 0.9 ≤ f′ ≤ 1"));
+    entries.push(key::area("confident-band", "confident force, 0.9 ≤ f' ≤ 1"));
     if has(Touch::FalsePositive) {
         entries.push(key::area("collision", "collision"));
     }

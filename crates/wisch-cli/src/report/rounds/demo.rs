@@ -7,7 +7,7 @@ use wisch::interpret::{
     Belief, Diagnosis, Estimate, Event, EventKind, FittedPlane, PathPiece, Touch,
 };
 use wisch::plan::{CoverageStrategy, PlanConfig, TcpWaypoint, plan, predict};
-use wisch::represent::Fate;
+use wisch::represent::{Fate, LogNormal};
 
 /// How fast the tool goes [m/s], and how long a piece of the path is [s].
 const SPEED: f64 = 0.12;
@@ -51,6 +51,11 @@ impl Demo {
             goal: GoalState::Absorbed,
             rounds: Vec::new(),
             task,
+        };
+        // Flatter than is known of sponges, so that chance is seen.
+        demo.task.interaction.likelihood = LogNormal {
+            mu: -0.6,
+            sigma: 0.45,
         };
         let initial = demo.task.particles.clone();
         let (mut believed, mut truth) = (initial.clone(), initial.clone());
@@ -264,7 +269,10 @@ fn interpretation(
     shares.sort_by(f64::total_cmp);
     let time = |wanted: &dyn Fn(Touch) -> bool| path.iter().filter(|p| wanted(p.touch)).count();
     let contact = time(&|touch| matches!(touch, Touch::Weak | Touch::Confident));
-    let near = path.iter().filter(|p| p.height < 0.01).count();
+    let near = path
+        .iter()
+        .filter(|p| p.touch != Touch::Free || p.height < 0.01)
+        .count();
     Interpretation {
         path: path.to_vec(),
         plane: Some(FittedPlane {

@@ -138,7 +138,7 @@ fn section_of(input: &RoundsInput, rounds: &[Round]) -> Markup {
         style { (PreEscaped(STYLE)) }
         section class="rounds" {
             h2 { "Round by round" }
-            p { (words::outcome(input)) }
+            p { (words::unbroken(&words::outcome(input))) }
             @if !rounds.is_empty() {
                 (overview::bars(input).scrolling())
                 (overview::table(input))
@@ -186,7 +186,7 @@ fn details(input: &RoundsInput, round: &Round) -> Markup {
     let found = round.view.interpretation;
     html! {
         h3 { "Round " (round.view.number) }
-        p { (words::round(input, round.view)) }
+        p { (words::unbroken(&words::round(input, round.view))) }
         h4 { "Force and height" }
         (course::figure(input, round).scrolling())
         h4 { "Where the tool felt the surface" }

@@ -59,6 +59,14 @@ pub(super) fn bars(input: &RoundsInput) -> Figure {
     // Numbers of rounds must not run into each other.
     let every = (24.0 / each).ceil().max(1.0) as usize;
     let target = down(input.target);
+    let middle = |i: usize| LEFT + each * (i as f64 + 0.5);
+    let placed: Vec<(&Bar, f64)> = (groups.iter().enumerate())
+        .flat_map(|(i, group)| {
+            let left = middle(i) - 0.5 * width * group.len() as f64;
+            let places = (0..group.len()).map(move |k| left + width * k as f64);
+            group.iter().zip(places)
+        })
+        .collect();
     let body = html! {
         text class="text small quiet" x="12" y="14" { "performance" }
         @for quarter in 0..=4 {
@@ -66,18 +74,15 @@ pub(super) fn bars(input: &RoundsInput) -> Figure {
             path class="rule" d=(format!("M{} {}H{}", px(LEFT), px(y), px(RIGHT))) {}
             text class="text small quiet end" x=(px(LEFT - 8.0)) y=(px(y + 4.0)) { (25 * quarter) " %" }
         }
-        @for (i, (group, round)) in groups.iter().zip(input.rounds).enumerate() {
-            @let middle = LEFT + each * (i as f64 + 0.5);
-            @let left = middle - 0.5 * width * group.len() as f64;
-            @for (k, bar) in group.iter().enumerate() {
-                (draw(bar, left + width * k as f64, width, numbered))
-            }
-            @if i % every == 0 {
-                text class="text small quiet middle" x=(px(middle)) y=(px(BOTTOM + 18.0)) { (round.number) }
-            }
+        @for (bar, left) in &placed { (draw(bar, *left, width)) }
+        @for (i, round) in input.rounds.iter().enumerate().step_by(every) {
+            text class="text small quiet middle" x=(px(middle(i))) y=(px(BOTTOM + 18.0)) { (round.number) }
         }
         path class="axis" d=(format!("M{} {}H{}", px(LEFT), px(BOTTOM), px(RIGHT))) {}
         path class="limit" d=(format!("M{} {}H{}", px(LEFT), px(target), px(RIGHT))) {}
+        @if numbered {
+            @for (bar, left) in &placed { (number(bar, left + 0.5 * width)) }
+        }
         text class="text small" x=(px(RIGHT + 6.0)) y=(px(target + 1.0)) { "target" }
         text class="text small quiet" x=(px(RIGHT + 6.0)) y=(px(target + 14.0)) { (percent(input.target)) }
         text class="text small quiet end" x=(px(RIGHT)) y=(px(BOTTOM + 36.0)) { "round" }
@@ -94,9 +99,8 @@ pub(super) fn bars(input: &RoundsInput) -> Figure {
     }
 }
 
-fn draw(bar: &Bar, left: f64, width: f64, numbered: bool) -> Markup {
+fn draw(bar: &Bar, left: f64, width: f64) -> Markup {
     let (top, middle) = (down(bar.share), left + 0.5 * width);
-    let highest = bar.range.map_or(top, |[_, high]| top.min(down(high)));
     let room = (0.08 * width).min(2.0);
     html! {
         rect class=(bar.class) x=(px(left + room)) y=(px(top)) width=(px(width - 2.0 * room)) height=(px(BOTTOM - top)) {}
@@ -107,9 +111,14 @@ fn draw(bar: &Bar, left: f64, width: f64, numbered: bool) -> Markup {
                 px(middle - arm), px(down(high)), px(2.0 * arm), px(middle), px(down(low))
             )) {}
         }
-        @if numbered {
-            text class="text small middle" x=(px(middle)) y=(px(highest - 5.0)) { (format!("{:.0} %", 100.0 * bar.share)) }
-        }
+    }
+}
+
+/// The number over a bar and its whisker.
+fn number(bar: &Bar, middle: f64) -> Markup {
+    let top = down(bar.range.map_or(bar.share, |[_, high]| high.max(bar.share)));
+    html! {
+        text class="text small middle halo" x=(px(middle)) y=(px(top - 5.0)) { (format!("{:.0} %", 100.0 * bar.share)) }
     }
 }
 

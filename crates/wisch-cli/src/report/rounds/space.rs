@@ -6,7 +6,7 @@ use super::{Figure, Round, RoundsInput};
 use crate::report::panel::{Panel, WIDTH};
 use crate::report::view::{Pen, metres, px, tick_step};
 use maud::{Markup, html};
-use wisch::geometry::{Bounds2, Point2, Point3, Vector2};
+use wisch::geometry::{Bounds2, Point2, Point3};
 use wisch::interpret::{FittedPlane, Touch};
 
 /// From where one looks: turned from the front to the right, and up [rad].
@@ -14,8 +14,8 @@ const AZIMUTH: f64 = 0.5;
 const ELEVATION: f64 = 0.56;
 const SIZE: [f64; 2] = [WIDTH - 40.0, 460.0];
 const MARGIN: f64 = 20.0;
-/// Room for the sizes below.
-const BELOW: f64 = 26.0;
+/// Room below, where the lower left corner shows how long things are.
+const BELOW: f64 = 44.0;
 /// A stretch of the path is about this long [units of the picture].
 const STRETCH: f64 = 2.0;
 /// How far round the surface the path is shown, as a share of its size.
@@ -27,7 +27,7 @@ const HEIGHT_SHARE: f64 = 0.35;
 const LEAST_HALF: f64 = 0.5e-3;
 /// Half the box, in root mean square distances of the inliers: nearly all of them are in it.
 const HALF_IN_RMS: f64 = 3.0;
-/// Classes of contact by f′, from weak to full.
+/// Classes of contact by f', from weak to full.
 const LEVELS: [&str; 5] = ["felt-1", "felt-2", "felt-3", "felt-4", "felt-5"];
 
 /// Parallel projection; places are in the frame of the believed surface [m].
@@ -129,11 +129,10 @@ pub(super) fn figure(input: &RoundsInput, round: &Round) -> Figure {
     let surface: String = base.iter().map(|ring| projection.ring(ring)).collect();
     let body = html! {
         svg x="0" y="0" width=(px(WIDTH)) height=(px(height)) viewBox=(format!("0 0 {} {}", px(WIDTH), px(height))) {
-            path class="surface-plan" d=(surface) {}
-            (sizes(&projection, &bounds))
+            path class="believed-surface" d=(surface) {}
             @if let Some(plane) = &plane { (plane.draw(&projection)) }
             (way(&projection, path.first().map(|piece| piece.position), &stretches))
-            (height_bar(&projection, &shown))
+            (lengths(&projection, height, &shown))
         }
     };
     Figure {
@@ -265,31 +264,35 @@ fn level(normalized_force: f64) -> usize {
     ((5.0 * normalized_force).ceil() as usize).clamp(1, 5) - 1
 }
 
-/// How long the surface is, along its front and right edge.
-fn sizes(projection: &Projection, bounds: &Bounds2) -> Markup {
-    let corner = Vector2::new(bounds.max.x, bounds.min.y);
-    let front = Point3::new(bounds.center().x, bounds.min.y, 0.0);
-    let right = Point3::new(corner.x, bounds.center().y, 0.0);
-    let (front, right) = (projection.at(front), projection.at(right));
-    let size = bounds.size();
-    html! {
-        text class="text small quiet end" x=(px(front.0 - 6.0)) y=(px(front.1 + 18.0)) { "x: " (metres(size.x, 2)) " m" }
-        text class="text small quiet" x=(px(right.0 + 8.0)) y=(px(right.1 + 14.0)) { "y: " (metres(size.y, 2)) " m" }
-    }
-}
-
-/// A bar of a round height in the upper left.
-fn height_bar(projection: &Projection, shown: &[Point3]) -> Markup {
+/// A round length along each axis, in the lower left.
+fn lengths(projection: &Projection, height: f64, shown: &[Point3]) -> Markup {
+    /// About how long the lines are [units of the picture].
+    const LONG: f64 = 50.0;
+    let origin = (MARGIN + 4.0, height - 34.0);
     let high = shown.iter().fold(0.0, |high: f64, p| high.max(p.z.abs()));
     let upright = projection.scale * projection.stretching * ELEVATION.cos();
-    let length = tick_step((0.4 * high).max(12.0 / upright));
-    let tall = length * upright;
-    let bottom = MARGIN + tall;
+    let flat = tick_step(0.5 * LONG / projection.scale);
+    let up = tick_step((0.3 * high).clamp(12.0 / upright, LONG / upright) / 2.0);
+    let end = |p: Point3| {
+        let (x, y) = Projection::flat(projection.stretching, p);
+        let scale = projection.scale;
+        (origin.0 + scale * x, origin.1 - scale * y)
+    };
+    let (x, y, z) = (
+        end(Point3::new(flat, 0.0, 0.0)),
+        end(Point3::new(0.0, flat, 0.0)),
+        end(Point3::new(0.0, 0.0, up)),
+    );
+    let mut lines = Pen::default();
+    for tip in [x, y, z] {
+        lines.line([origin, tip]);
+    }
+    let centimetres = metres(100.0 * flat, usize::from(flat < 0.0095));
     html! {
-        path class="axis" d=(format!("M{} {}h-4v{}h4", px(MARGIN + 4.0), px(bottom), px(-tall))) {}
-        text class="text small" x=(px(MARGIN + 10.0)) y=(px(bottom - 0.5 * tall + 4.0)) {
-            (metres(1e3 * length, 0)) " mm up"
-        }
+        path class="axis" d=(lines.path()) {}
+        text class="text small" x=(px(x.0 + 4.0)) y=(px(x.1 + 8.0)) { "x, " (centimetres) " cm" }
+        text class="text small" x=(px(y.0 + 4.0)) y=(px(y.1 + 2.0)) { "y, " (centimetres) " cm" }
+        text class="text small" x=(px(z.0 - 4.0)) y=(px(z.1 - 5.0)) { "z, " (metres(1e3 * up, usize::from(up < 0.9e-3))) " mm" }
     }
 }
 
@@ -298,7 +301,7 @@ fn entries(stretches: &[Stretch], plane: Option<&PlaneBox>, stretching: f64) -> 
     let mut entries = Vec::new();
     for (i, level) in LEVELS.iter().enumerate().filter(|(_, level)| has(level)) {
         let label = format!(
-            "contact, f′ {:.1} to {:.1}",
+            "contact, f' {:.1} to {:.1}",
             0.2 * i as f64,
             0.2 * (i + 1) as f64
         );
@@ -318,7 +321,7 @@ fn entries(stretches: &[Stretch], plane: Option<&PlaneBox>, stretching: f64) -> 
         ));
     }
     entries.push(key::area(
-        "surface-plan",
+        "believed-surface",
         format!("believed surface ({})", stretched(stretching)),
     ));
     entries

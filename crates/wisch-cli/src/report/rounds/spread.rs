@@ -136,7 +136,7 @@ pub(super) fn section(input: &RoundsInput, round: &Round) -> Markup {
     let views = views(input, round, &cells);
     let [mean, deviation] = maps(input, &cells);
     html! {
-        p { (sentence(input, round)) }
+        p { (words::unbroken(&sentence(input, round))) }
         div class="trio" {
             @for (panel, what) in &views { figure { (panel.inline(what)) } }
         }
@@ -178,7 +178,7 @@ pub(super) fn density_figure(input: &RoundsInput, round: &Round) -> Figure {
 /// Panels in a row.
 fn beside(panels: Vec<Panel>) -> Panel {
     let width = panels.iter().map(|panel| panel.width + GAP).sum::<f64>() + GAP;
-    let height = panels.iter().map(|panel| panel.height).fold(0.0, f64::max);
+    let height = panels.iter().map(|panel| panel.height).fold(0.0, f64::max) + 8.0;
     let mut left = GAP;
     let placed: Vec<(f64, Panel)> = (panels.into_iter())
         .map(|panel| {
@@ -210,7 +210,7 @@ fn views(input: &RoundsInput, round: &Round, cells: &Cells) -> Vec<(Panel, Strin
         (strokes(round, &view))
     };
     let estimated = html! {
-        (cells.draw(&view, &cells.mean))
+        g class="under-particles" { (cells.draw(&view, &cells.mean)) }
         (particles(input, &view, typical))
     };
     let mut views = vec![
@@ -269,7 +269,6 @@ fn framed(input: &RoundsInput, view: &View, name: &str, layers: Markup) -> (Pane
             text class="text strong" x="0" y="15" { (short(name, 44)) }
             (inset(view, inner))
             rect class="rule" x="0.5" y=(px(NAME)) width=(px(view.width() - 1.0)) height=(px(view.height())) {}
-            (view.scale_bar())
         },
         keys: Vec::new(),
     };
@@ -287,7 +286,16 @@ fn particles(input: &RoundsInput, view: &View, particles: &ParticleDistribution)
         })
         .collect();
     let radius = dot_radius(view, drawn.len()).clamp(0.8, 2.4);
-    picture::particles(view, drawn, radius)
+    let mut rims = Pen::default();
+    for (position, outcome) in &drawn {
+        if matches!(outcome, Outcome::Left | Outcome::Done) {
+            rims.dot(view.at(*position));
+        }
+    }
+    html! {
+        path class="dot-rim" stroke-width=(px(2.0 * radius + 1.8)) d=(rims.path()) {}
+        (picture::particles(view, drawn, radius))
+    }
 }
 
 /// The planned strokes.

@@ -21,6 +21,11 @@ pub(super) const fn kind(kind: EventKind) -> &'static str {
     }
 }
 
+/// Without a line's end between a number and its per cent sign.
+pub(super) fn unbroken(text: &str) -> String {
+    text.replace(" %", "\u{a0}%")
+}
+
 /// How far the rounds led, against what was wanted.
 pub(super) fn outcome(input: &RoundsInput) -> String {
     let Some(last) = input.rounds.last() else {
