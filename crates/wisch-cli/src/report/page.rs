@@ -42,7 +42,12 @@ pub fn page(input: &ReportInput) -> String {
                     footer class="note" {
                         "Predicted by wisch with the particle model of Leidner et al., "
                         cite { "Cognition-enabled robotic wiping" }
-                        ", Robotics and Autonomous Systems 114 (2019). Nothing on this page was measured on a robot."
+                        ", Robotics and Autonomous Systems 114 (2019). "
+                        @if input.rounds.is_some() {
+                            "What stands under “Round by round” was executed; all else was predicted."
+                        } @else {
+                            "Nothing on this page was measured on a robot."
+                        }
                     }
                 }
             }

@@ -10,7 +10,7 @@ use wisch::interpret::{Event, EventKind, PathPiece, Touch};
 
 /// Where the curves lie across the picture.
 const LEFT: f64 = 92.0;
-const RIGHT: f64 = WIDTH - 14.0;
+const RIGHT: f64 = WIDTH - 22.0;
 const TOP: f64 = 30.0;
 const HEIGHT: f64 = 170.0;
 /// Between the two plots: room for the lower one's caption.
@@ -224,18 +224,20 @@ fn curves(
         .collect();
     let runs = reduce::runs(&reduce::peaks(&dots));
     let drawn = |touch: Touch| {
-        let mut pen = Pen::default();
+        let (mut lines, mut alone) = (Pen::default(), Pen::default());
         for run in runs.iter().filter(|run| run.touch == touch) {
             match run.points.as_slice() {
-                [only] => pen.dot(*only),
-                points => pen.line(points.iter().copied()),
+                [only] => alone.dot(*only),
+                points => lines.line(points.iter().copied()),
             }
         }
-        pen.path()
+        [(lines.path(), None), (alone.path(), Some("stroke-width:6"))]
     };
     html! {
         @for touch in [Touch::Free, Touch::Weak, Touch::Confident, Touch::FalsePositive] {
-            path class=(class(touch)) d=(drawn(touch)) {}
+            @for (path, style) in drawn(touch) {
+                @if !path.is_empty() { path class=(class(touch)) style=[style] d=(path) {} }
+            }
         }
     }
 }

@@ -96,7 +96,15 @@ impl<'a> Round<'a> {
 }
 
 impl Figure {
-    /// As part of the page, as wide as it is; scrolls where the page is narrower than can be read.
+    /// As part of the page, all of it in sight.
+    fn whole(&self) -> Markup {
+        html! {
+            figure class="whole limited" { (self.panel.inline(&self.what)) }
+            (key::list(&self.entries))
+        }
+    }
+
+    /// As part of the page; scrolls where the page is too narrow to read it.
     fn scrolling(&self) -> Markup {
         html! {
             figure class="scroll" { (self.panel.inline(&self.what)) }
@@ -140,7 +148,7 @@ fn section_of(input: &RoundsInput, rounds: &[Round]) -> Markup {
             h2 { "Round by round" }
             p { (words::unbroken(&words::outcome(input))) }
             @if !rounds.is_empty() {
-                (overview::bars(input).scrolling())
+                (overview::bars(input).whole())
                 (overview::table(input))
             }
             @for round in &pictured { (details(input, round)) }
@@ -190,7 +198,7 @@ fn details(input: &RoundsInput, round: &Round) -> Markup {
         h4 { "Force and height" }
         (course::figure(input, round).scrolling())
         h4 { "Where the tool felt the surface" }
-        (space::figure(input, round).scrolling())
+        (space::figure(input, round).whole())
         h4 { "The chance of an effect" }
         (chance::section(input, round))
         h4 { "What is left" }

@@ -2,20 +2,22 @@
 
 use super::key::{self, Entry};
 use super::{Figure, RoundView, RoundsInput, words};
-use crate::report::panel::{Panel, WIDTH};
+use crate::report::panel::Panel;
 use crate::report::view::{metres, percent, px};
 use maud::{Markup, html};
 use wisch::interpret::{Event, EventKind};
 
+/// Narrower than the surface, so that its numbers can be read on a phone.
+const WIDTH: f64 = 520.0;
 const LEFT: f64 = 52.0;
-const RIGHT: f64 = WIDTH - 70.0;
+const RIGHT: f64 = WIDTH - 60.0;
 const TOP: f64 = 34.0;
 const BOTTOM: f64 = 214.0;
 const HEIGHT: f64 = BOTTOM + 44.0;
 /// Widest bar.
-const WIDEST: f64 = 46.0;
+const WIDEST: f64 = 40.0;
 /// Bars that are at least so wide have their numbers on top.
-const NUMBERED: f64 = 30.0;
+const NUMBERED: f64 = 29.0;
 /// Most events that are listed.
 const MAX_LISTED: usize = 200;
 

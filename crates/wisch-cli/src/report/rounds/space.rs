@@ -3,7 +3,7 @@
 use super::key::{self, Entry};
 use super::reduce::{self, Stretch};
 use super::{Figure, Round, RoundsInput};
-use crate::report::panel::{Panel, WIDTH};
+use crate::report::panel::Panel;
 use crate::report::view::{Pen, metres, px, tick_step};
 use maud::{Markup, html};
 use wisch::geometry::{Bounds2, Point2, Point3};
@@ -12,7 +12,9 @@ use wisch::interpret::{FittedPlane, Touch};
 /// From where one looks: turned from the front to the right, and up [rad].
 const AZIMUTH: f64 = 0.5;
 const ELEVATION: f64 = 0.56;
-const SIZE: [f64; 2] = [WIDTH - 40.0, 460.0];
+/// Narrower than the surface from above, so that a phone shows it whole.
+const WIDTH: f64 = 620.0;
+const SIZE: [f64; 2] = [WIDTH - 2.0 * MARGIN, 400.0];
 const MARGIN: f64 = 20.0;
 /// Room below, where the lower left corner shows how long things are.
 const BELOW: f64 = 44.0;

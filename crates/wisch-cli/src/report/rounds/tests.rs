@@ -3,12 +3,13 @@ use super::reduce::Dot;
 use super::spread::Cells;
 use super::*;
 use crate::report::palette::page_rules;
-use crate::report::rasterize;
 use crate::report::tests::{KEEP, board, requests, table, windshield};
+use crate::report::{self, Frames, ReportInput, rasterize};
 use maud::DOCTYPE;
 use std::path::PathBuf;
 use wisch::geometry::{Point2, Point3, Polygon, Vector2};
-use wisch::interpret::{Diagnosis, PathPiece, Touch};
+use wisch::interpret::{Belief, Diagnosis, Estimate, PathPiece, Touch};
+use wisch::plan::predict;
 use wisch::represent::{Action, LogNormal};
 
 fn keep(name: &str, bytes: impl AsRef<[u8]>) {
@@ -382,4 +383,64 @@ fn any_likelihood_can_be_drawn() {
         demo.task.interaction.likelihood = LogNormal { mu, sigma };
         draw(&format!("likelihood-{mu}-{sigma}"), &demo, |_, _| ());
     }
+}
+
+#[test]
+fn a_collect_and_a_skim_are_shown() {
+    for action in [Action::Collect, Action::Skim] {
+        let mut demo = Demo::new(board(action), &[Trouble::Nothing]);
+        let round = &mut demo.rounds[0];
+        let prediction = predict(&demo.task, &round.plan, |_| ());
+        let (after, share) = (prediction.particles, prediction.performance.ratio());
+        demo.goal = round.plan.graph.goal;
+        (round.truth, round.share) = (after.clone(), share);
+        round.interpretation.belief = Belief::certain(after);
+        round.interpretation.performance = Estimate {
+            mean: share,
+            low: share,
+            high: share,
+        };
+        let (html, _) = draw(&format!("{action}"), &demo, |_, _| ());
+        let done = match action {
+            Action::Collect => "at the goal",
+            _ => "over the allowed edge",
+        };
+        assert!(html.contains(done), "{action}");
+    }
+}
+
+#[test]
+fn a_report_has_rounds_if_there_were_any() {
+    let demo = three_rounds();
+    let views = demo.views();
+    let rounds = demo.input(&views);
+    let plan = &demo.rounds[0].plan;
+    let mut frames = Frames::new(&demo.task, plan);
+    let prediction = predict(&demo.task, plan, |progress| frames.watch(progress));
+    let mut input = ReportInput {
+        title: "board",
+        task: &demo.task,
+        plan,
+        prediction: &prediction,
+        frames: &frames,
+        bandwidth: None,
+        facts: &[],
+        motion: None,
+        rounds: None,
+    };
+    let (without, pictures) = (report::page(&input), report::pictures(&input).len());
+    assert!(!without.contains("Round by round") && without.contains("Nothing on this page"));
+    input.rounds = Some(&rounds);
+    let html = report::page(&input);
+    keep("report-with-rounds.html", &html);
+    assert!(html.contains("Round by round") && !html.contains("Nothing on this page"));
+    assert_eq!(requests(&html), [""; 0]);
+    assert_eq!(report::pictures(&input).len(), pictures + 1 + 3 * 5);
+    let mut ids: Vec<&str> = (html.split(" id=\"").skip(1))
+        .filter_map(|rest| rest.split('"').next())
+        .collect();
+    let all = ids.len();
+    ids.sort_unstable();
+    ids.dedup();
+    assert_eq!(ids.len(), all, "an id stands twice");
 }
