@@ -290,11 +290,8 @@ const fn event_class(kind: EventKind) -> &'static str {
 
 fn time_axis(times: &Times, top: f64) -> Markup {
     let step = tick_step(times.duration() / 7.0);
-    let ticks = if times.duration() > 0.0 {
-        (times.first / step).ceil() as i64..=(times.last / step).floor() as i64
-    } else {
-        0..=-1
-    };
+    let moments = (times.first / step).ceil() as i64..=(times.last / step).floor() as i64;
+    let ticks = moments.filter(|_| times.duration() > 0.0);
     html! {
         path class="axis" d=(format!("M{} {}H{}", px(LEFT), px(top), px(RIGHT))) {}
         @for tick in ticks {

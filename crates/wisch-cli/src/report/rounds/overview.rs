@@ -149,7 +149,7 @@ pub(super) fn table(input: &RoundsInput) -> Markup {
                     tr {
                         th scope="col" { "round" }
                         th scope="col" { "predicted" }
-                        th scope="col" { "estimated (90 %)" }
+                        th scope="col" { "estimated (90\u{a0}%)" }
                         @if truth { th scope="col" { "true" } }
                         th scope="col" { "in contact" }
                         th scope="col" { "collisions" }

@@ -293,7 +293,7 @@ fn lengths(projection: &Projection, height: f64, shown: &[Point3]) -> Markup {
     html! {
         path class="axis" d=(lines.path()) {}
         text class="text small" x=(px(x.0 + 4.0)) y=(px(x.1 + 8.0)) { "x, " (centimetres) " cm" }
-        text class="text small" x=(px(y.0 + 4.0)) y=(px(y.1 + 2.0)) { "y, " (centimetres) " cm" }
+        text class="text small" x=(px(y.0 + 4.0)) y=(px(y.1 + 9.0)) { "y, " (centimetres) " cm" }
         text class="text small" x=(px(z.0 - 4.0)) y=(px(z.1 - 5.0)) { "z, " (metres(1e3 * up, usize::from(up < 0.9e-3))) " mm" }
     }
 }

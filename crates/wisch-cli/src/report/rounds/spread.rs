@@ -19,8 +19,8 @@ const TALLEST: f64 = 1.1;
 /// Room for the name above, and for the scale of the map below.
 const NAME: f64 = 24.0;
 const RAMP: f64 = 46.0;
-/// Cells along the longer side of the surface, about.
-const CELLS: f64 = 20.0;
+/// Most cells along the longer side of the surface, about.
+const MOST_CELLS: f64 = 20.0;
 /// Most particles that are drawn.
 const MAX_DRAWN: usize = 3_000;
 
@@ -44,7 +44,10 @@ impl Cells {
         surface: &Surface,
     ) -> Self {
         let bounds = extent(surface);
-        let side = tick_step(bounds.size().max() / CELLS);
+        let side = cell_side(
+            &bounds,
+            replays.first().map_or(0, ParticleDistribution::len),
+        );
         let count = bounds
             .size()
             .map(|length| (length / side - 1e-9).ceil().max(1.0) as usize);
@@ -79,8 +82,9 @@ impl Cells {
         }
     }
 
-    /// Filled cells, an eighth of the peak a band.
-    fn draw(&self, view: &View, values: &[f64]) -> Markup {
+    /// Filled cells, an eighth of the peak a band, as far as they lie on the surface. `id` is this drawing's
+    /// alone on the page.
+    fn draw(&self, view: &View, surface: &Surface, id: &str, values: &[f64]) -> Markup {
         let peak = peak(values);
         let mut bands: [Pen; BANDS] = Default::default();
         for (cell, value) in values.iter().enumerate() {
@@ -97,11 +101,23 @@ impl Cells {
             bands[band].close();
         }
         html! {
-            @for (i, band) in bands.into_iter().enumerate() {
-                path class=(format!("cell band-{}", i + 1)) d=(band.path()) {}
+            clipPath id=(id) { path clip-rule="evenodd" d=(view.rings(surface.outline.rings())) {} }
+            g clip-path=(format!("url(#{id})")) {
+                @for (i, band) in bands.into_iter().enumerate() {
+                    path class=(format!("cell band-{}", i + 1)) d=(band.path()) {}
+                }
             }
         }
     }
+}
+
+/// A round length [m], so large that particles evenly spread leave about one in a cell: where every cell holds
+/// one or none, colours say nothing.
+pub(super) fn cell_side(bounds: &Bounds2, particles: usize) -> f64 {
+    let size = bounds.size();
+    let room = (size.x * size.y / particles.max(1) as f64).sqrt();
+    let longest = size.max();
+    tick_step(room.clamp(longest / MOST_CELLS, longest))
 }
 
 fn peak(values: &[f64]) -> f64 {
@@ -134,7 +150,7 @@ fn shown(surface: &Surface) -> Bounds2 {
 pub(super) fn section(input: &RoundsInput, round: &Round) -> Markup {
     let cells = Cells::new(round.replays, input.goal, &input.task.surface);
     let views = views(input, round, &cells);
-    let [mean, deviation] = maps(input, &cells);
+    let [mean, deviation] = maps(input, round, &cells);
     html! {
         p { (words::unbroken(&sentence(input, round))) }
         div class="trio" {
@@ -166,12 +182,12 @@ pub(super) fn particles_figure(input: &RoundsInput, round: &Round) -> Figure {
 pub(super) fn density_figure(input: &RoundsInput, round: &Round) -> Figure {
     let cells = Cells::new(round.replays, input.goal, &input.task.surface);
     Figure {
-        panel: beside(maps(input, &cells).into()),
+        panel: beside(maps(input, round, &cells).into()),
         entries: Vec::new(),
-        what: format!(
-            "Particles still to be wiped, over {} replays",
-            round.replays.len()
-        ),
+        what: match round.replays.len() {
+            1 => "Particles still to be wiped, by the one replay".to_owned(),
+            many => format!("Particles still to be wiped, over {many} replays"),
+        },
     }
 }
 
@@ -209,8 +225,9 @@ fn views(input: &RoundsInput, round: &Round, cells: &Cells) -> Vec<(Panel, Strin
         (particles(input, &view, round.view.believed))
         (strokes(round, &view))
     };
+    let id = format!("round-{}-estimated", round.view.number);
     let estimated = html! {
-        g class="under-particles" { (cells.draw(&view, &cells.mean)) }
+        g class="under-particles" { (cells.draw(&view, &input.task.surface, &id, &cells.mean)) }
         (particles(input, &view, typical))
     };
     let mut views = vec![
@@ -337,14 +354,24 @@ fn particle_entries(input: &RoundsInput, round: &Round) -> Vec<Entry> {
 }
 
 /// Mean and standard deviation by cell.
-fn maps(input: &RoundsInput, cells: &Cells) -> [Panel; 2] {
+fn maps(input: &RoundsInput, round: &Round, cells: &Cells) -> [Panel; 2] {
     let view = view(input, MAP);
     [
-        ("mean of the particles still to be wiped", &cells.mean),
-        ("standard deviation over the replays", &cells.deviation),
+        (
+            "mean",
+            "mean of the particles still to be wiped",
+            &cells.mean,
+        ),
+        (
+            "deviation",
+            "standard deviation over the replays",
+            &cells.deviation,
+        ),
     ]
-    .map(|(name, values)| {
-        let (panel, _) = framed(input, &view, name, cells.draw(&view, values));
+    .map(|(stem, name, values)| {
+        let id = format!("round-{}-{stem}", round.view.number);
+        let drawn = cells.draw(&view, &input.task.surface, &id, values);
+        let (panel, _) = framed(input, &view, name, drawn);
         Panel {
             height: panel.height + RAMP,
             body: html! { (panel.body) (ramp(panel.height + 10.0, values, cells.side)) },

@@ -6,6 +6,7 @@ use crate::report::palette::page_rules;
 use crate::report::tests::{KEEP, board, requests, table, windshield};
 use crate::report::{self, Frames, ReportInput, rasterize};
 use maud::DOCTYPE;
+use proptest::prelude::*;
 use std::path::PathBuf;
 use wisch::geometry::{Point2, Point3, Polygon, Vector2};
 use wisch::interpret::{Belief, Diagnosis, Estimate, PathPiece, Touch};
@@ -122,6 +123,28 @@ fn a_peak_of_one_sample_in_minutes_is_kept() {
     assert!(kept.len() < 2_600, "{}", kept.len());
     assert!(kept.contains(&curve[77_777]) && kept.contains(&curve[5]));
     assert!(kept.is_sorted_by(|a, b| a.x <= b.x), "in their order");
+}
+
+proptest! {
+    #[test]
+    fn extremes_of_every_judgement_are_drawn(
+        values in proptest::collection::vec((0.0..700.0_f64, 0.0..200.0_f64, 0..4usize), 1..400)
+    ) {
+        let touches = [Touch::Free, Touch::Weak, Touch::Confident, Touch::FalsePositive];
+        let mut curve: Vec<Dot> = (values.into_iter())
+            .map(|(x, y, touch)| dot(x, y, touches[touch]))
+            .collect();
+        curve.sort_by(|a, b| a.x.total_cmp(&b.x));
+        let kept = reduce::peaks(&curve);
+        prop_assert!(kept.iter().all(|dot| curve.contains(dot)));
+        for touch in touches {
+            let range = |dots: &[Dot]| {
+                let of_touch = dots.iter().filter(|dot| dot.touch == touch);
+                of_touch.fold((f64::MAX, f64::MIN), |(low, high), dot| (low.min(dot.y), high.max(dot.y)))
+            };
+            prop_assert_eq!(range(&kept), range(&curve));
+        }
+    }
 }
 
 #[test]
@@ -315,29 +338,27 @@ fn cells_hold_mean_and_spread() {
     let mut task = board(Action::Absorb);
     task.surface.outline = Polygon::rectangle(Vector2::new(0.4, 0.2));
     let lying = |points: &[Point2]| ParticleDistribution::new(points).expect("finite");
-    let low = Point2::new(-0.199, -0.099);
+    let (low, high) = (Point2::new(-0.199, -0.099), Point2::new(0.199, 0.099));
     let replays = [
-        lying(&[low, low, low, Point2::new(0.199, 0.099)]),
-        lying(&[low, Point2::new(0.199, 0.099), Point2::new(0.199, 0.099)]),
+        lying(&[low, low, low, high, high, high, high, high]),
+        lying(&[low, high, high, high, high, high, high, high]),
     ];
     let cells = Cells::new(&replays, &GoalState::Absorbed, &task.surface);
-    // 0.4 m / 20 is a round number already: 20 × 10 cells of 2 cm.
-    assert_eq!(
-        (cells.side, cells.columns, cells.mean.len()),
-        (0.02, 20, 200)
-    );
-    // Three and one of them: 2 on average, 1 apart. One and two: 1.5, 0.5 apart.
+    // Each of 8 particles has 0.01 m² for itself, a square of 0.1 m: 4 × 2 cells.
+    assert_eq!((cells.side, cells.columns, cells.mean.len()), (0.1, 4, 8));
+    // Three and one of them: 2 on average, 1 apart. Five and seven: 6, 1 apart.
     assert_eq!((cells.mean[0], cells.deviation[0]), (2.0, 1.0));
-    assert_eq!((cells.mean[199], cells.deviation[199]), (1.5, 0.5));
-    assert_eq!(cells.mean.iter().sum::<f64>(), 3.5);
+    assert_eq!((cells.mean[7], cells.deviation[7]), (6.0, 1.0));
+    assert_eq!(cells.mean.iter().sum::<f64>(), 8.0);
     // At the goal nothing is left to do.
     let goal = GoalState::Collected {
         center: low,
         radius: 0.05,
     };
     let cells = Cells::new(&replays, &goal, &task.surface);
-    assert_eq!((cells.mean[0], cells.mean[199]), (0.0, 1.5));
-    assert_eq!(Cells::new(&[], &goal, &task.surface).mean, vec![0.0; 200]);
+    assert_eq!((cells.mean[0], cells.mean[7]), (0.0, 6.0));
+    let nothing = Cells::new(&[], &goal, &task.surface).mean;
+    assert!(nothing.iter().all(|&mean| mean == 0.0));
 }
 
 #[test]
