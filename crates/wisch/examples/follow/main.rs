@@ -7,16 +7,18 @@
 //!
 //! Seeds run one after the other, so that the times of one cell are those of one run.
 
+#[path = "../shipped/robot.rs"]
+mod robot;
 #[path = "../shipped/mod.rs"]
 mod shipped;
 
-use shipped::{AnyError, SCENARIOS, knowledge, scenario, task, text};
+use robot::{Robot, humanoid};
+use shipped::{AnyError, SCENARIOS, knowledge, scenario, task};
 use std::path::Path;
 use std::time::Instant;
 use wisch::follow::{FollowConfig, Workcell, WorkcellConfig, audit, follow};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan, predict};
 use wisch::represent::{Action, Task, TaskFile};
-use wisch::robot::{CapabilityMap, RobotHash, RobotModel, Srdf};
 
 /// Table 1, KDE: action × scenario × (performance [%], execution time [s], computation time [s]).
 const PAPER: [[[f64; 3]; 3]; 3] = [
@@ -49,12 +51,6 @@ struct Trial {
     off_line: f64,
     clearance: f64,
     faults: usize,
-}
-
-struct Robot {
-    model: RobotModel,
-    srdf: Srdf,
-    map: Option<CapabilityMap>,
 }
 
 fn main() -> Result<(), AnyError> {
@@ -166,24 +162,4 @@ fn trial(task: &Task, file: &TaskFile, robot: &Robot) -> Result<Trial, AnyError>
         clearance: audit.min_clearance,
         faults: audit.faults.len(),
     })
-}
-
-fn humanoid(folder: &Path) -> Result<Robot, AnyError> {
-    let urdf = text(&folder.join("humanoid.urdf"))?;
-    let mut no_meshes = |file: &str| Err(format!("{file}: there are no meshes"));
-    let model = RobotModel::from_urdf("humanoid.urdf", &urdf, &mut no_meshes)?;
-    let srdf = Srdf::parse(
-        "humanoid.srdf",
-        &text(&folder.join("humanoid.srdf"))?,
-        &model,
-    )?;
-    let map = match std::fs::read(folder.join("humanoid.reach")) {
-        Ok(bytes) => Some(CapabilityMap::from_bytes(
-            "humanoid.reach",
-            &bytes,
-            RobotHash::of(&model),
-        )?),
-        Err(_) => None,
-    };
-    Ok(Robot { model, srdf, map })
 }

@@ -8,6 +8,7 @@ use wisch::represent::{Action, Intent, KnowledgeBase, Task, TaskFile};
 pub type AnyError = Box<dyn Error + Send + Sync>;
 
 /// The scenarios of the paper's Table 1.
+#[allow(dead_code, reason = "not every example goes through all of them")]
 pub const SCENARIOS: [&str; 3] = ["chopping-board", "table", "windshield"];
 
 /// A scenario with another action and seed.

@@ -22,6 +22,8 @@ pub struct FollowConfig {
     pub turn_tolerance: f64,
     /// Fastest the tool moves in contact [m/s].
     pub contact_speed: f64,
+    /// Fastest the tool comes down to the surface [m/s].
+    pub approach_speed: f64,
     /// How many configurations are tried at the begin of a stroke.
     pub start_configurations: usize,
     /// How many placements of the base are tried for the same piece of the path.
@@ -32,7 +34,7 @@ pub struct FollowConfig {
 
 impl Default for FollowConfig {
     /// Poses each 10 mm and 2°, the tool turned by 10°, 5 mm of clearance, 1 mm and 0.5° off the line,
-    /// 0.25 m/s in contact.
+    /// 0.25 m/s in contact, 0.1 m/s down to it.
     fn default() -> Self {
         Self {
             step: 0.01,
@@ -43,6 +45,7 @@ impl Default for FollowConfig {
             line_tolerance: 1e-3,
             turn_tolerance: 0.5_f64.to_radians(),
             contact_speed: 0.25,
+            approach_speed: 0.1,
             start_configurations: 10,
             placements: 4,
             seed: 0,
@@ -91,6 +94,13 @@ impl FollowConfig {
             (
                 "contact_speed",
                 self.contact_speed,
+                1e-3,
+                10.0,
+                "0.001 to 10 m/s",
+            ),
+            (
+                "approach_speed",
+                self.approach_speed,
                 1e-3,
                 10.0,
                 "0.001 to 10 m/s",

@@ -27,10 +27,14 @@ pub(super) fn timed(
         return Ok(None);
     }
     let mut joints = JointPath::new(path)?;
-    if phase.is_contact() {
+    let speed = match phase {
+        Phase::Wipe(_) => Some(config.contact_speed),
+        Phase::Lower => Some(config.approach_speed),
+        Phase::Drive | Phase::Transfer | Phase::Lifted | Phase::Lift => None,
+    };
+    if let Some(speed) = speed {
         let line = segment_lengths(cell, path)?;
-        joints = joints
-            .with_segment_times(line.iter().map(|way| way / config.contact_speed).collect())?;
+        joints = joints.with_segment_times(line.iter().map(|way| way / speed).collect())?;
     }
     let mut blend = if tool_line.is_empty() {
         FREE_BLEND

@@ -1,7 +1,12 @@
 //! Where the dirt is believed to lie: many replays of the same log, each with chances of its own.
 
-use super::Estimate;
-use crate::represent::{GoalState, ParticleDistribution, Performance, Surface};
+use super::{DensityMap, Estimate, InterpretError};
+use crate::geometry::Point2;
+use crate::represent::{
+    Fate, GoalState, ParticleDistribution, ParticleError, Performance, Surface,
+};
+use rand::RngExt;
+use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
 /// An ensemble of particle distributions over the same particles.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,6 +20,28 @@ impl Belief {
         Self {
             replays: vec![particles],
         }
+    }
+
+    /// Several replays of the same particles.
+    ///
+    /// # Errors
+    /// No replay at all, or one with another number of particles than the first.
+    pub fn of(replays: Vec<ParticleDistribution>) -> Result<Self, InterpretError> {
+        let first = replays.first().ok_or(InterpretError::NoReplays)?;
+        let expected = first.len();
+        match replays.iter().position(|one| one.len() != expected) {
+            Some(replay) => Err(InterpretError::UnequalReplays {
+                replay,
+                count: replays[replay].len(),
+                expected,
+            }),
+            None => Ok(Self { replays }),
+        }
+    }
+
+    /// Replays that are known to hold the same particles, at least one.
+    pub(super) fn ensemble(replays: Vec<ParticleDistribution>) -> Self {
+        Self { replays }
     }
 
     /// The replays, at least one, all of the same length.
@@ -33,5 +60,30 @@ impl Belief {
             low: at(0.05),
             high: at(0.95),
         }
+    }
+
+    /// One distribution out of the belief: each particle as in a replay drawn by itself.
+    ///
+    /// Where the replays disagree about a place, the sample holds the mean share of the particles there.
+    ///
+    /// # Errors
+    /// A replay holds a position that is not finite.
+    pub fn sample(&self, seed: u64) -> Result<ParticleDistribution, ParticleError> {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let particles: Vec<(Point2, Fate)> = (0..self.replays[0].len())
+            .map(|i| {
+                let replay = &self.replays[random.random_range(0..self.replays.len())];
+                (replay.position(i), replay.fate(i))
+            })
+            .collect();
+        ParticleDistribution::with_fates(&particles)
+    }
+
+    /// How many particles remain where, over square cells of side `cell_size` [m].
+    ///
+    /// # Errors
+    /// Cells so small that there are too many, or a side that is not above 0.
+    pub fn density(&self, surface: &Surface, cell_size: f64) -> Result<DensityMap, InterpretError> {
+        DensityMap::of(self, surface, cell_size)
     }
 }

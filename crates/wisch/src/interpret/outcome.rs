@@ -21,7 +21,7 @@ pub enum Touch {
     Free,
     /// On the fitted plane, f′ below the confident band: a share of the effect.
     Weak,
-    /// On the fitted plane with f′ in the confident band (10).
+    /// On the fitted plane with f′ in the confident band (10), or above it.
     Confident,
     /// A force like that of contact, but off the plane: something else pushes (Fig. 18).
     FalsePositive,
@@ -43,8 +43,8 @@ pub struct PathPiece {
     pub tangential_force: f64,
     /// f′ in [0, 1] (9).
     pub normalized_force: f64,
-    /// Distance of the tool centre point from the fitted plane, positive outside [m]; from the believed
-    /// surface where no plane was found.
+    /// Mean distance of the tool centre point from the fitted plane, positive outside [m]; from the believed
+    /// surface where no plane was found. A tool that gives way touches from its compression depth down.
     pub height: f64,
     /// What it was judged to be.
     pub touch: Touch,

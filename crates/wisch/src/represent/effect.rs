@@ -103,10 +103,48 @@ impl EffectModel {
         surface: &Surface,
         motion: &ToolMotion,
     ) -> MotionEffect {
+        self.apply_where(field, surface, motion, |_| true)
+    }
+
+    /// Applies one motion in contact to those particles that respond to it.
+    ///
+    /// `responds` is asked once for each particle that the motion would affect, by its index in the
+    /// distribution that the field was built from, one after the other in an order that depends on the
+    /// field alone. A particle that does not respond stays as it is.
+    ///
+    /// ```
+    /// # use wisch::geometry::*;
+    /// # use wisch::represent::*;
+    /// # let sponge = Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))]);
+    /// # let board = Surface {
+    /// #     name: "board".into(),
+    /// #     outline: Polygon::rectangle(Vector2::new(0.4, 0.28)),
+    /// #     world_from_surface: Pose::identity(),
+    /// #     skim_edges: vec![],
+    /// # };
+    /// let crumbs = ParticleDistribution::new(&[Point2::new(0.05, 0.0), Point2::new(0.05, 0.02)])?;
+    /// let mut field = ParticleField::new(&crumbs);
+    /// let stroke = ToolMotion {
+    ///     from: PlanarPose::new(Point2::new(0.0, 0.0), 0.0),
+    ///     to: PlanarPose::new(Point2::new(0.1, 0.0), 0.0),
+    /// };
+    /// let effect = EffectModel::new(&sponge, Effect::Absorb)
+    ///     .apply_where(&mut field, &board, &stroke, |particle| particle == 1);
+    /// assert_eq!(effect.absorbed, 1);
+    /// assert_eq!(field.distribution().fate(1), Fate::Absorbed);
+    /// # Ok::<(), ParticleError>(())
+    /// ```
+    pub fn apply_where(
+        &mut self,
+        field: &mut ParticleField,
+        surface: &Surface,
+        motion: &ToolMotion,
+        responds: impl FnMut(usize) -> bool,
+    ) -> MotionEffect {
         if motion.turn().abs() * self.reach < CLEARANCE {
-            self.translate(field, surface, motion)
+            self.translate(field, surface, motion, responds)
         } else {
-            self.turn(field, surface, motion)
+            self.turn(field, surface, motion, responds)
         }
     }
 
@@ -115,6 +153,7 @@ impl EffectModel {
         field: &mut ParticleField,
         surface: &Surface,
         motion: &ToolMotion,
+        mut responds: impl FnMut(usize) -> bool,
     ) -> MotionEffect {
         let (along, length) = motion.travel();
         self.chords.fill(&self.edges, motion.from.heading, along);
@@ -136,12 +175,14 @@ impl EffectModel {
             let chords = self.chords.at(lateral);
             match self.kind {
                 Effect::Absorb => {
-                    if chords.covers(ahead, length) {
+                    if chords.covers(ahead, length) && responds(field.index(slot)) {
                         effect.settle(field, slot, Outcome::Absorbed);
                     }
                 }
                 Effect::Push if length > 0.0 => {
-                    if let Some(carried) = chords.carried(ahead, length) {
+                    if let Some(carried) = chords.carried(ahead, length)
+                        && responds(field.index(slot))
+                    {
                         let to = position + along * (carried - ahead);
                         effect.settle(field, slot, landing(surface, &[position, to]));
                     }
@@ -157,6 +198,7 @@ impl EffectModel {
         field: &mut ParticleField,
         surface: &Surface,
         motion: &ToolMotion,
+        mut responds: impl FnMut(usize) -> bool,
     ) -> MotionEffect {
         let (along, length) = motion.travel();
         let center = nalgebra::center(&motion.from.position, &motion.to.position);
@@ -190,7 +232,9 @@ impl EffectModel {
         }
         let mut effect = MotionEffect::default();
         for (&slot, outcome) in self.near.iter().zip(&self.outcomes) {
-            if let Some(outcome) = *outcome {
+            if let Some(outcome) = *outcome
+                && responds(field.index(slot))
+            {
                 effect.settle(field, slot, outcome);
             }
         }

@@ -103,6 +103,11 @@ impl ParticleField {
         self.remaining
     }
 
+    /// Index of the particle in `slot` in the distribution that the field was built from.
+    pub(super) fn index(&self, slot: Slot) -> usize {
+        self.index[slot as usize] as usize
+    }
+
     /// Position of the particle in `slot` [m].
     pub(super) fn position(&self, slot: Slot) -> Point2 {
         Point2::new(self.x[slot as usize], self.y[slot as usize])

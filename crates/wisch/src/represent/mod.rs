@@ -7,6 +7,7 @@ mod knowledge;
 mod metrics;
 mod motion;
 mod particles;
+mod reality;
 mod scene;
 mod section;
 mod sources;
@@ -25,6 +26,7 @@ pub use knowledge::{
 pub use metrics::{GoalState, Performance};
 pub use motion::ToolMotion;
 pub use particles::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError, ParticleTally};
+pub use reality::{FrictionChange, Push, Reality};
 pub use scene::{SceneObject, ScenePart};
 pub use section::{OccupiedArea, SURFACE_SKIN};
 pub use sources::{

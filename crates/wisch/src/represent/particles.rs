@@ -100,6 +100,18 @@ impl ParticleDistribution {
         })
     }
 
+    /// Particles with what became of them; for one that is gone, the position is where it went [m].
+    ///
+    /// # Errors
+    /// As [`ParticleDistribution::new`].
+    pub fn with_fates(particles: &[(Point2, Fate)]) -> Result<Self, ParticleError> {
+        let points: Vec<Point2> = particles.iter().map(|(point, _)| *point).collect();
+        Ok(Self {
+            fate: particles.iter().map(|(_, fate)| *fate).collect(),
+            ..Self::new(&points)?
+        })
+    }
+
     /// Number of particles, whatever their fate.
     pub fn len(&self) -> usize {
         self.fate.len()

@@ -11,6 +11,7 @@
 //! no variables. [m], [rad], [N], [Nm]; spatial quantities linear first; the world is the frame of
 //! the root link.
 
+mod articulation;
 mod capability;
 mod chain;
 mod check;
@@ -27,6 +28,7 @@ mod srdf;
 mod tests;
 mod urdf;
 
+pub use articulation::{ArticulatedJoint, Articulation, ArticulationState};
 pub use capability::{
     CapabilityMap, MAX_MAP_BYTES, MapConfig, MapError, MapOrigin, MapStage, MapTool, RobotHash,
 };

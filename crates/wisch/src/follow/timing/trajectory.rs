@@ -18,6 +18,18 @@ pub struct TrajectorySample {
     pub qdd: Vec<f64>,
 }
 
+impl TrajectorySample {
+    /// At rest at these positions, at time 0.
+    pub fn at_rest(q: &[f64]) -> Self {
+        Self {
+            time: 0.0,
+            q: q.to_vec(),
+            qd: vec![0.0; q.len()],
+            qdd: vec![0.0; q.len()],
+        }
+    }
+}
+
 /// A stretch of constant path acceleration.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stretch {
@@ -75,36 +87,37 @@ impl Trajectory {
     /// # Ok::<(), wisch::follow::TimingError>(())
     /// ```
     pub fn sample(&self, time: f64) -> TrajectorySample {
+        let mut sample = TrajectorySample::at_rest(&self.end);
+        self.sample_into(time, &mut sample);
+        sample
+    }
+
+    /// As [`Trajectory::sample`], into a sample of as many joints that is there already: without allocation,
+    /// for control loops.
+    ///
+    /// # Panics
+    ///
+    /// If the sample is of fewer joints.
+    pub fn sample_into(&self, time: f64, sample: &mut TrajectorySample) {
+        sample.time = time;
         let next = self.stretches.partition_point(|s| s.time <= time);
         if next == 0 || time >= self.duration {
-            let q = if next == 0 && time < self.duration {
-                &self.start
-            } else {
-                &self.end
-            };
-            return TrajectorySample {
-                time,
-                q: q.clone(),
-                qd: vec![0.0; q.len()],
-                qdd: vec![0.0; q.len()],
-            };
+            let is_before = next == 0 && time < self.duration;
+            let q = if is_before { &self.start } else { &self.end };
+            sample.q.copy_from_slice(q);
+            sample.qd.fill(0.0);
+            sample.qdd.fill(0.0);
+            return;
         }
         let stretch = &self.stretches[next - 1];
         let since = time - stretch.time;
         let along = stretch.offset + since * (stretch.speed + 0.5 * since * stretch.acceleration);
         let speed = stretch.speed + since * stretch.acceleration;
-        let terms = self.path.terms(stretch.piece);
-        let slopes = terms.iter().map(|[_, d1, d2]| (d1 + along * d2, d2));
-        TrajectorySample {
-            time,
-            q: terms
-                .iter()
-                .map(|[q, d1, d2]| q + along * (d1 + 0.5 * along * d2))
-                .collect(),
-            qd: slopes.clone().map(|(slope, _)| slope * speed).collect(),
-            qdd: slopes
-                .map(|(slope, bend)| slope * stretch.acceleration + bend * speed * speed)
-                .collect(),
+        for (i, [q, d1, d2]) in self.path.terms(stretch.piece).iter().enumerate() {
+            let slope = d1 + along * d2;
+            sample.q[i] = q + along * (d1 + 0.5 * along * d2);
+            sample.qd[i] = slope * speed;
+            sample.qdd[i] = slope * stretch.acceleration + d2 * speed * speed;
         }
     }
 

@@ -1,6 +1,7 @@
 //! The task file: what the user writes, as typed and checked, and how it becomes a [`Task`].
 
 mod error;
+mod execution;
 mod outline;
 mod reader;
 mod record;
@@ -14,7 +15,7 @@ pub use resolve::ReadFile;
 
 #[cfg(doc)]
 use super::Task;
-use super::{Action, ParticleSource, Place};
+use super::{Action, FrictionChange, ParticleSource, Place, Push};
 use crate::geometry::{Point2, Polygon, Pose, Vector3};
 
 /// What a task file asks for.
@@ -83,6 +84,7 @@ struct Contents {
     medium_at: Place,
     surface: SurfaceRecord,
     robot: Option<RobotRecord>,
+    execution: ExecutionRecord,
     collect_goal: Option<Point2>,
     scene: Vec<ObjectRecord>,
     particles: ParticleSource,
@@ -116,6 +118,21 @@ struct ObjectRecord {
     frame: Frame,
     frame_from_object: Pose,
     role: Role,
+}
+
+/// What is said of reality; `None` leaves it to the knowledge base.
+#[derive(Debug, Clone, PartialEq)]
+struct ExecutionRecord {
+    believed_from_real: Pose,
+    friction: Option<f64>,
+    friction_changes: Vec<FrictionChange>,
+    pushes: Vec<Push>,
+    force_noise: f64,
+    force_bias: Vector3,
+    mu: Option<f64>,
+    sigma: Option<f64>,
+    max_bodies: usize,
+    max_rounds: usize,
 }
 
 /// In which frame an object's pose is given.

@@ -70,6 +70,7 @@ const ROOT_KEYS: &[&str] = &[
     "medium",
     "surface",
     "robot",
+    "execution",
     "collect",
     "scene",
     "particles",
@@ -139,7 +140,10 @@ const PLAN_KEYS: &[&str] = &["bandwidth_m", "lift_height_m"];
 
 /// Every list of keys, for the template's test.
 #[cfg(test)]
-pub(super) const ALL_KEYS: [&[&str]; 13] = [
+pub(super) const ALL_KEYS: [&[&str]; 16] = [
+    super::execution::EXECUTION_KEYS,
+    super::execution::PUSH_KEYS,
+    super::execution::FRICTION_KEYS,
     ROBOT_KEYS,
     ROOT_KEYS,
     TOOL_KEYS,
@@ -227,6 +231,11 @@ pub(super) fn read(source: &Source<'_>) -> Result<Contents, TaskError> {
         medium_at: named(medium),
         surface: surface(&root.require("surface")?, &scene)?,
         robot: root.get("robot").map(|f| robot(&f)).transpose()?,
+        execution: root
+            .get("execution")
+            .map(|f| super::execution::execution(&f))
+            .transpose()?
+            .unwrap_or_default(),
         collect_goal,
         particles_at: particles.place(),
         particles: particle_source(&particles)?,

@@ -1,0 +1,1 @@
+//! Laws of the controller, the observer and the world.

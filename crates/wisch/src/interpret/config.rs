@@ -1,0 +1,285 @@
+//! Settings of the interpretation, with where their defaults come from.
+
+use super::{InterpretError, PlaneConfig};
+use crate::represent::{LogNormal, Task};
+
+/// Settings of the interpretation. [`InterpretConfig::of`] takes from a task what depends on it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InterpretConfig {
+    /// f_max of (9): normal force above which there is no contact at all [N], 0 in the paper.
+    pub max_normal_force_n: f64,
+    /// f_min of (9): normal force of nominal contact, negative [N]; minus the task's press force.
+    pub min_normal_force_n: f64,
+    /// Lower bound of f′ of a confident contact (10), 0.9 in the paper.
+    pub confident_share: f64,
+    /// By how much a measured force may be off [N]; widens the upper bound of (10), which is 1.
+    pub force_noise_n: f64,
+    /// How far the tool gives way under a force.
+    pub compliance: ToolCompliance,
+    /// How the plane is found.
+    pub plane: PlaneConfig,
+    /// μ and σ of (12).
+    pub likelihood: LogNormal,
+    /// Replays of the log, each with chances of its own.
+    pub replays: usize,
+    /// ℓ: after this travel in contact a particle's threshold is drawn again [m]; r_s of the tool.
+    pub redraw_length_m: f64,
+    /// From this tilt on the surface counts as elsewhere [rad].
+    pub relocalize_tilt: f64,
+    /// From this offset on the surface counts as elsewhere [m].
+    pub relocalize_offset_m: f64,
+    /// Raw height over the believed surface from which on the tool is certainly free, so that what is
+    /// felt there is bias [m].
+    pub free_height_m: f64,
+    /// When an event is one.
+    pub events: EventConfig,
+    /// Most pieces that a log is kept in; beyond it neighbours become one.
+    pub max_pieces: usize,
+    /// Seed of everything random.
+    pub seed: u64,
+}
+
+/// How far a tool gives way. Its tool centre point is its underside at nominal force; under less force
+/// the underside has sprung back, so the tool centre point stands higher while it touches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ToolCompliance {
+    /// Not at all.
+    Rigid,
+    /// Like a spring.
+    Spring {
+        /// Force per compression [N/m].
+        stiffness_n_per_m: f64,
+        /// By which share of itself a computed compression may be wrong [1].
+        uncertainty: f64,
+    },
+}
+
+/// When an event is one. Forces are those of pieces of the log, the bias taken off.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EventConfig {
+    /// f′ at which a contact begins, and that at which it ends [1].
+    pub contact_share: [f64; 2],
+    /// An event lasts at least this long [s].
+    pub min_duration_s: f64,
+    /// Interruptions up to this long are part of the event [s].
+    pub bridge_s: f64,
+    /// Raw height over the plane up to which the tool counts as near the surface [m].
+    pub near_height_m: f64,
+    /// Travel along the surface without force that makes a loss of contact [m].
+    pub loss_travel_m: f64,
+    /// Distance from the plane, beyond the inliers' tolerance, that makes a collision [m].
+    pub collision_height_m: f64,
+    /// f′ off the plane at which a collision may begin, and that down to which it lasts [1].
+    pub collision_share: [f64; 2],
+    /// Force along the surface over the normal force that wiping may take [1]; friction of rubber on a dry
+    /// board is about 0.8.
+    pub friction_limit: f64,
+    /// Force along the surface beyond friction that makes a collision, and that down to which it lasts [N].
+    pub tangential_margin_n: [f64; 2],
+    /// Normal force over the nominal one that makes a collision, and that down to which it lasts [1].
+    pub overload: [f64; 2],
+    /// By how long measured forces may lag behind positions [s].
+    pub force_lag_s: f64,
+    /// Stuck and slipping times, one after the other, that make stick-slip [1].
+    pub stick_slip_turns: usize,
+}
+
+impl Default for EventConfig {
+    fn default() -> Self {
+        Self {
+            contact_share: [0.1, 0.05],
+            min_duration_s: 0.03,
+            bridge_s: 0.03,
+            near_height_m: 0.015,
+            loss_travel_m: 0.005,
+            collision_height_m: 0.002,
+            collision_share: [0.5, 0.3],
+            friction_limit: 0.8,
+            tangential_margin_n: [5.0, 3.0],
+            overload: [1.8, 1.5],
+            force_lag_s: 0.015,
+            stick_slip_turns: 6,
+        }
+    }
+}
+
+impl InterpretConfig {
+    /// The settings for a task: forces, compliance, likelihood, ℓ and seed are the task's.
+    pub fn of(task: &Task) -> Self {
+        let interaction = &task.interaction;
+        let compliance = if interaction.compression_depth_m > 0.0 {
+            ToolCompliance::Spring {
+                stiffness_n_per_m: interaction.press_force_n / interaction.compression_depth_m,
+                uncertainty: 0.2,
+            }
+        } else {
+            ToolCompliance::Rigid
+        };
+        Self {
+            max_normal_force_n: 0.0,
+            min_normal_force_n: -interaction.press_force_n,
+            confident_share: 0.9,
+            force_noise_n: 1.0,
+            compliance,
+            plane: PlaneConfig::default(),
+            likelihood: interaction.likelihood,
+            replays: 64,
+            redraw_length_m: task.tool.collision_radius(),
+            relocalize_tilt: 0.5_f64.to_radians(),
+            relocalize_offset_m: 0.003,
+            free_height_m: 0.015,
+            events: EventConfig::default(),
+            max_pieces: 1 << 20,
+            seed: task.seed,
+        }
+    }
+
+    /// Whether the numbers make sense.
+    ///
+    /// # Errors
+    /// The first field that does not.
+    pub(super) fn checked(&self) -> Result<(), InterpretError> {
+        let plane = &self.plane;
+        let events = &self.events;
+        let cone = plane.cone;
+        let positive = "1e-6 to 1e6";
+        let share = "0 to 1";
+        let fields = [
+            (
+                "max_normal_force_n",
+                self.max_normal_force_n,
+                -1e6,
+                1e6,
+                "-1e6 to 1e6 N",
+            ),
+            (
+                "min_normal_force_n",
+                -self.min_normal_force_n,
+                1e-3,
+                1e6,
+                "-1e6 to -1e-3 N, its size",
+            ),
+            ("confident_share", self.confident_share, 0.0, 1.0, share),
+            ("force_noise_n", self.force_noise_n, 0.0, 1e6, "0 to 1e6 N"),
+            (
+                "likelihood.mu",
+                self.likelihood.mu,
+                -1e3,
+                1e3,
+                "-1000 to 1000",
+            ),
+            (
+                "likelihood.sigma",
+                self.likelihood.sigma,
+                1e-9,
+                1e3,
+                "1e-9 to 1000",
+            ),
+            ("redraw_length_m", self.redraw_length_m, 1e-6, 1e6, positive),
+            (
+                "relocalize_tilt",
+                self.relocalize_tilt,
+                0.0,
+                4.0,
+                "0 to 4 rad",
+            ),
+            (
+                "relocalize_offset_m",
+                self.relocalize_offset_m,
+                0.0,
+                1e6,
+                "0 to 1e6 m",
+            ),
+            ("free_height_m", self.free_height_m, 0.0, 1e6, "0 to 1e6 m"),
+            (
+                "plane.inlier_distance_m",
+                plane.inlier_distance_m,
+                1e-9,
+                1.0,
+                "1e-9 to 1 m",
+            ),
+            ("plane.cone", cone, 0.0, 1.5, "0 to 1.5 rad"),
+            ("plane.confidence", plane.confidence, 0.0, 1.0, share),
+            (
+                "plane.min_spread_m",
+                plane.min_spread_m,
+                1e-6,
+                1e6,
+                positive,
+            ),
+            (
+                "events.min_duration_s",
+                events.min_duration_s,
+                0.0,
+                1e6,
+                "0 to 1e6 s",
+            ),
+            ("events.bridge_s", events.bridge_s, 0.0, 1e6, "0 to 1e6 s"),
+            (
+                "events.near_height_m",
+                events.near_height_m,
+                0.0,
+                1e6,
+                "0 to 1e6 m",
+            ),
+        ];
+        let count =
+            |name, count: usize, least, most, expected| (name, count as f64, least, most, expected);
+        let counts = [
+            count("replays", self.replays, 1.0, 1e5, "1 to 100000"),
+            count("max_pieces", self.max_pieces, 16.0, 1e8, "16 to 1e8"),
+            count("plane.min_points", plane.min_points, 3.0, 1e8, "3 to 1e8"),
+            count(
+                "plane.max_iterations",
+                plane.max_iterations,
+                1.0,
+                1e8,
+                "1 to 1e8",
+            ),
+        ];
+        let spring = match self.compliance {
+            ToolCompliance::Rigid => None,
+            ToolCompliance::Spring {
+                stiffness_n_per_m, ..
+            } => Some((
+                "compliance.stiffness_n_per_m",
+                stiffness_n_per_m,
+                1e-3,
+                1e12,
+                "0.001 to 1e12 N/m",
+            )),
+        };
+        for (name, value, least, most, expected) in fields.into_iter().chain(counts).chain(spring) {
+            if !(value >= least && value <= most) {
+                return Err(InterpretError::Config {
+                    name,
+                    value,
+                    expected,
+                });
+            }
+        }
+        if self.max_normal_force_n <= self.min_normal_force_n {
+            return Err(InterpretError::Config {
+                name: "max_normal_force_n",
+                value: self.max_normal_force_n,
+                expected: "min_normal_force_n to 1e6 N",
+            });
+        }
+        Ok(())
+    }
+
+    /// Force with which the tool is to press [N].
+    pub(super) fn nominal_force(&self) -> f64 {
+        -self.min_normal_force_n
+    }
+
+    /// Largest f′ that still counts as confident (10).
+    pub(super) fn confident_limit(&self) -> f64 {
+        1.0 + self.force_noise_n / self.nominal_force()
+    }
+
+    /// f′ of (9) before it is held to at most 1.
+    pub(super) fn normalized(&self, normal_force: f64) -> f64 {
+        normal_force.min(self.max_normal_force_n) / self.min_normal_force_n
+    }
+}

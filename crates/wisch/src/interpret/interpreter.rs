@@ -1,0 +1,189 @@
+//! From samples to what was wiped.
+
+use super::contact::{Judged, judge, middle};
+use super::events::Evidence;
+use super::pieces::Recorder;
+use super::plane::PlaneFit;
+use super::replay::{Replay, contact_motions};
+use super::{
+    Belief, Diagnosis, FittedPlane, InterpretConfig, InterpretError, Interpretation, TouchSample,
+};
+use crate::geometry::{Pose, Region, Vector3};
+use crate::represent::{GoalState, Surface, Task};
+use nalgebra::{Translation3, UnitQuaternion};
+
+/// Takes a log sample by sample, in bounded memory, and says at any time what it tells.
+///
+/// ```
+/// use wisch::geometry::{Pose, Vector3};
+/// use wisch::interpret::{Belief, Diagnosis, InterpretConfig, Interpreter, TouchSample};
+/// # use wisch::geometry::*;
+/// # use wisch::represent::*;
+/// # let task = Task {
+/// #     name: "board".into(),
+/// #     action: Action::Absorb,
+/// #     surface: Surface {
+/// #         name: "board".into(),
+/// #         outline: Polygon::rectangle(Vector2::new(0.4, 0.28)),
+/// #         world_from_surface: Pose::identity(),
+/// #         skim_edges: vec![],
+/// #     },
+/// #     scene: vec![],
+/// #     tool: Tool {
+/// #         name: "sponge".into(),
+/// #         mesh: Mesh::cuboid(Vector3::new(0.07, 0.11, 0.05)).unwrap(),
+/// #         footprint: Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))]),
+/// #         area_of_effect: Vector2::new(0.07, 0.11),
+/// #         rotation_about_normal: AngleRange::FULL,
+/// #         tilt: None,
+/// #     },
+/// #     medium: "breadcrumbs".into(),
+/// #     interaction: Interaction {
+/// #         tool: "sponge".into(),
+/// #         medium: "breadcrumbs".into(),
+/// #         surface: SurfaceScope::Any,
+/// #         actions: Action::ALL.into_iter().collect(),
+/// #         press_force_n: 10.0,
+/// #         stiffness_n_per_m: 500.0,
+/// #         damping_ratio: 0.7,
+/// #         nullspace_posture_weight: 0.1,
+/// #         compression_depth_m: 0.005,
+/// #         likelihood: LogNormal { mu: -1.05, sigma: 0.25 },
+/// #     },
+/// #     particles: ParticleDistribution::new(&[Point2::new(0.0, 0.0), Point2::new(0.0, 0.1)])?,
+/// #     collect_goal: None,
+/// #     tool_start: Point2::new(0.0, -0.3),
+/// #     seed: 1,
+/// # };
+/// // A board with two crumbs, one of them in the way of a stroke with the 10 N that the task asks for.
+/// let mut interpreter = Interpreter::new(&task, &InterpretConfig::of(&task))?;
+/// for i in 0..2000 {
+///     let time = f64::from(i) * 1e-3;
+///     interpreter.push(&TouchSample {
+///         time,
+///         world_from_tool: Pose::translation(0.1 * time - 0.1, 0.0, 0.0),
+///         force: Vector3::new(0.0, 0.0, 10.0),
+///     })?;
+/// }
+/// let believed = Belief::certain(task.particles.clone());
+/// let told = interpreter.conclude(&believed, &GoalState::Absorbed)?;
+/// assert_eq!(told.diagnosis, Diagnosis::Localized);
+/// assert_eq!(told.performance.mean, 0.5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Interpreter {
+    surface: Surface,
+    footprint: Region,
+    config: InterpretConfig,
+    recorder: Recorder,
+}
+
+impl Interpreter {
+    /// An interpreter that has felt nothing yet.
+    ///
+    /// # Errors
+    /// A setting that makes no sense.
+    pub fn new(task: &Task, config: &InterpretConfig) -> Result<Self, InterpretError> {
+        config.checked()?;
+        Ok(Self {
+            surface: task.surface.clone(),
+            footprint: task.tool.footprint.clone(),
+            recorder: Recorder::new(&task.surface.world_from_surface, config.max_pieces),
+            config: config.clone(),
+        })
+    }
+
+    /// Takes one sample in. A refused one leaves everything as it was.
+    ///
+    /// # Errors
+    /// A time not after that of the sample before, a number that is none, or one that no robot measures.
+    pub fn push(&mut self, sample: &TouchSample) -> Result<(), InterpretError> {
+        self.recorder.push(sample)
+    }
+
+    /// What the samples so far tell, and where the dirt lies after them if it lay as `believed` before the
+    /// first.
+    ///
+    /// A belief of one distribution is replayed as often as the settings say, one of several is continued
+    /// member by member. Same samples, settings and belief, same answer, on any number of threads.
+    ///
+    /// # Errors
+    /// None at present of what a log may hold: too little contact is a diagnosis.
+    pub fn conclude(
+        &self,
+        believed: &Belief,
+        goal: &GoalState,
+    ) -> Result<Interpretation, InterpretError> {
+        let pieces = self.recorder.pieces();
+        let judged = judge(pieces, &self.surface, &self.config);
+        let believed_from_real = judged
+            .plane
+            .as_ref()
+            .map_or_else(Pose::identity, |(fit, _)| {
+                believed_from_real(fit, &self.surface)
+            });
+        let motions = contact_motions(&judged.path, &believed_from_real.inverse());
+        let replay = Replay {
+            footprint: &self.footprint,
+            effect: goal.action().effect(),
+            surface: &self.surface,
+            config: &self.config,
+        };
+        let belief = replay.run(believed, &motions);
+        let evidence = Evidence::new(pieces, &judged, &self.config);
+        Ok(Interpretation {
+            events: evidence.events(),
+            contact_share: evidence.contact_share(),
+            diagnosis: self.diagnosis(&judged, &believed_from_real),
+            force_bias: -judged.bias.z,
+            performance: belief.performance(goal, &self.surface),
+            belief,
+            plane: judged.plane.map(|(_, described)| described),
+            path: judged.path,
+        })
+    }
+
+    fn diagnosis(&self, judged: &Judged, believed_from_real: &Pose) -> Diagnosis {
+        let is_here = |plane: &FittedPlane| {
+            plane.tilt < self.config.relocalize_tilt
+                && plane.offset.abs() < self.config.relocalize_offset_m
+        };
+        match &judged.plane {
+            None => Diagnosis::NoContact,
+            Some((_, plane)) if is_here(plane) => Diagnosis::Localized,
+            Some(_) => Diagnosis::Relocalize {
+                world_from_surface: self.surface.world_from_surface * believed_from_real,
+            },
+        }
+    }
+}
+
+/// The frame of the real surface: the believed one turned least, and shifted along its normal so that the
+/// middle of the surface lies on the plane.
+fn believed_from_real(fit: &PlaneFit, surface: &Surface) -> Pose {
+    let middle = middle(surface).coords;
+    let turn = UnitQuaternion::rotation_between(&Vector3::z(), &fit.normal())
+        .unwrap_or_else(UnitQuaternion::identity);
+    let there = Vector3::new(middle.x, middle.y, fit.height_at(middle));
+    let back = Vector3::new(-middle.x, -middle.y, 0.0);
+    Translation3::from(there) * turn * Translation3::from(back)
+}
+
+/// Interprets a whole log: [`Interpreter`] in one call.
+///
+/// # Errors
+/// As [`Interpreter::new`], [`Interpreter::push`] and [`Interpreter::conclude`].
+pub fn interpret<'a>(
+    samples: impl IntoIterator<Item = &'a TouchSample>,
+    task: &Task,
+    believed: &Belief,
+    goal: &GoalState,
+    config: &InterpretConfig,
+) -> Result<Interpretation, InterpretError> {
+    let mut interpreter = Interpreter::new(task, config)?;
+    for sample in samples {
+        interpreter.push(sample)?;
+    }
+    interpreter.conclude(believed, goal)
+}

@@ -1,0 +1,216 @@
+//! Logs as a sponge would write them that strokes over a board: 10 N, 0.1 m/s, noise in force and position.
+
+use rand::RngExt;
+use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
+use wisch::geometry::{Mesh, Point2, Point3, Polygon, Pose, Region, Vector2, Vector3};
+use wisch::interpret::TouchSample;
+use wisch::represent::{
+    Action, AngleRange, Interaction, LogNormal, ParticleDistribution, Surface, SurfaceScope, Task,
+    Tool,
+};
+
+pub const BOARD: [f64; 2] = [0.40, 0.28];
+pub const PRESS: f64 = 10.0;
+/// How far the sponge is compressed at nominal force [m].
+pub const DEPTH: f64 = 0.005;
+const SPEED: f64 = 0.1;
+const APPROACH_SPEED: f64 = 0.05;
+const LIFT: f64 = 0.05;
+const FRICTION: f64 = 0.4;
+
+/// A board that stands inclined somewhere in the world, so that no frame passes for another.
+pub fn task(count: usize, likelihood: LogNormal) -> Task {
+    let surface = Surface {
+        name: "board".into(),
+        outline: Polygon::rectangle(Vector2::from(BOARD)),
+        world_from_surface: Pose::new(Vector3::new(0.6, -0.3, 0.8), Vector3::new(0.4, -0.2, 1.1)),
+        skim_edges: vec![],
+    };
+    Task {
+        name: "test".into(),
+        action: Action::Absorb,
+        scene: vec![],
+        tool: Tool {
+            name: "sponge".into(),
+            mesh: Mesh::cuboid(Vector3::new(0.07, 0.11, 0.05)).unwrap(),
+            footprint: Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))]),
+            area_of_effect: Vector2::new(0.07, 0.11),
+            rotation_about_normal: AngleRange::FULL,
+            tilt: None,
+        },
+        medium: "breadcrumbs".into(),
+        interaction: Interaction {
+            tool: "sponge".into(),
+            medium: "breadcrumbs".into(),
+            surface: SurfaceScope::Any,
+            actions: Action::ALL.into_iter().collect(),
+            press_force_n: PRESS,
+            stiffness_n_per_m: 500.0,
+            damping_ratio: 0.7,
+            nullspace_posture_weight: 0.1,
+            compression_depth_m: DEPTH,
+            likelihood,
+        },
+        particles: ParticleDistribution::new(&uniform(count)).unwrap(),
+        collect_goal: None,
+        tool_start: Point2::new(0.0, -0.3),
+        seed: 7,
+        surface,
+    }
+}
+
+/// As the knowledge base has it for a sponge and breadcrumbs.
+pub const STEEP: LogNormal = LogNormal {
+    mu: -1.05,
+    sigma: 0.25,
+};
+
+fn uniform(count: usize) -> Vec<Point2> {
+    let mut random = ChaCha8Rng::seed_from_u64(3);
+    (0..count)
+        .map(|_| {
+            let mut along = |side: f64| (random.random::<f64>() - 0.5) * side;
+            Point2::new(along(BOARD[0]), along(BOARD[1]))
+        })
+        .collect()
+}
+
+/// What is done to the tool at a time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hand {
+    pub start: f64,
+    pub end: f64,
+    /// How far the hand holds the tool off where it would be, in the axes of the surface [m].
+    pub off: Vector3,
+    /// Force on the tool instead of that of wiping, in the axes of the surface [N]; tool on surface.
+    pub force: Vector3,
+}
+
+/// How a log comes about.
+#[derive(Debug, Clone)]
+pub struct Script {
+    /// Ends of straight strokes in the surface frame; each begins with an approach and ends with a lift.
+    pub strokes: Vec<[Point2; 2]>,
+    /// Height of the real surface over the believed one, by place [m].
+    pub surface: fn(Point2) -> f64,
+    /// Normal force that is reached at a place [N].
+    pub press: fn(Point2) -> f64,
+    pub hands: Vec<Hand>,
+    pub bias: f64,
+    pub force_noise: f64,
+    pub position_noise: f64,
+    pub rate: f64,
+}
+
+impl Default for Script {
+    fn default() -> Self {
+        let line = |y: f64| [Point2::new(-0.16, y), Point2::new(0.16, y)];
+        let back = |y: f64| [Point2::new(0.16, y), Point2::new(-0.16, y)];
+        Self {
+            strokes: vec![line(-0.085), back(0.0), line(0.085)],
+            surface: |_| 0.0,
+            press: |_| PRESS,
+            hands: vec![],
+            bias: 0.0,
+            force_noise: 0.5,
+            position_noise: 1e-4,
+            rate: 1000.0,
+        }
+    }
+}
+
+/// A leg of the way: from, to, speed; heights over nominal contact.
+type Leg = (Point3, Point3, f64);
+
+impl Script {
+    fn legs(&self) -> Vec<Leg> {
+        let at = |p: Point2, height: f64| Point3::new(p.x, p.y, height);
+        let mut legs: Vec<Leg> = Vec::new();
+        for [from, to] in &self.strokes {
+            if let Some((_, last, _)) = legs.last() {
+                legs.push((*last, at(*from, LIFT), 2.0 * SPEED));
+            }
+            legs.push((at(*from, LIFT), at(*from, 0.0), APPROACH_SPEED));
+            legs.push((at(*from, 0.0), at(*to, 0.0), SPEED));
+            legs.push((at(*to, 0.0), at(*to, LIFT), APPROACH_SPEED));
+        }
+        legs
+    }
+
+    /// When each stroke begins and ends to be in full contact [s].
+    pub fn contacts(&self) -> Vec<[f64; 2]> {
+        let mut time = 0.0;
+        let mut contacts = Vec::new();
+        for (from, to, speed) in self.legs() {
+            let end = time + (to - from).norm() / speed;
+            if from.z == 0.0 && to.z == 0.0 {
+                contacts.push([time, end]);
+            }
+            time = end;
+        }
+        contacts
+    }
+
+    /// The log.
+    pub fn samples(&self, task: &Task) -> Vec<TouchSample> {
+        let mut random = ChaCha8Rng::seed_from_u64(11);
+        // Sum of uniforms: near enough to normal.
+        let mut noise = |size: f64| {
+            Vector3::from_fn(|_, _| {
+                ((0..6).map(|_| random.random::<f64>()).sum::<f64>() - 3.0) * size / 0.5_f64.sqrt()
+            })
+        };
+        let mut samples = Vec::new();
+        let mut begin = 0.0;
+        let mut index = 0_u32;
+        for (from, to, speed) in self.legs() {
+            let duration = (to - from).norm() / speed;
+            loop {
+                let time = f64::from(index) / self.rate;
+                if time > begin + duration {
+                    break;
+                }
+                let nominal = from + (to - from) * ((time - begin) / duration);
+                let moving = if to.xy() == from.xy() {
+                    Vector2::zeros()
+                } else {
+                    (to - from).xy().normalize()
+                };
+                let (place, force) = self.felt(time, nominal, moving);
+                let surface_from_tool = Pose::from(place + noise(self.position_noise));
+                samples.push(TouchSample {
+                    time,
+                    world_from_tool: task.surface.world_from_surface * surface_from_tool,
+                    force: task.surface.world_from_surface.rotation
+                        * (force + Vector3::z() * self.bias + noise(self.force_noise)),
+                });
+                index += 1;
+            }
+            begin += duration;
+        }
+        samples
+    }
+
+    /// Where the tool centre point then is and what it feels, in the frame of the believed surface.
+    fn felt(&self, time: f64, nominal: Point3, moving: Vector2) -> (Point3, Vector3) {
+        let place = nominal.xy();
+        // A press below the nominal one leaves the sponge less compressed.
+        let least = DEPTH * (1.0 - (self.press)(place) / PRESS);
+        let height = nominal.z.max(least);
+        let normal = PRESS * (1.0 - height / DEPTH).clamp(0.0, 1.0);
+        let force = Vector3::new(-moving.x * FRICTION, -moving.y * FRICTION, 1.0) * normal;
+        let center = Point3::new(place.x, place.y, (self.surface)(place) + height);
+        let hand = self
+            .hands
+            .iter()
+            .find(|hand| (hand.start..hand.end).contains(&time));
+        match hand {
+            // Quickly there and quickly gone: 20 ms.
+            Some(hand) => {
+                let ramp = ((time - hand.start).min(hand.end - time) / 0.02).min(1.0);
+                (center + hand.off * ramp, hand.force)
+            }
+            None => (center, force),
+        }
+    }
+}
