@@ -1,6 +1,6 @@
 //! How likely contact of some force has its effect, and how strong contact was; paper Fig. 11.
 
-use super::{Figure, GAP, Round, RoundsInput, reduce, words};
+use super::{Figure, GAP, RoundView, RoundsInput, reduce, words};
 use crate::report::panel::Panel;
 use crate::report::view::{Pen, decimals, metres, percent, px, tick_step};
 use maud::{Markup, html};
@@ -60,7 +60,7 @@ impl Histogram {
 }
 
 /// Both plots for the page, with what they say.
-pub(super) fn section(input: &RoundsInput, round: &Round) -> Markup {
+pub(super) fn section(input: &RoundsInput, round: &RoundView) -> Markup {
     let [curve, density] = panels(input, round);
     let histogram = histogram(input, round);
     html! {
@@ -74,7 +74,7 @@ pub(super) fn section(input: &RoundsInput, round: &Round) -> Markup {
 }
 
 /// Both beside each other.
-pub(super) fn figure(input: &RoundsInput, round: &Round) -> Figure {
+pub(super) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let [curve, density] = panels(input, round);
     Figure {
         panel: Panel {
@@ -91,8 +91,8 @@ pub(super) fn figure(input: &RoundsInput, round: &Round) -> Figure {
     }
 }
 
-fn histogram(input: &RoundsInput, round: &Round) -> Histogram {
-    let path = reduce::usable(&round.view.interpretation.path);
+fn histogram(input: &RoundsInput, round: &RoundView) -> Histogram {
+    let path = reduce::usable(&round.interpretation.path);
     Histogram::new(&path, &input.task.interaction.likelihood)
 }
 
@@ -113,7 +113,7 @@ fn sentence(likelihood: &LogNormal, histogram: &Histogram) -> String {
     )
 }
 
-fn panels(input: &RoundsInput, round: &Round) -> [Panel; 2] {
+fn panels(input: &RoundsInput, round: &RoundView) -> [Panel; 2] {
     let likelihood = &input.task.interaction.likelihood;
     let bodies = [
         chance(likelihood, &histogram(input, round)),

@@ -2,7 +2,7 @@
 
 use super::key::{self, Entry};
 use super::reduce::{self, Dot};
-use super::{Figure, Round, RoundsInput, words};
+use super::{Figure, RoundView, RoundsInput, words};
 use crate::report::panel::{Panel, WIDTH};
 use crate::report::view::{Pen, decimals, metres, px, tick_step};
 use maud::{Markup, html};
@@ -78,15 +78,15 @@ impl Times {
     }
 }
 
-pub(super) fn figure(input: &RoundsInput, round: &Round) -> Figure {
-    let found = round.view.interpretation;
+pub(super) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
+    let found = round.interpretation;
     let path = reduce::usable(&found.path);
     let times = Times::new(&path);
     let press = input.task.interaction.press_force_n;
     let forces = force_plot(&path, press);
     let heights = height_plot(&path, forces.top + HEIGHT + BETWEEN);
     let bottom = heights.top + HEIGHT;
-    let pushes: Vec<_> = (round.view.pushes.iter())
+    let pushes: Vec<_> = (round.pushes.iter())
         .filter_map(|&push| times.place(push))
         .collect();
     let (lanes, below) = lanes(&found.events, &pushes, &times, bottom + 12.0);
@@ -312,10 +312,6 @@ fn entries(path: &[PathPiece], losses: &[(f64, f64)], pushes: &[(f64, f64)]) -> 
         (Touch::Confident, "confident contact"),
         (Touch::Weak, "weak contact"),
         (Touch::Free, "no contact"),
-        (
-            Touch::FalsePositive,
-            "false positive: force away from the plane",
-        ),
     ];
     let mut entries: Vec<Entry> = (felt.into_iter())
         .filter(|(touch, _)| has(*touch))
@@ -323,7 +319,13 @@ fn entries(path: &[PathPiece], losses: &[(f64, f64)], pushes: &[(f64, f64)]) -> 
         .collect();
     entries.push(key::area("confident-band", "confident force, 0.9 ≤ f' ≤ 1"));
     if has(Touch::FalsePositive) {
-        entries.push(key::area("collision", "collision"));
+        entries.push(Entry {
+            label: "false positive: force away from the plane".to_owned(),
+            sample: html! {
+                rect class="collision" x="3" y="-7" width="18" height="14" {}
+                path class="felt-false" d="M3 0h18" {}
+            },
+        });
     }
     if !losses.is_empty() {
         entries.push(key::area("contact-lost", "contact lost"));
@@ -331,7 +333,7 @@ fn entries(path: &[PathPiece], losses: &[(f64, f64)], pushes: &[(f64, f64)]) -> 
     if !pushes.is_empty() {
         entries.push(key::area(
             "true-push",
-            "truly pushed (unknown to the robot)",
+            "truly pushed, which the robot does not know",
         ));
     }
     entries

@@ -4,7 +4,8 @@ use super::*;
 use std::f64::consts::TAU;
 use wisch::geometry::{Point3, Pose, Vector3};
 use wisch::interpret::{
-    Belief, Diagnosis, Estimate, Event, EventKind, FittedPlane, PathPiece, Touch,
+    Belief, Diagnosis, Estimate, Event, EventKind, FittedPlane, InterpretConfig, PathPiece, Touch,
+    TouchSample, interpret,
 };
 use wisch::plan::{CoverageStrategy, PlanConfig, TcpWaypoint, plan, predict};
 use wisch::represent::{Fate, LogNormal};
@@ -35,7 +36,6 @@ pub(super) struct Played {
     pub(super) interpretation: Interpretation,
     pub(super) truth: ParticleDistribution,
     pub(super) share: f64,
-    pub(super) replays: Vec<ParticleDistribution>,
     pub(super) pushes: Vec<[f64; 2]>,
 }
 
@@ -62,7 +62,7 @@ impl Demo {
         for (number, &trouble) in troubles.iter().enumerate() {
             demo.task.particles = believed.clone();
             let round = demo.play(number as u64, trouble, &truth);
-            believed = round.replays[0].clone();
+            believed = round.interpretation.belief.replays()[0].clone();
             truth = round.truth.clone();
             demo.rounds.push(round);
         }
@@ -104,19 +104,29 @@ impl Demo {
             .map(|replay| draw(&self.task.particles, 100 * number + replay))
             .collect();
         let truth = draw(truth, 7_000 + number);
-        let share = |particles: &ParticleDistribution| {
-            Performance::of(particles, &self.goal, &self.task.surface).ratio()
-        };
+        let belief = Belief::of(replays).expect("replays of one length");
+        let performance = belief.performance(&self.goal, &self.task.surface);
         Played {
             believed: self.task.particles.clone(),
             predicted,
-            interpretation: interpretation(trouble, &path, &replays, share),
-            share: share(&truth),
+            interpretation: interpretation(trouble, &path, belief, performance),
+            share: Performance::of(&truth, &self.goal, &self.task.surface).ratio(),
             truth,
-            replays,
             pushes,
             plan,
         }
+    }
+
+    /// The rounds again, their logs interpreted by the library.
+    pub(super) fn interpreted(mut self) -> Self {
+        let config = InterpretConfig::of(&self.task);
+        for round in &mut self.rounds {
+            let log = samples(&self.task, &round.interpretation.path);
+            let before = Belief::certain(round.believed.clone());
+            round.interpretation = interpret(&log, &self.task, &before, &self.goal, &config)
+                .expect("the log can be interpreted");
+        }
+        self
     }
 
     pub(super) fn views(&self) -> Vec<RoundView<'_>> {
@@ -141,16 +151,22 @@ impl Demo {
             rounds: views,
         }
     }
+}
 
-    /// With all replays, of which a belief made here holds but one.
-    pub(super) fn with_replays<'a>(&'a self, views: &'a [RoundView<'a>]) -> Vec<Round<'a>> {
-        (views.iter().zip(&self.rounds))
-            .map(|(view, round)| Round {
-                view,
-                replays: &round.replays,
-            })
-            .collect()
-    }
+/// The log that these pieces would come from.
+fn samples(task: &Task, path: &[PathPiece]) -> Vec<TouchSample> {
+    let world_from_surface = task.surface.world_from_surface;
+    let sample = |piece: &PathPiece| {
+        let p = piece.position;
+        // What the tool presses with, the surface presses back.
+        let force = Vector3::new(piece.tangential_force, 0.0, -piece.normal_force);
+        TouchSample {
+            time: piece.time[0],
+            world_from_tool: world_from_surface * Pose::translation(p.x, p.y, p.z),
+            force: world_from_surface * force,
+        }
+    };
+    path.iter().map(sample).collect()
 }
 
 /// Between −1 and 1, as good as random (SplitMix64).
@@ -214,7 +230,12 @@ fn piece(
             share if share > 0.05 => Touch::Weak,
             _ => Touch::Free,
         };
-        let gap = if touch == Touch::Free { 0.002 } else { 0.0 };
+        // A tool pressed less than it should be has sprung back so far.
+        let relief = 1.0 - (force / press).clamp(0.0, 1.0);
+        let mut gap = relief * task.interaction.compression_depth_m;
+        if touch == Touch::Free {
+            gap += 0.002;
+        }
         (gap, -force.max(0.0), touch)
     };
     let force = force + 0.02 * press * noise(2 * seed);
@@ -257,16 +278,14 @@ fn affected(
 fn interpretation(
     trouble: Trouble,
     path: &[PathPiece],
-    replays: &[ParticleDistribution],
-    share: impl Fn(&ParticleDistribution) -> f64,
+    belief: Belief,
+    performance: Estimate,
 ) -> Interpretation {
     let tilt = match trouble {
         Trouble::Tilted(angle) => angle,
         Trouble::Nothing | Trouble::Pushed => 0.002,
     };
     let confident = (path.iter().filter(|p| p.touch == Touch::Confident)).count();
-    let mut shares: Vec<f64> = replays.iter().map(share).collect();
-    shares.sort_by(f64::total_cmp);
     let time = |wanted: &dyn Fn(Touch) -> bool| path.iter().filter(|p| wanted(p.touch)).count();
     let contact = time(&|touch| matches!(touch, Touch::Weak | Touch::Confident));
     let near = path
@@ -294,12 +313,8 @@ fn interpretation(
         events: events(path),
         force_bias: 0.12,
         contact_share: contact as f64 / near.max(1) as f64,
-        belief: Belief::certain(replays[0].clone()),
-        performance: Estimate {
-            mean: shares.iter().sum::<f64>() / shares.len() as f64,
-            low: shares[shares.len() / 20],
-            high: shares[shares.len() - 1 - shares.len() / 20],
-        },
+        belief,
+        performance,
     }
 }
 
@@ -308,7 +323,7 @@ fn events(path: &[PathPiece]) -> Vec<Event> {
     let kind = |piece: &PathPiece| match piece.touch {
         Touch::Weak | Touch::Confident => Some(EventKind::Contact),
         Touch::FalsePositive => Some(EventKind::Collision),
-        Touch::Free if piece.height < 0.003 => Some(EventKind::ContactLoss),
+        Touch::Free if piece.height < 0.0085 => Some(EventKind::ContactLoss),
         Touch::Free => None,
     };
     let runs = path.chunk_by(|a, b| kind(a) == kind(b));
@@ -324,7 +339,10 @@ fn events(path: &[PathPiece]) -> Vec<Event> {
             peak_height: run.iter().map(|p| p.height).fold(0.0, f64::max),
         })
     };
-    runs.filter_map(event)
-        .filter(|e| e.end - e.start > 0.03)
-        .collect()
+    let lasts = |event: &Event| match event.kind {
+        // Coming down and going up are no losses.
+        EventKind::ContactLoss => event.end - event.start > 0.12,
+        _ => event.end - event.start > 0.03,
+    };
+    runs.filter_map(event).filter(lasts).collect()
 }

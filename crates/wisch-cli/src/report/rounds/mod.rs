@@ -60,14 +60,6 @@ pub struct RoundsInput<'a> {
     pub rounds: &'a [RoundView<'a>],
 }
 
-/// A round with the replays that make up what is believed after it.
-#[derive(Debug, Clone, Copy)]
-struct Round<'a> {
-    view: &'a RoundView<'a>,
-    /// At least one.
-    replays: &'a [ParticleDistribution],
-}
-
 /// A picture with its name and what explains its marks.
 struct Figure {
     panel: Panel,
@@ -76,22 +68,20 @@ struct Figure {
     what: String,
 }
 
-impl<'a> Round<'a> {
-    fn new(view: &'a RoundView<'a>) -> Self {
-        Self {
-            view,
-            replays: view.interpretation.belief.replays(),
-        }
+impl<'a> RoundView<'a> {
+    /// What makes up the belief after the round.
+    fn replays(&self) -> &'a [ParticleDistribution] {
+        self.interpretation.belief.replays()
     }
 
     /// The replay whose performance is nearest to the mean: one way in which it may be.
     fn typical(&self, input: &RoundsInput) -> &'a ParticleDistribution {
-        let mean = self.view.interpretation.performance.mean;
+        let mean = self.interpretation.performance.mean;
         let off = |particles: &ParticleDistribution| {
             (Performance::of(particles, input.goal, &input.task.surface).ratio() - mean).abs()
         };
-        let nearest = (self.replays.iter()).min_by(|a, b| off(a).total_cmp(&off(b)));
-        nearest.unwrap_or(self.view.believed)
+        let nearest = (self.replays().iter()).min_by(|a, b| off(a).total_cmp(&off(b)));
+        nearest.unwrap_or(self.believed)
     }
 }
 
@@ -130,44 +120,34 @@ impl Figure {
 
 /// The rounds as a section of the page.
 pub fn section(input: &RoundsInput) -> Markup {
-    let rounds: Vec<Round> = input.rounds.iter().map(Round::new).collect();
-    section_of(input, &rounds)
-}
-
-/// The pictures of all rounds as (file stem, SVG).
-pub fn pictures(input: &RoundsInput) -> Vec<(String, String)> {
-    let rounds: Vec<Round> = input.rounds.iter().map(Round::new).collect();
-    pictures_of(input, &rounds)
-}
-
-fn section_of(input: &RoundsInput, rounds: &[Round]) -> Markup {
-    let pictured = pictured(rounds);
+    let pictured = pictured(input.rounds);
     html! {
         style { (PreEscaped(STYLE)) }
         section class="rounds" {
             h2 { "Round by round" }
             p { (words::unbroken(&words::outcome(input))) }
-            @if !rounds.is_empty() {
+            @if !input.rounds.is_empty() {
                 (overview::bars(input).whole())
                 (overview::table(input))
             }
             @for round in &pictured { (details(input, round)) }
-            @if pictured.len() < rounds.len() {
-                p class="note" { "The first and the last rounds are shown, " (pictured.len()) " of " (rounds.len()) "; the table has all." }
+            @if pictured.len() < input.rounds.len() {
+                p class="note" { "The first and the last rounds are shown, " (pictured.len()) " of " (input.rounds.len()) "; the table has all." }
             }
         }
     }
 }
 
-fn pictures_of(input: &RoundsInput, rounds: &[Round]) -> Vec<(String, String)> {
-    if rounds.is_empty() {
+/// The pictures of all rounds as (file stem, SVG).
+pub fn pictures(input: &RoundsInput) -> Vec<(String, String)> {
+    if input.rounds.is_empty() {
         return Vec::new();
     }
     let title = &input.task.name;
     let mut pictures = vec![("rounds".to_owned(), overview::bars(input).standalone(title))];
-    for round in pictured(rounds) {
+    for round in pictured(input.rounds) {
         let mut add = |stem: &str, figure: Figure| {
-            let number = round.view.number;
+            let number = round.number;
             let title = format!("Round {number}: {title}");
             pictures.push((format!("round-{number}-{stem}"), figure.standalone(&title)));
         };
@@ -181,7 +161,7 @@ fn pictures_of(input: &RoundsInput, rounds: &[Round]) -> Vec<(String, String)> {
 }
 
 /// The rounds that have pictures: all, or the first and the last.
-fn pictured<'r, 'a>(rounds: &'r [Round<'a>]) -> Vec<&'r Round<'a>> {
+fn pictured<'r, 'a>(rounds: &'r [RoundView<'a>]) -> Vec<&'r RoundView<'a>> {
     let left_out = rounds.len().saturating_sub(MAX_PICTURED);
     (rounds.iter().enumerate())
         .filter(|(i, _)| *i == 0 || *i > left_out)
@@ -190,11 +170,11 @@ fn pictured<'r, 'a>(rounds: &'r [Round<'a>]) -> Vec<&'r Round<'a>> {
 }
 
 /// All of one round.
-fn details(input: &RoundsInput, round: &Round) -> Markup {
-    let found = round.view.interpretation;
+fn details(input: &RoundsInput, round: &RoundView) -> Markup {
+    let found = round.interpretation;
     html! {
-        h3 { "Round " (round.view.number) }
-        p { (words::unbroken(&words::round(input, round.view))) }
+        h3 { "Round " (round.number) }
+        p { (words::unbroken(&words::round(input, round))) }
         h4 { "Force and height" }
         (course::figure(input, round).scrolling())
         h4 { "Where the tool felt the surface" }

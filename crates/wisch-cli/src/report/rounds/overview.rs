@@ -17,7 +17,7 @@ const HEIGHT: f64 = BOTTOM + 44.0;
 /// Widest bar.
 const WIDEST: f64 = 40.0;
 /// Bars that are at least so wide have their numbers on top.
-const NUMBERED: f64 = 29.0;
+const NUMBERED: f64 = 22.0;
 /// Most events that are listed.
 const MAX_LISTED: usize = 200;
 
@@ -120,7 +120,7 @@ fn draw(bar: &Bar, left: f64, width: f64) -> Markup {
 fn number(bar: &Bar, middle: f64) -> Markup {
     let top = down(bar.range.map_or(bar.share, |[_, high]| high.max(bar.share)));
     html! {
-        text class="text small middle halo" x=(px(middle)) y=(px(top - 5.0)) { (format!("{:.0} %", 100.0 * bar.share)) }
+        text class="text small middle halo" x=(px(middle)) y=(px(top - 5.0)) { (format!("{:.0}", 100.0 * bar.share)) }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::key::{self, Entry};
 use super::reduce::{self, Stretch};
-use super::{Figure, Round, RoundsInput};
+use super::{Figure, RoundView, RoundsInput};
 use crate::report::panel::Panel;
 use crate::report::view::{Pen, metres, px, tick_step};
 use maud::{Markup, html};
@@ -98,8 +98,8 @@ impl Projection {
     }
 }
 
-pub(super) fn figure(input: &RoundsInput, round: &Round) -> Figure {
-    let found = round.view.interpretation;
+pub(super) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
+    let found = round.interpretation;
     let outline = &input.task.surface.outline;
     let bounds = Bounds2::of(outline.outer().iter().copied()).unwrap_or(Bounds2 {
         min: Point2::new(-0.5, -0.5),
@@ -294,7 +294,7 @@ fn lengths(projection: &Projection, height: f64, shown: &[Point3]) -> Markup {
         path class="axis" d=(lines.path()) {}
         text class="text small" x=(px(x.0 + 4.0)) y=(px(x.1 + 8.0)) { "x, " (centimetres) " cm" }
         text class="text small" x=(px(y.0 + 4.0)) y=(px(y.1 + 9.0)) { "y, " (centimetres) " cm" }
-        text class="text small" x=(px(z.0 - 4.0)) y=(px(z.1 - 5.0)) { "z, " (metres(1e3 * up, usize::from(up < 0.9e-3))) " mm" }
+        text class="text small" x=(px(z.0 - 4.0)) y=(px(z.1.min(y.1) - 6.0)) { "z, " (metres(1e3 * up, usize::from(up < 0.9e-3))) " mm" }
     }
 }
 
@@ -313,7 +313,10 @@ fn entries(stretches: &[Stretch], plane: Option<&PlaneBox>, stretching: f64) -> 
         entries.push(key::line("felt-free", "no contact"));
     }
     if has("felt-false") {
-        entries.push(key::line("felt-false", "false positive: pushed"));
+        entries.push(key::line(
+            "felt-false",
+            "false positive: force away from the plane",
+        ));
     }
     if let Some(plane) = plane {
         let half = metres(1e3 * plane.half, 1);

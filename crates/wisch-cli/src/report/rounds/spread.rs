@@ -1,7 +1,7 @@
 //! What is left: as planned on, as estimated and in truth, and how sure the estimate is of each place.
 
 use super::key::{self, Entry};
-use super::{Figure, GAP, Round, RoundsInput, WIDE, words};
+use super::{Figure, GAP, RoundView, RoundsInput, WIDE, words};
 use crate::report::palette::BANDS;
 use crate::report::panel::{Panel, inset, short};
 use crate::report::picture::{
@@ -147,8 +147,8 @@ fn shown(surface: &Surface) -> Bounds2 {
 }
 
 /// Views and maps for the page.
-pub(super) fn section(input: &RoundsInput, round: &Round) -> Markup {
-    let cells = Cells::new(round.replays, input.goal, &input.task.surface);
+pub(super) fn section(input: &RoundsInput, round: &RoundView) -> Markup {
+    let cells = Cells::new(round.replays(), input.goal, &input.task.surface);
     let views = views(input, round, &cells);
     let [mean, deviation] = maps(input, round, &cells);
     html! {
@@ -161,14 +161,14 @@ pub(super) fn section(input: &RoundsInput, round: &Round) -> Markup {
             figure { (mean.inline("Mean number of particles still to be wiped, by cell")) }
             figure { (deviation.inline("Standard deviation of that number over the replays, by cell")) }
         }
-        @if round.replays.len() < 2 {
+        @if round.replays().len() < 2 {
             p class="note" { "There is one replay only, so nothing is known of how sure the estimate is." }
         }
     }
 }
 
-pub(super) fn particles_figure(input: &RoundsInput, round: &Round) -> Figure {
-    let cells = Cells::new(round.replays, input.goal, &input.task.surface);
+pub(super) fn particles_figure(input: &RoundsInput, round: &RoundView) -> Figure {
+    let cells = Cells::new(round.replays(), input.goal, &input.task.surface);
     let views = views(input, round, &cells);
     let panels = views.into_iter().map(|(panel, _)| panel).collect();
     Figure {
@@ -179,12 +179,12 @@ pub(super) fn particles_figure(input: &RoundsInput, round: &Round) -> Figure {
     }
 }
 
-pub(super) fn density_figure(input: &RoundsInput, round: &Round) -> Figure {
-    let cells = Cells::new(round.replays, input.goal, &input.task.surface);
+pub(super) fn density_figure(input: &RoundsInput, round: &RoundView) -> Figure {
+    let cells = Cells::new(round.replays(), input.goal, &input.task.surface);
     Figure {
         panel: beside(maps(input, round, &cells).into()),
         entries: Vec::new(),
-        what: match round.replays.len() {
+        what: match round.replays().len() {
             1 => "Particles still to be wiped, by the one replay".to_owned(),
             many => format!("Particles still to be wiped, over {many} replays"),
         },
@@ -217,15 +217,15 @@ fn beside(panels: Vec<Panel>) -> Panel {
 }
 
 /// The views side by side, each with what it shows.
-fn views(input: &RoundsInput, round: &Round, cells: &Cells) -> Vec<(Panel, String)> {
+fn views(input: &RoundsInput, round: &RoundView, cells: &Cells) -> Vec<(Panel, String)> {
     let view = view(input, VIEW);
     let typical = round.typical(input);
-    let performance = round.view.interpretation.performance;
+    let performance = round.interpretation.performance;
     let planned = html! {
-        (particles(input, &view, round.view.believed))
+        (particles(input, &view, round.believed))
         (strokes(round, &view))
     };
-    let id = format!("round-{}-estimated", round.view.number);
+    let id = format!("round-{}-estimated", round.number);
     let estimated = html! {
         g class="under-particles" { (cells.draw(&view, &input.task.surface, &id, &cells.mean)) }
         (particles(input, &view, typical))
@@ -239,26 +239,26 @@ fn views(input: &RoundsInput, round: &Round, cells: &Cells) -> Vec<(Panel, Strin
             estimated,
         ),
     ];
-    if let Some((truth, share)) = round.view.truth {
+    if let Some((truth, share)) = round.truth {
         let name = format!("in truth: {}", percent(share));
         views.push(framed(input, &view, &name, particles(input, &view, truth)));
     }
     views
 }
 
-fn sentence(input: &RoundsInput, round: &Round) -> String {
-    let estimate = words::interval(round.view.interpretation.performance);
+fn sentence(input: &RoundsInput, round: &RoundView) -> String {
+    let estimate = words::interval(round.interpretation.performance);
     let what = achieved(input.goal);
-    let truth = round.view.truth.map_or_else(String::new, |(_, share)| {
+    let truth = round.truth.map_or_else(String::new, |(_, share)| {
         format!(", in truth {}", percent(share))
     });
-    let replays = match round.replays.len() {
+    let replays = match round.replays().len() {
         1 => "The one replay is drawn".to_owned(),
         many => format!("Drawn is the one of {many} replays that comes nearest to the mean"),
     };
     format!(
         "Predicted were {} {what}; estimated are {estimate}{truth}. {replays}, over the mean of all.",
-        percent(round.view.predicted)
+        percent(round.predicted)
     )
 }
 
@@ -316,18 +316,18 @@ fn particles(input: &RoundsInput, view: &View, particles: &ParticleDistribution)
 }
 
 /// The planned strokes.
-fn strokes(round: &Round, view: &View) -> Markup {
-    let strokes = round.view.plan.strokes.iter();
+fn strokes(round: &RoundView, view: &View) -> Markup {
+    let strokes = round.plan.strokes.iter();
     let lines: String = strokes
         .map(|stroke| view.line(stroke.poses.iter().map(|pose| pose.position)))
         .collect();
     html! { path class="trail" d=(lines) {} }
 }
 
-fn particle_entries(input: &RoundsInput, round: &Round) -> Vec<Entry> {
-    let seen = [round.view.believed, round.typical(input)]
+fn particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
+    let seen = [round.believed, round.typical(input)]
         .into_iter()
-        .chain(round.view.truth.map(|(particles, _)| particles));
+        .chain(round.truth.map(|(particles, _)| particles));
     let outcomes: Vec<Outcome> = seen
         .flat_map(ParticleDistribution::iter)
         .map(|particle| outcome(input.goal, &input.task.surface, particle))
@@ -346,7 +346,7 @@ fn particle_entries(input: &RoundsInput, round: &Round) -> Vec<Entry> {
             sample: html! { path class="mark-lost" d="M8.5-3.5l7 7m0-7l-7 7" {} },
         });
     }
-    if !round.view.plan.strokes.is_empty() {
+    if !round.plan.strokes.is_empty() {
         entries.push(key::line("trail", "planned stroke"));
     }
     entries.push(key::area("band-4", "where more is believed to be left"));
@@ -354,7 +354,7 @@ fn particle_entries(input: &RoundsInput, round: &Round) -> Vec<Entry> {
 }
 
 /// Mean and standard deviation by cell.
-fn maps(input: &RoundsInput, round: &Round, cells: &Cells) -> [Panel; 2] {
+fn maps(input: &RoundsInput, round: &RoundView, cells: &Cells) -> [Panel; 2] {
     let view = view(input, MAP);
     [
         (
@@ -369,7 +369,7 @@ fn maps(input: &RoundsInput, round: &Round, cells: &Cells) -> [Panel; 2] {
         ),
     ]
     .map(|(stem, name, values)| {
-        let id = format!("round-{}-{stem}", round.view.number);
+        let id = format!("round-{}-{stem}", round.number);
         let drawn = cells.draw(&view, &input.task.surface, &id, values);
         let (panel, _) = framed(input, &view, name, drawn);
         Panel {

@@ -48,12 +48,11 @@ fn three_rounds_are_shown() {
     let demo = three_rounds();
     let views = demo.views();
     let input = demo.input(&views);
-    let rounds = demo.with_replays(&views);
-    let html = page(&section_of(&input, &rounds));
+    let html = page(&section(&input));
     keep("rounds.html", &html);
     assert_eq!(requests(&html), [""; 0]);
     assert!(html.len() < 1_000_000, "{} bytes", html.len());
-    let pictures = pictures_of(&input, &rounds);
+    let pictures = pictures(&input);
     assert_eq!(pictures.len(), 1 + 3 * 5);
     for (stem, svg) in pictures {
         assert!(svg.len() < 150_000, "{stem}: {} bytes", svg.len());
@@ -366,18 +365,29 @@ fn the_typical_replay_is_nearest_to_the_mean() {
     let demo = three_rounds();
     let views = demo.views();
     let input = demo.input(&views);
-    let rounds = demo.with_replays(&views);
     let share = |particles: &ParticleDistribution| {
         Performance::of(particles, input.goal, &input.task.surface).ratio()
     };
     let mean = views[0].interpretation.performance.mean;
-    let off = (share(rounds[0].typical(&input)) - mean).abs();
+    let off = (share(views[0].typical(&input)) - mean).abs();
     assert!(
-        rounds[0]
-            .replays
+        views[0]
+            .replays()
             .iter()
             .all(|r| (share(r) - mean).abs() >= off)
     );
+}
+
+#[test]
+fn what_the_library_interprets_is_shown() {
+    let demo = three_rounds().interpreted();
+    let (html, pictures) = draw("interpreted", &demo, |_, _| ());
+    for said in ["surface elsewhere", "2 collisions", "90\u{a0}% interval"] {
+        assert!(html.contains(said), "{said}");
+    }
+    let path = |stem: &str| pictures.iter().find(|(name, _)| name == stem);
+    let pushed = path("round-1-path").map(|(_, svg)| svg.contains("class=\"felt-false\" d="));
+    assert_eq!(pushed, Some(true));
 }
 
 #[test]

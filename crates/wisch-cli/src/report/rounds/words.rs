@@ -91,9 +91,10 @@ pub(super) fn round(input: &RoundsInput, view: &RoundView) -> String {
 pub(super) fn diagnosis(found: &Interpretation) -> String {
     let plane = found.plane.map_or_else(String::new, |plane| {
         format!(
-            ": the fitted plane is tilted by {} and {} mm off",
+            ": the fitted plane is tilted by {} and lies {} mm {}",
             degrees(plane.tilt),
-            metres(1e3 * plane.offset, 1)
+            metres(1e3 * plane.offset.abs(), 1),
+            if plane.offset < 0.0 { "below" } else { "above" }
         )
     });
     match found.diagnosis {
