@@ -273,6 +273,7 @@ fn write_report(
         task: &prepared.task,
         plan: &wiped,
         motion: motion.as_ref(),
+        rounds: None,
         prediction,
         frames,
         bandwidth: prepared.config.bandwidth,

@@ -10,6 +10,7 @@ mod panel;
 mod picture;
 mod player;
 mod png;
+mod rounds;
 #[cfg(test)]
 mod tests;
 mod view;
@@ -19,6 +20,10 @@ pub use motion::{Contact, ParticleFrame, Phase, Placement, RatedPlace};
 pub use motion::{MotionInput, joint_plots, motion_section, placements_plan};
 pub use page::page;
 pub use png::rasterize;
+// Nothing executes a plan yet.
+#[allow(unused_imports)]
+pub use rounds::RoundView;
+pub use rounds::RoundsInput;
 
 use picture::Drawing;
 use wisch::plan::{Plan, Prediction};
@@ -43,20 +48,25 @@ pub struct ReportInput<'a> {
     pub facts: &'a [(String, String)],
     /// How a robot does it; `None` if none was asked to.
     pub motion: Option<&'a MotionInput<'a>>,
+    /// What came of it, round by round; `None` if nothing was executed.
+    pub rounds: Option<&'a RoundsInput<'a>>,
 }
 
 /// The pictures of a run as (file stem, SVG).
-pub fn pictures(input: &ReportInput) -> Vec<(&'static str, String)> {
+pub fn pictures(input: &ReportInput) -> Vec<(String, String)> {
     let drawing = Drawing::new(input);
-    let mut pictures = vec![
-        ("before-after", panel::before_after(&drawing)),
-        ("graph", panel::graph(&drawing)),
-        ("density", panel::density(&drawing)),
-        ("effect-over-time", panel::effect_over_time(&drawing)),
-    ];
+    let mut pictures = Vec::new();
+    let mut add = |stem: &str, svg: String| pictures.push((stem.to_owned(), svg));
+    add("before-after", panel::before_after(&drawing));
+    add("graph", panel::graph(&drawing));
+    add("density", panel::density(&drawing));
+    add("effect-over-time", panel::effect_over_time(&drawing));
     if let Some(motion) = input.motion {
-        pictures.push(("joints", joint_plots(motion)));
-        pictures.push(("placements", placements_plan(motion)));
+        add("joints", joint_plots(motion));
+        add("placements", placements_plan(motion));
+    }
+    if let Some(rounds) = input.rounds {
+        pictures.extend(rounds::pictures(rounds));
     }
     pictures
 }

@@ -8,7 +8,7 @@ use super::panel::{
 use super::picture::Drawing;
 use super::player::{self, Player};
 use super::view::{View, grouped, metres, percent, px};
-use super::{ReportInput, motion_section};
+use super::{ReportInput, motion_section, rounds};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use wisch::geometry::Vector2;
 use wisch::represent::GoalState;
@@ -35,13 +35,19 @@ pub fn page(input: &ReportInput) -> String {
                     (header(input))
                     (metrics(input))
                     @if let Some(motion) = input.motion { (motion_section(motion)) }
+                    @if let Some(rounds) = input.rounds { (rounds::section(rounds)) }
                     (surface(&drawing))
                     (effect(&drawing))
                     (density(&drawing))
                     footer class="note" {
                         "Predicted by wisch with the particle model of Leidner et al., "
                         cite { "Cognition-enabled robotic wiping" }
-                        ", Robotics and Autonomous Systems 114 (2019). Nothing on this page was measured on a robot."
+                        ", Robotics and Autonomous Systems 114 (2019). "
+                        @if input.rounds.is_some() {
+                            "What stands under “Round by round” was executed; all else was predicted."
+                        } @else {
+                            "Nothing on this page was measured on a robot."
+                        }
                     }
                 }
             }

@@ -5,7 +5,7 @@
 use std::fmt::Write;
 
 /// Name of a colour, its value on light and on dark ground.
-const COLOURS: [(&str, &str, &str); 31] = [
+const COLOURS: [(&str, &str, &str); 38] = [
     ("paper", "#ffffff", "#14181d"),
     ("ink", "#1d242c", "#e8ecf0"),
     ("quiet", "#5b6672", "#9aa7b4"),
@@ -37,6 +37,13 @@ const COLOURS: [(&str, &str, &str); 31] = [
     ("band-6", "#5596c5", "#498bbb"),
     ("band-7", "#347cb3", "#64a6d4"),
     ("band-8", "#1b609a", "#8cc3e8"),
+    ("felt-free", "#1d242c", "#8d99a6"),
+    ("felt-1", "#123a2c", "#3d6656"),
+    ("felt-2", "#115a41", "#338063"),
+    ("felt-3", "#0c7a56", "#2f9f79"),
+    ("felt-4", "#079665", "#35c797"),
+    ("felt-5", "#0fb573", "#66f5c2"),
+    ("plane", "#7440b8", "#b594f2"),
 ];
 
 /// Number of bands of the density picture.
@@ -97,6 +104,27 @@ const RULES: &str = "\
 .rate-3{fill:none;stroke-linecap:round;stroke:{band-3}}.rate-4{fill:none;stroke-linecap:round;stroke:{band-4}}\
 .rate-5{fill:none;stroke-linecap:round;stroke:{band-5}}.rate-6{fill:none;stroke-linecap:round;stroke:{band-6}}\
 .rate-7{fill:none;stroke-linecap:round;stroke:{band-7}}.rate-8{fill:none;stroke-linecap:round;stroke:{band-8}}\
+.felt-free{fill:none;stroke:{felt-free};stroke-width:.9;stroke-linecap:round;stroke-linejoin:round}\
+.felt-weak{fill:none;stroke:{felt-2};stroke-width:1.8;stroke-linecap:round;stroke-linejoin:round}\
+.felt-confident{fill:none;stroke:{felt-5};stroke-width:1.8;stroke-linecap:round;stroke-linejoin:round}\
+.felt-false{fill:none;stroke:{limit};stroke-width:3.4;stroke-linecap:round;stroke-linejoin:round}\
+.felt-1,.felt-2,.felt-3,.felt-4,.felt-5{fill:none;stroke-width:2.4;stroke-linecap:round;stroke-linejoin:round}\
+.felt-1{stroke:{felt-1}}.felt-2{stroke:{felt-2}}.felt-3{stroke:{felt-3}}.felt-4{stroke:{felt-4}}.felt-5{stroke:{felt-5}}\
+.believed-surface{fill:{surface};stroke:{outline};stroke-width:1.5;fill-rule:evenodd}\
+.fitted-plane{fill:{plane};fill-opacity:.17;stroke:{plane};stroke-opacity:.7;stroke-width:.8;stroke-linejoin:round}\
+.confident-band{fill:{felt-5};fill-opacity:.15;stroke:none}\
+.collision{fill:{limit};fill-opacity:.22;stroke:none}\
+.contact-lost{fill:{quiet};fill-opacity:.2;stroke:none}\
+.true-push{fill:{goal};fill-opacity:.12;stroke:{goal-line};stroke-width:1;stroke-dasharray:3 3}\
+.lane{fill:{quiet};fill-opacity:.1;stroke:none}\
+.event-contact{fill:{felt-4}}.event-loss{fill:{quiet}}.event-collision{fill:{limit}}.event-stick{fill:{plane}}.event-push{fill:{goal};stroke:{goal-line};stroke-width:.8}\
+.halo{paint-order:stroke;stroke:{paper};stroke-width:3;stroke-linejoin:round}\
+.contact-time{fill:{felt-4};stroke:none}\
+.cell{stroke:none}.under-particles .cell{fill-opacity:.6}\
+.dot-rim{fill:none;stroke:{paper};stroke-linecap:round}\
+.bar-predicted{fill:{paper};stroke:{quiet};stroke-width:1.4;stroke-dasharray:4 2}\
+.bar-estimated{fill:{left};stroke:none}.bar-true{fill:{ink};fill-opacity:.75;stroke:none}\
+.whisker{fill:none;stroke:{ink};stroke-width:1.5}\
 .end{text-anchor:end}.middle{text-anchor:middle}";
 
 /// The classes with the light colours written out, for a picture that stands alone.

@@ -8,7 +8,7 @@ use super::view::{Pen, View, px};
 use maud::{Markup, html};
 use wisch::geometry::{Bounds2, Point2, Vector2};
 use wisch::plan::{DensityMap, FreeSpace, NodeRole, data_bandwidth};
-use wisch::represent::{Fate, GoalState};
+use wisch::represent::{Fate, GoalState, Surface, Task};
 
 /// A particle in a picture: where, and what became of it.
 pub(super) type Particle = (Point2, Fate);
@@ -41,18 +41,7 @@ impl<'a> Drawing<'a> {
     pub(super) fn new(input: &'a ReportInput<'a>) -> Self {
         let task = input.task;
         let radius = input.plan.collision_radius;
-        let scene: Vec<_> = task.obstacles_in_surface().collect();
-        // A scene that the collision library refuses has no plan and never comes here.
-        let obstacles = FreeSpace::new(&task.surface, &scene, radius)
-            .map(|space| {
-                space
-                    .occupied()
-                    .sections()
-                    .iter()
-                    .flat_map(|e| rings(e))
-                    .collect()
-            })
-            .unwrap_or_default();
+        let obstacles = obstacle_rings(task, radius);
         let thinning = thinning(task.particles.len(), MAX_DRAWN);
         let before: Vec<Point2> = task
             .particles
@@ -87,55 +76,25 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    pub(super) fn outcome(&self, (position, fate): Particle) -> Outcome {
+    pub(super) fn outcome(&self, particle: Particle) -> Outcome {
         let (goal, surface) = (&self.input.plan.graph.goal, &self.input.task.surface);
-        match fate {
-            Fate::Absorbed => Outcome::Gone,
-            _ if goal.is_met_by(position, fate, surface) => Outcome::Done,
-            Fate::OffSurface { .. } => Outcome::Lost,
-            Fate::OnSurface => Outcome::Left,
-        }
+        outcome(goal, surface, particle)
     }
 
     /// What the performance counts, in two or three words.
     pub(super) fn achieved(&self) -> &'static str {
-        match self.input.plan.graph.goal {
-            GoalState::Absorbed => "taken up",
-            GoalState::Collected { .. } => "at the goal",
-            GoalState::Skimmed => "over the allowed edge",
-        }
+        achieved(&self.input.plan.graph.goal)
     }
 
     /// Radius of a particle that leaves room between `count` of them.
     pub(super) fn dot_radius(&self, view: &View, count: usize) -> f64 {
-        let room = view.width() * view.height() / count.max(1) as f64;
-        (0.07 * room.sqrt()).clamp(0.9, 3.2)
+        dot_radius(view, count)
     }
 
     /// The surface, its edges, the goal and what stands on it.
     pub(super) fn ground(&self, view: &View) -> Markup {
-        let surface = &self.input.task.surface;
-        let outline = view.rings(surface.outline.rings());
-        let edges: Vec<_> = surface.outline.edges().collect();
-        let skim = surface.skim_edges.iter().filter_map(|&i| edges.get(i));
-        let goal = match self.input.plan.graph.goal {
-            GoalState::Collected { center, radius } => Some((view.at(center), radius)),
-            GoalState::Absorbed | GoalState::Skimmed => None,
-        };
-        html! {
-            path class="surface" fill-rule="evenodd" d=(outline) {}
-            path class="outline" d=(outline) {}
-            @if self.input.plan.graph.goal == GoalState::Skimmed {
-                @for edge in skim {
-                    @let line = view.line([edge.start, edge.end]);
-                    path class="skim-edge" d=(line) {}
-                    path class="skim-core" d=(line) {}
-                }
-            }
-            @if let Some(((x, y), radius)) = goal {
-                circle class="goal-reach" cx=(px(x)) cy=(px(y)) r=(px(radius * view.scale)) {}
-            }
-        }
+        let (surface, goal) = (&self.input.task.surface, &self.input.plan.graph.goal);
+        ground(view, surface, goal)
     }
 
     pub(super) fn obstacles(&self, view: &View) -> Markup {
@@ -172,21 +131,8 @@ impl<'a> Drawing<'a> {
 
     /// Particles as they lie at one moment: filled, by outcome.
     pub(super) fn particles(&self, view: &View, particles: &[Particle], radius: f64) -> Markup {
-        let (mut left, mut done, mut lost) = (Pen::default(), Pen::default(), Pen::default());
-        for &particle in particles {
-            let at = view.at(particle.0);
-            match self.outcome(particle) {
-                Outcome::Left => left.dot(at),
-                Outcome::Done => done.dot(at),
-                Outcome::Lost => lost.cross(at, radius),
-                Outcome::Gone => {}
-            }
-        }
-        html! {
-            path class="dots-left" stroke-width=(px(2.0 * radius)) d=(left.path()) {}
-            path class="dots-done" stroke-width=(px(2.0 * radius)) d=(done.path()) {}
-            path class="mark-lost" d=(lost.path()) {}
-        }
+        let outcomes = particles.iter().map(|&p| (p.0, self.outcome(p)));
+        self::particles(view, outcomes, radius)
     }
 
     /// Directed edges, an arrow on each.
@@ -370,4 +316,90 @@ fn bounds(input: &ReportInput, tool_start: Option<Point2>) -> Bounds2 {
         .chain(moved.filter(near).flat_map(|p| around(p, 0.2 * radius)))
         .chain(outline.flat_map(|p| around(p, 0.35 * radius)));
     Bounds2::of(shown).unwrap_or(surface)
+}
+
+/// What stands on the surface, as rings in its frame [m].
+pub(super) fn obstacle_rings(task: &Task, collision_radius: f64) -> Vec<Vec<Point2>> {
+    let scene: Vec<_> = task.obstacles_in_surface().collect();
+    // A scene that the collision library refuses has no plan and never comes here.
+    FreeSpace::new(&task.surface, &scene, collision_radius)
+        .map(|space| {
+            let sections = space.occupied().sections().iter();
+            sections.flat_map(|edges| rings(edges)).collect()
+        })
+        .unwrap_or_default()
+}
+
+/// What a particle's fate is worth for the goal.
+pub(super) fn outcome(goal: &GoalState, surface: &Surface, particle: Particle) -> Outcome {
+    let (position, fate) = particle;
+    match fate {
+        Fate::Absorbed => Outcome::Gone,
+        _ if goal.is_met_by(position, fate, surface) => Outcome::Done,
+        Fate::OffSurface { .. } => Outcome::Lost,
+        Fate::OnSurface => Outcome::Left,
+    }
+}
+
+/// What the performance counts, in two or three words.
+pub(super) fn achieved(goal: &GoalState) -> &'static str {
+    match goal {
+        GoalState::Absorbed => "taken up",
+        GoalState::Collected { .. } => "at the goal",
+        GoalState::Skimmed => "over the allowed edge",
+    }
+}
+
+/// Radius of a particle that leaves room between `count` of them.
+pub(super) fn dot_radius(view: &View, count: usize) -> f64 {
+    let room = view.width() * view.height() / count.max(1) as f64;
+    (0.07 * room.sqrt()).clamp(0.9, 3.2)
+}
+
+/// The surface, its edges and the goal.
+pub(super) fn ground(view: &View, surface: &Surface, goal: &GoalState) -> Markup {
+    let outline = view.rings(surface.outline.rings());
+    let edges: Vec<_> = surface.outline.edges().collect();
+    let skim = surface.skim_edges.iter().filter_map(|&i| edges.get(i));
+    let reach = match *goal {
+        GoalState::Collected { center, radius } => Some((view.at(center), radius)),
+        GoalState::Absorbed | GoalState::Skimmed => None,
+    };
+    html! {
+        path class="surface" fill-rule="evenodd" d=(outline) {}
+        path class="outline" d=(outline) {}
+        @if *goal == GoalState::Skimmed {
+            @for edge in skim {
+                @let line = view.line([edge.start, edge.end]);
+                path class="skim-edge" d=(line) {}
+                path class="skim-core" d=(line) {}
+            }
+        }
+        @if let Some(((x, y), radius)) = reach {
+            circle class="goal-reach" cx=(px(x)) cy=(px(y)) r=(px(radius * view.scale)) {}
+        }
+    }
+}
+
+/// Particles, filled, by what became of them.
+pub(super) fn particles(
+    view: &View,
+    particles: impl IntoIterator<Item = (Point2, Outcome)>,
+    radius: f64,
+) -> Markup {
+    let (mut left, mut done, mut lost) = (Pen::default(), Pen::default(), Pen::default());
+    for (position, outcome) in particles {
+        let at = view.at(position);
+        match outcome {
+            Outcome::Left => left.dot(at),
+            Outcome::Done => done.dot(at),
+            Outcome::Lost => lost.cross(at, radius),
+            Outcome::Gone => {}
+        }
+    }
+    html! {
+        path class="dots-left" stroke-width=(px(2.0 * radius)) d=(left.path()) {}
+        path class="dots-done" stroke-width=(px(2.0 * radius)) d=(done.path()) {}
+        path class="mark-lost" d=(lost.path()) {}
+    }
 }

@@ -11,7 +11,7 @@ use wisch::represent::{
 };
 
 /// Set to a folder, the reports of these tests are kept there to be looked at.
-const KEEP: &str = "WISCH_KEEP_REPORTS";
+pub(super) const KEEP: &str = "WISCH_KEEP_REPORTS";
 
 struct Run {
     task: Task,
@@ -62,6 +62,7 @@ impl Run {
             bandwidth: None,
             facts: &self.facts,
             motion: None,
+            rounds: None,
         }
     }
 }
@@ -141,11 +142,11 @@ fn object(name: &str, mesh: Mesh, at: [f64; 3], turn: f64) -> SceneObject {
     }
 }
 
-fn board(action: Action) -> Task {
+pub(super) fn board(action: Action) -> Task {
     task(action, Vector2::new(0.40, 0.28), Vec::new(), 80)
 }
 
-fn table(action: Action) -> Task {
+pub(super) fn table(action: Action) -> Task {
     let cuboid = Mesh::cuboid(Vector3::new(0.10, 0.06, 0.2)).expect("a box");
     let cup = Mesh::cylinder(0.04, 0.1, 48).expect("a cup");
     let bowl = Mesh::cylinder(0.06, 0.08, 48).expect("a bowl");
@@ -157,7 +158,7 @@ fn table(action: Action) -> Task {
     task(action, Vector2::new(0.80, 0.50), scene, 80)
 }
 
-fn windshield(action: Action) -> Task {
+pub(super) fn windshield(action: Action) -> Task {
     let pillar = |side: f64| {
         let mesh = Mesh::cuboid(Vector3::new(0.06, 0.6, 0.06)).expect("a box");
         object("pillar", mesh, [side * 0.485, 0.0, 0.0], side * 0.12)

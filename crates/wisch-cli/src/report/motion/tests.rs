@@ -106,6 +106,7 @@ fn a_report_with_a_motion_has_its_view_and_pictures() {
         bandwidth: None,
         facts: &[],
         motion: None,
+        rounds: None,
     };
     assert!(!crate::report::page(&input).contains("motion-"));
     input.motion = Some(&motion);
@@ -123,9 +124,8 @@ fn a_report_with_a_motion_has_its_view_and_pictures() {
         ids.contains(&"motion-canvas") && ids.len() == all,
         "an id stands twice"
     );
-    let stems: Vec<&str> = (crate::report::pictures(&input).iter())
-        .map(|(stem, _)| *stem)
-        .collect();
+    let pictures = crate::report::pictures(&input);
+    let stems: Vec<&str> = pictures.iter().map(|(stem, _)| stem.as_str()).collect();
     assert!(stems.ends_with(&["joints", "placements"]));
 }
 
