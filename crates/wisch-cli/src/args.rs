@@ -26,7 +26,7 @@ use wisch_telemetry::{Axes, WrenchSign};
 Examples:
   wisch new board.toml          write a task file with comments to start from
   wisch check board.toml        say in words what it asks for
-  wisch run board.toml          plan, predict, follow, and write out/<task>/report.html
+  wisch run board.toml          wipe until the goal is met, and write out/<task>/report.html
 
 Exit codes: 0 the goal is met, 1 the goal is not met, 2 an error."
 )]
@@ -86,17 +86,22 @@ pub enum ColorChoice {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Plan a task, follow the plan with the task's robot, and predict what that does
+    /// Wipe: plan, predict, follow with the task's robot, execute in a physics world, infer by touch what
+    /// was wiped, and wipe again until the goal is met
     #[command(after_help = "\
 Examples:
   wisch run board.toml
-  wisch run board.toml --robot my_arm.urdf
-  wisch run board.toml --strategy kde --action collect --seed 7
-  wisch run board.toml --set particles.count=200 --out /tmp/board
-  wisch run board.toml --json | jq .predicted_performance
+  wisch run board.toml --robot my_arm.urdf --rounds 2
+  wisch run board.toml --set 'execution.surface_tilt_rad=[0.05, 0]' --seed 7
+  wisch run board.toml --robot none         without a robot: plan and predict
+  wisch run board.toml --json | jq '.rounds[] | {predicted, estimated, true_performance}'
 
-Exit codes: 0 the predicted performance reaches the task's target, 1 it does not, 2 an error.")]
-    Run(FollowArgs),
+Writes a report with every round, a bag of telemetry per round (round-1.mcap, for Foxglove, Rerun and
+ROS 2), rounds.json, and the particles as estimated and as they really are.
+
+Exit codes: 0 the estimated performance reaches the task's target (without a robot: the predicted one),
+1 it does not, 2 an error.")]
+    Run(WipeArgs),
     /// Follow a plan with a robot: joint trajectories that ROS 2 executes
     #[command(after_help = "\
 Examples:
@@ -264,7 +269,33 @@ pub struct RunArgs {
     pub results: ResultArgs,
 }
 
-/// Arguments of `run` and `follow`.
+/// Arguments of `run`.
+#[derive(Debug, Args)]
+pub struct WipeArgs {
+    /// What is followed.
+    #[command(flatten)]
+    pub follow: FollowArgs,
+    /// The rounds.
+    #[command(flatten)]
+    pub rounds: LoopArgs,
+}
+
+/// How the closed loop runs.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Rounds")]
+pub struct LoopArgs {
+    /// Most rounds of wiping, looking at the estimate, and wiping again [default: the task's]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1000))]
+    pub rounds: Option<u16>,
+    /// Interpret after every stroke, and plan anew
+    #[arg(long)]
+    pub greedy: bool,
+    /// Execute no faster than in reality
+    #[arg(long)]
+    pub realtime: bool,
+}
+
+/// Arguments of `follow`, and of `run` in part.
 #[derive(Debug, Args)]
 pub struct FollowArgs {
     /// The task.

@@ -14,6 +14,10 @@ pub const PLAN_FILE: &str = "plan.json";
 pub const INTERPRETATION_FILE: &str = "interpretation.json";
 /// The particles as they are estimated to lie.
 pub const PARTICLES_ESTIMATED_FILE: &str = "particles-estimated.csv";
+/// The simulated particles as they really lie.
+pub const PARTICLES_TRUE_FILE: &str = "particles-true.csv";
+/// What happened in each round.
+pub const ROUNDS_FILE: &str = "rounds.json";
 /// The particles as they are believed to lie.
 pub const PARTICLES_BEFORE_FILE: &str = "particles-before.csv";
 /// The particles as they are predicted to lie.
@@ -141,6 +145,11 @@ impl OutputFolder {
             .map_err(|error| cannot_write(&self.target.join(name), &error))
     }
 
+    /// Where a file stands that others write before the folder is finished.
+    pub fn place(&self, name: &str) -> PathBuf {
+        self.new_path().join(name)
+    }
+
     /// Moves the folder to its place, and what stood there away.
     ///
     /// # Errors
@@ -231,6 +240,8 @@ fn is_result_file(name: &str) -> bool {
         PLAN_FILE,
         INTERPRETATION_FILE,
         PARTICLES_ESTIMATED_FILE,
+        PARTICLES_TRUE_FILE,
+        ROUNDS_FILE,
         PARTICLES_BEFORE_FILE,
         PARTICLES_AFTER_FILE,
         FOLLOWING_FILE,
@@ -239,7 +250,9 @@ fn is_result_file(name: &str) -> bool {
         TCP_PATH_FILE,
         REPORT_FILE,
     ];
-    fixed.contains(&name) || name.ends_with(".svg") || name.ends_with(".png")
+    let is_bag = name.starts_with("round-") && name.ends_with(".mcap");
+    let is_picture = name.ends_with(".svg") || name.ends_with(".png");
+    fixed.contains(&name) || is_bag || is_picture
 }
 
 fn cannot_write(path: &Path, error: &io::Error) -> Failure {

@@ -81,15 +81,11 @@ fn no_robot(args: &RobotArgs) -> Result<(), Failure> {
     }
 }
 
-/// Robot, tool and scene, and what is known of the robot's reach.
-pub fn workcell(
-    chosen: &Chosen<'_>,
-    task_args: &TaskArgs,
-    prepared: &Prepared,
-) -> Result<(Workcell, Option<CapabilityMap>), Failure> {
+/// The robot, as it is described.
+pub fn performer(chosen: &Chosen<'_>, task_args: &TaskArgs) -> Result<Robot, Failure> {
     let Chosen { record, args } = chosen;
     let task_file = &task_args.task;
-    let robot = Robot::read(
+    Robot::read(
         &record.description,
         task_file,
         args.map.as_deref(),
@@ -98,12 +94,27 @@ pub fn workcell(
     .map_err(|failure| match args.robot {
         Some(_) => failure,
         None => failure.within(task_file),
-    })?;
-    let config = WorkcellConfig {
+    })
+}
+
+/// Which part of the robot wipes, and where the robot stands.
+pub fn workcell_config(chosen: &Chosen<'_>, prepared: &Prepared) -> WorkcellConfig {
+    let record = &chosen.record;
+    WorkcellConfig {
         group: record.group.clone(),
         world_from_robot: (record.world_from_robot).or_else(|| before_surface(&prepared.task)),
         ..WorkcellConfig::default()
-    };
+    }
+}
+
+/// Robot, tool and scene, and what is known of the robot's reach.
+pub fn workcell(
+    chosen: &Chosen<'_>,
+    task_args: &TaskArgs,
+    prepared: &Prepared,
+) -> Result<(Workcell, Option<CapabilityMap>), Failure> {
+    let robot = performer(chosen, task_args)?;
+    let config = workcell_config(chosen, prepared);
     let cell = Workcell::new(robot.model, robot.srdf.as_ref(), &prepared.task, &config)
         .map_err(|error| cannot_follow(&error, &chosen.record, task_args, prepared))?;
     Ok((cell, robot.map))
@@ -184,7 +195,7 @@ pub fn follow_plan(
     })
 }
 
-fn cannot_follow(
+pub fn cannot_follow(
     error: &FollowError,
     record: &RobotRecord,
     task_args: &TaskArgs,

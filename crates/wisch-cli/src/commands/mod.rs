@@ -8,6 +8,7 @@ mod map;
 mod new;
 mod prepare;
 mod robot;
+mod rounds;
 mod run;
 mod words;
 

@@ -4,7 +4,7 @@ use crate::args::TaskArgs;
 use crate::assets::{KnowledgeSource, beside, read_text};
 use crate::failure::Failure;
 use wisch::plan::{CoverageStrategy, GoalLiteral, PlanConfig, resolve_goal};
-use wisch::represent::{Action, Intent, KnowledgeBase, Task, TaskFile, UnknownName};
+use wisch::represent::{Action, Intent, KnowledgeBase, Reality, Task, TaskFile, UnknownName};
 
 /// What a task gets that asks for none: the paper's plainest, which never leaves a free cell out.
 const DEFAULT_STRATEGY: CoverageStrategy = CoverageStrategy::Grid;
@@ -17,6 +17,8 @@ pub struct Prepared {
     pub task: Task,
     /// How to plan it.
     pub config: PlanConfig,
+    /// What a simulated execution takes for real.
+    pub reality: Reality,
     /// The goal and the steps that reach it, where the file states a goal and not an action.
     pub derived: Option<Derived>,
 }
@@ -68,7 +70,10 @@ impl Prepared {
             bandwidth: file.bandwidth_m(),
             lift_height: file.lift_height_m(),
         };
+        let reality = (file.reality(&task, &knowledge))
+            .map_err(|error| Failure::new(format!("{shown}: {error}")))?;
         Ok(Self {
+            reality,
             file,
             task,
             config,

@@ -2,17 +2,25 @@
 
 use super::follow::{Chosen, Following, follow_plan};
 use super::prepare::Prepared;
+use super::rounds::{
+    Done, first_following, goal_met, input, rounds_in_words, summary as summary_of_round, views,
+    wipe,
+};
 use super::words::{counted, percent};
-use crate::args::{FollowArgs, GlobalArgs, PredictArgs, ResultArgs, RobotArgs, RunArgs, TaskArgs};
+use crate::args::{
+    FollowArgs, GlobalArgs, LoopArgs, PredictArgs, ResultArgs, RobotArgs, RunArgs, TaskArgs,
+    WipeArgs,
+};
 use crate::assets::read_text;
 use crate::failure::Failure;
 use crate::output::{
-    FOLLOWING_FILE, OutputFolder, PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE, PLAN_FILE,
-    REPORT_FILE, TCP_PATH_FILE, TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE,
+    FOLLOWING_FILE, OutputFolder, PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE,
+    PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE, REPORT_FILE, ROUNDS_FILE,
+    TCP_PATH_FILE, TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE,
 };
 use crate::progress::Progress;
 use crate::records::{
-    FollowedRecord, FollowingSummary, PlanRecord, PredictionSummary, RobotTrajectory,
+    FollowedRecord, FollowingSummary, LoopSummary, PlanRecord, PredictionSummary, RobotTrajectory,
     SUMMARY_SCHEMA, Summary, tcp_path_csv,
 };
 use crate::report::{self, Frames, ReportInput};
@@ -32,20 +40,26 @@ const MAX_NAME_LEN: usize = 60;
 enum Extent<'a> {
     Plan,
     Predict,
-    /// With the robot of the task, if there is one.
-    Run(&'a RobotArgs),
+    /// With the robot of the task, if there is one, round by round.
+    Run(&'a RobotArgs, &'a LoopArgs),
     /// With the robot of the task, which has to have one.
     Follow(&'a RobotArgs),
 }
 
-/// `wisch run`: plan, follow with the task's robot if it has one, and predict.
-pub fn run(args: &FollowArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    let plan = args.plan.as_deref();
-    let extent = Extent::Run(&args.robot);
-    work(&args.task, &args.results, plan, extent, global)
+/// `wisch run`: the closed loop with the task's robot; without one, plan and predict.
+pub fn run(args: &WipeArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let follow = &args.follow;
+    let extent = Extent::Run(&follow.robot, &args.rounds);
+    work(
+        &follow.task,
+        &follow.results,
+        follow.plan.as_deref(),
+        extent,
+        global,
+    )
 }
 
-/// `wisch follow`: the same, but without a robot there is nothing to do.
+/// `wisch follow`: plan, follow and predict; without a robot there is nothing to do.
 pub fn follow_only(args: &FollowArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let plan = args.plan.as_deref();
     let extent = Extent::Follow(&args.robot);
@@ -72,6 +86,8 @@ struct Results {
     /// Share of the particles that abandoned nodes cost.
     abandoned_share: f64,
     predicted: Option<(Prediction, Frames)>,
+    /// What was executed.
+    rounds: Vec<Done>,
 }
 
 fn work(
@@ -86,7 +102,7 @@ fn work(
     let mut prepared = Prepared::read(task_args)?;
     let robot = match extent {
         Extent::Plan | Extent::Predict => None,
-        Extent::Run(args) => Chosen::new(args, &prepared)?,
+        Extent::Run(args, _) => Chosen::new(args, &prepared)?,
         Extent::Follow(args) => Some(Chosen::new(args, &prepared)?.ok_or_else(|| {
             prepared
                 .failure(task_args, "there is no robot to follow the plan")
@@ -100,14 +116,23 @@ fn work(
     // Before the long part: nobody likes to wait for "permission denied".
     let folder = OutputFolder::begin(&out)?;
 
-    let results_of = stages(
-        task_args,
-        &prepared,
-        given,
-        extent,
-        robot.as_ref(),
-        &progress,
-    )?;
+    let results_of = match (extent, &robot) {
+        (Extent::Run(_, rounds), Some(robot)) => {
+            let done = wipe(
+                robot, rounds, task_args, &prepared, given, &folder, &progress,
+            )?;
+            progress.say("checking the motion");
+            executed(done, task_args, &prepared)?
+        }
+        _ => stages(
+            task_args,
+            &prepared,
+            given,
+            extent,
+            robot.as_ref(),
+            &progress,
+        )?,
+    };
     progress.say("writing the results");
     write(&folder, &prepared, &results_of)?;
     folder.finish()?;
@@ -120,7 +145,7 @@ fn work(
             serde_json::to_string(&summary).map_err(internal)?
         ))?;
     } else if !global.quiet {
-        print(&in_words(&summary, &out))?;
+        print(&in_words(&summary, &results_of.rounds, &out))?;
     }
     Ok(match summary.prediction {
         Some(PredictionSummary {
@@ -156,7 +181,7 @@ fn stages(
     let mut abandoned_share = 0.0;
     let predicted = match extent {
         Extent::Plan => None,
-        Extent::Predict | Extent::Run(_) | Extent::Follow(_) => {
+        Extent::Predict | Extent::Run(..) | Extent::Follow(_) => {
             let wiped = (following.as_ref()).map_or_else(|| plan.clone(), |f| f.plan(&plan));
             progress.say(format!(
                 "predicting {}",
@@ -180,6 +205,31 @@ fn stages(
         following,
         abandoned_share,
         predicted,
+        rounds: Vec::new(),
+    })
+}
+
+/// The outcome of rounds: plan, motion and prediction are those of the first.
+fn executed(
+    rounds: Vec<Done>,
+    task_args: &TaskArgs,
+    prepared: &Prepared,
+) -> Result<Results, Failure> {
+    let first = rounds.first().ok_or_else(|| internal("no round was run"))?;
+    let following = first_following(first, task_args, prepared)?;
+    let plan = first.round.motion.plan.clone();
+    let task = &prepared.task;
+    let wiped = following.plan(&plan);
+    let mut frames = Frames::new(task, &wiped);
+    let prediction = predict(task, &wiped, |p| frames.watch(p));
+    let hoped = predict(task, &plan, |_| ()).performance.ratio();
+    Ok(Results {
+        planning_time_s: Some(first.times.planning_s),
+        abandoned_share: (hoped - prediction.performance.ratio()).max(0.0),
+        following: Some(following),
+        predicted: Some((prediction, frames)),
+        plan,
+        rounds,
     })
 }
 
@@ -193,6 +243,16 @@ fn write(folder: &OutputFolder, prepared: &Prepared, results: &Results) -> Resul
     if let Some((prediction, frames)) = &results.predicted {
         folder.write(PARTICLES_AFTER_FILE, prediction.particles.to_csv())?;
         write_report(folder, prepared, results, prediction, frames)?;
+    }
+    if let Some(last) = results.rounds.last() {
+        let told = &last.round.interpretation;
+        let estimated = told.belief.sample(prepared.task.seed).map_err(internal)?;
+        folder.write(PARTICLES_ESTIMATED_FILE, estimated.to_csv())?;
+        if let Some(truth) = &last.truth {
+            folder.write(PARTICLES_TRUE_FILE, truth.to_csv())?;
+        }
+        let rounds: Vec<_> = results.rounds.iter().map(summary_of_round).collect();
+        folder.write(ROUNDS_FILE, json(&rounds)?)?;
     }
     Ok(())
 }
@@ -268,12 +328,14 @@ fn write_report(
     );
     let shown = following.map(|following| (following, following.shown(frames)));
     let motion = (shown.as_ref()).map(|(following, shown)| shown.input(following, &prepared.task));
+    let views = views(&results.rounds);
+    let rounds = input(&results.rounds, &views, prepared);
     let input = ReportInput {
         title: &title,
         task: &prepared.task,
         plan: &wiped,
         motion: motion.as_ref(),
-        rounds: None,
+        rounds: rounds.as_ref(),
         prediction,
         frames,
         bandwidth: prepared.config.bandwidth,
@@ -374,16 +436,20 @@ fn summary(prepared: &Prepared, results: &Results, out: &Path) -> Summary {
             PredictionSummary {
                 predicted_performance,
                 target_performance,
-                goal_met: predicted_performance >= target_performance,
+                goal_met: match results.rounds.is_empty() {
+                    true => predicted_performance >= target_performance,
+                    false => goal_met(&results.rounds),
+                },
                 lost_share: performance.lost as f64 / performance.initial.max(1) as f64,
             }
         }),
+        execution: LoopSummary::new(results.rounds.iter().map(summary_of_round).collect()),
         out: out.display().to_string(),
     }
 }
 
 /// The summary for people.
-fn in_words(summary: &Summary, out: &Path) -> String {
+fn in_words(summary: &Summary, rounds: &[Done], out: &Path) -> String {
     let mut lines = vec![];
     if let Some(prediction) = &summary.prediction {
         let verdict = if prediction.goal_met {
@@ -391,15 +457,24 @@ fn in_words(summary: &Summary, out: &Path) -> String {
         } else {
             "not met"
         };
+        let (word, performance) = match &summary.execution {
+            Some(execution) => ("estimated", execution.final_estimated),
+            None => ("predicted", prediction.predicted_performance),
+        };
         lines.push((
             "performance",
             format!(
-                "{} of {} particles (target {}: {verdict})",
-                percent(prediction.predicted_performance),
+                "{word} {} of {} particles (target {}: {verdict})",
+                percent(performance),
                 summary.particles,
                 percent(prediction.target_performance),
             ),
         ));
+        lines.extend(rounds_in_words(rounds));
+        if summary.execution.is_some() {
+            let predicted = percent(prediction.predicted_performance);
+            lines.push(("predicted", format!("{predicted} for the first round")));
+        }
         lines.push(("lost over an edge", percent(prediction.lost_share)));
     } else {
         lines.push(("particles", summary.particles.to_string()));
@@ -426,6 +501,10 @@ fn in_words(summary: &Summary, out: &Path) -> String {
     }
     if let Some(following) = &summary.following {
         lines.extend(robot_in_words(following));
+    }
+    if let Some(execution) = &summary.execution {
+        let factor = execution.realtime_factor;
+        lines.push(("simulation", format!("{factor:.1} times real time")));
     }
     let result = match summary.prediction {
         Some(_) => ("report", REPORT_FILE),

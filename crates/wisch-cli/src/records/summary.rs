@@ -46,6 +46,9 @@ pub struct Summary {
     /// What the robot makes of the plan; its keys are missing where no robot followed it.
     #[serde(flatten)]
     pub following: Option<FollowingSummary>,
+    /// What came of executing it; its keys are missing where nothing was executed.
+    #[serde(flatten)]
+    pub execution: Option<super::LoopSummary>,
     /// The folder with the results.
     pub out: String,
 }
@@ -57,7 +60,8 @@ pub struct PredictionSummary {
     pub predicted_performance: f64,
     /// Share from which on the goal is met.
     pub target_performance: f64,
-    /// Whether the prediction reaches the target.
+    /// Whether the target is reached: by the estimate of the last round, or where nothing was executed by
+    /// the prediction.
     pub goal_met: bool,
     /// Share pushed over an edge where that is not wanted.
     pub lost_share: f64,

@@ -20,10 +20,7 @@ pub use motion::{Contact, ParticleFrame, Phase, Placement, RatedPlace};
 pub use motion::{MotionInput, joint_plots, motion_section, placements_plan};
 pub use page::page;
 pub use png::rasterize;
-// Nothing executes a plan yet.
-#[allow(unused_imports)]
-pub use rounds::RoundView;
-pub use rounds::RoundsInput;
+pub use rounds::{RoundView, RoundsInput};
 
 use picture::Drawing;
 use wisch::plan::{Plan, Prediction};

@@ -1,0 +1,133 @@
+//! What `--json` says of the rounds of a run.
+
+use serde::Serialize;
+use wisch::execute::Ending;
+use wisch::interpret::{Diagnosis, EventKind};
+use wisch::run::Round;
+
+/// How long the parts of a round took.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct RoundTimes {
+    /// Planning [s].
+    pub planning_s: f64,
+    /// Following [s].
+    pub following_s: f64,
+    /// Executing [s].
+    pub executing_s: f64,
+    /// Interpreting [s].
+    pub interpreting_s: f64,
+}
+
+/// One round.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RoundSummary {
+    /// Its number, from 1.
+    pub round: usize,
+    /// Strokes that were planned.
+    pub strokes: usize,
+    /// Performance that the plan promised as it was followed.
+    pub predicted: f64,
+    /// Performance by touch.
+    pub estimated: f64,
+    /// Lower end of its 90 % interval.
+    pub estimated_low: f64,
+    /// Upper end of its 90 % interval.
+    pub estimated_high: f64,
+    /// Performance of the simulated dirt; null where none was simulated.
+    pub true_performance: Option<f64>,
+    /// Time in contact over the time that the tool was to wipe.
+    pub contact_share: f64,
+    /// Collisions that were felt.
+    pub collisions: usize,
+    /// From when to when each of them lasted [s].
+    pub collision_times_s: Vec<[f64; 2]>,
+    /// Angle between the felt and the believed surface; null where no plane was found.
+    pub plane_tilt_rad: Option<f64>,
+    /// Height of the felt over the believed surface; null where no plane was found.
+    pub plane_offset_m: Option<f64>,
+    /// localized, relocalize or no contact.
+    pub diagnosis: &'static str,
+    /// goal met, wipe again, no progress or no contact.
+    pub verdict: &'static str,
+    /// complete, stopped, or why the robot stopped itself.
+    pub ending: String,
+    /// How long the execution lasted in the simulated world.
+    pub execution_time_s: f64,
+    /// That over the time that simulating it took.
+    pub realtime_factor: f64,
+    /// How long planning took.
+    pub planning_time_s: f64,
+    /// How long following took.
+    pub following_time_s: f64,
+    /// How long interpreting took.
+    pub interpretation_time_s: f64,
+}
+
+impl RoundSummary {
+    /// The summary of a round.
+    pub fn new(round: &Round, times: &RoundTimes) -> Self {
+        let told = &round.interpretation;
+        let collisions = (told.events.iter()).filter(|e| e.kind == EventKind::Collision);
+        let collision_times_s: Vec<[f64; 2]> =
+            collisions.map(|event| [event.start, event.end]).collect();
+        Self {
+            round: round.motion.number,
+            strokes: round.motion.plan.strokes.len(),
+            predicted: round.motion.prediction.performance.ratio(),
+            estimated: told.performance.mean,
+            estimated_low: told.performance.low,
+            estimated_high: told.performance.high,
+            true_performance: round.true_performance,
+            contact_share: told.contact_share,
+            collisions: collision_times_s.len(),
+            collision_times_s,
+            plane_tilt_rad: told.plane.map(|plane| plane.tilt),
+            plane_offset_m: told.plane.map(|plane| plane.offset),
+            diagnosis: match told.diagnosis {
+                Diagnosis::Localized => "localized",
+                Diagnosis::Relocalize { .. } => "relocalize",
+                Diagnosis::NoContact => "no contact",
+            },
+            verdict: round.verdict.as_str(),
+            ending: match &round.executed.ending {
+                Ending::Complete => "complete".to_owned(),
+                Ending::Stopped => "stopped".to_owned(),
+                Ending::ProtectiveStop { time, cause } => format!("at {time:.3} s: {cause}"),
+            },
+            execution_time_s: round.executed.duration,
+            realtime_factor: round.executed.duration / times.executing_s.max(f64::MIN_POSITIVE),
+            planning_time_s: times.planning_s,
+            following_time_s: times.following_s,
+            interpretation_time_s: times.interpreting_s,
+        }
+    }
+}
+
+/// The part of a summary that takes an execution.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LoopSummary {
+    /// The rounds in their order.
+    pub rounds: Vec<RoundSummary>,
+    /// Performance by touch after the last of them.
+    pub final_estimated: f64,
+    /// Performance of the simulated dirt after the last of them; null where none was simulated.
+    pub final_true: Option<f64>,
+    /// Simulated time of all executions over the time that they took.
+    pub realtime_factor: f64,
+}
+
+impl LoopSummary {
+    /// The summary of rounds; `None` of none.
+    pub fn new(rounds: Vec<RoundSummary>) -> Option<Self> {
+        let last = rounds.last()?;
+        let simulated: f64 = rounds.iter().map(|round| round.execution_time_s).sum();
+        let taken = |round: &RoundSummary| round.execution_time_s / round.realtime_factor;
+        let taken: f64 = rounds.iter().map(taken).sum();
+        Some(Self {
+            final_estimated: last.estimated,
+            final_true: last.true_performance,
+            realtime_factor: simulated / taken.max(f64::MIN_POSITIVE),
+            rounds,
+        })
+    }
+}
