@@ -6,7 +6,7 @@ use crate::execute::{
 use crate::follow::{FollowConfig, FollowError, Followed, Workcell, WorkcellConfig, follow};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::interpret::{
-    Belief, InterpretConfig, InterpretError, Interpretation, Interpreter, TouchSample,
+    Belief, EventKind, InterpretConfig, InterpretError, Interpretation, Interpreter, TouchSample,
 };
 use crate::plan::{CoverageStrategy, Plan, PlanConfig, PlanError, Prediction, best_plan, predict};
 use crate::recover::{Pace, Verdict, believed_performance, judge, next_task, paced, unfinished};
@@ -17,7 +17,7 @@ use std::ops::ControlFlow;
 
 /// Plans that are tried for what is left over; there the density is that of a few scattered grains, and
 /// the prediction tells best what becomes of them.
-const RECOVERY_VARIANTS: usize = 10;
+const RECOVERY_VARIANTS: usize = 50;
 
 /// The robot that does it.
 #[derive(Debug, Clone, Copy)]
@@ -152,9 +152,11 @@ pub fn run(
     let mut goal = None;
     for number in 1..=config.max_rounds {
         let _ = news(News::Planning(number));
-        let Some(plan) = plan_round(&task, goal.as_ref(), given.take(), config)? else {
+        let plan = plan_round(&task, goal.as_ref(), given.take(), config)?;
+        if let (true, Some(last)) = (plan.strokes.is_empty(), rounds.last_mut()) {
+            last.verdict = Verdict::NothingToGain;
             break;
-        };
+        }
         let goal = *goal.get_or_insert(plan.graph.goal);
         let motion = follow_round(
             number, &task, &belief, plan, performer, &workcell, config, news,
@@ -200,21 +202,18 @@ pub fn run(
     Ok(rounds)
 }
 
-/// The plan of a round: on what is not yet done. `None` if nothing is left to do.
+/// The plan of a round: on what is not yet done.
 fn plan_round(
     task: &Task,
     goal: Option<&GoalState>,
     given: Option<Plan>,
     config: &RunConfig,
-) -> Result<Option<Plan>, RunError> {
+) -> Result<Plan, RunError> {
     let plan = match (given, goal) {
         (Some(plan), _) => plan,
         (None, None) => best_plan(task, &task.particles, &config.plan, config.variants)?,
         (None, Some(goal)) => {
             let open = unfinished(task, goal)?;
-            if open.is_empty() {
-                return Ok(None);
-            }
             let kde = PlanConfig {
                 strategy: CoverageStrategy::Kde,
                 seed: task.seed,
@@ -223,7 +222,7 @@ fn plan_round(
             best_plan(task, &open, &kde, RECOVERY_VARIANTS)?
         }
     };
-    Ok(Some(paced(plan, config.pace)))
+    Ok(paced(plan, config.pace))
 }
 
 /// The joint motion of a round, and what it is predicted to do.
@@ -301,6 +300,13 @@ fn execute_round(
         },
     )?;
     refused.map_or(Ok(executed), |error| Err(error.into()))
+}
+
+/// Whether the robot was pushed, or stopped itself.
+fn was_disturbed(executed: &Executed, interpretation: &Interpretation) -> bool {
+    let mut events = interpretation.events.iter();
+    matches!(executed.ending, Ending::ProtectiveStop { .. })
+        || events.any(|event| event.kind == EventKind::Collision)
 }
 
 /// The dirt as it really lies: where the task has it, unless there is too much of it for the simulation.

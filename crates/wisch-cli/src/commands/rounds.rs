@@ -121,6 +121,8 @@ struct Watch<'a> {
     times: Vec<RoundTimes>,
     since: Instant,
     samples: usize,
+    /// Whether the round is planned.
+    follows: bool,
     /// The round, and how long its motion takes [s].
     round: usize,
     duration: f64,
@@ -137,6 +139,7 @@ impl<'a> Watch<'a> {
             times: Vec::new(),
             since: Instant::now(),
             samples: 0,
+            follows: false,
             round: 0,
             duration: 0.0,
         }
@@ -148,12 +151,14 @@ impl<'a> Watch<'a> {
                 self.round = *round;
                 self.progress.say(format!("round {round}: planning"));
                 self.since = Instant::now();
+                self.follows = false;
                 self.times.push(RoundTimes::default());
                 Ok(())
             }
             News::Following { passed, nodes } => {
-                if *passed == 0 {
+                if !self.follows {
                     self.take(|times| &mut times.planning_s);
+                    self.follows = true;
                 }
                 let round = self.round;
                 self.progress.say(format!(

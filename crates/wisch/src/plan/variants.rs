@@ -7,13 +7,17 @@ use crate::represent::{ParticleDistribution, Task};
 /// collision sphere. The density's peaks, and with them the strokes, differ from one to the next.
 const BANDWIDTHS: [f64; 9] = [0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.7, 2.0, 2.6];
 
+/// Corners of the surface at which strokes are begun.
+const MAX_CORNERS: usize = 8;
+
 /// The plan with the greatest predicted performance among `count` variants; of equal ones that with the
 /// shortest way in contact.
 ///
 /// Nodes are placed on `to_plan_on`, such as the dirt that is not yet where it belongs; what the plans do is
 /// predicted on all of the task's dirt, so that a stroke that scatters a heap counts against its plan.
-/// Variants differ in the bandwidth of the density estimate; other strategies than KDE have none. The first
-/// is the plan as configured, so with a count of 1 this is [`plan`].
+/// Variants differ in the bandwidth of the density estimate, if the strategy is KDE, and then in where the
+/// strokes begin: at the tool, or at a corner of the surface. The first is the plan as configured, so with a
+/// count of 1 this is [`plan`].
 ///
 /// # Errors
 /// Those of [`plan`], if no variant gives a plan.
@@ -30,16 +34,29 @@ pub fn best_plan(
         CoverageStrategy::Kde => BANDWIDTHS.map(|scale| Some(scale * half_radius)).to_vec(),
         CoverageStrategy::Grid | CoverageStrategy::Rrt => Vec::new(),
     };
-    let bandwidths = std::iter::once(config.bandwidth).chain(others);
+    let bandwidths: Vec<Option<f64>> = std::iter::once(config.bandwidth).chain(others).collect();
+    let corners = task
+        .surface
+        .outline
+        .outer()
+        .iter()
+        .take(MAX_CORNERS)
+        .copied();
+    let starts = std::iter::once(task.tool_start).chain(corners);
+    let variants = starts.flat_map(|start| bandwidths.iter().map(move |&b| (start, b)));
     let mut best: Option<(usize, f64, Plan)> = None;
     let mut failure = None;
-    for bandwidth in bandwidths.take(count.max(1)) {
+    for (start, bandwidth) in variants.take(count.max(1)) {
+        open.tool_start = start;
         let variant = PlanConfig {
             bandwidth,
             ..config.clone()
         };
         let plan = match plan(&open, &variant) {
-            Ok(plan) => plan,
+            Ok(plan) => Plan {
+                tool_start: task.tool_start,
+                ..plan
+            },
             Err(error) => {
                 failure.get_or_insert(error);
                 continue;

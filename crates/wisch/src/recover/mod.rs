@@ -29,6 +29,8 @@ pub enum Verdict {
     Again,
     /// The estimate no longer rises.
     NoProgress,
+    /// No plan is predicted to do any better: what is not where it belongs has left the surface, or would.
+    NothingToGain,
     /// The surface was not felt: nothing is known of the effect.
     NoContact,
 }
@@ -40,6 +42,7 @@ impl Verdict {
             Self::GoalMet => "goal met",
             Self::Again => "wipe again",
             Self::NoProgress => "no progress",
+            Self::NothingToGain => "nothing to gain",
             Self::NoContact => "no contact",
         }
     }

@@ -37,7 +37,7 @@ const BANDWIDTH_M: RangeInclusive<f64> = 1e-3..=10.0;
 /// Clear of the surface, within an arm's reach.
 const LIFT_HEIGHT_M: RangeInclusive<f64> = 1e-3..=1.0;
 /// Plans to choose from.
-const VARIANTS: RangeInclusive<u64> = 1..=10;
+const VARIANTS: RangeInclusive<u64> = 1..=100;
 /// Distances between colours in RGB; black and white are 441.67 apart.
 const TOLERANCE: RangeInclusive<f64> = 0.0..=442.0;
 /// A channel of a colour.
