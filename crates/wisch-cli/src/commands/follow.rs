@@ -57,6 +57,7 @@ impl<'a> Chosen<'a> {
             (Some(text), _) => RobotRecord {
                 description: Robot::description(text),
                 group: None,
+                second_group: None,
                 world_from_robot: in_file.and_then(|robot| robot.world_from_robot),
             },
             (None, Some(record)) => record.clone(),
@@ -101,6 +102,7 @@ pub fn workcell(
     })?;
     let config = WorkcellConfig {
         group: record.group.clone(),
+        second_group: record.second_group.clone(),
         world_from_robot: (record.world_from_robot).or_else(|| before_surface(&prepared.task)),
         ..WorkcellConfig::default()
     };

@@ -290,6 +290,8 @@ pub fn sponge() -> Result<Tool, AnyError> {
         area_of_effect: Vector2::new(depth, width),
         rotation_about_normal: AngleRange::FULL,
         tilt: None,
+        grip: None,
+        second_grip: None,
     })
 }
 

@@ -15,9 +15,11 @@ mod error;
 mod follower;
 mod freedom;
 mod global;
+mod hold;
 mod motion;
 mod placement;
 mod schedule;
+mod second_arm;
 mod stroke_run;
 mod timing;
 mod transfer;
@@ -31,6 +33,7 @@ pub use follower::follow;
 pub use motion::{
     AbandonedNode, Attempt, Followed, Motion, Obstruction, Phase, Placement, RatedPlace, ToolPose,
 };
+pub use second_arm::{GRIP_TOLERANCE, GripDeviation, LEAN_TOLERANCE, SecondArm};
 pub use timing::{
     JointLimit, JointLimits, JointPath, MAX_GRID_INTERVALS, MAX_WAYPOINTS, MIN_BLEND_TOLERANCE,
     SAMPLE_PERIOD, TimingConfig, TimingError, Trajectory, TrajectorySample, time_path,

@@ -272,7 +272,9 @@ fn begin(
             for i in 1..FREE_TRIES {
                 if !matches!(
                     found,
-                    Err(Obstruction::SelfCollision { .. } | Obstruction::SceneCollision { .. })
+                    Err(Obstruction::SelfCollision { .. }
+                        | Obstruction::SceneCollision { .. }
+                        | Obstruction::SecondHand { .. })
                 ) {
                     break;
                 }
@@ -374,7 +376,7 @@ fn finish(
         }),
         _ => {
             let path = transfer(arm, &now.q, &begun.above, seed).ok_or_else(|| {
-                let blocked = arm.is_free(&now.q, &begun.above, Touch::Nothing);
+                let blocked = arm.way(&now.q, &begun.above, Touch::Nothing);
                 failed(blocked.err().unwrap_or(Obstruction::OutOfReach {
                     position_error: 0.0,
                     rotation_error: 0.0,
