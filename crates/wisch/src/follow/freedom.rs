@@ -19,7 +19,8 @@ pub(super) struct Freedom {
 
 /// All values of a tool's freedoms, nearest to the planned orientation first.
 ///
-/// A tool that half a turn maps onto itself is as near at half a turn as at none.
+/// A tool that half a turn maps onto itself is as near at half a turn as at none: it may be turned as far
+/// from there, leaning the other way.
 pub(super) fn freedoms(tool: &Tool, increment: f64) -> Vec<Freedom> {
     let range = tool.rotation_about_normal;
     let whole_turn = range.max_rad - range.min_rad > TAU - increment / 2.0;
@@ -33,6 +34,16 @@ pub(super) fn freedoms(tool: &Tool, increment: f64) -> Vec<Freedom> {
         .iter()
         .flat_map(|&rotation| tilts.iter().map(move |&tilt| Freedom { rotation, tilt }))
         .collect();
+    if symmetric && !whole_turn {
+        let reversed = |freedom: &Freedom| Freedom {
+            rotation: wrap_angle(freedom.rotation + PI),
+            tilt: -freedom.tilt,
+        };
+        let reversed: Vec<Freedom> = (all.iter().map(reversed))
+            .filter(|freedom| all.iter().all(|known| !is_same(known, freedom)))
+            .collect();
+        all.extend(reversed);
+    }
     all.sort_by(|a, b| rank(a, symmetric).total_cmp(&rank(b, symmetric)));
     all
 }
@@ -71,6 +82,11 @@ pub(super) fn rank(freedom: &Freedom, symmetric: bool) -> f64 {
         turned
     };
     ((turned + freedom.tilt.abs()) / SAME_ANGLE).round() * SAME_ANGLE
+}
+
+/// Whether two values are the same, whole turns apart.
+fn is_same(a: &Freedom, b: &Freedom) -> bool {
+    wrap_angle(a.rotation - b.rotation).abs() < SAME_ANGLE && (a.tilt - b.tilt).abs() < SAME_ANGLE
 }
 
 /// Multiples of an increment within a range; the nearest to zero if none is.
@@ -118,7 +134,7 @@ pub(super) fn turned_along(
     }
 }
 
-/// By how much the rotation against the plan changes [rad].
-fn change(begin: &PlanarPose, freedom: &Freedom, from: &ToolPose) -> f64 {
+/// By how much the rotation against the plan changes on an edge [rad].
+pub(super) fn change(begin: &PlanarPose, freedom: &Freedom, from: &ToolPose) -> f64 {
     wrap_angle(freedom.rotation - (from.surface_from_tool.heading - begin.heading))
 }
