@@ -328,6 +328,9 @@ impl<'a> Arm<'a> {
 
     /// The configurations along the tool's line from where the arm is, `start` left out, the end
     /// included.
+    ///
+    /// What is in the way is looked for once all poses have been reached, where it is most likely first: most
+    /// lines that cannot be followed break off out of reach, which is cheap to see.
     pub fn along(
         &self,
         start: &JointPositions,
@@ -340,24 +343,48 @@ impl<'a> Arm<'a> {
         let mut at = *start;
         for i in 1..=count {
             let (s0, s1) = ((i - 1) as f64 / count as f64, i as f64 / count as f64);
-            self.step(&mut at, from, to, [s0, s1], touch, &mut path, MAX_HALVINGS)
+            self.step(&mut at, from, to, [s0, s1], &mut path, MAX_HALVINGS)
                 .map_err(|obstruction| Broken {
                     progress: s0,
                     obstruction,
                 })?;
         }
+        self.is_free_along(start, &path, touch)?;
         Ok(path)
     }
 
+    /// Whether the straight ways from each configuration to the next are free.
+    fn is_free_along(
+        &self,
+        start: &JointPositions,
+        path: &[JointPositions],
+        touch: Touch,
+    ) -> Result<(), Broken> {
+        let broken = |i: usize, obstruction| Broken {
+            progress: i as f64 / path.len() as f64,
+            obstruction,
+        };
+        // A configuration is cheaper than the way between two.
+        for i in [path.len() - 1, path.len() / 2] {
+            self.is_free(&path[i], &path[i], touch)
+                .map_err(|obstruction| broken(i, obstruction))?;
+        }
+        let mut at = start;
+        for (i, next) in path.iter().enumerate() {
+            self.is_free(at, next, touch)
+                .map_err(|obstruction| broken(i, obstruction))?;
+            at = next;
+        }
+        Ok(())
+    }
+
     /// One step of the line, halved where the joints' straight way between leaves it.
-    #[expect(clippy::too_many_arguments, reason = "a recursion carries its state")]
     fn step(
         &self,
         at: &mut JointPositions,
         from: &ToolPose,
         to: &ToolPose,
         [s0, s1]: [f64; 2],
-        touch: Touch,
         path: &mut Vec<JointPositions>,
         halvings: u32,
     ) -> Result<(), Obstruction> {
@@ -366,7 +393,6 @@ impl<'a> Arm<'a> {
         let on_line =
             !self.jumps(at, &next) && self.is_on_line(at, &next, &from.towards(to, middle_s));
         if on_line {
-            self.is_free(at, &next, touch)?;
             path.push(next);
             *at = next;
             return Ok(());
@@ -374,8 +400,8 @@ impl<'a> Arm<'a> {
         if halvings == 0 {
             return Err(self.jump(at, &next));
         }
-        self.step(at, from, to, [s0, middle_s], touch, path, halvings - 1)?;
-        self.step(at, from, to, [middle_s, s1], touch, path, halvings - 1)
+        self.step(at, from, to, [s0, middle_s], path, halvings - 1)?;
+        self.step(at, from, to, [middle_s, s1], path, halvings - 1)
     }
 
     /// Whether a joint moves further than it may between two neighbouring poses.
