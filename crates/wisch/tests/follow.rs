@@ -7,6 +7,8 @@ mod problems;
 mod audit_of_motions;
 #[path = "follow/board.rs"]
 mod board;
+#[path = "follow/broom.rs"]
+mod broom;
 #[path = "follow/humanoid.rs"]
 mod humanoid;
 

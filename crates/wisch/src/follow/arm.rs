@@ -149,7 +149,10 @@ impl<'a> Arm<'a> {
             .chain([&*ready])
             .map(|start| &start[n..])
             .collect();
-        Ok(both(&found, &second.held_anyhow(&found, &seconds, seed, &config)?))
+        Ok(both(
+            &found,
+            &second.held_anyhow(&found, &seconds, seed, &config)?,
+        ))
     }
 
     /// How many of a configuration's values are the leading arm's.

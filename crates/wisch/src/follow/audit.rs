@@ -6,8 +6,8 @@
 
 use super::second_arm::off_grip;
 use super::{
-    CheckConfig, Fault, FollowConfig, FollowError, Followed, GripDeviation, JointPath, Motion, Phase, ToolPose,
-    Touch, Trajectory, TrajectorySample, Workcell, trajectory_faults,
+    CheckConfig, Fault, FollowConfig, FollowError, Followed, GripDeviation, JointPath, Motion,
+    Phase, ToolPose, Touch, Trajectory, TrajectorySample, Workcell, trajectory_faults,
 };
 use crate::geometry::Pose;
 use crate::represent::Task;
@@ -259,8 +259,7 @@ pub(super) fn grip_deviation(cell: &Workcell, q: &[f64]) -> Result<GripDeviation
     };
     let kinematics = cell.robot().forward_kinematics(q)?;
     let root_from_tool = kinematics.world_from_link(cell.tip()) * cell.tip_from_tool();
-    let root_from_hand =
-        kinematics.world_from_link(second.chain().tip()) * second.tip_from_hand();
+    let root_from_hand = kinematics.world_from_link(second.chain().tip()) * second.tip_from_hand();
     Ok(off_grip(second.grip(), &root_from_tool, &root_from_hand))
 }
 

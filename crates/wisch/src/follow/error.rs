@@ -63,6 +63,12 @@ pub enum FollowError {
         /// The group of the second hand.
         group: String,
     },
+    /// The second hand is on the arm that leads.
+    #[error("{link:?} moves with the arm that leads the tool: it is no second hand")]
+    NoSecondArm {
+        /// The hand.
+        link: String,
+    },
     /// The second arm is moved by a joint of the one that leads.
     #[error("the second arm, to {link:?}, is moved by {joint:?}, which moves the leading arm too")]
     SharedJoint {

@@ -2,8 +2,8 @@
 
 use super::audit::{grip_deviation, line_deviation};
 use super::{
-    FollowConfig, FollowError, GripDeviation, JointPath, Phase, TimingConfig, ToolPose, Trajectory, Workcell,
-    time_path,
+    FollowConfig, FollowError, GripDeviation, JointPath, Phase, TimingConfig, ToolPose, Trajectory,
+    Workcell, time_path,
 };
 use crate::represent::Task;
 

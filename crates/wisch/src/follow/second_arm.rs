@@ -65,7 +65,7 @@ impl SecondArm {
     /// The arm that ends at `tip`, beside a leading one.
     ///
     /// # Errors
-    /// If it has a variable of the leading arm, or no chain leads to it.
+    /// If it has no variable of its own, or one of the leading arm.
     pub(super) fn new(
         robot: &RobotModel,
         leading: &IkSolver,
@@ -82,6 +82,11 @@ impl SecondArm {
         let tip_from_hand = tip_from_hand(robot, tip);
         let ik = IkSolver::new(robot, fork, tip, tip_from_hand * y_for_z)?;
         let own = ik.chain().variables();
+        if own.is_empty() {
+            return Err(FollowError::NoSecondArm {
+                link: robot.links()[tip.index()].name.clone(),
+            });
+        }
         if let Some(&shared) = own.iter().find(|i| leading.variables().contains(i)) {
             return Err(FollowError::SharedJoint {
                 link: robot.links()[tip.index()].name.clone(),
@@ -127,20 +132,27 @@ impl SecondArm {
         Pose::from_parts(Translation3::from(point), rotation)
     }
 
-    /// Positions of the second arm that keep the grip for these of the leading one, near `start`.
+    /// Positions of the second arm that keep the grip for these of the leading one, near `start`. The hand
+    /// leans as it does there, or where that is out of reach comes across the bar.
     pub(super) fn held(
         &self,
         leading: &[f64],
         start: &[f64],
         config: &IkConfig,
     ) -> Result<JointPositions, Obstruction> {
-        let solve = || {
-            let fork_from_tool = self.fork_from_tool(leading)?;
-            let hand = self.hand_axis(start)?;
-            let target = self.fork_from_grip(&fork_from_tool, &hand);
+        let solve = |fork_from_tool: &Pose, hand: &Vector3| {
+            let target = self.fork_from_grip(fork_from_tool, hand);
             (self.ik).solve_from(&target, RotationGoal::AboutToolZFree, start, config)
         };
-        solved(solve())
+        let wanted = self
+            .fork_from_tool(leading)
+            .and_then(|fork_from_tool| Ok((fork_from_tool, self.hand_axis(start)?)));
+        // Positions come from here and are finite.
+        let (fork_from_tool, hand) = wanted.map_err(|_| Obstruction::unreachable())?;
+        solved(solve(&fork_from_tool, &hand)).or_else(|_| {
+            let bar = fork_from_tool * self.grip.axis_in_tool.into_inner();
+            solved(solve(&fork_from_tool, &(bar * bar.dot(&hand).signum())))
+        })
     }
 
     /// The same from any of several starts, then from random ones.
@@ -250,4 +262,59 @@ fn fork(robot: &RobotModel, a: LinkId, b: LinkId) -> LinkId {
     above(b)
         .find(|link| of_a.contains(link))
         .unwrap_or_else(|| robot.root())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn unit() -> impl Strategy<Value = Vector3> {
+        [-1.0..1.0, -1.0..1.0, -1.0..1.0]
+            .prop_map(Vector3::from)
+            .prop_filter("long enough to normalize", |v| v.norm() > 1e-2)
+            .prop_map(|v| v.normalize())
+    }
+
+    proptest! {
+        #[test]
+        fn a_hand_leans_no_further_than_allowed_and_turns_no_more_than_it_must(
+            bar in unit(), hand in unit(), max_lean in 0.0..FRAC_PI_2,
+        ) {
+            let along = leaning(&bar, &hand, max_lean);
+            let line = |v: &Vector3| bar.cross(v).norm().atan2(bar.dot(v).abs());
+            prop_assert!((along.norm() - 1.0).abs() < 1e-12);
+            prop_assert!(line(&along) <= max_lean + 1e-9);
+            let turned = along.cross(&hand).norm().atan2(along.dot(&hand));
+            prop_assert!((turned - (line(&hand) - max_lean).max(0.0)).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_hand_beside_or_along_its_bar_is_off_its_grip_by_just_that() {
+        let grip = SecondGrip {
+            point_in_tool: Point3::new(0.0, 0.0, 1.0),
+            axis_in_tool: Vector3::z_axis(),
+            max_lean: 0.5,
+        };
+        let tool = Pose::new(Vector3::new(0.3, -0.2, 0.1), Vector3::new(0.2, 0.5, -0.4));
+        let leaning = |lean: f64| {
+            let y_up = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), FRAC_PI_2 + lean);
+            tool * Pose::from_parts(Translation3::new(0.0, 0.003, 1.004), y_up)
+        };
+        for (lean, too_far) in [
+            (0.0, 0.0),
+            (0.4, 0.0),
+            (0.7, 0.2),
+            (PI, 0.0),
+            (PI - 0.6, 0.1),
+        ] {
+            let off = off_grip(&grip, &tool, &leaning(lean));
+            assert!((off.position - 0.005).abs() < 1e-12);
+            assert!((off.lean - too_far).abs() < 1e-9, "{lean}: {}", off.lean);
+            assert!(!off.is_held());
+        }
+        let held = tool * Pose::new(Vector3::z(), Vector3::x() * FRAC_PI_2);
+        assert!(off_grip(&grip, &tool, &held).is_held());
+    }
 }

@@ -115,7 +115,8 @@ fn shorten(arm: &Arm, path: &mut Vec<JointPositions>, random: &mut ChaCha8Rng) {
         };
         let (a, b) = ((a, from_a), (b, from_b));
         let ((i, from), (k, to)) = if a.0 <= b.0 { (a, b) } else { (b, a) };
-        let is_free = |a: &JointPositions, b: &JointPositions| arm.way(a, b, Touch::Nothing).is_ok();
+        let is_free =
+            |a: &JointPositions, b: &JointPositions| arm.way(a, b, Touch::Nothing).is_ok();
         // With two hands on the tool the rest of a piece need not be as free as the whole.
         let is_rest = |a, b| arm.cell.second().is_none() || is_free(a, b);
         if i < k && is_free(&from, &to) && is_rest(&path[i], &from) && is_rest(&to, &path[k + 1]) {

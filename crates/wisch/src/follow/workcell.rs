@@ -5,9 +5,7 @@ use super::second_arm::SecondArm;
 use super::{FollowError, JointLimit, JointLimits, ToolPose};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::represent::{SceneObject, ScenePart, Task};
-use crate::robot::{
-    CollisionModel, IkConfig, IkSolver, JointKind, LinkId, RobotModel, Srdf,
-};
+use crate::robot::{CollisionModel, IkConfig, IkSolver, JointKind, LinkId, RobotModel, Srdf};
 use crate::text::UnknownName;
 use nalgebra::{Translation3, UnitQuaternion};
 
@@ -119,7 +117,11 @@ impl Workcell {
             tip,
             mut ready,
         } = Group::choose(&robot, srdf, config.group.as_deref())?;
-        put_in(&mut ready, srdf, &format!("{READY_STATE}_{}", task.tool.name));
+        put_in(
+            &mut ready,
+            srdf,
+            &format!("{READY_STATE}_{}", task.tool.name),
+        );
         let base = planar_base(&robot, base_link)?;
         let world_from_robot = config.world_from_robot.unwrap_or_else(Pose::identity);
         let world_from_root = match base {
@@ -140,12 +142,22 @@ impl Workcell {
         let second = match &config.second_group {
             None => None,
             Some(name) => {
-                let grip = task.tool.second_grip.ok_or_else(|| FollowError::NoSecondGrip {
-                    tool: task.tool.name.clone(),
-                    group: name.clone(),
-                })?;
+                let grip = task
+                    .tool
+                    .second_grip
+                    .ok_or_else(|| FollowError::NoSecondGrip {
+                        tool: task.tool.name.clone(),
+                        group: name.clone(),
+                    })?;
                 let tip = Group::choose(&robot, srdf, Some(name))?.tip;
-                Some(SecondArm::new(&robot, &ik, tip_from_tool, tip, grip, &ready)?)
+                Some(SecondArm::new(
+                    &robot,
+                    &ik,
+                    tip_from_tool,
+                    tip,
+                    grip,
+                    &ready,
+                )?)
             }
         };
         let mut arm_variables = ik.chain().variables().to_vec();

@@ -17,7 +17,11 @@ mod turning;
 
 pub use effect::{EffectModel, MotionEffect};
 pub use field::ParticleField;
-pub use knowledge::{Action, AngleRange, AreaOfEffect, Effect, GrainSize, Grip, Interaction, KnowledgeBase, KnowledgeError, LogNormal, MediumEntry, MediumKind, Place, RankedTool, SecondGrip, SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry, UnknownName};
+pub use knowledge::{
+    Action, AngleRange, AreaOfEffect, Effect, GrainSize, Grip, Interaction, KnowledgeBase,
+    KnowledgeError, LogNormal, MediumEntry, MediumKind, Place, RankedTool, SecondGrip,
+    SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry, UnknownName,
+};
 pub use metrics::{GoalState, Performance};
 pub use motion::ToolMotion;
 pub use particles::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError, ParticleTally};
