@@ -3,7 +3,7 @@
 use super::arm::Arm;
 use super::freedom::{Freedom, change, deviation, nearest_first, turned_along};
 use super::global::{self, Leg};
-use super::{Attempt, ToolPose, Touch};
+use super::{Attempt, Effort, ToolPose, Touch};
 use crate::geometry::PlanarPose;
 use crate::represent::Action;
 use crate::robot::JointPositions;
@@ -11,15 +11,6 @@ use crate::robot::JointPositions;
 /// Most that the tool turns on an edge beyond what is planned [rad]: turning on the spot scatters what lies under
 /// it, so that further than this it is better lifted and put down again.
 const MAX_TURN: f64 = 0.8;
-
-/// How hard a way along an edge is looked for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Effort {
-    /// Step by step.
-    Local,
-    /// Where that fails, by the global search.
-    Global,
-}
 
 /// Follows an edge in contact to a node: locally in every orientation, nearest first, then, if asked for,
 /// by the global search.

@@ -27,7 +27,7 @@ mod workcell;
 
 pub use audit::{Audit, LineDeviation, MotionFault, audit};
 pub use checker::{CheckConfig, End, Fault, trajectory_faults};
-pub use config::FollowConfig;
+pub use config::{Effort, FollowConfig};
 pub use error::FollowError;
 pub use follower::follow;
 pub use motion::{
