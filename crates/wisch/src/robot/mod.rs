@@ -22,6 +22,7 @@ mod findings;
 mod ik;
 mod kinematics;
 mod model;
+mod planar;
 mod srdf;
 #[cfg(test)]
 mod tests;
