@@ -15,6 +15,7 @@ mod error;
 mod follower;
 mod freedom;
 mod global;
+mod group;
 mod hold;
 mod motion;
 mod placement;
@@ -30,6 +31,7 @@ pub use checker::{CheckConfig, End, Fault, trajectory_faults};
 pub use config::{Effort, FollowConfig};
 pub use error::FollowError;
 pub use follower::follow;
+pub use group::{Group, PlanarBase};
 pub use motion::{
     AbandonedNode, Attempt, Followed, Motion, Obstruction, Phase, Placement, RatedPlace, ToolPose,
 };
@@ -38,4 +40,4 @@ pub use timing::{
     JointLimit, JointLimits, JointPath, MAX_GRID_INTERVALS, MAX_WAYPOINTS, MIN_BLEND_TOLERANCE,
     SAMPLE_PERIOD, TimingConfig, TimingError, Trajectory, TrajectorySample, time_path,
 };
-pub use workcell::{Group, PlanarBase, Touch, Workcell, WorkcellConfig};
+pub use workcell::{Touch, Workcell, WorkcellConfig};
