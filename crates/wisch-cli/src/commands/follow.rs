@@ -300,6 +300,10 @@ impl Following {
                 followed.placements.len().to_string(),
             ));
         }
+        if self.cell.second().is_some() {
+            let off = format!("{:.2} mm", 1e3 * self.audit.grip.position);
+            facts.push(("Second hand off its grip at most", off));
+        }
         if !self.audit.faults.is_empty() {
             facts.push((
                 "Faults found by the check",
