@@ -143,6 +143,8 @@ mod tests {
             area_of_effect: size,
             rotation_about_normal: AngleRange::FULL,
             tilt: None,
+            grip: None,
+            second_grip: None,
         };
         crate::report::rasterize(&footprint_drawing(&tool), 1.0).unwrap();
     }

@@ -175,8 +175,16 @@ pub fn run(
         let interpretation = interpreter.conclude(&belief, &goal)?;
         let before = believed_performance(&belief, &goal, &task.surface);
         let is_last = executed.ending == Ending::Stopped;
+        let next = next_task(&task, &goal, &interpretation, task.seed.wrapping_add(1))?;
+        let is_done = unfinished(&next, &goal)?.is_empty();
+        let verdict = match judge(&interpretation, before, config.target) {
+            Verdict::Again if is_done => Verdict::NothingToGain,
+            // Somebody or something was in the way: that says nothing against another try.
+            Verdict::NoProgress if was_disturbed(&executed, &interpretation) => Verdict::Again,
+            verdict => verdict,
+        };
         let round = Round {
-            verdict: judge(&interpretation, before, config.target),
+            verdict,
             true_performance: true_performance(&executed.truth.dirt, &goal, &task)?,
             motion,
             interpretation,
@@ -186,14 +194,8 @@ pub fn run(
 
         belief = round.interpretation.belief.clone();
         dirt = round.executed.truth.dirt.clone();
-        task = next_task(
-            &task,
-            &goal,
-            &round.interpretation,
-            task.seed.wrapping_add(1),
-        )?;
+        task = next;
         workcell.world_from_robot = Some(standing(&round, config));
-        let verdict = round.verdict;
         rounds.push(round);
         if verdict != Verdict::Again || is_last {
             break;

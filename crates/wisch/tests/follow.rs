@@ -7,6 +7,8 @@ mod problems;
 mod audit_of_motions;
 #[path = "follow/board.rs"]
 mod board;
+#[path = "follow/broom.rs"]
+mod broom;
 #[path = "follow/humanoid.rs"]
 mod humanoid;
 
@@ -14,7 +16,7 @@ use board::{arm7, block, board, cell, planned};
 use problems::{Outcome, Problem, robots};
 use rayon::prelude::*;
 use wisch::follow::{
-    FollowConfig, FollowError, Followed, Obstruction, WorkcellConfig, audit, follow,
+    Effort, FollowConfig, FollowError, Followed, Obstruction, WorkcellConfig, audit, follow,
 };
 use wisch::represent::Action;
 
@@ -181,6 +183,30 @@ fn the_motion_is_the_same_on_one_thread_and_on_four() {
         };
         assert_eq!(bits(&one), bits(&four), "seed {seed}");
     }
+}
+
+/// A seed of the example on which step by step there is no way, however the tool is turned, from any of the
+/// configurations that are tried.
+const ONLY_GLOBALLY: u64 = 93;
+
+#[test]
+fn the_global_method_finds_a_way_where_the_local_one_finds_none() {
+    let robots = robots().unwrap();
+    let problem = Problem::random(ONLY_GLOBALLY).unwrap();
+    let with = |effort| {
+        let config = FollowConfig {
+            effort,
+            ..FollowConfig::default()
+        };
+        let tried = problem.followed_with(&robots[problem.robot], &config);
+        let tried = tried.unwrap();
+        assert_eq!(tried.faults, [] as [String; 0]);
+        tried.motion
+    };
+    let local = with(Effort::Local);
+    assert_eq!(local.abandoned.len(), 4);
+    assert!(local.abandoned.iter().all(|node| !node.attempts.is_empty()));
+    assert_eq!(with(Effort::Global).abandoned, []);
 }
 
 /// Seeds of the example that have been wrong once, each with what was wrong.

@@ -30,6 +30,8 @@ fn sponge() -> Tool {
         area_of_effect: Vector2::new(0.07, 0.11),
         rotation_about_normal: AngleRange::FULL,
         tilt: None,
+        grip: None,
+        second_grip: None,
     }
 }
 

@@ -61,7 +61,13 @@ fn files_are_small_watertight_and_stand_on_their_contact_face() {
             "{} is off centre",
             tool.file_name
         );
-        assert!(mesh.extent() < 0.5);
+        // A broom is swept standing.
+        let longest = if tool.file_name == "broom.stl" {
+            1.5
+        } else {
+            0.5
+        };
+        assert!(mesh.extent() < longest);
     }
 }
 
@@ -88,8 +94,8 @@ fn the_broom_leaves_a_piece_per_tuft() {
 fn only_the_longest_tufts_of_the_broom_touch_lightly() {
     let (pieces, ..) = measures(&footprint_of("broom.stl", 5e-5));
     let [rows, columns] = shapes::BROOM_TUFTS;
-    // Wear takes eleven values in turn.
-    assert_eq!(pieces, (rows * columns).div_ceil(11) as usize);
+    // Wear takes eleven values in turn, from both ends to the middle.
+    assert_eq!(pieces, 2 * (rows * columns / 2).div_ceil(11) as usize);
 }
 
 #[test]

@@ -57,6 +57,7 @@ impl<'a> Chosen<'a> {
             (Some(text), _) => RobotRecord {
                 description: Robot::description(text),
                 group: None,
+                second_group: None,
                 world_from_robot: in_file.and_then(|robot| robot.world_from_robot),
             },
             (None, Some(record)) => record.clone(),
@@ -102,6 +103,7 @@ pub fn workcell_config(chosen: &Chosen<'_>, prepared: &Prepared) -> WorkcellConf
     let record = &chosen.record;
     WorkcellConfig {
         group: record.group.clone(),
+        second_group: record.second_group.clone(),
         world_from_robot: (record.world_from_robot).or_else(|| before_surface(&prepared.task)),
         ..WorkcellConfig::default()
     }
@@ -308,6 +310,10 @@ impl Following {
                 "Placements of the base",
                 followed.placements.len().to_string(),
             ));
+        }
+        if self.cell.second().is_some() {
+            let off = format!("{:.2} mm", 1e3 * self.audit.grip.position);
+            facts.push(("Second hand off its grip at most", off));
         }
         if !self.audit.faults.is_empty() {
             facts.push((

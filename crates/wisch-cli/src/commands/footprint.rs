@@ -116,6 +116,8 @@ fn touch_of(
             area_of_effect: size,
             rotation_about_normal: AngleRange::FULL,
             tilt: None,
+            grip: None,
+            second_grip: None,
         },
         compression_depth,
         by_area_of_effect: area_of_effect.is_some(),

@@ -153,6 +153,7 @@ const fn reason(obstruction: &Obstruction) -> &'static str {
         Obstruction::JointLimit { .. } => "joint_limit",
         Obstruction::SelfCollision { .. } => "self_collision",
         Obstruction::SceneCollision { .. } => "scene_collision",
+        Obstruction::SecondHand { .. } => "second_hand",
         Obstruction::Jump { .. } => "jump",
     }
 }

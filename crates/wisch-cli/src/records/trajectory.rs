@@ -92,10 +92,10 @@ struct Xyzw {
 }
 
 impl RobotTrajectory {
-    /// The whole motion: the joints of the group that wipes, and the base if it moves.
+    /// The whole motion: the joints of the group that wipes, those of the second arm, and the base if it moves.
     pub fn new(followed: &Followed, cell: &Workcell) -> Self {
         let robot = cell.robot();
-        let variables = cell.ik().chain().variables();
+        let variables = cell.arm_variables();
         let header = |frame: &str| Header {
             stamp: Duration { sec: 0, nanosec: 0 },
             frame_id: frame.to_owned(),

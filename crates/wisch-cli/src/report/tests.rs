@@ -104,6 +104,8 @@ fn task(action: Action, size: Vector2, scene: Vec<SceneObject>, count: usize) ->
             area_of_effect: Vector2::new(0.07, 0.11),
             rotation_about_normal: AngleRange::FULL,
             tilt: None,
+            grip: None,
+            second_grip: None,
         },
         medium: "breadcrumbs".into(),
         interaction: interaction(),

@@ -195,6 +195,11 @@ impl Problem {
 
     /// The motion and what is wrong with it.
     pub fn followed(&self, robot: &Robot) -> Result<Tried, AnyError> {
+        self.followed_with(robot, &FollowConfig::default())
+    }
+
+    /// The same, with another configuration.
+    pub fn followed_with(&self, robot: &Robot, config: &FollowConfig) -> Result<Tried, AnyError> {
         let plan = plan(&self.task, &self.plan)?;
         let cell = Workcell::new(
             robot.model.clone(),
@@ -202,10 +207,9 @@ impl Problem {
             &self.task,
             &self.cell,
         )?;
-        let config = FollowConfig::default();
         let map = robot.map.as_ref();
-        let motion = follow(&self.task, &plan, &cell, map, &config, &mut |_| ())?;
-        let audit = audit(&motion, &cell, &self.task, &config)?;
+        let motion = follow(&self.task, &plan, &cell, map, config, &mut |_| ())?;
+        let audit = audit(&motion, &cell, &self.task, config)?;
         let mut faults: Vec<String> = audit.faults.iter().map(ToString::to_string).collect();
         faults.extend(lost_nodes(&plan, &motion));
         Ok(Tried { motion, faults })
@@ -290,6 +294,8 @@ pub fn sponge() -> Result<Tool, AnyError> {
         area_of_effect: Vector2::new(depth, width),
         rotation_about_normal: AngleRange::FULL,
         tilt: None,
+        grip: None,
+        second_grip: None,
     })
 }
 

@@ -32,29 +32,35 @@ fn sponge() -> Result<Mesh, MeshError> {
 /// Rows and columns of a broom's tufts, and the spacing of both [m].
 pub const BROOM_TUFTS: [u32; 2] = [5, 36];
 const BROOM_PITCH: [f64; 2] = [0.0115, 0.011];
+/// By how much of the spacing each row is shifted along y.
+const BROOM_SHIFTS: [f64; 5] = [0.25, -0.25, 0.0, 0.25, -0.25];
+/// Length of a broom's stick [m].
+const BROOM_STICK: f64 = 1.26;
 
 /// Circumradius of a broom's tuft at its tip [m].
 pub const BROOM_TUFT_RADIUS: f64 = 0.0045;
 
 /// A 0.06 × 0.40 m head on bristles of some 60 mm, in hexagonal tufts that taper towards the tip.
-/// Every second row is shifted by half a spacing, so that no lane along x stays open.
+/// Rows are shifted against each other, so that no lane along x stays open. Half a turn maps it onto itself.
+/// The stick stands upright, and is as long as two hands need who sweep standing: up to 1.36 m.
 fn broom() -> Result<Mesh, MeshError> {
     const BRISTLES: f64 = 0.060;
     let tufts = lattice(BROOM_TUFTS, BROOM_PITCH)
         .enumerate()
         .map(|(i, center)| {
-            // Worn unevenly by 0 to 1 mm; the first tuft, full length, touches first.
-            let wear = 1e-4 * f64::from(i as u32 * 7 % 11);
-            let row = i as u32 / BROOM_TUFTS[1];
-            let shift = BROOM_PITCH[1] / if row.is_multiple_of(2) { 4.0 } else { -4.0 };
+            // Worn unevenly by 0 to 1 mm; the outermost tufts, full length, touch first.
+            let i = i as u32;
+            let opposite = BROOM_TUFTS[0] * BROOM_TUFTS[1] - 1 - i;
+            let wear = 1e-4 * f64::from(i.min(opposite) * 7 % 11);
+            let shift = BROOM_SHIFTS[(i / BROOM_TUFTS[1]) as usize] * BROOM_PITCH[1];
             let center = center + Vector2::new(0.0, shift);
             let tip = polygon(6, BROOM_TUFT_RADIUS, center);
             let root = polygon(6, 1.1 * BROOM_TUFT_RADIUS, center);
             loft(&[(tip, wear), (root, BRISTLES + SUNK)])
         });
     let head = block([0.06, 0.40], BRISTLES, BRISTLES + 0.04);
-    let handle = handle(0.0125, BRISTLES + 0.04, 0.15);
-    joined(tufts.chain([head, handle]))
+    let stick = handle(0.0125, BRISTLES + 0.04, BROOM_STICK);
+    joined(tufts.chain([head, stick]))
 }
 
 /// A rubber wedge, 4 mm at the contact, in a holder with a handle.

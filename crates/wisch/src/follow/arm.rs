@@ -1,5 +1,9 @@
 //! The arm at one placement of the base: along lines of the tool, the local method (7) of paper §3.3.
+//!
+//! Where a second hand holds the tool, a configuration has the variables of the leading arm, then those of
+//! the second, and every configuration keeps both hands on the tool.
 
+use super::second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE};
 use super::{FollowConfig, Obstruction, ToolPose, Touch, Workcell};
 use crate::geometry::{PlanarPose, Pose};
 use crate::represent::Task;
@@ -12,6 +16,8 @@ const AT_LIMIT: f64 = 1e-4;
 const SHARE_BETWEEN: f64 = 0.25;
 /// Random starts of the inverse kinematics for one pose.
 const RESTARTS: usize = 6;
+/// Widest step of a joint between configurations at which the second hand is brought to the tool [rad or m].
+const HELD_STEP: f64 = 0.1;
 /// How often a step is halved to stay on the line.
 const MAX_HALVINGS: u32 = 6;
 
@@ -59,14 +65,14 @@ impl<'a> Arm<'a> {
 
     /// The group's variables of the robot's.
     pub fn of_robot(&self, q: &[f64]) -> JointPositions {
-        let variables = self.cell.ik().chain().variables();
+        let variables = self.cell.arm_variables();
         variables.iter().map(|&i| q[i]).collect()
     }
 
     /// The robot's variables with the group's.
     pub fn to_robot(&self, arm: &JointPositions) -> Vec<f64> {
         let mut q = self.template.clone();
-        for (&variable, &value) in self.cell.ik().chain().variables().iter().zip(arm.iter()) {
+        for (&variable, &value) in self.cell.arm_variables().iter().zip(arm.iter()) {
             q[variable] = value;
         }
         q
@@ -79,7 +85,7 @@ impl<'a> Arm<'a> {
 
     /// Where the group's variables may be; one turn either way for joints without limits.
     pub fn ranges(&self) -> Vec<[f64; 2]> {
-        let variables = self.cell.ik().chain().variables();
+        let variables = self.cell.arm_variables();
         let range = |&i: &usize| {
             let limit = &self.cell.limits().joints()[i];
             if limit.lower.is_finite() && limit.upper.is_finite() {
@@ -113,8 +119,9 @@ impl<'a> Arm<'a> {
         start: &JointPositions,
     ) -> Result<JointPositions, Obstruction> {
         let target = self.base_from_tool(pose);
-        let outcome = (self.cell.ik()).solve_from(&target, RotationGoal::Full, start, &self.ik);
-        self.solved(outcome)
+        let (leading, second) = start.split_at(self.leading());
+        let outcome = (self.cell.ik()).solve_from(&target, RotationGoal::Full, leading, &self.ik);
+        self.held(&self.solved(outcome)?, second)
     }
 
     /// A configuration that puts the tool there, from `starts` and from random ones.
@@ -130,8 +137,107 @@ impl<'a> Arm<'a> {
             max_restarts: restarts,
             ..self.ik
         };
-        let outcome = (self.cell.ik()).solve(&target, RotationGoal::Full, starts, seed, &config);
-        self.solved(outcome)
+        let n = self.leading();
+        let leading: Vec<&[f64]> = starts.iter().map(|start| &start[..n]).collect();
+        let outcome = (self.cell.ik()).solve(&target, RotationGoal::Full, &leading, seed, &config);
+        let found = self.solved(outcome)?;
+        let Some(second) = self.cell.second() else {
+            return Ok(found);
+        };
+        let ready = self.ready();
+        let seconds: Vec<&[f64]> = (starts.iter().copied())
+            .chain([&*ready])
+            .map(|start| &start[n..])
+            .collect();
+        Ok(both(
+            &found,
+            &second.held_anyhow(&found, &seconds, seed, &config)?,
+        ))
+    }
+
+    /// How many of a configuration's values are the leading arm's.
+    fn leading(&self) -> usize {
+        self.cell.ik().chain().dof()
+    }
+
+    /// A configuration with the leading arm there and the second hand on the tool, near `second`.
+    fn held(&self, leading: &[f64], second: &[f64]) -> Result<JointPositions, Obstruction> {
+        match self.cell.second() {
+            None => Ok(leading.iter().copied().collect()),
+            Some(arm) => Ok(both(leading, &arm.held(leading, second, &self.ik)?)),
+        }
+    }
+
+    /// Any configuration, with the second hand brought back to the tool.
+    pub fn hold(&self, q: &JointPositions) -> Option<JointPositions> {
+        let (leading, second) = q.split_at(self.leading());
+        self.held(leading, second).ok()
+    }
+
+    /// Whether the second hand is at its grip, as far as between two solved poses is enough.
+    fn keeps_grip(&self, q: &JointPositions) -> bool {
+        let Some(arm) = self.cell.second() else {
+            return true;
+        };
+        let (leading, second) = q.split_at(self.leading());
+        arm.deviation(leading, second).is_ok_and(|off| {
+            off.position <= SHARE_BETWEEN * GRIP_TOLERANCE
+                && off.lean <= SHARE_BETWEEN * LEAN_TOLERANCE
+        })
+    }
+
+    /// The free way between two configurations that keeps both hands on the tool: straight for the leading
+    /// arm. `from` left out, the end included.
+    pub fn way(
+        &self,
+        from: &JointPositions,
+        to: &JointPositions,
+        touch: Touch,
+    ) -> Result<Vec<JointPositions>, Obstruction> {
+        if self.cell.second().is_none() {
+            self.is_free(from, to, touch)?;
+            return Ok(vec![*to]);
+        }
+        let changes = from.iter().zip(to.iter()).map(|(a, b)| (b - a).abs());
+        let widest = changes.fold(0.0, f64::max);
+        let count = ((widest / HELD_STEP).ceil() as usize).max(1);
+        let mut way = Vec::with_capacity(count);
+        let mut at = *from;
+        for i in 1..=count {
+            let next = if i == count {
+                *to
+            } else {
+                let straight = between(from, to, i as f64 / count as f64);
+                let (leading, second) = straight.split_at(self.leading());
+                self.held(leading, second)?
+            };
+            self.halved(&at, &next, touch, &mut way, MAX_HALVINGS)?;
+            at = next;
+        }
+        Ok(way)
+    }
+
+    fn halved(
+        &self,
+        from: &JointPositions,
+        to: &JointPositions,
+        touch: Touch,
+        way: &mut Vec<JointPositions>,
+        halvings: u32,
+    ) -> Result<(), Obstruction> {
+        let middle = between(from, to, 0.5);
+        if !self.jumps(from, to) && self.keeps_grip(&middle) {
+            self.is_free(from, to, touch)?;
+            way.push(*to);
+            return Ok(());
+        }
+        if halvings == 0 {
+            return Err(self.jump(from, to));
+        }
+        let (leading, second) = middle.split_at(self.leading());
+        let middle = self.held(leading, second)?;
+        self.halved(from, &middle, touch, way, halvings - 1)?;
+        self.halved(&middle, to, touch, way, halvings - 1)
     }
 
     /// The same, touching nothing.
@@ -160,10 +266,7 @@ impl<'a> Arm<'a> {
                 rotation_error,
             })),
             // Poses and starts come from here and are finite.
-            Err(_) => Err(Obstruction::OutOfReach {
-                position_error: f64::INFINITY,
-                rotation_error: f64::INFINITY,
-            }),
+            Err(_) => Err(Obstruction::unreachable()),
         }
     }
 
@@ -173,7 +276,7 @@ impl<'a> Arm<'a> {
             let limits = joint.limits.position?;
             let position = joint.drive.position(&q);
             let moves = (joint.drive.terms.iter())
-                .any(|(variable, _)| self.cell.ik().chain().variables().contains(variable));
+                .any(|(variable, _)| self.cell.arm_variables().contains(variable));
             let is_at = position < limits.lower + AT_LIMIT || position > limits.upper - AT_LIMIT;
             (moves && is_at).then(|| Obstruction::JointLimit {
                 joint: joint.name.clone(),
@@ -194,10 +297,7 @@ impl<'a> Arm<'a> {
         match model.segment_contact(&from, &to, self.config.margin) {
             Ok(None) => Ok(()),
             Ok(Some(contact)) => Err(self.obstruction(&contact, touch)),
-            Err(_) => Err(Obstruction::OutOfReach {
-                position_error: f64::INFINITY,
-                rotation_error: f64::INFINITY,
-            }),
+            Err(_) => Err(Obstruction::unreachable()),
         }
     }
 
@@ -231,6 +331,9 @@ impl<'a> Arm<'a> {
 
     /// The configurations along the tool's line from where the arm is, `start` left out, the end
     /// included.
+    ///
+    /// What is in the way is looked for once all poses have been reached, where it is most likely first: most
+    /// lines that cannot be followed break off out of reach, which is cheap to see.
     pub fn along(
         &self,
         start: &JointPositions,
@@ -243,24 +346,48 @@ impl<'a> Arm<'a> {
         let mut at = *start;
         for i in 1..=count {
             let (s0, s1) = ((i - 1) as f64 / count as f64, i as f64 / count as f64);
-            self.step(&mut at, from, to, [s0, s1], touch, &mut path, MAX_HALVINGS)
+            self.step(&mut at, from, to, [s0, s1], &mut path, MAX_HALVINGS)
                 .map_err(|obstruction| Broken {
                     progress: s0,
                     obstruction,
                 })?;
         }
+        self.is_free_along(start, &path, touch)?;
         Ok(path)
     }
 
+    /// Whether the straight ways from each configuration to the next are free.
+    fn is_free_along(
+        &self,
+        start: &JointPositions,
+        path: &[JointPositions],
+        touch: Touch,
+    ) -> Result<(), Broken> {
+        let broken = |i: usize, obstruction| Broken {
+            progress: i as f64 / path.len() as f64,
+            obstruction,
+        };
+        // A configuration is cheaper than the way between two.
+        for i in [path.len() - 1, path.len() / 2] {
+            self.is_free(&path[i], &path[i], touch)
+                .map_err(|obstruction| broken(i, obstruction))?;
+        }
+        let mut at = start;
+        for (i, next) in path.iter().enumerate() {
+            self.is_free(at, next, touch)
+                .map_err(|obstruction| broken(i, obstruction))?;
+            at = next;
+        }
+        Ok(())
+    }
+
     /// One step of the line, halved where the joints' straight way between leaves it.
-    #[expect(clippy::too_many_arguments, reason = "a recursion carries its state")]
     fn step(
         &self,
         at: &mut JointPositions,
         from: &ToolPose,
         to: &ToolPose,
         [s0, s1]: [f64; 2],
-        touch: Touch,
         path: &mut Vec<JointPositions>,
         halvings: u32,
     ) -> Result<(), Obstruction> {
@@ -269,7 +396,6 @@ impl<'a> Arm<'a> {
         let on_line =
             !self.jumps(at, &next) && self.is_on_line(at, &next, &from.towards(to, middle_s));
         if on_line {
-            self.is_free(at, &next, touch)?;
             path.push(next);
             *at = next;
             return Ok(());
@@ -277,8 +403,8 @@ impl<'a> Arm<'a> {
         if halvings == 0 {
             return Err(self.jump(at, &next));
         }
-        self.step(at, from, to, [s0, middle_s], touch, path, halvings - 1)?;
-        self.step(at, from, to, [middle_s, s1], touch, path, halvings - 1)
+        self.step(at, from, to, [s0, middle_s], path, halvings - 1)?;
+        self.step(at, from, to, [middle_s, s1], path, halvings - 1)
     }
 
     /// Whether a joint moves further than it may between two neighbouring poses.
@@ -294,7 +420,7 @@ impl<'a> Arm<'a> {
             .enumerate()
             .max_by(|a, b| a.1.total_cmp(&b.1))
             .unwrap_or_default();
-        let variable = self.cell.ik().chain().variables()[widest];
+        let variable = self.cell.arm_variables()[widest];
         Obstruction::Jump {
             joint: self.cell.robot().variable(variable).name.clone(),
             step,
@@ -313,7 +439,8 @@ impl<'a> Arm<'a> {
             .zip(to.iter())
             .map(|(a, b)| 0.5 * (a + b))
             .collect();
-        let Ok(kinematics) = self.cell.ik().chain().forward_kinematics(&q) else {
+        let leading = &q[..self.leading()];
+        let Ok(kinematics) = self.cell.ik().chain().forward_kinematics(leading) else {
             return false;
         };
         let base_from_tool = kinematics.base_from_tip() * self.cell.tip_from_tool();
@@ -322,7 +449,24 @@ impl<'a> Arm<'a> {
         let turned = base_from_tool.rotation.angle_to(&wanted.rotation);
         off <= SHARE_BETWEEN * self.config.line_tolerance
             && turned <= SHARE_BETWEEN * self.config.turn_tolerance
+            && self.keeps_grip(&q)
     }
+}
+
+/// The leading arm's positions, then the second's.
+fn both(leading: &[f64], second: &[f64]) -> JointPositions {
+    leading.iter().chain(second).copied().collect()
+}
+
+/// Between two configurations, `b` itself at 1.
+pub(super) fn between(a: &JointPositions, b: &JointPositions, s: f64) -> JointPositions {
+    if s >= 1.0 {
+        return *b;
+    }
+    a.iter()
+        .zip(b.iter())
+        .map(|(a, b)| a + s * (b - a))
+        .collect()
 }
 
 impl ToolPose {

@@ -4,9 +4,10 @@
 //! Nothing here knows how the motion was found. Between samples the motion of every body is bounded, so
 //! that "clear" holds at every time and not only at the samples.
 
+use super::second_arm::off_grip;
 use super::{
-    CheckConfig, Fault, FollowConfig, FollowError, Followed, JointPath, Motion, Phase, ToolPose,
-    Touch, Trajectory, TrajectorySample, Workcell, trajectory_faults,
+    CheckConfig, Fault, FollowConfig, FollowError, Followed, GripDeviation, JointPath, Motion,
+    Phase, ToolPose, Touch, Trajectory, TrajectorySample, Workcell, trajectory_faults,
 };
 use crate::geometry::Pose;
 use crate::represent::Task;
@@ -78,6 +79,18 @@ pub enum MotionFault {
         /// How far turned [rad].
         rotation: f64,
     },
+    /// The second hand leaves its grip on the tool.
+    #[error(
+        "at {time:.3} s: the second hand is {position:.5} m off its grip and leans {lean:.4} rad too far"
+    )]
+    OffGrip {
+        /// When [s].
+        time: f64,
+        /// How far [m].
+        position: f64,
+        /// How much further than the grip allows [rad].
+        lean: f64,
+    },
     /// The base moves while the tool wipes.
     #[error("motion {motion}: the base moves while the tool is at the surface")]
     BaseMoves {
@@ -91,6 +104,8 @@ pub enum MotionFault {
 pub struct Audit {
     /// How far the tool leaves its lines over all motions.
     pub line: LineDeviation,
+    /// How far the second hand leaves its grip over all motions; nothing where one hand holds the tool.
+    pub grip: GripDeviation,
     /// Smallest distance of bodies that must not touch, at most 0.5 m; the tool and the object that
     /// carries the surface count where the tool is not coming down, wiping or lifting off [m].
     pub min_clearance: f64,
@@ -99,7 +114,7 @@ pub struct Audit {
 }
 
 /// Checks every motion: limits of position, velocity and acceleration, coupled limits, clearance at every
-/// time, the tool's line, joints between motions, and that the base stands still while the tool is down.
+/// time, the tool's line, the second hand's grip, joints between motions, and that the base stands still while the tool is down.
 ///
 /// # Errors
 /// If the motions are not of this robot.
@@ -111,6 +126,7 @@ pub fn audit(
 ) -> Result<Audit, FollowError> {
     let mut audit = Audit {
         line: LineDeviation::default(),
+        grip: GripDeviation::default(),
         min_clearance: FAR,
         faults: Vec::new(),
     };
@@ -126,6 +142,7 @@ pub fn audit(
         before = Some((motion.end(), last.q.clone()));
         limits(number, motion, &samples, cell, &mut audit.faults)?;
         clearance(motion, &samples, cell, &mut audit)?;
+        grip(motion, &samples, cell, &mut audit)?;
         base(number, motion.phase, &samples, cell, &mut audit.faults);
         let off = line_deviation(cell, task, &motion.trajectory, &motion.tool_line)?;
         if off.position > config.line_tolerance || off.rotation > config.turn_tolerance {
@@ -213,6 +230,37 @@ fn clearance(
         }
     }
     Ok(())
+}
+
+fn grip(
+    motion: &Motion,
+    samples: &[TrajectorySample],
+    cell: &Workcell,
+    audit: &mut Audit,
+) -> Result<(), FollowError> {
+    for sample in samples {
+        let off = grip_deviation(cell, &sample.q)?;
+        audit.grip = audit.grip.max(off);
+        if !off.is_held() {
+            audit.faults.push(MotionFault::OffGrip {
+                time: motion.start + sample.time,
+                position: off.position,
+                lean: off.lean,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// How far the second hand is off its grip at the positions of all n variables; nothing if there is none.
+pub(super) fn grip_deviation(cell: &Workcell, q: &[f64]) -> Result<GripDeviation, FollowError> {
+    let Some(second) = cell.second() else {
+        return Ok(GripDeviation::default());
+    };
+    let kinematics = cell.robot().forward_kinematics(q)?;
+    let root_from_tool = kinematics.world_from_link(cell.tip()) * cell.tip_from_tool();
+    let root_from_hand = kinematics.world_from_link(second.chain().tip()) * second.tip_from_hand();
+    Ok(off_grip(second.grip(), &root_from_tool, &root_from_hand))
 }
 
 fn base(

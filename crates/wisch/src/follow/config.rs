@@ -3,6 +3,15 @@
 use super::FollowError;
 use std::f64::consts::PI;
 
+/// How hard a way along an edge is looked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Effort {
+    /// Step by step only.
+    Local,
+    /// Where that fails, by a search over the discretised null space, complete within its discretisation.
+    Global,
+}
+
 /// How closely a plan is followed, and how hard a way is looked for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FollowConfig {
@@ -24,6 +33,8 @@ pub struct FollowConfig {
     pub contact_speed: f64,
     /// Fastest the tool comes down to the surface [m/s].
     pub approach_speed: f64,
+    /// How hard a way along an edge is looked for.
+    pub effort: Effort,
     /// How many configurations are tried at the begin of a stroke.
     pub start_configurations: usize,
     /// How many placements of the base are tried for the same piece of the path.
@@ -46,6 +57,7 @@ impl Default for FollowConfig {
             turn_tolerance: 0.5_f64.to_radians(),
             contact_speed: 0.25,
             approach_speed: 0.1,
+            effort: Effort::Global,
             start_configurations: 10,
             placements: 4,
             seed: 0,

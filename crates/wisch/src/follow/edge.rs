@@ -1,20 +1,16 @@
 //! Algorithm 1 of paper §3.3: an edge is followed with the tool's free degrees of freedom.
 
 use super::arm::Arm;
-use super::freedom::{Freedom, deviation, nearest_first, turned_along};
+use super::freedom::{Freedom, change, deviation, nearest_first, turned_along};
 use super::global::{self, Leg};
-use super::{Attempt, ToolPose, Touch};
+use super::{Attempt, Effort, ToolPose, Touch};
 use crate::geometry::PlanarPose;
+use crate::represent::Action;
 use crate::robot::JointPositions;
 
-/// How hard a way along an edge is looked for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Effort {
-    /// Step by step.
-    Local,
-    /// Where that fails, by the global search.
-    Global,
-}
+/// Most that the tool turns on an edge beyond what is planned [rad]: turning on the spot scatters what lies under
+/// it, so that further than this it is better lifted and put down again.
+const MAX_TURN: f64 = 0.8;
 
 /// Follows an edge in contact to a node: locally in every orientation, nearest first, then, if asked for,
 /// by the global search.
@@ -28,7 +24,11 @@ pub(super) fn follow_edge(
 ) -> Result<Leg, Vec<Attempt>> {
     let mut attempts = Vec::new();
     let symmetric = arm.task.tool.is_half_turn_symmetric();
-    let order = nearest_first(freedoms, planned[0], from, symmetric);
+    let mut order = nearest_first(freedoms, planned[0], from, symmetric);
+    // Where the orientation makes no difference, neither does turning.
+    if arm.task.action != Action::Absorb {
+        order.retain(|freedom| change(planned[0], freedom, from).abs() <= MAX_TURN);
+    }
     for freedom in &order {
         let to = turned_along(planned, freedom, from);
         match arm.along(start, from, &to, Touch::Surface) {

@@ -55,6 +55,36 @@ pub enum FollowError {
     /// The robot's ready posture is outside its limits.
     #[error("the robot cannot start: {0}")]
     StartOutOfLimits(crate::robot::LimitFault),
+    /// A second hand is to hold a tool that has no grip for it.
+    #[error("tool {tool:?} has no second_grip that the group {group:?} could hold")]
+    NoSecondGrip {
+        /// The tool.
+        tool: String,
+        /// The group of the second hand.
+        group: String,
+    },
+    /// The second hand is on the arm that leads.
+    #[error("{link:?} moves with the arm that leads the tool: it is no second hand")]
+    NoSecondArm {
+        /// The hand.
+        link: String,
+    },
+    /// The second arm is moved by a joint of the one that leads.
+    #[error("the second arm, to {link:?}, is moved by {joint:?}, which moves the leading arm too")]
+    SharedJoint {
+        /// The second hand.
+        link: String,
+        /// The joint.
+        joint: String,
+    },
+    /// The second hand does not reach the tool in the ready posture.
+    #[error("{link:?} cannot hold the tool in the ready posture: {why}")]
+    NoSecondHold {
+        /// The second hand.
+        link: String,
+        /// What keeps it.
+        why: super::Obstruction,
+    },
     /// The tool's mesh cannot be used.
     #[error("tool: {0}")]
     Tool(#[source] MeshError),

@@ -19,7 +19,8 @@ pub(super) struct Freedom {
 
 /// All values of a tool's freedoms, nearest to the planned orientation first.
 ///
-/// A tool that half a turn maps onto itself is as near at half a turn as at none.
+/// A tool that half a turn maps onto itself is as near at half a turn as at none: it may be turned as far
+/// from there, leaning the other way.
 pub(super) fn freedoms(tool: &Tool, increment: f64) -> Vec<Freedom> {
     let range = tool.rotation_about_normal;
     let whole_turn = range.max_rad - range.min_rad > TAU - increment / 2.0;
@@ -33,6 +34,16 @@ pub(super) fn freedoms(tool: &Tool, increment: f64) -> Vec<Freedom> {
         .iter()
         .flat_map(|&rotation| tilts.iter().map(move |&tilt| Freedom { rotation, tilt }))
         .collect();
+    if symmetric && !whole_turn {
+        let reversed = |freedom: &Freedom| Freedom {
+            rotation: wrap_angle(freedom.rotation + PI),
+            tilt: -freedom.tilt,
+        };
+        let reversed: Vec<Freedom> = (all.iter().map(reversed))
+            .filter(|freedom| all.iter().all(|known| !is_same(known, freedom)))
+            .collect();
+        all.extend(reversed);
+    }
     all.sort_by(|a, b| rank(a, symmetric).total_cmp(&rank(b, symmetric)));
     all
 }
@@ -71,6 +82,11 @@ pub(super) fn rank(freedom: &Freedom, symmetric: bool) -> f64 {
         turned
     };
     ((turned + freedom.tilt.abs()) / SAME_ANGLE).round() * SAME_ANGLE
+}
+
+/// Whether two values are the same, whole turns apart.
+fn is_same(a: &Freedom, b: &Freedom) -> bool {
+    wrap_angle(a.rotation - b.rotation).abs() < SAME_ANGLE && (a.tilt - b.tilt).abs() < SAME_ANGLE
 }
 
 /// Multiples of an increment within a range; the nearest to zero if none is.
@@ -118,7 +134,72 @@ pub(super) fn turned_along(
     }
 }
 
-/// By how much the rotation against the plan changes [rad].
-fn change(begin: &PlanarPose, freedom: &Freedom, from: &ToolPose) -> f64 {
+/// By how much the rotation against the plan changes on an edge [rad].
+pub(super) fn change(begin: &PlanarPose, freedom: &Freedom, from: &ToolPose) -> f64 {
     wrap_angle(freedom.rotation - (from.surface_from_tool.heading - begin.heading))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Mesh, Point2, Polygon, Region, Vector2, Vector3};
+    use crate::represent::{AngleRange, TiltFreedom};
+
+    fn tool(footprint: Polygon, range: f64) -> Tool {
+        Tool {
+            name: "blade".into(),
+            mesh: Mesh::cuboid(Vector3::new(0.1, 0.3, 0.1)).unwrap(),
+            footprint: Region::new(vec![footprint]),
+            area_of_effect: Vector2::new(0.1, 0.3),
+            rotation_about_normal: AngleRange {
+                min_rad: -range,
+                max_rad: range,
+            },
+            tilt: Some(TiltFreedom {
+                axis_in_tool: Vector3::y_axis(),
+                range: AngleRange {
+                    min_rad: 0.0,
+                    max_rad: 0.4,
+                },
+            }),
+            grip: None,
+            second_grip: None,
+        }
+    }
+
+    #[test]
+    fn a_symmetric_tool_may_be_reversed_leaning_the_other_way() {
+        let blade = tool(Polygon::rectangle(Vector2::new(0.1, 0.3)), 0.5);
+        let all = freedoms(&blade, 0.2);
+        // Five rotations and three tilts, and the same about half a turn.
+        assert_eq!(all.len(), 2 * 5 * 3);
+        for freedom in &all {
+            let away = wrap_angle(freedom.rotation - PI).abs();
+            let is_reversed = away < 0.5;
+            assert!(is_reversed || freedom.rotation.abs() < 0.5);
+            assert!(if is_reversed {
+                freedom.tilt <= 0.0
+            } else {
+                freedom.tilt >= 0.0
+            });
+        }
+        // As near as the planned one.
+        assert_eq!(rank(&all[0], true), 0.0);
+        assert_eq!(rank(&all[1], true), 0.0);
+    }
+
+    #[test]
+    fn a_tool_that_turns_all_round_has_each_freedom_once() {
+        let mut sponge = tool(Polygon::rectangle(Vector2::new(0.1, 0.3)), PI);
+        sponge.tilt = None;
+        assert_eq!(freedoms(&sponge, PI / 6.0).len(), 12);
+    }
+
+    #[test]
+    fn a_tool_with_a_leading_edge_is_not_reversed() {
+        let corners = [[-0.05, -0.1], [0.05, -0.15], [0.05, 0.15], [-0.05, 0.1]];
+        let corners = corners.map(|[x, y]| Point2::new(x, y)).to_vec();
+        let scoop = tool(Polygon::new(corners, Vec::new()), 0.5);
+        assert_eq!(freedoms(&scoop, 0.2).len(), 5 * 3);
+    }
 }

@@ -15,9 +15,12 @@ mod error;
 mod follower;
 mod freedom;
 mod global;
+mod group;
+mod hold;
 mod motion;
 mod placement;
 mod schedule;
+mod second_arm;
 mod stroke_run;
 mod timing;
 mod transfer;
@@ -25,14 +28,16 @@ mod workcell;
 
 pub use audit::{Audit, LineDeviation, MotionFault, audit};
 pub use checker::{CheckConfig, End, Fault, trajectory_faults};
-pub use config::FollowConfig;
+pub use config::{Effort, FollowConfig};
 pub use error::FollowError;
 pub use follower::follow;
+pub use group::{Group, PlanarBase};
 pub use motion::{
     AbandonedNode, Attempt, Followed, Motion, Obstruction, Phase, Placement, RatedPlace, ToolPose,
 };
+pub use second_arm::{GRIP_TOLERANCE, GripDeviation, LEAN_TOLERANCE, SecondArm};
 pub use timing::{
     JointLimit, JointLimits, JointPath, MAX_GRID_INTERVALS, MAX_WAYPOINTS, MIN_BLEND_TOLERANCE,
     SAMPLE_PERIOD, TimingConfig, TimingError, Trajectory, TrajectorySample, time_path,
 };
-pub use workcell::{Group, PlanarBase, Touch, Workcell, WorkcellConfig};
+pub use workcell::{Touch, Workcell, WorkcellConfig};

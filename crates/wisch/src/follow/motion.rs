@@ -120,6 +120,14 @@ pub enum Obstruction {
         /// Their distance [m], negative inside.
         distance: f64,
     },
+    /// The second hand does not reach its grip on the tool.
+    #[error("the second hand is off its grip by {position_error:.3} m and {rotation_error:.2} rad")]
+    SecondHand {
+        /// How far the nearest configuration found is away [m].
+        position_error: f64,
+        /// How far it is turned away [rad].
+        rotation_error: f64,
+    },
     /// The next pose on the line needs a jump of the joints.
     #[error("joint {joint:?} would jump by {step:.3} between two poses of the line")]
     Jump {
@@ -128,6 +136,16 @@ pub enum Obstruction {
         /// How far [rad or m].
         step: f64,
     },
+}
+
+impl Obstruction {
+    /// Where nothing is known but that there is no way.
+    pub(super) const fn unreachable() -> Self {
+        Self::OutOfReach {
+            position_error: f64::INFINITY,
+            rotation_error: f64::INFINITY,
+        }
+    }
 }
 
 /// One way of reaching a node that was tried.

@@ -1,9 +1,9 @@
-//! When the joints are where along one motion, so that the tool stays on its line.
+//! When the joints are where along one motion, so that the tool stays on its line and in both hands.
 
-use super::audit::line_deviation;
+use super::audit::{grip_deviation, line_deviation};
 use super::{
-    FollowConfig, FollowError, JointPath, Phase, TimingConfig, ToolPose, Trajectory, Workcell,
-    time_path,
+    FollowConfig, FollowError, GripDeviation, JointPath, Phase, TimingConfig, ToolPose, Trajectory,
+    Workcell, time_path,
 };
 use crate::represent::Task;
 
@@ -11,6 +11,8 @@ use crate::represent::Task;
 const FREE_BLEND: f64 = 5e-4;
 /// The same where the tool follows a line, before it is known how far that takes the tool off.
 const LINE_BLEND: f64 = 2e-4;
+/// Period at which the second hand's grip is looked at [s].
+const GRIP_PERIOD: f64 = 0.01;
 /// How often the blend is halved until the tool stays on its line.
 const HALVINGS: usize = 6;
 
@@ -48,7 +50,9 @@ pub(super) fn timed(
         };
         let trajectory = time_path(&joints, cell.limits(), &timing)?;
         let off = line_deviation(cell, task, &trajectory, tool_line)?;
-        if off.position <= config.line_tolerance && off.rotation <= config.turn_tolerance {
+        let is_on_line =
+            off.position <= config.line_tolerance && off.rotation <= config.turn_tolerance;
+        if is_on_line && worst_grip(cell, &trajectory)?.is_held() {
             return Ok(Some(trajectory));
         }
         blend /= 2.0;
@@ -58,6 +62,17 @@ pub(super) fn timed(
         ..TimingConfig::default()
     };
     Ok(Some(time_path(&joints, cell.limits(), &timing)?))
+}
+
+/// How far the second hand leaves its grip over a motion.
+fn worst_grip(cell: &Workcell, trajectory: &Trajectory) -> Result<GripDeviation, FollowError> {
+    let mut worst = GripDeviation::default();
+    if cell.second().is_some() {
+        for sample in trajectory.samples(GRIP_PERIOD) {
+            worst = worst.max(grip_deviation(cell, &sample.q)?);
+        }
+    }
+    Ok(worst)
 }
 
 /// How far the tool moves from each configuration to the next [m].

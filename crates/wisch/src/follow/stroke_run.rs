@@ -1,11 +1,11 @@
 //! One stroke from touching down to lifting off, from one placement of the base.
 
 use super::arm::Arm;
-use super::edge::{Effort, follow_edge};
+use super::edge::follow_edge;
 use super::freedom::{Freedom, rank, turned};
 use super::global::Leg;
 use super::transfer::transfer;
-use super::{Attempt, Obstruction, Phase, ToolPose, Touch};
+use super::{Attempt, Effort, Obstruction, Phase, ToolPose, Touch};
 use crate::geometry::PlanarPose;
 use crate::plan::Stroke;
 use crate::represent::Action;
@@ -113,7 +113,7 @@ pub(super) fn run(
     };
     // Where the orientation makes no difference, it need not be kept to.
     let is_exact = arm.task.action != Action::Absorb && search.try_any(&exact, EXACT_STARTS);
-    if !is_exact && !search.try_any(freedoms, STARTS) {
+    if !is_exact && !search.try_any(freedoms, STARTS) && arm.config.effort == Effort::Global {
         search.globally(freedoms);
     }
     search.best.map(|(run, ..)| run).ok_or(search.attempts)
@@ -272,7 +272,9 @@ fn begin(
             for i in 1..FREE_TRIES {
                 if !matches!(
                     found,
-                    Err(Obstruction::SelfCollision { .. } | Obstruction::SceneCollision { .. })
+                    Err(Obstruction::SelfCollision { .. }
+                        | Obstruction::SceneCollision { .. }
+                        | Obstruction::SecondHand { .. })
                 ) {
                     break;
                 }
@@ -374,7 +376,7 @@ fn finish(
         }),
         _ => {
             let path = transfer(arm, &now.q, &begun.above, seed).ok_or_else(|| {
-                let blocked = arm.is_free(&now.q, &begun.above, Touch::Nothing);
+                let blocked = arm.way(&now.q, &begun.above, Touch::Nothing);
                 failed(blocked.err().unwrap_or(Obstruction::OutOfReach {
                     position_error: 0.0,
                     rotation_error: 0.0,

@@ -2,7 +2,7 @@
 //! (RRT-Connect; Kuffner and LaValle, 2000), shortened.
 
 use super::Touch;
-use super::arm::Arm;
+use super::arm::{Arm, between};
 use crate::robot::JointPositions;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -38,8 +38,8 @@ impl Tree {
         let parent = self.nearest(q);
         let from = self.nodes[parent].0;
         let share = (BRANCH / widest(&from, q)).min(1.0);
-        let to = between(&from, q, share);
-        arm.is_free(&from, &to, Touch::Nothing).ok()?;
+        let to = arm.hold(&between(&from, q, share))?;
+        arm.way(&from, &to, Touch::Nothing).ok()?;
         self.nodes.push((to, parent));
         Some(self.nodes.len() - 1)
     }
@@ -62,8 +62,8 @@ pub(super) fn transfer(
     to: &JointPositions,
     seed: u64,
 ) -> Option<Vec<JointPositions>> {
-    if arm.is_free(from, to, Touch::Nothing).is_ok() {
-        return Some(vec![*from, *to]);
+    if let Ok(way) = arm.way(from, to, Touch::Nothing) {
+        return Some([vec![*from], way].concat());
     }
     if !(arm.is_free_at(from, Touch::Nothing) && arm.is_free_at(to, Touch::Nothing)) {
         return None;
@@ -79,6 +79,7 @@ pub(super) fn transfer(
         if !arm.is_within_limits(&q) {
             continue;
         }
+        let Some(q) = arm.hold(&q) else { continue };
         let (grown, other) = (draw % 2, 1 - draw % 2);
         let Some(new) = trees[grown].grow(arm, &q) else {
             continue;
@@ -91,7 +92,7 @@ pub(super) fn transfer(
                 path.reverse();
                 path.extend(trees[1].to_root(ends[1]).into_iter().skip(1));
                 shorten(arm, &mut path, &mut random);
-                return Some(path);
+                return whole(arm, &path);
             }
         }
     }
@@ -107,14 +108,30 @@ fn shorten(arm: &Arm, path: &mut Vec<JointPositions>, random: &mut ChaCha8Rng) {
         let mut pick = || {
             let i = random.random_range(0..path.len() - 1);
             let s: f64 = random.random();
-            (i, between(&path[i], &path[i + 1], s))
+            (i, arm.hold(&between(&path[i], &path[i + 1], s)))
         };
-        let (a, b) = (pick(), pick());
+        let ((a, Some(from_a)), (b, Some(from_b))) = (pick(), pick()) else {
+            continue;
+        };
+        let (a, b) = ((a, from_a), (b, from_b));
         let ((i, from), (k, to)) = if a.0 <= b.0 { (a, b) } else { (b, a) };
-        if i < k && arm.is_free(&from, &to, Touch::Nothing).is_ok() {
+        let is_free =
+            |a: &JointPositions, b: &JointPositions| arm.way(a, b, Touch::Nothing).is_ok();
+        // With two hands on the tool the rest of a piece need not be as free as the whole.
+        let is_rest = |a, b| arm.cell.second().is_none() || is_free(a, b);
+        if i < k && is_free(&from, &to) && is_rest(&path[i], &from) && is_rest(&to, &path[k + 1]) {
             path.splice(i + 1..=k, [from, to]);
         }
     }
+}
+
+/// With every configuration on the way.
+fn whole(arm: &Arm, corners: &[JointPositions]) -> Option<Vec<JointPositions>> {
+    let mut path = vec![corners[0]];
+    for pair in corners.windows(2) {
+        path.extend(arm.way(&pair[0], &pair[1], Touch::Nothing).ok()?);
+    }
+    Some(path)
 }
 
 fn distance(a: &JointPositions, b: &JointPositions) -> f64 {
@@ -124,14 +141,4 @@ fn distance(a: &JointPositions, b: &JointPositions) -> f64 {
 fn widest(a: &JointPositions, b: &JointPositions) -> f64 {
     let changes = a.iter().zip(b.iter()).map(|(a, b)| (a - b).abs());
     changes.fold(f64::MIN_POSITIVE, f64::max)
-}
-
-fn between(a: &JointPositions, b: &JointPositions, s: f64) -> JointPositions {
-    if s >= 1.0 {
-        return *b;
-    }
-    a.iter()
-        .zip(b.iter())
-        .map(|(a, b)| a + s * (b - a))
-        .collect()
 }

@@ -1,14 +1,15 @@
 //! Robot, tool and scene as one: what is to move, where it may move, and what is in the way.
 
-use super::{FollowError, JointLimit, JointLimits, ToolPose};
-use crate::geometry::{Mesh, PlanarPose, Point2, Point3, Pose, Vector3};
-use crate::represent::{ScenePart, Task};
-use crate::robot::{
-    Collision, CollisionModel, IkSolver, JointKind, LinkId, RobotModel, Shape, Srdf,
+use super::group::{
+    Group, PlanarBase, READY_STATE, hand_and_holder, planar_base, put_in, standing_links,
 };
-use crate::text::UnknownName;
+use super::hold::{tip_from_tool, without_rim};
+use super::second_arm::SecondArm;
+use super::{FollowError, JointLimit, JointLimits, ToolPose};
+use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
+use crate::represent::{SceneObject, ScenePart, Task};
+use crate::robot::{CollisionModel, IkConfig, IkSolver, JointKind, LinkId, RobotModel, Srdf};
 use nalgebra::{Translation3, UnitQuaternion};
-use std::f64::consts::PI;
 
 /// Velocity and acceleration of a joint whose URDF gives none; paper §3.4 [rad/s, rad/s²].
 const JOINT_RATES: [f64; 2] = [1.0, 10.0];
@@ -16,19 +17,8 @@ const JOINT_RATES: [f64; 2] = [1.0, 10.0];
 const SLIDE_RATES: [f64; 2] = [0.5, 1.0];
 /// How far a base may stand off the plane of its floor before that is an error [m, rad].
 const FLOOR_TOLERANCE: f64 = 1e-6;
-/// Name of the SRDF's state in which the arm waits and travels.
-const READY_STATE: &str = "ready";
-
-/// A base that moves over the floor: the variables of its position and heading in the root frame.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct PlanarBase {
-    /// Variable of x.
-    pub x: usize,
-    /// Variable of y.
-    pub y: usize,
-    /// Variable of the heading.
-    pub yaw: usize,
-}
+/// Random starts from which the second hand is brought to its grip in the ready posture.
+const SECOND_STARTS: u64 = 40;
 
 /// How much less than the margin the sides of the tool keep clear of the scene while it wipes [m]. A corner
 /// loses √3 times as much, which is still less than the usual margin.
@@ -48,11 +38,13 @@ pub enum Touch {
 pub struct WorkcellConfig {
     /// Name of the SRDF's group; `None` takes its first, or without an SRDF the longest chain.
     pub group: Option<String>,
+    /// Name of the SRDF's group whose hand holds the tool's second grip; `None` leaves it free.
+    pub second_group: Option<String>,
     /// Where the robot stands in the world. For a robot on a planar base: where it starts, in the
     /// plane of the floor.
     pub world_from_robot: Option<Pose>,
-    /// The tool in the frame of the link that holds it; `None` puts it at the end of the hand, the rear
-    /// edge of its upper face at the hand's outermost point.
+    /// The tool in the frame of the link that holds it; `None` takes the tool's grip, or if it has none puts
+    /// the rear edge of its upper face at the hand's outermost point.
     pub tip_from_tool: Option<Pose>,
     /// How far the hand leans back from upright over the tool, against its motion [rad].
     pub hand_lean: f64,
@@ -64,6 +56,7 @@ impl Default for WorkcellConfig {
     fn default() -> Self {
         Self {
             group: None,
+            second_group: None,
             world_from_robot: None,
             tip_from_tool: None,
             hand_lean: 0.8,
@@ -79,6 +72,8 @@ pub struct Workcell {
     tip: LinkId,
     tip_from_tool: Pose,
     ik: IkSolver,
+    second: Option<SecondArm>,
+    arm_variables: Vec<usize>,
     base: Option<PlanarBase>,
     ready: Vec<f64>,
     collisions: CollisionModel,
@@ -111,6 +106,11 @@ impl Workcell {
             tip,
             mut ready,
         } = Group::choose(&robot, srdf, config.group.as_deref())?;
+        put_in(
+            &mut ready,
+            srdf,
+            &format!("{READY_STATE}_{}", task.tool.name),
+        );
         let base = planar_base(&robot, base_link)?;
         let world_from_robot = config.world_from_robot.unwrap_or_else(Pose::identity);
         let world_from_root = match base {
@@ -123,16 +123,36 @@ impl Workcell {
                 Pose::identity()
             }
         };
-        let tip_from_tool = config.tip_from_tool.unwrap_or_else(|| {
-            held_at_the_end(
-                &robot.links()[tip.index()].collision,
-                task,
-                config.hand_lean,
-            )
-        });
+        let tip_from_tool = (config.tip_from_tool)
+            .unwrap_or_else(|| tip_from_tool(&robot, tip, &task.tool, config.hand_lean));
         let ik = IkSolver::new(&robot, base_link, tip, tip_from_tool)?;
         let posture: Vec<f64> = ik.chain().variables().iter().map(|&i| ready[i]).collect();
         let ik = ik.with_posture(&posture)?;
+        let second = match &config.second_group {
+            None => None,
+            Some(name) => {
+                let grip = task
+                    .tool
+                    .second_grip
+                    .ok_or_else(|| FollowError::NoSecondGrip {
+                        tool: task.tool.name.clone(),
+                        group: name.clone(),
+                    })?;
+                let tip = Group::choose(&robot, srdf, Some(name))?.tip;
+                Some(SecondArm::new(
+                    &robot,
+                    &ik,
+                    tip_from_tool,
+                    tip,
+                    grip,
+                    &ready,
+                )?)
+            }
+        };
+        let mut arm_variables = ik.chain().variables().to_vec();
+        if let Some(second) = &second {
+            arm_variables.extend_from_slice(second.chain().variables());
+        }
 
         let tool = unlike(&robot, &task.tool.name);
         let bare = CollisionModel::new(&robot, srdf)?;
@@ -147,6 +167,13 @@ impl Workcell {
         for link in robot.links() {
             slim.allow(&core, &link.name)?;
         }
+        if let Some(second) = &second {
+            for link in hand_and_holder(&robot, second.chain().tip()) {
+                collisions.allow(&tool, &link)?;
+                slim.allow(&tool, &link)?;
+            }
+        }
+        let on_wheels = base.map_or(vec![], |base| standing_links(&robot, &base));
         let root_from_world = world_from_root.inverse();
         let mut obstacles = Vec::new();
         let mut carriers = Vec::new();
@@ -159,6 +186,10 @@ impl Workcell {
             collisions.add_obstacle(&name, root_from_object, &object.mesh)?;
             slim.add_obstacle(&name, root_from_object, &object.mesh)?;
             slim.allow(&tool, &name)?;
+            for link in on_wheels.iter().filter(|_| is_below_floor(object)) {
+                collisions.allow(link, &name)?;
+                slim.allow(link, &name)?;
+            }
             if object.part == ScenePart::Carrier {
                 carriers.push(name.clone());
             }
@@ -169,16 +200,21 @@ impl Workcell {
             in_contact.allow(&tool, carrier)?;
             slim.allow(&core, carrier)?;
         }
-        let arm_collisions = collisions.for_variables(ik.chain().variables());
-        let arm_collisions_in_contact = slim.for_variables(ik.chain().variables());
+        let arm_collisions = collisions.for_variables(&arm_variables);
+        let arm_collisions_in_contact = slim.for_variables(&arm_variables);
         let base_variables = base.map_or(vec![], |base| vec![base.x, base.y, base.yaw]);
         let base_collisions = collisions.for_variables(&base_variables);
         let limits = limits(&robot)?;
+        if let Some(second) = &second {
+            take_hold(&robot, second, &ik, &collisions, &mut ready)?;
+        }
         Ok(Self {
             world_from_root,
             tip,
             tip_from_tool,
             ik,
+            second,
+            arm_variables,
             base,
             ready,
             collisions,
@@ -215,6 +251,17 @@ impl Workcell {
     /// Inverse kinematics of the tool, from the group's base.
     pub const fn ik(&self) -> &IkSolver {
         &self.ik
+    }
+
+    /// The arm whose hand holds the tool as well, if one does.
+    pub const fn second(&self) -> Option<&SecondArm> {
+        self.second.as_ref()
+    }
+
+    /// For each variable of the arm its position among the robot's: those of the group, then those of the
+    /// second arm.
+    pub fn arm_variables(&self) -> &[usize] {
+        &self.arm_variables
     }
 
     /// The planar base under the group, if there is one.
@@ -296,115 +343,51 @@ impl Workcell {
     }
 }
 
-/// The part of a robot that wipes.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Group {
-    /// The link that its chain begins at.
-    pub base: LinkId,
-    /// The link that holds the tool.
-    pub tip: LinkId,
-    /// The robot's ready posture: the SRDF's states of that name over the middle of the limits; all n
-    /// variables [rad or m].
-    pub ready: Vec<f64>,
-}
-
-impl Group {
-    /// The group of a name, or the SRDF's first, or without an SRDF the longest chain.
-    ///
-    /// # Errors
-    /// If the SRDF has no group of that name.
-    pub fn choose(
-        robot: &RobotModel,
-        srdf: Option<&Srdf>,
-        name: Option<&str>,
-    ) -> Result<Self, FollowError> {
-        let groups = srdf.map_or(&[][..], |srdf| &srdf.groups);
-        let (base, tip) = match name {
-            Some(name) => match groups.iter().find(|group| group.name == name) {
-                Some(group) => (group.base, group.tip),
-                None => {
-                    let known = groups.iter().map(|group| group.name.as_str());
-                    let unknown = UnknownName::new("group", name, known);
-                    return Err(FollowError::UnknownGroup(Box::new(unknown)));
-                }
-            },
-            None => (groups.first())
-                .map_or_else(|| longest_chain(robot), |group| (group.base, group.tip)),
-        };
-        Ok(Self {
-            base,
-            tip,
-            ready: ready(robot, srdf),
-        })
-    }
-}
-
-/// From the root to the link that most moving joints lead to.
-fn longest_chain(robot: &RobotModel) -> (LinkId, LinkId) {
-    let mut moving = vec![0; robot.links().len()];
-    let mut best = robot.root();
-    for joint in robot.joints() {
-        let own = usize::from(joint.kind != JointKind::Fixed);
-        moving[joint.child.index()] = moving[joint.parent.index()] + own;
-        // The outermost of equals: a flange behind fixed joints.
-        if moving[joint.child.index()] >= moving[best.index()] {
-            best = joint.child;
-        }
-    }
-    (robot.root(), best)
-}
-
-/// The planar base that carries a link: x, y and heading, if that is all that moves it.
-fn planar_base(robot: &RobotModel, link: LinkId) -> Result<Option<PlanarBase>, FollowError> {
-    let mut moving = Vec::new();
-    let mut at = link;
-    while let Some(id) = robot.links()[at.index()].parent {
-        let joint = &robot.joints()[id.index()];
-        if joint.kind != JointKind::Fixed {
-            moving.push(joint);
-        }
-        at = joint.parent;
-    }
-    moving.reverse();
-    let variable = |at: usize| match moving[at].drive.terms[..] {
-        [(variable, 1.0)] => Some(variable),
-        _ => None,
-    };
-    let axis = |at: usize| moving[at].axis.into_inner();
-    let kinds: Vec<JointKind> = moving.iter().map(|joint| joint.kind).collect();
-    match kinds[..] {
-        [] => Ok(None),
-        [
-            JointKind::Prismatic,
-            JointKind::Prismatic,
-            JointKind::Revolute,
-        ] if axis(0) == Vector3::x() && axis(1) == Vector3::y() && axis(2) == Vector3::z() => {
-            match (variable(0), variable(1), variable(2)) {
-                (Some(x), Some(y), Some(yaw)) => Ok(Some(PlanarBase { x, y, yaw })),
-                _ => Ok(None),
+/// Brings the second hand to its grip in the ready posture: where it touches nothing, if there is such a way.
+fn take_hold(
+    robot: &RobotModel,
+    second: &SecondArm,
+    ik: &IkSolver,
+    collisions: &CollisionModel,
+    ready: &mut Vec<f64>,
+) -> Result<(), FollowError> {
+    let of = |variables: &[usize]| -> Vec<f64> { variables.iter().map(|&i| ready[i]).collect() };
+    let (leading, start) = (of(ik.chain().variables()), of(second.chain().variables()));
+    let config = IkConfig::default();
+    let mut first = None;
+    for seed in 0..SECOND_STARTS {
+        let starts: &[&[f64]] = if seed == 0 { &[&start] } else { &[] };
+        let held = match second.held_anyhow(&leading, starts, seed, &config) {
+            Ok(held) => held,
+            Err(why) => {
+                return Err(FollowError::NoSecondHold {
+                    link: robot.links()[second.chain().tip().index()].name.clone(),
+                    why,
+                });
             }
-        }
-        _ => Err(FollowError::NoPlanarBase {
-            link: robot.links()[link.index()].name.clone(),
-            joints: moving.iter().map(|joint| joint.name.clone()).collect(),
-        }),
-    }
-}
-
-/// The SRDF's ready states over the middle of the limits.
-fn ready(robot: &RobotModel, srdf: Option<&Srdf>) -> Vec<f64> {
-    let middle = |i: usize| {
-        let range = robot.variable(i).limits.position;
-        range.map_or(0.0, |range| (range.lower + range.upper) / 2.0)
-    };
-    let mut q: Vec<f64> = (0..robot.dof()).map(middle).collect();
-    let states = srdf.map_or(&[][..], |srdf| &srdf.states);
-    for state in states.iter().filter(|state| state.name == READY_STATE) {
-        for &(variable, position) in &state.positions {
+        };
+        let mut q = ready.clone();
+        for (&variable, &position) in second.chain().variables().iter().zip(held.iter()) {
             q[variable] = position;
         }
+        if collisions.collision(&q, 0.0)?.is_none() {
+            *ready = q;
+            return Ok(());
+        }
+        first.get_or_insert(q);
     }
-    q
+    // What it touches is told when it is to start.
+    if let Some(first) = first {
+        *ready = first;
+    }
+    Ok(())
+}
+
+/// Whether no point of an object is above the floor on which the base moves.
+fn is_below_floor(object: &SceneObject) -> bool {
+    let vertices = object.mesh.vertices().iter();
+    let heights = vertices.map(|vertex| (object.world_from_object * vertex).z);
+    heights.fold(f64::NEG_INFINITY, f64::max) <= FLOOR_TOLERANCE
 }
 
 fn on_floor(world_from_robot: &Pose) -> Result<PlanarPose, FollowError> {
@@ -416,53 +399,6 @@ fn on_floor(world_from_robot: &Pose) -> Result<PlanarPose, FollowError> {
         }
     }
     Ok(PlanarPose::new(Point2::new(at.x, at.y), yaw))
-}
-
-/// The rear edge of the tool's upper face at the outermost point of the hand, the hand leaning back.
-fn held_at_the_end(hand: &[Collision], task: &Task, lean: f64) -> Pose {
-    let reach = hand.iter().map(outermost).fold(0.0, f64::max);
-    let (low, high) = task.tool.mesh.bounds();
-    let turned = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI)
-        * UnitQuaternion::from_axis_angle(&Vector3::y_axis(), lean);
-    let tip_from_hand_end = Translation3::new(0.0, 0.0, reach);
-    let grasped_in_tool = Vector3::new(low.x, 0.0, high.z);
-    tip_from_hand_end * turned * Translation3::from(-grasped_in_tool)
-}
-
-/// The tool without its rim: kept clear of the scene by less than the margin, because the plan keeps its
-/// collision sphere, which just holds the tool, clear already.
-fn without_rim(mesh: &Mesh, rim: f64) -> Result<Mesh, FollowError> {
-    let (low, high) = mesh.bounds();
-    let middle = nalgebra::center(&low, &high);
-    let size = high - low;
-    let share = size.map(|side| ((side - 2.0 * rim) / side.max(f64::MIN_POSITIVE)).max(0.1));
-    let vertices = mesh.vertices().iter();
-    let vertices = vertices.map(|v| middle + (v - middle).component_mul(&share));
-    Mesh::new(vertices.collect(), mesh.triangles().to_vec()).map_err(FollowError::Tool)
-}
-
-/// How far a shape reaches along its link's z axis [m].
-fn outermost(collision: &Collision) -> f64 {
-    let pose = &collision.link_from_shape;
-    let along = |z: f64| (pose * Point3::new(0.0, 0.0, z)).z;
-    let axis_z = (pose.rotation * Vector3::z()).z;
-    let rim = |radius: f64| radius * (1.0 - axis_z * axis_z).max(0.0).sqrt();
-    match &collision.shape {
-        Shape::Sphere { radius } => along(0.0) + radius,
-        Shape::Capsule { radius, length } => along(length / 2.0).max(along(-length / 2.0)) + radius,
-        Shape::Cylinder { radius, length } => {
-            along(length / 2.0).max(along(-length / 2.0)) + rim(*radius)
-        }
-        Shape::Box { size } => {
-            let turned = pose.rotation.to_rotation_matrix();
-            let half: f64 = (0..3).map(|i| turned[(2, i)].abs() * size[i] / 2.0).sum();
-            along(0.0) + half
-        }
-        Shape::Mesh(mesh) => {
-            let heights = mesh.vertices().iter().map(|vertex| (pose * vertex).z);
-            heights.fold(f64::NEG_INFINITY, f64::max)
-        }
-    }
 }
 
 /// A name that no link has.

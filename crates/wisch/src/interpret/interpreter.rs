@@ -36,6 +36,8 @@ use nalgebra::{Translation3, UnitQuaternion};
 /// #         area_of_effect: Vector2::new(0.07, 0.11),
 /// #         rotation_about_normal: AngleRange::FULL,
 /// #         tilt: None,
+/// #         grip: None,
+/// #         second_grip: None,
 /// #     },
 /// #     medium: "breadcrumbs".into(),
 /// #     interaction: Interaction {

@@ -19,9 +19,9 @@ mod turning;
 pub use effect::{EffectModel, MotionEffect};
 pub use field::ParticleField;
 pub use knowledge::{
-    Action, AngleRange, AreaOfEffect, Effect, GrainSize, Interaction, KnowledgeBase,
-    KnowledgeError, LogNormal, MediumEntry, MediumKind, Place, RankedTool, SurfaceEntry,
-    SurfaceScope, TiltFreedom, ToolEntry, UnknownName,
+    Action, AngleRange, AreaOfEffect, Effect, GrainSize, Grip, Interaction, KnowledgeBase,
+    KnowledgeError, LogNormal, MediumEntry, MediumKind, Place, RankedTool, SecondGrip,
+    SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry, UnknownName,
 };
 pub use metrics::{GoalState, Performance};
 pub use motion::ToolMotion;

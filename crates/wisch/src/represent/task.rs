@@ -1,8 +1,8 @@
 //! A task as it is meant: everything resolved, checked and in SI units.
 
 use super::{
-    Action, AngleRange, Interaction, ParticleDistribution, SceneObject, ScenePart, Surface,
-    TiltFreedom,
+    Action, AngleRange, Grip, Interaction, ParticleDistribution, SceneObject, ScenePart,
+    SecondGrip, Surface, TiltFreedom,
 };
 use crate::geometry::{Mesh, Point2, Region, Vector2};
 
@@ -21,6 +21,10 @@ pub struct Tool {
     pub rotation_about_normal: AngleRange,
     /// How it may lean, if it may.
     pub tilt: Option<TiltFreedom>,
+    /// How the leading hand holds it; `None` for the rear edge of its upper face at the end of the hand.
+    pub grip: Option<Grip>,
+    /// Where a second hand may hold it.
+    pub second_grip: Option<SecondGrip>,
 }
 
 impl Tool {

@@ -263,17 +263,18 @@ fn joint_alone(j: &UrdfJoint, urdf: &Urdf, report: &mut Report) {
     let subject = || joint(&j.name);
     match j.kind.as_str() {
         "fixed" => return,
-        "revolute" | "continuous" | "prismatic" => {}
-        "planar" | "floating" => {
+        // A planar joint that is left has no axis.
+        "revolute" | "continuous" | "prismatic" | "planar" => {}
+        "floating" => {
             let w = words(
                 format!("type {:?}", j.kind),
-                "fixed, revolute, continuous or prismatic",
+                "fixed, revolute, continuous, prismatic or planar",
                 "write it as prismatic x, prismatic y, continuous yaw (and so on), one after the other",
             );
             return report.error(Fault::JointType, subject(), j.at, w);
         }
         other => {
-            let known = ["fixed", "revolute", "continuous", "prismatic"];
+            let known = ["fixed", "revolute", "continuous", "prismatic", "planar"];
             let unknown = UnknownName::new("joint type", other, known);
             let w = words(unknown.to_string(), known.join(", "), "correct the type");
             return report.error(Fault::JointType, subject(), j.at, w);

@@ -23,6 +23,7 @@ mod findings;
 mod ik;
 mod kinematics;
 mod model;
+mod planar;
 mod srdf;
 #[cfg(test)]
 mod tests;

@@ -490,3 +490,41 @@ fn deep_nesting_and_long_texts_are_survived() {
         Err(RobotError::TooLarge { .. })
     ));
 }
+
+#[test]
+fn a_planar_joint_is_two_slides_and_a_turn_in_its_plane() {
+    let text = |axis: &str| {
+        format!(
+            r#"<robot name="cart"><link name="floor"/><link name="cart"/>
+            <joint name="drive" type="planar"><parent link="floor"/><child link="cart"/>
+            <origin xyz="0 0 0.1"/><axis xyz="{axis}"/><limit velocity="0.5" effort="100"/></joint></robot>"#
+        )
+    };
+    let mut no_meshes = |_: &str| Err(String::new());
+    let model = RobotModel::from_urdf("cart.urdf", &text("0 0 1"), &mut no_meshes).unwrap();
+    let names: Vec<&str> = (0..model.dof())
+        .map(|i| model.variable(i).name.as_str())
+        .collect();
+    assert_eq!(names, ["drive/x", "drive/y", "drive/theta"]);
+    assert_eq!(model.variable(0).limits.velocity, Some(0.5));
+    assert_eq!(model.variable(2).limits.position, None);
+    let cart = model.link("cart").unwrap();
+    let at = |model: &RobotModel, q: [f64; 3]| {
+        let kinematics = model.forward_kinematics(&q).unwrap();
+        kinematics.world_from_link(cart)
+    };
+    let there = at(&model, [1.0, 2.0, 0.5]);
+    let expected = Pose::new(Vector3::new(1.0, 2.0, 0.1), Vector3::z() * 0.5);
+    assert!((there.to_homogeneous() - expected.to_homogeneous()).norm() < 1e-15);
+
+    // On a wall the cart stays in the plane whose normal is the axis, and turns about it.
+    let wall = RobotModel::from_urdf("cart.urdf", &text("1 0 0"), &mut no_meshes).unwrap();
+    let there = at(&wall, [0.3, -0.7, 0.4]);
+    assert!(there.translation.vector.x.abs() < 1e-15);
+    let way = there.translation.vector - Vector3::z() * 0.1;
+    assert!((way.norm() - 0.3_f64.hypot(0.7)).abs() < 1e-15);
+    assert!((there.rotation.scaled_axis() - Vector3::x() * 0.4).norm() < 1e-12);
+
+    let findings = check("cart.urdf", &text("0 0 0"), &mut no_meshes).unwrap();
+    assert!(findings.iter().any(|finding| finding.fault == Fault::Axis));
+}

@@ -19,6 +19,7 @@
 //! The limits of such a joint are limits of the sum: this is how coupled limits are written.
 
 use super::RobotError;
+use super::planar;
 use crate::geometry::{Pose, Vector3};
 use crate::text::Place;
 use nalgebra::{Matrix3, Translation3, UnitQuaternion};
@@ -133,7 +134,9 @@ impl Urdf {
                 "link" => urdf.links.push(reader.link(node)?),
                 "joint" => {
                     let (joint, mimic) = reader.joint(node)?;
-                    urdf.joints.push(joint);
+                    let (joints, links) = planar::split(joint);
+                    urdf.joints.extend(joints);
+                    urdf.links.extend(links);
                     urdf.mimics.extend(mimic);
                 }
                 "wisch" => {

@@ -5,8 +5,8 @@ use crate::problems::robots;
 use std::fs;
 use std::path::{Path, PathBuf};
 use wisch::follow::{FollowConfig, Phase, Workcell, WorkcellConfig, follow};
-use wisch::plan::{CoverageStrategy, PlanConfig, plan};
-use wisch::represent::{Action, Intent, KnowledgeBase, TaskFile};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan};
+use wisch::represent::{Action, Intent, KnowledgeBase, Task, TaskFile};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -22,34 +22,45 @@ fn knowledge() -> KnowledgeBase {
     KnowledgeBase::from_toml(&files).unwrap()
 }
 
-#[test]
-fn the_humanoid_wipes_the_whole_chopping_board_with_its_base_still() {
-    let text = fs::read_to_string(root().join("scenarios/chopping-board.toml")).unwrap();
-    let file = TaskFile::parse("chopping-board.toml", &text, &[]).unwrap();
+/// A scenario's file, and its task.
+pub fn shipped(scenario: &str, action: Action) -> (TaskFile, Task) {
+    let name = format!("{scenario}.toml");
+    let text = fs::read_to_string(root().join("scenarios").join(&name)).unwrap();
+    let file = TaskFile::parse(&name, &text, &[]).unwrap();
     let Intent::Action { tool, medium, .. } = file.intent() else {
         panic!("it names no tool");
     };
     let read = |folder: &'static str| {
         move |path: &str| fs::read(root().join(folder).join(path)).map_err(|e| e.to_string())
     };
-    let task = file
-        .resolve(
-            Action::Collect,
-            tool,
-            medium,
-            1,
-            &knowledge(),
-            &mut read("scenarios"),
-            &mut read("knowledge"),
-        )
-        .unwrap();
+    let task = file.resolve(
+        action,
+        tool,
+        medium,
+        1,
+        &knowledge(),
+        &mut read("scenarios"),
+        &mut read("knowledge"),
+    );
+    let task = task.unwrap();
+    (file, task)
+}
+
+/// What the file's strategy plans.
+pub fn planned(file: &TaskFile, task: &Task) -> Plan {
     let config = PlanConfig {
         strategy: CoverageStrategy::Kde,
         seed: 1,
         bandwidth: file.bandwidth_m(),
         lift_height: file.lift_height_m(),
     };
-    let plan = plan(&task, &config).unwrap();
+    plan(task, &config).unwrap()
+}
+
+#[test]
+fn the_humanoid_wipes_the_whole_chopping_board_with_its_base_still() {
+    let (file, task) = shipped("chopping-board", Action::Collect);
+    let plan = planned(&file, &task);
     let [.., humanoid] = robots().unwrap();
     let config = WorkcellConfig {
         world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),

@@ -3,6 +3,7 @@
 //! Knowledge comes in as TOML texts and belongs to the objects: an entry per tool, medium and
 //! surface, and an [`Interaction`] per combination that makes sense.
 
+mod grip;
 mod likelihood;
 mod record;
 #[cfg(test)]
@@ -13,6 +14,7 @@ use std::fmt;
 use std::str::FromStr;
 
 pub use crate::text::{Place, UnknownName};
+pub use grip::{Grip, SecondGrip};
 pub use likelihood::LogNormal;
 
 use crate::geometry::Vector3;
@@ -136,6 +138,10 @@ pub struct ToolEntry {
     pub tilt: Option<TiltFreedom>,
     /// How the hand holds it, for people to read.
     pub grasp: String,
+    /// How the leading hand holds it; `None` for the rear edge of its upper face at the end of the hand.
+    pub grip: Option<Grip>,
+    /// Where a second hand may hold it.
+    pub second_grip: Option<SecondGrip>,
 }
 
 /// The nature of a medium.

@@ -8,6 +8,7 @@ use std::ops::{Bound, RangeBounds};
 use serde::Deserialize;
 use toml::Spanned;
 
+use super::grip::{GripRecord, SecondGripRecord};
 use super::{
     Action, AngleRange, AreaOfEffect, GrainSize, Interaction, KnowledgeBase, KnowledgeError,
     LogNormal, MediumEntry, MediumKind, Place, SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry,
@@ -22,14 +23,16 @@ pub(super) const ANY_SURFACE: &str = "any";
 /// Longest name of a tool, medium or surface [bytes].
 pub(super) const NAME_MAX_LEN: usize = 64;
 
-type Limits = (Bound<f64>, Bound<f64>);
+pub(super) type Limits = (Bound<f64>, Bound<f64>);
 
 /// A tenth of a metre: no pad is thicker and no crumb larger.
 const LENGTH_M: Limits = (Excluded(0.0), Included(0.1));
 /// No tool acts further than two metres at once.
 const EXTENT_M: Limits = (Excluded(0.0), Included(2.0));
+/// A coordinate of a point of a tool: no tool reaches further.
+pub(super) const POINT_M: Limits = (Included(-3.0), Included(3.0));
 /// The two ends of a range of angles.
-const ANGLE_RAD: Limits = (Included(-PI), Included(PI));
+pub(super) const ANGLE_RAD: Limits = (Included(-PI), Included(PI));
 /// Above what any arm of this class presses with.
 const FORCE_N: Limits = (Excluded(0.0), Included(200.0));
 /// Above what a compliance controller at 1 kHz keeps stable.
@@ -45,7 +48,7 @@ const MU: Limits = (Included(-10.0), Included(10.0));
 /// Wider than ten decades says nothing.
 const SIGMA: Limits = (Excluded(0.0), Included(10.0));
 /// Length of a direction, before it is made exactly one.
-const UNIT_NORM: Limits = (Included(0.99), Included(1.01));
+pub(super) const UNIT_NORM: Limits = (Included(0.99), Included(1.01));
 
 #[derive(Deserialize)]
 struct SchemaRecord {
@@ -77,6 +80,8 @@ struct ToolRecord {
     rotation_about_normal_rad: Spanned<[f64; 2]>,
     tilt: Option<TiltRecord>,
     grasp: String,
+    grip: Option<GripRecord>,
+    second_grip: Option<SecondGripRecord>,
 }
 
 #[derive(Deserialize)]
@@ -134,13 +139,13 @@ struct InteractionRecord {
 
 /// One text with its name; says where in it something stands.
 #[derive(Clone, Copy)]
-struct Source<'a> {
+pub(super) struct Source<'a> {
     name: &'a str,
     text: &'a str,
 }
 
 impl Source<'_> {
-    fn place<T>(self, spanned: &Spanned<T>) -> Place {
+    pub(super) fn place<T>(self, spanned: &Spanned<T>) -> Place {
         Place::at_offset(self.name, self.text, spanned.span().start)
     }
 
@@ -196,7 +201,7 @@ impl Source<'_> {
         })
     }
 
-    fn number(
+    pub(super) fn number(
         self,
         field: &'static str,
         value: &Spanned<f64>,
@@ -205,7 +210,7 @@ impl Source<'_> {
         self.within(field, self.place(value), *value.get_ref(), limits)
     }
 
-    fn within(
+    pub(super) fn within(
         self,
         field: &'static str,
         at: Place,
@@ -286,6 +291,12 @@ impl Source<'_> {
                 .map(|tilt| self.tilt(tilt))
                 .transpose()?,
             grasp: record.grasp.clone(),
+            grip: (record.grip.as_ref())
+                .map(|grip| self.grip(grip))
+                .transpose()?,
+            second_grip: (record.second_grip.as_ref())
+                .map(|grip| self.second_grip(grip))
+                .transpose()?,
         })
     }
 

@@ -91,6 +91,7 @@ fn an_entry_says_what_its_file_says() {
     let tilt = tool.tilt.unwrap();
     assert_eq!(*tilt.axis_in_tool, Vector3::y());
     assert_eq!((tilt.range.min_rad, tilt.range.max_rad), (-0.2, 0.4));
+    assert_eq!((tool.grip, tool.second_grip), (None, None));
     let interaction = knowledge.interaction("squeegee", "gravel", "roof").unwrap();
     assert_eq!(interaction.press_force_n, 10.0);
     assert_eq!(interaction.surface, SurfaceScope::Any);
@@ -473,5 +474,53 @@ proptest! {
         let place = Place::at_offset("a", &text, offset);
         prop_assert!(place.line <= text.matches('\n').count() + 1);
         prop_assert!(place.column <= text.chars().count() + 1);
+    }
+}
+
+/// How `SMALL`'s tool is held, if its file says so.
+const GRIPS: &str = r#"grip = { point_m = [0.0, 0.1, 0.9], hand_rpy_rad = [0.1, 0.0, 0.0] }
+second_grip = { point_m = [0.0, 0.0, 1.2], axis_in_tool = [0.0, 0.0, 1.0], max_lean_rad = 0.6 }
+grasp = "by the handle""#;
+
+#[test]
+fn a_tool_is_held_as_its_file_says() {
+    let text = SMALL.replace("grasp = \"by the handle\"", GRIPS);
+    let knowledge = KnowledgeBase::from_toml(&[("small.toml", &text)]).unwrap();
+    let tool = knowledge.tool("squeegee").unwrap();
+    let hand = tool.grip.unwrap().tool_from_hand;
+    assert_eq!(hand.translation.vector, Vector3::new(0.0, 0.1, 0.9));
+    assert!((hand.rotation.scaled_axis() - Vector3::x() * 0.1).norm() < 1e-15);
+    let second = tool.second_grip.unwrap();
+    assert_eq!(second.point_in_tool.coords, Vector3::new(0.0, 0.0, 1.2));
+    assert_eq!((*second.axis_in_tool, second.max_lean), (Vector3::z(), 0.6));
+}
+
+#[test]
+fn a_grip_out_of_range_is_named_with_its_limit() {
+    for (piece, by, message) in [
+        (
+            "0.0, 0.1, 0.9",
+            "0.0, 0.1, 3.1",
+            "point_m = 3.1 is outside its limits: at least -3 and at most 3",
+        ),
+        (
+            "hand_rpy_rad = [0.1",
+            "hand_rpy_rad = [4.0",
+            "hand_rpy_rad = 4 is outside its limits: at least -3.14",
+        ),
+        (
+            "axis_in_tool = [0.0, 0.0, 1.0]",
+            "axis_in_tool = [0.0, 0.0, 0.5]",
+            "length of axis_in_tool = 0.5",
+        ),
+        (
+            "max_lean_rad = 0.6",
+            "max_lean_rad = 1.6",
+            "max_lean_rad = 1.6",
+        ),
+    ] {
+        assert_eq!(GRIPS.matches(piece).count(), 1, "{piece}");
+        let error = error_after("grasp = \"by the handle\"", &GRIPS.replace(piece, by));
+        assert!(error.contains(message), "{error}");
     }
 }

@@ -62,6 +62,8 @@ pub struct RobotRecord {
     pub description: RobotDescription,
     /// The group of its SRDF that wipes; `None` takes the first.
     pub group: Option<String>,
+    /// The group of its SRDF whose hand holds the tool as well; `None` leaves it to one hand.
+    pub second_group: Option<String>,
     /// Where it stands, or starts; `None` if the file does not say.
     pub world_from_robot: Option<Pose>,
 }

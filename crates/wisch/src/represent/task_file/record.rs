@@ -96,6 +96,7 @@ const ROBOT_KEYS: &[&str] = &[
     "urdf",
     "srdf",
     "group",
+    "second_group",
     "position_m",
     "rpy_rad",
     "quaternion_xyzw",
@@ -390,6 +391,7 @@ fn robot(field: &Field<'_>) -> Result<RobotRecord, TaskError> {
     Ok(RobotRecord {
         description,
         group: text("group")?,
+        second_group: text("second_group")?,
         world_from_robot: match section.get("position_m") {
             Some(_) => Some(pose(section)?),
             None if section.get("rpy_rad").is_some()

@@ -253,6 +253,8 @@ fn resolved_tool(
         area_of_effect,
         rotation_about_normal: entry.rotation_about_normal,
         tilt: entry.tilt,
+        grip: entry.grip,
+        second_grip: entry.second_grip,
     })
 }
 
