@@ -181,7 +181,7 @@ impl ImpedanceController {
         let mobility = mobility + Matrix6::from_diagonal_element(floor);
         self.tool_inertia = mobility.try_inverse().unwrap_or_else(Matrix6::zeros);
         self.mass = Some(mass);
-        if self.periods % DESIGN_EVERY == 0 {
+        if self.periods.is_multiple_of(DESIGN_EVERY) {
             self.design_damping();
         }
         self.periods += 1;
