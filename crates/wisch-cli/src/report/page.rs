@@ -8,7 +8,7 @@ use super::panel::{
 use super::picture::Drawing;
 use super::player::{self, Player};
 use super::view::{View, grouped, metres, percent, px};
-use super::{ReportInput, motion_section, rounds};
+use super::{ReportInput, RoundView, RoundsInput, motion_section, rounds};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use wisch::geometry::Vector2;
 use wisch::represent::GoalState;
@@ -65,13 +65,41 @@ fn header(input: &ReportInput) -> Markup {
             b { (task.action.as_str()) } " " (task.medium) " on " (task.surface.name)
             " with " (task.tool.name) ", nodes placed by " b { (input.plan.strategy.as_str()) }
         }
+        @match input.rounds.and_then(|rounds| Some((rounds, rounds.rounds.last()?))) {
+            Some((rounds, last)) => (felt(rounds, last, performance.ratio())),
+            None => section class="result" {
+                span class="number-large" { (percent(performance.ratio())) }
+                div {
+                    p class="verdict" { (verdict(input)) }
+                    @for sentence in account(input) { p { (sentence) } }
+                }
+                div class="bar" { i style=(format!("width:{:.1}%", 100.0 * performance.ratio())) {} }
+            },
+        }
+    }
+}
+
+/// The outcome of what was executed, by touch.
+fn felt(rounds: &RoundsInput, last: &RoundView, predicted: f64) -> Markup {
+    let estimate = last.interpretation.performance;
+    let count = rounds.rounds.len();
+    html! {
         section class="result" {
-            span class="number-large" { (percent(performance.ratio())) }
+            span class="number-large" { (percent(estimate.mean)) }
             div {
-                p class="verdict" { (verdict(input)) }
-                @for sentence in account(input) { p { (sentence) } }
+                p class="verdict" {
+                    "By touch, after " (counted(count, "round", "rounds")) ": "
+                    (percent(estimate.low)) " to " (percent(estimate.high)) " with 90 % confidence."
+                }
+                p {
+                    (percent(rounds.target)) " were wanted, " (percent(predicted))
+                    " predicted for the first round."
+                    @if let Some((_, truth)) = last.truth {
+                        " In the simulated world it is really " (percent(truth)) "."
+                    }
+                }
             }
-            div class="bar" { i style=(format!("width:{:.1}%", 100.0 * performance.ratio())) {} }
+            div class="bar" { i style=(format!("width:{:.1}%", 100.0 * estimate.mean)) {} }
         }
     }
 }

@@ -80,7 +80,7 @@ impl Times {
 
 pub(super) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let found = round.interpretation;
-    let path = reduce::usable(&found.path);
+    let path = reduce::drawable(found);
     let times = Times::new(&path);
     let press = input.task.interaction.press_force_n;
     let forces = force_plot(&path, press);

@@ -1,7 +1,7 @@
 //! Minutes of a log at 1 kHz as few enough points for a picture, without losing what stands out.
 
 use wisch::geometry::Point3;
-use wisch::interpret::{PathPiece, Touch};
+use wisch::interpret::{EventKind, Interpretation, PathPiece, Touch};
 
 /// Most points that a curve is drawn with.
 const MAX_POINTS: usize = 2_600;
@@ -180,4 +180,21 @@ impl Stretch {
             normalized_force: if contact > 0.0 { force / contact } else { 0.0 },
         }
     }
+}
+
+/// The path to be drawn: force off the plane counts as false only where it makes a collision. As the tool
+/// lands, force and height are off each other for a moment as well.
+pub(super) fn drawable(told: &Interpretation) -> Vec<PathPiece> {
+    let mut path = usable(&told.path);
+    let spans: Vec<[f64; 2]> = (told.events.iter())
+        .filter(|event| event.kind == EventKind::Collision)
+        .map(|event| [event.start, event.end])
+        .collect();
+    for piece in &mut path {
+        let is_in = |span: &[f64; 2]| piece.time[1] >= span[0] && piece.time[0] <= span[1];
+        if piece.touch == Touch::FalsePositive && !spans.iter().any(is_in) {
+            piece.touch = Touch::Weak;
+        }
+    }
+    path
 }

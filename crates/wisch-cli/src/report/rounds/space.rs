@@ -107,7 +107,7 @@ pub(super) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
     });
     let corners = corners(&bounds);
     let plane = (found.plane.as_ref()).and_then(|plane| PlaneBox::new(plane, &corners));
-    let path = reduce::usable(&found.path);
+    let path = reduce::drawable(found);
     let reach = AROUND * bounds.size().norm();
     let near = |p: &Point3| {
         let beyond = (p.xy() - bounds.center()).abs() - 0.5 * bounds.size();
