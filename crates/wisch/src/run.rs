@@ -152,15 +152,31 @@ pub fn run(
     let mut goal = None;
     for number in 1..=config.max_rounds {
         let _ = news(News::Planning(number));
-        let plan = plan_round(&task, goal.as_ref(), given.take(), config)?;
-        if let (true, Some(last)) = (plan.strokes.is_empty(), rounds.last_mut()) {
-            last.verdict = Verdict::NothingToGain;
-            break;
-        }
+        let plan = match (
+            plan_round(&task, goal.as_ref(), given.take(), config),
+            rounds.last_mut(),
+        ) {
+            (Ok(plan), Some(last)) if plan.strokes.is_empty() => {
+                last.verdict = Verdict::NothingToGain;
+                break;
+            }
+            (Err(_), Some(last)) => {
+                last.verdict = Verdict::NoWay;
+                break;
+            }
+            (plan, _) => plan?,
+        };
         let goal = *goal.get_or_insert(plan.graph.goal);
         let motion = follow_round(
             number, &task, &belief, plan, performer, &workcell, config, news,
-        )?;
+        );
+        let motion = match (motion, rounds.last_mut()) {
+            (Err(_), Some(last)) => {
+                last.verdict = Verdict::NoWay;
+                break;
+            }
+            (motion, _) => motion?,
+        };
 
         let _ = news(News::Executing(&motion));
         let real = Reality {

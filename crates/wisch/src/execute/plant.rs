@@ -8,6 +8,7 @@ use crate::robot::{
     ArticulatedJoint, Articulation, ArticulationState, Body, Collision, Range, Shape,
 };
 use nalgebra::{DMatrix, DVector, Matrix3, Translation3};
+use petgraph::unionfind::UnionFind;
 use rapier3d_f64::dynamics::{
     GenericJoint, MassProperties, MultibodyJointHandle, PrismaticJointBuilder,
     RevoluteJointBuilder, RigidBodyBuilder, RigidBodyHandle, SpringCoefficients,
@@ -17,6 +18,7 @@ use rapier3d_f64::geometry::{
 };
 use rapier3d_f64::math as engine;
 use rapier3d_f64::pipeline::PhysicsWorld;
+use std::collections::BTreeMap;
 
 /// Acceleration of free fall [m/s²].
 pub(super) const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
@@ -37,6 +39,8 @@ const CONTACT_ITERATIONS: usize = 4;
 /// Thickness of surface and tool plate [m].
 const SURFACE_THICKNESS: f64 = 0.02;
 const PLATE_THICKNESS: f64 = 0.005;
+/// Up to this many times its compression depth a tool gives way.
+const YIELDING: f64 = 2.0;
 /// Mass of the tool and of the part of it that gives way [kg].
 const TOOL_MASS: f64 = 0.1;
 const PLATE_MASS: f64 = 0.05;
@@ -223,7 +227,7 @@ impl Plant {
             None,
         );
         add_scene(&mut world, task, reality);
-        add_shapes(&mut world, cell, task, articulation, &bodies);
+        add_shapes(&mut world, cell, task, articulation, compliant, &bodies);
 
         let mut plant = Self {
             links: Vec::new(),
@@ -679,6 +683,7 @@ fn add_shapes(
     cell: &Workcell,
     task: &Task,
     articulation: &Articulation,
+    compliant: &[usize],
     bodies: &[RigidBodyHandle],
 ) {
     let robot = cell.robot();
@@ -689,6 +694,10 @@ fn add_shapes(
         let (Some(joint), joint_from_link) = articulation.carrier(id) else {
             continue;
         };
+        // What stands on the floor is held by drives, and wheels are not simulated.
+        if !is_compliant(articulation, compliant, joint) {
+            continue;
+        }
         for Collision {
             link_from_shape,
             shape,
@@ -707,13 +716,60 @@ fn add_shapes(
     let (Some(joint), joint_from_tip) = articulation.carrier(cell.tip()) else {
         return;
     };
-    if let Some(shape) = hull(&task.tool.mesh) {
+    // The part that gives way is the plate's.
+    let yielding = YIELDING * task.interaction.compression_depth_m;
+    for part in parts(&task.tool.mesh) {
+        let firm = part
+            .iter()
+            .map(|p| engine::Vector::new(p.x, p.y, p.z.max(yielding)));
+        let Some(shape) = SharedShape::convex_hull(&firm.collect::<Vec<_>>()) else {
+            continue;
+        };
         let collider = ColliderBuilder::new(shape)
             .position(to_engine(&(joint_from_tip * cell.tip_from_tool())))
             .density(0.0)
             .collision_groups(groups(TOOL, SCENE));
         world.insert_collider(collider, Some(bodies[joint]));
     }
+}
+
+/// Whether a joint, or one that it hangs on, is driven by the controller.
+fn is_compliant(articulation: &Articulation, compliant: &[usize], joint: usize) -> bool {
+    let mut at = Some(joint);
+    while let Some(i) = at {
+        let joint = &articulation.joints()[i];
+        if joint
+            .terms
+            .iter()
+            .any(|(variable, _)| compliant.contains(variable))
+        {
+            return true;
+        }
+        at = joint.parent;
+    }
+    false
+}
+
+/// The vertices of each connected part of a mesh: a stick does not make a cone of its broom.
+fn parts(mesh: &Mesh) -> Vec<Vec<Point3>> {
+    let key = |p: &Point3| [p.x, p.y, p.z].map(f64::to_bits);
+    let mut places: BTreeMap<[u64; 3], usize> = BTreeMap::new();
+    let at: Vec<usize> = (mesh.vertices().iter())
+        .map(|p| {
+            let next = places.len();
+            *places.entry(key(p)).or_insert(next)
+        })
+        .collect();
+    let mut sets = UnionFind::new(places.len());
+    for [a, b, c] in mesh.triangles() {
+        sets.union(at[*a as usize], at[*b as usize]);
+        sets.union(at[*a as usize], at[*c as usize]);
+    }
+    let mut parts: BTreeMap<usize, Vec<Point3>> = BTreeMap::new();
+    for (place, vertex) in at.iter().zip(mesh.vertices()) {
+        parts.entry(sets.find(*place)).or_default().push(*vertex);
+    }
+    parts.into_values().collect()
 }
 
 fn engine_shape(shape: &Shape) -> Option<SharedShape> {

@@ -31,6 +31,8 @@ pub enum Verdict {
     NoProgress,
     /// No plan is predicted to do any better: what is not where it belongs has left the surface, or would.
     NothingToGain,
+    /// The robot cannot wipe again: no plan or no motion was found for the surface where it was felt.
+    NoWay,
     /// The surface was not felt: nothing is known of the effect.
     NoContact,
 }
@@ -42,6 +44,7 @@ impl Verdict {
             Self::GoalMet => "goal met",
             Self::Again => "wipe again",
             Self::NoProgress => "no progress",
+            Self::NoWay => "no way to wipe again",
             Self::NothingToGain => "nothing to gain",
             Self::NoContact => "no contact",
         }
