@@ -82,7 +82,11 @@ fn an_absurd_push_ends_in_a_protective_stop() {
 #[test]
 fn a_thing_in_the_way_that_nobody_knows_of_holds_the_tool_but_breaks_nothing() {
     let mut wiping = Wiping::of_one_stroke(Action::Absorb);
-    let motion = wiping.followed.motions.iter().find(|m| m.phase.is_contact());
+    let motion = wiping
+        .followed
+        .motions
+        .iter()
+        .find(|m| m.phase.is_contact());
     let end = motion.unwrap().tool_line.last().unwrap().surface_from_tool;
     let at = wiping.task.surface.world_from_surface
         * wisch::geometry::Point3::new(end.position.x, end.position.y, 0.05);
