@@ -4,7 +4,7 @@
 use super::{ExecuteConfig, Wrench};
 use crate::geometry::{Pose, Vector3};
 use crate::represent::Interaction;
-use crate::robot::ArticulationState;
+use crate::robot::{ArticulationState, Range};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix3, Matrix6, Matrix6xX, Vector6};
 
 /// After how many periods the damping is designed anew; the inertia changes slowly.
@@ -13,6 +13,9 @@ const DESIGN_EVERY: usize = 10;
 const LEAST_INERTIA: f64 = 1e-3;
 /// Damping ratio of the posture task [1].
 const POSTURE_DAMPING: f64 = 0.7;
+/// Natural frequency of a joint's end stop, critically damped [rad/s]: stiff enough for a hand to lean on,
+/// slow against the period of control.
+const END_STOP_RATE: f64 = 200.0;
 
 /// Where the tool shall be, and how fast it shall move there.
 #[derive(Debug, Clone, Copy)]
@@ -45,6 +48,8 @@ pub(super) struct Measured<'a> {
 #[derive(Debug, Clone)]
 pub(super) struct ImpedanceController {
     compliant: Vec<usize>,
+    /// Where each of them ends.
+    ranges: Vec<Option<Range>>,
     stiffness: Matrix6<f64>,
     damping_ratio: f64,
     force_limit: f64,
@@ -63,10 +68,11 @@ pub(super) struct ImpedanceController {
 }
 
 impl ImpedanceController {
-    /// A controller that moves the variables `compliant` of an articulation, stiff along the surface and
-    /// as the knowledge base says across it.
+    /// A controller that moves the variables `compliant` of an articulation within their ranges, stiff along
+    /// the surface and as the knowledge base says across it.
     pub fn new(
         compliant: Vec<usize>,
+        ranges: Vec<Option<Range>>,
         interaction: &Interaction,
         world_from_surface: &Pose,
         config: &ExecuteConfig,
@@ -98,6 +104,7 @@ impl ImpedanceController {
             efforts: DVector::zeros(count),
             tool_inertia: Matrix6::zeros(),
             compliant,
+            ranges,
         }
     }
 
@@ -152,7 +159,28 @@ impl ImpedanceController {
             let ahead: f64 = row.iter().zip(posture.qdd).map(|(m, a)| m * a).sum();
             self.efforts[k] += self.jacobian.column(k).dot(&force) + state.bias()[i] + ahead;
         }
+        self.stop_at_ends(measured);
         Some(wrench)
+    }
+
+    /// Holds the joints in their ranges, whoever pushes the arm.
+    fn stop_at_ends(&mut self, measured: &Measured<'_>) {
+        let Some(mass) = self.mass.as_ref() else {
+            return;
+        };
+        for (k, &i) in self.compliant.iter().enumerate() {
+            let (position, velocity) = (measured.q[i], measured.qd[i]);
+            let Some(beyond) = self.ranges[k].and_then(|range| beyond(&range, position)) else {
+                continue;
+            };
+            // The inertia of this joint while the others are free: that of a wrist is small where another
+            // axis comes to lie along it, and a stop that is too stiff for it would hammer.
+            self.posture.fill(0.0);
+            self.posture[k] = 1.0;
+            mass.solve_mut(&mut self.posture);
+            let inertia = 1.0 / self.posture[k];
+            self.efforts[k] += end_stop(beyond, velocity, inertia);
+        }
     }
 
     /// Mass matrix and inertia at the tool, and from time to time the damping.
@@ -237,6 +265,18 @@ impl ImpedanceController {
             moment: wrench.fixed_rows::<3>(3).into(),
         }
     }
+}
+
+/// How far a position is beyond the nearer end of a range, with its sign.
+fn beyond(range: &Range, position: f64) -> Option<f64> {
+    let over = (position - range.upper).max(0.0) + (position - range.lower).min(0.0);
+    (over != 0.0).then_some(over)
+}
+
+/// A spring back to the end of a joint's range, and a damper as long as the joint goes further beyond.
+fn end_stop(beyond: f64, velocity: f64, inertia: f64) -> f64 {
+    let outwards = (velocity * beyond.signum()).max(0.0) * beyond.signum();
+    -inertia * (END_STOP_RATE * END_STOP_RATE * beyond + 2.0 * END_STOP_RATE * outwards)
 }
 
 /// S: no longer than the limit, the direction kept.

@@ -69,7 +69,7 @@ pub enum StopCause {
         limit: f64,
     },
     /// A joint is beyond its limits.
-    #[error("joint {joint:?} is at {position:.2} rad or m, beyond its limits {} to {}", limits.lower, limits.upper)]
+    #[error("joint {joint:?} is at {position:.2} rad or m, beyond its limits {:.2} to {:.2}", limits.lower, limits.upper)]
     Overshoot {
         /// The joint.
         joint: String,
@@ -206,7 +206,10 @@ impl<'a> Session<'a> {
         let (state, planned) = (articulation.state(), articulation.state());
         let observer = MomentumObserver::new(&compliant, articulation.dof(), config.observer_gain);
         let surface = &task.surface.world_from_surface;
-        let controller = ImpedanceController::new(compliant, &task.interaction, surface, config);
+        let range = |k: &usize| robot.variable(articulation.variables()[*k]).limits.position;
+        let ranges = compliant.iter().map(range).collect();
+        let interaction = &task.interaction;
+        let controller = ImpedanceController::new(compliant, ranges, interaction, surface, config);
         let count = articulation.dof();
         let mut friction_changes = reality.friction_changes.clone();
         friction_changes.retain(|change| change.round == config.round);
