@@ -4,9 +4,7 @@ use super::{ExecuteConfig, ExecuteError};
 use crate::follow::Workcell;
 use crate::geometry::{Mesh, Point2, Point3, Pose, Vector3};
 use crate::represent::{Reality, ScenePart, Task};
-use crate::robot::{
-    ArticulatedJoint, Articulation, ArticulationState, Body, Collision, Range, Shape,
-};
+use crate::robot::{ArticulatedJoint, Articulation, ArticulationState, Body, Collision, Shape};
 use nalgebra::{DMatrix, DVector, Matrix3, Translation3};
 use petgraph::unionfind::UnionFind;
 use rapier3d_f64::dynamics::{
@@ -53,9 +51,6 @@ const LEAST_ROCKING: f64 = 0.3;
 /// Natural frequency of joints that follow others and of drives that hold a position [rad/s].
 const COUPLING_RATE: f64 = 250.0;
 const SERVO_RATE: f64 = 100.0;
-
-/// Stiffness of the joints' mechanical stops [Nm/rad or N/m].
-const STOP_STIFFNESS: f64 = 2000.0;
 
 const ROBOT: Group = Group::GROUP_1;
 const SCENE: Group = Group::GROUP_2;
@@ -112,8 +107,6 @@ pub(super) struct Plant {
     /// compliant ones.
     servos: Vec<Option<[f64; 2]>>,
     couplings: Vec<Coupling>,
-    /// Of each own variable: where its stops are.
-    stops: Vec<Option<Range>>,
 }
 
 /// A joint that follows others, held to them by a stiff spring.
@@ -240,9 +233,6 @@ impl Plant {
             normal: world_from_real * Vector3::z(),
             servos: vec![None; articulation.dof()],
             couplings: Vec::new(),
-            stops: (articulation.variables().iter())
-                .map(|&i| cell.robot().variable(i).limits.position)
-                .collect(),
             articulation: articulation.clone(),
             multibody,
             world,
@@ -383,7 +373,6 @@ impl Plant {
                     // What holds against gravity; the spring does the rest.
                     None => state.bias()[variable],
                 };
-                joint_efforts[i] += self.stop(variable, &self.links[i]);
             }
         }
         for (i, link) in self.links.iter().enumerate() {
@@ -451,15 +440,6 @@ impl Plant {
                 }
             }
         }
-    }
-
-    /// What the mechanical stops do to a joint beyond its limits [Nm or N].
-    fn stop(&self, variable: usize, link: &Link) -> f64 {
-        let Some(range) = self.stops[variable] else {
-            return 0.0;
-        };
-        let q = self.coordinate(link);
-        STOP_STIFFNESS * (q.clamp(range.lower, range.upper) - q)
     }
 
     fn link_of(&self, variable: usize) -> Option<usize> {
