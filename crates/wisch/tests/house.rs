@@ -170,3 +170,37 @@ fn an_item_that_is_not_there_is_noticed() {
     assert!(!exists("represent::EffectModel::undo_everything"));
     assert_eq!(items("see `plan::grid` and `cargo doc`"), ["plan::grid"]);
 }
+
+/// What only the simulated world knows: its names must not stand in stages that do without.
+const TRUTH: [&str; 4] = ["GroundTruth", "Dirt", "Reality", ".truth"];
+
+fn opens_truth(text: &str) -> Option<&'static str> {
+    let code: Vec<&str> = (text.lines())
+        .filter(|line| !line.trim_start().starts_with("//"))
+        .collect();
+    TRUTH
+        .into_iter()
+        .find(|name| code.iter().any(|line| line.contains(name)))
+}
+
+#[test]
+fn no_plan_and_no_interpretation_opens_the_truth() {
+    for stage in [
+        "geometry",
+        "plan",
+        "robot",
+        "follow",
+        "interpret",
+        "recover",
+    ] {
+        for file in rust_files(&source().join(stage)) {
+            let text = fs::read_to_string(&file).unwrap();
+            assert_eq!(opens_truth(&text), None, "{}", file.display());
+        }
+    }
+    assert_eq!(
+        opens_truth("let lies = executed.truth.dirt;"),
+        Some(".truth")
+    );
+    assert_eq!(opens_truth("/// GroundTruth is not for us"), None);
+}

@@ -34,9 +34,9 @@ const CORRECTION: f64 = 0.5;
 const CONTACT: [f64; 2] = [240.0, 10.0];
 const SOLVER_ITERATIONS: usize = 1;
 const CONTACT_ITERATIONS: usize = 4;
-/// Thickness of surface and tool plate [m].
-const SURFACE_THICKNESS: f64 = 0.02;
-const PLATE_THICKNESS: f64 = 0.005;
+/// Thickness of surface and tool plate [m]: so much that neither is ever pushed out on the far side.
+const SURFACE_THICKNESS: f64 = 0.1;
+const PLATE_THICKNESS: f64 = 0.03;
 /// Up to this many times its compression depth a tool gives way.
 const YIELDING: f64 = 2.0;
 /// Mass of the tool and of the part of it that gives way [kg].
