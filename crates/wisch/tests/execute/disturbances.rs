@@ -25,13 +25,20 @@ fn pushed(force: Vector3, hand_speed: f64) -> Wiping {
 
 #[test]
 fn a_push_leads_the_arm_away_and_meets_no_more_than_the_task_needs() {
+    let calm = Wiping::of_one_stroke(Action::Absorb).execute();
     for direction in [Vector3::x(), -Vector3::y(), Vector3::z()] {
         let wiping = pushed(40.0 * direction, 0.2);
         let log = wiping.execute();
         log.assert_finite();
         assert_eq!(controller_faults(&log), [] as [String; 0]);
         assert!(log.executed.truth.max_controller_force < RESISTANCE);
-        assert!(log.furthest() > 0.04, "{} m", log.furthest());
+        // At 10 N against it the hand still moves at 3/4 of its speed.
+        let yielded = (log.rows.iter().zip(&calm.rows)).map(|(pushed, calm)| {
+            let places = [pushed, calm].map(|row| row.world_from_tool.translation.vector);
+            (places[0] - places[1]).dot(&direction)
+        });
+        let yielded = yielded.fold(0.0, f64::max);
+        assert!(yielded > 0.02, "{yielded} m along {direction}");
         if !log.is_stopped() {
             let last = log.rows.last().unwrap();
             let told = last.world_from_commanded.translation.vector;
