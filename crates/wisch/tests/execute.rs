@@ -84,13 +84,10 @@ fn the_force_that_is_felt_is_that_of_pressing_and_of_friction() {
     for friction in [0.2, 0.6] {
         wiping.reality.friction = friction;
         let log = wiping.execute();
-        let (mut normal, mut along, mut count) = (0.0, 0.0, 0.0);
-        for row in log.sliding() {
-            normal += row.external.z;
-            along += row.external.xy().norm();
-            count += 1.0;
-        }
-        let (normal, along): (f64, f64) = (normal / count, along / count);
+        let normal: Vec<f64> = log.sliding().map(|row| row.external.z).collect();
+        let along = log.sliding().map(|row| row.external.xy().norm()).collect();
+        // Where the line turns back the tool sticks for a moment: most of the time it slides.
+        let (normal, along) = (median(normal), median(along));
         let expected = FORCE / 1_f64.hypot(friction);
         assert!((normal - expected).abs() < 0.5, "{normal} N");
         assert!(
@@ -98,6 +95,11 @@ fn the_force_that_is_felt_is_that_of_pressing_and_of_friction() {
             "{along} N at {friction}"
         );
     }
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
 }
 
 #[test]

@@ -11,10 +11,11 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix3, Matrix6, Matrix6xX, Vec
 const DESIGN_EVERY: usize = 10;
 /// Least inertia at the tool that damping is designed for [kg, kg m²].
 const LEAST_INERTIA: f64 = 1e-3;
-/// Least mobility of the tool that is reckoned with [1/kg, 1/(kg m²)], and as a share of that of all
-/// directions [1].
+/// Least mobility of the tool that is reckoned with [1/kg, 1/(kg m²)], and as shares of that in all three
+/// directions in which it shifts, and about which it turns [1]. Turning, directions differ more.
 const LEAST_MOBILITY: f64 = 1e-6;
-const LEAST_MOBILITY_SHARE: f64 = 1e-5;
+const LEAST_SHIFT: f64 = 1e-5;
+const LEAST_TURN: f64 = 1e-7;
 /// Damping ratio of the posture task [1].
 const POSTURE_DAMPING: f64 = 0.7;
 /// Natural frequency of a joint's end stop, critically damped [rad/s]: stiff enough for a hand to lean on,
@@ -210,10 +211,10 @@ impl ImpedanceController {
         }
         // Directions in which the tool cannot be moved have no finite inertia: bounded from above, each by
         // its own kind, as the tool turns far more easily than it shifts.
-        for first in [0, 3] {
+        for (first, share) in [(0, LEAST_SHIFT), (3, LEAST_TURN)] {
             let trace: f64 = (first..first + 3).map(|i| mobility[(i, i)]).sum();
             for i in first..first + 3 {
-                mobility[(i, i)] += LEAST_MOBILITY + LEAST_MOBILITY_SHARE * trace;
+                mobility[(i, i)] += LEAST_MOBILITY + share * trace;
             }
         }
         self.tool_inertia = mobility.try_inverse().unwrap_or_else(Matrix6::zeros);

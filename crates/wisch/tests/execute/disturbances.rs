@@ -58,9 +58,9 @@ fn an_arm_that_resists_is_noticed() {
 }
 
 #[test]
-fn a_push_is_felt_as_the_force_that_it_is() {
-    // Against a hand that does not move, the arm comes to rest where the push and the spring are equal;
-    // upwards the surface no longer helps.
+fn a_hand_that_takes_weight_off_the_tool_is_felt_together_with_the_surface() {
+    // Lifted with less than the controller presses with, the tool stays on the surface: hand and surface
+    // together stand against the controller's force, and that is all that the joints can tell.
     let log = pushed(Vector3::new(0.0, 0.0, 8.0), 1e3).execute();
     let felt = |from: f64, to: f64| {
         let rows: Vec<_> = (log.rows.iter())
@@ -69,7 +69,6 @@ fn a_push_is_felt_as_the_force_that_it_is() {
         rows.iter().map(|row| row.external.z).sum::<f64>() / rows.len() as f64
     };
     let start = Wiping::of_one_stroke(Action::Absorb).midst();
-    // The surface gives way to the hand: together they are what the controller presses with.
     assert!((felt(start + 0.3, start + 0.6) - FORCE).abs() < 1.0);
 }
 
