@@ -78,24 +78,28 @@ fn what_is_measured_is_where_the_joints_put_the_tool_once_per_period() {
 
 #[test]
 fn the_force_that_is_felt_is_that_of_pressing_and_of_friction() {
-    // Along the surface Coulomb's friction stands against the motion, across it what is pressed.
+    // Along the surface Coulomb's friction stands against the motion. The controller's force is cut to its
+    // limit F as a whole: what overcomes friction is missing across the surface, N² + (μ N)² = F².
     let mut wiping = Wiping::of_one_stroke(Action::Absorb);
     for friction in [0.2, 0.6] {
         wiping.reality.friction = friction;
         let log = wiping.execute();
-        let (mut normal, mut along, mut count) = (0.0, 0.0, 0.0);
-        for row in log.sliding() {
-            normal += row.external.z;
-            along += row.external.xy().norm();
-            count += 1.0;
-        }
-        let (normal, along): (f64, f64) = (normal / count, along / count);
-        assert!((normal - FORCE).abs() < 1.0, "{normal} N");
+        let normal: Vec<f64> = log.sliding().map(|row| row.external.z).collect();
+        let along = log.sliding().map(|row| row.external.xy().norm()).collect();
+        // Where the line turns back the tool sticks for a moment: most of the time it slides.
+        let (normal, along) = (median(normal), median(along));
+        let expected = FORCE / 1_f64.hypot(friction);
+        assert!((normal - expected).abs() < 0.5, "{normal} N");
         assert!(
-            (along - friction * normal).abs() < 0.15 * FORCE,
+            (along - friction * expected).abs() < 0.5,
             "{along} N at {friction}"
         );
     }
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
 }
 
 #[test]

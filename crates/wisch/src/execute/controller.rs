@@ -11,6 +11,11 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix3, Matrix6, Matrix6xX, Vec
 const DESIGN_EVERY: usize = 10;
 /// Least inertia at the tool that damping is designed for [kg, kg m²].
 const LEAST_INERTIA: f64 = 1e-3;
+/// Least mobility of the tool that is reckoned with [1/kg, 1/(kg m²)], and as shares of that in all three
+/// directions in which it shifts, and about which it turns [1]. Turning, directions differ more.
+const LEAST_MOBILITY: f64 = 1e-6;
+const LEAST_SHIFT: f64 = 1e-5;
+const LEAST_TURN: f64 = 1e-7;
 /// Damping ratio of the posture task [1].
 const POSTURE_DAMPING: f64 = 0.7;
 /// Natural frequency of a joint's end stop, critically damped [rad/s]: stiff enough for a hand to lean on,
@@ -204,9 +209,14 @@ impl ImpedanceController {
                 mobility[(row, column)] = products.sum();
             }
         }
-        // A direction in which the tool cannot be moved has no finite inertia: bounded from above.
-        let floor = mobility.trace() * 1e-6;
-        let mobility = mobility + Matrix6::from_diagonal_element(floor);
+        // Directions in which the tool cannot be moved have no finite inertia: bounded from above, each by
+        // its own kind, as the tool turns far more easily than it shifts.
+        for (first, share) in [(0, LEAST_SHIFT), (3, LEAST_TURN)] {
+            let trace: f64 = (first..first + 3).map(|i| mobility[(i, i)]).sum();
+            for i in first..first + 3 {
+                mobility[(i, i)] += LEAST_MOBILITY + share * trace;
+            }
+        }
         self.tool_inertia = mobility.try_inverse().unwrap_or_else(Matrix6::zeros);
         self.mass = Some(mass);
         if self.periods.is_multiple_of(DESIGN_EVERY) {
@@ -268,19 +278,19 @@ impl ImpedanceController {
 }
 
 /// How far a position is beyond the nearer end of a range, with its sign.
-fn beyond(range: &Range, position: f64) -> Option<f64> {
+pub(super) fn beyond(range: &Range, position: f64) -> Option<f64> {
     let over = (position - range.upper).max(0.0) + (position - range.lower).min(0.0);
     (over != 0.0).then_some(over)
 }
 
 /// A spring back to the end of a joint's range, and a damper as long as the joint goes further beyond.
-fn end_stop(beyond: f64, velocity: f64, inertia: f64) -> f64 {
+pub(super) fn end_stop(beyond: f64, velocity: f64, inertia: f64) -> f64 {
     let outwards = (velocity * beyond.signum()).max(0.0) * beyond.signum();
     -inertia * (END_STOP_RATE * END_STOP_RATE * beyond + 2.0 * END_STOP_RATE * outwards)
 }
 
 /// S: no longer than the limit, the direction kept.
-fn saturated(vector: Vector3, limit: f64) -> Vector3 {
+pub(super) fn saturated(vector: Vector3, limit: f64) -> Vector3 {
     let norm = vector.norm();
     if norm > limit {
         vector * (limit / norm)
@@ -291,7 +301,7 @@ fn saturated(vector: Vector3, limit: f64) -> Vector3 {
 
 /// The rotation vector that turns one frame into the other, in the axes of the world [rad]. By atan2,
 /// which keeps its digits near 0 and π.
-fn turn_between(from: &Pose, to: &Pose) -> Vector3 {
+pub(super) fn turn_between(from: &Pose, to: &Pose) -> Vector3 {
     let between = to.rotation * from.rotation.inverse();
     let (scalar, vector) = (between.w, between.imag());
     let sine = vector.norm();

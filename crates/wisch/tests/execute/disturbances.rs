@@ -25,13 +25,20 @@ fn pushed(force: Vector3, hand_speed: f64) -> Wiping {
 
 #[test]
 fn a_push_leads_the_arm_away_and_meets_no_more_than_the_task_needs() {
+    let calm = Wiping::of_one_stroke(Action::Absorb).execute();
     for direction in [Vector3::x(), -Vector3::y(), Vector3::z()] {
         let wiping = pushed(40.0 * direction, 0.2);
         let log = wiping.execute();
         log.assert_finite();
         assert_eq!(controller_faults(&log), [] as [String; 0]);
         assert!(log.executed.truth.max_controller_force < RESISTANCE);
-        assert!(log.furthest() > 0.04, "{} m", log.furthest());
+        // At 10 N against it the hand still moves at 3/4 of its speed.
+        let yielded = (log.rows.iter().zip(&calm.rows)).map(|(pushed, calm)| {
+            let places = [pushed, calm].map(|row| row.world_from_tool.translation.vector);
+            (places[0] - places[1]).dot(&direction)
+        });
+        let yielded = yielded.fold(0.0, f64::max);
+        assert!(yielded > 0.02, "{yielded} m along {direction}");
         if !log.is_stopped() {
             let last = log.rows.last().unwrap();
             let told = last.world_from_commanded.translation.vector;
@@ -51,9 +58,9 @@ fn an_arm_that_resists_is_noticed() {
 }
 
 #[test]
-fn a_push_is_felt_as_the_force_that_it_is() {
-    // Against a hand that does not move, the arm comes to rest where the push and the spring are equal;
-    // upwards the surface no longer helps.
+fn a_hand_that_takes_weight_off_the_tool_is_felt_together_with_the_surface() {
+    // Lifted with less than the controller presses with, the tool stays on the surface: hand and surface
+    // together stand against the controller's force, and that is all that the joints can tell.
     let log = pushed(Vector3::new(0.0, 0.0, 8.0), 1e3).execute();
     let felt = |from: f64, to: f64| {
         let rows: Vec<_> = (log.rows.iter())
@@ -62,7 +69,6 @@ fn a_push_is_felt_as_the_force_that_it_is() {
         rows.iter().map(|row| row.external.z).sum::<f64>() / rows.len() as f64
     };
     let start = Wiping::of_one_stroke(Action::Absorb).midst();
-    // The surface gives way to the hand: together they are what the controller presses with.
     assert!((felt(start + 0.3, start + 0.6) - FORCE).abs() < 1.0);
 }
 

@@ -1,0 +1,112 @@
+//! The control loop allocates nothing once it runs: a robot must not wait for an allocator. The engine that
+//! stands in for the world does allocate, so the loop's parts are watched alone, from their own source.
+
+#[path = "../src/execute/controller.rs"]
+#[allow(dead_code, reason = "some of it is for tests of its own")]
+mod controller;
+#[path = "../src/execute/observer.rs"]
+mod observer;
+
+use controller::{Desired, ImpedanceController, Measured, Posture};
+use nalgebra::{Matrix6xX, Vector6};
+use observer::MomentumObserver;
+use stats_alloc::{INSTRUMENTED_SYSTEM, Region as Watched, StatsAlloc};
+use std::alloc::System;
+use wisch::execute::{ExecuteConfig, Wrench};
+use wisch::geometry::{Point3, Pose, Vector3};
+use wisch::represent::{Action, Interaction, LogNormal, SurfaceScope};
+use wisch::robot::{Articulation, RobotModel};
+// What the watched sources import, under the names that they know it by.
+use wisch::{geometry, represent, robot};
+
+#[global_allocator]
+static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
+
+const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
+
+fn interaction() -> Interaction {
+    Interaction {
+        tool: "sponge".into(),
+        medium: "breadcrumbs".into(),
+        surface: SurfaceScope::Any,
+        actions: Action::ALL.into_iter().collect(),
+        press_force_n: 10.0,
+        stiffness_n_per_m: 500.0,
+        damping_ratio: 0.7,
+        nullspace_posture_weight: 0.1,
+        compression_depth_m: 0.005,
+        likelihood: LogNormal {
+            mu: -1.0,
+            sigma: 0.25,
+        },
+    }
+}
+
+#[test]
+fn a_period_of_control_allocates_nothing() {
+    let text = include_str!("../../../robots/humanoid.urdf");
+    let robot = RobotModel::from_urdf("humanoid", text, &mut |_| Err(String::new())).unwrap();
+    let count = robot.dof();
+    let mut q: Vec<f64> = (0..count).map(|i| 0.02 * i as f64).collect();
+    // Over its end, so that the stops take part.
+    let last = robot.variable(count - 1).limits.position;
+    q[count - 1] = last.map_or(0.0, |range| range.upper + 0.01);
+    let qd = vec![0.1; count];
+    let all: Vec<usize> = (0..count).collect();
+    let moving = Articulation::new(&robot, &Pose::identity(), &q, &vec![true; count], &[]).unwrap();
+    let (carrier, _) = moving.carrier(robot.link("right_tcp").unwrap());
+    let carrier = carrier.unwrap();
+    let config = ExecuteConfig::default();
+    let ranges = all.iter().map(|&i| robot.variable(i).limits.position);
+    let mut controller = ImpedanceController::new(
+        all.clone(),
+        ranges.collect(),
+        &interaction(),
+        &Pose::identity(),
+        &config,
+    );
+    let mut observer = MomentumObserver::new(&all, count, config.observer_gain);
+    let mut state = moving.state();
+    let mut jacobian = Matrix6xX::zeros(count);
+    let mut period = || {
+        moving.evaluate(&mut state, &q, &qd, GRAVITY);
+        let world_from_tool = state.pose(carrier);
+        let tool = Point3::from(world_from_tool.translation.vector);
+        moving.jacobian(&state, carrier, tool, &mut jacobian);
+        let external = observer.update(&state, &qd, controller.efforts(), config.period);
+        let measured = Measured {
+            q: &q,
+            qd: &qd,
+            world_from_tool,
+            jacobian: &jacobian,
+        };
+        let desired = Desired {
+            world_from_tool: Pose::translation(0.5, 0.0, 0.7),
+            velocity: Vector6::zeros(),
+        };
+        let posture = Posture {
+            q: &q,
+            qd: &qd,
+            qdd: &qd,
+        };
+        let command = controller.command(&state, &measured, &desired, &posture);
+        assert!(command.is_some());
+        let felt: Wrench = controller.external_wrench(external);
+        assert!(felt.force.norm().is_finite());
+        moving.inverse_dynamics(&mut state, &qd, &qd, GRAVITY);
+    };
+    period();
+
+    let watched = Watched::new(ALLOCATOR);
+    let before = watched.change().allocations;
+    // The damping is designed anew every ten periods.
+    for _ in 0..25 {
+        period();
+    }
+    assert_eq!(watched.change().allocations, before);
+
+    // The watch itself can tell.
+    let grown: Vec<u8> = Vec::with_capacity(std::hint::black_box(64));
+    assert_eq!(watched.change().allocations, before + 1);
+    drop(grown);
+}
