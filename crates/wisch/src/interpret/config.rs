@@ -1,6 +1,6 @@
 //! Settings of the interpretation, with where their defaults come from.
 
-use super::{InterpretError, PlaneConfig};
+use super::{InterpretError, PlaneConfig, Uncertainty};
 use crate::represent::{LogNormal, Task};
 
 /// Settings of the interpretation. [`InterpretConfig::of`] takes from a task what depends on it.
@@ -20,6 +20,8 @@ pub struct InterpretConfig {
     pub plane: PlaneConfig,
     /// μ and σ of (12).
     pub likelihood: LogNormal,
+    /// What is not known exactly.
+    pub uncertainty: Uncertainty,
     /// Replays of the log, each with chances of its own.
     pub replays: usize,
     /// ℓ: after this travel in contact a particle's threshold is drawn again [m]; r_s of the tool.
@@ -126,6 +128,7 @@ impl InterpretConfig {
             compliance,
             plane: PlaneConfig::default(),
             likelihood: interaction.likelihood,
+            uncertainty: Uncertainty::default(),
             replays: 64,
             redraw_length_m: task.tool.collision_radius(),
             relocalize_tilt: 0.5_f64.to_radians(),
@@ -143,6 +146,7 @@ impl InterpretConfig {
     /// # Errors
     /// The first field that does not.
     pub(super) fn checked(&self) -> Result<(), InterpretError> {
+        self.uncertainty.checked()?;
         let plane = &self.plane;
         let events = &self.events;
         let cone = plane.cone;

@@ -2,9 +2,10 @@
 
 use super::contact::{Judge, Judged, middle};
 use super::events::Evidence;
+use super::motions::contact_motions;
 use super::pieces::Recorder;
 use super::plane::PlaneFit;
-use super::replay::{Replay, contact_motions};
+use super::replay::Replay;
 use super::{
     Belief, Diagnosis, FittedPlane, InterpretConfig, InterpretError, Interpretation, TouchSample,
 };

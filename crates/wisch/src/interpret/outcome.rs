@@ -1,7 +1,7 @@
 //! What touch tells: contact, the plane of the real surface, events, and the estimated effect.
 
 use super::Belief;
-use crate::geometry::{Point3, Pose, Vector3};
+use crate::geometry::{Point3, Pose, Vector2, Vector3};
 
 /// Where a tool was and what force it felt.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,6 +46,10 @@ pub struct PathPiece {
     /// Mean distance of the tool centre point from the fitted plane, positive outside [m]; from the believed
     /// surface where no plane was found. A tool that gives way touches from its compression depth down.
     pub height: f64,
+    /// Slope of the fitted plane against the tool's underside at the last sample, in the frame of the tool [1]:
+    /// by how much the surface rises towards the hand per metre along the tool's x and y. Where it rises, a
+    /// tool that gives way presses harder. Zero where no plane was found.
+    pub slope: Vector2,
     /// What it was judged to be.
     pub touch: Touch,
 }
