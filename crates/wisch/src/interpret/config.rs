@@ -83,6 +83,12 @@ pub struct EventConfig {
     pub tangential_margin_n: [f64; 2],
     /// Normal force over the nominal one that makes a collision, and that down to which it lasts [1].
     pub overload: [f64; 2],
+    /// Size of a force in free motion that makes a collision, and that down to which it lasts [N]; both beyond
+    /// twice the noise, and above what the inertia of a hand makes believe.
+    pub free_force_n: [f64; 2],
+    /// Interruptions of a collision in free motion up to this long are part of it [s]: a tool that the robot
+    /// lifts runs ahead of the hand that pushes it.
+    pub free_bridge_s: f64,
     /// By how long measured forces may lag behind positions [s].
     pub force_lag_s: f64,
     /// Stuck and slipping times, one after the other, that make stick-slip [1].
@@ -102,6 +108,8 @@ impl Default for EventConfig {
             friction_limit: 0.8,
             tangential_margin_n: [5.0, 1.5],
             overload: [1.8, 1.5],
+            free_force_n: [2.0, 0.5],
+            free_bridge_s: 0.25,
             force_lag_s: 0.015,
             stick_slip_turns: 6,
         }
@@ -231,6 +239,13 @@ impl InterpretConfig {
                 "0 to 1e6 s",
             ),
             ("events.bridge_s", events.bridge_s, 0.0, 1e6, "0 to 1e6 s"),
+            (
+                "events.free_bridge_s",
+                events.free_bridge_s,
+                0.0,
+                1e6,
+                "0 to 1e6 s",
+            ),
             (
                 "events.near_height_m",
                 events.near_height_m,

@@ -151,13 +151,21 @@ impl Interpreter {
             config: &self.config,
         };
         let belief = replay.run(believed, &motions);
+        // Without a touch, what was certain stays certain.
+        let is_untouched = motions.is_empty() && believed.replays().len() == 1;
+        let margin = if is_untouched {
+            0.0
+        } else {
+            self.config.uncertainty.model_share
+        };
+        let performance = belief.performance(goal, &self.surface).widened(margin);
         let evidence = Evidence::new(pieces, &judged, &self.surface, &self.config);
         Ok(Interpretation {
             events: evidence.events(),
             contact_share: evidence.contact_share(),
             diagnosis: self.diagnosis(&judged, &believed_from_real),
             force_bias: -judged.bias.z,
-            performance: belief.performance(goal, &self.surface),
+            performance,
             belief,
             plane: judged.plane.map(|(_, described)| described),
             path: judged.path,

@@ -124,10 +124,21 @@ pub struct Event {
 pub struct Estimate {
     /// Mean over the replays.
     pub mean: f64,
-    /// 5th percentile.
+    /// 5th percentile, less what the model leaves out.
     pub low: f64,
-    /// 95th percentile.
+    /// 95th percentile, and what the model leaves out.
     pub high: f64,
+}
+
+impl Estimate {
+    /// With an interval longer by a margin at either end, within 0 to 1.
+    pub(super) fn widened(self, margin: f64) -> Self {
+        Self {
+            mean: self.mean,
+            low: (self.low - margin).clamp(0.0, 1.0),
+            high: (self.high + margin).clamp(0.0, 1.0),
+        }
+    }
 }
 
 /// What a log says.

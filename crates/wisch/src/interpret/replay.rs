@@ -22,6 +22,11 @@ const SAME_CONTACT: f64 = MAX_LENGTH;
 /// Difference of f′ under the tool below which it presses evenly [1]; a fraction of what is measured.
 const EVEN: f64 = 1e-3;
 
+/// A level above every probability.
+const SLIPPED: f64 = 2.0;
+/// Makes numbers of their own for slipping.
+const SLIPS: u64 = 0x736c_6970;
+
 /// Everything a replay needs but the particles.
 #[derive(Debug)]
 pub(super) struct Replay<'a> {
@@ -66,7 +71,11 @@ impl Replay<'_> {
         variation: &Variation,
         replay: u64,
     ) -> ParticleDistribution {
-        let mut chances = Chances::new(self.config.seed, replay, particles.len());
+        let slip = match self.effect {
+            Effect::Push => variation.slip,
+            Effect::Absorb => 0.0,
+        };
+        let mut chances = Chances::new(self.config.seed, replay, particles.len(), slip);
         let mut field = ParticleField::new(particles);
         let mut model = EffectModel::new(self.footprint, self.effect);
         let bounds = self.footprint.bounds();
@@ -143,6 +152,8 @@ struct Chances {
     travelled: [f64; 2],
     /// P(X ≤ f′) of the motion at hand where the tool presses evenly [1].
     probability: f64,
+    /// Probability that a particle that draws slips past the tool instead [1].
+    slip: f64,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -152,12 +163,12 @@ struct Drawn {
     /// Travel at which it drew [m].
     drew: f64,
     draws: u32,
-    /// Even in (0, 1).
+    /// Even in (0, 1); [`SLIPPED`] responds to nothing.
     level: f64,
 }
 
 impl Chances {
-    fn new(seed: u64, replay: u64, particles: usize) -> Self {
+    fn new(seed: u64, replay: u64, particles: usize, slip: f64) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         random.set_stream(replay);
         let never = Drawn {
@@ -171,6 +182,7 @@ impl Chances {
             drawn: vec![never; particles],
             travelled: [0.0; 2],
             probability: 0.0,
+            slip,
         }
     }
 
@@ -195,6 +207,9 @@ impl Chances {
         let is_due = begin - drawn.drew >= redraw_length;
         if is_new_contact || is_due {
             drawn.level = even(self.key, particle as u64, drawn.draws);
+            if even(self.key ^ SLIPS, particle as u64, drawn.draws) < self.slip {
+                drawn.level = SLIPPED;
+            }
             drawn.draws += 1;
             // Draws are due every so often, whatever the length of the motions between which they fall.
             drawn.drew = if is_new_contact {
