@@ -353,7 +353,14 @@ fn a_tool_believed_rigid_is_thought_off_the_plane_where_it_presses_less() {
     };
     let rigid = told_with(&samples, &task, &rigid);
     assert_eq!(events(&soft, EventKind::Collision), []);
-    assert!(soft.performance.mean > rigid.performance.mean + 0.2);
+    assert!(
+        soft.performance.mean > rigid.performance.mean + 0.2,
+        "{:?} {:?} {:?} {:?}",
+        soft.performance,
+        soft.plane,
+        rigid.performance,
+        rigid.plane
+    );
 }
 
 /// A surface far above the believed one, on which the tool presses as it should.

@@ -18,6 +18,7 @@ mod pieces;
 mod plane;
 mod replay;
 mod stick_slip;
+mod uneven;
 mod variation;
 
 pub use belief::Belief;

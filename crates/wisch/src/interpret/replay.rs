@@ -6,11 +6,12 @@
 //! what is drawn.
 
 use super::motions::{ContactMotion, MAX_LENGTH};
+use super::uneven::Uneven;
 use super::variation::Variation;
 use super::{Belief, InterpretConfig};
-use crate::geometry::{Bounds2, PlanarPose, Point2, Region, Vector2};
+use crate::geometry::Region;
 use crate::represent::{
-    Effect, EffectModel, LogNormal, ParticleDistribution, ParticleField, Surface, ToolMotion,
+    Effect, EffectModel, LogNormal, ParticleDistribution, ParticleField, Surface,
 };
 use rand::Rng;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
@@ -19,8 +20,6 @@ use rayon::prelude::*;
 /// A particle that is touched again within this travel is still in the same contact [m]: it may have been
 /// out of touch while the tool stood or turned a corner.
 const SAME_CONTACT: f64 = MAX_LENGTH;
-/// Difference of f′ under the tool below which it presses evenly [1]; a fraction of what is measured.
-const EVEN: f64 = 1e-3;
 
 /// A level above every probability.
 const SLIPPED: f64 = 2.0;
@@ -96,50 +95,6 @@ impl Replay<'_> {
             });
         }
         field.distribution()
-    }
-}
-
-/// Pressure under a tool that gives way and stands inclined to the plane: a bed of springs is compressed
-/// the more the higher the plane rises towards the hand.
-#[derive(Debug)]
-struct Uneven {
-    motion: ToolMotion,
-    /// f′ at the tool centre point [1].
-    share: f64,
-    /// Rise of f′ along the tool's x and y [1/m].
-    rise: Vector2,
-    bounds: Bounds2,
-}
-
-impl Uneven {
-    /// `None` where the tool presses evenly.
-    fn of(contact: &ContactMotion, bounds: Option<Bounds2>, compression: f64) -> Option<Self> {
-        let bounds = bounds.filter(|_| compression > 0.0)?;
-        let uneven = Self {
-            motion: contact.motion,
-            share: contact.share,
-            rise: contact.slope / compression,
-            bounds,
-        };
-        let size = bounds.size();
-        (uneven.rise.x.abs() * size.x + uneven.rise.y.abs() * size.y > EVEN).then_some(uneven)
-    }
-
-    /// Largest f′ that a particle feels which the motion passes over [1].
-    ///
-    /// It feels it where it comes under the tool and where it last is, if it stays: between them f′ changes
-    /// evenly.
-    fn share(&self, position: Point2) -> f64 {
-        self.share_under(&self.motion.from, position)
-            .max(self.share_under(&self.motion.to, position))
-            .max(0.0)
-    }
-
-    fn share_under(&self, tool: &PlanarPose, position: Point2) -> f64 {
-        let (low, high) = (self.bounds.min, self.bounds.max);
-        let under = tool.inverse_transform(position);
-        let under = Vector2::new(under.x.clamp(low.x, high.x), under.y.clamp(low.y, high.y));
-        self.share + self.rise.dot(&under)
     }
 }
 
