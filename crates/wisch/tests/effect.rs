@@ -245,7 +245,7 @@ fn particles_that_do_not_respond_stay_and_the_others_do_what_they_did() {
             let all = wiped(&sponge(), kind, &points, &[motion]);
             let mut asked = vec![0; points.len()];
             let mut field = ParticleField::new(&ParticleDistribution::new(&points).unwrap());
-            EffectModel::new(&sponge(), kind).apply_where(&mut field, &surface, &motion, |i| {
+            EffectModel::new(&sponge(), kind).apply_where(&mut field, &surface, &motion, |i, _| {
                 asked[i] += 1;
                 i % 3 == 0
             });

@@ -51,12 +51,19 @@ impl Belief {
 
     /// Mean performance with its 90 % interval.
     pub fn performance(&self, goal: &GoalState, surface: &Surface) -> Estimate {
-        let share = |particles| Performance::of(particles, goal, surface).ratio();
-        let mut shares: Vec<f64> = self.replays.iter().map(share).collect();
-        shares.sort_by(f64::total_cmp);
-        let at = |quantile: f64| shares[((shares.len() - 1) as f64 * quantile).round() as usize];
+        let counts = |particles| Performance::of(particles, goal, surface);
+        let mut counts: Vec<Performance> = self.replays.iter().map(counts).collect();
+        counts.sort_by_key(|one| one.achieved);
+        let last = (counts.len() - 1) as f64;
+        let at = |quantile: f64| counts[(last * quantile).round() as usize].ratio();
+        // Counted rather than averaged: equal shares have that share as their mean, to the last bit.
+        let all = Performance {
+            initial: counts.iter().map(|one| one.initial).sum(),
+            achieved: counts.iter().map(|one| one.achieved).sum(),
+            lost: counts.iter().map(|one| one.lost).sum(),
+        };
         Estimate {
-            mean: shares.iter().sum::<f64>() / shares.len() as f64,
+            mean: all.ratio(),
             low: at(0.05),
             high: at(0.95),
         }

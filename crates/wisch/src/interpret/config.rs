@@ -1,6 +1,6 @@
 //! Settings of the interpretation, with where their defaults come from.
 
-use super::{InterpretError, PlaneConfig};
+use super::{InterpretError, PlaneConfig, Uncertainty};
 use crate::represent::{LogNormal, Task};
 
 /// Settings of the interpretation. [`InterpretConfig::of`] takes from a task what depends on it.
@@ -20,6 +20,8 @@ pub struct InterpretConfig {
     pub plane: PlaneConfig,
     /// μ and σ of (12).
     pub likelihood: LogNormal,
+    /// What is not known exactly.
+    pub uncertainty: Uncertainty,
     /// Replays of the log, each with chances of its own.
     pub replays: usize,
     /// ℓ: after this travel in contact a particle's threshold is drawn again [m]; r_s of the tool.
@@ -81,6 +83,12 @@ pub struct EventConfig {
     pub tangential_margin_n: [f64; 2],
     /// Normal force over the nominal one that makes a collision, and that down to which it lasts [1].
     pub overload: [f64; 2],
+    /// Size of a force in free motion that makes a collision, and that down to which it lasts [N]; both beyond
+    /// twice the noise, and above what the inertia of a hand makes believe.
+    pub free_force_n: [f64; 2],
+    /// Interruptions of a collision in free motion up to this long are part of it [s]: a tool that the robot
+    /// lifts runs ahead of the hand that pushes it.
+    pub free_bridge_s: f64,
     /// By how long measured forces may lag behind positions [s].
     pub force_lag_s: f64,
     /// Stuck and slipping times, one after the other, that make stick-slip [1].
@@ -100,6 +108,8 @@ impl Default for EventConfig {
             friction_limit: 0.8,
             tangential_margin_n: [5.0, 1.5],
             overload: [1.8, 1.5],
+            free_force_n: [2.0, 0.5],
+            free_bridge_s: 0.25,
             force_lag_s: 0.015,
             stick_slip_turns: 6,
         }
@@ -126,6 +136,7 @@ impl InterpretConfig {
             compliance,
             plane: PlaneConfig::default(),
             likelihood: interaction.likelihood,
+            uncertainty: Uncertainty::default(),
             replays: 64,
             redraw_length_m: task.tool.collision_radius(),
             relocalize_tilt: 0.5_f64.to_radians(),
@@ -143,6 +154,7 @@ impl InterpretConfig {
     /// # Errors
     /// The first field that does not.
     pub(super) fn checked(&self) -> Result<(), InterpretError> {
+        self.uncertainty.checked()?;
         let plane = &self.plane;
         let events = &self.events;
         let cone = plane.cone;
@@ -227,6 +239,13 @@ impl InterpretConfig {
                 "0 to 1e6 s",
             ),
             ("events.bridge_s", events.bridge_s, 0.0, 1e6, "0 to 1e6 s"),
+            (
+                "events.free_bridge_s",
+                events.free_bridge_s,
+                0.0,
+                1e6,
+                "0 to 1e6 s",
+            ),
             (
                 "events.near_height_m",
                 events.near_height_m,

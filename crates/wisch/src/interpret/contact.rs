@@ -20,6 +20,8 @@ const POINT_PERIOD: f64 = 0.05;
 const TOUCHING_SHARE: f64 = 0.3;
 /// Share of the tool that a surface carries at least, for its contact to be one with the surface [1].
 const LEAST_SUPPORT: f64 = 0.3;
+/// Cosine of the angle between tool axis and plane normal from which on the underside faces the plane [1].
+const LEAST_FACING: f64 = 0.5;
 /// f′ from which on force off the plane is a force like that of contact [1].
 const FALSE_POSITIVE_SHARE: f64 = 0.2;
 
@@ -95,6 +97,7 @@ impl Judge<'_> {
             tangential_force: force.xy().norm(),
             normalized_force: share.clamp(0.0, 1.0),
             height,
+            slope: plane.map_or_else(Vector2::zeros, |plane| slope(piece, &plane.normal())),
             touch,
         };
         (judged, off)
@@ -125,6 +128,16 @@ impl Judge<'_> {
         (0.5 + 0.5 * inside * distance / self.reach.max(f64::MIN_POSITIVE))
             .clamp(LEAST_SUPPORT, 1.0)
     }
+}
+
+/// Slope of a plane with this normal (believed surface frame) against the underside, in the tool frame [1];
+/// zero where they stand across each other, which no contact under the tool does.
+fn slope(piece: &Piece, normal: &Vector3) -> Vector2 {
+    let normal_in_tool = piece.surface_from_tool.inverse() * normal;
+    if normal_in_tool.z < LEAST_FACING {
+        return Vector2::zeros();
+    }
+    -normal_in_tool.xy() / normal_in_tool.z
 }
 
 /// Median force in calm free motion, by component; zero where there is none.

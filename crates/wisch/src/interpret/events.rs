@@ -172,6 +172,7 @@ impl<'a> Evidence<'a> {
         self.off_plane(i)
             .max(self.shoved(i))
             .max(self.overloaded(i))
+            .max(self.handled(i))
     }
 
     /// Off the plane with a force like that of contact (Fig. 18).
@@ -213,6 +214,40 @@ impl<'a> Evidence<'a> {
         level(force > end * nominal, force > begin * nominal)
     }
 
+    /// Above the surface, where nothing is but who holds the tool.
+    fn is_free(&self, i: usize) -> bool {
+        let events = &self.config.events;
+        let lag = events.force_lag_s * self.climb(i);
+        let least = if self.has_plane {
+            events.near_height_m
+        } else {
+            self.config.search_height_m
+        };
+        self.path[i].height > least && self.off[i] > events.collision_height_m + lag
+    }
+
+    /// Any force in free motion, whatever its direction.
+    fn handled(&self, i: usize) -> Level {
+        if !self.is_free(i) {
+            return Level::Below;
+        }
+        let piece = &self.path[i];
+        let noise = 2.0 * self.config.force_noise_n;
+        let force = piece.normal_force.hypot(piece.tangential_force) - noise;
+        let [begin, end] = self.config.events.free_force_n;
+        level(force > end, force > begin)
+    }
+
+    /// How long an event may be interrupted at a piece [s].
+    fn bridge(&self, kind: EventKind, i: usize) -> f64 {
+        let events = &self.config.events;
+        if kind == EventKind::Collision && self.is_free(i) {
+            events.free_bridge_s
+        } else {
+            events.bridge_s
+        }
+    }
+
     /// Runs of pieces at least weak, interruptions bridged, in which the strong ones last long enough.
     fn intervals(&self, kind: EventKind, level: impl Fn(usize) -> Level) -> Vec<Event> {
         let mut events = Vec::new();
@@ -223,7 +258,7 @@ impl<'a> Evidence<'a> {
             if now == Level::Below {
                 if run
                     .as_ref()
-                    .is_some_and(|run| end - run.end > self.config.events.bridge_s)
+                    .is_some_and(|run| end - run.end > self.bridge(kind, i))
                 {
                     events.extend(run.take().and_then(|run| self.event(kind, &run)));
                 }

@@ -2,9 +2,10 @@
 
 use super::contact::{Judge, Judged, middle};
 use super::events::Evidence;
+use super::motions::contact_motions;
 use super::pieces::Recorder;
 use super::plane::PlaneFit;
-use super::replay::{Replay, contact_motions};
+use super::replay::Replay;
 use super::{
     Belief, Diagnosis, FittedPlane, InterpretConfig, InterpretError, Interpretation, TouchSample,
 };
@@ -152,13 +153,21 @@ impl Interpreter {
             config: &self.config,
         };
         let belief = replay.run(believed, &motions);
+        // Without a touch, what was certain stays certain.
+        let is_untouched = motions.is_empty() && believed.replays().len() == 1;
+        let margin = if is_untouched {
+            0.0
+        } else {
+            self.config.uncertainty.model_share
+        };
+        let performance = belief.performance(goal, &self.surface).widened(margin);
         let evidence = Evidence::new(pieces, &judged, &self.surface, &self.config);
         Ok(Interpretation {
             events: evidence.events(),
             contact_share: evidence.contact_share(),
             diagnosis: self.diagnosis(&judged, &believed_from_real),
             force_bias: -judged.bias.z,
-            performance: belief.performance(goal, &self.surface),
+            performance,
             belief,
             plane: judged.plane.map(|(_, described)| described),
             path: judged.path,

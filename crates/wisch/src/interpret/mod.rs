@@ -12,11 +12,14 @@ mod density;
 mod error;
 mod events;
 mod interpreter;
+mod motions;
 mod outcome;
 mod pieces;
 mod plane;
 mod replay;
 mod stick_slip;
+mod uneven;
+mod variation;
 
 pub use belief::Belief;
 pub use config::{EventConfig, InterpretConfig, ToolCompliance};
@@ -28,3 +31,4 @@ pub use outcome::{
     TouchSample,
 };
 pub use plane::{PlaneConfig, PlaneFit, fit_plane};
+pub use variation::Uncertainty;

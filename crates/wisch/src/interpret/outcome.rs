@@ -1,7 +1,7 @@
 //! What touch tells: contact, the plane of the real surface, events, and the estimated effect.
 
 use super::Belief;
-use crate::geometry::{Point3, Pose, Vector3};
+use crate::geometry::{Point3, Pose, Vector2, Vector3};
 
 /// Where a tool was and what force it felt.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,6 +46,10 @@ pub struct PathPiece {
     /// Mean distance of the tool centre point from the fitted plane, positive outside [m]; from the believed
     /// surface where no plane was found. A tool that gives way touches from its compression depth down.
     pub height: f64,
+    /// Slope of the fitted plane against the tool's underside at the last sample, in the frame of the tool [1]:
+    /// by how much the surface rises towards the hand per metre along the tool's x and y. Where it rises, a
+    /// tool that gives way presses harder. Zero where no plane was found.
+    pub slope: Vector2,
     /// What it was judged to be.
     pub touch: Touch,
 }
@@ -120,10 +124,21 @@ pub struct Event {
 pub struct Estimate {
     /// Mean over the replays.
     pub mean: f64,
-    /// 5th percentile.
+    /// 5th percentile, less what the model leaves out.
     pub low: f64,
-    /// 95th percentile.
+    /// 95th percentile, and what the model leaves out.
     pub high: f64,
+}
+
+impl Estimate {
+    /// With an interval longer by a margin at either end, within 0 to 1.
+    pub(super) fn widened(self, margin: f64) -> Self {
+        Self {
+            mean: self.mean,
+            low: (self.low - margin).clamp(0.0, 1.0),
+            high: (self.high + margin).clamp(0.0, 1.0),
+        }
+    }
 }
 
 /// What a log says.

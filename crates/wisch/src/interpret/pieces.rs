@@ -2,6 +2,7 @@
 
 use super::{InterpretError, TouchSample};
 use crate::geometry::{Point3, Pose, Vector3, wrap_angle};
+use nalgebra::UnitQuaternion;
 
 /// Longest piece [s]: events are to be found to a fraction of 50 ms.
 const MAX_DURATION: f64 = 0.01;
@@ -32,6 +33,8 @@ pub(super) struct Piece {
     pub(super) mean_height: f64,
     /// Heading at the last sample [rad].
     pub(super) heading: f64,
+    /// Tool at the last sample.
+    pub(super) surface_from_tool: UnitQuaternion<f64>,
     /// Mean force of the surroundings on the tool [N].
     pub(super) force: Vector3,
     /// Largest size of the force [N].
@@ -79,6 +82,7 @@ impl Recorder {
             position: surface_from_tool.translation.vector.into(),
             mean_height: surface_from_tool.translation.z,
             heading: libm::atan2(axis_in_surface.y, axis_in_surface.x),
+            surface_from_tool: surface_from_tool.rotation,
             force: self.surface_from_world.rotation * sample.force,
             peak_force: sample.force.norm(),
         };
@@ -165,6 +169,7 @@ fn joined(one: &Piece, next: &Piece) -> Piece {
         position: next.position,
         mean_height: one.mean_height + (next.mean_height - one.mean_height) * share,
         heading: next.heading,
+        surface_from_tool: next.surface_from_tool,
         force: one.force + (next.force - one.force) * share,
         peak_force: one.peak_force.max(next.peak_force),
     }

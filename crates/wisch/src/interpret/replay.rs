@@ -1,51 +1,30 @@
 //! The effect of a felt path: replayed many times through the one effect model, with chances (12).
 //!
-//! A particle responds to a contact if its threshold X ~ LogNormal(μ, σ) is at most f′. It draws X when
-//! its contact begins, and again after every ℓ of travel in contact, so that the sampling rate of the log
-//! does not matter. X ≤ f′ is the same as U ≤ P(X ≤ f′) with U even in (0, 1): U is what is drawn.
+//! A particle responds to a contact if its threshold X ~ LogNormal(μ, σ) is at most f′ at its place under
+//! the tool. It draws X when its contact begins, and again after every ℓ of travel in contact, so that the
+//! sampling rate of the log does not matter. X ≤ f′ is the same as U ≤ P(X ≤ f′) with U even in (0, 1): U is
+//! what is drawn.
 
-use super::{Belief, InterpretConfig, PathPiece, Touch};
-use crate::geometry::{Edge, PlanarPose, Point2, Pose, Region, wrap_angle};
+use super::motions::{ContactMotion, MAX_LENGTH};
+use super::uneven::Uneven;
+use super::variation::Variation;
+use super::{Belief, InterpretConfig};
+use crate::geometry::Region;
 use crate::represent::{
-    Effect, EffectModel, LogNormal, ParticleDistribution, ParticleField, Surface, ToolMotion,
+    Effect, EffectModel, LogNormal, ParticleDistribution, ParticleField, Surface,
 };
 use rand::Rng;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use rayon::prelude::*;
 
-/// Longest motion that is replayed at once [m]: thresholds are drawn between motions.
-const MAX_LENGTH: f64 = 0.01;
-/// Less travel than this is standing [m], and less turn, if it turns [rad].
-const STANDING: [f64; 2] = [2e-3, 0.035];
-/// The same for the beginning of a contact: what the tool comes down on is carried the way that it first
-/// moves, which must not be the way it trembles, settles or turns in before its stroke.
-const SETTLING: [f64; 2] = [0.01, 0.35];
-/// How far a path may be off the straight motion that stands for it [m].
-const MAX_DEVIATION: f64 = 5e-4;
-/// Change of f′ from which on a new motion begins [1]; beyond the noise of forces at 100 Hz, which would
-/// otherwise choose the strongest of many.
-const MAX_SHARE_CHANGE: f64 = 0.15;
-/// Turn below which the heading counts as kept [rad]: half a degree, half a millimetre at a sponge's corner.
-const HEADING_STEP: f64 = 0.0087;
-/// Most that a tool turns in one motion [rad]; 6°, in which a straight line stands for a bent one.
-const MAX_TURN: f64 = 0.105;
-/// Places closer together than this are the same [m].
-const SAME_PLACE: f64 = 1e-4;
 /// A particle that is touched again within this travel is still in the same contact [m]: it may have been
 /// out of touch while the tool stood or turned a corner.
 const SAME_CONTACT: f64 = MAX_LENGTH;
-/// Pieces further apart than this are not one contact [s].
-const MAX_GAP: f64 = 0.25;
 
-/// A straight motion in contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct ContactMotion {
-    motion: ToolMotion,
-    /// Mean f′ [1].
-    share: f64,
-    /// Whether it goes on where the one before ended.
-    continues: bool,
-}
+/// A level above every probability.
+const SLIPPED: f64 = 2.0;
+/// Makes numbers of their own for slipping.
+const SLIPS: u64 = 0x736c_6970;
 
 /// Everything a replay needs but the particles.
 #[derive(Debug)]
@@ -60,14 +39,26 @@ impl Replay<'_> {
     /// The belief after these motions.
     pub(super) fn run(&self, believed: &Belief, motions: &[ContactMotion]) -> Belief {
         let members = believed.replays();
-        let count = if members.len() == 1 {
+        let is_certain = members.len() == 1;
+        let count = if is_certain {
             self.config.replays
         } else {
             members.len()
         };
         let replays = (0..count)
             .into_par_iter()
-            .map(|replay| self.once(&members[replay % members.len()], motions, replay as u64))
+            .map(|replay| {
+                let seed = self.config.seed;
+                let mut variation = Variation::draw(&self.config.uncertainty, seed, replay as u64);
+                let member = &members[replay % members.len()];
+                if is_certain {
+                    // Members of an ensemble already differ in where their particles lie.
+                    let scattered = variation.scattered(member, self.surface);
+                    self.once(&scattered, motions, &variation, replay as u64)
+                } else {
+                    self.once(member, motions, &variation, replay as u64)
+                }
+            })
             .collect();
         Belief::ensemble(replays)
     }
@@ -76,17 +67,31 @@ impl Replay<'_> {
         &self,
         particles: &ParticleDistribution,
         motions: &[ContactMotion],
+        variation: &Variation,
         replay: u64,
     ) -> ParticleDistribution {
-        let mut chances = Chances::new(self.config.seed, replay, particles.len());
+        let slip = match self.effect {
+            Effect::Push => variation.slip,
+            Effect::Absorb => 0.0,
+        };
+        let mut chances = Chances::new(self.config.seed, replay, particles.len(), slip);
         let mut field = ParticleField::new(particles);
         let mut model = EffectModel::new(self.footprint, self.effect);
+        let bounds = self.footprint.bounds();
         for contact in motions {
-            if !chances.advance(contact, &self.config.likelihood) {
+            let contact = variation.applied(contact);
+            if !chances.advance(&contact, &self.config.likelihood) {
                 continue;
             }
-            model.apply_where(&mut field, self.surface, &contact.motion, |particle| {
-                chances.responds(particle, self.config.redraw_length_m)
+            let uneven = Uneven::of(&contact, bounds, self.config.nominal_compression());
+            let likelihood = &self.config.likelihood;
+            let redraw_length = self.config.redraw_length_m;
+            let motion = &contact.motion;
+            model.apply_where(&mut field, self.surface, motion, |particle, position| {
+                let probability = uneven.as_ref().map_or(chances.probability, |uneven| {
+                    likelihood.probability(uneven.share(position))
+                });
+                chances.responds(particle, probability, redraw_length)
             });
         }
         field.distribution()
@@ -100,8 +105,10 @@ struct Chances {
     drawn: Vec<Drawn>,
     /// Travel in contact before the motion at hand, and after it; an interruption adds a little [m].
     travelled: [f64; 2],
-    /// P(X ≤ f′) of the motion at hand [1].
+    /// P(X ≤ f′) of the motion at hand where the tool presses evenly [1].
     probability: f64,
+    /// Probability that a particle that draws slips past the tool instead [1].
+    slip: f64,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -111,12 +118,12 @@ struct Drawn {
     /// Travel at which it drew [m].
     drew: f64,
     draws: u32,
-    /// Even in (0, 1).
+    /// Even in (0, 1); [`SLIPPED`] responds to nothing.
     level: f64,
 }
 
 impl Chances {
-    fn new(seed: u64, replay: u64, particles: usize) -> Self {
+    fn new(seed: u64, replay: u64, particles: usize, slip: f64) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         random.set_stream(replay);
         let never = Drawn {
@@ -130,6 +137,7 @@ impl Chances {
             drawn: vec![never; particles],
             travelled: [0.0; 2],
             probability: 0.0,
+            slip,
         }
     }
 
@@ -146,14 +154,17 @@ impl Chances {
         self.probability > 0.0
     }
 
-    /// Whether a particle that the motion at hand touches responds to it.
-    fn responds(&mut self, particle: usize, redraw_length: f64) -> bool {
+    /// Whether a particle that the motion at hand touches, and that does so with a probability, responds.
+    fn responds(&mut self, particle: usize, probability: f64, redraw_length: f64) -> bool {
         let [begin, end] = self.travelled;
         let drawn = &mut self.drawn[particle];
         let is_new_contact = begin - drawn.touched > SAME_CONTACT;
         let is_due = begin - drawn.drew >= redraw_length;
         if is_new_contact || is_due {
             drawn.level = even(self.key, particle as u64, drawn.draws);
+            if even(self.key ^ SLIPS, particle as u64, drawn.draws) < self.slip {
+                drawn.level = SLIPPED;
+            }
             drawn.draws += 1;
             // Draws are due every so often, whatever the length of the motions between which they fall.
             drawn.drew = if is_new_contact {
@@ -163,7 +174,7 @@ impl Chances {
             };
         }
         drawn.touched = end;
-        drawn.level <= self.probability
+        drawn.level <= probability
     }
 }
 
@@ -180,186 +191,4 @@ fn mix(value: u64) -> u64 {
     let z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
     z ^ (z >> 31)
-}
-
-/// The straight motions in contact of a path, in the frame of the real surface.
-pub(super) fn contact_motions(path: &[PathPiece], real_from_believed: &Pose) -> Vec<ContactMotion> {
-    let mut builder = Builder::default();
-    for piece in path {
-        match piece.touch {
-            Touch::Weak | Touch::Confident => builder.take(piece, real_from_believed),
-            Touch::Free | Touch::FalsePositive => builder.interrupt(),
-        }
-    }
-    builder.interrupt();
-    builder.motions
-}
-
-/// Joins pieces to motions.
-#[derive(Debug, Default)]
-struct Builder {
-    motions: Vec<ContactMotion>,
-    open: Option<Open>,
-}
-
-/// A motion that still grows.
-#[derive(Debug)]
-struct Open {
-    from: PlanarPose,
-    to: PlanarPose,
-    last_time: f64,
-    /// Places passed on the way, the last one included.
-    passed: Vec<Point2>,
-    /// Travel and f′ times travel; standing, pieces count instead [m].
-    travel: f64,
-    share_by_travel: f64,
-    pieces: f64,
-    share_by_pieces: f64,
-    continues: bool,
-}
-
-impl Builder {
-    fn take(&mut self, piece: &PathPiece, real_from_believed: &Pose) {
-        let position = (real_from_believed * piece.position).xy();
-        if let Some(open) = &self.open
-            && piece.time[0] - open.last_time > MAX_GAP
-        {
-            self.interrupt();
-        }
-        let Some(open) = &mut self.open else {
-            let at = PlanarPose::new(position, piece.heading);
-            self.open = Some(Open::at(at, piece, false));
-            return;
-        };
-        let turn = wrap_angle(piece.heading - open.to.heading);
-        let to = PlanarPose::new(position, open.to.heading + turn);
-        if open.is_standing() || open.goes_on_to(&to, piece.normalized_force) {
-            open.grow(to, piece);
-        } else {
-            let mut next = Open::at(open.end(), piece, true);
-            next.grow(to, piece);
-            self.close();
-            self.open = Some(next);
-        }
-    }
-
-    /// Ends the contact. What is left of it is standing, which counts only where there was nothing else.
-    fn interrupt(&mut self) {
-        match &mut self.open {
-            Some(open) if open.is_within(STANDING) && open.continues => self.open = None,
-            Some(open) => {
-                if open.is_within(STANDING) {
-                    open.to = open.from;
-                }
-                self.close();
-            }
-            None => {}
-        }
-    }
-
-    /// Keeps a motion, in parts if it is long: a slow log has pieces longer than a motion should be.
-    fn close(&mut self) {
-        let Some(open) = self.open.take() else {
-            return;
-        };
-        let to = open.end();
-        let way = to.position - open.from.position;
-        let turn = to.heading - open.from.heading;
-        let parts = (way.norm() / MAX_LENGTH).ceil().max(1.0) as u32;
-        let at = |part: u32| {
-            let share = f64::from(part) / f64::from(parts);
-            // The same bits in all parts where it does not turn.
-            PlanarPose::new(
-                open.from.position + way * share,
-                open.from.heading + turn * share,
-            )
-        };
-        self.motions.extend((0..parts).map(|part| ContactMotion {
-            motion: ToolMotion {
-                from: at(part),
-                to: at(part + 1),
-            },
-            share: open.share(),
-            continues: open.continues || part > 0,
-        }));
-    }
-}
-
-impl Open {
-    fn at(from: PlanarPose, piece: &PathPiece, continues: bool) -> Self {
-        Self {
-            from,
-            to: from,
-            last_time: piece.time[1],
-            passed: Vec::new(),
-            travel: 0.0,
-            share_by_travel: 0.0,
-            pieces: 1.0,
-            share_by_pieces: piece.normalized_force,
-            continues,
-        }
-    }
-
-    fn length(&self) -> f64 {
-        (self.to.position - self.from.position).norm()
-    }
-
-    fn turn(&self) -> f64 {
-        self.to.heading - self.from.heading
-    }
-
-    fn is_within(&self, [length, turn]: [f64; 2]) -> bool {
-        self.length() < length && self.turn().abs() < turn
-    }
-
-    fn is_standing(&self) -> bool {
-        self.is_within(if self.continues { STANDING } else { SETTLING })
-    }
-
-    /// Where it ends: with the heading of its beginning, as long as it differs too little to matter.
-    fn end(&self) -> PlanarPose {
-        if self.turn().abs() < HEADING_STEP {
-            PlanarPose::new(self.to.position, self.from.heading)
-        } else {
-            self.to
-        }
-    }
-
-    /// Mean f′ along the way [1].
-    fn share(&self) -> f64 {
-        if self.travel > SAME_PLACE {
-            self.share_by_travel / self.travel
-        } else {
-            self.share_by_pieces / self.pieces
-        }
-    }
-
-    fn goes_on_to(&self, to: &PlanarPose, share: f64) -> bool {
-        let chord = Edge {
-            start: self.from.position,
-            end: to.position,
-        };
-        (share - self.share()).abs() <= MAX_SHARE_CHANGE
-            && (to.heading - self.from.heading).abs() <= MAX_TURN
-            && (to.position - self.from.position).norm() <= MAX_LENGTH
-            && (self.passed.iter()).all(|place| chord.distance(*place) <= MAX_DEVIATION)
-    }
-
-    fn grow(&mut self, to: PlanarPose, piece: &PathPiece) {
-        let last = self.passed.last().copied().unwrap_or(self.from.position);
-        let step = (to.position - last).norm();
-        if step > SAME_PLACE {
-            self.travel += step;
-            self.share_by_travel += step * piece.normalized_force;
-            // What it passed while standing is not on its way.
-            if self.is_standing() {
-                self.passed.clear();
-            }
-            self.passed.push(to.position);
-        }
-        self.pieces += 1.0;
-        self.share_by_pieces += piece.normalized_force;
-        self.last_time = piece.time[1];
-        self.to = to;
-    }
 }

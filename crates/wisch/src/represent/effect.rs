@@ -103,14 +103,15 @@ impl EffectModel {
         surface: &Surface,
         motion: &ToolMotion,
     ) -> MotionEffect {
-        self.apply_where(field, surface, motion, |_| true)
+        self.apply_where(field, surface, motion, |_, _| true)
     }
 
     /// Applies one motion in contact to those particles that respond to it.
     ///
     /// `responds` is asked once for each particle that the motion would affect, by its index in the
-    /// distribution that the field was built from, one after the other in an order that depends on the
-    /// field alone. A particle that does not respond stays as it is.
+    /// distribution that the field was built from and its place before the motion, in the surface frame [m];
+    /// one after the other in an order that depends on the field alone. A particle that does not respond
+    /// stays as it is.
     ///
     /// ```
     /// # use wisch::geometry::*;
@@ -129,7 +130,7 @@ impl EffectModel {
     ///     to: PlanarPose::new(Point2::new(0.1, 0.0), 0.0),
     /// };
     /// let effect = EffectModel::new(&sponge, Effect::Absorb)
-    ///     .apply_where(&mut field, &board, &stroke, |particle| particle == 1);
+    ///     .apply_where(&mut field, &board, &stroke, |particle, _| particle == 1);
     /// assert_eq!(effect.absorbed, 1);
     /// assert_eq!(field.distribution().fate(1), Fate::Absorbed);
     /// # Ok::<(), ParticleError>(())
@@ -139,7 +140,7 @@ impl EffectModel {
         field: &mut ParticleField,
         surface: &Surface,
         motion: &ToolMotion,
-        responds: impl FnMut(usize) -> bool,
+        responds: impl FnMut(usize, Point2) -> bool,
     ) -> MotionEffect {
         if motion.turn().abs() * self.reach < CLEARANCE {
             self.translate(field, surface, motion, responds)
@@ -153,7 +154,7 @@ impl EffectModel {
         field: &mut ParticleField,
         surface: &Surface,
         motion: &ToolMotion,
-        mut responds: impl FnMut(usize) -> bool,
+        mut responds: impl FnMut(usize, Point2) -> bool,
     ) -> MotionEffect {
         let (along, length) = motion.travel();
         self.chords.fill(&self.edges, motion.from.heading, along);
@@ -175,13 +176,13 @@ impl EffectModel {
             let chords = self.chords.at(lateral);
             match self.kind {
                 Effect::Absorb => {
-                    if chords.covers(ahead, length) && responds(field.index(slot)) {
+                    if chords.covers(ahead, length) && responds(field.index(slot), position) {
                         effect.settle(field, slot, Outcome::Absorbed);
                     }
                 }
                 Effect::Push if length > 0.0 => {
                     if let Some(carried) = chords.carried(ahead, length)
-                        && responds(field.index(slot))
+                        && responds(field.index(slot), position)
                     {
                         let to = position + along * (carried - ahead);
                         effect.settle(field, slot, landing(surface, &[position, to]));
@@ -198,7 +199,7 @@ impl EffectModel {
         field: &mut ParticleField,
         surface: &Surface,
         motion: &ToolMotion,
-        mut responds: impl FnMut(usize) -> bool,
+        mut responds: impl FnMut(usize, Point2) -> bool,
     ) -> MotionEffect {
         let (along, length) = motion.travel();
         let center = nalgebra::center(&motion.from.position, &motion.to.position);
@@ -233,7 +234,7 @@ impl EffectModel {
         let mut effect = MotionEffect::default();
         for (&slot, outcome) in self.near.iter().zip(&self.outcomes) {
             if let Some(outcome) = *outcome
-                && responds(field.index(slot))
+                && responds(field.index(slot), field.position(slot))
             {
                 effect.settle(field, slot, outcome);
             }

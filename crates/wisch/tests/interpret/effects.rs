@@ -1,7 +1,7 @@
 //! What is believed to be wiped: shares in closed form, seeds, samples and densities.
 
 use super::log::{PRESS, STEEP, Script, task};
-use super::told_with;
+use super::{exact, told_with};
 use wisch::geometry::{Point2, Pose, Vector3};
 use wisch::interpret::{Belief, InterpretConfig, InterpretError, TouchSample, interpret};
 use wisch::represent::{Fate, GoalState, LogNormal, ParticleDistribution};
@@ -23,7 +23,7 @@ fn share_affected(likelihood: LogNormal, press: fn(Point2) -> f64) -> f64 {
     let config = InterpretConfig {
         redraw_length_m: 1.0,
         replays: 16,
-        ..InterpretConfig::of(&task)
+        ..exact(&task)
     };
     let told = told_with(&script.samples(&task), &task, &config);
     let inside = |p: Point2| p.x > -0.03 && p.x < 0.08 && p.y.abs() < 0.05;
@@ -79,7 +79,7 @@ fn a_threshold_is_drawn_again_after_some_travel() {
         let config = InterpretConfig {
             redraw_length_m,
             replays: 8,
-            ..InterpretConfig::of(&task)
+            ..exact(&task)
         };
         let told = told_with(&script.samples(&task), &task, &config);
         let inside = |i: &usize| {
@@ -238,13 +238,6 @@ fn trembling_before_a_stroke_pushes_nothing_away() {
         radius: 0.065,
     };
     let believed = Belief::certain(task.particles.clone());
-    let told = interpret(
-        &samples,
-        &task,
-        &believed,
-        &goal,
-        &InterpretConfig::of(&task),
-    )
-    .unwrap();
+    let told = interpret(&samples, &task, &believed, &goal, &exact(&task)).unwrap();
     assert_eq!(told.performance.low, 1.0, "{:?}", told.performance);
 }

@@ -1,7 +1,7 @@
 //! Collisions, losses of contact, stick-slip: their times, and silence where there are none.
 
 use super::log::{Hand, PRESS, STEEP, Script, task};
-use super::{assert_near_times, events, told, told_with};
+use super::{assert_near_times, events, exact, told, told_with};
 use wisch::geometry::{Point2, Vector3};
 use wisch::interpret::{Diagnosis, EventKind, InterpretConfig, Touch};
 use wisch::represent::Fate;
@@ -44,7 +44,7 @@ fn a_hand_that_lifts_the_tool_is_a_collision_and_what_lies_under_it_stays() {
     // The stroke runs from +0.16 at 0.1 m/s: lifted between 0.04 and -0.04, of which the sponge covers
     // from either side all but 1 cm. Nothing there is wiped.
     let task = task(2000, STEEP);
-    let told = told_with(&script.samples(&task), &task, &InterpretConfig::of(&task));
+    let told = told_with(&script.samples(&task), &task, &exact(&task));
     let under: Vec<usize> = (0..task.particles.len())
         .filter(|&i| {
             let place = task.particles.position(i);
@@ -186,4 +186,63 @@ fn a_tool_that_sinks_over_an_edge_is_still_in_contact() {
     assert_eq!(events(&at_edge, EventKind::Collision), []);
     let inland = told(&sunk(0.05));
     assert_eq!(events(&inland, EventKind::Collision).len(), 1);
+}
+
+/// A hand that is at the tool while the robot lifts it, or from the surface on.
+fn held(times: &[[f64; 2]], off: Vector3, force: Vector3) -> Script {
+    let hand = |&[start, end]: &[f64; 2]| Hand {
+        start,
+        end,
+        off,
+        force,
+    };
+    Script {
+        hands: times.iter().map(hand).collect(),
+        ..Script::default()
+    }
+}
+
+#[test]
+fn any_force_in_free_motion_is_somebody() {
+    let [_, end] = Script::default().contacts()[0];
+    // Lifted for a second, moved aside, lowered.
+    let free = [end + 0.7, end + 1.2];
+    for force in [
+        Vector3::new(0.0, 8.0, 0.0),
+        Vector3::new(-6.0, 0.0, -6.0),
+        Vector3::new(0.0, 0.0, 8.0),
+        Vector3::new(0.0, 0.0, -8.0),
+    ] {
+        let told = told(&held(&[free], Vector3::new(0.0, 0.01, 0.0), force));
+        let collisions = events(&told, EventKind::Collision);
+        assert_eq!(collisions.len(), 1, "{force}: {collisions:?}");
+        assert_near_times(&collisions[0], free);
+    }
+    // Inertia of the hand and noise are nobody.
+    let faint = held(&[free], Vector3::zeros(), Vector3::new(0.0, 1.5, 0.0));
+    assert_eq!(events(&told(&faint), EventKind::Collision), []);
+}
+
+#[test]
+fn a_push_that_lasts_into_free_motion_is_one() {
+    let [_, end] = Script::default().contacts()[0];
+    let up = (Vector3::new(0.0, 0.0, 0.03), Vector3::new(0.0, 0.0, 12.0));
+    // From the surface into the lift; there the tool runs ahead of the hand for a while.
+    let whole = [end - 0.4, end + 1.2];
+    let parts = [[whole[0], end + 0.4], [end + 0.55, whole[1]]];
+    for times in [&[whole][..], &parts] {
+        let told = told(&held(times, up.0, up.1));
+        let collisions = events(&told, EventKind::Collision);
+        assert_eq!(collisions.len(), 1, "{collisions:?}");
+        assert_near_times(&collisions[0], whole);
+    }
+    // On the surface, two are two.
+    let start = end - 2.0;
+    let pair = [[start, start + 0.4], [start + 0.55, start + 1.0]];
+    let told = told(&held(&pair, up.0, up.1));
+    let collisions = events(&told, EventKind::Collision);
+    assert_eq!(collisions.len(), 2, "{collisions:?}");
+    for (collision, times) in collisions.iter().zip(pair) {
+        assert_near_times(collision, times);
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use std::f64::consts::TAU;
-use wisch::geometry::{Point3, Pose, Vector3};
+use wisch::geometry::{Point3, Pose, Vector2, Vector3};
 use wisch::interpret::{
     Belief, Diagnosis, Estimate, Event, EventKind, FittedPlane, InterpretConfig, PathPiece, Touch,
     TouchSample, interpret,
@@ -248,6 +248,7 @@ fn piece(
         tangential_force: 0.3 * force.abs(),
         normalized_force: (-force / press).clamp(0.0, 1.0),
         height,
+        slope: Vector2::zeros(),
         touch,
     }
 }

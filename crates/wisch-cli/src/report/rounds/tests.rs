@@ -72,6 +72,7 @@ fn piece(time: f64, height: f64, touch: Touch) -> PathPiece {
         tangential_force: 0.0,
         normalized_force: if touch == Touch::Free { 0.0 } else { 0.95 },
         height,
+        slope: Vector2::zeros(),
         touch,
     }
 }

@@ -1,0 +1,229 @@
+//! The straight motions in contact that stand for a felt path.
+
+use super::{PathPiece, Touch};
+use crate::geometry::{Edge, PlanarPose, Point2, Pose, Vector2, wrap_angle};
+use crate::represent::ToolMotion;
+
+/// Longest motion that is replayed at once [m]: thresholds are drawn between motions.
+pub(super) const MAX_LENGTH: f64 = 0.01;
+/// Less travel than this is standing [m], and less turn, if it turns [rad].
+const STANDING: [f64; 2] = [2e-3, 0.035];
+/// The same for the beginning of a contact: what the tool comes down on is carried the way that it first
+/// moves, which must not be the way it trembles, settles or turns in before its stroke.
+const SETTLING: [f64; 2] = [0.01, 0.35];
+/// How far a path may be off the straight motion that stands for it [m].
+const MAX_DEVIATION: f64 = 5e-4;
+/// Change of f′ from which on a new motion begins [1]; beyond the noise of forces at 100 Hz, which would
+/// otherwise choose the strongest of many.
+const MAX_SHARE_CHANGE: f64 = 0.15;
+/// Turn below which the heading counts as kept [rad]: half a degree, half a millimetre at a sponge's corner.
+const HEADING_STEP: f64 = 0.0087;
+/// Most that a tool turns in one motion [rad]; 6°, in which a straight line stands for a bent one.
+const MAX_TURN: f64 = 0.105;
+/// Places closer together than this are the same [m].
+const SAME_PLACE: f64 = 1e-4;
+/// Pieces further apart than this are not one contact [s].
+const MAX_GAP: f64 = 0.25;
+
+/// A straight motion in contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ContactMotion {
+    pub(super) motion: ToolMotion,
+    /// Mean f′ [1].
+    pub(super) share: f64,
+    /// Mean slope of the plane against the underside, in the tool frame [1].
+    pub(super) slope: Vector2,
+    /// Whether it goes on where the one before ended.
+    pub(super) continues: bool,
+}
+
+/// The straight motions in contact of a path, in the frame of the real surface.
+pub(super) fn contact_motions(path: &[PathPiece], real_from_believed: &Pose) -> Vec<ContactMotion> {
+    let mut builder = Builder::default();
+    for piece in path {
+        match piece.touch {
+            Touch::Weak | Touch::Confident => builder.take(piece, real_from_believed),
+            Touch::Free | Touch::FalsePositive => builder.interrupt(),
+        }
+    }
+    builder.interrupt();
+    builder.motions
+}
+
+/// Joins pieces to motions.
+#[derive(Debug, Default)]
+struct Builder {
+    motions: Vec<ContactMotion>,
+    open: Option<Open>,
+}
+
+/// A motion that still grows.
+#[derive(Debug)]
+struct Open {
+    from: PlanarPose,
+    to: PlanarPose,
+    last_time: f64,
+    /// Places passed on the way, the last one included.
+    passed: Vec<Point2>,
+    /// Travel and f′ times travel; standing, pieces count instead [m].
+    travel: f64,
+    share_by_travel: f64,
+    pieces: f64,
+    share_by_pieces: f64,
+    slope_by_pieces: Vector2,
+    continues: bool,
+}
+
+impl Builder {
+    fn take(&mut self, piece: &PathPiece, real_from_believed: &Pose) {
+        let position = (real_from_believed * piece.position).xy();
+        if let Some(open) = &self.open
+            && piece.time[0] - open.last_time > MAX_GAP
+        {
+            self.interrupt();
+        }
+        let Some(open) = &mut self.open else {
+            let at = PlanarPose::new(position, piece.heading);
+            self.open = Some(Open::at(at, piece, false));
+            return;
+        };
+        let turn = wrap_angle(piece.heading - open.to.heading);
+        let to = PlanarPose::new(position, open.to.heading + turn);
+        if open.is_standing() || open.goes_on_to(&to, piece.normalized_force) {
+            open.grow(to, piece);
+        } else {
+            let mut next = Open::at(open.end(), piece, true);
+            next.grow(to, piece);
+            self.close();
+            self.open = Some(next);
+        }
+    }
+
+    /// Ends the contact. What is left of it is standing, which counts only where there was nothing else.
+    fn interrupt(&mut self) {
+        match &mut self.open {
+            Some(open) if open.is_within(STANDING) && open.continues => self.open = None,
+            Some(open) => {
+                if open.is_within(STANDING) {
+                    open.to = open.from;
+                }
+                self.close();
+            }
+            None => {}
+        }
+    }
+
+    /// Keeps a motion, in parts if it is long: a slow log has pieces longer than a motion should be.
+    fn close(&mut self) {
+        let Some(open) = self.open.take() else {
+            return;
+        };
+        let to = open.end();
+        let way = to.position - open.from.position;
+        let turn = to.heading - open.from.heading;
+        let parts = (way.norm() / MAX_LENGTH).ceil().max(1.0) as u32;
+        let at = |part: u32| {
+            let share = f64::from(part) / f64::from(parts);
+            // The same bits in all parts where it does not turn.
+            PlanarPose::new(
+                open.from.position + way * share,
+                open.from.heading + turn * share,
+            )
+        };
+        self.motions.extend((0..parts).map(|part| ContactMotion {
+            motion: ToolMotion {
+                from: at(part),
+                to: at(part + 1),
+            },
+            share: open.share(),
+            slope: open.slope(),
+            continues: open.continues || part > 0,
+        }));
+    }
+}
+
+impl Open {
+    fn at(from: PlanarPose, piece: &PathPiece, continues: bool) -> Self {
+        Self {
+            from,
+            to: from,
+            last_time: piece.time[1],
+            passed: Vec::new(),
+            travel: 0.0,
+            share_by_travel: 0.0,
+            pieces: 1.0,
+            share_by_pieces: piece.normalized_force,
+            slope_by_pieces: piece.slope,
+            continues,
+        }
+    }
+
+    fn length(&self) -> f64 {
+        (self.to.position - self.from.position).norm()
+    }
+
+    fn turn(&self) -> f64 {
+        self.to.heading - self.from.heading
+    }
+
+    fn is_within(&self, [length, turn]: [f64; 2]) -> bool {
+        self.length() < length && self.turn().abs() < turn
+    }
+
+    fn is_standing(&self) -> bool {
+        self.is_within(if self.continues { STANDING } else { SETTLING })
+    }
+
+    /// Where it ends: with the heading of its beginning, as long as it differs too little to matter.
+    fn end(&self) -> PlanarPose {
+        if self.turn().abs() < HEADING_STEP {
+            PlanarPose::new(self.to.position, self.from.heading)
+        } else {
+            self.to
+        }
+    }
+
+    /// Mean f′ along the way [1].
+    fn share(&self) -> f64 {
+        if self.travel > SAME_PLACE {
+            self.share_by_travel / self.travel
+        } else {
+            self.share_by_pieces / self.pieces
+        }
+    }
+
+    /// Mean slope; it changes too slowly to be weighed by travel.
+    fn slope(&self) -> Vector2 {
+        self.slope_by_pieces / self.pieces
+    }
+
+    fn goes_on_to(&self, to: &PlanarPose, share: f64) -> bool {
+        let chord = Edge {
+            start: self.from.position,
+            end: to.position,
+        };
+        (share - self.share()).abs() <= MAX_SHARE_CHANGE
+            && (to.heading - self.from.heading).abs() <= MAX_TURN
+            && (to.position - self.from.position).norm() <= MAX_LENGTH
+            && (self.passed.iter()).all(|place| chord.distance(*place) <= MAX_DEVIATION)
+    }
+
+    fn grow(&mut self, to: PlanarPose, piece: &PathPiece) {
+        let last = self.passed.last().copied().unwrap_or(self.from.position);
+        let step = (to.position - last).norm();
+        if step > SAME_PLACE {
+            self.travel += step;
+            self.share_by_travel += step * piece.normalized_force;
+            // What it passed while standing is not on its way.
+            if self.is_standing() {
+                self.passed.clear();
+            }
+            self.passed.push(to.position);
+        }
+        self.pieces += 1.0;
+        self.share_by_pieces += piece.normalized_force;
+        self.slope_by_pieces += piece.slope;
+        self.last_time = piece.time[1];
+        self.to = to;
+    }
+}

@@ -1,0 +1,233 @@
+//! Uneven pressure under a tool that stands inclined, and what nobody knows exactly.
+
+use super::log::{DEPTH, PRESS, STEEP, Script, task};
+use super::{exact, told_with};
+use wisch::geometry::{Point2, Pose, Vector3};
+use wisch::interpret::{
+    Belief, InterpretConfig, InterpretError, Interpretation, TouchSample, Uncertainty, interpret,
+};
+use wisch::represent::{Fate, GoalState, LogNormal, ParticleDistribution, Surface, Task};
+
+/// Half of them respond at half the force.
+const HALF: LogNormal = LogNormal {
+    mu: -std::f64::consts::LN_2,
+    sigma: 0.25,
+};
+/// Columns of particles under the second stroke, along the tool's x [m].
+const COLUMNS: [f64; 5] = [-0.03, -0.015, 0.0, 0.015, 0.03];
+const PER_COLUMN: usize = 300;
+
+/// Two strokes beside the particles tell the plane; then one along y over them, with half the force, the tool
+/// leaning by an angle about its y axis.
+fn leaning(task: &Task, lean: f64) -> Vec<TouchSample> {
+    let mut samples = Vec::new();
+    let mut at = |x: f64, y: f64, share: f64, lean: f64| {
+        let time = 1e-3 * samples.len() as f64;
+        let height = DEPTH * (1.0 - share);
+        let surface_from_tool = Pose::new(Vector3::new(x, y, height), Vector3::y() * lean);
+        samples.push(TouchSample {
+            time,
+            world_from_tool: task.surface.world_from_surface * surface_from_tool,
+            force: task.surface.world_from_surface.rotation * Vector3::z() * (PRESS * share),
+        });
+    };
+    let way = |i: i32| f64::from(i) * 1e-4;
+    (0..1000).for_each(|i| at(0.5, way(i), 1.0, 0.0));
+    (0..1000).for_each(|i| at(0.5 + way(i), 0.1, 1.0, 0.0));
+    // In the air to the particles.
+    (0..100).for_each(|i| at(0.6 - 0.006 * f64::from(i), 0.1, -9.0, 0.0));
+    (0..600).for_each(|i| at(0.0, way(i) - 0.03, 0.5, lean));
+    samples
+}
+
+/// Share of each column that a leaning tool takes up.
+fn taken(lean: f64) -> [f64; 5] {
+    let mut task = task(0, HALF);
+    let places: Vec<Point2> = (COLUMNS.iter())
+        .flat_map(|&x| {
+            (0..PER_COLUMN).map(move |i| Point2::new(x, 0.04 * i as f64 / PER_COLUMN as f64 - 0.02))
+        })
+        .collect();
+    task.particles = ParticleDistribution::new(&places).unwrap();
+    let config = InterpretConfig {
+        redraw_length_m: 1.0,
+        replays: 16,
+        ..exact(&task)
+    };
+    let told = told_with(&leaning(&task, lean), &task, &config);
+    let mut shares = [0.0; 5];
+    for replay in told.belief.replays() {
+        for i in 0..replay.len() {
+            if replay.fate(i) == Fate::Absorbed {
+                shares[i / PER_COLUMN] += 1.0 / (PER_COLUMN * 16) as f64;
+            }
+        }
+    }
+    shares
+}
+
+#[test]
+fn under_a_leaning_sponge_each_place_has_a_pressure_of_its_own() {
+    for lean in [-0.03_f64, 0.0, 0.03] {
+        let found = taken(lean);
+        for (x, found) in COLUMNS.into_iter().zip(found) {
+            // A bed of springs: where the underside is lower by lean * x, it is compressed by so much more.
+            let expected = HALF.probability(0.5 + lean.tan() * x / DEPTH);
+            // Four standard errors of 4800 draws.
+            let error = 4.0 * (0.25 / (PER_COLUMN * 16) as f64).sqrt();
+            assert!(
+                (found - expected).abs() < error,
+                "{lean} {x}: {found}, expected {expected}"
+            );
+        }
+    }
+    assert!(HALF.probability(0.5 + 0.18) - HALF.probability(0.5 - 0.18) > 0.8);
+}
+
+fn board() -> (Task, Vec<TouchSample>) {
+    let task = task(400, STEEP);
+    let samples = Script::default().samples(&task);
+    (task, samples)
+}
+
+/// What a log tells of a goal that the sponge pushes towards, with some of it uncertain.
+fn pushed(task: &Task, samples: &[TouchSample], uncertainty: Uncertainty) -> Interpretation {
+    let goal = GoalState::Collected {
+        center: Point2::new(0.16, 0.0),
+        radius: 0.12,
+    };
+    let config = InterpretConfig {
+        uncertainty,
+        ..InterpretConfig::of(task)
+    };
+    let believed = Belief::certain(task.particles.clone());
+    interpret(samples, task, &believed, &goal, &config).unwrap()
+}
+
+fn width(told: &Interpretation) -> f64 {
+    told.performance.high - told.performance.low
+}
+
+#[test]
+fn the_interval_widens_with_all_that_is_uncertain() {
+    let (task, samples) = board();
+    let none = Uncertainty::NONE;
+    let certain = pushed(&task, &samples, none);
+    // At full force every particle responds: little is left to chance, where the tool comes down and lifts.
+    assert!(width(&certain) < 0.01, "{:?}", certain.performance);
+    let default = Uncertainty::default();
+    let (grasp_offset_m, grasp_turn) = (default.grasp_offset_m, default.grasp_turn);
+    let (particle_m, slip_share) = (default.particle_m, default.slip_share);
+    let alone = [
+        Uncertainty {
+            grasp_offset_m,
+            ..none
+        },
+        Uncertainty { grasp_turn, ..none },
+        Uncertainty { particle_m, ..none },
+        Uncertainty { slip_share, ..none },
+        default,
+    ];
+    for uncertainty in alone {
+        let told = pushed(&task, &samples, uncertainty);
+        assert!(
+            width(&told) > 0.0,
+            "{uncertainty:?}: {:?}",
+            told.performance
+        );
+        let larger = Uncertainty {
+            grasp_offset_m: 3.0 * uncertainty.grasp_offset_m,
+            grasp_turn: 8.0 * uncertainty.grasp_turn,
+            particle_m: 3.0 * uncertainty.particle_m,
+            slip_share: 3.0 * uncertainty.slip_share,
+            ..uncertainty
+        };
+        let wider = pushed(&task, &samples, larger);
+        assert!(width(&wider) > width(&told), "{uncertainty:?}");
+    }
+    let model = Uncertainty {
+        model_share: 0.1,
+        ..none
+    };
+    let told = pushed(&task, &samples, model).performance;
+    assert_eq!(told.mean, certain.performance.mean);
+    assert!(
+        (told.high - told.low - width(&certain) - 0.2).abs() < 1e-12,
+        "{told:?}"
+    );
+}
+
+#[test]
+fn a_force_known_badly_counts_where_contact_is_weak() {
+    let task = task(400, STEEP);
+    // One stroke with full force tells the plane.
+    let script = Script {
+        press: |place| {
+            if place.y < -0.05 { PRESS } else { 0.4 * PRESS }
+        },
+        ..Script::default()
+    };
+    let samples = script.samples(&task);
+    let with = |force_share| {
+        let uncertainty = Uncertainty {
+            force_share,
+            ..Uncertainty::NONE
+        };
+        let config = InterpretConfig {
+            uncertainty,
+            ..InterpretConfig::of(&task)
+        };
+        width(&told_with(&samples, &task, &config))
+    };
+    assert!(with(0.2) > 2.0 * with(0.0), "{} {}", with(0.2), with(0.0));
+}
+
+#[test]
+fn without_a_touch_what_was_certain_stays_certain() {
+    let (task, _) = board();
+    let told = pushed(&task, &[], Uncertainty::default());
+    let lie = |p: &Point2| (p - Point2::new(0.16, 0.0)).norm() <= 0.12;
+    let share = task.particles.remaining().filter(lie).count() as f64 / 400.0;
+    // But for particles near the goal's rim, whose places are known to a millimetre or two.
+    assert!((told.performance.mean - share).abs() < 0.01);
+    assert!(width(&told) < 0.03, "{:?}", told.performance);
+    let nothing = pushed(&task, &[], Uncertainty::NONE);
+    assert_eq!(nothing.performance.mean, share);
+    assert_eq!(width(&nothing), 0.0);
+}
+
+#[test]
+fn equal_shares_have_that_share_as_their_mean() {
+    let surface: Surface = task(0, STEEP).surface;
+    let at = |x: f64| Point2::new(x, 0.0);
+    let four_of_five = [at(0.0), at(0.0), at(0.0), at(0.0), at(0.1)];
+    let replay = ParticleDistribution::new(&four_of_five).unwrap();
+    let goal = GoalState::Collected {
+        center: at(0.0),
+        radius: 0.05,
+    };
+    for count in 1..100 {
+        let belief = Belief::of(vec![replay.clone(); count]).unwrap();
+        let told = belief.performance(&goal, &surface);
+        assert_eq!([told.low, told.mean, told.high], [0.8; 3]);
+    }
+}
+
+#[test]
+fn an_uncertainty_out_of_range_is_refused_by_name() {
+    let task = task(0, STEEP);
+    for wrong in [-1e-3, 1.5, f64::NAN, f64::INFINITY] {
+        let config = InterpretConfig {
+            uncertainty: Uncertainty {
+                grasp_turn: wrong,
+                ..Uncertainty::default()
+            },
+            ..InterpretConfig::of(&task)
+        };
+        let refused = wisch::interpret::Interpreter::new(&task, &config).unwrap_err();
+        let InterpretError::Config { name, .. } = refused else {
+            panic!("{refused}");
+        };
+        assert_eq!(name, "uncertainty.grasp_turn");
+    }
+}
