@@ -15,9 +15,11 @@ use crate::robot::{CapabilityMap, RobotModel, Srdf};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::ops::ControlFlow;
 
-/// Plans that are tried for what is left over; there the density is that of a few scattered grains, and
-/// the prediction tells best what becomes of them.
-const RECOVERY_VARIANTS: usize = 50;
+/// Plans that are tried for what is left over, at most and at least; there the density is that of a few
+/// scattered grains, and the prediction tells best what becomes of them.
+const RECOVERY_VARIANTS: [usize; 2] = [50, 3];
+/// Predicting takes time by the edges of the tool's footprint: a brush of a thousand tufts tries few plans.
+const RECOVERY_EDGES: usize = 2000;
 
 /// The robot that does it.
 #[derive(Debug, Clone, Copy)]
@@ -237,10 +239,17 @@ fn plan_round(
                 seed: task.seed,
                 ..config.plan.clone()
             };
-            best_plan(task, &open, &kde, RECOVERY_VARIANTS)?
+            best_plan(task, &open, &kde, recovery_variants(task))?
         }
     };
     Ok(paced(plan, config.pace))
+}
+
+/// How many plans are tried for what is left over.
+fn recovery_variants(task: &Task) -> usize {
+    let [most, least] = RECOVERY_VARIANTS;
+    let edges = task.tool.footprint.edges().count().max(1);
+    (RECOVERY_EDGES / edges).clamp(least, most)
 }
 
 /// The joint motion of a round, and what it is predicted to do.
