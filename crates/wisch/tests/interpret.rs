@@ -341,7 +341,14 @@ fn what_is_no_measurement_is_refused_with_number_field_and_value() {
 fn a_tool_believed_rigid_is_thought_off_the_plane_where_it_presses_less() {
     let task = task(500, STEEP);
     let script = Script {
-        press: |place| if place.x > 0.0 { 0.6 * PRESS } else { PRESS },
+        // In the middle, so that no tilted plane passes for it.
+        press: |place| {
+            if place.x.abs() < 0.1 {
+                0.6 * PRESS
+            } else {
+                PRESS
+            }
+        },
         ..Script::default()
     };
     let samples = script.samples(&task);
@@ -353,14 +360,7 @@ fn a_tool_believed_rigid_is_thought_off_the_plane_where_it_presses_less() {
     };
     let rigid = told_with(&samples, &task, &rigid);
     assert_eq!(events(&soft, EventKind::Collision), []);
-    assert!(
-        soft.performance.mean > rigid.performance.mean + 0.2,
-        "{:?} {:?} {:?} {:?}",
-        soft.performance,
-        soft.plane,
-        rigid.performance,
-        rigid.plane
-    );
+    assert!(soft.performance.mean > rigid.performance.mean + 0.2);
 }
 
 /// A surface far above the believed one, on which the tool presses as it should.

@@ -66,12 +66,11 @@ fn main() -> Result<(), AnyError> {
     for name in &names {
         let (mut errors, mut held, mut count) = (Vec::new(), 0, 0);
         for seed in first..first + seeds {
-            for line in trial(name, seed, &root, &knowledge, &robot)? {
-                if let Some(error) = line {
-                    errors.push(error.0);
-                    held += usize::from(error.1);
-                    count += 1;
-                }
+            let lines = trial(name, seed, &root, &knowledge, &robot)?;
+            for (error, is_held) in lines.into_iter().flatten() {
+                errors.push(error);
+                held += usize::from(is_held);
+                count += 1;
             }
         }
         if count > 0 {
