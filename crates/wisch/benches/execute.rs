@@ -13,6 +13,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use wisch::execute::{Dirt, ExecuteConfig, Executed, execute};
 use wisch::follow::{FollowConfig, Followed, Workcell, WorkcellConfig, follow};
+use wisch::geometry::Point2;
 use wisch::plan::{CoverageStrategy, PlanConfig, plan};
 use wisch::represent::{Action, ParticleDistribution, Reality, Task};
 use wisch::robot::{CapabilityMap, RobotModel, Srdf};
@@ -68,9 +69,10 @@ fn wiping(
     let end = followed.motions[first.unwrap()].start + WIPED;
     followed.motions.retain(|motion| motion.start < end);
     // The scenario's own dirt, over and over where it is too little.
-    let places: Vec<_> = (task.particles.iter().cycle().take(grains))
+    let own: Vec<Point2> = (task.particles.iter())
         .map(|(position, _)| position)
         .collect();
+    let places: Vec<Point2> = own.into_iter().cycle().take(grains).collect();
     let dirt = Dirt::scatter(&ParticleDistribution::new(&places).unwrap(), &reality, 1);
     Wiping {
         task,

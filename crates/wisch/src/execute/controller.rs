@@ -9,8 +9,11 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix3, Matrix6, Matrix6xX, Vec
 
 /// After how many periods the damping is designed anew; the inertia changes slowly.
 const DESIGN_EVERY: usize = 10;
-/// Least inertia at the tool that damping is designed for [kg, kg m²].
+/// Inertia at the tool that damping is designed for: at least [kg, kg m²], and at most, shifting [kg] and
+/// turning [kg m²]. Where a wrist is singular the inertia about one direction is without bounds; damping for
+/// it would, a moment later and beside the singularity, throw the wrist.
 const LEAST_INERTIA: f64 = 1e-3;
+const MOST_INERTIA: [f64; 2] = [50.0, 0.5];
 /// Least mobility of the tool that is reckoned with [1/kg, 1/(kg m²)], and as shares of that in all three
 /// directions in which it shifts, and about which it turns [1]. Turning, directions differ more.
 const LEAST_MOBILITY: f64 = 1e-6;
@@ -220,7 +223,7 @@ impl ImpedanceController {
         self.tool_inertia = mobility.try_inverse().unwrap_or_else(Matrix6::zeros);
         self.mass = Some(mass);
         if self.periods.is_multiple_of(DESIGN_EVERY) {
-            self.design_damping();
+            self.design_damping(mobility);
         }
         self.periods += 1;
         Some(())
@@ -228,8 +231,14 @@ impl ImpedanceController {
 
     /// D with the wanted damping ratio in every mode of stiffness and inertia: with Λ = Q Qᵀ and
     /// K = Q K₀ Qᵀ, D = 2 ζ Q √K₀ Qᵀ (Albu-Schäffer, Ott, Frese, Hirzinger 2003).
-    fn design_damping(&mut self) {
-        let symmetric = (self.tool_inertia + self.tool_inertia.transpose()) * 0.5;
+    fn design_damping(&mut self, mut mobility: Matrix6<f64>) {
+        for i in 0..6 {
+            mobility[(i, i)] += 1.0 / MOST_INERTIA[i / 3];
+        }
+        let Some(inertia) = mobility.try_inverse() else {
+            return;
+        };
+        let symmetric = (inertia + inertia.transpose()) * 0.5;
         let safe = symmetric + Matrix6::from_diagonal_element(LEAST_INERTIA);
         let Some(root) = safe.cholesky().map(|c| c.l()) else {
             return;

@@ -1,7 +1,7 @@
 //! Pushes, things in the way, a surface that is not where it is believed.
 
 use crate::board::block;
-use crate::wiping::{FORCE, Log, Wiping, controller_faults};
+use crate::wiping::{FORCE, Wiping, controller_faults};
 use nalgebra::UnitQuaternion;
 use wisch::execute::{Ending, StopCause};
 use wisch::geometry::Vector3;
