@@ -34,9 +34,10 @@ const CORRECTION: f64 = 0.5;
 const CONTACT: [f64; 2] = [240.0, 10.0];
 const SOLVER_ITERATIONS: usize = 1;
 const CONTACT_ITERATIONS: usize = 4;
-/// Thickness of surface and tool plate [m]: so much that neither is ever pushed out on the far side.
+/// Thickness of the surface, and of the tool's plate at least and at most [m]: so much that neither is ever
+/// pushed out on the far side.
 const SURFACE_THICKNESS: f64 = 0.1;
-const PLATE_THICKNESS: f64 = 0.03;
+const PLATE_THICKNESS: [f64; 2] = [0.01, 0.03];
 /// Up to this many times its compression depth a tool gives way.
 const YIELDING: f64 = 2.0;
 /// Mass of the tool and of the part of it that gives way [kg].
@@ -196,7 +197,7 @@ impl Plant {
         let plate_shape = prism(
             task.tool.footprint.edges().map(|edge| edge.start),
             0.0,
-            PLATE_THICKNESS,
+            plate_thickness(task),
         );
         let plate_shape = plate_shape.ok_or(ExecuteError::NoFootprint)?;
         let plate_collider = world.insert_collider(
@@ -535,6 +536,12 @@ fn free_axis(locked: u8) -> usize {
     (!locked).trailing_zeros() as usize
 }
 
+/// Thickness of the tool's plate [m]: a tool that gives way far comes down the deeper.
+fn plate_thickness(task: &Task) -> f64 {
+    let [least, most] = PLATE_THICKNESS;
+    (2.0 * task.interaction.compression_depth_m).clamp(least, most)
+}
+
 /// Stiffness and damping of the tool's compliance: in depth, and rocking about its x and y, as a bed of
 /// springs under the whole footprint has them.
 fn foam_springs(task: &Task) -> [[f64; 2]; 3] {
@@ -565,7 +572,7 @@ fn compliance(
     // At nominal force the plate lies at the tool centre point.
     let joint_from_rest = joint_from_tool * Translation3::new(0.0, 0.0, -depth);
     let size = (task.tool.footprint.bounds()).map_or(task.tool.area_of_effect, |b| b.size());
-    let (x, y, z) = (size.x, size.y, PLATE_THICKNESS);
+    let (x, y, z) = (size.x, size.y, plate_thickness(task));
     let inertia = |mass: f64| {
         let about = |a: f64, b: f64| mass / 12.0 * (a * a + b * b) + 1e-6;
         engine::Vector::new(about(y, z), about(x, z), about(x, y))
