@@ -197,6 +197,8 @@ pub fn run(
         let is_done = unfinished(&next, &goal)?.is_empty();
         let verdict = match judge(&interpretation, before, config.target) {
             Verdict::Again if is_done => Verdict::NothingToGain,
+            // A single stroke need not bring anything to where it belongs yet.
+            Verdict::NoProgress if config.pace == Pace::Greedy => Verdict::Again,
             // Somebody or something was in the way: that says nothing against another try.
             Verdict::NoProgress if was_disturbed(&executed, &interpretation) => Verdict::Again,
             verdict => verdict,
