@@ -195,12 +195,16 @@ pub fn run(
         let is_last = executed.ending == Ending::Stopped;
         let next = next_task(&task, &goal, &interpretation, task.seed.wrapping_add(1))?;
         let is_done = unfinished(&next, &goal)?.is_empty();
+        let is_disturbed = was_disturbed(&executed, &interpretation);
         let verdict = match judge(&interpretation, before, config.target) {
+            // What happens while somebody pushes is felt badly: only a calm round shows that it is done.
+            Verdict::Again | Verdict::GoalMet if is_done && is_disturbed => Verdict::NothingToGain,
+            Verdict::GoalMet if is_disturbed => Verdict::Again,
             Verdict::Again if is_done => Verdict::NothingToGain,
             // A single stroke need not bring anything to where it belongs yet.
             Verdict::NoProgress if config.pace == Pace::Greedy => Verdict::Again,
             // Somebody or something was in the way: that says nothing against another try.
-            Verdict::NoProgress if was_disturbed(&executed, &interpretation) => Verdict::Again,
+            Verdict::NoProgress if is_disturbed => Verdict::Again,
             verdict => verdict,
         };
         let round = Round {

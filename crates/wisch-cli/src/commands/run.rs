@@ -21,7 +21,7 @@ use crate::output::{
 use crate::progress::Progress;
 use crate::records::{
     FollowedRecord, FollowingSummary, LoopSummary, PlanRecord, PredictionSummary, RobotTrajectory,
-    SUMMARY_SCHEMA, Summary, tcp_path_csv,
+    RoundSummary, SUMMARY_SCHEMA, Summary, tcp_path_csv,
 };
 use crate::report::{self, Frames, ReportInput};
 use crate::terminal::{Outcome, print};
@@ -251,7 +251,8 @@ fn write(folder: &OutputFolder, prepared: &Prepared, results: &Results) -> Resul
         if let Some(truth) = &last.truth {
             folder.write(PARTICLES_TRUE_FILE, truth.to_csv())?;
         }
-        let rounds: Vec<_> = results.rounds.iter().map(summary_of_round).collect();
+        let summaries = results.rounds.iter().map(summary_of_round);
+        let rounds: Vec<_> = summaries.map(RoundSummary::without_timing).collect();
         folder.write(ROUNDS_FILE, json(&rounds)?)?;
     }
     Ok(())

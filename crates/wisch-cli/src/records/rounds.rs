@@ -53,7 +53,15 @@ pub struct RoundSummary {
     pub ending: String,
     /// How long the execution lasted in the simulated world.
     pub execution_time_s: f64,
-    /// That over the time that simulating it took.
+    /// How long the computations took; left out of files, which are to be the same every time.
+    #[serde(flatten)]
+    pub timing: Option<RoundTiming>,
+}
+
+/// How long the computations of a round took.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RoundTiming {
+    /// Time in the simulated world over the time that simulating it took.
     pub realtime_factor: f64,
     /// How long planning took.
     pub planning_time_s: f64,
@@ -95,10 +103,20 @@ impl RoundSummary {
                 Ending::ProtectiveStop { time, cause } => format!("at {time:.3} s: {cause}"),
             },
             execution_time_s: round.executed.duration,
-            realtime_factor: round.executed.duration / times.executing_s.max(f64::MIN_POSITIVE),
-            planning_time_s: times.planning_s,
-            following_time_s: times.following_s,
-            interpretation_time_s: times.interpreting_s,
+            timing: Some(RoundTiming {
+                realtime_factor: round.executed.duration / times.executing_s.max(f64::MIN_POSITIVE),
+                planning_time_s: times.planning_s,
+                following_time_s: times.following_s,
+                interpretation_time_s: times.interpreting_s,
+            }),
+        }
+    }
+
+    /// Without what depends on the machine.
+    pub fn without_timing(self) -> Self {
+        Self {
+            timing: None,
+            ..self
         }
     }
 }
@@ -121,7 +139,10 @@ impl LoopSummary {
     pub fn new(rounds: Vec<RoundSummary>) -> Option<Self> {
         let last = rounds.last()?;
         let simulated: f64 = rounds.iter().map(|round| round.execution_time_s).sum();
-        let taken = |round: &RoundSummary| round.execution_time_s / round.realtime_factor;
+        let taken = |round: &RoundSummary| {
+            let factor = round.timing.as_ref().map(|timing| timing.realtime_factor);
+            round.execution_time_s / factor.unwrap_or(f64::INFINITY)
+        };
         let taken: f64 = rounds.iter().map(taken).sum();
         Some(Self {
             final_estimated: last.estimated,
