@@ -191,7 +191,17 @@ fn an_arm_that_is_bolted_down_passes_every_node() {
         folder.path(),
         &[&follow[..], &["result/plan.json"]].concat(),
     );
-    assert!(before == contents(&folder.path().join("again")));
+    let motion = [
+        "plan.json",
+        "following.json",
+        "trajectory.json",
+        "tcp-path.csv",
+    ];
+    for (name, bytes) in contents(&folder.path().join("again")) {
+        if motion.contains(&name.as_str()) {
+            assert!(before.contains(&(name.clone(), bytes)), "{name}");
+        }
+    }
 }
 
 #[test]

@@ -68,6 +68,18 @@ impl<'a> Chosen<'a> {
     }
 }
 
+impl Chosen<'_> {
+    /// A failure to follow, with what can be done about it.
+    pub fn cannot_follow(
+        &self,
+        error: &FollowError,
+        task_args: &TaskArgs,
+        prepared: &Prepared,
+    ) -> Failure {
+        cannot_follow(error, &self.record, task_args, prepared)
+    }
+}
+
 fn no_robot(args: &RobotArgs) -> Result<(), Failure> {
     let useless = [
         ("--group", args.group.is_some()),
@@ -197,7 +209,7 @@ pub fn follow_plan(
     })
 }
 
-pub fn cannot_follow(
+fn cannot_follow(
     error: &FollowError,
     record: &RobotRecord,
     task_args: &TaskArgs,

@@ -18,7 +18,7 @@ use wisch::geometry::Point3;
 use wisch::interpret::EventKind;
 use wisch::recover::{Pace, Verdict};
 use wisch::represent::{ParticleDistribution, Task};
-use wisch::run::{Motion, News, Performer, Round, RunConfig, run};
+use wisch::run::{Motion, News, Performer, Round, RunConfig, RunError, run};
 use wisch_telemetry::{BagHead, BagWriter, WriteError};
 
 /// Between two updates of the progress [samples].
@@ -90,7 +90,10 @@ pub fn wipe(
     if let Some(error) = watch.failure {
         return Err(Failure::new(error).with_help("choose another folder with --out"));
     }
-    let rounds = rounds.map_err(|error| prepared.failure(task_args, error))?;
+    let rounds = rounds.map_err(|error| match error {
+        RunError::Follow(error) => chosen.cannot_follow(&error, task_args, prepared),
+        error => prepared.failure(task_args, error),
+    })?;
     let done = rounds.into_iter().zip(watch.times);
     done.map(|(round, times)| {
         let dirt = &round.executed.truth.dirt;
