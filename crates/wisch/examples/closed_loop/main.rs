@@ -122,97 +122,14 @@ fn trial(
     };
     let mut begin = Instant::now();
     let mut seconds = Vec::new();
-    let log = std::env::var_os("LOG");
-    let mut lines = String::new();
     let rounds = run(&task, &performer, &reality, None, &config, &mut |news| {
         match news {
-            News::Executing(_) => {
-                begin = Instant::now();
-                lines.clear();
-                lines.push_str("t,phase,px,py,pz,cx,cy,cz,fx,fy,fz,ex,ey,ez\n");
-            }
-            News::Sample(s) if log.is_some() => {
-                use std::fmt::Write;
-                let (p, c) = (
-                    s.world_from_tool.translation,
-                    s.world_from_commanded.translation,
-                );
-                let (f, e) = (s.controller.force, s.external.force);
-                let _ = writeln!(
-                    lines,
-                    "{:.3},{},{},{},{},{},{},{},{},{},{},{},{},{}",
-                    s.time,
-                    s.phase.as_str(),
-                    p.x,
-                    p.y,
-                    p.z,
-                    c.x,
-                    c.y,
-                    c.z,
-                    f.x,
-                    f.y,
-                    f.z,
-                    e.x,
-                    e.y,
-                    e.z
-                );
-            }
-            News::Interpreting => {
-                seconds.push(begin.elapsed().as_secs_f64());
-                if let Some(log) = &log {
-                    let _ =
-                        std::fs::write(format!("{}-{}.csv", log.display(), seconds.len()), &lines);
-                }
-            }
+            News::Executing(_) => begin = Instant::now(),
+            News::Interpreting => seconds.push(begin.elapsed().as_secs_f64()),
             _ => (),
         }
         ControlFlow::Continue(())
     })?;
-    if let Some(dump) = std::env::var_os("DUMP") {
-        for round in &rounds {
-            let mut text = String::new();
-            use std::fmt::Write;
-            let _ = writeln!(text, "goal {:?}", round.motion.plan.graph.goal);
-            for stroke in &round.motion.followed.strokes {
-                let _ = writeln!(
-                    text,
-                    "stroke {:?}",
-                    stroke
-                        .poses
-                        .iter()
-                        .map(|p| (p.position.x, p.position.y, p.heading))
-                        .collect::<Vec<_>>()
-                );
-            }
-            for (i, (p, fate)) in round.executed.truth.dirt.particles()?.iter().enumerate() {
-                let (b, _) = (round.motion.task.particles.position(i), 0);
-                let e = round.interpretation.belief.replays()[0].position(i);
-                let q = round.motion.prediction.particles.position(i);
-                let _ = writeln!(
-                    text,
-                    "p {} {} {:?} {} {} {} {} {} {} {}",
-                    p.x,
-                    p.y,
-                    fate,
-                    b.x,
-                    b.y,
-                    e.x,
-                    e.y,
-                    q.x,
-                    q.y,
-                    round.executed.truth.dirt.grains()[i].threshold
-                );
-            }
-            std::fs::write(
-                format!(
-                    "{}-{name}-{seed}-{}.txt",
-                    dump.display(),
-                    round.motion.number
-                ),
-                text,
-            )?;
-        }
-    }
     Ok(rounds
         .iter()
         .zip(&seconds)
