@@ -1,0 +1,272 @@
+//! All that is known of all episodes, in columns: what is asked is found here without opening an episode.
+
+use crate::record::{EpisodeRecord, Value, individual_name};
+use std::collections::HashMap;
+
+/// Place of an individual in a [`Catalogue`].
+pub type IndividualId = u32;
+
+/// What a relation leads to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// An individual of an episode.
+    Individual(IndividualId),
+    /// Something that episodes share, such as a tool: its place in [`Catalogue::shared`].
+    Shared(u32),
+}
+
+/// The graphs of all episodes, in columns.
+#[derive(Debug, Clone, Default)]
+pub struct Catalogue {
+    episodes: Vec<EpisodeRow>,
+    by_id: HashMap<String, u32>,
+    names: Names,
+    classes: Vec<u16>,
+    starts: Vec<f64>,
+    ends: Vec<f64>,
+    parents: Vec<u32>,
+    of_class: Vec<Vec<IndividualId>>,
+    values: Vec<Column>,
+    texts: Vec<Vec<(IndividualId, String)>>,
+    relations: Vec<Vec<(IndividualId, Node)>>,
+}
+
+/// An episode in the catalogue.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EpisodeRow {
+    /// Its name.
+    pub id: String,
+    /// The task's name.
+    pub task: String,
+    /// From when to when [s since 1970].
+    pub interval: [f64; 2],
+    /// When each round began [s since 1970].
+    pub rounds: Vec<f64>,
+    /// Its first individual; the others follow it.
+    pub first: IndividualId,
+    /// How many it has.
+    pub len: u32,
+}
+
+/// Numbers of one property, by individual.
+#[derive(Debug, Clone, Default)]
+struct Column(Vec<(IndividualId, f64)>);
+
+/// Names given numbers.
+#[derive(Debug, Clone, Default)]
+struct Names {
+    classes: Interned,
+    properties: Interned,
+    shared: Interned,
+}
+
+#[derive(Debug, Clone, Default)]
+struct Interned {
+    names: Vec<String>,
+    numbers: HashMap<String, u32>,
+}
+
+impl Interned {
+    fn number(&mut self, name: &str) -> u32 {
+        if let Some(&number) = self.numbers.get(name) {
+            return number;
+        }
+        let number = u32::try_from(self.names.len()).unwrap_or(u32::MAX);
+        self.names.push(name.to_owned());
+        self.numbers.insert(name.to_owned(), number);
+        number
+    }
+
+    fn find(&self, name: &str) -> Option<usize> {
+        self.numbers.get(name).map(|&number| number as usize)
+    }
+}
+
+/// No parent.
+const NONE: u32 = u32::MAX;
+
+impl Catalogue {
+    /// The catalogue of these episodes.
+    pub fn of<'a>(records: impl IntoIterator<Item = &'a EpisodeRecord>) -> Self {
+        let mut catalogue = Self::default();
+        for record in records {
+            catalogue.push(record);
+        }
+        catalogue
+    }
+
+    /// Takes an episode in; one that is already there is left as it is.
+    pub fn push(&mut self, record: &EpisodeRecord) {
+        if self.by_id.contains_key(&record.id) {
+            return;
+        }
+        let first = u32::try_from(self.classes.len()).unwrap_or(NONE);
+        let number = u32::try_from(self.episodes.len()).unwrap_or(NONE);
+        self.by_id.insert(record.id.clone(), number);
+        self.episodes.push(EpisodeRow {
+            id: record.id.clone(),
+            task: record.task.clone(),
+            interval: record.interval,
+            rounds: record.rounds.clone(),
+            first,
+            len: u32::try_from(record.individuals.len()).unwrap_or(NONE),
+        });
+        for (id, individual) in (first..).zip(&record.individuals) {
+            let class = self.names.classes.number(&individual.class);
+            self.classes.push(u16::try_from(class).unwrap_or(u16::MAX));
+            at(&mut self.of_class, class).push(id);
+            let [start, end] = individual.interval.unwrap_or([f64::NAN; 2]);
+            self.starts.push(start);
+            self.ends.push(end);
+            let parent = individual
+                .parent
+                .and_then(|place| u32::try_from(place).ok());
+            self.parents
+                .push(parent.map_or(NONE, |place| first + place));
+            for (property, value) in &individual.values {
+                let property = self.names.properties.number(property);
+                match value {
+                    Value::Number(value) => at(&mut self.values, property).0.push((id, *value)),
+                    Value::Text(text) => at(&mut self.texts, property).push((id, text.clone())),
+                }
+            }
+            for (property, objects) in &individual.relations {
+                let property = self.names.properties.number(property);
+                for object in objects {
+                    let node = match object.strip_prefix('#').map(str::parse::<u32>) {
+                        Some(Ok(place)) => Node::Individual(first + place),
+                        _ => Node::Shared(self.names.shared.number(object)),
+                    };
+                    at(&mut self.relations, property).push((id, node));
+                }
+            }
+        }
+    }
+
+    /// Its episodes, in the order in which they came in.
+    pub fn episodes(&self) -> &[EpisodeRow] {
+        &self.episodes
+    }
+
+    /// The episode of this name.
+    pub fn episode(&self, id: &str) -> Option<&EpisodeRow> {
+        self.by_id
+            .get(id)
+            .map(|&number| &self.episodes[number as usize])
+    }
+
+    /// How many individuals there are.
+    pub fn len(&self) -> usize {
+        self.classes.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.classes.is_empty()
+    }
+
+    /// The classes that occur, with prefix.
+    pub fn classes(&self) -> &[String] {
+        &self.names.classes.names
+    }
+
+    /// The properties that occur, with prefix.
+    pub fn properties(&self) -> &[String] {
+        &self.names.properties.names
+    }
+
+    /// The things that episodes share, with prefix.
+    pub fn shared(&self) -> &[String] {
+        &self.names.shared.names
+    }
+
+    /// The individuals of exactly this class.
+    pub fn of_class(&self, class: &str) -> &[IndividualId] {
+        let number = self.names.classes.find(class);
+        number
+            .and_then(|number| self.of_class.get(number))
+            .map_or(&[], Vec::as_slice)
+    }
+
+    /// The class of an individual, with prefix.
+    ///
+    /// # Panics
+    /// If there is no such individual, as in the following.
+    pub fn class(&self, id: IndividualId) -> &str {
+        &self.names.classes.names[usize::from(self.classes[id as usize])]
+    }
+
+    /// From when to when it was [s since 1970].
+    pub fn interval(&self, id: IndividualId) -> Option<[f64; 2]> {
+        let interval = [self.starts[id as usize], self.ends[id as usize]];
+        (!interval[0].is_nan()).then_some(interval)
+    }
+
+    /// What it is part of.
+    pub fn parent(&self, id: IndividualId) -> Option<IndividualId> {
+        let parent = self.parents[id as usize];
+        (parent != NONE).then_some(parent)
+    }
+
+    /// The episode that it belongs to.
+    pub fn episode_of(&self, id: IndividualId) -> &EpisodeRow {
+        let after = self.episodes.partition_point(|row| row.first <= id);
+        &self.episodes[after.saturating_sub(1)]
+    }
+
+    /// Its name, without prefix.
+    pub fn name(&self, id: IndividualId) -> String {
+        let episode = self.episode_of(id);
+        individual_name(self.class(id), &episode.id, (id - episode.first) as usize)
+    }
+
+    /// The individual of this name, without prefix.
+    pub fn find(&self, name: &str) -> Option<IndividualId> {
+        let (_, rest) = name.split_once('_')?;
+        let (episode, place) = rest.rsplit_once('-')?;
+        let row = self.episode(episode)?;
+        let place: u32 = place.parse().ok()?;
+        let id = row.first.checked_add(place).filter(|_| place < row.len)?;
+        (self.name(id) == name).then_some(id)
+    }
+
+    /// All numbers of a property, by individual.
+    pub fn numbers(&self, property: &str) -> &[(IndividualId, f64)] {
+        let number = self.names.properties.find(property);
+        number
+            .and_then(|number| self.values.get(number))
+            .map_or(&[], |column| &column.0)
+    }
+
+    /// All texts of a property, by individual.
+    pub fn texts(&self, property: &str) -> &[(IndividualId, String)] {
+        let number = self.names.properties.find(property);
+        number
+            .and_then(|number| self.texts.get(number))
+            .map_or(&[], Vec::as_slice)
+    }
+
+    /// All relations of a property, by subject.
+    pub fn relations(&self, property: &str) -> &[(IndividualId, Node)] {
+        let number = self.names.properties.find(property);
+        number
+            .and_then(|number| self.relations.get(number))
+            .map_or(&[], Vec::as_slice)
+    }
+}
+
+/// The entry of a table, which grows as far as needed.
+fn at<T: Default>(table: &mut Vec<T>, number: u32) -> &mut T {
+    let number = number as usize;
+    if table.len() <= number {
+        table.resize_with(number + 1, T::default);
+    }
+    &mut table[number]
+}
+
+/// The part of a column sorted by individual that belongs to one of them.
+pub fn entries<T>(column: &[(IndividualId, T)], id: IndividualId) -> &[(IndividualId, T)] {
+    let from = column.partition_point(|(subject, _)| *subject < id);
+    let to = from + column[from..].partition_point(|(subject, _)| *subject == id);
+    &column[from..to]
+}

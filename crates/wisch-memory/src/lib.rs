@@ -1,0 +1,10 @@
+//! Episodic memory of robotic wiping: every run is an episode that can be asked.
+//!
+//! An episode is a graph of [`Individual`]s (the wiping, its rounds and strokes, what was felt, who took part)
+//! beside its telemetry. The [`Catalogue`] holds the graphs of all episodes in columns.
+
+pub mod catalogue;
+mod record;
+
+pub use catalogue::{Catalogue, IndividualId, Node};
+pub use record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, RecordFault, Value};
