@@ -4,7 +4,9 @@
 //! beside its telemetry. The [`Catalogue`] holds the graphs of all episodes in columns.
 
 pub mod catalogue;
+pub mod ontology;
 mod record;
 
 pub use catalogue::{Catalogue, IndividualId, Node};
+pub use ontology::Ontology;
 pub use record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, RecordFault, Value};
