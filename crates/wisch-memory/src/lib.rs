@@ -4,7 +4,10 @@
 //! beside its telemetry. The [`Catalogue`] holds the graphs of all episodes in columns.
 
 pub mod catalogue;
+mod columns;
 mod record;
+pub mod telemetry;
 
 pub use catalogue::{Catalogue, IndividualId, Node};
 pub use record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, RecordFault, Value};
+pub use telemetry::{Mark, Series, Telemetry, TelemetryError, TelemetryHead, TelemetryWriter};
