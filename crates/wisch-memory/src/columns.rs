@@ -8,9 +8,12 @@ use parquet::data_type::{
 use parquet::errors::ParquetError;
 use parquet::file::properties::WriterPropertiesBuilder;
 use parquet::file::reader::FileReader;
+use parquet::file::serialized_reader::SerializedFileReader;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{ColumnPath, Type, TypePtr};
+use std::fs::File;
 use std::io::Write;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
 /// What a column holds.
@@ -127,12 +130,41 @@ pub(crate) fn write_group<'a, W: Write + Send>(
     Ok(())
 }
 
+/// Opens a file: reads its footer.
+///
+/// # Errors
+/// A file that is cut off or broken.
+pub(crate) fn open(file: File) -> Result<SerializedFileReader<File>, ParquetError> {
+    guarded(|| SerializedFileReader::new(file))
+}
+
 /// The values of a column in a row group.
 ///
 /// # Errors
 /// A column of another kind, or broken pages.
 pub(crate) fn read_chunk<T: DataType>(
-    file: &dyn FileReader,
+    file: &SerializedFileReader<File>,
+    group: usize,
+    column: usize,
+) -> Result<Vec<T::T>, ParquetError> {
+    guarded(|| decode::<T>(file, group, column))
+}
+
+/// The reader panics on some broken files, where an offset is negative: that, too, is a broken file.
+fn guarded<T>(read: impl FnOnce() -> Result<T, ParquetError>) -> Result<T, ParquetError> {
+    // Nothing of what was half read is looked at afterwards.
+    catch_unwind(AssertUnwindSafe(read)).unwrap_or_else(|panic| {
+        let said = panic.downcast_ref::<String>().map(String::as_str);
+        let said = said.or_else(|| panic.downcast_ref::<&str>().copied());
+        Err(ParquetError::General(format!(
+            "broken beyond reading: {}",
+            said.unwrap_or("no reason given")
+        )))
+    })
+}
+
+fn decode<T: DataType>(
+    file: &SerializedFileReader<File>,
     group: usize,
     column: usize,
 ) -> Result<Vec<T::T>, ParquetError> {

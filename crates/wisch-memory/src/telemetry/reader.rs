@@ -5,7 +5,7 @@ use super::{
     FIXED, JOINTS_KEY, NANOSECONDS_PER_SECOND, NOTE_PREFIX, SCHEMA_KEY, TELEMETRY_SCHEMA, TIME,
     TelemetryError, seconds,
 };
-use crate::columns::{find_column, read_chunk};
+use crate::columns::{find_column, open, read_chunk};
 use parquet::data_type::{FloatType, Int32Type, Int64Type};
 use parquet::errors::ParquetError;
 use parquet::file::reader::FileReader;
@@ -65,7 +65,7 @@ impl Telemetry {
             path: path.to_path_buf(),
             error,
         })?;
-        let reader = SerializedFileReader::new(file).map_err(|error| at(path, "footer", error))?;
+        let reader = open(file).map_err(|error| at(path, "footer", error))?;
         let foreign = |what: String| TelemetryError::Foreign {
             path: path.to_path_buf(),
             what,
