@@ -3,6 +3,7 @@
 //! An episode is a graph of [`Individual`]s (the wiping, its rounds and strokes, what was felt, who took part)
 //! beside its telemetry. The [`Catalogue`] holds the graphs of all episodes in columns.
 
+pub mod ask;
 pub mod catalogue;
 pub mod ontology;
 mod columns;
