@@ -5,11 +5,13 @@
 
 pub mod catalogue;
 mod columns;
+mod id;
 mod record;
 pub mod store;
 pub mod telemetry;
 
 pub use catalogue::{Catalogue, IndividualId, Node};
+pub use id::episode_id;
 pub use record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, RecordFault, Value};
 pub use store::{Episode, EpisodeWriter, Fault, Memory, MemoryError};
 pub use telemetry::{Mark, Series, Telemetry, TelemetryError, TelemetryHead, TelemetryWriter};
