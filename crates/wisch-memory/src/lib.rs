@@ -7,12 +7,18 @@ pub mod ask;
 pub mod catalogue;
 pub mod ontology;
 mod columns;
+pub mod frames;
+mod id;
 mod record;
+mod remember;
 pub mod store;
 pub mod telemetry;
 
 pub use catalogue::{Catalogue, IndividualId, Node};
 pub use ontology::Ontology;
+pub use frames::{FrameError, Frames, PoseAt, RoundScene, Sampling, StoredPose};
+pub use id::episode_id;
 pub use record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, RecordFault, Value};
+pub use remember::{Occasion, RoundLog, remember};
 pub use store::{Episode, EpisodeWriter, Fault, Memory, MemoryError};
 pub use telemetry::{Mark, Series, Telemetry, TelemetryError, TelemetryHead, TelemetryWriter};
