@@ -4,6 +4,7 @@
 //! beside its telemetry. The [`Catalogue`] holds the graphs of all episodes in columns.
 
 pub mod catalogue;
+pub mod neem;
 pub mod ontology;
 mod record;
 
