@@ -1,5 +1,7 @@
 //! All that is known of all episodes, in columns: what is asked is found here without opening an episode.
 
+pub(crate) mod cache;
+
 use crate::record::{EpisodeRecord, Value, individual_name};
 use std::collections::HashMap;
 
@@ -143,6 +145,57 @@ impl Catalogue {
         }
     }
 
+    /// The catalogue of those of its episodes that are to be kept, in the same order.
+    pub fn retain(&self, mut keep: impl FnMut(&EpisodeRow) -> bool) -> Self {
+        let mut kept = Self {
+            names: self.names.clone(),
+            ..Self::default()
+        };
+        // Where each individual goes.
+        let mut moved = vec![NONE; self.classes.len()];
+        for row in &self.episodes {
+            if !keep(row) {
+                continue;
+            }
+            let first = kept.classes.len() as u32;
+            let number = kept.episodes.len() as u32;
+            kept.by_id.insert(row.id.clone(), number);
+            kept.episodes.push(EpisodeRow {
+                first,
+                ..row.clone()
+            });
+            for (new, old) in (first..).zip(row.first..row.first + row.len) {
+                let place = old as usize;
+                moved[place] = new;
+                kept.classes.push(self.classes[place]);
+                kept.starts.push(self.starts[place]);
+                kept.ends.push(self.ends[place]);
+                let parent = self.parents[place];
+                kept.parents.push(match parent {
+                    NONE => NONE,
+                    parent => moved[parent as usize],
+                });
+                at(&mut kept.of_class, u32::from(self.classes[place])).push(new);
+            }
+        }
+        let goes = |id: IndividualId| Some(moved[id as usize]).filter(|&new| new != NONE);
+        kept.values = (self.values.iter())
+            .map(|column| Column(moved_entries(&column.0, goes, |value| Some(*value))))
+            .collect();
+        kept.texts = (self.texts.iter())
+            .map(|column| moved_entries(column, goes, |text| Some(text.clone())))
+            .collect();
+        kept.relations = (self.relations.iter())
+            .map(|column| {
+                moved_entries(column, goes, |node| match *node {
+                    Node::Individual(id) => goes(id).map(Node::Individual),
+                    shared => Some(shared),
+                })
+            })
+            .collect();
+        kept
+    }
+
     /// Its episodes, in the order in which they came in.
     pub fn episodes(&self) -> &[EpisodeRow] {
         &self.episodes
@@ -253,6 +306,17 @@ impl Catalogue {
             .and_then(|number| self.relations.get(number))
             .map_or(&[], Vec::as_slice)
     }
+}
+
+/// The entries of a column whose subjects stay, under their new numbers.
+fn moved_entries<T>(
+    column: &[(IndividualId, T)],
+    goes: impl Fn(IndividualId) -> Option<IndividualId>,
+    object: impl Fn(&T) -> Option<T>,
+) -> Vec<(IndividualId, T)> {
+    let entries = column.iter();
+    let entries = entries.filter_map(|(id, value)| Some((goes(*id)?, object(value)?)));
+    entries.collect()
 }
 
 /// The entry of a table, which grows as far as needed.

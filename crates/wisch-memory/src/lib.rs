@@ -6,8 +6,13 @@
 pub mod catalogue;
 pub mod neem;
 pub mod ontology;
+mod columns;
 mod record;
+pub mod store;
+pub mod telemetry;
 
 pub use catalogue::{Catalogue, IndividualId, Node};
 pub use ontology::Ontology;
 pub use record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, RecordFault, Value};
+pub use store::{Episode, EpisodeWriter, Fault, Memory, MemoryError};
+pub use telemetry::{Mark, Series, Telemetry, TelemetryError, TelemetryHead, TelemetryWriter};

@@ -1,0 +1,107 @@
+//! An episode that is there.
+
+use super::RECORD_FILE;
+use super::error::{MemoryError, at};
+use super::writer::{check_name, telemetry_file};
+use crate::record::EpisodeRecord;
+use crate::telemetry::Telemetry;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// An episode of a memory; what is asked of it is read then.
+#[derive(Debug, Clone)]
+pub struct Episode {
+    id: String,
+    folder: PathBuf,
+}
+
+impl Episode {
+    pub(super) fn new(id: &str, folder: PathBuf) -> Self {
+        Self {
+            id: id.to_owned(),
+            folder,
+        }
+    }
+
+    /// Its name.
+    pub fn id(&self) -> &str {
+        &self.id
+    }
+
+    /// Where it stands.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// Its record.
+    ///
+    /// # Errors
+    /// A record that cannot be read, or contradicts itself.
+    pub fn record(&self) -> Result<EpisodeRecord, MemoryError> {
+        let path = self.folder.join(RECORD_FILE);
+        let bytes = fs::read(&path).map_err(at(&path))?;
+        let record: EpisodeRecord =
+            serde_json::from_slice(&bytes).map_err(|error| MemoryError::Json {
+                path: path.clone(),
+                what: error.to_string(),
+            })?;
+        if record.id != self.id {
+            return Err(MemoryError::Other {
+                path,
+                id: self.id.clone(),
+                found: record.id,
+            });
+        }
+        match record.check() {
+            Ok(()) => Ok(record),
+            Err(fault) => Err(MemoryError::Record { path, fault }),
+        }
+    }
+
+    /// The telemetry of a round, from 1.
+    ///
+    /// # Errors
+    /// If there is none, or it cannot be read.
+    pub fn telemetry(&self, round: usize) -> Result<Telemetry, MemoryError> {
+        Ok(Telemetry::open(&self.folder.join(telemetry_file(round)))?)
+    }
+
+    /// The contents of a file, such as `task.toml` or `round-1/plan.json`.
+    ///
+    /// # Errors
+    /// A name that leads out of the episode, or what the system says.
+    pub fn attachment(&self, name: &str) -> Result<Vec<u8>, MemoryError> {
+        check_name(&self.id, name)?;
+        let path = self.folder.join(name);
+        fs::read(&path).map_err(at(&path))
+    }
+
+    /// The names of all its files, sorted, with `/` between folder and file.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn files(&self) -> Result<Vec<String>, MemoryError> {
+        files_in(&self.folder)
+    }
+}
+
+/// The names of all files in a folder and the folders in it, sorted.
+pub(super) fn files_in(folder: &Path) -> Result<Vec<String>, MemoryError> {
+    let mut names = Vec::new();
+    list(folder, "", &mut names)?;
+    names.sort_unstable();
+    Ok(names)
+}
+
+fn list(folder: &Path, before: &str, names: &mut Vec<String>) -> Result<(), MemoryError> {
+    for entry in fs::read_dir(folder).map_err(at(folder))? {
+        let entry = entry.map_err(at(folder))?;
+        let name = format!("{before}{}", entry.file_name().to_string_lossy());
+        if entry.path().is_dir() {
+            list(&entry.path(), &format!("{name}/"), names)?;
+        } else {
+            names.push(name);
+        }
+    }
+    Ok(())
+}

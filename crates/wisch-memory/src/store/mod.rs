@@ -1,0 +1,285 @@
+//! The memory on disk: a folder with a folder for each episode.
+//!
+//! ```text
+//! episodes/
+//!   20261122-005612-3f2a/    an episode, whole
+//!     episode.json           its record
+//!     checksums.json         length and CRC-32 of each file
+//!     round-1.parquet        telemetry
+//!     task.toml, robot.urdf, round-1/plan.json, …
+//!   .new-20261122-010203-…/  an episode that is being written
+//!   .lock-20261122-010203-…  held by who writes it
+//!   .lock                    held for moments: who begins, clears up or rewrites the catalogue
+//!   .catalogue/              the graphs of all episodes in tables; may go at any time
+//! ```
+//!
+//! An episode comes to its place by one rename, after all of it has reached the disk: it is there whole or not
+//! at all. What a writer that died has left behind is cleared away by the next.
+
+mod catalogue;
+mod episode;
+mod error;
+mod sums;
+mod verify;
+mod writer;
+
+pub use episode::Episode;
+pub use error::MemoryError;
+pub use verify::Fault;
+pub use writer::EpisodeWriter;
+
+use error::at;
+use std::fs::{self, File, TryLockError};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// An episode's record in its folder.
+pub const RECORD_FILE: &str = "episode.json";
+
+/// Longest name of an episode [characters]; file systems take 255 bytes.
+const MAX_ID_LEN: usize = 80;
+
+const NEW_PREFIX: &str = ".new-";
+const LOCK_PREFIX: &str = ".lock-";
+const FORGOTTEN_PREFIX: &str = ".forgotten-";
+const MEMORY_LOCK: &str = ".lock";
+
+/// A memory of episodes.
+///
+/// Any number of programs may read and write at the same time; each episode has one writer.
+///
+/// ```
+/// use wisch_memory::{EPISODE_SCHEMA, EpisodeRecord, Individual, Memory, Origin};
+///
+/// # let folder = tempfile::tempdir()?;
+/// let memory = Memory::create(&folder.path().join("episodes"))?;
+/// let writer = memory.begin("20261122-005612-3f2a")?;
+/// writer.attach("task.toml", b"name = \"board\"")?;
+/// writer.commit(&EpisodeRecord {
+///     schema: EPISODE_SCHEMA,
+///     id: "20261122-005612-3f2a".into(),
+///     task: "board".into(),
+///     interval: [0.0, 1.0],
+///     origin: Origin::Simulated,
+///     program: "wisch".into(),
+///     seed: 0,
+///     rounds: vec![0.0],
+///     individuals: vec![Individual {
+///         class: "semco:WipingEpisode".into(),
+///         interval: Some([0.0, 1.0]),
+///         parent: None,
+///         relations: Default::default(),
+///         values: Default::default(),
+///     }],
+/// })?;
+///
+/// assert_eq!(memory.episodes()?, ["20261122-005612-3f2a"]);
+/// assert_eq!(memory.catalogue()?.of_class("semco:WipingEpisode").len(), 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Memory {
+    folder: PathBuf,
+}
+
+impl Memory {
+    /// The memory in a folder.
+    ///
+    /// # Errors
+    /// If there is no such folder.
+    pub fn open(folder: &Path) -> Result<Self, MemoryError> {
+        if !folder.is_dir() {
+            return Err(MemoryError::NoMemory {
+                path: folder.to_path_buf(),
+            });
+        }
+        Ok(Self {
+            folder: folder.to_path_buf(),
+        })
+    }
+
+    /// The memory in a folder, which is made if it is not there.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn create(folder: &Path) -> Result<Self, MemoryError> {
+        fs::create_dir_all(folder).map_err(at(folder))?;
+        Self::open(folder)
+    }
+
+    /// Where it stands.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// The names of its episodes, sorted.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn episodes(&self) -> Result<Vec<String>, MemoryError> {
+        let mut names: Vec<String> = self.entries()?;
+        names.retain(|name| is_id(name));
+        names.sort_unstable();
+        Ok(names)
+    }
+
+    /// An episode.
+    ///
+    /// # Errors
+    /// If there is none of this name.
+    pub fn episode(&self, id: &str) -> Result<Episode, MemoryError> {
+        let folder = self.folder.join(id);
+        if is_id(id) && folder.is_dir() {
+            return Ok(Episode::new(id, folder));
+        }
+        let likeness = |other: &String| strsim::jaro_winkler(id, other);
+        let names = self.episodes()?.into_iter();
+        let nearest = names.max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
+        Err(MemoryError::Unknown {
+            path: self.folder.clone(),
+            id: id.to_owned(),
+            nearest: nearest.unwrap_or_default(),
+        })
+    }
+
+    /// Begins an episode, after clearing away what dead writers have left.
+    ///
+    /// # Errors
+    /// A name that is none or taken, or what the system says.
+    pub fn begin(&self, id: &str) -> Result<EpisodeWriter, MemoryError> {
+        check_id(id)?;
+        let guard = self.lock()?;
+        self.clear_up()?;
+        let place = self.folder.join(id);
+        let new = self.folder.join(format!("{NEW_PREFIX}{id}"));
+        if place.exists() || new.exists() {
+            return Err(MemoryError::Exists {
+                path: self.folder.clone(),
+                id: id.to_owned(),
+            });
+        }
+        let lock_path = self.folder.join(format!("{LOCK_PREFIX}{id}"));
+        let lock = File::create(&lock_path).map_err(at(&lock_path))?;
+        lock.lock().map_err(at(&lock_path))?;
+        fs::create_dir(&new).map_err(at(&new))?;
+        drop(guard);
+        Ok(EpisodeWriter::new(self.clone(), id, lock))
+    }
+
+    /// Forgets an episode for good.
+    ///
+    /// # Errors
+    /// If there is none of this name, or what the system says.
+    pub fn forget(&self, id: &str) -> Result<(), MemoryError> {
+        let episode = self.episode(id)?;
+        let guard = self.lock()?;
+        self.note_forgotten(id)?;
+        // By one rename, so that nobody meets half of it.
+        let gone = self.folder.join(format!("{FORGOTTEN_PREFIX}{id}"));
+        fs::rename(episode.folder(), &gone).map_err(at(episode.folder()))?;
+        sync_folder(&self.folder)?;
+        drop(guard);
+        remove_folder(&gone)
+    }
+
+    /// Holds others off who begin an episode, clear up or rewrite the catalogue.
+    fn lock(&self) -> Result<File, MemoryError> {
+        let path = self.folder.join(MEMORY_LOCK);
+        let file = File::create(&path).map_err(at(&path))?;
+        file.lock().map_err(at(&path))?;
+        Ok(file)
+    }
+
+    /// The same, if nobody else does at this moment.
+    fn try_lock(&self) -> Result<Option<File>, MemoryError> {
+        let path = self.folder.join(MEMORY_LOCK);
+        let file = File::create(&path).map_err(at(&path))?;
+        match file.try_lock() {
+            Ok(()) => Ok(Some(file)),
+            Err(TryLockError::WouldBlock) => Ok(None),
+            Err(TryLockError::Error(error)) => Err(at(&path)(error)),
+        }
+    }
+
+    /// Clears away what dead writers have left. Only under the memory's lock: a writer that has just made its
+    /// folder is not to be taken for dead.
+    fn clear_up(&self) -> Result<(), MemoryError> {
+        for name in self.entries()? {
+            let path = self.folder.join(&name);
+            if name.starts_with(FORGOTTEN_PREFIX) {
+                remove_folder(&path)?;
+                continue;
+            }
+            let id = (name.strip_prefix(NEW_PREFIX)).or_else(|| name.strip_prefix(LOCK_PREFIX));
+            let Some(id) = id else { continue };
+            let lock_path = self.folder.join(format!("{LOCK_PREFIX}{id}"));
+            // Without a lock to hold, nobody writes; with one that can be had, nobody does any more.
+            let dead = match File::open(&lock_path) {
+                Ok(file) => match file.try_lock() {
+                    Ok(()) => true,
+                    Err(TryLockError::WouldBlock) => false,
+                    Err(TryLockError::Error(error)) => return Err(at(&lock_path)(error)),
+                },
+                Err(error) if error.kind() == io::ErrorKind::NotFound => true,
+                Err(error) => return Err(at(&lock_path)(error)),
+            };
+            if dead {
+                remove_folder(&self.folder.join(format!("{NEW_PREFIX}{id}")))?;
+                remove_file(&lock_path)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The names of all that is in the folder.
+    fn entries(&self) -> Result<Vec<String>, MemoryError> {
+        let entries = fs::read_dir(&self.folder).map_err(at(&self.folder))?;
+        let mut names = Vec::new();
+        for entry in entries {
+            let entry = entry.map_err(at(&self.folder))?;
+            // Names of ours are plain; those that are no text are none of ours.
+            names.extend(entry.file_name().into_string());
+        }
+        Ok(names)
+    }
+}
+
+/// Whether a folder of this name is an episode's.
+fn is_id(name: &str) -> bool {
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '-';
+    !name.is_empty() && name.len() <= MAX_ID_LEN && name.chars().all(plain)
+}
+
+fn check_id(id: &str) -> Result<(), MemoryError> {
+    if is_id(id) {
+        return Ok(());
+    }
+    Err(MemoryError::Id {
+        id: id.to_owned(),
+        limit: MAX_ID_LEN,
+    })
+}
+
+/// Makes the names in a folder lasting, where the system can.
+fn sync_folder(folder: &Path) -> Result<(), MemoryError> {
+    if cfg!(unix) {
+        let synced = File::open(folder).and_then(|folder| folder.sync_all());
+        synced.map_err(at(folder))?;
+    }
+    Ok(())
+}
+
+/// Removes a folder with all that is in it, if it is there.
+fn remove_folder(folder: &Path) -> Result<(), MemoryError> {
+    match fs::remove_dir_all(folder) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(at(folder)(error)),
+        _ => Ok(()),
+    }
+}
+
+fn remove_file(file: &Path) -> Result<(), MemoryError> {
+    match fs::remove_file(file) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(at(file)(error)),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,86 @@
+//! Whether all that is stored is what was written, and can be read.
+
+use super::episode::Episode;
+use super::error::at;
+use super::sums::{FileSum, SUMS_FILE, Sums};
+use super::{Memory, MemoryError, RECORD_FILE};
+use std::fs;
+
+/// Something wrong with a file of an episode.
+#[derive(Debug)]
+pub struct Fault {
+    /// The episode.
+    pub episode: String,
+    /// What is wrong, and where.
+    pub error: MemoryError,
+}
+
+impl std::fmt::Display for Fault {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}: {}", self.episode, self.error)
+    }
+}
+
+impl Memory {
+    /// Holds every file against its check sum, and reads every record and every page of every telemetry.
+    ///
+    /// # Errors
+    /// If the folder cannot be listed.
+    pub fn verify(&self) -> Result<Vec<Fault>, MemoryError> {
+        let mut faults = Vec::new();
+        for id in self.episodes()? {
+            let found = match self.episode(&id) {
+                Ok(episode) => faults_of(&episode),
+                // Forgotten meanwhile.
+                Err(MemoryError::Unknown { .. }) => continue,
+                Err(error) => vec![error],
+            };
+            faults.extend(found.into_iter().map(|error| Fault {
+                episode: id.clone(),
+                error,
+            }));
+        }
+        Ok(faults)
+    }
+}
+
+fn faults_of(episode: &Episode) -> Vec<MemoryError> {
+    let sums = match sums_of(episode) {
+        Ok(sums) => sums,
+        Err(error) => return vec![error],
+    };
+    let mut faults = Vec::new();
+    // The record has to be there even if the sums know nothing of it.
+    if !sums.contains_key(RECORD_FILE) {
+        faults.extend(episode.record().err());
+    }
+    for (name, written) in &sums {
+        faults.extend(fault_of(episode, name, written).err());
+    }
+    faults
+}
+
+fn sums_of(episode: &Episode) -> Result<Sums, MemoryError> {
+    let path = episode.folder().join(SUMS_FILE);
+    let bytes = fs::read(&path).map_err(at(&path))?;
+    serde_json::from_slice(&bytes).map_err(|error| MemoryError::Json {
+        path,
+        what: error.to_string(),
+    })
+}
+
+fn fault_of(episode: &Episode, name: &str, written: &FileSum) -> Result<(), MemoryError> {
+    let path = episode.folder().join(name);
+    if let Some(what) = written.difference(&FileSum::of(&path)?) {
+        return Err(MemoryError::Changed { path, what });
+    }
+    if name == RECORD_FILE {
+        episode.record()?;
+    }
+    let round = name.strip_prefix("round-");
+    let round = round.and_then(|rest| rest.strip_suffix(".parquet")?.parse().ok());
+    if let Some(round) = round {
+        episode.telemetry(round)?.verify()?;
+    }
+    Ok(())
+}

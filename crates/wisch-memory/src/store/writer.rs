@@ -1,0 +1,177 @@
+//! An episode while it is written.
+
+use super::episode::files_in;
+use super::error::{MemoryError, at};
+use super::sums::{FileSum, SUMS_FILE, Sums};
+use super::{
+    LOCK_PREFIX, Memory, NEW_PREFIX, RECORD_FILE, remove_file, remove_folder, sync_folder,
+};
+use crate::record::EpisodeRecord;
+use crate::telemetry::{TelemetryHead, TelemetryWriter};
+use std::collections::BTreeSet;
+use std::fs::{self, File};
+use std::io::Write;
+use std::path::{Component, Path, PathBuf};
+
+/// An episode in the making. Dropped uncommitted, it leaves nothing behind; killed, until the next one begins.
+#[derive(Debug)]
+pub struct EpisodeWriter {
+    memory: Memory,
+    id: String,
+    folder: PathBuf,
+    /// Held until the episode is at its place.
+    _lock: File,
+}
+
+impl EpisodeWriter {
+    pub(super) fn new(memory: Memory, id: &str, lock: File) -> Self {
+        Self {
+            folder: memory.folder.join(format!("{NEW_PREFIX}{id}")),
+            memory,
+            id: id.to_owned(),
+            _lock: lock,
+        }
+    }
+
+    /// Its name.
+    pub fn id(&self) -> &str {
+        &self.id
+    }
+
+    /// Begins the telemetry of a round, from 1; it has to be finished before the episode is committed.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn telemetry(
+        &self,
+        round: usize,
+        head: TelemetryHead,
+    ) -> Result<TelemetryWriter, MemoryError> {
+        let path = self.folder.join(telemetry_file(round));
+        Ok(TelemetryWriter::create(&path, head)?)
+    }
+
+    /// The same for a log of these columns.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn telemetry_with_columns(
+        &self,
+        round: usize,
+        head: TelemetryHead,
+        columns: &[String],
+    ) -> Result<TelemetryWriter, MemoryError> {
+        let path = self.folder.join(telemetry_file(round));
+        Ok(TelemetryWriter::with_columns(&path, head, columns)?)
+    }
+
+    /// Adds a file, such as `task.toml` or `round-1/plan.json`.
+    ///
+    /// # Errors
+    /// A name that leads out of the episode or is that of its record, or what the system says.
+    pub fn attach(&self, name: &str, contents: impl AsRef<[u8]>) -> Result<(), MemoryError> {
+        check_name(&self.id, name)?;
+        let path = self.folder.join(name);
+        if let Some(parent) = path.parent() {
+            fs::create_dir_all(parent).map_err(at(parent))?;
+        }
+        write_lasting(&path, contents.as_ref())
+    }
+
+    /// Puts the episode at its place, with this record.
+    ///
+    /// # Errors
+    /// A record of another episode or one that contradicts itself, telemetry that is not finished, or what the
+    /// system says; then the episode is not there.
+    pub fn commit(self, record: &EpisodeRecord) -> Result<(), MemoryError> {
+        let path = self.folder.join(RECORD_FILE);
+        let place = self.memory.folder.join(&self.id);
+        if record.id != self.id {
+            return Err(MemoryError::Other {
+                path: place.join(RECORD_FILE),
+                id: self.id.clone(),
+                found: record.id.clone(),
+            });
+        }
+        record.check().map_err(|fault| MemoryError::Record {
+            path: place.join(RECORD_FILE),
+            fault,
+        })?;
+        let text = serde_json::to_vec(record).map_err(|error| MemoryError::Json {
+            path: path.clone(),
+            what: error.to_string(),
+        })?;
+        write_lasting(&path, &text)?;
+        let sums = self.sums()?;
+        write_lasting(&self.folder.join(SUMS_FILE), sums.as_bytes())?;
+        for folder in folders_in(&self.folder)? {
+            sync_folder(&folder)?;
+        }
+        fs::rename(&self.folder, &place).map_err(at(&place))?;
+        sync_folder(&self.memory.folder)
+    }
+}
+
+impl EpisodeWriter {
+    /// What the files are, so that a scratch in them is found.
+    fn sums(&self) -> Result<String, MemoryError> {
+        let mut sums = Sums::new();
+        for name in files_in(&self.folder)? {
+            sums.insert(name.clone(), FileSum::of(&self.folder.join(name))?);
+        }
+        serde_json::to_string(&sums).map_err(|error| MemoryError::Json {
+            path: self.folder.join(SUMS_FILE),
+            what: error.to_string(),
+        })
+    }
+}
+
+impl Drop for EpisodeWriter {
+    fn drop(&mut self) {
+        // After a commit there is no such folder any more; what cannot be removed now, the next writer removes.
+        let lock = (self.memory.folder).join(format!("{LOCK_PREFIX}{}", self.id));
+        let _ = remove_folder(&self.folder).and_then(|()| remove_file(&lock));
+    }
+}
+
+/// What a round's telemetry is called.
+pub(super) fn telemetry_file(round: usize) -> String {
+    format!("round-{round}.parquet")
+}
+
+/// Whether a file of this name stands in the episode and is not written by the store itself.
+pub(super) fn check_name(id: &str, name: &str) -> Result<(), MemoryError> {
+    let mut parts = Path::new(name).components();
+    let stays = parts.clone().next().is_some()
+        && parts.all(|part| matches!(part, Component::Normal(_)))
+        && !name.contains('\\');
+    if stays && ![RECORD_FILE, SUMS_FILE].contains(&name) {
+        return Ok(());
+    }
+    Err(MemoryError::Name {
+        id: id.to_owned(),
+        name: name.to_owned(),
+    })
+}
+
+fn write_lasting(path: &Path, contents: &[u8]) -> Result<(), MemoryError> {
+    let written = File::create(path).and_then(|mut file| {
+        file.write_all(contents)?;
+        file.sync_all()
+    });
+    written.map_err(at(path))
+}
+
+/// A folder and those in it. Telemetry that still grows is an error: it would be there in part.
+fn folders_in(folder: &Path) -> Result<BTreeSet<PathBuf>, MemoryError> {
+    let mut folders = BTreeSet::from([folder.to_path_buf()]);
+    for entry in fs::read_dir(folder).map_err(at(folder))? {
+        let path = entry.map_err(at(folder))?.path();
+        if path.is_dir() {
+            folders.extend(folders_in(&path)?);
+        } else if path.extension().is_some_and(|ending| ending == "active") {
+            return Err(MemoryError::Unfinished { path });
+        }
+    }
+    Ok(folders)
+}

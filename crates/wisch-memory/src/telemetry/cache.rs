@@ -1,0 +1,100 @@
+//! Decoded pieces of columns that were asked for lately, within a budget.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// What a piece is a piece of: row group and column.
+pub(super) type Place = (usize, usize);
+
+/// Decoded values of one column in one row group.
+#[derive(Debug, Clone)]
+pub(super) enum Piece {
+    Times(Arc<[i64]>),
+    Codes(Arc<[i32]>),
+    Singles(Arc<[f32]>),
+}
+
+impl Piece {
+    fn bytes(&self) -> usize {
+        match self {
+            Self::Times(values) => size_of_val::<[i64]>(values),
+            Self::Codes(values) => size_of_val::<[i32]>(values),
+            Self::Singles(values) => size_of_val::<[f32]>(values),
+        }
+    }
+}
+
+/// Pieces by place; those not asked for longest go first.
+#[derive(Debug)]
+pub(super) struct PieceCache {
+    budget: usize,
+    bytes: usize,
+    clock: u64,
+    pieces: HashMap<Place, (u64, Piece)>,
+}
+
+impl PieceCache {
+    pub(super) fn new(budget: usize) -> Self {
+        Self {
+            budget,
+            bytes: 0,
+            clock: 0,
+            pieces: HashMap::new(),
+        }
+    }
+
+    pub(super) fn get(&mut self, place: Place) -> Option<Piece> {
+        self.clock += 1;
+        let (used, piece) = self.pieces.get_mut(&place)?;
+        *used = self.clock;
+        Some(piece.clone())
+    }
+
+    pub(super) fn put(&mut self, place: Place, piece: Piece) {
+        self.clock += 1;
+        self.bytes += piece.bytes();
+        if let Some((_, old)) = self.pieces.insert(place, (self.clock, piece)) {
+            self.bytes -= old.bytes();
+        }
+        if self.bytes > self.budget {
+            self.shrink();
+        }
+    }
+
+    /// Down to half the budget at once, so that it is seldom done.
+    fn shrink(&mut self) {
+        let mut by_age: Vec<(u64, Place)> = self
+            .pieces
+            .iter()
+            .map(|(&place, (used, _))| (*used, place))
+            .collect();
+        by_age.sort_unstable();
+        for (_, place) in by_age {
+            if self.bytes <= self.budget / 2 {
+                break;
+            }
+            if let Some((_, piece)) = self.pieces.remove(&place) {
+                self.bytes -= piece.bytes();
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_not_asked_for_goes_first_and_the_budget_holds() {
+        let piece = || Piece::Singles(vec![0.0; 25].into());
+        let mut cache = PieceCache::new(400);
+        for group in 0..4 {
+            cache.put((group, 0), piece());
+        }
+        assert!(cache.get((0, 0)).is_some());
+        cache.put((4, 0), piece());
+        assert!(cache.bytes <= 400, "{} bytes are kept", cache.bytes);
+        assert!(cache.get((0, 0)).is_some() && cache.get((4, 0)).is_some());
+        assert!(cache.get((1, 0)).is_none() && cache.get((2, 0)).is_none());
+    }
+}

@@ -1,0 +1,399 @@
+//! Telemetry read by column and time: only what is asked for is decoded, and kept for the next question.
+
+use super::cache::{Piece, PieceCache, Place};
+use super::{
+    FIXED, JOINTS_KEY, NANOSECONDS_PER_SECOND, NOTE_PREFIX, SCHEMA_KEY, TELEMETRY_SCHEMA, TIME,
+    TelemetryError, seconds,
+};
+use crate::columns::{find_column, open, read_chunk};
+use parquet::data_type::{FloatType, Int32Type, Int64Type};
+use parquet::errors::ParquetError;
+use parquet::file::reader::FileReader;
+use parquet::file::serialized_reader::SerializedFileReader;
+use parquet::file::statistics::Statistics;
+use std::collections::{BTreeMap, HashMap};
+use std::fs::File;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// Decoded values that are kept [bytes]: an hour of 13 joints at 1 kHz takes 190 MB.
+const CACHE_BYTES: usize = 256 << 20;
+
+/// One column over a time.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Series {
+    /// Times since the round began [s].
+    pub times: Vec<f64>,
+    /// The values at these times, in the column's unit.
+    pub values: Vec<f64>,
+}
+
+/// The telemetry of a round.
+///
+/// Opening reads the footer only. Any number of threads may ask.
+pub struct Telemetry {
+    path: PathBuf,
+    joints: Vec<String>,
+    notes: BTreeMap<String, String>,
+    columns: HashMap<String, usize>,
+    groups: Vec<Group>,
+    /// The file has one cursor, so one reads at a time.
+    file: Mutex<Source>,
+}
+
+struct Source {
+    reader: SerializedFileReader<File>,
+    cache: PieceCache,
+}
+
+/// A row group.
+#[derive(Debug, Clone, PartialEq)]
+struct Group {
+    rows: Range<usize>,
+    /// First and last time [ns].
+    times: [i64; 2],
+}
+
+impl Telemetry {
+    /// Opens a file.
+    ///
+    /// # Errors
+    /// A file that cannot be read, is cut off, or was not written by [`TelemetryWriter`](super::TelemetryWriter).
+    pub fn open(path: &Path) -> Result<Self, TelemetryError> {
+        let file = File::open(path).map_err(|error| TelemetryError::File {
+            path: path.to_path_buf(),
+            error,
+        })?;
+        let reader = open(file).map_err(|error| at(path, "footer", error))?;
+        let foreign = |what: String| TelemetryError::Foreign {
+            path: path.to_path_buf(),
+            what,
+        };
+        let said = reader.metadata().file_metadata().key_value_metadata();
+        let said: BTreeMap<&str, &str> = said
+            .into_iter()
+            .flatten()
+            .filter_map(|entry| Some((entry.key.as_str(), entry.value.as_deref()?)))
+            .collect();
+        match said.get(SCHEMA_KEY) {
+            None => return Err(foreign("this is not telemetry of wisch".to_owned())),
+            Some(schema) if schema.parse() == Ok(TELEMETRY_SCHEMA) => {}
+            Some(schema) => {
+                return Err(foreign(format!(
+                    "schema {schema} is not supported, this program reads {TELEMETRY_SCHEMA}"
+                )));
+            }
+        }
+        let joints = said.get(JOINTS_KEY).copied().unwrap_or("[]");
+        let joints = serde_json::from_str(joints)
+            .map_err(|error| foreign(format!("{JOINTS_KEY}: {error}")))?;
+        let notes = said.iter().filter_map(|(key, value)| {
+            let key = key.strip_prefix(NOTE_PREFIX)?;
+            Some((key.to_owned(), (*value).to_owned()))
+        });
+        let notes = notes.collect();
+        for (place, (name, _)) in FIXED.iter().enumerate() {
+            if find_column(&reader, name) != Some(place) {
+                return Err(foreign(format!("column {place} is not {name:?}")));
+            }
+        }
+        let schema = reader.metadata().file_metadata().schema_descr();
+        let columns = (schema.columns().iter().enumerate())
+            .map(|(place, column)| (column.name().to_owned(), place))
+            .collect();
+        Ok(Self {
+            groups: groups(&reader).map_err(|error| at(path, "footer", error))?,
+            path: path.to_path_buf(),
+            joints,
+            notes,
+            columns,
+            file: Mutex::new(Source {
+                reader,
+                cache: PieceCache::new(CACHE_BYTES),
+            }),
+        })
+    }
+
+    /// Where it stands.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Names of the robot's variables, in the order of its model.
+    pub fn joints(&self) -> &[String] {
+        &self.joints
+    }
+
+    /// What was noted when it was written.
+    pub fn notes(&self) -> &BTreeMap<String, String> {
+        &self.notes
+    }
+
+    /// The columns' names, sorted.
+    pub fn columns(&self) -> Vec<&str> {
+        let mut names: Vec<&str> = self.columns.keys().map(String::as_str).collect();
+        names.sort_unstable();
+        names
+    }
+
+    /// How many samples there are.
+    pub fn rows(&self) -> usize {
+        self.groups.last().map_or(0, |group| group.rows.end)
+    }
+
+    /// Times of the first and last sample [s], if there is one.
+    pub fn interval(&self) -> Option<[f64; 2]> {
+        let (first, last) = (self.groups.first()?, self.groups.last()?);
+        Some([seconds(first.times[0]), seconds(last.times[1])])
+    }
+
+    /// The rows whose times lie from the first to the second time [s], both included.
+    ///
+    /// # Errors
+    /// A broken file.
+    pub fn rows_between(&self, [from, to]: [f64; 2]) -> Result<Range<usize>, TelemetryError> {
+        let first = nanoseconds(from);
+        let start = self.row_after(|time| time >= first)?;
+        let last = nanoseconds(to);
+        let end = self.row_after(|time| time > last)?;
+        Ok(start..end.max(start))
+    }
+
+    /// The row nearest to a time [s], if there is one.
+    ///
+    /// # Errors
+    /// A broken file.
+    pub fn nearest_row(&self, time: f64) -> Result<Option<usize>, TelemetryError> {
+        let Some(last) = self.rows().checked_sub(1) else {
+            return Ok(None);
+        };
+        let wanted = nanoseconds(time);
+        let after = self.row_after(|time| time >= wanted)?.min(last);
+        let Some(before) = after.checked_sub(1) else {
+            return Ok(Some(after));
+        };
+        let [before_time, after_time] = [self.time_at(before)?, self.time_at(after)?];
+        let is_before = wanted.saturating_sub(before_time) < after_time.saturating_sub(wanted);
+        Ok(Some(if is_before { before } else { after }))
+    }
+
+    /// The time of a row [s].
+    ///
+    /// # Errors
+    /// A broken file.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    pub fn time(&self, row: usize) -> Result<f64, TelemetryError> {
+        self.time_at(row).map(seconds)
+    }
+
+    /// The times of rows [s].
+    ///
+    /// # Errors
+    /// A broken file.
+    pub fn times(&self, rows: Range<usize>) -> Result<Vec<f64>, TelemetryError> {
+        self.values("time", rows)
+    }
+
+    /// The values of a column in rows, in its unit; times in seconds.
+    ///
+    /// # Errors
+    /// No such column, or a broken file.
+    pub fn values(&self, column: &str, rows: Range<usize>) -> Result<Vec<f64>, TelemetryError> {
+        let column = self.column(column)?;
+        let mut values = Vec::with_capacity(rows.len());
+        let first = self
+            .groups
+            .partition_point(|group| group.rows.end <= rows.start);
+        let mut source = self.source();
+        for (index, group) in self.groups.iter().enumerate().skip(first) {
+            if group.rows.start >= rows.end {
+                break;
+            }
+            let from = rows.start.max(group.rows.start) - group.rows.start;
+            let to = rows.end.min(group.rows.end) - group.rows.start;
+            match source.piece(&self.path, (index, column))? {
+                Piece::Times(piece) => values.extend(piece[from..to].iter().map(|&t| seconds(t))),
+                Piece::Codes(piece) => values.extend(piece[from..to].iter().map(|&c| f64::from(c))),
+                Piece::Singles(piece) => {
+                    values.extend(piece[from..to].iter().map(|&v| f64::from(v)));
+                }
+            }
+        }
+        Ok(values)
+    }
+
+    /// A column between two times [s], both included.
+    ///
+    /// # Errors
+    /// No such column, or a broken file.
+    pub fn series(&self, column: &str, interval: [f64; 2]) -> Result<Series, TelemetryError> {
+        // First, as a wrong name is to be said even of an empty time.
+        self.column(column)?;
+        let rows = self.rows_between(interval)?;
+        Ok(Series {
+            times: self.times(rows.clone())?,
+            values: self.values(column, rows)?,
+        })
+    }
+
+    /// The values of some columns in one row.
+    ///
+    /// # Errors
+    /// No such column, or a broken file.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    pub fn row(&self, columns: &[&str], row: usize) -> Result<Vec<f64>, TelemetryError> {
+        let values = columns.iter().map(|column| {
+            let values = self.values(column, row..row + 1)?;
+            Ok(values[0])
+        });
+        values.collect()
+    }
+
+    /// What is wrong with it, if anything: every page is read.
+    ///
+    /// # Errors
+    /// The first place that cannot be decoded, or where time runs backwards.
+    pub fn verify(&self) -> Result<(), TelemetryError> {
+        let mut places: Vec<usize> = self.columns.values().copied().collect();
+        places.sort_unstable();
+        let mut last = i64::MIN;
+        let source = self.source();
+        for index in 0..self.groups.len() {
+            for &column in &places {
+                let piece = decode(&source.reader, &self.path, (index, column))?;
+                if let Piece::Times(times) = piece {
+                    for &time in times.iter() {
+                        if time <= last {
+                            return Err(TelemetryError::Foreign {
+                                path: self.path.clone(),
+                                what: format!("row group {index}: time runs backwards"),
+                            });
+                        }
+                        last = time;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn source(&self) -> MutexGuard<'_, Source> {
+        // Nothing is left half done by who panics in between.
+        self.file.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn column(&self, name: &str) -> Result<usize, TelemetryError> {
+        self.columns.get(name).copied().ok_or_else(|| {
+            let nearest = self
+                .columns()
+                .into_iter()
+                .max_by(|a, b| {
+                    let likeness = |other| strsim::jaro_winkler(name, other);
+                    likeness(a).total_cmp(&likeness(b))
+                })
+                .unwrap_or_default();
+            TelemetryError::Column {
+                path: self.path.clone(),
+                name: name.to_owned(),
+                nearest: nearest.to_owned(),
+            }
+        })
+    }
+
+    /// The first row whose time is such, where all after it are too.
+    fn row_after(&self, is_after: impl Fn(i64) -> bool) -> Result<usize, TelemetryError> {
+        let index = self
+            .groups
+            .partition_point(|group| !is_after(group.times[1]));
+        let Some(group) = self.groups.get(index) else {
+            return Ok(self.rows());
+        };
+        if is_after(group.times[0]) {
+            return Ok(group.rows.start);
+        }
+        let times = self.times_of(index)?;
+        Ok(group.rows.start + times.partition_point(|&time| !is_after(time)))
+    }
+
+    fn time_at(&self, row: usize) -> Result<i64, TelemetryError> {
+        let index = self.groups.partition_point(|group| group.rows.end <= row);
+        Ok(self.times_of(index)?[row - self.groups[index].rows.start])
+    }
+
+    fn times_of(&self, group: usize) -> Result<Arc<[i64]>, TelemetryError> {
+        match self.source().piece(&self.path, (group, TIME))? {
+            Piece::Times(times) => Ok(times),
+            _ => unreachable!("the first column holds times"),
+        }
+    }
+}
+
+impl Source {
+    fn piece(&mut self, path: &Path, place: Place) -> Result<Piece, TelemetryError> {
+        if let Some(piece) = self.cache.get(place) {
+            return Ok(piece);
+        }
+        let piece = decode(&self.reader, path, place)?;
+        self.cache.put(place, piece.clone());
+        Ok(piece)
+    }
+}
+
+fn decode(
+    reader: &SerializedFileReader<File>,
+    path: &Path,
+    (group, column): Place,
+) -> Result<Piece, TelemetryError> {
+    let decoded = match column {
+        TIME => read_chunk::<Int64Type>(reader, group, column).map(|v| Piece::Times(v.into())),
+        _ if column < FIXED.len() => {
+            read_chunk::<Int32Type>(reader, group, column).map(|v| Piece::Codes(v.into()))
+        }
+        _ => read_chunk::<FloatType>(reader, group, column).map(|v| Piece::Singles(v.into())),
+    };
+    decoded.map_err(|error| {
+        let schema = reader.metadata().file_metadata().schema_descr();
+        let name = schema.column(column).name().to_owned();
+        at(path, &format!("column {name:?}, row group {group}"), error)
+    })
+}
+
+fn groups(reader: &SerializedFileReader<File>) -> Result<Vec<Group>, ParquetError> {
+    let mut groups: Vec<Group> = Vec::new();
+    for (index, metadata) in reader.metadata().row_groups().iter().enumerate() {
+        let start = groups.last().map_or(0, |group| group.rows.end);
+        let rows = usize::try_from(metadata.num_rows()).unwrap_or_default();
+        let times = match metadata.column(TIME).statistics() {
+            Some(Statistics::Int64(found)) => found.min_opt().zip(found.max_opt()),
+            _ => None,
+        };
+        let Some((&first, &last)) = times else {
+            return Err(ParquetError::General(format!(
+                "row group {index} does not say its times"
+            )));
+        };
+        groups.push(Group {
+            rows: start..start + rows,
+            times: [first, last],
+        });
+    }
+    Ok(groups)
+}
+
+/// The stored time nearest to this [ns].
+fn nanoseconds(time: f64) -> i64 {
+    (time * NANOSECONDS_PER_SECOND).round() as i64
+}
+
+fn at(path: &Path, place: &str, error: ParquetError) -> TelemetryError {
+    TelemetryError::Parquet {
+        path: path.to_path_buf(),
+        place: place.to_owned(),
+        error,
+    }
+}

@@ -1,0 +1,344 @@
+//! Telemetry written while it comes in, in bounded memory.
+
+use super::{
+    FIXED, JOINTS_KEY, NANOSECONDS_PER_SECOND, NOTE_PREFIX, PHASES, SCHEMA_KEY, TELEMETRY_SCHEMA,
+    TelemetryError, robot_columns, seconds,
+};
+use crate::columns::{Kind, Values, schema, with_encodings, write_group};
+use parquet::basic::{Compression, ZstdLevel};
+use parquet::errors::ParquetError;
+use parquet::file::metadata::KeyValue;
+use parquet::file::properties::{EnabledStatistics, WriterProperties};
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::types::ColumnPath;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs::{self, File};
+use std::io::BufWriter;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use wisch::execute::{TelemetrySample, Wrench};
+use wisch::follow::Phase;
+use wisch::geometry::Pose;
+
+/// What a row group holds [ns]: who asks for a second decodes ten.
+const GROUP_TIME: i64 = 10 * NANOSECONDS_PER_SECOND as i64;
+/// Or this many rows, however short they follow each other: 100 columns of them are 40 MB.
+const GROUP_ROWS: usize = 100_000;
+/// Longest time that a sample may bear [s]: thirty years, well within 64 bits of nanoseconds.
+const MAX_TIME: f64 = 1e9;
+
+/// What a file says once.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct TelemetryHead {
+    /// Names of the robot's variables, in the order of the samples' arrays.
+    pub joints: Vec<String>,
+    /// Anything else worth keeping.
+    pub notes: BTreeMap<String, String>,
+}
+
+/// What a row belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Mark {
+    /// Number of the motion in the round.
+    pub motion: usize,
+    /// What that motion is for.
+    pub phase: Phase,
+}
+
+/// Writes telemetry while a robot wipes.
+///
+/// Until [`finish`](Self::finish), the file bears the ending `.active` after its own: what bears its own name is
+/// whole. Memory holds what has come in since the last row group, at most ten seconds.
+///
+/// ```
+/// use wisch::execute::{TelemetrySample, Wrench};
+/// use wisch::follow::Phase;
+/// use wisch::geometry::{Pose, Vector3};
+/// use wisch_memory::{Telemetry, TelemetryHead, TelemetryWriter};
+///
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("round-1.parquet");
+/// let head = TelemetryHead { joints: vec!["slide".into()], ..TelemetryHead::default() };
+/// let mut writer = TelemetryWriter::create(&path, head)?;
+/// for index in 0..1000 {
+///     let time = f64::from(index) * 1e-3;
+///     writer.write(&TelemetrySample {
+///         time,
+///         positions: &[0.5 * time],
+///         velocities: &[0.5],
+///         efforts: &[3.0],
+///         world_from_commanded: Pose::translation(0.6 + 0.5 * time, 0.0, 0.74),
+///         world_from_tool: Pose::translation(0.6 + 0.5 * time, 0.0, 0.75),
+///         controller: Wrench::default(),
+///         external: Wrench { force: Vector3::new(0.0, 0.0, 10.0), moment: Vector3::zeros() },
+///         motion: 0,
+///         phase: Phase::Wipe(0),
+///     })?;
+/// }
+/// writer.finish()?;
+///
+/// let telemetry = Telemetry::open(&path)?;
+/// let slide = telemetry.series("position/slide", [0.25, 0.75])?;
+/// assert_eq!(slide.times.len(), 501);
+/// assert_eq!(slide.values[0], 0.125);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct TelemetryWriter {
+    target: PathBuf,
+    active: PathBuf,
+    file: SerializedFileWriter<BufWriter<File>>,
+    joints: usize,
+    times: Vec<i64>,
+    marks: [Vec<i32>; 3],
+    columns: Vec<Vec<f32>>,
+    /// Time of the last row [ns], if there was one.
+    last: Option<i64>,
+}
+
+impl TelemetryWriter {
+    /// Begins the telemetry of a robot, which is to stand at `path` in the end.
+    ///
+    /// # Errors
+    /// Two variables of the same name, or what the system says.
+    pub fn create(path: &Path, head: TelemetryHead) -> Result<Self, TelemetryError> {
+        let columns = robot_columns(&head.joints);
+        Self::with_columns(path, head, &columns)
+    }
+
+    /// Begins a file of these columns, such as a log of a robot that says no more.
+    ///
+    /// # Errors
+    /// Two columns of the same name, or what the system says.
+    pub fn with_columns(
+        path: &Path,
+        head: TelemetryHead,
+        columns: &[String],
+    ) -> Result<Self, TelemetryError> {
+        let mut active = path.as_os_str().to_owned();
+        active.push(".active");
+        let active = PathBuf::from(active);
+        let mut names: BTreeSet<&str> = FIXED.iter().map(|(name, _)| *name).collect();
+        if let Some(twice) = columns.iter().find(|name| !names.insert(name)) {
+            return Err(TelemetryError::Twice {
+                path: path.to_path_buf(),
+                name: twice.clone(),
+            });
+        }
+        let kinds = || {
+            let own = columns.iter().map(|name| (name.as_str(), Kind::Single));
+            FIXED.into_iter().chain(own)
+        };
+        let output = File::create(&active).map_err(|error| TelemetryError::File {
+            path: active.clone(),
+            error,
+        })?;
+        let properties = properties(&head, kinds());
+        let file = schema(kinds())
+            .and_then(|schema| {
+                SerializedFileWriter::new(BufWriter::new(output), schema, Arc::new(properties))
+            })
+            .map_err(|error| failed(&active, "head", error))?;
+        Ok(Self {
+            target: path.to_path_buf(),
+            active,
+            file,
+            joints: head.joints.len(),
+            times: Vec::new(),
+            marks: Default::default(),
+            columns: vec![Vec::new(); columns.len()],
+            last: None,
+        })
+    }
+
+    /// Adds a sample.
+    ///
+    /// # Errors
+    /// A time that is not finite, negative or not later than the last; arrays of another length than there are
+    /// joints; or what the system says.
+    pub fn write(&mut self, sample: &TelemetrySample<'_>) -> Result<(), TelemetryError> {
+        let arrays = [
+            ("positions", sample.positions),
+            ("velocities", sample.velocities),
+            ("efforts", sample.efforts),
+        ];
+        for (what, values) in arrays {
+            if values.len() != self.joints {
+                return Err(TelemetryError::Count {
+                    what,
+                    count: values.len(),
+                    expected: self.joints,
+                });
+            }
+        }
+        let joints = arrays.into_iter().flat_map(|(_, values)| values).copied();
+        let poses = [&sample.world_from_commanded, &sample.world_from_tool];
+        let wrenches = [&sample.controller, &sample.external];
+        let mark = Mark {
+            motion: sample.motion,
+            phase: sample.phase,
+        };
+        let poses = poses.into_iter().flat_map(parts_of_pose);
+        let wrenches = wrenches.into_iter().flat_map(parts_of_wrench);
+        self.push(sample.time, mark, joints.chain(poses).chain(wrenches))
+    }
+
+    /// Adds a row: a value for each column of its own.
+    ///
+    /// # Errors
+    /// A time that is not finite, negative or not later than the last [s]; another number of values; or what the
+    /// system says.
+    pub fn push(
+        &mut self,
+        time: f64,
+        mark: Mark,
+        values: impl IntoIterator<Item = f64>,
+    ) -> Result<(), TelemetryError> {
+        let time = self.check(time)?;
+        let first = self.times.first().copied().unwrap_or(time);
+        if time - first >= GROUP_TIME || self.times.len() >= GROUP_ROWS {
+            self.flush()?;
+        }
+        let row = self.times.len();
+        let mut count = 0;
+        for value in values {
+            if let Some(column) = self.columns.get_mut(count) {
+                // Single precision resolves a tenth of a micrometre at arm's length.
+                column.push(value as f32);
+            }
+            count += 1;
+        }
+        if count != self.columns.len() {
+            // The row is taken back.
+            for column in &mut self.columns {
+                column.truncate(row);
+            }
+            return Err(TelemetryError::Count {
+                what: "row",
+                count,
+                expected: self.columns.len(),
+            });
+        }
+        self.times.push(time);
+        let stroke = mark.phase.stroke().map_or(-1, code);
+        let marks = [code(mark.motion), stroke, code(place_of(mark.phase))];
+        for (column, mark) in self.marks.iter_mut().zip(marks) {
+            column.push(mark);
+        }
+        self.last = Some(time);
+        Ok(())
+    }
+
+    /// Ends the file, makes it lasting and gives it its name.
+    ///
+    /// # Errors
+    /// What the system says; the file then keeps the ending `.active`.
+    pub fn finish(mut self) -> Result<(), TelemetryError> {
+        self.flush()?;
+        let active = self.active;
+        let file_failed = |error| TelemetryError::File {
+            path: active.clone(),
+            error,
+        };
+        let writer = self
+            .file
+            .into_inner()
+            .map_err(|error| failed(&active, "footer", error))?;
+        let file = writer
+            .into_inner()
+            .map_err(|error| file_failed(error.into_error()))?;
+        file.sync_all().map_err(file_failed)?;
+        fs::rename(&active, &self.target).map_err(|error| TelemetryError::File {
+            path: self.target.clone(),
+            error,
+        })
+    }
+
+    fn check(&self, time: f64) -> Result<i64, TelemetryError> {
+        if !(0.0..MAX_TIME).contains(&time) {
+            return Err(TelemetryError::Time {
+                time,
+                limit: MAX_TIME,
+            });
+        }
+        let nanoseconds = (time * NANOSECONDS_PER_SECOND).round() as i64;
+        match self.last {
+            Some(last) if nanoseconds <= last => Err(TelemetryError::Backwards {
+                time,
+                last: seconds(last),
+            }),
+            _ => Ok(nanoseconds),
+        }
+    }
+
+    fn flush(&mut self) -> Result<(), TelemetryError> {
+        if self.times.is_empty() {
+            return Ok(());
+        }
+        let marks = self.marks.iter().map(|column| Values::Ints(column));
+        let own = self.columns.iter().map(|column| Values::Singles(column));
+        let columns = std::iter::once(Values::Longs(&self.times));
+        let group = self.file.flushed_row_groups().len();
+        write_group(&mut self.file, columns.chain(marks).chain(own))
+            .map_err(|error| failed(&self.active, &format!("row group {group}"), error))?;
+        self.times.clear();
+        self.marks.iter_mut().for_each(Vec::clear);
+        self.columns.iter_mut().for_each(Vec::clear);
+        Ok(())
+    }
+}
+
+fn properties<'a>(
+    head: &TelemetryHead,
+    columns: impl IntoIterator<Item = (&'a str, Kind)>,
+) -> WriterProperties {
+    let note = |key: String, value: String| KeyValue::new(key, value);
+    let joints = serde_json::to_string(&head.joints).unwrap_or_default();
+    let mut notes = vec![
+        note(SCHEMA_KEY.to_owned(), TELEMETRY_SCHEMA.to_string()),
+        note(JOINTS_KEY.to_owned(), joints),
+    ];
+    notes.extend((head.notes.iter()).map(|(k, v)| note(format!("{NOTE_PREFIX}{k}"), v.clone())));
+    // Only times are searched; what is not written about the others need not be read when a file is opened.
+    let builder = WriterProperties::builder()
+        .set_compression(Compression::ZSTD(ZstdLevel::default()))
+        .set_max_row_group_row_count(None)
+        .set_data_page_row_count_limit(GROUP_ROWS)
+        .set_statistics_enabled(EnabledStatistics::None)
+        .set_column_statistics_enabled(
+            ColumnPath::new(vec!["time".into()]),
+            EnabledStatistics::Chunk,
+        )
+        .set_offset_index_disabled(true)
+        .set_created_by(concat!("wisch ", env!("CARGO_PKG_VERSION")).to_owned())
+        .set_key_value_metadata(Some(notes));
+    with_encodings(builder, columns).build()
+}
+
+fn parts_of_pose(pose: &Pose) -> [f64; 7] {
+    let p = pose.translation.vector;
+    let q = pose.rotation.coords;
+    [p.x, p.y, p.z, q.x, q.y, q.z, q.w]
+}
+
+fn parts_of_wrench(wrench: &Wrench) -> [f64; 6] {
+    let (f, m) = (wrench.force, wrench.moment);
+    [f.x, f.y, f.z, m.x, m.y, m.z]
+}
+
+/// The place of a phase in [`PHASES`].
+fn place_of(phase: Phase) -> usize {
+    let name = phase.as_str();
+    PHASES.iter().position(|&other| other == name).unwrap_or(0)
+}
+
+fn code(number: usize) -> i32 {
+    i32::try_from(number).unwrap_or(i32::MAX)
+}
+
+fn failed(path: &Path, place: &str, error: ParquetError) -> TelemetryError {
+    TelemetryError::Parquet {
+        path: path.to_path_buf(),
+        place: place.to_owned(),
+        error,
+    }
+}
