@@ -4,9 +4,9 @@
 //! beside its telemetry. The [`Catalogue`] holds the graphs of all episodes in columns.
 
 pub mod catalogue;
+mod columns;
 pub mod neem;
 pub mod ontology;
-mod columns;
 mod record;
 pub mod store;
 pub mod telemetry;
