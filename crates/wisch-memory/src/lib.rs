@@ -5,14 +5,20 @@
 
 pub mod catalogue;
 mod columns;
+pub mod frames;
+mod id;
 pub mod neem;
 pub mod ontology;
 mod record;
+mod remember;
 pub mod store;
 pub mod telemetry;
 
 pub use catalogue::{Catalogue, IndividualId, Node};
+pub use frames::{FrameError, Frames, PoseAt, RoundScene, Sampling, StoredPose};
+pub use id::episode_id;
 pub use ontology::Ontology;
 pub use record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, RecordFault, Value};
+pub use remember::{Occasion, RoundLog, remember};
 pub use store::{Episode, EpisodeWriter, Fault, Memory, MemoryError};
 pub use telemetry::{Mark, Series, Telemetry, TelemetryError, TelemetryHead, TelemetryWriter};

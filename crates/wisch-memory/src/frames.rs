@@ -1,0 +1,414 @@
+//! Frames on demand: joints are stored, and where links, tool and surface were follows from them.
+
+use crate::telemetry::{Telemetry, TelemetryError, TelemetryHead};
+use nalgebra::{Quaternion, Translation3, UnitQuaternion};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use wisch::geometry::Pose;
+use wisch::robot::{LinkId, RobotError, RobotModel};
+use wisch::run::Motion;
+
+/// Version of [`RoundScene`].
+const SCENE_SCHEMA: u32 = 1;
+/// The telemetry's note that holds the scene.
+const SCENE_NOTE: &str = "scene";
+/// Frames that every episode has besides the robot's links.
+const OWN_FRAMES: [&str; 6] = ["tool", "tcp", "robot", "base", "surface", "world"];
+/// Most poses of one trajectory: an hour at 1 kHz.
+const MAX_SAMPLES: usize = 4_000_000;
+
+/// Where things were in a round that its joints do not tell.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RoundScene {
+    /// Its version.
+    schema: u32,
+    /// The robot's name.
+    pub robot: String,
+    /// Where its root link stood.
+    pub world_from_root: StoredPose,
+    /// The link that held the tool.
+    pub tip: String,
+    /// The tool in that link's frame.
+    pub tip_from_tool: StoredPose,
+    /// The tool's name.
+    pub tool: String,
+    /// The surface's name.
+    pub surface: String,
+    /// Where the surface was believed to be.
+    pub world_from_surface: StoredPose,
+}
+
+/// A pose as it is stored.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct StoredPose {
+    /// Position [m].
+    pub position: [f64; 3],
+    /// Unit quaternion x, y, z, w.
+    pub quaternion: [f64; 4],
+}
+
+impl From<&Pose> for StoredPose {
+    fn from(pose: &Pose) -> Self {
+        Self {
+            position: pose.translation.vector.into(),
+            quaternion: pose.rotation.coords.into(),
+        }
+    }
+}
+
+impl From<StoredPose> for Pose {
+    fn from(stored: StoredPose) -> Self {
+        let [x, y, z] = stored.position;
+        let quaternion = Quaternion::from(stored.quaternion);
+        Self::from_parts(
+            Translation3::new(x, y, z),
+            UnitQuaternion::from_quaternion(quaternion),
+        )
+    }
+}
+
+impl RoundScene {
+    /// The scene of a round.
+    pub fn of(motion: &Motion) -> Self {
+        let cell = &motion.cell;
+        let robot = cell.robot();
+        Self {
+            schema: SCENE_SCHEMA,
+            robot: robot.name().to_owned(),
+            world_from_root: cell.world_from_root().into(),
+            tip: robot.links()[cell.tip().index()].name.clone(),
+            tip_from_tool: cell.tip_from_tool().into(),
+            tool: motion.task.tool.name.clone(),
+            surface: motion.task.surface.name.clone(),
+            world_from_surface: (&motion.task.surface.world_from_surface).into(),
+        }
+    }
+
+    /// The head of a round's telemetry, with this scene in it.
+    pub fn head(&self, joints: Vec<String>) -> TelemetryHead {
+        // Finite numbers and texts always have a form in JSON.
+        let scene = serde_json::to_string(self).unwrap_or_default();
+        TelemetryHead {
+            joints,
+            notes: [(SCENE_NOTE.to_owned(), scene)].into(),
+        }
+    }
+}
+
+/// Why there is no such pose.
+#[derive(Debug, thiserror::Error)]
+pub enum FrameError {
+    /// No such frame.
+    #[error("there is no frame {name:?}; the nearest is {nearest:?}")]
+    Unknown {
+        /// The name.
+        name: String,
+        /// The most similar one.
+        nearest: String,
+    },
+    /// Telemetry without a scene, or with one that cannot be read.
+    #[error("{}: scene: {what}", path.display())]
+    Scene {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        what: String,
+    },
+    /// The telemetry is that of another robot.
+    #[error("{}: joint {index} is {found:?}, but the robot's is {expected:?}", path.display())]
+    Joint {
+        /// The file.
+        path: PathBuf,
+        /// Place of the joint among the variables.
+        index: usize,
+        /// What the telemetry has; empty if it has no more.
+        found: String,
+        /// What the robot has; empty if it has no more.
+        expected: String,
+    },
+    /// A time outside the telemetry.
+    #[error("time: {time} s is not between {first} and {last} s")]
+    Time {
+        /// The time [s].
+        time: f64,
+        /// The first sample's [s].
+        first: f64,
+        /// The last sample's [s].
+        last: f64,
+    },
+    /// No sample at all.
+    #[error("{}: there is no sample", path.display())]
+    Empty {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A period or number that gives no samples, or too many.
+    #[error("{what}: {value} gives no 1 to {limit} samples")]
+    Sampling {
+        /// `dt` or `n`.
+        what: &'static str,
+        /// What it is.
+        value: f64,
+        /// Most samples.
+        limit: usize,
+    },
+    /// What the robot says.
+    #[error(transparent)]
+    Robot(#[from] RobotError),
+    /// What the telemetry says.
+    #[error(transparent)]
+    Telemetry(#[from] TelemetryError),
+}
+
+/// How often a trajectory is sampled.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Sampling {
+    /// Every so many seconds, from the first time on.
+    Every(f64),
+    /// So many times, first and last included.
+    Count(usize),
+}
+
+/// A pose at a time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PoseAt {
+    /// Since the round began [s].
+    pub time: f64,
+    /// The frame in the world.
+    pub world_from_frame: Pose,
+}
+
+/// What a frame hangs on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Carrier {
+    World,
+    Link(LinkId),
+}
+
+/// The frames of one round.
+///
+/// Frames are the robot's links by name, `tool` and `tcp` (the tool centre point) or the tool's name, `robot` and
+/// `base` or the robot's name (the first link that moves over the floor, else the root), `surface` or the
+/// surface's name, and `world`.
+#[derive(Debug)]
+pub struct Frames<'a> {
+    robot: &'a RobotModel,
+    telemetry: &'a Telemetry,
+    scene: RoundScene,
+    tip: LinkId,
+    columns: Vec<String>,
+}
+
+impl std::fmt::Debug for Telemetry {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Telemetry")
+            .field("path", &self.path())
+            .finish_non_exhaustive()
+    }
+}
+
+impl<'a> Frames<'a> {
+    /// The frames of a round of this robot.
+    ///
+    /// # Errors
+    /// Telemetry of another robot, or without a scene.
+    pub fn new(robot: &'a RobotModel, telemetry: &'a Telemetry) -> Result<Self, FrameError> {
+        let path = || telemetry.path().to_path_buf();
+        let said = telemetry.notes().get(SCENE_NOTE);
+        let said = said.ok_or_else(|| FrameError::Scene {
+            path: path(),
+            what: "there is none".to_owned(),
+        })?;
+        let scene: RoundScene = serde_json::from_str(said).map_err(|error| FrameError::Scene {
+            path: path(),
+            what: error.to_string(),
+        })?;
+        if scene.schema != SCENE_SCHEMA {
+            return Err(FrameError::Scene {
+                path: path(),
+                what: format!(
+                    "schema {} is not supported, this program reads {SCENE_SCHEMA}",
+                    scene.schema
+                ),
+            });
+        }
+        let joints = telemetry.joints();
+        for index in 0..joints.len().max(robot.dof()) {
+            let found = joints.get(index).map_or("", String::as_str);
+            let expected = if index < robot.dof() {
+                robot.variable(index).name.as_str()
+            } else {
+                ""
+            };
+            if found != expected {
+                return Err(FrameError::Joint {
+                    path: path(),
+                    index,
+                    found: found.to_owned(),
+                    expected: expected.to_owned(),
+                });
+            }
+        }
+        Ok(Self {
+            tip: robot.link(&scene.tip)?,
+            columns: joints
+                .iter()
+                .map(|joint| format!("position/{joint}"))
+                .collect(),
+            robot,
+            telemetry,
+            scene,
+        })
+    }
+
+    /// Where things were that the joints do not tell.
+    pub const fn scene(&self) -> &RoundScene {
+        &self.scene
+    }
+
+    /// The names of all frames.
+    pub fn names(&self) -> Vec<&str> {
+        let mut names: Vec<&str> = OWN_FRAMES.to_vec();
+        let scene = &self.scene;
+        names.extend([scene.tool.as_str(), &scene.robot, &scene.surface]);
+        names.extend(self.robot.links().iter().map(|link| link.name.as_str()));
+        names
+    }
+
+    /// A frame in the world at the sample nearest to a time [s since the round began].
+    ///
+    /// # Errors
+    /// No such frame, a time outside the telemetry, or a broken file.
+    pub fn pose(&self, frame: &str, time: f64) -> Result<PoseAt, FrameError> {
+        let (carrier, offset) = self.carrier(frame)?;
+        let row = self.row_at(time)?;
+        self.pose_at(carrier, &offset, row)
+    }
+
+    /// A frame in the world at several times between two [s], each at the nearest sample.
+    ///
+    /// # Errors
+    /// No such frame, a time outside the telemetry, a period or number that makes no sense, or a broken file.
+    pub fn trajectory(
+        &self,
+        frame: &str,
+        [from, to]: [f64; 2],
+        sampling: Sampling,
+    ) -> Result<Vec<PoseAt>, FrameError> {
+        let (carrier, offset) = self.carrier(frame)?;
+        let times = times_between(from, to, sampling)?;
+        let mut poses: Vec<PoseAt> = Vec::with_capacity(times.len());
+        let mut last = None;
+        for time in times {
+            let row = self.row_at(time)?;
+            // Finer than the telemetry there is nothing to tell.
+            if last.replace(row) != Some(row) {
+                poses.push(self.pose_at(carrier, &offset, row)?);
+            }
+        }
+        Ok(poses)
+    }
+
+    fn pose_at(&self, carrier: Carrier, offset: &Pose, row: usize) -> Result<PoseAt, FrameError> {
+        let time = self.telemetry.time(row)?;
+        let world_from_frame = match carrier {
+            Carrier::World => *offset,
+            Carrier::Link(link) => {
+                let columns: Vec<&str> = self.columns.iter().map(String::as_str).collect();
+                let positions = self.telemetry.row(&columns, row)?;
+                let kinematics = self.robot.forward_kinematics(&positions)?;
+                Pose::from(self.scene.world_from_root) * kinematics.world_from_link(link) * offset
+            }
+        };
+        Ok(PoseAt {
+            time,
+            world_from_frame,
+        })
+    }
+
+    fn row_at(&self, time: f64) -> Result<usize, FrameError> {
+        let Some([first, last]) = self.telemetry.interval() else {
+            return Err(FrameError::Empty {
+                path: self.telemetry.path().to_path_buf(),
+            });
+        };
+        // A period beyond the ends is forgiven: intervals of events end between samples.
+        let slack = (last - first) / self.telemetry.rows() as f64;
+        if !(first - slack..=last + slack).contains(&time) {
+            return Err(FrameError::Time { time, first, last });
+        }
+        Ok(self.telemetry.nearest_row(time)?.unwrap_or(0))
+    }
+
+    /// What a frame hangs on, and where on it.
+    fn carrier(&self, frame: &str) -> Result<(Carrier, Pose), FrameError> {
+        let scene = &self.scene;
+        let at = |link| Ok((Carrier::Link(link), Pose::identity()));
+        if let Ok(link) = self.robot.link(frame)
+            && !OWN_FRAMES.contains(&frame)
+        {
+            return at(link);
+        }
+        match frame {
+            "world" => Ok((Carrier::World, Pose::identity())),
+            "tool" | "tcp" => Ok((Carrier::Link(self.tip), scene.tip_from_tool.into())),
+            "surface" => Ok((Carrier::World, scene.world_from_surface.into())),
+            "robot" | "base" => at(self.base()),
+            name if name == scene.tool => self.carrier("tcp"),
+            name if name == scene.surface => self.carrier("surface"),
+            name if name == scene.robot => self.carrier("robot"),
+            name => Err(self.unknown(name)),
+        }
+    }
+
+    /// The link that stands on the floor: behind the joints of a mobile base, else the root.
+    fn base(&self) -> LinkId {
+        let named = ["base_link", "base", "base_footprint", "mobile_base"];
+        let mut found = named.iter().filter_map(|name| self.robot.link(name).ok());
+        let first = || self.robot.link(&self.robot.links()[0].name);
+        found.next().or_else(|| first().ok()).unwrap_or(self.tip)
+    }
+
+    fn unknown(&self, name: &str) -> FrameError {
+        let by_name: BTreeMap<&str, f64> = (self.names().into_iter())
+            .map(|known| (known, strsim::jaro_winkler(name, known)))
+            .collect();
+        let nearest = by_name.iter().max_by(|a, b| a.1.total_cmp(b.1));
+        FrameError::Unknown {
+            name: name.to_owned(),
+            nearest: nearest.map_or_else(String::new, |(known, _)| (*known).to_owned()),
+        }
+    }
+}
+
+fn times_between(from: f64, to: f64, sampling: Sampling) -> Result<Vec<f64>, FrameError> {
+    let length = to - from;
+    let refused = |what, value| FrameError::Sampling {
+        what,
+        value,
+        limit: MAX_SAMPLES,
+    };
+    match sampling {
+        Sampling::Every(period) => {
+            // A hair more than whole, as 1.5 / 0.5 may come out below 3.
+            let steps = (length / period * (1.0 + 1e-12)).floor();
+            if period.is_nan() || period <= 0.0 || !(0.0..MAX_SAMPLES as f64).contains(&steps) {
+                return Err(refused("dt", period));
+            }
+            Ok((0..=steps as usize)
+                .map(|k| (from + k as f64 * period).min(to))
+                .collect())
+        }
+        Sampling::Count(count) if count == 0 || count > MAX_SAMPLES || length < 0.0 => {
+            Err(refused("n", count as f64))
+        }
+        Sampling::Count(1) => Ok(vec![from]),
+        Sampling::Count(count) => {
+            let last = (count - 1) as f64;
+            Ok((0..count)
+                .map(|k| from + length * k as f64 / last)
+                .collect())
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! What is noted of a round while it is executed: which motion was when.
+
+use wisch::execute::TelemetrySample;
+use wisch::follow::Phase;
+
+/// Which motions a round was made of, noted sample by sample.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct RoundLog {
+    /// One for each run of samples of the same kind.
+    runs: Vec<Run>,
+}
+
+/// Samples of one kind that follow each other.
+#[derive(Debug, Clone, PartialEq)]
+struct Run {
+    kind: Kind,
+    /// Times of the first and last sample [s].
+    start: f64,
+    end: f64,
+    /// Largest size of the outer force [N].
+    peak_force: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Drive,
+    /// The tool off the surface, or on its way to or from it.
+    Lifted,
+    Stroke(usize),
+}
+
+/// A motion of a round.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Span {
+    part: Part,
+    /// From when to when [s since the round began].
+    pub start: f64,
+    pub end: f64,
+    /// The stroke's number, if it is one.
+    pub stroke: Option<usize>,
+    /// Largest size of the outer force [N].
+    pub peak_force: f64,
+}
+
+/// What a motion is in its round.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Part {
+    Approach,
+    Stroke,
+    Transfer,
+    Drive,
+    Retreat,
+}
+
+impl Span {
+    pub(super) const fn class(&self) -> &'static str {
+        match self.part {
+            Part::Approach => "semco:Approach",
+            Part::Stroke => "semco:Stroke",
+            Part::Transfer => "semco:Transfer",
+            Part::Drive => "semco:Drive",
+            Part::Retreat => "semco:Retreat",
+        }
+    }
+}
+
+impl RoundLog {
+    /// Takes a sample in.
+    pub fn push(&mut self, sample: &TelemetrySample<'_>) {
+        let kind = match sample.phase {
+            Phase::Drive => Kind::Drive,
+            Phase::Transfer | Phase::Lifted | Phase::Lower | Phase::Lift => Kind::Lifted,
+            Phase::Wipe(stroke) => Kind::Stroke(stroke),
+        };
+        let force = sample.external.force.norm();
+        match self.runs.last_mut() {
+            Some(run) if run.kind == kind => {
+                run.end = sample.time;
+                run.peak_force = run.peak_force.max(force);
+            }
+            last => {
+                // Without a gap: a run lasts until the next begins.
+                if let Some(last) = last {
+                    last.end = sample.time;
+                }
+                self.runs.push(Run {
+                    kind,
+                    start: sample.time,
+                    end: sample.time,
+                    peak_force: force,
+                });
+            }
+        }
+    }
+
+    /// The motions, in their order.
+    pub(super) fn spans(&self) -> Vec<Span> {
+        let is_stroke = |run: &Run| matches!(run.kind, Kind::Stroke(_));
+        let first = self.runs.iter().position(is_stroke);
+        let last = self.runs.iter().rposition(is_stroke);
+        let part = |place: usize, kind: Kind| match kind {
+            Kind::Drive => Part::Drive,
+            Kind::Stroke(_) => Part::Stroke,
+            Kind::Lifted if first.is_none_or(|first| place < first) => Part::Approach,
+            Kind::Lifted if last.is_some_and(|last| place > last) => Part::Retreat,
+            Kind::Lifted => Part::Transfer,
+        };
+        let spans = self.runs.iter().enumerate().map(|(place, run)| Span {
+            part: part(place, run.kind),
+            start: run.start,
+            end: run.end,
+            stroke: match run.kind {
+                Kind::Stroke(stroke) => Some(stroke),
+                _ => None,
+            },
+            peak_force: run.peak_force,
+        });
+        spans.collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use wisch::execute::Wrench;
+    use wisch::geometry::{Pose, Vector3};
+
+    #[test]
+    fn lifted_motions_are_told_apart_by_the_strokes_round_them() {
+        let phases = [
+            Phase::Drive,
+            Phase::Transfer,
+            Phase::Lower,
+            Phase::Wipe(0),
+            Phase::Wipe(0),
+            Phase::Lift,
+            Phase::Lifted,
+            Phase::Lower,
+            Phase::Wipe(1),
+            Phase::Wipe(2),
+            Phase::Lift,
+            Phase::Drive,
+        ];
+        let mut log = RoundLog::default();
+        for (time, phase) in (0..).zip(phases) {
+            log.push(&TelemetrySample {
+                time: f64::from(time),
+                positions: &[],
+                velocities: &[],
+                efforts: &[],
+                world_from_commanded: Pose::identity(),
+                world_from_tool: Pose::identity(),
+                controller: Wrench::default(),
+                external: Wrench {
+                    force: Vector3::new(0.0, 3.0, f64::from(time)),
+                    moment: Vector3::zeros(),
+                },
+                motion: 0,
+                phase,
+            });
+        }
+        let spans = log.spans();
+        let told: Vec<_> = (spans.iter())
+            .map(|span| (&span.class()[6..], span.start, span.end, span.stroke))
+            .collect();
+        let expected = [
+            ("Drive", 0.0, 1.0, None),
+            ("Approach", 1.0, 3.0, None),
+            ("Stroke", 3.0, 5.0, Some(0)),
+            ("Transfer", 5.0, 8.0, None),
+            ("Stroke", 8.0, 9.0, Some(1)),
+            ("Stroke", 9.0, 10.0, Some(2)),
+            ("Retreat", 10.0, 11.0, None),
+            ("Drive", 11.0, 11.0, None),
+        ];
+        assert_eq!(told, expected);
+        assert_eq!(spans[2].peak_force, 5.0);
+    }
+}

@@ -1,0 +1,433 @@
+//! The store: an episode is there whole or not at all, whoever writes, reads or dies.
+
+#[path = "../examples/synthetic/records.rs"]
+mod records;
+
+use proptest::prelude::*;
+use records::record;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
+use wisch::follow::Phase;
+use wisch_memory::catalogue::entries;
+use wisch_memory::{
+    Catalogue, EpisodeRecord, Individual, IndividualId, Mark, Memory, MemoryError, Node, Origin,
+    TelemetryHead, Value,
+};
+
+/// Tells the child process where to write.
+const CHILD_MEMORY: &str = "WISCH_TEST_MEMORY";
+
+/// Telemetry of one column, and a file.
+fn store(memory: &Memory, record: &EpisodeRecord) -> Result<(), MemoryError> {
+    let writer = memory.begin(&record.id)?;
+    let columns = ["v".to_owned()];
+    let mut log = writer.telemetry_with_columns(1, TelemetryHead::default(), &columns)?;
+    let mark = Mark {
+        motion: 0,
+        phase: Phase::Transfer,
+    };
+    for step in 0..100 {
+        log.push(f64::from(step) * 0.2, mark, [f64::from(step)])?;
+    }
+    log.finish()?;
+    writer.attach("task.toml", b"name = \"board\"")?;
+    writer.attach("round-1/plan.json", b"{}")?;
+    writer.commit(record)
+}
+
+/// A record with the rounds that [`store`] writes.
+fn one_round(number: usize) -> EpisodeRecord {
+    let mut record = record(7, number);
+    record.rounds.truncate(1);
+    record
+}
+
+fn memory(folder: &Path) -> Memory {
+    Memory::create(&folder.join("episodes")).unwrap()
+}
+
+/// All that a catalogue says, without the numbers that it gives to things, which depend on who came first.
+fn told(catalogue: &Catalogue) -> BTreeMap<String, Vec<String>> {
+    let mut episodes = BTreeMap::new();
+    for row in catalogue.episodes() {
+        let head = format!("{} {:?} {:?}", row.task, row.interval, row.rounds);
+        let mut lines = vec![head];
+        for id in row.first..row.first + row.len {
+            lines.push(individual(catalogue, id));
+        }
+        episodes.insert(row.id.clone(), lines);
+    }
+    episodes
+}
+
+fn individual(catalogue: &Catalogue, id: IndividualId) -> String {
+    let parent = catalogue.parent(id).map(|parent| catalogue.name(parent));
+    let name = catalogue.name(id);
+    assert_eq!(catalogue.find(&name), Some(id));
+    assert!(catalogue.of_class(catalogue.class(id)).contains(&id));
+    let mut said = vec![format!("{name} {:?} {parent:?}", catalogue.interval(id))];
+    for property in catalogue.properties() {
+        for (_, value) in entries(catalogue.numbers(property), id) {
+            said.push(format!("{property} {value:?}"));
+        }
+        for (_, text) in entries(catalogue.texts(property), id) {
+            said.push(format!("{property} {text:?}"));
+        }
+        for (_, node) in entries(catalogue.relations(property), id) {
+            let object = match *node {
+                Node::Individual(id) => catalogue.name(id),
+                Node::Shared(place) => catalogue.shared()[place as usize].clone(),
+            };
+            said.push(format!("{property} {object}"));
+        }
+    }
+    said[1..].sort();
+    said.join("; ")
+}
+
+fn from_folders(memory: &Memory) -> BTreeMap<String, Vec<String>> {
+    let ids = memory.episodes().unwrap();
+    let records = ids.iter().map(|id| memory.episode(id).unwrap().record());
+    let records: Vec<EpisodeRecord> = records.collect::<Result<_, _>>().unwrap();
+    told(&Catalogue::of(&records))
+}
+
+#[test]
+fn an_episode_is_read_back_and_forgotten() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = memory(folder.path());
+    let record = one_round(0);
+    store(&memory, &record).unwrap();
+    assert_eq!(memory.episodes().unwrap(), [record.id.clone()]);
+    let episode = memory.episode(&record.id).unwrap();
+    assert_eq!(episode.record().unwrap(), record);
+    assert_eq!(episode.attachment("round-1/plan.json").unwrap(), b"{}");
+    assert_eq!(episode.telemetry(1).unwrap().rows(), 100);
+    let files = [
+        "checksums.json",
+        "episode.json",
+        "round-1.parquet",
+        "round-1/plan.json",
+        "task.toml",
+    ];
+    assert_eq!(episode.files().unwrap(), files);
+    assert!(memory.verify().unwrap().is_empty());
+    assert!(matches!(
+        memory.begin(&record.id),
+        Err(MemoryError::Exists { .. })
+    ));
+    let said = memory.episode("20260101-080000-0001").unwrap_err();
+    assert!(
+        said.to_string()
+            .ends_with("the nearest is \"20260101-080000-0000\""),
+        "{said}"
+    );
+
+    memory.forget(&record.id).unwrap();
+    assert!(memory.episodes().unwrap().is_empty());
+    assert!(memory.catalogue().unwrap().is_empty());
+    // What has been forgotten can be told anew, and differently.
+    let mut other = record.clone();
+    other.task = "another".into();
+    store(&memory, &other).unwrap();
+    assert_eq!(memory.catalogue().unwrap().episodes()[0].task, "another");
+}
+
+#[test]
+fn what_cannot_be_an_episode_is_refused_and_leaves_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = memory(folder.path());
+    for id in ["", "a b", "../x", ".new-x", &"x".repeat(81)] {
+        assert!(
+            matches!(memory.begin(id), Err(MemoryError::Id { .. })),
+            "{id}"
+        );
+    }
+    let writer = memory.begin("a").unwrap();
+    for name in ["", "..", "../x", "/x", "a/../../x", "episode.json", "a\\b"] {
+        let attached = writer.attach(name, b"");
+        assert!(matches!(attached, Err(MemoryError::Name { .. })), "{name}");
+    }
+    let refused = writer.commit(&one_round(0));
+    assert!(matches!(refused, Err(MemoryError::Other { .. })));
+    let mut broken = one_round(0);
+    broken.individuals[1].parent = Some(9);
+    let writer = memory.begin(&broken.id).unwrap();
+    let refused = writer.commit(&broken);
+    assert!(matches!(refused, Err(MemoryError::Record { .. })));
+    let writer = memory.begin(&broken.id).unwrap();
+    let log = writer.telemetry(1, TelemetryHead::default()).unwrap();
+    let refused = writer.commit(&one_round(0));
+    assert!(matches!(refused, Err(MemoryError::Unfinished { .. })));
+    drop(log);
+    let left: Vec<_> = std::fs::read_dir(memory.folder()).unwrap().collect();
+    assert_eq!(left.len(), 1, "{left:?}"); // the memory's lock
+    assert!(matches!(
+        Memory::open(&folder.path().join("none")),
+        Err(MemoryError::NoMemory { .. })
+    ));
+}
+
+#[test]
+fn every_scratch_and_cut_is_named_by_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = memory(folder.path());
+    let record = one_round(0);
+    store(&memory, &record).unwrap();
+    let episode = memory.episode(&record.id).unwrap();
+    for name in episode.files().unwrap() {
+        let path = episode.folder().join(&name);
+        let whole = std::fs::read(&path).unwrap();
+        let faulty = |what: &str| {
+            let faults = memory.verify().unwrap();
+            let said: Vec<String> = faults.iter().map(ToString::to_string).collect();
+            let is_named = said.iter().any(|fault| fault.contains(&name));
+            // Scratched sums accuse another file, or themselves.
+            assert!(
+                is_named || name == "checksums.json" && !said.is_empty(),
+                "{what} {name}: {said:?}"
+            );
+        };
+        let step = whole.len() / 7 + 1;
+        for place in (0..whole.len()).step_by(step) {
+            let mut bytes = whole.clone();
+            bytes[place] ^= 0x15;
+            std::fs::write(&path, &bytes).unwrap();
+            faulty("scratched");
+            std::fs::write(&path, &whole[..place]).unwrap();
+            faulty("cut off");
+        }
+        std::fs::remove_file(&path).unwrap();
+        faulty("lost");
+        std::fs::write(&path, &whole).unwrap();
+    }
+    assert!(memory.verify().unwrap().is_empty());
+}
+
+#[test]
+fn the_catalogue_from_tables_is_that_from_the_folders() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = memory(folder.path());
+    let put = |numbers: std::ops::Range<usize>| {
+        for number in numbers {
+            let record = record(7, number);
+            memory.begin(&record.id).unwrap().commit(&record).unwrap();
+        }
+    };
+    let tables = memory.folder().join(".catalogue");
+    let current = || std::fs::read_to_string(tables.join("current")).unwrap_or_default();
+    let agrees = || assert_eq!(told(&memory.catalogue().unwrap()), from_folders(&memory));
+    put(0..120);
+    agrees();
+    assert_eq!(current(), "1");
+    // From the tables alone, then with some that are not in them, and without some that are.
+    agrees();
+    put(120..130);
+    agrees();
+    for number in [3, 64, 119, 125] {
+        memory.forget(&record(7, number).id).unwrap();
+    }
+    agrees();
+    assert_eq!(current(), "1");
+    put(3..4);
+    agrees();
+    put(130..240);
+    agrees();
+    assert_eq!(current(), "2");
+    assert!(!tables.join("forgotten").exists());
+    agrees();
+
+    // Broken tables are made anew.
+    for file in std::fs::read_dir(tables.join(current())).unwrap() {
+        let path = file.unwrap().path();
+        let path = tables.join(current()).join(path.file_name().unwrap());
+        let bytes = std::fs::read(&path).unwrap();
+        std::fs::write(&path, &bytes[..bytes.len() / 2]).unwrap();
+        let before = current();
+        agrees();
+        assert_ne!(current(), before, "{} is broken", path.display());
+        agrees();
+    }
+}
+
+#[test]
+fn writers_and_readers_do_not_meet_half_an_episode() {
+    const WRITERS: usize = 4;
+    const EACH: usize = 8;
+    let folder = tempfile::tempdir().unwrap();
+    let memory = memory(folder.path());
+    let done = AtomicBool::new(false);
+    thread::scope(|scope| {
+        let writers: Vec<_> = (0..WRITERS)
+            .map(|writer| {
+                let memory = &memory;
+                scope.spawn(move || {
+                    for number in writer * EACH..(writer + 1) * EACH {
+                        store(memory, &one_round(number)).unwrap();
+                        if number % EACH == 5 {
+                            memory.forget(&one_round(number).id).unwrap();
+                        }
+                    }
+                })
+            })
+            .collect();
+        for _ in 0..2 {
+            scope.spawn(|| {
+                while !done.load(Ordering::Relaxed) {
+                    memory.catalogue().unwrap();
+                    for id in memory.episodes().unwrap() {
+                        let read = memory.episode(&id).and_then(|episode| episode.record());
+                        // It may have been forgotten since.
+                        assert!(read.is_ok() || memory.episode(&id).is_err(), "{read:?}");
+                    }
+                }
+            });
+        }
+        let results: Vec<_> = writers
+            .into_iter()
+            .map(thread::ScopedJoinHandle::join)
+            .collect();
+        done.store(true, Ordering::Relaxed);
+        assert!(results.iter().all(Result::is_ok));
+    });
+    assert_eq!(memory.episodes().unwrap().len(), WRITERS * (EACH - 1));
+    assert!(memory.verify().unwrap().is_empty());
+    assert_eq!(told(&memory.catalogue().unwrap()), from_folders(&memory));
+}
+
+/// Not a test of its own: what the child process of the next test does until it is killed.
+#[test]
+fn child_writes_until_it_is_killed() {
+    let Some(folder) = std::env::var_os(CHILD_MEMORY) else {
+        return;
+    };
+    let memory = Memory::create(&PathBuf::from(folder)).unwrap();
+    let first = memory.episodes().unwrap().len();
+    for number in first.. {
+        store(&memory, &one_round(number)).unwrap();
+        if number % 5 == 4 {
+            // Its place is taken again at once, so that the count still tells the next number.
+            memory.forget(&one_round(number).id).unwrap();
+            store(&memory, &one_round(number)).unwrap();
+        }
+        memory.catalogue().unwrap();
+    }
+}
+
+#[test]
+fn a_kill_at_any_time_loses_the_running_episode_at_most() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = memory(folder.path());
+    let mut least = 0;
+    for kill in 0..12 {
+        let mut child = Command::new(std::env::current_exe().unwrap())
+            .args(["--exact", "child_writes_until_it_is_killed"])
+            .env(CHILD_MEMORY, memory.folder())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        // Scattered over several episodes of the child's.
+        thread::sleep(Duration::from_micros(20_000 + 9_173 * kill));
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let faults: Vec<String> = memory
+            .verify()
+            .unwrap()
+            .iter()
+            .map(ToString::to_string)
+            .collect();
+        assert_eq!(faults, [""; 0], "kill {kill}");
+        let count = memory.episodes().unwrap().len();
+        // One may have been being forgotten.
+        assert!(
+            count + 1 >= least,
+            "{count} episodes where there were {least}"
+        );
+        least = count;
+        assert_eq!(told(&memory.catalogue().unwrap()), from_folders(&memory));
+    }
+    // The next writer clears away what is left.
+    store(&memory, &one_round(5000)).unwrap();
+    for entry in std::fs::read_dir(memory.folder()).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        let left = [".new-", ".lock-", ".forgotten-"];
+        assert!(
+            !left.iter().any(|prefix| name.starts_with(prefix)),
+            "{name}"
+        );
+    }
+}
+
+fn value() -> impl Strategy<Value = Value> {
+    let number = prop::num::f64::NORMAL | prop::num::f64::SUBNORMAL | prop::num::f64::ZERO;
+    prop_oneof![
+        number.prop_map(Value::Number),
+        any::<String>().prop_map(Value::Text)
+    ]
+}
+
+fn any_individual(place: usize) -> impl Strategy<Value = Individual> {
+    let name = "[a-z]{1,4}:[A-Za-z_]{1,8}";
+    let object = prop_oneof![
+        name.prop_map(|name| name),
+        (0..=place).prop_map(|n| format!("#{n}"))
+    ];
+    (
+        name,
+        prop::option::of((-1e12..1e12_f64, 0.0..1e6_f64)),
+        prop::option::of(0..place.max(1)),
+        prop::collection::btree_map(name, prop::collection::vec(object, 1..3), 0..3),
+        prop::collection::btree_map(name, value(), 0..4),
+    )
+        .prop_map(
+            move |(class, interval, parent, relations, values)| Individual {
+                class,
+                interval: interval.map(|(start, length)| [start, start + length]),
+                parent: parent.filter(|_| place > 0),
+                relations,
+                values,
+            },
+        )
+}
+
+prop_compose! {
+    fn any_record()(count in 1..6_usize)(
+        individuals in (0..count).map(any_individual).collect::<Vec<_>>(),
+        id in "[A-Za-z0-9-]{1,20}",
+        task in any::<String>(),
+        start in 0.0..4e9_f64,
+        seed in any::<u64>(),
+        imported in prop::option::of(any::<String>()),
+    ) -> EpisodeRecord {
+        EpisodeRecord {
+            schema: wisch_memory::EPISODE_SCHEMA,
+            id,
+            task,
+            interval: [start, start + 1.0],
+            origin: imported.map_or(Origin::Simulated, Origin::Imported),
+            program: "test".into(),
+            seed,
+            rounds: vec![start],
+            individuals,
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn any_record_is_read_back_bit_by_bit(record in any_record()) {
+        let folder = tempfile::tempdir().unwrap();
+        let memory = memory(folder.path());
+        memory.begin(&record.id).unwrap().commit(&record).unwrap();
+        let read = memory.episode(&record.id).unwrap().record().unwrap();
+        prop_assert_eq!(&read, &record);
+        prop_assert_eq!(told(&memory.catalogue().unwrap()), told(&Catalogue::of([&record])));
+    }
+}
