@@ -5,10 +5,11 @@
 
 pub mod ask;
 pub mod catalogue;
-pub mod ontology;
 mod columns;
 pub mod frames;
 mod id;
+pub mod neem;
+pub mod ontology;
 mod record;
 mod remember;
 pub mod store;
@@ -18,6 +19,9 @@ pub use catalogue::{Catalogue, IndividualId, Node};
 pub use ontology::Ontology;
 pub use frames::{FrameError, Frames, PoseAt, RoundScene, Sampling, StoredPose};
 pub use id::episode_id;
+pub use frames::{FrameError, Frames, PoseAt, RoundScene, Sampling, StoredPose};
+pub use id::episode_id;
+pub use ontology::Ontology;
 pub use record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, RecordFault, Value};
 pub use remember::{Occasion, RoundLog, remember};
 pub use store::{Episode, EpisodeWriter, Fault, Memory, MemoryError};
