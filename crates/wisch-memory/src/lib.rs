@@ -16,9 +16,6 @@ pub mod store;
 pub mod telemetry;
 
 pub use catalogue::{Catalogue, IndividualId, Node};
-pub use ontology::Ontology;
-pub use frames::{FrameError, Frames, PoseAt, RoundScene, Sampling, StoredPose};
-pub use id::episode_id;
 pub use frames::{FrameError, Frames, PoseAt, RoundScene, Sampling, StoredPose};
 pub use id::episode_id;
 pub use ontology::Ontology;
