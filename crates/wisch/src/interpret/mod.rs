@@ -9,6 +9,7 @@ mod belief;
 mod config;
 mod contact;
 mod density;
+mod doubt;
 mod error;
 mod events;
 mod interpreter;

@@ -127,7 +127,7 @@ impl Variation {
                 from: moved(&contact.motion.from),
                 to: moved(&contact.motion.to),
             },
-            share: contact.share * self.force_scale,
+            felt: contact.felt.scaled(self.force_scale),
             ..*contact
         }
     }
@@ -165,7 +165,7 @@ fn severity(seed: u64, replay: u64) -> f64 {
 }
 
 /// Two independent standard normal numbers by Box and Muller.
-fn normal2(random: &mut ChaCha8Rng) -> Vector2 {
+pub(super) fn normal2(random: &mut ChaCha8Rng) -> Vector2 {
     let (u, v) = (1.0 - random.random::<f64>(), random.random::<f64>());
     let angle = std::f64::consts::TAU * v;
     Vector2::new(libm::cos(angle), libm::sin(angle)) * (-2.0 * libm::log(u)).sqrt()
