@@ -18,11 +18,7 @@ use std::ops::Range;
 /// How long before it is felt a push may have begun [s].
 const BEFORE: f64 = 0.05;
 /// How long after a push a tool that is let go of swings [s].
-const AFTER: f64 = 1.0;
-/// Share of the replays that believe the force, the others the distance from the plane [1].
-const BY_FORCE: f64 = 0.25;
-/// Share of the replays in which the tool hops, per stretch [1].
-const HOPPING: f64 = 0.5;
+const AFTER: f64 = 2.0;
 /// Stream of random numbers: apart from those of the chances and of the variations.
 const STREAM: u64 = 0x646f_7562_0000_0000;
 
@@ -34,13 +30,15 @@ pub(super) struct Witness<'a> {
     bounds: Option<Bounds2>,
     real_from_believed: Pose,
     config: &'a InterpretConfig,
-    /// Pieces of each stretch in which somebody pushed.
+    /// Pieces while somebody pushed.
+    is_pushed: Vec<bool>,
+    /// Pieces of each stretch in which somebody pushed, and what became of that.
     stretches: Vec<Range<usize>>,
     /// The motions where nobody pushed.
     certain: Vec<ContactMotion>,
 }
 
-/// How one replay tells contact in a stretch.
+/// How one replay tells contact in a stretch: by the force again as soon as the hand has let go.
 #[derive(Debug, Clone)]
 struct Account {
     stretch: Range<usize>,
@@ -69,6 +67,7 @@ impl<'a> Witness<'a> {
         Self {
             path,
             bounds,
+            is_pushed: is_pushed(path, events),
             stretches: stretches(path, events),
             certain: contact_motions(path, &real_from_believed, |i| by_force(&path[i])),
             real_from_believed,
@@ -99,9 +98,10 @@ impl<'a> Witness<'a> {
     }
 
     fn draw(&self, stretch: &Range<usize>, random: &mut ChaCha8Rng) -> Account {
+        let uncertainty = &self.config.uncertainty;
         let off = normal2(random).x * self.config.plane.inlier_distance_m;
-        let is_by_force = random.random::<f64>() < BY_FORCE;
-        let is_hopping = random.random::<f64>() < HOPPING;
+        let is_by_force = random.random::<f64>() < uncertainty.pushed_by_force;
+        let is_hopping = random.random::<f64>() < uncertainty.hop_share;
         let begin = random.random::<f64>();
         Account {
             way: if is_by_force {
@@ -137,8 +137,8 @@ impl<'a> Witness<'a> {
         let piece = &self.path[i];
         match account.way {
             _ if account.hop.contains(&i) => Felt::Nothing,
-            Way::ByForce => by_force(piece),
-            Way::ByPlace(off) => self.by_place(piece, off),
+            Way::ByPlace(off) if self.is_pushed[i] => self.by_place(piece, off),
+            Way::ByPlace(_) | Way::ByForce => by_force(piece),
         }
     }
 
@@ -172,18 +172,33 @@ fn by_force(piece: &PathPiece) -> Felt {
     }
 }
 
+/// Which pieces are within a push.
+fn is_pushed(path: &[PathPiece], events: &[Event]) -> Vec<bool> {
+    let mut is_pushed = vec![false; path.len()];
+    for push in pushes(events) {
+        is_pushed[within(path, push.start - BEFORE, push.end)].fill(true);
+    }
+    is_pushed
+}
+
+fn pushes(events: &[Event]) -> impl Iterator<Item = &Event> {
+    (events.iter()).filter(|event| event.kind == EventKind::Collision)
+}
+
+/// The pieces between two times [s].
+fn within(path: &[PathPiece], start: f64, end: f64) -> Range<usize> {
+    let first = path.partition_point(|piece| piece.time[1] < start);
+    first..path.partition_point(|piece| piece.time[0] <= end)
+}
+
 /// The pieces within each push and soon after it, those that overlap together.
 fn stretches(path: &[PathPiece], events: &[Event]) -> Vec<Range<usize>> {
     let mut stretches: Vec<Range<usize>> = Vec::new();
-    let pushes = events
-        .iter()
-        .filter(|event| event.kind == EventKind::Collision);
-    for push in pushes {
-        let first = path.partition_point(|piece| piece.time[1] < push.start - BEFORE);
-        let last = path.partition_point(|piece| piece.time[0] <= push.end + AFTER);
+    for push in pushes(events) {
+        let next = within(path, push.start - BEFORE, push.end + AFTER);
         match stretches.last_mut() {
-            Some(before) if before.end >= first => before.end = before.end.max(last),
-            _ => stretches.push(first..last),
+            Some(before) if before.end >= next.start => before.end = before.end.max(next.end),
+            _ => stretches.push(next),
         }
     }
     stretches

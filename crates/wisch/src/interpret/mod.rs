@@ -6,6 +6,7 @@
 //! ```
 
 mod belief;
+mod collisions;
 mod config;
 mod contact;
 mod density;

@@ -29,6 +29,11 @@ pub struct Uncertainty {
     /// spreads, turns about its corners and leaks. No standard deviation: in seven of eight replays nothing
     /// slips, in the others any share up to this one.
     pub slip_share: f64,
+    /// Share of the replays that still tell contact by the force where somebody pushes [1]; the others tell it by
+    /// the distance from the plane.
+    pub pushed_by_force: f64,
+    /// Share of the replays in which a tool that is pushed hops once over what it carried [1].
+    pub hop_share: f64,
     /// What all this leaves out, by which the interval is wider at either end [1].
     pub model_share: f64,
 }
@@ -41,6 +46,8 @@ impl Uncertainty {
         particle_m: 0.0,
         force_share: 0.0,
         slip_share: 0.0,
+        pushed_by_force: 1.0,
+        hop_share: 0.0,
         model_share: 0.0,
     };
 
@@ -57,6 +64,13 @@ impl Uncertainty {
             ("uncertainty.particle_m", self.particle_m, 1.0, "0 to 1 m"),
             ("uncertainty.force_share", self.force_share, 1.0, "0 to 1"),
             ("uncertainty.slip_share", self.slip_share, 1.0, "0 to 1"),
+            (
+                "uncertainty.pushed_by_force",
+                self.pushed_by_force,
+                1.0,
+                "0 to 1",
+            ),
+            ("uncertainty.hop_share", self.hop_share, 1.0, "0 to 1"),
             ("uncertainty.model_share", self.model_share, 1.0, "0 to 1"),
         ];
         let wrong = fields
@@ -85,6 +99,8 @@ impl Default for Uncertainty {
             particle_m: 1.5e-3,
             force_share: 0.08,
             slip_share: 0.2,
+            pushed_by_force: 0.25,
+            hop_share: 0.5,
             model_share: 0.025,
         }
     }
