@@ -78,6 +78,7 @@ impl<'a> Evidence<'a> {
     /// All events, by start.
     pub(super) fn events(&self) -> Vec<Event> {
         let mut events = self.intervals(EventKind::Contact, |i| self.contact(i));
+        events.extend(self.phases(&events));
         let losses = self.intervals(EventKind::ContactLoss, |i| self.loss(i));
         let collisions = self.collisions();
         // What a push takes from the surface is the push's, not a loss.

@@ -16,6 +16,7 @@ mod events;
 mod interpreter;
 mod motions;
 mod outcome;
+mod phases;
 mod pieces;
 mod plane;
 mod replay;
