@@ -30,14 +30,16 @@ impl Evidence<'_> {
     /// Whether a run soon after a push is the tool that was let go of and comes down again: it presses on
     /// the surface, and nothing draws it along.
     fn is_landing(&self, before: &Run, next: &Run) -> bool {
-        let time = |is_so: &dyn Fn(usize) -> bool| -> f64 {
-            let those = (next.first..=next.last).filter(|&i| is_so(i));
-            those.map(|i| self.span(i)[1] - self.span(i)[0]).sum()
-        };
-        let strong = |level: Level| level == Level::Strong;
-        let drawn = time(&|i| strong(self.shoved(i)) || strong(self.handled(i)));
-        let pressed = time(&|i| strong(self.overloaded(i)) || strong(self.off_plane(i)));
-        self.gap(before, next) <= self.config.events.landing_s && pressed >= drawn
+        let (mut drawn, mut pressed) = (0.0, 0.0);
+        for i in next.first..=next.last {
+            let [start, end] = self.span(i);
+            if self.shoved(i).max(self.handled(i)) == Level::Strong {
+                drawn += end - start;
+            } else if self.overloaded(i).max(self.off_plane(i)) == Level::Strong {
+                pressed += end - start;
+            }
+        }
+        self.gap(before, next) <= self.config.events.landing_s && pressed > drawn
     }
 
     pub(super) fn is_pushed(&self, i: usize) -> bool {
