@@ -1,7 +1,8 @@
 //! `wisch interpret`: what a log of poses and forces says about the dirt and the surface.
 
 use super::prepare::Prepared;
-use super::run::{folder_name, given_plan, internal, json};
+use super::results::{folder_name, internal, json};
+use super::run::given_plan;
 use super::words::{counted, percent};
 use crate::args::{GlobalArgs, InterpretArgs, LogArgs, TaskArgs};
 use crate::failure::Failure;

@@ -7,9 +7,11 @@ mod interpret;
 mod map;
 mod new;
 mod prepare;
+mod results;
 mod robot;
 mod rounds;
 mod run;
+mod summary;
 mod words;
 
 use crate::args::{Cli, Command, RobotCommand};
