@@ -284,10 +284,11 @@ pub struct WipeArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Rounds")]
 pub struct LoopArgs {
-    /// Most rounds of wiping, looking at the estimate, and wiping again [default: the task's]
+    /// Most rounds of wiping, looking at the estimate, and wiping again [default: the task's, with
+    /// --greedy ten times as many]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1000))]
     pub rounds: Option<u16>,
-    /// Interpret after every stroke, and plan anew
+    /// Interpret after every stroke; the next is the one that is predicted to gain most
     #[arg(long)]
     pub greedy: bool,
     /// Execute no faster than in reality

@@ -8,8 +8,11 @@ use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::interpret::{
     Belief, EventKind, InterpretConfig, InterpretError, Interpretation, Interpreter, TouchSample,
 };
-use crate::plan::{CoverageStrategy, Plan, PlanConfig, PlanError, Prediction, best_plan, predict};
-use crate::recover::{Pace, Verdict, believed_performance, judge, next_task, paced, unfinished};
+use crate::plan::{
+    CoverageStrategy, Plan, PlanConfig, PlanError, Prediction, best_plan, best_segment,
+    best_segment_of_variants, predict,
+};
+use crate::recover::{Pace, Verdict, believed_performance, judge, next_task, unfinished};
 use crate::represent::{GoalState, ParticleError, Performance, Reality, Task};
 use crate::robot::{CapabilityMap, RobotModel, Srdf};
 use nalgebra::{Translation3, UnitQuaternion};
@@ -20,6 +23,9 @@ use std::ops::ControlFlow;
 const RECOVERY_VARIANTS: [usize; 2] = [50, 3];
 /// Predicting takes time by the edges of the tool's footprint: a brush of a thousand tufts tries few plans.
 const RECOVERY_EDGES: usize = 2000;
+
+/// After so many strokes in a row that brought nothing, the next one is not expected to.
+const STALLED_STROKES: usize = 4;
 
 /// The robot that does it.
 #[derive(Debug, Clone, Copy)]
@@ -152,6 +158,7 @@ pub fn run(
     let mut workcell = config.workcell.clone();
     let mut given = first_plan;
     let mut goal = None;
+    let mut stalled = 0;
     for number in 1..=config.max_rounds {
         let _ = news(News::Planning(number));
         let plan = match (
@@ -196,13 +203,21 @@ pub fn run(
         let next = next_task(&task, &goal, &interpretation, task.seed.wrapping_add(1))?;
         let is_done = unfinished(&next, &goal)?.is_empty();
         let is_disturbed = was_disturbed(&executed, &interpretation);
-        let verdict = match judge(&interpretation, before, config.target) {
+        let judged = judge(&interpretation, before, config.target);
+        stalled = if judged == Verdict::NoProgress {
+            stalled + 1
+        } else {
+            0
+        };
+        let verdict = match judged {
             // What happens while somebody pushes is felt badly: only a calm round shows that it is done.
             Verdict::Again | Verdict::GoalMet if is_done && is_disturbed => Verdict::NothingToGain,
             Verdict::GoalMet if is_disturbed => Verdict::Again,
             Verdict::Again if is_done => Verdict::NothingToGain,
-            // A single stroke need not bring anything to where it belongs yet.
-            Verdict::NoProgress if config.pace == Pace::Greedy => Verdict::Again,
+            // A single stroke says little: the next best one is another.
+            Verdict::NoProgress if config.pace == Pace::Greedy && stalled < STALLED_STROKES => {
+                Verdict::Again
+            }
             // Somebody or something was in the way: that says nothing against another try.
             Verdict::NoProgress if is_disturbed => Verdict::Again,
             verdict => verdict,
@@ -235,7 +250,7 @@ fn plan_round(
     given: Option<Plan>,
     config: &RunConfig,
 ) -> Result<Plan, RunError> {
-    let plan = match (given, goal) {
+    let whole = match (given, goal) {
         (Some(plan), _) => plan,
         (None, None) => best_plan(task, &task.particles, &config.plan, config.variants)?,
         (None, Some(goal)) => {
@@ -245,10 +260,17 @@ fn plan_round(
                 seed: task.seed,
                 ..config.plan.clone()
             };
-            best_plan(task, &open, &kde, recovery_variants(task))?
+            let count = recovery_variants(task);
+            return Ok(match config.pace {
+                Pace::Whole => best_plan(task, &open, &kde, count)?,
+                Pace::Greedy => best_segment_of_variants(task, &open, &kde, count)?,
+            });
         }
     };
-    Ok(paced(plan, config.pace))
+    Ok(match config.pace {
+        Pace::Whole => whole,
+        Pace::Greedy => best_segment(task, &whole),
+    })
 }
 
 /// How many plans are tried for what is left over.

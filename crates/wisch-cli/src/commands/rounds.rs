@@ -24,6 +24,9 @@ use wisch_telemetry::{BagHead, BagWriter, WriteError};
 /// Between two updates of the progress [samples].
 const SAY_EVERY: usize = 200;
 
+/// Rounds of a single stroke that stand for one of a whole plan.
+const GREEDY_ROUNDS: usize = 10;
+
 /// A round with how long its parts took.
 pub struct Done {
     /// The round.
@@ -55,6 +58,11 @@ pub fn wipe(
     progress.say("reading the robot");
     let robot = performer(chosen, task_args)?;
     let reality = &prepared.reality;
+    let (pace, usual_rounds) = if args.greedy {
+        (Pace::Greedy, GREEDY_ROUNDS * reality.max_rounds)
+    } else {
+        (Pace::Whole, reality.max_rounds)
+    };
     let config = RunConfig {
         plan: prepared.config.clone(),
         variants: prepared.file.plan_variants(),
@@ -65,12 +73,8 @@ pub fn wipe(
         },
         execute: ExecuteConfig::default(),
         target: prepared.file.target_performance(),
-        max_rounds: args.rounds.map_or(reality.max_rounds, usize::from),
-        pace: if args.greedy {
-            Pace::Greedy
-        } else {
-            Pace::Whole
-        },
+        max_rounds: args.rounds.map_or(usual_rounds, usize::from),
+        pace,
     };
     let performer = Performer {
         robot: &robot.model,

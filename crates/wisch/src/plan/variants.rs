@@ -1,7 +1,7 @@
 //! Several plans for the same dirt, of which the predicted effect chooses one.
 
 use super::{CoverageStrategy, Plan, PlanConfig, PlanError, plan, predict};
-use crate::represent::{ParticleDistribution, Task};
+use crate::represent::{ParticleDistribution, Performance, Task};
 
 /// Bandwidths of the density estimate that are tried beside the configured one, over half the radius of the
 /// collision sphere. The density's peaks, and with them the strokes, differ from one to the next.
@@ -27,41 +27,8 @@ pub fn best_plan(
     config: &PlanConfig,
     count: usize,
 ) -> Result<Plan, PlanError> {
-    let mut open = task.clone();
-    open.particles = to_plan_on.clone();
-    let half_radius = task.tool.collision_radius() / 2.0;
-    let others = match config.strategy {
-        CoverageStrategy::Kde => BANDWIDTHS.map(|scale| Some(scale * half_radius)).to_vec(),
-        CoverageStrategy::Grid | CoverageStrategy::Rrt => Vec::new(),
-    };
-    let bandwidths: Vec<Option<f64>> = std::iter::once(config.bandwidth).chain(others).collect();
-    let corners = task
-        .surface
-        .outline
-        .outer()
-        .iter()
-        .take(MAX_CORNERS)
-        .copied();
-    let starts = std::iter::once(task.tool_start).chain(corners);
-    let variants = starts.flat_map(|start| bandwidths.iter().map(move |&b| (start, b)));
     let mut best: Option<(usize, f64, Plan)> = None;
-    let mut failure = None;
-    for (start, bandwidth) in variants.take(count.max(1)) {
-        open.tool_start = start;
-        let variant = PlanConfig {
-            bandwidth,
-            ..config.clone()
-        };
-        let plan = match plan(&open, &variant) {
-            Ok(plan) => Plan {
-                tool_start: task.tool_start,
-                ..plan
-            },
-            Err(error) => {
-                failure.get_or_insert(error);
-                continue;
-            }
-        };
+    for plan in plan_variants(task, to_plan_on, config, count)? {
         let achieved = predict(task, &plan, |_| ()).performance.achieved;
         let distance = plan.contact_distance();
         let is_better = best.as_ref().is_none_or(|(most, shortest, _)| {
@@ -71,9 +38,55 @@ pub fn best_plan(
             best = Some((achieved, distance, plan));
         }
     }
-    match (best, failure) {
-        (Some((_, _, plan)), _) => Ok(plan),
-        (None, Some(error)) => Err(error),
-        (None, None) => plan(&open, config),
+    match best {
+        Some((_, _, plan)) => Ok(plan),
+        None => plan(task, config),
+    }
+}
+
+/// What a performance is worth: particles where they belong, less those that nothing brings back.
+pub(super) const fn worth(performance: &Performance) -> i64 {
+    performance.achieved as i64 - performance.lost as i64
+}
+
+/// Up to `count` plans, at least one; the first is the plan as configured, unless that fails.
+pub(super) fn plan_variants(
+    task: &Task,
+    to_plan_on: &ParticleDistribution,
+    config: &PlanConfig,
+    count: usize,
+) -> Result<Vec<Plan>, PlanError> {
+    let mut open = task.clone();
+    open.particles = to_plan_on.clone();
+    let half_radius = task.tool.collision_radius() / 2.0;
+    let others = match config.strategy {
+        CoverageStrategy::Kde => BANDWIDTHS.map(|scale| Some(scale * half_radius)).to_vec(),
+        CoverageStrategy::Grid | CoverageStrategy::Rrt => Vec::new(),
+    };
+    let bandwidths: Vec<Option<f64>> = std::iter::once(config.bandwidth).chain(others).collect();
+    let corners = task.surface.outline.outer().iter().take(MAX_CORNERS);
+    let starts = std::iter::once(task.tool_start).chain(corners.copied());
+    let variants = starts.flat_map(|start| bandwidths.iter().map(move |&b| (start, b)));
+    let mut plans = Vec::new();
+    let mut failure = None;
+    for (start, bandwidth) in variants.take(count.max(1)) {
+        open.tool_start = start;
+        let variant = PlanConfig {
+            bandwidth,
+            ..config.clone()
+        };
+        match plan(&open, &variant) {
+            Ok(plan) => plans.push(Plan {
+                tool_start: task.tool_start,
+                ..plan
+            }),
+            Err(error) => {
+                failure.get_or_insert(error);
+            }
+        }
+    }
+    match failure {
+        Some(error) if plans.is_empty() => Err(error),
+        _ => Ok(plans),
     }
 }
