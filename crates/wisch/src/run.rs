@@ -13,7 +13,9 @@ use crate::plan::{
     best_segment_of_variants, predict,
 };
 use crate::recover::{Pace, Verdict, believed_performance, judge, next_task, unfinished};
-use crate::represent::{GoalState, ParticleError, Performance, Reality, Task};
+use crate::represent::{
+    GoalState, ParticleDistribution, ParticleError, Performance, Reality, Task,
+};
 use crate::robot::{CapabilityMap, RobotModel, Srdf};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::ops::ControlFlow;
@@ -24,6 +26,9 @@ const RECOVERY_VARIANTS: [usize; 2] = [50, 3];
 /// Predicting takes time by the edges of the tool's footprint: a brush of a thousand tufts tries few plans.
 const RECOVERY_EDGES: usize = 2000;
 
+/// Draws from the belief that plans of later rounds are made on, and where their seeds differ [bits].
+const DRAWS: u64 = 8;
+const DRAW_SHIFT: u32 = 32;
 /// After so many strokes in a row that brought nothing, the next one is not expected to.
 const STALLED_STROKES: usize = 4;
 
@@ -162,7 +167,7 @@ pub fn run(
     for number in 1..=config.max_rounds {
         let _ = news(News::Planning(number));
         let plan = match (
-            plan_round(&task, goal.as_ref(), given.take(), config),
+            plan_round(&task, &belief, goal.as_ref(), given.take(), config),
             rounds.last_mut(),
         ) {
             (Ok(plan), Some(last)) if plan.strokes.is_empty() => {
@@ -201,7 +206,8 @@ pub fn run(
         let before = believed_performance(&belief, &goal, &task.surface);
         let is_last = executed.ending == Ending::Stopped;
         let next = next_task(&task, &goal, &interpretation, task.seed.wrapping_add(1))?;
-        let is_done = unfinished(&next, &goal)?.is_empty();
+        let doubted = drawn(&next, &interpretation.belief)?;
+        let is_done = unfinished(&doubted, &goal)?.is_empty();
         let is_disturbed = was_disturbed(&executed, &interpretation);
         let judged = judge(&interpretation, before, config.target);
         stalled = if judged == Verdict::NoProgress {
@@ -246,6 +252,7 @@ pub fn run(
 /// The plan of a round: on what is not yet done.
 fn plan_round(
     task: &Task,
+    belief: &Belief,
     goal: Option<&GoalState>,
     given: Option<Plan>,
     config: &RunConfig,
@@ -254,6 +261,7 @@ fn plan_round(
         (Some(plan), _) => plan,
         (None, None) => best_plan(task, &task.particles, &config.plan, config.variants)?,
         (None, Some(goal)) => {
+            let task = &drawn(task, belief)?;
             let open = unfinished(task, goal)?;
             let kde = PlanConfig {
                 strategy: CoverageStrategy::Kde,
@@ -269,7 +277,22 @@ fn plan_round(
     };
     Ok(match config.pace {
         Pace::Whole => whole,
-        Pace::Greedy => best_segment(task, &whole),
+        Pace::Greedy => best_segment(task, &whole)?,
+    })
+}
+
+/// The task with all that the dirt may be like: several draws from the belief, one on top of the other.
+///
+/// A single draw has dirt where there is none and none where there is some; plans are to be good on average.
+fn drawn(task: &Task, belief: &Belief) -> Result<Task, ParticleError> {
+    let mut particles = Vec::new();
+    for draw in 0..DRAWS {
+        let seed = task.seed.wrapping_add(draw << DRAW_SHIFT);
+        particles.extend(belief.sample(seed)?.iter());
+    }
+    Ok(Task {
+        particles: ParticleDistribution::with_fates(&particles)?,
+        ..task.clone()
     })
 }
 
