@@ -291,6 +291,9 @@ pub struct LoopArgs {
     /// Interpret after every stroke; the next is the one that is predicted to gain most
     #[arg(long)]
     pub greedy: bool,
+    /// Go on after the last finished round of a run of the same task into the same folder that was killed
+    #[arg(long)]
+    pub resume: bool,
     /// Execute no faster than in reality
     #[arg(long)]
     pub realtime: bool,

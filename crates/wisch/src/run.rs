@@ -80,6 +80,8 @@ pub enum News<'a> {
     Executing(&'a Motion),
     /// One sample of it.
     Sample(&'a TelemetrySample<'a>),
+    /// No execution: one of an earlier run takes its place.
+    Recalling(&'a Motion),
     /// The log is being interpreted.
     Interpreting,
     /// A round is over.
@@ -120,6 +122,15 @@ pub struct Round {
     pub true_performance: Option<f64>,
 }
 
+/// A round that an earlier run executed before it was cut short: what was felt, and how it went.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Past {
+    /// All that the interpreter was given.
+    pub touches: Vec<TouchSample>,
+    /// What was executed.
+    pub executed: Executed,
+}
+
 /// Why a run failed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum RunError {
@@ -155,6 +166,32 @@ pub fn run(
     config: &RunConfig,
     news: &mut dyn FnMut(News<'_>) -> ControlFlow<()>,
 ) -> Result<Vec<Round>, RunError> {
+    resume(
+        task,
+        performer,
+        reality,
+        first_plan,
+        Vec::new(),
+        config,
+        news,
+    )
+}
+
+/// Like [`run`], but the first rounds are those of an earlier run of the same task, reality, plan and
+/// configuration: they are planned and interpreted again, which gives the same, but not executed.
+///
+/// # Errors
+/// Those of the stages.
+pub fn resume(
+    task: &Task,
+    performer: &Performer<'_>,
+    reality: &Reality,
+    first_plan: Option<Plan>,
+    past: Vec<Past>,
+    config: &RunConfig,
+    news: &mut dyn FnMut(News<'_>) -> ControlFlow<()>,
+) -> Result<Vec<Round>, RunError> {
+    let mut past = past.into_iter();
     let world_from_real = task.surface.world_from_surface * reality.believed_from_real;
     let mut rounds: Vec<Round> = Vec::new();
     let mut task = task.clone();
@@ -192,14 +229,16 @@ pub fn run(
             (motion, _) => motion?,
         };
 
-        let _ = news(News::Executing(&motion));
         let real = Reality {
             believed_from_real: task.surface.world_from_surface.inverse() * world_from_real,
             ..reality.clone()
         };
         let interpret_config = InterpretConfig::of(&task);
         let mut interpreter = Interpreter::new(&task, &interpret_config)?;
-        let executed = execute_round(&motion, &real, &dirt, config, &mut interpreter, news)?;
+        let executed = match past.next() {
+            Some(past) => recall(past, &motion, &mut interpreter, news)?,
+            None => execute_round(&motion, &real, &dirt, config, &mut interpreter, news)?,
+        };
 
         let _ = news(News::Interpreting);
         let interpretation = interpreter.conclude(&belief, &goal)?;
@@ -345,6 +384,7 @@ fn execute_round(
     interpreter: &mut Interpreter,
     news: &mut dyn FnMut(News<'_>) -> ControlFlow<()>,
 ) -> Result<Executed, RunError> {
+    let _ = news(News::Executing(motion));
     let execute_config = ExecuteConfig {
         round: motion.number,
         seed: motion.task.seed,
@@ -378,6 +418,20 @@ fn execute_round(
         },
     )?;
     refused.map_or(Ok(executed), |error| Err(error.into()))
+}
+
+/// Lets the interpreter feel what was executed before.
+fn recall(
+    past: Past,
+    motion: &Motion,
+    interpreter: &mut Interpreter,
+    news: &mut dyn FnMut(News<'_>) -> ControlFlow<()>,
+) -> Result<Executed, RunError> {
+    let _ = news(News::Recalling(motion));
+    for touch in &past.touches {
+        interpreter.push(touch)?;
+    }
+    Ok(past.executed)
 }
 
 /// Whether the robot was pushed, or stopped itself.

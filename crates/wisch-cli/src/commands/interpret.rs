@@ -10,6 +10,7 @@ use crate::output::{INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE}
 use crate::progress::Progress;
 use crate::records::{InterpretationRecord, LogRecord};
 use crate::terminal::{Outcome, print};
+use crate::workplace::Leftover;
 use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
@@ -27,7 +28,7 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
     let out = (args.out.clone()).unwrap_or_else(|| default_out(&prepared));
     check_apart(&args.log, &out)?;
     // Before the long part: nobody likes to wait for "permission denied".
-    let folder = OutputFolder::begin(&out)?;
+    let folder = OutputFolder::begin(&out, Leftover::Remove)?;
 
     progress.say("reading the log");
     let options = log_options(&args.reading, &prepared);

@@ -6,6 +6,7 @@ mod footprint;
 mod interpret;
 mod map;
 mod new;
+mod past;
 mod prepare;
 mod results;
 mod robot;

@@ -16,7 +16,8 @@ use crate::output::OutputFolder;
 use crate::progress::Progress;
 use crate::records::{PlanRecord, PredictionSummary};
 use crate::report::Frames;
-use crate::terminal::{Outcome, print};
+use crate::terminal::{Outcome, print, remark};
+use crate::workplace::{Found, Leftover};
 use std::path::Path;
 use std::time::Instant;
 use wisch::plan::{Plan, Prediction, plan, predict};
@@ -100,7 +101,14 @@ fn work(
         .transpose()?;
     let out = out_folder(results, &prepared);
     // Before the long part: nobody likes to wait for "permission denied".
-    let folder = OutputFolder::begin(&out)?;
+    let leftover = match extent {
+        Extent::Run(_, rounds) if rounds.resume => Leftover::TakeOver,
+        _ => Leftover::Remove,
+    };
+    let folder = OutputFolder::begin(&out, leftover)?;
+    if !global.quiet {
+        progress.aside(|| say_what_was_found(folder.found(), leftover));
+    }
 
     let results_of = match (extent, &robot) {
         (Extent::Run(_, rounds), Some(robot)) => {
@@ -139,6 +147,17 @@ fn work(
         }) => Outcome::GoalNotMet,
         _ => Outcome::Done,
     })
+}
+
+/// Says what became of killed runs.
+fn say_what_was_found(found: &Found, leftover: Leftover) {
+    for path in &found.removed {
+        let path = path.display();
+        remark(&format!("removed {path}, which a killed run left behind"));
+    }
+    if leftover == Leftover::TakeOver && !found.is_taken_over {
+        remark("no killed run left anything to go on with: beginning with round 1");
+    }
 }
 
 /// Plan, follow, predict what is followed.
