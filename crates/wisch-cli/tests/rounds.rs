@@ -89,7 +89,7 @@ fn a_killed_run_is_gone_on_with_and_gives_the_same_bytes() {
     for name in FILES {
         assert!(of("cut", name) == of("whole", name), "{name} differs");
     }
-    assert_eq!(hidden(folder.path()), [PathBuf::new(); 0]);
+    assert_eq!(hidden(folder.path()), Vec::<PathBuf>::new());
 }
 
 #[test]
