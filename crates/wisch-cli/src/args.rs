@@ -302,12 +302,16 @@ pub struct WipeArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Rounds")]
 pub struct LoopArgs {
-    /// Most rounds of wiping, looking at the estimate, and wiping again [default: the task's]
+    /// Most rounds of wiping, looking at the estimate, and wiping again [default: the task's, with
+    /// --greedy ten times as many]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1000))]
     pub rounds: Option<u16>,
-    /// Interpret after every stroke, and plan anew
+    /// Interpret after every stroke; the next is the one that is predicted to gain most
     #[arg(long)]
     pub greedy: bool,
+    /// Go on after the last finished round of a run of the same task into the same folder that was killed
+    #[arg(long)]
+    pub resume: bool,
     /// Execute no faster than in reality
     #[arg(long)]
     pub realtime: bool,

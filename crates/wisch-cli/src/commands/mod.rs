@@ -7,10 +7,13 @@ mod footprint;
 mod interpret;
 mod map;
 mod new;
+mod past;
 mod prepare;
+mod results;
 mod robot;
 mod rounds;
 mod run;
+mod summary;
 mod words;
 
 use crate::args::{Cli, Command, RobotCommand};
