@@ -154,8 +154,9 @@ impl Remembering {
                 .map_or(number, |place| first + place)
         };
         for event in &told.events {
-            let individual = happening(event, parent_at(event.start), start, end, round);
-            self.individuals.push(individual);
+            let parent = parent_at(event.start);
+            self.individuals
+                .extend(happening(event, parent, start, end, round));
         }
         if let Ending::ProtectiveStop { time, .. } = round.executed.ending {
             let parent = parent_at(time);
@@ -254,13 +255,23 @@ impl Felt {
     }
 }
 
-/// An event of a round that began and ended at these times [s since 1970].
-fn happening(event: &Event, parent: usize, start: f64, end: f64, round: &Round) -> Individual {
+/// An event of a round that began and ended at these times [s since 1970]; `None` of what the robot itself was
+/// about, which its motions tell.
+fn happening(
+    event: &Event,
+    parent: usize,
+    start: f64,
+    end: f64,
+    round: &Round,
+) -> Option<Individual> {
     let class = match event.kind {
         EventKind::Contact => "semco:ToolContact",
         EventKind::ContactLoss => "semco:ContactLoss",
         EventKind::Collision => "semco:HumanCollision",
         EventKind::StickSlip => "semco:StickSlip",
+        EventKind::Approach | EventKind::Stroke | EventKind::Lift | EventKind::Retreat => {
+            return None;
+        }
     };
     let mut individual = Individual::new(class, Some(parent));
     let from = (start + event.start).min(end);
@@ -287,7 +298,7 @@ fn happening(event: &Event, parent: usize, start: f64, end: f64, round: &Round) 
             individual.relate("dul:hasParticipant", shared(name));
         }
     }
-    individual
+    Some(individual)
 }
 
 fn edge_distance(outline: &Polygon, point: Point2) -> f64 {
