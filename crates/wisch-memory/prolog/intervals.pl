@@ -1,6 +1,6 @@
 % Time: when things were, and how intervals lie to each other. Times are seconds since 1970.
 
-event_interval(Event, Start, End) :- thing(Event, E), timed(E, Start, End), Event = E.
+event_interval(Event, Start, End) :- thing(Event, E), timed(E, Start, End).
 
 timed(E, Start, End) :- nonvar(E), !, individual(E, _, Start, End, _, _), Start \== none.
 timed(E, Start, End) :- nonvar(Start), nonvar(End), !, stream(at(Start, End), E).
@@ -14,7 +14,7 @@ has_time_interval(Event, [Start, End]) :- event_interval(Event, Start, End).
 
 % during(:Statement, ?[Start, End]): of an event, that it happens within these times, which are its own where
 % they are not given; of a pose, that it is so from the first to the last; of others, that they hold.
-during(Statement, Interval) :- event_of(Statement, Event), !, when(Event, Interval, S, E), thing(Event, X), within(X, S, E), Event = X.
+during(Statement, Interval) :- event_of(Statement, Event), !, when(Event, Interval, S, E), thing(Event, X), within(X, S, E).
 during(is_at(O, P), Interval) :- !, times(Interval, S, E), is_at_time(O, S, P), is_at_time(O, E, Q), near(P, Q).
 during(run(Goal), Interval) :- !, ( var(Goal) -> throw(error(instantiation_error, during)) ; during(Goal, Interval) ).
 during(Goal, Interval) :- times(Interval, _, _), run(Goal).

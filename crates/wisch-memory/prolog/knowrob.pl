@@ -6,7 +6,7 @@
 
 % Types ---------------------------------------------------------------------------------------------------
 
-instance_of(I, Class) :- nonvar(Class), !, known(class, Class, Name), thing(I, Thing), I = Thing, of_class(Thing, Name).
+instance_of(I, Class) :- nonvar(Class), !, known(class, Class, Name), thing(I, Thing), of_class(Thing, Name).
 instance_of(I, Class) :- nonvar(I), !, thing(I, Thing), individual(Thing, Exact, _, _, _, _), in_closure(superclasses, Exact, Class).
 instance_of(I, Class) :- individual(I, Class, _, _, _, _).
 
@@ -39,14 +39,14 @@ is_task(I) :- is_a(I, 'dul:Task').
 % Statements ----------------------------------------------------------------------------------------------
 
 % triple(?Subject, ?Property, ?Object); Property may be transitive(P) or reflexive(P).
-triple(S, P, O) :- var(P), !, ( nonvar(S) -> known(thing, S, S1), S2 = S1 ; S2 = S ), object(O, O1), statement(S2, P, O1), S = S2, O = O1.
-triple(S, transitive(P), O) :- !, property(P, Name), thing(S, S1), object(O, O1), reached(Name, S1, O1), S = S1, O = O1.
-triple(S, reflexive(P), O) :- !, property(P, Name), thing(S, S1), object(O, O1), ( nonvar(S1), O1 = S1 ; var(S1), nonvar(O1), S1 = O1 ; stated(S1, Name, O1) ), S = S1, O = O1.
+triple(S, P, O) :- var(P), !, thing(S, S1), object(O, O1), statement(S1, P, O1).
+triple(S, transitive(P), O) :- !, property(P, Name), thing(S, S1), object(O, O1), reached(Name, S1, O1).
+triple(S, reflexive(P), O) :- !, property(P, Name), thing(S, S1), object(O, O1), ( nonvar(S1), O1 = S1 ; var(S1), nonvar(O1), S1 = O1 ; stated(S1, Name, O1) ).
 triple(S, P, O) :- property(P, Name), stated_terms(S, Name, O).
 
 stated_terms(S, 'rdf:type', C) :- !, instance_of(S, C).
 stated_terms(S, 'rdfs:subClassOf', C) :- !, subclass_of(S, C).
-stated_terms(S, Name, O) :- thing(S, S1), object(O, O1), stated(S1, Name, O1), S = S1, O = O1.
+stated_terms(S, Name, O) :- thing(S, S1), object(O, O1), stated(S1, Name, O1).
 
 holds(S, P, O) :- triple(S, P, O).
 owl_has(S, P, O) :- triple(S, P, O).
@@ -112,8 +112,7 @@ has_data_value(I, Condition) :-
     property(Property, Name),
     thing(I, Thing),
     in_closure(subproperties, Name, Exact),
-    matching(Thing, Exact, Operator, Bound),
-    I = Thing.
+    matching(Thing, Exact, Operator, Bound).
 has_data_value(_, Condition) :- throw(error(domain_error(condition, Condition), has_data_value)).
 
 condition(P =< X, P, =<, X).
@@ -139,7 +138,7 @@ compared(<, A, B) :- A < B.
 compared(>, A, B) :- A > B.
 compared(=:=, A, B) :- A =:= B.
 
-has_subevent(Event, Part) :- thing(Event, E), thing(Part, P), part(E, P), Event = E, Part = P.
+has_subevent(Event, Part) :- thing(Event, E), thing(Part, P), part(E, P).
 subAction(Event, Part) :- has_subevent(Event, Part).
 
 has_participant(Event, Thing) :- triple(Event, dul:hasParticipant, Thing).

@@ -69,8 +69,7 @@ human_collision_in(Episode, Motion, Collision, [S, E]) :-
     episode(Episode, Name),
     part_below(Name, Collision, 'semco:HumanCollision'),
     timed(Collision, S, E),
-    part(Motion, Collision),
-    Episode = Name.
+    part(Motion, Collision).
 
 collisions_of(Episode, Count) :-
     of_class(Episode, 'semco:WipingEpisode'),
@@ -247,10 +246,9 @@ episode_on_surface(Episode, Surface) :- taking_part(Episode, Surface).
 
 taking_part(Episode, Thing) :-
     thing(Thing, Name),
-    stated(Action, 'dul:hasParticipant', Name),
     of_class(Action, 'semco:WipingAction'),
-    part(Episode, Action),
-    Thing = Name.
+    stated(Action, 'dul:hasParticipant', Name),
+    part(Episode, Action).
 
 last_episode(Episode, Time) :-
     need(last_episode, [Episode-Time]).
@@ -277,7 +275,7 @@ round_of(Action, Number, Round) :-
     value_of(Round, 'semco:round', N),
     Number is truncate(N).
 
-episode(Episode, Name) :- var(Episode), !, of_class(Name, 'semco:WipingEpisode').
+episode(Episode, Name) :- var(Episode), !, of_class(Episode, 'semco:WipingEpisode'), Name = Episode.
 episode(Episode, Name) :- known(thing, Episode, Name).
 
 % part_below(+Whole, -Part, +Class): at any depth.

@@ -76,16 +76,6 @@ impl Host {
         self.cursors.clear();
     }
 
-    /// Names behind prefixes.
-    pub fn names(&self) -> &Names {
-        &self.names
-    }
-
-    /// Where things were.
-    pub fn senses(&mut self) -> &mut Senses {
-        &mut self.senses
-    }
-
     /// What is to be sent in answer to a request.
     ///
     /// # Errors
