@@ -6,11 +6,16 @@
 //! ```
 
 mod hour;
+mod pushed;
 mod records;
 
 use std::path::PathBuf;
+use std::thread;
 use std::time::Instant;
-use wisch_memory::{Memory, RobotText, RoundScene};
+use wisch_memory::{Memory, MemoryError, RobotText, RoundScene};
+
+/// Episodes are written by so many at the same time: each waits for the disk most of the time.
+const WRITERS: usize = 16;
 
 /// What the command line asks for.
 struct Asked {
@@ -22,16 +27,23 @@ struct Asked {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let asked = asked()?;
-    let memory = Memory::create(&asked.out)?;
+    let memory = &Memory::create(&asked.out)?;
+    let asked = &asked;
     let begun = Instant::now();
-    for number in 0..asked.episodes {
-        let record = records::record(asked.seed, number);
-        memory.begin(&record.id)?.commit(&record)?;
-    }
+    thread::scope(|scope| {
+        let writers: Vec<_> = (0..WRITERS)
+            .map(|writer| scope.spawn(move || write_some(memory, asked, writer)))
+            .collect();
+        let mut written = writers.into_iter().map(|writer| match writer.join() {
+            Ok(result) => result,
+            Err(panic) => std::panic::resume_unwind(panic),
+        });
+        written.try_for_each(|result| result)
+    })?;
     let seconds = begun.elapsed().as_secs_f64();
     println!("{} episodes written in {seconds:.1} s", asked.episodes);
     if asked.hour {
-        write_hour(&memory, &asked)?;
+        write_hour(memory, asked)?;
     }
     for time in ["cold", "warm"] {
         let begun = Instant::now();
@@ -46,8 +58,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
+/// Every so manieth episode.
+fn write_some(memory: &Memory, asked: &Asked, writer: usize) -> Result<(), MemoryError> {
+    for number in (writer..asked.episodes).step_by(WRITERS) {
+        let record = records::record(asked.seed, number);
+        memory.begin(&record.id)?.commit(&record)?;
+    }
+    Ok(())
+}
+
 fn write_hour(memory: &Memory, asked: &Asked) -> Result<(), Box<dyn std::error::Error>> {
-    let record = hour::record(asked.seed);
+    let record = pushed::record(asked.seed);
     let writer = memory.begin(&record.id)?;
     let robot = RobotText {
         urdf: hour::urdf(),
