@@ -14,6 +14,7 @@ mod report;
 mod robots;
 mod svg;
 mod terminal;
+mod workplace;
 
 use std::process::ExitCode;
 

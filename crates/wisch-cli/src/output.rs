@@ -2,11 +2,11 @@
 
 use crate::failure::Failure;
 use crate::records::{INTERPRETATION_FORMAT, PLAN_FORMAT};
+use crate::workplace::{Found, Leftover, Workplace};
 use serde::Deserialize;
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
-use tempfile::TempDir;
 
 /// The plan. By this file, or by the next, a folder of results is known.
 pub const PLAN_FILE: &str = "plan.json";
@@ -101,18 +101,19 @@ impl Drop for MadeFolders {
 /// A folder of results in the making. Dropped unfinished, it leaves nothing behind.
 pub struct OutputFolder {
     target: PathBuf,
-    /// Holds `new`, and `old` while folders change places; on the same file system as the target.
-    workplace: TempDir,
+    /// Holds `new`, `old` while folders change places, and `state`, which is of use only if this run dies.
+    workplace: Workplace,
+    found: Found,
     /// Dropped after `workplace`, which stands in them.
     _made: MadeFolders,
 }
 
 impl OutputFolder {
-    /// Begins a folder that is to stand at `target`.
+    /// Begins a folder that is to stand at `target`, or goes on with one that a killed run left behind.
     ///
     /// # Errors
     /// If something else than results of an earlier run stands there, or nothing can be written.
-    pub fn begin(target: &Path) -> Result<Self, Failure> {
+    pub fn begin(target: &Path, leftover: Leftover) -> Result<Self, Failure> {
         let target = resolved(target)?;
         check_replaceable(&target)?;
         let (Some(parent), Some(name)) = (target.parent(), target.file_name()) else {
@@ -122,17 +123,17 @@ impl OutputFolder {
             )));
         };
         let made = MadeFolders::make(parent).map_err(|error| cannot_write(parent, &error))?;
-        let workplace = tempfile::Builder::new()
-            .prefix(&format!(".{}.", name.to_string_lossy()))
-            .tempdir_in(parent)
+        let (workplace, found) = Workplace::begin(parent, &name.to_string_lossy(), leftover)
             .map_err(|error| cannot_write(parent, &error))?;
         let folder = Self {
             target,
             workplace,
+            found,
             _made: made,
         };
-        fs::create_dir(folder.new_path())
-            .map_err(|error| cannot_write(&folder.new_path(), &error))?;
+        for path in [folder.new_path(), folder.state()] {
+            fs::create_dir_all(&path).map_err(|error| cannot_write(&path, &error))?;
+        }
         Ok(folder)
     }
 
@@ -143,6 +144,31 @@ impl OutputFolder {
     pub fn write(&self, name: &str, contents: impl AsRef<[u8]>) -> Result<(), Failure> {
         fs::write(self.new_path().join(name), contents)
             .map_err(|error| cannot_write(&self.target.join(name), &error))
+    }
+
+    /// What was found of killed runs.
+    pub const fn found(&self) -> &Found {
+        &self.found
+    }
+
+    /// Where is kept what a run is to go on with, should it be killed.
+    pub fn state(&self) -> PathBuf {
+        self.workplace.path().join("state")
+    }
+
+    /// Removes all files, of what a killed run left behind, that are not named.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn keep_only(&self, names: &[String]) -> Result<(), Failure> {
+        let failed = |error: io::Error| cannot_write(&self.new_path(), &error);
+        for entry in fs::read_dir(self.new_path()).map_err(failed)? {
+            let entry = entry.map_err(failed)?;
+            if !names.contains(&entry.file_name().to_string_lossy().into_owned()) {
+                fs::remove_file(entry.path()).map_err(failed)?;
+            }
+        }
+        Ok(())
     }
 
     /// Where a file stands that others write before the folder is finished.

@@ -29,6 +29,11 @@ impl Progress {
         Self { spinner }
     }
 
+    /// Does something that prints, without the spinner in between.
+    pub fn aside(&self, print: impl FnOnce()) {
+        self.spinner.suspend(print);
+    }
+
     /// Says what is being done now.
     pub fn say(&self, what: impl Into<std::borrow::Cow<'static, str>>) {
         self.spinner.set_message(what);

@@ -118,6 +118,11 @@ pub fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
+/// Tells people something besides the results, on standard error.
+pub fn remark(text: &str) {
+    complain(&format!("note: {text}"));
+}
+
 /// Prints to standard error, where nobody may be listening.
 fn complain(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");

@@ -130,7 +130,7 @@ fn a_log_of_a_wiped_board_says_so() {
         .iter()
         .map(|e| &e["kind"])
         .collect();
-    assert_eq!(kinds, ["contact"]);
+    assert_eq!(kinds, ["approach", "contact", "stroke", "retreat"]);
 
     let out = folder.path().join("out/board-interpreted");
     let written = fs::read_to_string(out.join("interpretation.json")).unwrap();

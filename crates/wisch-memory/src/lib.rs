@@ -3,10 +3,13 @@
 //! An episode is a graph of [`Individual`]s (the wiping, its rounds and strokes, what was felt, who took part)
 //! beside its telemetry. The [`Catalogue`] holds the graphs of all episodes in columns.
 
+pub mod ask;
 pub mod catalogue;
 mod columns;
 pub mod frames;
 mod id;
+pub mod neem;
+pub mod ontology;
 mod record;
 mod remember;
 mod robot;
@@ -16,6 +19,7 @@ pub mod telemetry;
 pub use catalogue::{Catalogue, IndividualId, Node};
 pub use frames::{FrameError, Frames, PoseAt, RoundScene, Sampling, StoredPose};
 pub use id::{date_and_time, episode_id};
+pub use ontology::Ontology;
 pub use record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, RecordFault, Value};
 pub use remember::{Occasion, RoundLog, remember, remember_log};
 pub use robot::RobotText;

@@ -1,8 +1,10 @@
 //! From rounds of wiping to the record of an episode.
 
 mod log;
+mod logged;
 
 pub use log::RoundLog;
+pub use logged::remember_log;
 
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
 use log::Span;
@@ -73,74 +75,6 @@ pub fn remember(occasion: &Occasion, rounds: &[(&Round, &RoundLog)]) -> EpisodeR
         seed: occasion.seed,
         rounds: memory.starts,
         individuals: memory.individuals,
-    }
-}
-
-/// The record of a log of some other robot: one round, of which only the touch is known.
-///
-/// `name` is that of the log, `duration` how long it is [s].
-pub fn remember_log(
-    occasion: &Occasion,
-    name: &str,
-    duration: f64,
-    task: &Task,
-    goal: &GoalState,
-    told: &Interpretation,
-) -> EpisodeRecord {
-    let during = [occasion.start, occasion.start + duration];
-    let is_met = told.plane.is_some() && told.performance.mean >= occasion.target;
-    let verdict = if is_met {
-        Verdict::GoalMet
-    } else {
-        Verdict::Again
-    };
-    let mut episode = Individual::new("semco:WipingEpisode", None);
-    episode.tell("semco:taskName", &task.name);
-    episode.set("semco:seed", occasion.seed as f64);
-    let mut action = Individual::new("semco:WipingAction", Some(0));
-    action.estimate(told);
-    action.set("semco:target", occasion.target);
-    action.set("semco:rounds", 1.0);
-    action.tell("semco:goal", &goal_of(task, goal));
-    action.relations = things_of(task);
-    action.relate("dul:executesTask", "#2".to_owned());
-    action.relate("soma:hasExecutionState", state(verdict));
-    let mut round = Individual::new("semco:WipingRound", Some(1));
-    describe_felt(&mut round, told);
-    round.set("semco:round", 1.0);
-    round.relations = things_of(task);
-    round.relate("soma:hasExecutionState", state(verdict));
-    let mut individuals = vec![
-        episode,
-        action,
-        Individual::new(class_of(task.action), None),
-        round,
-    ];
-    for place in [0, 1, 3] {
-        individuals[place].interval = Some(during);
-    }
-    let happening = Happening {
-        task,
-        told,
-        robot: None,
-        during,
-    };
-    individuals.extend(told.events.iter().map(|event| happening.of(event, 3)));
-    if let Diagnosis::Relocalize { .. } = told.diagnosis {
-        let mut found = Individual::new("semco:Relocalization", Some(3));
-        found.interval = Some([during[1]; 2]);
-        individuals.push(found);
-    }
-    EpisodeRecord {
-        schema: EPISODE_SCHEMA,
-        id: occasion.id.clone(),
-        task: task.name.clone(),
-        interval: during,
-        origin: Origin::Imported(name.to_owned()),
-        program: occasion.program.clone(),
-        seed: occasion.seed,
-        rounds: vec![occasion.start],
-        individuals,
     }
 }
 
@@ -220,13 +154,8 @@ impl Remembering {
                 describe_stroke(individual, stroke, span, told);
             }
         }
-        let parent_at = |time: f64| {
-            let during = |span: &Span| span.start <= time && time < span.end;
-            spans
-                .iter()
-                .position(during)
-                .map_or(number, |place| first + place)
-        };
+        let parent_at =
+            |time: f64| first_during(&spans, time).map_or(number, |place| first + place);
         for event in &told.events {
             let individual = Happening {
                 task: &round.motion.task,
@@ -235,7 +164,7 @@ impl Remembering {
                 during: [start, end],
             };
             let parent = parent_at(event.start);
-            self.individuals.push(individual.of(event, parent));
+            self.individuals.extend(individual.of(event, parent));
         }
         if let Ending::ProtectiveStop { time, .. } = round.executed.ending {
             let parent = parent_at(time);
@@ -299,6 +228,12 @@ fn describe_felt(individual: &mut Individual, told: &Interpretation) {
     );
 }
 
+/// The motion during which a time [s since the round began] lies.
+fn first_during(spans: &[Span], time: f64) -> Option<usize> {
+    let during = |span: &Span| span.start <= time && time < span.end;
+    spans.iter().position(during)
+}
+
 fn describe_stroke(individual: &mut Individual, stroke: usize, span: &Span, told: &Interpretation) {
     let during = told.path.iter().filter(|piece| {
         let middle = 0.5 * (piece.time[0] + piece.time[1]);
@@ -352,12 +287,16 @@ struct Happening<'a> {
 }
 
 impl Happening<'_> {
-    fn of(&self, event: &Event, parent: usize) -> Individual {
+    /// `None` of what the robot itself was about, which its motions tell.
+    fn of(&self, event: &Event, parent: usize) -> Option<Individual> {
         let class = match event.kind {
             EventKind::Contact => "semco:ToolContact",
             EventKind::ContactLoss => "semco:ContactLoss",
             EventKind::Collision => "semco:HumanCollision",
             EventKind::StickSlip => "semco:StickSlip",
+            EventKind::Approach | EventKind::Stroke | EventKind::Lift | EventKind::Retreat => {
+                return None;
+            }
         };
         let [start, end] = self.during;
         let mut individual = Individual::new(class, Some(parent));
@@ -383,7 +322,7 @@ impl Happening<'_> {
                 individual.relate("dul:hasParticipant", shared(name));
             }
         }
-        individual
+        Some(individual)
     }
 }
 

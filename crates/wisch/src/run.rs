@@ -8,9 +8,14 @@ use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::interpret::{
     Belief, EventKind, InterpretConfig, InterpretError, Interpretation, Interpreter, TouchSample,
 };
-use crate::plan::{CoverageStrategy, Plan, PlanConfig, PlanError, Prediction, best_plan, predict};
-use crate::recover::{Pace, Verdict, believed_performance, judge, next_task, paced, unfinished};
-use crate::represent::{GoalState, ParticleError, Performance, Reality, Task};
+use crate::plan::{
+    CoverageStrategy, Plan, PlanConfig, PlanError, Prediction, best_plan, best_segment,
+    best_segment_of_variants, predict,
+};
+use crate::recover::{Pace, Verdict, believed_performance, judge, next_task, unfinished};
+use crate::represent::{
+    GoalState, ParticleDistribution, ParticleError, Performance, Reality, Task,
+};
 use crate::robot::{CapabilityMap, RobotModel, Srdf};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::ops::ControlFlow;
@@ -20,6 +25,12 @@ use std::ops::ControlFlow;
 const RECOVERY_VARIANTS: [usize; 2] = [50, 3];
 /// Predicting takes time by the edges of the tool's footprint: a brush of a thousand tufts tries few plans.
 const RECOVERY_EDGES: usize = 2000;
+
+/// Draws from the belief that plans of later rounds are made on, and where their seeds differ [bits].
+const DRAWS: u64 = 8;
+const DRAW_SHIFT: u32 = 32;
+/// After so many strokes in a row that brought nothing, the next one is not expected to.
+const STALLED_STROKES: usize = 4;
 
 /// The robot that does it.
 #[derive(Debug, Clone, Copy)]
@@ -69,6 +80,8 @@ pub enum News<'a> {
     Executing(&'a Motion),
     /// One sample of it.
     Sample(&'a TelemetrySample<'a>),
+    /// No execution: one of an earlier run takes its place.
+    Recalling(&'a Motion),
     /// The log is being interpreted.
     Interpreting,
     /// A round is over.
@@ -109,6 +122,15 @@ pub struct Round {
     pub true_performance: Option<f64>,
 }
 
+/// A round that an earlier run executed before it was cut short: what was felt, and how it went.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Past {
+    /// All that the interpreter was given.
+    pub touches: Vec<TouchSample>,
+    /// What was executed.
+    pub executed: Executed,
+}
+
 /// Why a run failed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum RunError {
@@ -144,6 +166,32 @@ pub fn run(
     config: &RunConfig,
     news: &mut dyn FnMut(News<'_>) -> ControlFlow<()>,
 ) -> Result<Vec<Round>, RunError> {
+    resume(
+        task,
+        performer,
+        reality,
+        first_plan,
+        Vec::new(),
+        config,
+        news,
+    )
+}
+
+/// Like [`run`], but the first rounds are those of an earlier run of the same task, reality, plan and
+/// configuration: they are planned and interpreted again, which gives the same, but not executed.
+///
+/// # Errors
+/// Those of the stages.
+pub fn resume(
+    task: &Task,
+    performer: &Performer<'_>,
+    reality: &Reality,
+    first_plan: Option<Plan>,
+    past: Vec<Past>,
+    config: &RunConfig,
+    news: &mut dyn FnMut(News<'_>) -> ControlFlow<()>,
+) -> Result<Vec<Round>, RunError> {
+    let mut past = past.into_iter();
     let world_from_real = task.surface.world_from_surface * reality.believed_from_real;
     let mut rounds: Vec<Round> = Vec::new();
     let mut task = task.clone();
@@ -152,10 +200,11 @@ pub fn run(
     let mut workcell = config.workcell.clone();
     let mut given = first_plan;
     let mut goal = None;
+    let mut stalled = 0;
     for number in 1..=config.max_rounds {
         let _ = news(News::Planning(number));
         let plan = match (
-            plan_round(&task, goal.as_ref(), given.take(), config),
+            plan_round(&task, &belief, goal.as_ref(), given.take(), config),
             rounds.last_mut(),
         ) {
             (Ok(plan), Some(last)) if plan.strokes.is_empty() => {
@@ -180,29 +229,40 @@ pub fn run(
             (motion, _) => motion?,
         };
 
-        let _ = news(News::Executing(&motion));
         let real = Reality {
             believed_from_real: task.surface.world_from_surface.inverse() * world_from_real,
             ..reality.clone()
         };
         let interpret_config = InterpretConfig::of(&task);
         let mut interpreter = Interpreter::new(&task, &interpret_config)?;
-        let executed = execute_round(&motion, &real, &dirt, config, &mut interpreter, news)?;
+        let executed = match past.next() {
+            Some(past) => recall(past, &motion, &mut interpreter, news)?,
+            None => execute_round(&motion, &real, &dirt, config, &mut interpreter, news)?,
+        };
 
         let _ = news(News::Interpreting);
         let interpretation = interpreter.conclude(&belief, &goal)?;
         let before = believed_performance(&belief, &goal, &task.surface);
         let is_last = executed.ending == Ending::Stopped;
         let next = next_task(&task, &goal, &interpretation, task.seed.wrapping_add(1))?;
-        let is_done = unfinished(&next, &goal)?.is_empty();
+        let doubted = drawn(&next, &interpretation.belief)?;
+        let is_done = unfinished(&doubted, &goal)?.is_empty();
         let is_disturbed = was_disturbed(&executed, &interpretation);
-        let verdict = match judge(&interpretation, before, config.target) {
+        let judged = judge(&interpretation, before, config.target);
+        stalled = if judged == Verdict::NoProgress {
+            stalled + 1
+        } else {
+            0
+        };
+        let verdict = match judged {
             // What happens while somebody pushes is felt badly: only a calm round shows that it is done.
             Verdict::Again | Verdict::GoalMet if is_done && is_disturbed => Verdict::NothingToGain,
             Verdict::GoalMet if is_disturbed => Verdict::Again,
             Verdict::Again if is_done => Verdict::NothingToGain,
-            // A single stroke need not bring anything to where it belongs yet.
-            Verdict::NoProgress if config.pace == Pace::Greedy => Verdict::Again,
+            // A single stroke says little: the next best one is another.
+            Verdict::NoProgress if config.pace == Pace::Greedy && stalled < STALLED_STROKES => {
+                Verdict::Again
+            }
             // Somebody or something was in the way: that says nothing against another try.
             Verdict::NoProgress if is_disturbed => Verdict::Again,
             verdict => verdict,
@@ -231,24 +291,48 @@ pub fn run(
 /// The plan of a round: on what is not yet done.
 fn plan_round(
     task: &Task,
+    belief: &Belief,
     goal: Option<&GoalState>,
     given: Option<Plan>,
     config: &RunConfig,
 ) -> Result<Plan, RunError> {
-    let plan = match (given, goal) {
+    let whole = match (given, goal) {
         (Some(plan), _) => plan,
         (None, None) => best_plan(task, &task.particles, &config.plan, config.variants)?,
         (None, Some(goal)) => {
+            let task = &drawn(task, belief)?;
             let open = unfinished(task, goal)?;
             let kde = PlanConfig {
                 strategy: CoverageStrategy::Kde,
                 seed: task.seed,
                 ..config.plan.clone()
             };
-            best_plan(task, &open, &kde, recovery_variants(task))?
+            let count = recovery_variants(task);
+            return Ok(match config.pace {
+                Pace::Whole => best_plan(task, &open, &kde, count)?,
+                Pace::Greedy => best_segment_of_variants(task, &open, &kde, count)?,
+            });
         }
     };
-    Ok(paced(plan, config.pace))
+    Ok(match config.pace {
+        Pace::Whole => whole,
+        Pace::Greedy => best_segment(task, &whole)?,
+    })
+}
+
+/// The task with all that the dirt may be like: several draws from the belief, one on top of the other.
+///
+/// A single draw has dirt where there is none and none where there is some; plans are to be good on average.
+fn drawn(task: &Task, belief: &Belief) -> Result<Task, ParticleError> {
+    let mut particles = Vec::new();
+    for draw in 0..DRAWS {
+        let seed = task.seed.wrapping_add(draw << DRAW_SHIFT);
+        particles.extend(belief.sample(seed)?.iter());
+    }
+    Ok(Task {
+        particles: ParticleDistribution::with_fates(&particles)?,
+        ..task.clone()
+    })
 }
 
 /// How many plans are tried for what is left over.
@@ -300,6 +384,7 @@ fn execute_round(
     interpreter: &mut Interpreter,
     news: &mut dyn FnMut(News<'_>) -> ControlFlow<()>,
 ) -> Result<Executed, RunError> {
+    let _ = news(News::Executing(motion));
     let execute_config = ExecuteConfig {
         round: motion.number,
         seed: motion.task.seed,
@@ -333,6 +418,20 @@ fn execute_round(
         },
     )?;
     refused.map_or(Ok(executed), |error| Err(error.into()))
+}
+
+/// Lets the interpreter feel what was executed before.
+fn recall(
+    past: Past,
+    motion: &Motion,
+    interpreter: &mut Interpreter,
+    news: &mut dyn FnMut(News<'_>) -> ControlFlow<()>,
+) -> Result<Executed, RunError> {
+    let _ = news(News::Recalling(motion));
+    for touch in &past.touches {
+        interpreter.push(touch)?;
+    }
+    Ok(past.executed)
 }
 
 /// Whether the robot was pushed, or stopped itself.

@@ -3,7 +3,11 @@
 
 use std::path::{Path, PathBuf};
 use wisch::geometry::Mesh;
-use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan, predict};
+use wisch::plan::{
+    CoverageStrategy, NodeRole, Plan, PlanConfig, best_plan, best_segment,
+    best_segment_of_variants, plan, predict,
+};
+use wisch::recover::unfinished;
 use wisch::represent::{Action, Intent, KnowledgeBase, OccupiedArea, Task, TaskFile};
 
 /// Name, particles, and the distance in contact of Table 1 for grid and absorb [m].
@@ -191,4 +195,72 @@ fn wiper_and_brush_clean_the_same_panel() {
     );
     let likelihood = |task: &Task| task.interaction.likelihood.probability(1.0);
     assert!(likelihood(&wiper) > 2.0 * likelihood(&brush));
+}
+
+/// Greedy wiping as it goes if every segment does what is predicted.
+#[test]
+fn segment_by_segment_the_board_is_wiped() {
+    // Plans that are tried for a segment, and segments that may be needed.
+    const VARIANTS: usize = 10;
+    const MOST: usize = 10;
+    for action in [Action::Absorb, Action::Collect] {
+        for seed in 1..=3 {
+            let mut task = task("chopping-board", action, seed);
+            let config = PlanConfig {
+                strategy: CoverageStrategy::Kde,
+                seed,
+                bandwidth: None,
+                lift_height: 0.05,
+            };
+            let whole = plan(&task, &config).expect("there is room");
+            let goal = whole.graph.goal;
+            let mut segment = best_segment(&task, &whole).expect("a scene");
+            let mut performance = 0.0;
+            for _ in 0..MOST {
+                let Some(stroke) = segment.strokes.first() else {
+                    break;
+                };
+                assert_eq!(segment.strokes.len(), 1);
+                for leg in stroke.nodes.windows(2) {
+                    assert!(segment.graph.edges.contains(&(leg[0], leg[1])));
+                }
+                let last = *stroke.nodes.last().expect("a stroke has nodes");
+                if action == Action::Collect {
+                    assert_eq!(segment.graph.nodes[last].role, NodeRole::Goal);
+                }
+                let predicted = predict(&task, &segment, |_| ());
+                let reached = predicted.performance.ratio();
+                assert!(reached > performance, "{action} {seed}: {reached}");
+                performance = reached;
+                task.particles = predicted.particles;
+                let open = unfinished(&task, &goal).expect("positions");
+                if open.is_empty() {
+                    break;
+                }
+                segment = best_segment_of_variants(&task, &open, &config, VARIANTS)
+                    .expect("there is room");
+            }
+            assert!(performance >= 0.90, "{action} {seed}: {performance}");
+        }
+    }
+}
+
+/// A plan that loses nothing is better than one that brings a little more home and loses as much.
+#[test]
+fn among_variants_a_plan_that_pushes_less_over_the_edge_is_chosen() {
+    let config = |seed| PlanConfig {
+        strategy: CoverageStrategy::Kde,
+        seed,
+        bandwidth: None,
+        lift_height: 0.05,
+    };
+    let lost = |seed, count| {
+        let task = task("chopping-board", Action::Collect, seed);
+        let plan = best_plan(&task, &task.particles, &config(seed), count).expect("a plan");
+        predict(&task, &plan, |_| ()).performance.lost
+    };
+    let (one, many): (usize, usize) = (1..=3).fold((0, 0), |(one, many), seed| {
+        (one + lost(seed, 1), many + lost(seed, 10))
+    });
+    assert!(2 * many < one, "{many} of {one} lost");
 }

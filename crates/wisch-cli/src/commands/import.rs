@@ -3,7 +3,7 @@
 use super::interpret::{goal, read_log, task_args, told};
 use super::prepare::Prepared;
 use super::remember::{PROGRAM, attach_task, begin, cannot_keep};
-use super::run::json;
+use super::results::{internal, json};
 use super::words::{counted, percent};
 use crate::args::{GlobalArgs, ImportArgs};
 use crate::failure::Failure;
@@ -55,7 +55,7 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
         attached.map_err(|error| cannot_keep(&error))
     };
     attach_task(&task_args, &prepared, &attach)?;
-    let estimated = (told.belief.sample(prepared.task.seed)).map_err(super::run::internal)?;
+    let estimated = (told.belief.sample(prepared.task.seed)).map_err(internal)?;
     let name = format!("round-1/{PARTICLES_ESTIMATED_FILE}");
     attach(&name, estimated.to_csv().as_bytes())?;
     let occasion = Occasion {

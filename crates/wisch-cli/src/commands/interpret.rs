@@ -1,7 +1,8 @@
 //! `wisch interpret`: what a log of poses and forces says about the dirt and the surface.
 
 use super::prepare::Prepared;
-use super::run::{folder_name, given_plan, internal, json};
+use super::results::{folder_name, internal, json};
+use super::run::given_plan;
 use super::words::{counted, percent};
 use crate::args::{GlobalArgs, InterpretArgs, LogArgs, LoggedArgs, TaskArgs};
 use crate::failure::Failure;
@@ -9,6 +10,7 @@ use crate::output::{INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE}
 use crate::progress::Progress;
 use crate::records::{InterpretationRecord, LogRecord};
 use crate::terminal::{Outcome, print};
+use crate::workplace::Leftover;
 use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
@@ -26,7 +28,7 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
     let out = (args.out.clone()).unwrap_or_else(|| default_out(&prepared));
     check_apart(&args.source.log, &out)?;
     // Before the long part: nobody likes to wait for "permission denied".
-    let folder = OutputFolder::begin(&out)?;
+    let folder = OutputFolder::begin(&out, Leftover::Remove)?;
 
     progress.say("reading the log");
     let log = read_log(&args.source, &prepared)?;

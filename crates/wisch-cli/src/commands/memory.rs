@@ -1,6 +1,6 @@
 //! `wisch memory`: what is in the memory of episodes.
 
-use super::run::internal;
+use super::results::internal;
 use super::words::{counted, percent};
 use crate::args::{
     EpisodeArgs, GlobalArgs, MemoryArgs, MemoryCommand, MemoryListArgs, MemoryVerifyArgs,

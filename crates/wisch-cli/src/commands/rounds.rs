@@ -1,6 +1,7 @@
 //! The closed loop of `wisch run`: rounds of planning, wiping and interpreting, with a bag of each.
 
 use super::follow::{Chosen, Following, performer, workcell_config};
+use super::past::{self, Keeper};
 use super::prepare::Prepared;
 use super::remember::Remembering;
 use super::words::{counted, percent};
@@ -10,6 +11,7 @@ use crate::output::OutputFolder;
 use crate::progress::Progress;
 use crate::records::{RoundSummary, RoundTimes};
 use crate::report::{RoundView, RoundsInput};
+use crate::terminal::remark;
 use std::cell::RefCell;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -20,11 +22,14 @@ use wisch::geometry::Point3;
 use wisch::interpret::EventKind;
 use wisch::recover::{Pace, Verdict};
 use wisch::represent::{ParticleDistribution, Task};
-use wisch::run::{Motion, News, Performer, Round, RunConfig, RunError, run};
+use wisch::run::{Motion, News, Performer, Round, RunConfig, RunError, resume};
 use wisch_telemetry::{BagHead, BagWriter, WriteError};
 
 /// Between two updates of the progress [samples].
 const SAY_EVERY: usize = 200;
+
+/// Rounds of a single stroke that stand for one of a whole plan.
+const GREEDY_ROUNDS: usize = 10;
 
 /// A round with how long its parts took.
 pub struct Done {
@@ -58,6 +63,11 @@ pub fn wipe(
     let robot = performer(chosen, task_args)?;
     let mut episode = Remembering::begin(&args.memory)?;
     let reality = &prepared.reality;
+    let (pace, usual_rounds) = if args.greedy {
+        (Pace::Greedy, GREEDY_ROUNDS * reality.max_rounds)
+    } else {
+        (Pace::Whole, reality.max_rounds)
+    };
     let config = RunConfig {
         plan: prepared.config.clone(),
         variants: prepared.file.plan_variants(),
@@ -68,24 +78,42 @@ pub fn wipe(
         },
         execute: ExecuteConfig::default(),
         target: prepared.file.target_performance(),
-        max_rounds: args.rounds.map_or(reality.max_rounds, usize::from),
-        pace: if args.greedy {
-            Pace::Greedy
-        } else {
-            Pace::Whole
-        },
+        max_rounds: args.rounds.map_or(usual_rounds, usize::from),
+        pace,
     };
     let performer = Performer {
         robot: &robot.model,
         srdf: robot.srdf.as_ref(),
         map: robot.map.as_ref(),
     };
-    let watch = RefCell::new(Watch::new(folder, progress, args.realtime));
-    let rounds = run(
+    let fingerprint = {
+        // More or fewer rounds are no other run.
+        let config = RunConfig {
+            max_rounds: 0,
+            ..config.clone()
+        };
+        let pushed: [&dyn std::fmt::Debug; 5] =
+            [&prepared.task, reality, &performer, &given, &config];
+        past::fingerprint(&pushed)
+    };
+    let past = match folder.found().is_taken_over {
+        true => past::read(folder, fingerprint)?,
+        false => Vec::new(),
+    };
+    if args.resume && folder.found().is_taken_over {
+        let kept = counted(past.len(), "round");
+        progress.aside(|| remark(&format!("{kept} of the killed run taken over")));
+    }
+    let (past, executing_s) = past.into_iter().map(|p| (p.past, p.executing_s)).unzip();
+    let keeper = Keeper::new(folder, fingerprint);
+    let watch = Watch::new(folder, progress, keeper, executing_s, args.realtime);
+    let watch = RefCell::new(watch);
+    let rounds = resume(
         &prepared.task,
         &performer,
         reality,
         given,
+        past,
         &config,
         &mut |news| {
             episode.see(&news)?;
@@ -94,8 +122,8 @@ pub fn wipe(
     );
     episode.check()?;
     let watch = watch.into_inner();
-    if let Some(error) = watch.failure {
-        return Err(Failure::new(error).with_help("choose another folder with --out"));
+    if let Some(failure) = watch.failure {
+        return Err(failure);
     }
     let rounds = rounds.map_err(|error| match error {
         RunError::Follow(error) => chosen.cannot_follow(&error, task_args, prepared),
@@ -129,7 +157,10 @@ struct Watch<'a> {
     progress: &'a Progress,
     realtime: bool,
     bag: Option<BagWriter>,
-    failure: Option<WriteError>,
+    failure: Option<Failure>,
+    keeper: Keeper,
+    /// How long the executions of an earlier run took [s].
+    past_s: Vec<f64>,
     times: Vec<RoundTimes>,
     since: Instant,
     samples: usize,
@@ -141,8 +172,16 @@ struct Watch<'a> {
 }
 
 impl<'a> Watch<'a> {
-    fn new(folder: &'a OutputFolder, progress: &'a Progress, realtime: bool) -> Self {
+    fn new(
+        folder: &'a OutputFolder,
+        progress: &'a Progress,
+        keeper: Keeper,
+        past_s: Vec<f64>,
+        realtime: bool,
+    ) -> Self {
         Self {
+            keeper,
+            past_s,
             folder,
             progress,
             realtime,
@@ -183,24 +222,48 @@ impl<'a> Watch<'a> {
                 self.begin(motion)
             }
             News::Sample(sample) => self.sample(sample),
+            News::Recalling(motion) => {
+                self.take(|times| &mut times.following_s);
+                let executing_s = self.past_s.get(motion.number - 1).copied();
+                if let Some(times) = self.times.last_mut() {
+                    times.executing_s = executing_s.unwrap_or_default();
+                }
+                Ok(())
+            }
             News::Interpreting => {
                 self.take(|times| &mut times.executing_s);
                 self.progress
                     .say(format!("round {}: interpreting", self.round));
                 self.bag.take().map_or(Ok(()), BagWriter::finish)
             }
-            News::Over(_) => {
+            News::Over(round) => {
                 self.take(|times| &mut times.interpreting_s);
-                Ok(())
+                return self.flow(self.keep(round));
             }
         };
+        self.flow(
+            result
+                .map_err(|error| Failure::new(error).with_help("choose another folder with --out")),
+        )
+    }
+
+    fn flow(&mut self, result: Result<(), Failure>) -> ControlFlow<()> {
         match result {
             Ok(()) => ControlFlow::Continue(()),
-            Err(error) => {
-                self.failure.get_or_insert(error);
+            Err(failure) => {
+                self.failure.get_or_insert(failure);
                 ControlFlow::Break(())
             }
         }
+    }
+
+    /// Keeps a round, unless it was taken over, or the run is about to fail.
+    fn keep(&self, round: &Round) -> Result<(), Failure> {
+        let executing_s = self.times.last().map_or(0.0, |times| times.executing_s);
+        if round.motion.number <= self.past_s.len() || self.failure.is_some() {
+            return Ok(());
+        }
+        self.keeper.keep(round, executing_s)
     }
 
     /// Books the time since the last booking.
@@ -215,6 +278,7 @@ impl<'a> Watch<'a> {
         let robot = motion.cell.robot();
         self.duration = motion.followed.duration();
         self.samples = 0;
+        self.keeper.begin();
         let task = &motion.task;
         let head = BagHead {
             joints: (0..robot.dof())
@@ -245,6 +309,7 @@ impl<'a> Watch<'a> {
             ));
         }
         self.samples += 1;
+        self.keeper.sample(sample);
         if self.realtime {
             let ahead = Duration::try_from_secs_f64(sample.time).unwrap_or_default();
             std::thread::sleep(ahead.saturating_sub(self.since.elapsed()));

@@ -76,7 +76,7 @@ pub struct PlaneRecord {
 /// Something that happened.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EventRecord {
-    /// contact, contact_loss, collision or stick_slip.
+    /// contact, contact_loss, collision or stick_slip; or a phase: approach, stroke, lift or retreat.
     pub kind: &'static str,
     /// From.
     pub start_s: f64,
@@ -178,6 +178,10 @@ impl EventRecord {
                 EventKind::ContactLoss => "contact_loss",
                 EventKind::Collision => "collision",
                 EventKind::StickSlip => "stick_slip",
+                EventKind::Approach => "approach",
+                EventKind::Stroke => "stroke",
+                EventKind::Lift => "lift",
+                EventKind::Retreat => "retreat",
             },
             start_s: event.start,
             end_s: event.end,

@@ -3,7 +3,7 @@
 //! numbers that are none, a controller that presses harder than allowed, and goals claimed that are not met.
 //!
 //! ```text
-//! cargo run --release --package wisch --example episodes -- [--seeds N] [--first-seed N] [--scenario NAME] [--each]
+//! cargo run --release --package wisch --example episodes -- [--seeds N] [--first-seed N] [--only N,N,...] [--scenario NAME] [--each]
 //! ```
 //!
 //! Exits with 1 if any of it happened.
@@ -26,6 +26,7 @@ use std::process::ExitCode;
 use summary::{Episode, Fate, Pass, Summary};
 use wisch::execute::{ExecuteConfig, TelemetrySample};
 use wisch::follow::{FollowConfig, WorkcellConfig};
+use wisch::interpret::EventKind;
 use wisch::plan::{CoverageStrategy, PlanConfig};
 use wisch::recover::Pace;
 use wisch::represent::{Intent, KnowledgeBase, Reality, TaskFile};
@@ -42,11 +43,16 @@ struct Stage<'a> {
 fn main() -> Result<ExitCode, AnyError> {
     let (mut seeds, mut first, mut name, mut tells_each) =
         (200, 1, "chopping-board".to_owned(), false);
+    let mut only: Vec<u64> = Vec::new();
     let mut arguments = std::env::args().skip(1);
     while let Some(argument) = arguments.next() {
         match argument.as_str() {
             "--seeds" => seeds = arguments.next().unwrap_or_default().parse()?,
             "--first-seed" => first = arguments.next().unwrap_or_default().parse()?,
+            "--only" => {
+                let list = arguments.next().unwrap_or_default();
+                only = (list.split(',').map(str::parse)).collect::<Result<_, _>>()?;
+            }
             "--scenario" => name = arguments.next().unwrap_or_default(),
             "--each" => tells_each = true,
             other => return Err(format!("{other:?} is no option").into()),
@@ -59,7 +65,10 @@ fn main() -> Result<ExitCode, AnyError> {
         knowledge: knowledge(&root.join("knowledge"))?,
         robot: humanoid(&root.join("robots"))?,
     };
-    let episodes: Vec<Episode> = (first..first + seeds)
+    if only.is_empty() {
+        only.extend(first..first + seeds);
+    }
+    let episodes: Vec<Episode> = only
         .into_par_iter()
         .map(|seed| {
             let episode = stage.episode(seed);
@@ -168,10 +177,14 @@ fn is_finite(sample: &TelemetrySample<'_>) -> bool {
 /// What counts of a round.
 fn pass(round: &Round) -> Pass {
     let estimate = &round.interpretation.performance;
+    let collisions = (round.interpretation.events.iter())
+        .filter(|event| event.kind == EventKind::Collision)
+        .map(|event| [event.start, event.end]);
     Pass {
         estimated: estimate.mean,
         interval: [estimate.low, estimate.high],
         truth: round.true_performance,
+        collisions: collisions.collect(),
         verdict: round.verdict,
         ending: round.executed.ending.clone(),
         duration: round.executed.duration,

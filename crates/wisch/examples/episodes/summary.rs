@@ -37,6 +37,8 @@ pub struct Pass {
     pub interval: [f64; 2],
     /// The true performance, where dirt was simulated.
     pub truth: Option<f64>,
+    /// From when to when a collision was felt [s].
+    pub collisions: Vec<[f64; 2]>,
     pub verdict: Verdict,
     pub ending: Ending,
     /// How long it took [s].
@@ -85,12 +87,17 @@ impl fmt::Display for Episode {
                         .map_or("-".to_owned(), |t| format!("{:.1}", 100.0 * t));
                     write!(
                         f,
-                        "| est {:5.1} true {truth:>5} {:4.1} N {:4.0} s {} ",
+                        "| est {:5.1} ({:.1} to {:.1}) true {truth:>5} {:4.1} N {:4.0} s ",
                         100.0 * pass.estimated,
+                        100.0 * pass.interval[0],
+                        100.0 * pass.interval[1],
                         pass.contact_force,
                         pass.duration,
-                        pass.verdict.as_str()
                     )?;
+                    for [start, end] in &pass.collisions {
+                        write!(f, "coll {start:.2}-{end:.2} ")?;
+                    }
+                    write!(f, "{} ", pass.verdict.as_str())?;
                     if let Ending::ProtectiveStop { time, cause } = &pass.ending {
                         write!(f, "STOP at {time:.1} s: {cause} ")?;
                     }
@@ -115,6 +122,9 @@ pub struct Summary {
     claimed: usize,
     /// Claims whose truth is below the target at all.
     below_target: usize,
+    /// Episodes whose truth reaches the target at the end, and those of them that claim it.
+    reached: usize,
+    reached_and_claimed: usize,
     false_claims: Vec<String>,
     /// Sizes of estimated − true over all rounds, in order.
     errors: Vec<f64>,
@@ -137,6 +147,8 @@ impl Summary {
             rounds: Vec::new(),
             claimed: 0,
             below_target: 0,
+            reached: 0,
+            reached_and_claimed: 0,
             false_claims: Vec::new(),
             errors: Vec::new(),
             held: 0,
@@ -196,7 +208,10 @@ impl Summary {
         let Some(last) = passes.last() else {
             return;
         };
+        let is_reached = last.truth.is_some_and(|truth| truth >= self.target);
+        self.reached += usize::from(is_reached);
         if last.verdict == Verdict::GoalMet {
+            self.reached_and_claimed += usize::from(is_reached);
             self.claimed += 1;
             self.below_target += usize::from(last.truth.is_some_and(|t| t < self.target));
         }
@@ -245,6 +260,11 @@ impl fmt::Display for Summary {
             self.episodes,
             self.below_target,
             100.0 * self.target
+        )?;
+        writeln!(
+            f,
+            "target reached      in {}, claimed in {} of these",
+            self.reached, self.reached_and_claimed
         )?;
         writeln!(
             f,

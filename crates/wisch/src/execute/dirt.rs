@@ -47,6 +47,11 @@ impl Dirt {
         }
     }
 
+    /// Dirt of these grains.
+    pub const fn of(grains: Vec<Grain>) -> Self {
+        Self { grains }
+    }
+
     /// The grains.
     pub fn grains(&self) -> &[Grain] {
         &self.grains

@@ -19,6 +19,20 @@ impl Spread {
         self.squares += before * (value - self.mean);
     }
 
+    /// The spread of `count` values with this mean and this sum of squared differences from it.
+    pub const fn of(count: usize, mean: f64, squares: f64) -> Self {
+        Self {
+            count,
+            mean,
+            squares,
+        }
+    }
+
+    /// Sum of the squared differences from the mean.
+    pub const fn squares(&self) -> f64 {
+        self.squares
+    }
+
     /// How many values there were.
     pub const fn count(&self) -> usize {
         self.count

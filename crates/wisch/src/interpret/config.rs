@@ -84,11 +84,15 @@ pub struct EventConfig {
     /// Normal force over the nominal one that makes a collision, and that down to which it lasts [1].
     pub overload: [f64; 2],
     /// Size of a force in free motion that makes a collision, and that down to which it lasts [N]; both beyond
-    /// twice the noise, and above what the inertia of a hand makes believe.
+    /// the noise that the log shows, and above what the inertia of a hand makes believe.
     pub free_force_n: [f64; 2],
     /// Interruptions of a collision in free motion up to this long are part of it [s]: a tool that the robot
     /// lifts runs ahead of the hand that pushes it.
     pub free_bridge_s: f64,
+    /// Two pushes with less time between them are one [s].
+    pub push_gap_s: f64,
+    /// How long after a push a tool that was let go of may land [s].
+    pub landing_s: f64,
     /// By how long measured forces may lag behind positions [s].
     pub force_lag_s: f64,
     /// Stuck and slipping times, one after the other, that make stick-slip [1].
@@ -108,8 +112,10 @@ impl Default for EventConfig {
             friction_limit: 0.8,
             tangential_margin_n: [5.0, 1.5],
             overload: [1.8, 1.5],
-            free_force_n: [2.0, 0.5],
+            free_force_n: [2.0, 1.5],
             free_bridge_s: 0.25,
+            push_gap_s: 0.35,
+            landing_s: 1.0,
             force_lag_s: 0.015,
             stick_slip_turns: 6,
         }
@@ -246,6 +252,14 @@ impl InterpretConfig {
                 1e6,
                 "0 to 1e6 s",
             ),
+            (
+                "events.push_gap_s",
+                events.push_gap_s,
+                0.0,
+                1e6,
+                "0 to 1e6 s",
+            ),
+            ("events.landing_s", events.landing_s, 0.0, 1e6, "0 to 1e6 s"),
             (
                 "events.near_height_m",
                 events.near_height_m,

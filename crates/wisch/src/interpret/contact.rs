@@ -12,6 +12,9 @@ const CALM_REACH: usize = 5;
 const CALM_ACCELERATION: f64 = 1.0;
 /// Fewest pieces of free motion that tell a bias.
 const MIN_CALM: usize = 5;
+/// The size of a force with normal noise in three directions has its median at 1.54 standard deviations, and
+/// hardly passes 4 of them.
+const NOISE_BY_MEDIAN: f64 = 2.6;
 /// A confident contact counts for the plane once the tool has moved this far from the last that did [m] ...
 const POINT_TRAVEL: f64 = 5e-4;
 /// ... or this long afterwards [s], so that a tool held still does not outvote one that wipes.
@@ -35,6 +38,8 @@ pub(super) struct Judged {
     pub(super) plane: Option<(PlaneFit, FittedPlane)>,
     /// Mean of what is felt in free motion, in the axes of the believed surface [N].
     pub(super) bias: Vector3,
+    /// Size of a force that noise in calm free motion makes believe [N]; infinite where there is none.
+    pub(super) noise: f64,
 }
 
 /// What pieces are judged by.
@@ -50,7 +55,7 @@ impl Judge<'_> {
     /// Tells contact apart.
     pub(super) fn judge(&self, pieces: &[Piece]) -> Judged {
         let config = self.config;
-        let bias = bias(pieces, config);
+        let (bias, noise) = bias_and_noise(pieces, config);
         let confident = touching_points(pieces, bias.z, config.confident_share, config);
         let plane = fit_plane(&confident, &config.plane, config.seed).map(|fit| {
             let touching = touching_points(pieces, bias.z, TOUCHING_SHARE, config);
@@ -67,6 +72,7 @@ impl Judge<'_> {
             off,
             plane,
             bias,
+            noise,
         }
     }
 
@@ -140,26 +146,42 @@ fn slope(piece: &Piece, normal: &Vector3) -> Vector2 {
     -normal_in_tool.xy() / normal_in_tool.z
 }
 
-/// Median force in calm free motion, by component; zero where there is none.
-fn bias(pieces: &[Piece], config: &InterpretConfig) -> Vector3 {
+/// Median force over the time of calm free motion, by component, zero where there is none; and the size that
+/// what is left then hardly passes.
+fn bias_and_noise(pieces: &[Piece], config: &InterpretConfig) -> (Vector3, f64) {
     // Half the nominal force is no bias: that is a surface far above the believed one.
     let is_free = |piece: &Piece| {
         piece.mean_height > config.free_height_m
             && piece.force.z.abs() < 0.5 * config.nominal_force()
     };
-    let calm: Vec<Vector3> = (0..pieces.len())
+    let calm: Vec<&Piece> = (0..pieces.len())
         .filter(|&i| is_free(&pieces[i]) && is_calm(pieces, i))
-        .map(|i| pieces[i].force)
+        .map(|i| &pieces[i])
         .collect();
     if calm.len() < MIN_CALM {
-        return Vector3::zeros();
+        return (Vector3::zeros(), f64::INFINITY);
     }
-    Vector3::from_fn(|row, _| median(calm.iter().map(|force| force[row]).collect()))
+    let bias = Vector3::from_fn(|row, _| {
+        let weighed = calm.iter().map(|piece| (piece.force[row], piece.samples));
+        median(weighed.collect())
+    });
+    let sizes = calm
+        .iter()
+        .map(|piece| ((piece.force - bias).norm(), piece.samples));
+    (bias, NOISE_BY_MEDIAN * median(sizes.collect()))
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
-    let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+/// The median of values that count as often as told: by time, not by pieces, of which a tool that is flung
+/// away makes the most.
+fn median(mut weighed: Vec<(f64, u32)>) -> f64 {
+    weighed.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+    let all: u64 = weighed.iter().map(|&(_, count)| u64::from(count)).sum();
+    let mut passed = 0;
+    let middle = weighed.iter().find(|&&(_, count)| {
+        passed += 2 * u64::from(count);
+        passed > all
+    });
+    middle.map_or(0.0, |&(value, _)| value)
 }
 
 /// Whether the velocity is about the same before and after a piece.

@@ -16,25 +16,27 @@ const LEAST_CONTACTS: usize = 50;
 pub(super) struct Evidence<'a> {
     pieces: &'a [Piece],
     pub(super) path: &'a [PathPiece],
-    off: &'a [f64],
+    pub(super) off: &'a [f64],
     surface: &'a Surface,
     /// Travel along the surface up to each piece [m].
     pub(super) way: Vec<f64>,
-    has_plane: bool,
+    pub(super) has_plane: bool,
     /// Force along the surface over the normal force that the wiping of this log takes [1].
-    friction: f64,
+    pub(super) friction: f64,
+    /// Size of a force that noise alone makes believe [N].
+    pub(super) noise: f64,
     pub(super) config: &'a InterpretConfig,
 }
 
 /// How a piece stands to an event's thresholds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Level {
+pub(super) enum Level {
     Below,
     Weak,
     Strong,
 }
 
-fn level(weak: bool, strong: bool) -> Level {
+pub(super) fn level(weak: bool, strong: bool) -> Level {
     match (strong, weak) {
         (true, _) => Level::Strong,
         (_, true) => Level::Weak,
@@ -68,6 +70,7 @@ impl<'a> Evidence<'a> {
                 .collect(),
             has_plane: judged.plane.is_some(),
             friction: friction(path, config),
+            noise: judged.noise.min(2.0 * config.force_noise_n),
             config,
         }
     }
@@ -75,16 +78,14 @@ impl<'a> Evidence<'a> {
     /// All events, by start.
     pub(super) fn events(&self) -> Vec<Event> {
         let mut events = self.intervals(EventKind::Contact, |i| self.contact(i));
-        events.extend(self.intervals(EventKind::Collision, |i| self.collision(i)));
+        events.extend(self.phases(&events));
         let losses = self.intervals(EventKind::ContactLoss, |i| self.loss(i));
-        let collisions: Vec<[f64; 2]> = (events.iter())
-            .filter(|event| event.kind == EventKind::Collision)
-            .map(|event| [event.start, event.end])
-            .collect();
+        let collisions = self.collisions();
         // What a push takes from the surface is the push's, not a loss.
         events.extend(losses.into_iter().filter(|loss| {
-            !(collisions.iter()).any(|[start, end]| loss.start < *end && *start < loss.end)
+            !(collisions.iter()).any(|push| loss.start < push.end && push.start < loss.end)
         }));
+        events.extend(collisions);
         events.extend(self.stick_slips());
         events.sort_by(|a, b| a.start.total_cmp(&b.start).then(a.kind.cmp(&b.kind)));
         events
@@ -107,7 +108,7 @@ impl<'a> Evidence<'a> {
     }
 
     /// From when to when a piece speaks: half way to its neighbours [s].
-    fn span(&self, i: usize) -> [f64; 2] {
+    pub(super) fn span(&self, i: usize) -> [f64; 2] {
         let [first, last] = self.path[i].time;
         let before = i.checked_sub(1).map_or(first, |j| self.path[j].time[1]);
         let after = self.path.get(i + 1).map_or(last, |next| next.time[0]);
@@ -144,12 +145,8 @@ impl<'a> Evidence<'a> {
         level(lost, lost && along > 2.0 * rise)
     }
 
-    fn is_pushed(&self, i: usize) -> bool {
-        self.collision(i) != Level::Below
-    }
-
     /// Travel across and along the surface over a piece and its neighbours [m].
-    fn travel(&self, i: usize) -> [f64; 2] {
+    pub(super) fn travel(&self, i: usize) -> [f64; 2] {
         let before = &self.path[i.saturating_sub(2)];
         let after = &self.path[(i + 2).min(self.path.len() - 1)];
         let along = (after.position.xy() - before.position.xy()).norm();
@@ -157,7 +154,7 @@ impl<'a> Evidence<'a> {
     }
 
     /// Speed towards or away from the surface [m/s].
-    fn climb(&self, i: usize) -> f64 {
+    pub(super) fn climb(&self, i: usize) -> f64 {
         let before = i.saturating_sub(2);
         let after = (i + 2).min(self.path.len() - 1);
         let time = self.path[after].time[1] - self.path[before].time[1];
@@ -168,99 +165,32 @@ impl<'a> Evidence<'a> {
         }
     }
 
-    fn collision(&self, i: usize) -> Level {
-        self.off_plane(i)
-            .max(self.shoved(i))
-            .max(self.overloaded(i))
-            .max(self.handled(i))
-    }
-
-    /// Off the plane with a force like that of contact (Fig. 18).
-    fn off_plane(&self, i: usize) -> Level {
-        if !self.has_plane {
-            return Level::Below;
-        }
-        let events = &self.config.events;
-        let share = self.path[i].normalized_force;
-        let off = self.off[i];
-        // A tool that moves looks off the plane by as much as its force lags.
-        let lag = events.force_lag_s * self.climb(i);
-        let far = events.collision_height_m + lag;
-        level(
-            off > lag && share >= events.collision_share[1],
-            off > far && share >= events.collision_share[0],
-        )
-    }
-
-    /// More force along the surface than friction takes.
-    fn shoved(&self, i: usize) -> Level {
-        let events = &self.config.events;
-        let piece = &self.path[i];
-        let press = (-piece.normal_force).max(0.0);
-        let beyond = |friction: f64| piece.tangential_force - friction * press;
-        let [begin, end] = events.tangential_margin_n;
-        level(
-            beyond(self.friction) > end,
-            beyond(events.friction_limit) > begin,
-        )
-    }
-
-    /// Much more normal force than asked for.
-    fn overloaded(&self, i: usize) -> Level {
-        let nominal = self.config.nominal_force();
-        let noise = 2.0 * self.config.force_noise_n;
-        let force = -self.path[i].normal_force - noise;
-        let [begin, end] = self.config.events.overload;
-        level(force > end * nominal, force > begin * nominal)
-    }
-
-    /// Above the surface, where nothing is but who holds the tool.
-    fn is_free(&self, i: usize) -> bool {
-        let events = &self.config.events;
-        let lag = events.force_lag_s * self.climb(i);
-        let least = if self.has_plane {
-            events.near_height_m
-        } else {
-            self.config.search_height_m
-        };
-        self.path[i].height > least && self.off[i] > events.collision_height_m + lag
-    }
-
-    /// Any force in free motion, whatever its direction.
-    fn handled(&self, i: usize) -> Level {
-        if !self.is_free(i) {
-            return Level::Below;
-        }
-        let piece = &self.path[i];
-        let noise = 2.0 * self.config.force_noise_n;
-        let force = piece.normal_force.hypot(piece.tangential_force) - noise;
-        let [begin, end] = self.config.events.free_force_n;
-        level(force > end, force > begin)
-    }
-
-    /// How long an event may be interrupted at a piece [s].
-    fn bridge(&self, kind: EventKind, i: usize) -> f64 {
-        let events = &self.config.events;
-        if kind == EventKind::Collision && self.is_free(i) {
-            events.free_bridge_s
-        } else {
-            events.bridge_s
-        }
-    }
-
     /// Runs of pieces at least weak, interruptions bridged, in which the strong ones last long enough.
     fn intervals(&self, kind: EventKind, level: impl Fn(usize) -> Level) -> Vec<Event> {
-        let mut events = Vec::new();
+        let bridge = |_| self.config.events.bridge_s;
+        let runs = self.runs(level, bridge).into_iter();
+        runs.filter(|run| {
+            let travel = (self.path[run.last].position - self.path[run.first].position).xy();
+            kind != EventKind::ContactLoss || travel.norm() >= self.config.events.loss_travel_m
+        })
+        .map(|run| self.described(kind, run.first, run.last))
+        .collect()
+    }
+
+    /// The same as runs; `bridge` tells how long one may be interrupted at a piece [s].
+    pub(super) fn runs(
+        &self,
+        level: impl Fn(usize) -> Level,
+        bridge: impl Fn(usize) -> f64,
+    ) -> Vec<Run> {
+        let mut runs = Vec::new();
         let mut run: Option<Run> = None;
         for i in 0..self.path.len() {
             let [start, end] = self.span(i);
             let now = level(i);
             if now == Level::Below {
-                if run
-                    .as_ref()
-                    .is_some_and(|run| end - run.end > self.bridge(kind, i))
-                {
-                    events.extend(run.take().and_then(|run| self.event(kind, &run)));
+                if run.as_ref().is_some_and(|run| end - run.end > bridge(i)) {
+                    runs.extend(run.take());
                 }
                 continue;
             }
@@ -276,17 +206,9 @@ impl<'a> Evidence<'a> {
                 open.strong += end - start;
             }
         }
-        events.extend(run.and_then(|run| self.event(kind, &run)));
-        events
-    }
-
-    fn event(&self, kind: EventKind, run: &Run) -> Option<Event> {
-        let travel = (self.path[run.last].position - self.path[run.first].position)
-            .xy()
-            .norm();
-        let enough = run.strong >= self.config.events.min_duration_s
-            && (kind != EventKind::ContactLoss || travel >= self.config.events.loss_travel_m);
-        enough.then(|| self.described(kind, run.first, run.last))
+        runs.extend(run);
+        runs.retain(|run| run.strong >= self.config.events.min_duration_s);
+        runs
     }
 
     /// The evidence of pieces `first` to `last`.
@@ -334,10 +256,10 @@ fn friction(path: &[PathPiece], config: &InterpretConfig) -> f64 {
 }
 
 /// Pieces that may be an event.
-#[derive(Debug)]
-struct Run {
-    first: usize,
-    last: usize,
+#[derive(Debug, Clone)]
+pub(super) struct Run {
+    pub(super) first: usize,
+    pub(super) last: usize,
     /// [s]
     end: f64,
     /// How long the higher threshold was passed [s].

@@ -1,13 +1,14 @@
 //! From samples to what was wiped.
 
 use super::contact::{Judge, Judged, middle};
+use super::doubt::Witness;
 use super::events::Evidence;
-use super::motions::contact_motions;
 use super::pieces::Recorder;
 use super::plane::PlaneFit;
 use super::replay::Replay;
 use super::{
-    Belief, Diagnosis, FittedPlane, InterpretConfig, InterpretError, Interpretation, TouchSample,
+    Belief, Diagnosis, Event, FittedPlane, InterpretConfig, InterpretError, Interpretation,
+    TouchSample,
 };
 use crate::geometry::{Pose, Region, Vector3};
 use crate::represent::{GoalState, Surface, Task};
@@ -145,26 +146,35 @@ impl Interpreter {
             .map_or_else(Pose::identity, |(fit, _)| {
                 believed_from_real(fit, &self.surface)
             });
-        let motions = contact_motions(&judged.path, &believed_from_real.inverse());
+        let evidence = Evidence::new(pieces, &judged, &self.surface, &self.config);
+        let (events, contact_share) = (evidence.events(), evidence.contact_share());
+        // Without a plane, nothing tells contact but the force.
+        let told: &[Event] = if judged.plane.is_some() { &events } else { &[] };
+        let witness = Witness::new(
+            &judged.path,
+            told,
+            self.footprint.bounds(),
+            believed_from_real.inverse(),
+            &self.config,
+        );
         let replay = Replay {
             footprint: &self.footprint,
             effect: goal.action().effect(),
             surface: &self.surface,
             config: &self.config,
         };
-        let belief = replay.run(believed, &motions);
+        let belief = replay.run(believed, &witness);
         // Without a touch, what was certain stays certain.
-        let is_untouched = motions.is_empty() && believed.replays().len() == 1;
+        let is_untouched = witness.is_untouched() && believed.replays().len() == 1;
         let margin = if is_untouched {
             0.0
         } else {
             self.config.uncertainty.model_share
         };
         let performance = belief.performance(goal, &self.surface).widened(margin);
-        let evidence = Evidence::new(pieces, &judged, &self.surface, &self.config);
         Ok(Interpretation {
-            events: evidence.events(),
-            contact_share: evidence.contact_share(),
+            events,
+            contact_share,
             diagnosis: self.diagnosis(&judged, &believed_from_real),
             force_bias: -judged.bias.z,
             performance,

@@ -6,14 +6,17 @@
 //! ```
 
 mod belief;
+mod collisions;
 mod config;
 mod contact;
 mod density;
+mod doubt;
 mod error;
 mod events;
 mod interpreter;
 mod motions;
 mod outcome;
+mod phases;
 mod pieces;
 mod plane;
 mod replay;

@@ -1,6 +1,6 @@
 //! The straight motions in contact that stand for a felt path.
 
-use super::{PathPiece, Touch};
+use super::PathPiece;
 use crate::geometry::{Edge, PlanarPose, Point2, Pose, Vector2, wrap_angle};
 use crate::represent::ToolMotion;
 
@@ -25,25 +25,67 @@ const SAME_PLACE: f64 = 1e-4;
 /// Pieces further apart than this are not one contact [s].
 const MAX_GAP: f64 = 0.25;
 
+/// Of what the f′ of a contact is told [1].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Felt {
+    /// There is no contact.
+    Nothing,
+    /// Of the whole tool, as a force tells it.
+    Mean(f64),
+    /// Of the middle of the tool, as its distance from the plane tells it; below 0 where only a side touches.
+    Middle(f64),
+}
+
+impl Felt {
+    pub(super) const fn share(self) -> f64 {
+        match self {
+            Self::Nothing => 0.0,
+            Self::Mean(share) | Self::Middle(share) => share,
+        }
+    }
+
+    /// As if the force were by this factor another; a distance is what it is.
+    pub(super) fn scaled(self, factor: f64) -> Self {
+        match self {
+            Self::Mean(share) => Self::Mean(share * factor),
+            Self::Nothing | Self::Middle(_) => self,
+        }
+    }
+
+    /// The same kind with another value.
+    const fn with(self, share: f64) -> Self {
+        match self {
+            Self::Nothing => Self::Nothing,
+            Self::Mean(_) => Self::Mean(share),
+            Self::Middle(_) => Self::Middle(share),
+        }
+    }
+}
+
 /// A straight motion in contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ContactMotion {
     pub(super) motion: ToolMotion,
-    /// Mean f′ [1].
-    pub(super) share: f64,
+    /// Mean f′ over the way [1].
+    pub(super) felt: Felt,
     /// Mean slope of the plane against the underside, in the tool frame [1].
     pub(super) slope: Vector2,
     /// Whether it goes on where the one before ended.
     pub(super) continues: bool,
 }
 
-/// The straight motions in contact of a path, in the frame of the real surface.
-pub(super) fn contact_motions(path: &[PathPiece], real_from_believed: &Pose) -> Vec<ContactMotion> {
+/// The straight motions in contact of a path, in the frame of the real surface. `felt` tells of each piece
+/// whether it is contact.
+pub(super) fn contact_motions(
+    path: &[PathPiece],
+    real_from_believed: &Pose,
+    felt: impl Fn(usize) -> Felt,
+) -> Vec<ContactMotion> {
     let mut builder = Builder::default();
-    for piece in path {
-        match piece.touch {
-            Touch::Weak | Touch::Confident => builder.take(piece, real_from_believed),
-            Touch::Free | Touch::FalsePositive => builder.interrupt(),
+    for (i, piece) in path.iter().enumerate() {
+        match felt(i) {
+            Felt::Nothing => builder.interrupt(),
+            felt => builder.take(piece, felt, real_from_believed),
         }
     }
     builder.interrupt();
@@ -63,6 +105,7 @@ struct Open {
     from: PlanarPose,
     to: PlanarPose,
     last_time: f64,
+    kind: Felt,
     /// Places passed on the way, the last one included.
     passed: Vec<Point2>,
     /// Travel and f′ times travel; standing, pieces count instead [m].
@@ -75,7 +118,7 @@ struct Open {
 }
 
 impl Builder {
-    fn take(&mut self, piece: &PathPiece, real_from_believed: &Pose) {
+    fn take(&mut self, piece: &PathPiece, felt: Felt, real_from_believed: &Pose) {
         let position = (real_from_believed * piece.position).xy();
         if let Some(open) = &self.open
             && piece.time[0] - open.last_time > MAX_GAP
@@ -84,16 +127,16 @@ impl Builder {
         }
         let Some(open) = &mut self.open else {
             let at = PlanarPose::new(position, piece.heading);
-            self.open = Some(Open::at(at, piece, false));
+            self.open = Some(Open::at(at, piece, felt, false));
             return;
         };
         let turn = wrap_angle(piece.heading - open.to.heading);
         let to = PlanarPose::new(position, open.to.heading + turn);
-        if open.is_standing() || open.goes_on_to(&to, piece.normalized_force) {
-            open.grow(to, piece);
+        if open.stands_on(felt) || open.goes_on_to(&to, felt) {
+            open.grow(to, piece, felt);
         } else {
-            let mut next = Open::at(open.end(), piece, true);
-            next.grow(to, piece);
+            let mut next = Open::at(open.end(), piece, felt, true);
+            next.grow(to, piece, felt);
             self.close();
             self.open = Some(next);
         }
@@ -135,7 +178,7 @@ impl Builder {
                 from: at(part),
                 to: at(part + 1),
             },
-            share: open.share(),
+            felt: open.kind.with(open.share()),
             slope: open.slope(),
             continues: open.continues || part > 0,
         }));
@@ -143,16 +186,17 @@ impl Builder {
 }
 
 impl Open {
-    fn at(from: PlanarPose, piece: &PathPiece, continues: bool) -> Self {
+    fn at(from: PlanarPose, piece: &PathPiece, felt: Felt, continues: bool) -> Self {
         Self {
             from,
             to: from,
             last_time: piece.time[1],
+            kind: felt,
             passed: Vec::new(),
             travel: 0.0,
             share_by_travel: 0.0,
             pieces: 1.0,
-            share_by_pieces: piece.normalized_force,
+            share_by_pieces: felt.share(),
             slope_by_pieces: piece.slope,
             continues,
         }
@@ -197,23 +241,32 @@ impl Open {
         self.slope_by_pieces / self.pieces
     }
 
-    fn goes_on_to(&self, to: &PlanarPose, share: f64) -> bool {
+    fn is_like(&self, felt: Felt) -> bool {
+        std::mem::discriminant(&self.kind) == std::mem::discriminant(&felt)
+    }
+
+    fn stands_on(&self, felt: Felt) -> bool {
+        self.is_standing() && self.is_like(felt)
+    }
+
+    fn goes_on_to(&self, to: &PlanarPose, felt: Felt) -> bool {
         let chord = Edge {
             start: self.from.position,
             end: to.position,
         };
-        (share - self.share()).abs() <= MAX_SHARE_CHANGE
+        self.is_like(felt)
+            && (felt.share() - self.share()).abs() <= MAX_SHARE_CHANGE
             && (to.heading - self.from.heading).abs() <= MAX_TURN
             && (to.position - self.from.position).norm() <= MAX_LENGTH
             && (self.passed.iter()).all(|place| chord.distance(*place) <= MAX_DEVIATION)
     }
 
-    fn grow(&mut self, to: PlanarPose, piece: &PathPiece) {
+    fn grow(&mut self, to: PlanarPose, piece: &PathPiece, felt: Felt) {
         let last = self.passed.last().copied().unwrap_or(self.from.position);
         let step = (to.position - last).norm();
         if step > SAME_PLACE {
             self.travel += step;
-            self.share_by_travel += step * piece.normalized_force;
+            self.share_by_travel += step * felt.share();
             // What it passed while standing is not on its way.
             if self.is_standing() {
                 self.passed.clear();
@@ -221,7 +274,7 @@ impl Open {
             self.passed.push(to.position);
         }
         self.pieces += 1.0;
-        self.share_by_pieces += piece.normalized_force;
+        self.share_by_pieces += felt.share();
         self.slope_by_pieces += piece.slope;
         self.last_time = piece.time[1];
         self.to = to;

@@ -98,6 +98,31 @@ pub enum EventKind {
     Collision,
     /// The tool stuck and slipped.
     StickSlip,
+    /// Phase: the tool came to the surface for the first time.
+    Approach,
+    /// Phase: the tool wiped, without being lifted.
+    Stroke,
+    /// Phase: the tool was lifted, and moved to the next stroke.
+    Lift,
+    /// Phase: the tool left the surface for the last time.
+    Retreat,
+}
+
+impl EventKind {
+    /// Whether it tells what the tool was about; such events follow one another over all of the log.
+    ///
+    /// ```
+    /// use wisch::interpret::EventKind;
+    ///
+    /// assert!(EventKind::Stroke.is_phase());
+    /// assert!(!EventKind::Contact.is_phase());
+    /// ```
+    pub const fn is_phase(self) -> bool {
+        match self {
+            Self::Approach | Self::Stroke | Self::Lift | Self::Retreat => true,
+            Self::Contact | Self::ContactLoss | Self::Collision | Self::StickSlip => false,
+        }
+    }
 }
 
 /// Something that happened, with its evidence.

@@ -5,14 +5,13 @@
 //! sampling rate of the log does not matter. X ≤ f′ is the same as U ≤ P(X ≤ f′) with U even in (0, 1): U is
 //! what is drawn.
 
+use super::doubt::Witness;
 use super::motions::{ContactMotion, MAX_LENGTH};
 use super::uneven::Uneven;
 use super::variation::Variation;
 use super::{Belief, InterpretConfig};
 use crate::geometry::Region;
-use crate::represent::{
-    Effect, EffectModel, LogNormal, ParticleDistribution, ParticleField, Surface,
-};
+use crate::represent::{Effect, EffectModel, ParticleDistribution, ParticleField, Surface};
 use rand::Rng;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use rayon::prelude::*;
@@ -37,7 +36,7 @@ pub(super) struct Replay<'a> {
 
 impl Replay<'_> {
     /// The belief after these motions.
-    pub(super) fn run(&self, believed: &Belief, motions: &[ContactMotion]) -> Belief {
+    pub(super) fn run(&self, believed: &Belief, witness: &Witness<'_>) -> Belief {
         let members = believed.replays();
         let is_certain = members.len() == 1;
         let count = if is_certain {
@@ -50,6 +49,7 @@ impl Replay<'_> {
             .map(|replay| {
                 let seed = self.config.seed;
                 let mut variation = Variation::draw(&self.config.uncertainty, seed, replay as u64);
+                let motions = &witness.account(replay as u64);
                 let member = &members[replay % members.len()];
                 if is_certain {
                     // Members of an ensemble already differ in where their particles lie.
@@ -80,10 +80,11 @@ impl Replay<'_> {
         let bounds = self.footprint.bounds();
         for contact in motions {
             let contact = variation.applied(contact);
-            if !chances.advance(&contact, &self.config.likelihood) {
+            let uneven = Uneven::of(&contact, bounds, self.config.nominal_compression());
+            let most = (uneven.as_ref()).map_or(contact.felt.share(), Uneven::most);
+            if !chances.advance(&contact, self.config.likelihood.probability(most)) {
                 continue;
             }
-            let uneven = Uneven::of(&contact, bounds, self.config.nominal_compression());
             let likelihood = &self.config.likelihood;
             let redraw_length = self.config.redraw_length_m;
             let motion = &contact.motion;
@@ -105,7 +106,7 @@ struct Chances {
     drawn: Vec<Drawn>,
     /// Travel in contact before the motion at hand, and after it; an interruption adds a little [m].
     travelled: [f64; 2],
-    /// P(X ≤ f′) of the motion at hand where the tool presses evenly [1].
+    /// P(X ≤ f′) of the motion at hand where the tool presses most [1].
     probability: f64,
     /// Probability that a particle that draws slips past the tool instead [1].
     slip: f64,
@@ -142,7 +143,7 @@ impl Chances {
     }
 
     /// Goes on to a motion, and says whether any particle can respond to it.
-    fn advance(&mut self, contact: &ContactMotion, likelihood: &LogNormal) -> bool {
+    fn advance(&mut self, contact: &ContactMotion, probability: f64) -> bool {
         let begin = self.travelled[1]
             + if contact.continues {
                 0.0
@@ -150,7 +151,7 @@ impl Chances {
                 2.0 * SAME_CONTACT
             };
         self.travelled = [begin, begin + contact.motion.travel().1];
-        self.probability = likelihood.probability(contact.share);
+        self.probability = probability;
         self.probability > 0.0
     }
 

@@ -3,7 +3,7 @@
 //! A bed of springs is compressed the more the higher the plane rises towards the hand, and where it would
 //! be stretched it has left the plane. The force tells the mean of that over the tool.
 
-use super::motions::ContactMotion;
+use super::motions::{ContactMotion, Felt};
 use crate::geometry::{Bounds2, PlanarPose, Point2, Vector2};
 use crate::represent::ToolMotion;
 
@@ -38,10 +38,20 @@ impl Uneven {
         let half = rise.abs().component_mul(&bounds.size()) / 2.0;
         (half.sum() > EVEN).then(|| Self {
             motion: contact.motion,
-            middle: middle(contact.share, half),
+            middle: match contact.felt {
+                Felt::Nothing => -half.sum(),
+                Felt::Mean(share) => middle(share, half),
+                Felt::Middle(share) => share,
+            },
             rise,
             bounds,
         })
+    }
+
+    /// Largest f′ under the tool [1].
+    pub(super) fn most(&self) -> f64 {
+        let half = self.rise.abs().dot(&self.bounds.size()) / 2.0;
+        (self.middle + half).max(0.0)
     }
 
     /// Largest f′ that a particle feels which the motion passes over [1].

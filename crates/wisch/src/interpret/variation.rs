@@ -29,6 +29,11 @@ pub struct Uncertainty {
     /// spreads, turns about its corners and leaks. No standard deviation: in seven of eight replays nothing
     /// slips, in the others any share up to this one.
     pub slip_share: f64,
+    /// Share of the replays that still tell contact by the force where somebody pushes [1]; the others tell it by
+    /// the distance from the plane.
+    pub pushed_by_force: f64,
+    /// Share of the replays in which a tool that is pushed hops once over what it carried [1].
+    pub hop_share: f64,
     /// What all this leaves out, by which the interval is wider at either end [1].
     pub model_share: f64,
 }
@@ -41,6 +46,8 @@ impl Uncertainty {
         particle_m: 0.0,
         force_share: 0.0,
         slip_share: 0.0,
+        pushed_by_force: 1.0,
+        hop_share: 0.0,
         model_share: 0.0,
     };
 
@@ -57,6 +64,13 @@ impl Uncertainty {
             ("uncertainty.particle_m", self.particle_m, 1.0, "0 to 1 m"),
             ("uncertainty.force_share", self.force_share, 1.0, "0 to 1"),
             ("uncertainty.slip_share", self.slip_share, 1.0, "0 to 1"),
+            (
+                "uncertainty.pushed_by_force",
+                self.pushed_by_force,
+                1.0,
+                "0 to 1",
+            ),
+            ("uncertainty.hop_share", self.hop_share, 1.0, "0 to 1"),
             ("uncertainty.model_share", self.model_share, 1.0, "0 to 1"),
         ];
         let wrong = fields
@@ -78,6 +92,10 @@ impl Default for Uncertainty {
     /// `slip_share` and `model_share` were chosen on the scenarios `chopping-board`, `failure-tilted-table` and
     /// `failure-human-push`, seeds 101 to 110 (`closed_loop --seeds 10 --first-seed 101`): there the interval
     /// holds what the simulated world did in 71 of 76 rounds; without these two, in about two of three.
+    ///
+    /// `pushed_by_force` and `hop_share` were chosen on `failure-human-push`, seeds 101 to 112, and on random
+    /// disturbances, seeds 301 to 331: much less than this, and goals are claimed that are not met; all of it
+    /// by place, and pushes that only lift the tool are thought to have carried something.
     fn default() -> Self {
         Self {
             grasp_offset_m: 1.5e-3,
@@ -85,6 +103,8 @@ impl Default for Uncertainty {
             particle_m: 1.5e-3,
             force_share: 0.08,
             slip_share: 0.2,
+            pushed_by_force: 0.25,
+            hop_share: 0.5,
             model_share: 0.025,
         }
     }
@@ -127,7 +147,7 @@ impl Variation {
                 from: moved(&contact.motion.from),
                 to: moved(&contact.motion.to),
             },
-            share: contact.share * self.force_scale,
+            felt: contact.felt.scaled(self.force_scale),
             ..*contact
         }
     }
@@ -165,7 +185,7 @@ fn severity(seed: u64, replay: u64) -> f64 {
 }
 
 /// Two independent standard normal numbers by Box and Muller.
-fn normal2(random: &mut ChaCha8Rng) -> Vector2 {
+pub(super) fn normal2(random: &mut ChaCha8Rng) -> Vector2 {
     let (u, v) = (1.0 - random.random::<f64>(), random.random::<f64>());
     let angle = std::f64::consts::TAU * v;
     Vector2::new(libm::cos(angle), libm::sin(angle)) * (-2.0 * libm::log(u)).sqrt()

@@ -7,6 +7,7 @@ mod goal;
 mod graph;
 mod planner;
 mod predict;
+mod segments;
 mod strokes;
 mod tour;
 mod tree;
@@ -21,6 +22,7 @@ pub use goal::{Domain, GoalError, GoalLiteral, Problem, ResolvedGoal, Step, reso
 pub use graph::{Node, NodeRole, SemanticDirectedGraph};
 pub use planner::{Plan, PlanConfig, PlanError, plan};
 pub use predict::{Prediction, Progress, predict};
+pub use segments::{best_segment, best_segment_of_variants};
 pub use strokes::{Stroke, TcpWaypoint};
 pub use tour::{
     CostMatrix, MAX_TOUR_COST, MAX_TOUR_NODES, TourConfig, TourError, shortest_path_from,

@@ -1,7 +1,8 @@
 //! Several plans for the same dirt, of which the predicted effect chooses one.
 
+use super::segments::{composed, space_of};
 use super::{CoverageStrategy, Plan, PlanConfig, PlanError, plan, predict};
-use crate::represent::{ParticleDistribution, Task};
+use crate::represent::{Action, ParticleDistribution, Performance, Task};
 
 /// Bandwidths of the density estimate that are tried beside the configured one, over half the radius of the
 /// collision sphere. The density's peaks, and with them the strokes, differ from one to the next.
@@ -10,14 +11,18 @@ const BANDWIDTHS: [f64; 9] = [0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.7, 2.0, 2.6];
 /// Corners of the surface at which strokes are begun.
 const MAX_CORNERS: usize = 8;
 
-/// The plan with the greatest predicted performance among `count` variants; of equal ones that with the
-/// shortest way in contact.
+/// The plan that is predicted to be worth most among `count` variants; of equal ones that with the shortest
+/// way in contact.
+///
+/// Worth is the number of particles that reach the goal, less several for each that leaves the surface over
+/// a wrong edge: what is left can be wiped again, what is lost cannot.
 ///
 /// Nodes are placed on `to_plan_on`, such as the dirt that is not yet where it belongs; what the plans do is
 /// predicted on all of the task's dirt, so that a stroke that scatters a heap counts against its plan.
 /// Variants differ in the bandwidth of the density estimate, if the strategy is KDE, and then in where the
 /// strokes begin: at the tool, or at a corner of the surface. The first is the plan as configured, so with a
-/// count of 1 this is [`plan`].
+/// count of 1 this is [`plan`]. Where as many as there are bandwidths are asked for, each of their graphs also
+/// gives a plan whose strokes are chosen one by one by their predicted effect, among them straight ones.
 ///
 /// # Errors
 /// Those of [`plan`], if no variant gives a plan.
@@ -27,6 +32,41 @@ pub fn best_plan(
     config: &PlanConfig,
     count: usize,
 ) -> Result<Plan, PlanError> {
+    let mut plans = plan_variants(task, to_plan_on, config, count)?;
+    let is_rooted = matches!(task.action, Action::Collect | Action::Skim);
+    if is_rooted && count >= BANDWIDTHS.len() {
+        let space = space_of(task)?;
+        let graphs = plans.iter().take(BANDWIDTHS.len());
+        let composed: Vec<Plan> = graphs.map(|plan| composed(task, plan, &space)).collect();
+        plans.extend(composed);
+    }
+    let judged = plans.into_iter().map(|plan| {
+        let worth = worth(&predict(task, &plan, |_| ()).performance);
+        (worth, plan.contact_distance(), plan)
+    });
+    let best = judged.reduce(|best, next| {
+        let is_better = next.0 > best.0 || next.0 == best.0 && next.1 < best.1;
+        if is_better { next } else { best }
+    });
+    best.map_or_else(|| plan(task, config), |(_, _, plan)| Ok(plan))
+}
+
+/// How many particles that might still be brought to the goal one is worth that never will: whatever is
+/// left on the surface can be wiped again.
+const LOSS: i64 = 3;
+
+/// What a performance is worth: particles where they belong, less those that nothing brings back.
+pub(super) const fn worth(performance: &Performance) -> i64 {
+    performance.achieved as i64 - LOSS * performance.lost as i64
+}
+
+/// Up to `count` plans, at least one; the first is the plan as configured, unless that fails.
+pub(super) fn plan_variants(
+    task: &Task,
+    to_plan_on: &ParticleDistribution,
+    config: &PlanConfig,
+    count: usize,
+) -> Result<Vec<Plan>, PlanError> {
     let mut open = task.clone();
     open.particles = to_plan_on.clone();
     let half_radius = task.tool.collision_radius() / 2.0;
@@ -35,16 +75,10 @@ pub fn best_plan(
         CoverageStrategy::Grid | CoverageStrategy::Rrt => Vec::new(),
     };
     let bandwidths: Vec<Option<f64>> = std::iter::once(config.bandwidth).chain(others).collect();
-    let corners = task
-        .surface
-        .outline
-        .outer()
-        .iter()
-        .take(MAX_CORNERS)
-        .copied();
-    let starts = std::iter::once(task.tool_start).chain(corners);
+    let corners = task.surface.outline.outer().iter().take(MAX_CORNERS);
+    let starts = std::iter::once(task.tool_start).chain(corners.copied());
     let variants = starts.flat_map(|start| bandwidths.iter().map(move |&b| (start, b)));
-    let mut best: Option<(usize, f64, Plan)> = None;
+    let mut plans = Vec::new();
     let mut failure = None;
     for (start, bandwidth) in variants.take(count.max(1)) {
         open.tool_start = start;
@@ -52,28 +86,18 @@ pub fn best_plan(
             bandwidth,
             ..config.clone()
         };
-        let plan = match plan(&open, &variant) {
-            Ok(plan) => Plan {
+        match plan(&open, &variant) {
+            Ok(plan) => plans.push(Plan {
                 tool_start: task.tool_start,
                 ..plan
-            },
+            }),
             Err(error) => {
                 failure.get_or_insert(error);
-                continue;
             }
-        };
-        let achieved = predict(task, &plan, |_| ()).performance.achieved;
-        let distance = plan.contact_distance();
-        let is_better = best.as_ref().is_none_or(|(most, shortest, _)| {
-            achieved > *most || achieved == *most && distance < *shortest
-        });
-        if is_better {
-            best = Some((achieved, distance, plan));
         }
     }
-    match (best, failure) {
-        (Some((_, _, plan)), _) => Ok(plan),
-        (None, Some(error)) => Err(error),
-        (None, None) => plan(&open, config),
+    match failure {
+        Some(error) if plans.is_empty() => Err(error),
+        _ => Ok(plans),
     }
 }

@@ -2,7 +2,6 @@
 
 use crate::geometry::Pose;
 use crate::interpret::{Belief, Diagnosis, Interpretation};
-use crate::plan::Plan;
 use crate::represent::{
     Fate, GoalState, ParticleDistribution, ParticleError, ScenePart, Surface, Task,
 };
@@ -16,7 +15,7 @@ pub enum Pace {
     /// All strokes, then the interpretation.
     #[default]
     Whole,
-    /// One stroke, then the interpretation: plans more often, never wipes far astray.
+    /// One segment of a plan, that which is predicted to gain most, then the interpretation.
     Greedy,
 }
 
@@ -119,18 +118,6 @@ pub fn unfinished(task: &Task, goal: &GoalState) -> Result<ParticleDistribution,
         })
         .collect();
     ParticleDistribution::with_fates(&open)
-}
-
-/// As much of a plan as is executed before looking.
-pub fn paced(plan: Plan, pace: Pace) -> Plan {
-    let count = match pace {
-        Pace::Whole => plan.strokes.len(),
-        Pace::Greedy => 1,
-    };
-    Plan {
-        strokes: plan.strokes.into_iter().take(count).collect(),
-        ..plan
-    }
 }
 
 /// Mean share of the particles that a belief has where the goal wants them.

@@ -3,7 +3,7 @@
 use super::log::{Hand, PRESS, STEEP, Script, task};
 use super::{assert_near_times, events, exact, told, told_with};
 use wisch::geometry::{Point2, Vector3};
-use wisch::interpret::{Diagnosis, EventKind, InterpretConfig, Touch};
+use wisch::interpret::{Diagnosis, EventKind, InterpretConfig, Touch, Uncertainty};
 use wisch::represent::Fate;
 
 /// A hand that lifts the sponge on the second stroke by 2 cm, with the force of contact.
@@ -236,13 +236,49 @@ fn a_push_that_lasts_into_free_motion_is_one() {
         assert_eq!(collisions.len(), 1, "{collisions:?}");
         assert_near_times(&collisions[0], whole);
     }
-    // On the surface, two are two.
+    // On the surface, two are two; but nobody pushes twice within a third of a second.
     let start = end - 2.0;
-    let pair = [[start, start + 0.4], [start + 0.55, start + 1.0]];
+    let soon = [[start, start + 0.4], [start + 0.55, start + 1.0]];
+    let told_soon = told(&held(&soon, up.0, up.1));
+    let collisions = events(&told_soon, EventKind::Collision);
+    assert_eq!(collisions.len(), 1, "{collisions:?}");
+    assert_near_times(&collisions[0], [start, start + 1.0]);
+    let pair = [[start, start + 0.4], [start + 0.85, start + 1.3]];
     let told = told(&held(&pair, up.0, up.1));
     let collisions = events(&told, EventKind::Collision);
     assert_eq!(collisions.len(), 2, "{collisions:?}");
     for (collision, times) in collisions.iter().zip(pair) {
         assert_near_times(collision, times);
     }
+}
+
+#[test]
+fn whether_a_pushed_tool_wiped_is_told_by_its_place_and_by_its_force() {
+    let task = task(400, STEEP);
+    let [start, end] = Script::default().contacts()[1];
+    // A hand takes the weight off the tool that it shoves, but leaves it where it was.
+    let script = held(
+        &[[start + 0.3, end - 0.3]],
+        Vector3::zeros(),
+        Vector3::new(12.0, 0.0, 1.0),
+    );
+    let share = |script: &Script, pushed_by_force: f64| {
+        let config = InterpretConfig {
+            uncertainty: Uncertainty {
+                pushed_by_force,
+                ..Uncertainty::NONE
+            },
+            ..InterpretConfig::of(&task)
+        };
+        told_with(&script.samples(&task), &task, &config).performance
+    };
+    let calm = share(&Script::default(), 1.0).mean;
+    let by_force = share(&script, 1.0).mean;
+    let by_place = share(&script, 0.0).mean;
+    assert!(by_force < calm - 0.06, "{by_force} of {calm}");
+    assert!((by_place - calm).abs() < 0.03, "{by_place} of {calm}");
+    // Where either may be, the interval holds both.
+    let either = share(&script, 0.5);
+    assert!(either.low < by_force + 0.02, "{either:?}: {by_force}");
+    assert!(either.high > by_place - 0.02, "{either:?}: {by_place}");
 }

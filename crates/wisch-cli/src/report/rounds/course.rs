@@ -285,6 +285,7 @@ const fn event_class(kind: EventKind) -> &'static str {
         EventKind::ContactLoss => "event-loss",
         EventKind::Collision => "event-collision",
         EventKind::StickSlip => "event-stick",
+        EventKind::Approach | EventKind::Stroke | EventKind::Lift | EventKind::Retreat => "",
     }
 }
 

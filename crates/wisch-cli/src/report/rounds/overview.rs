@@ -197,12 +197,16 @@ fn row(round: &RoundView, truth: bool) -> Markup {
 
 /// What happened, to be unfolded.
 pub(super) fn events(events: &[Event]) -> Markup {
+    let events: Vec<Event> = (events.iter())
+        .filter(|event| !event.kind.is_phase())
+        .copied()
+        .collect();
     html! {
         @if events.is_empty() {
             p class="note" { "Nothing happened that could be felt." }
         } @else {
             details {
-                summary { "Events: " (words::tally(events)) }
+                summary { "Events: " (words::tally(&events)) }
                 div class="wide-table" tabindex="0" role="region" aria-label="Events" {
                     table {
                         thead {

@@ -4,7 +4,7 @@ use super::{RoundView, RoundsInput};
 use crate::report::view::{metres, percent};
 use wisch::interpret::{Diagnosis, Estimate, Event, EventKind, Interpretation};
 
-/// All kinds of events, in the order in which they are shown.
+/// All kinds of events but phases, in the order in which they are shown.
 pub(super) const KINDS: [EventKind; 4] = [
     EventKind::Contact,
     EventKind::ContactLoss,
@@ -18,6 +18,10 @@ pub(super) const fn kind(kind: EventKind) -> &'static str {
         EventKind::ContactLoss => "contact loss",
         EventKind::Collision => "collision",
         EventKind::StickSlip => "stick–slip",
+        EventKind::Approach => "approach",
+        EventKind::Stroke => "stroke",
+        EventKind::Lift => "lift",
+        EventKind::Retreat => "retreat",
     }
 }
 

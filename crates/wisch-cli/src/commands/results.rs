@@ -1,0 +1,219 @@
+//! The files with the results of the stages.
+
+use super::follow::Following;
+use super::prepare::Prepared;
+use super::rounds::{input, summary as summary_of_round, views};
+use super::run::Results;
+use super::words::percent;
+use crate::args::ResultArgs;
+use crate::failure::Failure;
+use crate::output::{
+    FOLLOWING_FILE, OutputFolder, PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE,
+    PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE, REPORT_FILE, ROUNDS_FILE,
+    TCP_PATH_FILE, TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE,
+};
+use crate::records::{FollowedRecord, PlanRecord, RobotTrajectory, RoundSummary, tcp_path_csv};
+use crate::report::{self, Frames, ReportInput};
+use std::path::{Path, PathBuf};
+use wisch::plan::{Plan, Prediction};
+
+/// Pixels per unit of a picture's own size.
+const PNG_SCALE: f32 = 2.0;
+
+/// Longest name of a folder that is derived from a task's [characters]; file systems take 255 bytes.
+const MAX_NAME_LEN: usize = 60;
+
+/// Where the results go.
+pub(super) fn out_folder(results: &ResultArgs, prepared: &Prepared) -> PathBuf {
+    results
+        .out
+        .clone()
+        .unwrap_or_else(|| Path::new("out").join(folder_name(&prepared.task.name)))
+}
+
+/// A task's name as that of a folder: a name may be anything, a path may not.
+pub(super) fn folder_name(task: &str) -> String {
+    let plain = |c: char| {
+        if c.is_alphanumeric() || "-_.".contains(c) {
+            c
+        } else {
+            '-'
+        }
+    };
+    let name: String = task.chars().map(plain).take(MAX_NAME_LEN).collect();
+    match name.trim_start_matches('.') {
+        "" => "task".to_owned(),
+        name => name.to_owned(),
+    }
+}
+
+/// Writes all of them.
+pub(super) fn write(
+    folder: &OutputFolder,
+    prepared: &Prepared,
+    results: &Results,
+) -> Result<(), Failure> {
+    let record = PlanRecord::new(&prepared.task, &results.plan, prepared.config.seed);
+    folder.write(PLAN_FILE, json(&record)?)?;
+    folder.write(PARTICLES_BEFORE_FILE, prepared.task.particles.to_csv())?;
+    if let Some(following) = &results.following {
+        write_motion(folder, prepared, following)?;
+    }
+    if let Some((prediction, frames)) = &results.predicted {
+        folder.write(PARTICLES_AFTER_FILE, prediction.particles.to_csv())?;
+        write_report(folder, prepared, results, prediction, frames)?;
+    }
+    if let Some(last) = results.rounds.last() {
+        let told = &last.round.interpretation;
+        let estimated = told.belief.sample(prepared.task.seed).map_err(internal)?;
+        folder.write(PARTICLES_ESTIMATED_FILE, estimated.to_csv())?;
+        if let Some(truth) = &last.truth {
+            folder.write(PARTICLES_TRUE_FILE, truth.to_csv())?;
+        }
+        let summaries = results.rounds.iter().map(summary_of_round);
+        let rounds: Vec<_> = summaries.map(RoundSummary::without_timing).collect();
+        folder.write(ROUNDS_FILE, json(&rounds)?)?;
+    }
+    Ok(())
+}
+
+fn write_motion(
+    folder: &OutputFolder,
+    prepared: &Prepared,
+    following: &Following,
+) -> Result<(), Failure> {
+    let (followed, cell) = (&following.followed, &following.cell);
+    let faults = following.audit.faults.iter().map(ToString::to_string);
+    let record = FollowedRecord::new(&following.robot, followed, faults.collect());
+    folder.write(FOLLOWING_FILE, json(&record)?)?;
+    let trajectory = RobotTrajectory::new(followed, cell);
+    let line = serde_json::to_string(&trajectory).map_err(internal)?;
+    folder.write(TRAJECTORY_JSON_FILE, line + "\n")?;
+    folder.write(
+        TRAJECTORY_YAML_FILE,
+        trajectory.to_yaml().map_err(internal)?,
+    )?;
+    let interaction = &prepared.task.interaction;
+    folder.write(TCP_PATH_FILE, tcp_path_csv(followed, cell, interaction))
+}
+
+fn write_report(
+    folder: &OutputFolder,
+    prepared: &Prepared,
+    results: &Results,
+    prediction: &Prediction,
+    frames: &Frames,
+) -> Result<(), Failure> {
+    let title = title(prepared);
+    let following = results.following.as_ref();
+    let wiped = following.map_or_else(|| results.plan.clone(), |f| f.plan(&results.plan));
+    let mut facts = facts(prepared, &wiped, prediction);
+    facts.extend(
+        following
+            .iter()
+            .flat_map(|f| f.facts(results.abandoned_share)),
+    );
+    let shown = following.map(|following| (following, following.shown(frames)));
+    let motion = (shown.as_ref()).map(|(following, shown)| shown.input(following, &prepared.task));
+    let views = views(&results.rounds);
+    let rounds = input(&results.rounds, &views, prepared);
+    let input = ReportInput {
+        title: &title,
+        task: &prepared.task,
+        plan: &wiped,
+        motion: motion.as_ref(),
+        rounds: rounds.as_ref(),
+        prediction,
+        frames,
+        bandwidth: prepared.config.bandwidth,
+        facts: &facts,
+    };
+    for (name, svg) in report::pictures(&input) {
+        folder.write(&format!("{name}.svg"), &svg)?;
+        let png = report::rasterize(&svg, PNG_SCALE).map_err(internal)?;
+        folder.write(&format!("{name}.png"), png)?;
+    }
+    folder.write(REPORT_FILE, report::page(&input))
+}
+
+fn title(prepared: &Prepared) -> String {
+    let task = &prepared.task;
+    format!(
+        "{}: {} {} with {} on {}",
+        task.name, task.action, task.medium, task.tool.name, task.surface.name
+    )
+}
+
+/// What the report says beside its numbers.
+fn facts(prepared: &Prepared, plan: &Plan, prediction: &Prediction) -> Vec<(String, String)> {
+    let tally = prediction.particles.tally();
+    let performance = &prediction.performance;
+    let mut facts: Vec<(String, String)> = [
+        ("Predicted performance", percent(performance.ratio())),
+        (
+            "Target performance",
+            percent(prepared.file.target_performance()),
+        ),
+        ("Particles", tally.initial.to_string()),
+        ("Still on the surface", tally.remaining.to_string()),
+        ("Absorbed", tally.absorbed.to_string()),
+        ("Off the surface", tally.off_surface.to_string()),
+        ("Lost over a wrong edge", performance.lost.to_string()),
+        ("Out of reach", percent(plan.unreachable_share)),
+        (
+            "Distance in contact",
+            format!("{:.2} m", plan.contact_distance()),
+        ),
+        ("Distance in all", format!("{:.2} m", plan.total_distance())),
+        (
+            "Graph",
+            format!(
+                "{} nodes, {} edges",
+                plan.graph.nodes.len(),
+                plan.graph.edges.len()
+            ),
+        ),
+        ("Strokes", plan.strokes.len().to_string()),
+        (
+            "Collision sphere",
+            format!("r_s = {:.4} m", plan.collision_radius),
+        ),
+        ("Strategy", prepared.strategy().to_string()),
+        ("Seed", prepared.config.seed.to_string()),
+    ]
+    .map(|(label, value)| (label.to_owned(), value))
+    .to_vec();
+    if let Some(longest) = plan.graph.max_edge_length {
+        facts.push(("Longest edge allowed".to_owned(), format!("{longest:.3} m")));
+    }
+    if let Some(derived) = &prepared.derived {
+        facts.push(("Goal".to_owned(), derived.goal.clone()));
+        facts.push(("Steps".to_owned(), derived.steps.join(" ")));
+    }
+    facts
+}
+
+pub(super) fn json(record: &impl serde::Serialize) -> Result<String, Failure> {
+    let mut text = serde_json::to_string_pretty(record).map_err(internal)?;
+    text.push('\n');
+    Ok(text)
+}
+
+/// A failure that no input should bring about.
+pub(super) fn internal(error: impl std::fmt::Display) -> Failure {
+    Failure::new(format!("internal error: {error}"))
+        .with_help("this is a fault of wisch, not of your files; please report it")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_cannot_lead_out_of_the_folder() {
+        assert_eq!(folder_name("chopping-board"), "chopping-board");
+        assert_eq!(folder_name("../../etc"), "-..-etc");
+        assert_eq!(folder_name(".."), "task");
+        assert_eq!(folder_name("my board/2"), "my-board-2");
+    }
+}

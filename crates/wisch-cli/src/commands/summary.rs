@@ -1,0 +1,180 @@
+//! What a command says in the end: one record, and its words for people.
+
+use super::prepare::Prepared;
+use super::rounds::{Done, goal_met, rounds_in_words, summary as summary_of_round};
+use super::run::Results;
+use super::words::{counted, percent};
+use crate::output::{FOLLOWING_FILE, PLAN_FILE, REPORT_FILE};
+use crate::records::{FollowingSummary, LoopSummary, PredictionSummary, SUMMARY_SCHEMA, Summary};
+use std::path::Path;
+
+/// The record.
+pub(super) fn summary(prepared: &Prepared, results: &Results, out: &Path) -> Summary {
+    let task = &prepared.task;
+    let plan = &results.plan;
+    let prediction = results.predicted.as_ref().map(|(prediction, _)| prediction);
+    let target_performance = prepared.file.target_performance();
+    Summary {
+        schema: SUMMARY_SCHEMA,
+        task: task.name.clone(),
+        action: task.action.to_string(),
+        surface: task.surface.name.clone(),
+        tool: task.tool.name.clone(),
+        medium: task.medium.clone(),
+        strategy: prepared.strategy().to_string(),
+        seed: prepared.config.seed,
+        particles: task.particles.len(),
+        nodes: plan.graph.nodes.len(),
+        edges: plan.graph.edges.len(),
+        strokes: plan.strokes.len(),
+        unreachable_share: plan.unreachable_share,
+        distance_in_contact_m: plan.contact_distance(),
+        distance_total_m: plan.total_distance(),
+        planning_time_s: results.planning_time_s,
+        following: (results.following.as_ref())
+            .map(|following| following.summary(results.abandoned_share)),
+        prediction: prediction.map(|prediction| {
+            let performance = prediction.performance;
+            let predicted_performance = performance.ratio();
+            PredictionSummary {
+                predicted_performance,
+                target_performance,
+                goal_met: match results.rounds.is_empty() {
+                    true => predicted_performance >= target_performance,
+                    false => goal_met(&results.rounds),
+                },
+                lost_share: performance.lost as f64 / performance.initial.max(1) as f64,
+            }
+        }),
+        execution: LoopSummary::new(results.rounds.iter().map(summary_of_round).collect()),
+        out: out.display().to_string(),
+    }
+}
+
+/// The summary for people.
+pub(super) fn in_words(summary: &Summary, rounds: &[Done], out: &Path) -> String {
+    let mut lines = vec![];
+    if let Some(prediction) = &summary.prediction {
+        let verdict = if prediction.goal_met {
+            "met"
+        } else {
+            "not met"
+        };
+        let (word, performance) = match &summary.execution {
+            Some(execution) => ("estimated", execution.final_estimated),
+            None => ("predicted", prediction.predicted_performance),
+        };
+        lines.push((
+            "performance",
+            format!(
+                "{word} {} of {} particles (target {}: {verdict})",
+                percent(performance),
+                summary.particles,
+                percent(prediction.target_performance),
+            ),
+        ));
+        lines.extend(rounds_in_words(rounds));
+        if summary.execution.is_some() {
+            let predicted = percent(prediction.predicted_performance);
+            lines.push(("predicted", format!("{predicted} for the first round")));
+        }
+        lines.push(("lost over an edge", percent(prediction.lost_share)));
+    } else {
+        lines.push(("particles", summary.particles.to_string()));
+    }
+    lines.push(("out of reach", percent(summary.unreachable_share)));
+    lines.push((
+        "graph",
+        format!(
+            "{}, {}, {}",
+            counted(summary.nodes, "node"),
+            counted(summary.edges, "edge"),
+            counted(summary.strokes, "stroke")
+        ),
+    ));
+    lines.push((
+        "distance",
+        format!(
+            "{:.2} m in contact, {:.2} m in all",
+            summary.distance_in_contact_m, summary.distance_total_m
+        ),
+    ));
+    if let Some(time) = summary.planning_time_s {
+        lines.push(("planning time", format!("{time:.3} s")));
+    }
+    if let Some(following) = &summary.following {
+        lines.extend(robot_in_words(following));
+    }
+    if let Some(execution) = &summary.execution {
+        let factor = execution.realtime_factor;
+        lines.push(("simulation", format!("{factor:.1} times real time")));
+    }
+    let result = match summary.prediction {
+        Some(_) => ("report", REPORT_FILE),
+        None => ("plan", PLAN_FILE),
+    };
+    lines.push((result.0, out.join(result.1).display().to_string()));
+
+    let mut text = format!(
+        "{}: {} {} with {} on {} ({}, seed {})\n",
+        summary.task,
+        summary.action,
+        summary.medium,
+        summary.tool,
+        summary.surface,
+        summary.strategy,
+        summary.seed
+    );
+    for (name, value) in lines {
+        text += &format!("  {name:<18} {value}\n");
+    }
+    text
+}
+
+/// The robot's part of the summary for people.
+fn robot_in_words(following: &FollowingSummary) -> Vec<(&'static str, String)> {
+    let places = match following.placements.len() {
+        0 => String::new(),
+        count => format!(", {}", counted(count, "placement")),
+    };
+    let mut lines = vec![
+        (
+            "robot",
+            format!(
+                "{}: {} abandoned{places}",
+                following.robot,
+                counted(following.abandoned_nodes, "node")
+            ),
+        ),
+        (
+            "execution time",
+            format!(
+                "{:.1} s, {:.1} s of it in contact",
+                following.execution_time_s, following.contact_time_s
+            ),
+        ),
+        (
+            "motion",
+            format!(
+                "{:.2} mm off its line at most, {:.1} mm clear at least",
+                1e3 * following.max_path_deviation_m,
+                1e3 * following.min_clearance_m
+            ),
+        ),
+        (
+            "following time",
+            format!("{:.3} s", following.following_time_s),
+        ),
+    ];
+    if let Some(obstruction) = &following.first_obstruction {
+        lines.push((
+            "abandoned first",
+            format!("{obstruction}; all of them in {FOLLOWING_FILE}"),
+        ));
+    }
+    if following.faults > 0 {
+        let faults = counted(following.faults, "fault");
+        lines.push(("faults", format!("{faults}, see {FOLLOWING_FILE}")));
+    }
+    lines
+}

@@ -1,0 +1,156 @@
+//! The hidden folder in which results are made, and those that killed runs left beside them.
+
+use std::fs::{self, File, TryLockError};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Held by whoever works in the folder: the system gives it back when a process ends, however it ends.
+const LOCK_FILE: &str = "lock";
+
+/// What becomes of what a killed run left behind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Leftover {
+    /// It is removed.
+    Remove,
+    /// The newest of it is taken over, the rest removed.
+    TakeOver,
+}
+
+/// What was found of killed runs.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Found {
+    /// Folders that were removed.
+    pub removed: Vec<PathBuf>,
+    /// Whether one was taken over.
+    pub is_taken_over: bool,
+}
+
+/// A hidden folder beside a target, on the same file system. Dropped, it is removed.
+#[derive(Debug)]
+pub struct Workplace {
+    path: PathBuf,
+    _lock: File,
+}
+
+impl Workplace {
+    /// A workplace for what is to be called `name` in `parent`, and what was there of dead runs.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn begin(parent: &Path, name: &str, leftover: Leftover) -> io::Result<(Self, Found)> {
+        let prefix = format!(".{name}.");
+        let mut dead = abandoned(parent, &prefix)?;
+        let taken = match leftover {
+            Leftover::Remove => None,
+            Leftover::TakeOver => dead.pop(),
+        };
+        let removed = dead.iter().map(|place| place.path.clone()).collect();
+        // Removed when dropped.
+        drop(dead);
+        let found = Found {
+            removed,
+            is_taken_over: taken.is_some(),
+        };
+        let place = match taken {
+            Some(place) => place,
+            None => Self::new(parent, &prefix)?,
+        };
+        Ok((place, found))
+    }
+
+    fn new(parent: &Path, prefix: &str) -> io::Result<Self> {
+        loop {
+            let folder = tempfile::Builder::new().prefix(prefix).tempdir_in(parent)?;
+            let path = folder.keep();
+            let lock = File::create(path.join(LOCK_FILE))?;
+            lock.lock()?;
+            let place = Self { path, _lock: lock };
+            // Between creating and locking, somebody may have taken it for left behind.
+            if place.path.join(LOCK_FILE).is_file() {
+                return Ok(place);
+            }
+        }
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+}
+
+impl Drop for Workplace {
+    fn drop(&mut self) {
+        // What cannot be removed stays, and is found by the next run.
+        let _ = fs::remove_dir_all(&self.path);
+    }
+}
+
+/// Workplaces that no living process holds, now held by this one, the newest last.
+fn abandoned(parent: &Path, prefix: &str) -> io::Result<Vec<Workplace>> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(parent)? {
+        let entry = entry?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let is_ours = (name.strip_prefix(prefix))
+            .is_some_and(|rest| !rest.is_empty() && rest.chars().all(char::is_alphanumeric));
+        let lock = entry.path().join(LOCK_FILE);
+        if !is_ours || !lock.is_file() {
+            continue;
+        }
+        let lock = File::options().write(true).open(&lock)?;
+        match lock.try_lock() {
+            Ok(()) => {
+                let modified = lock.metadata()?.modified()?;
+                let path = entry.path();
+                found.push((modified, Workplace { path, _lock: lock }));
+            }
+            Err(TryLockError::WouldBlock) => {}
+            Err(TryLockError::Error(error)) => return Err(error),
+        }
+    }
+    found.sort_by(|a, b| (a.0, &a.1.path).cmp(&(b.0, &b.1.path)));
+    Ok(found.into_iter().map(|(_, place)| place).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn left_behind(parent: &Path, name: &str) -> PathBuf {
+        let path = parent.join(name);
+        fs::create_dir(&path).expect("a folder");
+        fs::write(path.join(LOCK_FILE), "").expect("a file");
+        path
+    }
+
+    #[test]
+    fn only_what_nobody_holds_is_removed() {
+        let parent = tempfile::tempdir().expect("a folder");
+        let dead = left_behind(parent.path(), ".board.abc123");
+        let others = left_behind(parent.path(), ".board.two.abc123");
+        let foreign = parent.path().join(".board.xyz");
+        fs::create_dir(&foreign).expect("a folder");
+        let (living, found) =
+            Workplace::begin(parent.path(), "board", Leftover::Remove).expect("a workplace");
+        assert_eq!(found.removed, std::slice::from_ref(&dead));
+        assert!(!dead.exists() && others.exists() && foreign.exists());
+
+        let (next, found) =
+            Workplace::begin(parent.path(), "board", Leftover::TakeOver).expect("another");
+        assert_eq!(found, Found::default(), "the first is held");
+        assert_ne!(living.path(), next.path());
+        let path = living.path().to_path_buf();
+        drop(living);
+        assert!(!path.exists());
+    }
+
+    #[test]
+    fn what_a_dead_run_left_is_taken_over() {
+        let parent = tempfile::tempdir().expect("a folder");
+        let dead = left_behind(parent.path(), ".board.abc123");
+        let (place, found) =
+            Workplace::begin(parent.path(), "board", Leftover::TakeOver).expect("a workplace");
+        assert!(found.is_taken_over && found.removed.is_empty());
+        assert_eq!(place.path(), dead);
+    }
+}

@@ -1,0 +1,119 @@
+//! The closed loop of `wisch run`: what a killed run leaves behind, and how it is gone on with.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+/// Files that say how a run went, all of them the same every time.
+const FILES: [&str; 7] = [
+    "rounds.json",
+    "plan.json",
+    "particles-before.csv",
+    "particles-true.csv",
+    "particles-estimated.csv",
+    "round-1.mcap",
+    "round-2.mcap",
+];
+
+/// A run of two short rounds.
+fn wisch(folder: &Path, out: &str, more: &[&str]) -> Command {
+    let task = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/chopping-board.toml");
+    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("wisch"));
+    command.current_dir(folder).arg("run").arg(task);
+    command.args(["--greedy", "--rounds", "2", "--out", out]);
+    command.args(["--set", "target_performance=1.0"]).args(more);
+    command
+}
+
+/// Exit code and standard error.
+fn ended(mut command: Command) -> (Option<i32>, String) {
+    let output = command.output().expect("it runs");
+    let err = String::from_utf8(output.stderr).expect("text");
+    (output.status.code(), err)
+}
+
+/// The hidden folders beside results.
+fn hidden(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    let is_hidden = |path: &PathBuf| {
+        let name = path.file_name().expect("a name");
+        name.to_string_lossy().starts_with('.')
+    };
+    paths.filter(is_hidden).collect()
+}
+
+/// Starts a run, kills it (SIGKILL where there are signals) after its first round, and gives what it left.
+fn killed_after_one_round(folder: &Path, out: &str) -> PathBuf {
+    let mut run = wisch(folder, out, &[])
+        .stdout(Stdio::null())
+        .spawn()
+        .expect("it runs");
+    let has_one = || {
+        hidden(folder)
+            .into_iter()
+            .find(|p| p.join("state/round-1.json").is_file())
+    };
+    let left = loop {
+        if let Some(left) = has_one() {
+            break left;
+        }
+        assert_eq!(
+            run.try_wait().expect("a process"),
+            None,
+            "it ended too early"
+        );
+        std::thread::sleep(Duration::from_millis(2));
+    };
+    run.kill().expect("it is killed");
+    run.wait().expect("it is dead");
+    assert!(!folder.join(out).exists() && left.exists());
+    left
+}
+
+#[test]
+fn a_killed_run_is_gone_on_with_and_gives_the_same_bytes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (code, err) = ended(wisch(folder.path(), "whole", &[]));
+    assert_eq!((code, err.as_str()), (Some(1), ""));
+
+    killed_after_one_round(folder.path(), "cut");
+    let (code, err) = ended(wisch(folder.path(), "cut", &["--resume"]));
+    assert_eq!(code, Some(1), "{err}");
+    assert!(
+        err.contains("1 round of the killed run taken over"),
+        "{err}"
+    );
+    let of = |run: &str, name: &str| fs::read(folder.path().join(run).join(name)).expect(name);
+    for name in FILES {
+        assert!(of("cut", name) == of("whole", name), "{name} differs");
+    }
+    assert_eq!(hidden(folder.path()), Vec::<PathBuf>::new());
+}
+
+#[test]
+fn what_a_killed_run_left_is_not_taken_for_another_and_is_cleaned_up() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let left = killed_after_one_round(folder.path(), "cut");
+    // Of another place: not touched.
+    let (code, err) = ended(wisch(folder.path(), "other", &["--robot", "none"]));
+    assert_eq!((code, err.as_str()), (Some(1), ""));
+    assert!(left.exists());
+    // Without --resume: removed.
+    let (code, err) = ended(wisch(folder.path(), "cut", &["--robot", "none"]));
+    assert_eq!(code, Some(1), "{err}");
+    assert!(
+        err.contains("note: removed") && err.contains("killed run"),
+        "{err}"
+    );
+    assert!(!left.exists());
+
+    // Of another seed: nothing of it is taken over.
+    killed_after_one_round(folder.path(), "again");
+    let (_, err) = ended(wisch(folder.path(), "again", &["--resume", "--seed", "7"]));
+    assert!(
+        err.contains("0 rounds of the killed run taken over"),
+        "{err}"
+    );
+}

@@ -1,0 +1,326 @@
+//! Reading of a NEEM: its triples one by one, and the episodes that they tell of.
+
+use super::bson::Documents;
+use super::document::triple;
+use super::triples::{
+    BEGIN, END, HAS_INTERVAL, NAMED, Object, RECORD, STEP_OF, TYPE, Triple, derived, individual,
+    iri,
+};
+use super::{NeemError, at, collection_file};
+use crate::ontology::Ontology;
+use crate::record::{EpisodeRecord, Individual, Origin, Value};
+use std::collections::{BTreeMap, HashMap};
+use std::fs::File;
+use std::io::BufReader;
+use std::path::{Path, PathBuf};
+
+/// The triples of a NEEM, one by one; it ends with the first that cannot be read.
+#[derive(Debug)]
+pub struct Triples {
+    path: PathBuf,
+    documents: Documents<BufReader<File>>,
+    number: u64,
+    failed: bool,
+}
+
+impl Triples {
+    /// Opens the triples of the NEEM in this folder.
+    ///
+    /// # Errors
+    /// There are none.
+    pub fn open(neem: &Path) -> Result<Self, NeemError> {
+        let path = collection_file(neem, "triples");
+        let file = File::open(&path).map_err(at(&path))?;
+        Ok(Self {
+            documents: Documents::new(BufReader::new(file)),
+            number: 0,
+            failed: false,
+            path,
+        })
+    }
+}
+
+impl Iterator for Triples {
+    type Item = Result<Triple, NeemError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.failed {
+            return None;
+        }
+        let document = self.documents.next()?;
+        let number = self.number;
+        self.number += 1;
+        let triple = match document {
+            Ok(document) => triple(&document).map_err(|what| NeemError::Triple {
+                path: self.path.clone(),
+                number,
+                what,
+            }),
+            Err(error) => Err(NeemError::Bson {
+                path: self.path.clone(),
+                error,
+            }),
+        };
+        self.failed = triple.is_err();
+        Some(triple)
+    }
+}
+
+/// The episodes in the NEEM in this folder, by their names.
+///
+/// # Errors
+/// It cannot be read, or an episode in it is not whole.
+pub fn import(neem: &Path) -> Result<Vec<EpisodeRecord>, NeemError> {
+    let mut parts = BTreeMap::new();
+    for triple in Triples::open(neem)? {
+        sort_in(&mut parts, triple?);
+    }
+    whole(parts)
+}
+
+/// The episodes that triples tell of, by their names. Other triples are passed over.
+///
+/// It is [`super::triples`] turned round: the record comes out as it went in, but for empty lists of relations,
+/// which triples cannot say, and for relations to an individual by its name, which come out as `#` and place.
+///
+/// # Errors
+/// An episode is not whole.
+pub fn records(triples: impl IntoIterator<Item = Triple>) -> Result<Vec<EpisodeRecord>, NeemError> {
+    let mut parts = BTreeMap::new();
+    for triple in triples {
+        sort_in(&mut parts, triple);
+    }
+    whole(parts)
+}
+
+/// Predicate, with prefix where it has one, and object.
+type Said = Vec<(String, Object)>;
+
+/// What is said of the parts of an episode.
+#[derive(Debug, Default)]
+struct Parts {
+    record: Said,
+    individuals: BTreeMap<usize, Said>,
+    intervals: HashMap<usize, Said>,
+}
+
+/// What a subject is in its episode.
+enum Part {
+    Record,
+    Individual(usize),
+    Interval(usize),
+}
+
+/// The episode and part that a name with prefix stands for.
+fn part(name: &str) -> Option<(&str, Part)> {
+    let (class, rest) = name.strip_prefix("semco:")?.split_once('_')?;
+    let (episode, end) = rest.rsplit_once('-')?;
+    let place = |text: &str| {
+        let place: usize = text.parse().ok()?;
+        (place.to_string() == text).then_some(place)
+    };
+    let part = if end == "record" && format!("semco:{class}") == RECORD {
+        Part::Record
+    } else if let Some(interval) = end.strip_suffix("time") {
+        Part::Interval(place(interval)?)
+    } else {
+        Part::Individual(place(end)?)
+    };
+    Some((episode, part))
+}
+
+fn sort_in(parts: &mut BTreeMap<String, Parts>, triple: Triple) {
+    let ontology = Ontology::shipped();
+    let name = ontology.compact(&triple.subject).unwrap_or_default();
+    let Some((episode, part)) = part(&name) else {
+        return;
+    };
+    let predicate = ontology.compact(&triple.predicate);
+    let said = (predicate.unwrap_or(triple.predicate), triple.object);
+    let episode = parts.entry(episode.to_owned()).or_default();
+    match part {
+        Part::Record => episode.record.push(said),
+        Part::Individual(place) => episode.individuals.entry(place).or_default().push(said),
+        Part::Interval(place) => episode.intervals.entry(place).or_default().push(said),
+    }
+}
+
+fn whole(parts: BTreeMap<String, Parts>) -> Result<Vec<EpisodeRecord>, NeemError> {
+    parts
+        .into_iter()
+        .filter(|(_, parts)| !parts.record.is_empty())
+        .map(|(id, parts)| record(id, parts))
+        .collect()
+}
+
+fn record(id: String, mut parts: Parts) -> Result<EpisodeRecord, NeemError> {
+    let incomplete = |what: String| NeemError::Incomplete {
+        episode: id.clone(),
+        what,
+    };
+    let mut record = header(&id, &parts.record).map_err(incomplete)?;
+    let mut left = Vec::new();
+    for (place, (number, said)) in std::mem::take(&mut parts.individuals)
+        .into_iter()
+        .enumerate()
+    {
+        if number != place {
+            return Err(incomplete(format!("there is no individual {place}")));
+        }
+        let (individual, rest) = skeleton(place, said, &parts.intervals).map_err(incomplete)?;
+        record.individuals.push(individual);
+        left.push(rest);
+    }
+    // Checked before anything is derived from it: parents stand before their parts.
+    let fault = |fault| NeemError::Record {
+        episode: id.clone(),
+        fault,
+    };
+    record.check().map_err(fault)?;
+    relate(&mut record, left)?;
+    record.check().map_err(fault)?;
+    Ok(record)
+}
+
+fn header(id: &str, said: &Said) -> Result<EpisodeRecord, String> {
+    let number = |property: &str| match find(said, property) {
+        Some(Object::Number(number)) => Ok(*number),
+        _ => Err(format!("its record has no number {property}")),
+    };
+    let text = |property: &str| match find(said, property) {
+        Some(Object::Text(text)) => Ok(text.clone()),
+        _ => Err(format!("its record has no text {property}")),
+    };
+    let rounds = said.iter().filter_map(|(property, object)| match object {
+        Object::Number(start) if property == "semco:recordRoundStart" => Some(*start),
+        _ => None,
+    });
+    let seed = text("semco:recordSeed")?;
+    Ok(EpisodeRecord {
+        schema: number("semco:recordSchema")? as u32,
+        id: id.to_owned(),
+        task: text("semco:recordTask")?,
+        interval: [number("semco:recordBegin")?, number("semco:recordEnd")?],
+        origin: text("semco:recordLog").map_or(Origin::Simulated, Origin::Imported),
+        program: text("semco:recordProgram")?,
+        seed: seed
+            .parse()
+            .map_err(|_| format!("semco:recordSeed: {seed:?} is no number of 64 bits"))?,
+        rounds: rounds.collect(),
+        individuals: Vec::new(),
+    })
+}
+
+fn find<'a>(said: &'a Said, property: &str) -> Option<&'a Object> {
+    said.iter()
+        .find(|(name, _)| name == property)
+        .map(|(_, object)| object)
+}
+
+/// Class, interval, parent and values of an individual, and what else is said of it.
+fn skeleton(
+    place: usize,
+    said: Said,
+    intervals: &HashMap<usize, Said>,
+) -> Result<(Individual, Said), String> {
+    let mut individual = Individual {
+        class: String::new(),
+        interval: None,
+        parent: None,
+        relations: BTreeMap::new(),
+        values: BTreeMap::new(),
+    };
+    let mut left = Said::new();
+    for (property, object) in said {
+        let object = match object {
+            Object::Iri(iri) => iri,
+            Object::Number(number) => {
+                individual.values.insert(property, Value::Number(number));
+                continue;
+            }
+            Object::Text(text) => {
+                individual.values.insert(property, Value::Text(text));
+                continue;
+            }
+        };
+        // The first of each is the record's own; what follows is a relation.
+        match property.as_str() {
+            TYPE if individual.class.is_empty() => {
+                let class = Ontology::shipped().compact(&object);
+                let class = class.ok_or_else(|| format!("{object:?} is no class"))?;
+                if class == NAMED {
+                    left.push((property, Object::Iri(object)));
+                } else {
+                    individual.class = class;
+                }
+            }
+            STEP_OF if individual.parent.is_none() => {
+                let name = Ontology::shipped().compact(&object).unwrap_or_default();
+                let Some((_, Part::Individual(parent))) = part(&name) else {
+                    return Err(format!("individual {place} is part of {object:?}"));
+                };
+                individual.parent = Some(parent);
+            }
+            HAS_INTERVAL if individual.interval.is_none() => {
+                let interval = intervals.get(&place).and_then(|said| interval(said));
+                let whole = interval.ok_or_else(|| format!("the interval of {place} has no ends"));
+                individual.interval = Some(whole?);
+            }
+            _ => left.push((property, Object::Iri(object))),
+        }
+    }
+    if individual.class.is_empty() {
+        return Err(format!("individual {place} has no class"));
+    }
+    Ok((individual, left))
+}
+
+fn interval(said: &Said) -> Option<[f64; 2]> {
+    match [find(said, BEGIN)?, find(said, END)?] {
+        [Object::Number(start), Object::Number(end)] => Some([*start, *end]),
+        _ => None,
+    }
+}
+
+/// Takes what is left of each individual for its relations, apart from what was derived.
+fn relate(record: &mut EpisodeRecord, left: Vec<Said>) -> Result<(), NeemError> {
+    let ontology = Ontology::shipped();
+    let mut places = HashMap::new();
+    let mut repeated = HashMap::<[String; 3], usize>::new();
+    for place in 0..record.individuals.len() {
+        places.insert(iri(&individual(record, place))?, place);
+        for triple in derived(record, place)? {
+            if let Object::Iri(object) = triple.object {
+                *repeated
+                    .entry([triple.subject, triple.predicate, object])
+                    .or_default() += 1;
+            }
+        }
+    }
+    for (place, said) in left.into_iter().enumerate() {
+        let subject = iri(&individual(record, place))?;
+        for (property, object) in said {
+            let Object::Iri(object) = object else {
+                continue;
+            };
+            let predicate = ontology.expand(&property)?;
+            let key = [subject.clone(), predicate, object];
+            if let Some(count) = repeated.get_mut(&key)
+                && *count > 0
+            {
+                *count -= 1;
+                continue;
+            }
+            let [_, _, object] = key;
+            let object = match places.get(&object) {
+                Some(place) => format!("#{place}"),
+                None => ontology
+                    .compact(&object)
+                    .ok_or(NeemError::Iri { iri: object })?,
+            };
+            let relations = &mut record.individuals[place].relations;
+            relations.entry(property).or_default().push(object);
+        }
+    }
+    Ok(())
+}

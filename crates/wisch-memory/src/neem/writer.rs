@@ -1,0 +1,432 @@
+//! Writing of a NEEM: document by document, and whole or not at all.
+
+use super::bson::{Bson, Document};
+use super::document::Closures;
+use super::meta::NeemMeta;
+use super::triples::{self, Triple, individual};
+use super::{NeemError, at, collection_file};
+use crate::ontology::{Ontology, SEMCO_OWL};
+use crate::record::{EpisodeRecord, Value};
+use std::collections::{HashMap, HashSet};
+use std::fs::{self, File};
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+use wisch::geometry::Pose;
+
+/// How a NEEM is written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NeemConfig {
+    /// How often the pose of each frame is written [Hz]; infinite for every sample.
+    ///
+    /// Poses take room: 30 frames at 1 kHz are 29 GB an hour.
+    pub tf_rate_hz: f64,
+}
+
+impl Default for NeemConfig {
+    fn default() -> Self {
+        // Enough to see a motion; what was felt is in the triples.
+        Self { tf_rate_hz: 10.0 }
+    }
+}
+
+/// Where a frame was.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FrameSample<'a> {
+    /// When [s since 1970]. The samples of a frame come in the order of their times.
+    pub time: f64,
+    /// Name of the frame: of an object the local name of its IRI, such as `sponge`.
+    pub frame: &'a str,
+    /// The frame in which the pose is given.
+    pub parent: &'a str,
+    /// The pose.
+    pub parent_from_frame: Pose,
+}
+
+/// What was felt.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WrenchSample<'a> {
+    /// When [s since 1970].
+    pub time: f64,
+    /// The frame in which it is given.
+    pub frame: &'a str,
+    /// What was measured: the topic's name.
+    pub topic: &'a str,
+    /// Force [N].
+    pub force: [f64; 3],
+    /// Torque about the frame's origin [N m].
+    pub torque: [f64; 3],
+}
+
+/// How much was written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct NeemReport {
+    /// Episodes.
+    pub episodes: u64,
+    /// Triples.
+    pub triples: u64,
+    /// Comments.
+    pub annotations: u64,
+    /// Poses.
+    pub poses: u64,
+    /// Wrenches.
+    pub wrenches: u64,
+}
+
+/// Writes episodes into the folder of a NEEM, which appears when it is finished.
+///
+/// Of poses and wrenches nothing is kept but each frame's last time.
+///
+/// ```no_run
+/// use std::path::Path;
+/// use wisch_memory::neem::{NeemConfig, NeemMeta, NeemWriter};
+/// # fn records() -> Vec<wisch_memory::EpisodeRecord> { Vec::new() }
+/// # fn meta() -> NeemMeta { unimplemented!() }
+///
+/// let mut neem = NeemWriter::create(Path::new("crumbs"), &meta(), &NeemConfig::default())?;
+/// for record in records() {
+///     neem.episode(&record)?;
+/// }
+/// println!("{} triples", neem.finish()?.triples);
+/// # Ok::<(), wisch_memory::neem::NeemError>(())
+/// ```
+#[derive(Debug)]
+pub struct NeemWriter {
+    target: PathBuf,
+    /// Goes away with what is in it unless finished.
+    staging: tempfile::TempDir,
+    triples: Collection,
+    annotations: Collection,
+    inferred: Collection,
+    poses: Collection,
+    wrenches: Collection,
+    closures: Closures,
+    episodes: HashSet<String>,
+    frames: HashMap<String, Frame>,
+    period: f64,
+}
+
+/// What is kept of a frame.
+#[derive(Debug)]
+struct Frame {
+    last: f64,
+    written: i64,
+}
+
+/// Share of the period by which a sample may come early and still count.
+const EARLY: f64 = 1e-3;
+
+impl NeemWriter {
+    /// Begins the folder `target`, which must not be there.
+    ///
+    /// # Errors
+    /// There is something already, it cannot be written, or the rate is not above 0.
+    pub fn create(target: &Path, meta: &NeemMeta, config: &NeemConfig) -> Result<Self, NeemError> {
+        let rate = config.tf_rate_hz;
+        if rate.is_nan() || rate <= 0.0 {
+            return Err(NeemError::Rate { rate });
+        }
+        if target.exists() {
+            return Err(NeemError::Exists {
+                path: target.to_owned(),
+            });
+        }
+        let beside = match target.parent() {
+            Some(parent) if !parent.as_os_str().is_empty() => parent,
+            _ => Path::new("."),
+        };
+        fs::create_dir_all(beside).map_err(at(beside))?;
+        let staging = tempfile::tempdir_in(beside).map_err(at(beside))?;
+        let folder = staging.path().join(STAGED);
+        let seconds = meta.created_at.max(0.0) as u32;
+        let collection = |name| Collection::create(&folder, name, seconds);
+        let mut writer = Self {
+            target: target.to_owned(),
+            triples: collection("triples")?,
+            annotations: collection("annotations")?,
+            inferred: collection("inferred")?,
+            poses: collection("tf")?,
+            wrenches: collection("wrench")?,
+            closures: Closures::default(),
+            episodes: HashSet::new(),
+            frames: HashMap::new(),
+            period: 1.0 / rate,
+            staging,
+        };
+        let id = ObjectIds::new(&meta.name, seconds).next();
+        write_file(&folder.join("meta.json"), &meta.json(id))?;
+        write_file(&folder.join("semco.owl"), SEMCO_OWL)?;
+        writer.ontology()?;
+        Ok(writer)
+    }
+
+    fn ontology(&mut self) -> Result<(), NeemError> {
+        for triple in triples::ontology_triples()? {
+            self.triple(&triple)?;
+        }
+        let ontology = Ontology::shipped();
+        for (name, term) in ontology.terms() {
+            if !term.comment.is_empty() {
+                self.annotation(name, &term.comment)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes the triples of an episode.
+    ///
+    /// # Errors
+    /// The record is faulty or was written before, or writing fails.
+    pub fn episode(&mut self, record: &EpisodeRecord) -> Result<(), NeemError> {
+        if self.episodes.contains(&record.id) {
+            return Err(NeemError::Twice {
+                episode: record.id.clone(),
+            });
+        }
+        let triples = triples::triples(record)?;
+        self.episodes.insert(record.id.clone());
+        for triple in triples {
+            self.triple(&triple)?;
+        }
+        if !record.individuals.is_empty() {
+            self.annotation(&individual(record, 0), &in_words(record))?;
+        }
+        Ok(())
+    }
+
+    fn triple(&mut self, triple: &Triple) -> Result<(), NeemError> {
+        let id = self.triples.ids.next();
+        let document = self.closures.document(id, triple)?;
+        self.triples.write(&document)
+    }
+
+    fn annotation(&mut self, name: &str, comment: &str) -> Result<(), NeemError> {
+        let document = Document::default()
+            .with("_id", Bson::ObjectId(self.annotations.ids.next()))
+            .with("s", triples::iri(name)?)
+            .with("p", triples::iri("rdfs:comment")?)
+            .with("v", comment);
+        self.annotations.write(&document)
+    }
+
+    /// Writes the pose of a frame, unless its last one was written less than a period before.
+    ///
+    /// # Errors
+    /// A number is not finite, or writing fails.
+    pub fn frame(&mut self, sample: &FrameSample) -> Result<(), NeemError> {
+        let pose = &sample.parent_from_frame;
+        let [x, y, z] = [0, 1, 2].map(|axis| pose.translation.vector[axis]);
+        let rotation = [0, 1, 2, 3].map(|axis| pose.rotation.coords[axis]);
+        let numbers = [sample.time, x, y, z].into_iter().chain(rotation);
+        check_finite(sample.frame, sample.time, numbers)?;
+        let Some(seq) = self.due(sample.frame, sample.time) else {
+            return Ok(());
+        };
+        let [i, j, k, w] = rotation;
+        let header = Document::default()
+            .with("seq", Bson::Int(seq))
+            .with("stamp", date(sample.time))
+            .with("frame_id", sample.parent);
+        let transform = Document::default()
+            .with("translation", xyz([x, y, z]))
+            .with("rotation", xyz([i, j, k]).with("w", w));
+        let document = Document::default()
+            .with("_id", Bson::ObjectId(self.poses.ids.next()))
+            .with("header", header)
+            .with("child_frame_id", sample.frame)
+            .with("transform", transform)
+            .with("__recorded", date(sample.time))
+            .with("__topic", "tf");
+        self.poses.write(&document)
+    }
+
+    /// Number of the frame's sample, if it is due; then its time is kept.
+    fn due(&mut self, name: &str, time: f64) -> Option<i64> {
+        match self.frames.get_mut(name) {
+            Some(frame) if time - frame.last < self.period * (1.0 - EARLY) => None,
+            Some(frame) => {
+                frame.last = time;
+                frame.written += 1;
+                Some(frame.written)
+            }
+            None => {
+                let first = Frame {
+                    last: time,
+                    written: 0,
+                };
+                self.frames.insert(name.to_owned(), first);
+                Some(0)
+            }
+        }
+    }
+
+    /// Writes a force and torque.
+    ///
+    /// # Errors
+    /// A number is not finite, or writing fails.
+    pub fn wrench(&mut self, sample: &WrenchSample) -> Result<(), NeemError> {
+        let numbers = sample.force.into_iter().chain(sample.torque);
+        check_finite(sample.frame, sample.time, numbers.chain([sample.time]))?;
+        let header = Document::default()
+            .with("stamp", date(sample.time))
+            // Dates end at milliseconds; telemetry does not.
+            .with("time", sample.time)
+            .with("frame_id", sample.frame);
+        let wrench = Document::default()
+            .with("force", xyz(sample.force))
+            .with("torque", xyz(sample.torque));
+        let document = Document::default()
+            .with("_id", Bson::ObjectId(self.wrenches.ids.next()))
+            .with("header", header)
+            .with("wrench", wrench)
+            .with("__recorded", date(sample.time))
+            .with("__topic", sample.topic);
+        self.wrenches.write(&document)
+    }
+
+    /// Lets the folder appear.
+    ///
+    /// # Errors
+    /// Writing fails, or there is something now where the folder should appear.
+    pub fn finish(self) -> Result<NeemReport, NeemError> {
+        let report = NeemReport {
+            episodes: self.episodes.len() as u64,
+            triples: self.triples.written,
+            annotations: self.annotations.written,
+            poses: self.poses.written,
+            wrenches: self.wrenches.written,
+        };
+        for collection in [
+            self.triples,
+            self.annotations,
+            self.inferred,
+            self.poses,
+            self.wrenches,
+        ] {
+            collection.finish()?;
+        }
+        if self.target.exists() {
+            return Err(NeemError::Exists { path: self.target });
+        }
+        let staged = self.staging.path().join(STAGED);
+        fs::rename(&staged, &self.target).map_err(at(&self.target))?;
+        Ok(report)
+    }
+}
+
+/// Name of the folder while it is written. Below the temporary one, so that it gets its permissions as any other.
+const STAGED: &str = "neem";
+
+/// A file of documents.
+#[derive(Debug)]
+struct Collection {
+    path: PathBuf,
+    file: BufWriter<File>,
+    ids: ObjectIds,
+    written: u64,
+}
+
+impl Collection {
+    fn create(neem: &Path, name: &'static str, seconds: u32) -> Result<Self, NeemError> {
+        let path = collection_file(neem, name);
+        let folder = path.parent().unwrap_or(neem);
+        fs::create_dir_all(folder).map_err(at(folder))?;
+        let metadata = serde_json::json!({
+            "options": {},
+            "indexes": [{"v": 2, "key": {"_id": 1}, "name": "_id_", "ns": format!("roslog.{name}")}],
+            "collectionName": name,
+            "type": "collection",
+        });
+        let beside = folder.join(format!("{name}.metadata.json"));
+        write_file(&beside, &metadata.to_string())?;
+        let file = File::create_new(&path).map_err(at(&path))?;
+        Ok(Self {
+            file: BufWriter::new(file),
+            ids: ObjectIds::new(name, seconds),
+            written: 0,
+            path,
+        })
+    }
+
+    fn write(&mut self, document: &Document) -> Result<(), NeemError> {
+        document.write(&mut self.file).map_err(at(&self.path))?;
+        self.written += 1;
+        Ok(())
+    }
+
+    fn finish(mut self) -> Result<(), NeemError> {
+        self.file.flush().map_err(at(&self.path))?;
+        self.file.get_ref().sync_all().map_err(at(&self.path))
+    }
+}
+
+/// Names of documents: the same for the same export.
+#[derive(Debug)]
+struct ObjectIds {
+    head: [u8; 7],
+    next: u64,
+}
+
+impl ObjectIds {
+    fn new(of: &str, seconds: u32) -> Self {
+        // FNV-1a, 32 bit, of which three bytes are used.
+        let hash = of.bytes().fold(0x811c_9dc5_u32, |hash, byte| {
+            (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
+        });
+        let [a, b, c, d] = seconds.to_be_bytes();
+        let [e, f, g, _] = hash.to_be_bytes();
+        Self {
+            head: [a, b, c, d, e, f, g],
+            next: 0,
+        }
+    }
+
+    fn next(&mut self) -> [u8; 12] {
+        let mut id = [0; 12];
+        id[..7].copy_from_slice(&self.head);
+        id[7..].copy_from_slice(&self.next.to_be_bytes()[3..]);
+        self.next += 1;
+        id
+    }
+}
+
+/// What an episode was, in words.
+fn in_words(record: &EpisodeRecord) -> String {
+    let mut text = format!("Wiping task {}", record.task);
+    let rounds = record.rounds.len();
+    text += &format!(" in {rounds} round{}", if rounds == 1 { "" } else { "s" });
+    let action = record
+        .individuals
+        .iter()
+        .find(|individual| individual.class == "semco:WipingAction");
+    let performance = action.and_then(|action| action.values.get("semco:performance"));
+    if let Some(Value::Number(performance)) = performance {
+        text += &format!(", estimated performance {:.1} %", 100.0 * performance);
+    }
+    text + "."
+}
+
+fn xyz([x, y, z]: [f64; 3]) -> Document {
+    Document::default().with("x", x).with("y", y).with("z", z)
+}
+
+fn date(time: f64) -> Bson {
+    Bson::Date((1e3 * time).round() as i64)
+}
+
+fn check_finite(
+    frame: &str,
+    time: f64,
+    numbers: impl IntoIterator<Item = f64>,
+) -> Result<(), NeemError> {
+    if numbers.into_iter().all(f64::is_finite) {
+        return Ok(());
+    }
+    Err(NeemError::Sample {
+        frame: frame.to_owned(),
+        time,
+    })
+}
+
+fn write_file(path: &Path, text: &str) -> Result<(), NeemError> {
+    fs::write(path, text).map_err(at(path))
+}

@@ -1,0 +1,205 @@
+//! Stretches of a log in which somebody else has a hand on the tool.
+//!
+//! There the force that is felt is the hand's as much as the surface's: little force may be a hand that holds
+//! against the spring of the tool, much of it a hand in the air. Where the tool is tells it otherwise: a tool
+//! that is nearer to the plane than it is long when nothing presses it must touch. And a tool that is shoved
+//! and let go of may hop over what it carried, where nobody feels it. None of these accounts is certain, so
+//! each replay believes one of its own.
+
+use super::motions::{ContactMotion, Felt, contact_motions};
+use super::variation::normal2;
+use super::{Event, EventKind, InterpretConfig, PathPiece, Touch};
+use crate::geometry::{Bounds2, Pose};
+use rand::RngExt;
+use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
+use std::borrow::Cow;
+use std::ops::Range;
+
+/// How long before it is felt a push may have begun [s].
+const BEFORE: f64 = 0.05;
+/// How long after a push a tool that is let go of swings [s].
+const AFTER: f64 = 2.0;
+/// Stream of random numbers: apart from those of the chances and of the variations.
+const STREAM: u64 = 0x646f_7562_0000_0000;
+
+/// What it takes to tell contact.
+#[derive(Debug)]
+pub(super) struct Witness<'a> {
+    path: &'a [PathPiece],
+    /// Of the footprint, in the frame of the tool.
+    bounds: Option<Bounds2>,
+    real_from_believed: Pose,
+    config: &'a InterpretConfig,
+    /// Pieces while somebody pushed.
+    is_pushed: Vec<bool>,
+    /// Pieces of each stretch in which somebody pushed, and what became of that.
+    stretches: Vec<Range<usize>>,
+    /// The motions where nobody pushed.
+    certain: Vec<ContactMotion>,
+}
+
+/// How one replay tells contact in a stretch: by the force again as soon as the hand has let go.
+#[derive(Debug, Clone)]
+struct Account {
+    stretch: Range<usize>,
+    way: Way,
+    /// Pieces within which the tool touches nothing.
+    hop: Range<usize>,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Way {
+    /// By the force, as everywhere else.
+    ByForce,
+    /// By the distance from the plane, which is off by this [m].
+    ByPlace(f64),
+}
+
+impl<'a> Witness<'a> {
+    /// Of a path in the frame of the believed surface with these events.
+    pub(super) fn new(
+        path: &'a [PathPiece],
+        events: &[Event],
+        bounds: Option<Bounds2>,
+        real_from_believed: Pose,
+        config: &'a InterpretConfig,
+    ) -> Self {
+        Self {
+            path,
+            bounds,
+            is_pushed: is_pushed(path, events),
+            stretches: stretches(path, events),
+            certain: contact_motions(path, &real_from_believed, |i| by_force(&path[i])),
+            real_from_believed,
+            config,
+        }
+    }
+
+    /// Whether nothing was touched, and nobody pushed.
+    pub(super) fn is_untouched(&self) -> bool {
+        self.certain.is_empty() && self.stretches.is_empty()
+    }
+
+    /// The motions in contact that a replay believes.
+    pub(super) fn account(&self, replay: u64) -> Cow<'_, [ContactMotion]> {
+        if self.stretches.is_empty() {
+            return Cow::Borrowed(&self.certain);
+        }
+        let mut random = ChaCha8Rng::seed_from_u64(self.config.seed);
+        random.set_stream(STREAM ^ replay);
+        let accounts: Vec<Account> = (self.stretches.iter())
+            .map(|stretch| self.draw(stretch, &mut random))
+            .collect();
+        let felt = |i: usize| {
+            let account = accounts.iter().find(|one| one.stretch.contains(&i));
+            account.map_or_else(|| by_force(&self.path[i]), |one| self.felt(i, one))
+        };
+        Cow::Owned(contact_motions(self.path, &self.real_from_believed, felt))
+    }
+
+    fn draw(&self, stretch: &Range<usize>, random: &mut ChaCha8Rng) -> Account {
+        let uncertainty = &self.config.uncertainty;
+        let off = normal2(random).x * self.config.plane.inlier_distance_m;
+        let is_by_force = random.random::<f64>() < uncertainty.pushed_by_force;
+        let is_hopping = random.random::<f64>() < uncertainty.hop_share;
+        let begin = random.random::<f64>();
+        Account {
+            way: if is_by_force {
+                Way::ByForce
+            } else {
+                Way::ByPlace(off)
+            },
+            hop: if is_hopping {
+                self.hop(stretch, begin)
+            } else {
+                0..0
+            },
+            stretch: stretch.clone(),
+        }
+    }
+
+    /// The pieces of a hop as long as the tool, which begins at this share of the way of a stretch.
+    fn hop(&self, stretch: &Range<usize>, begin: f64) -> Range<usize> {
+        let length = (self.bounds).map_or(0.0, |bounds| bounds.size().norm());
+        let way: Vec<f64> = (stretch.clone().skip(1))
+            .scan(0.0, |way, i| {
+                let step = self.path[i].position - self.path[i - 1].position;
+                *way += step.xy().norm();
+                Some(*way)
+            })
+            .collect();
+        let from = begin * way.last().copied().unwrap_or(0.0);
+        let at = |travel: f64| stretch.start + way.partition_point(|way| *way < travel);
+        at(from)..at(from + length) + 1
+    }
+
+    fn felt(&self, i: usize, account: &Account) -> Felt {
+        let piece = &self.path[i];
+        match account.way {
+            _ if account.hop.contains(&i) => Felt::Nothing,
+            Way::ByPlace(off) if self.is_pushed[i] => self.by_place(piece, off),
+            Way::ByPlace(_) | Way::ByForce => by_force(piece),
+        }
+    }
+
+    /// As much as the tool must be compressed where it is, if it is as much farther from the plane.
+    fn by_place(&self, piece: &PathPiece, off: f64) -> Felt {
+        let compression = self.config.nominal_compression();
+        let height = piece.height + off;
+        if compression <= 0.0 {
+            let is_near = height <= self.config.plane.inlier_distance_m;
+            return if is_near {
+                Felt::Mean(1.0)
+            } else {
+                Felt::Nothing
+            };
+        }
+        let middle = 1.0 - height / compression;
+        let half = self.bounds.map(|bounds| bounds.size() / 2.0);
+        let most = half.map_or(0.0, |half| piece.slope.abs().dot(&half) / compression);
+        if middle + most > 0.0 {
+            Felt::Middle(middle.min(1.0))
+        } else {
+            Felt::Nothing
+        }
+    }
+}
+
+fn by_force(piece: &PathPiece) -> Felt {
+    match piece.touch {
+        Touch::Weak | Touch::Confident => Felt::Mean(piece.normalized_force),
+        Touch::Free | Touch::FalsePositive => Felt::Nothing,
+    }
+}
+
+/// Which pieces are within a push.
+fn is_pushed(path: &[PathPiece], events: &[Event]) -> Vec<bool> {
+    let mut is_pushed = vec![false; path.len()];
+    for push in pushes(events) {
+        is_pushed[within(path, push.start - BEFORE, push.end)].fill(true);
+    }
+    is_pushed
+}
+
+fn pushes(events: &[Event]) -> impl Iterator<Item = &Event> {
+    (events.iter()).filter(|event| event.kind == EventKind::Collision)
+}
+
+/// The pieces between two times [s].
+fn within(path: &[PathPiece], start: f64, end: f64) -> Range<usize> {
+    let first = path.partition_point(|piece| piece.time[1] < start);
+    first..path.partition_point(|piece| piece.time[0] <= end)
+}
+
+/// The pieces within each push and soon after it, those that overlap together.
+fn stretches(path: &[PathPiece], events: &[Event]) -> Vec<Range<usize>> {
+    let mut stretches: Vec<Range<usize>> = Vec::new();
+    for push in pushes(events) {
+        let next = within(path, push.start - BEFORE, push.end + AFTER);
+        match stretches.last_mut() {
+            Some(before) if before.end >= next.start => before.end = before.end.max(next.end),
+            _ => stretches.push(next),
+        }
+    }
+    stretches
+}

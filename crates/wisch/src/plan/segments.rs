@@ -1,0 +1,259 @@
+//! One segment of a plan at a time: what is worth wiping next, before anybody looks; paper §4.3.
+
+use super::variants::{plan_variants, worth};
+use super::{FreeSpace, Plan, PlanConfig, PlanError, SemanticDirectedGraph, Stroke, predict};
+use crate::represent::{Action, GoalState, ParticleDistribution, Performance, Task};
+
+/// Length of a segment of a tour, over the radius r_s of the collision sphere: about three widths of the
+/// tool, as far as a wipe reaches before one looks.
+const TOUR_SEGMENT: f64 = 6.0;
+/// Of so many particles a segment has to gain one to be worth its way.
+const GAIN: usize = 250;
+/// Segments of a plan that is made of nothing else, at most.
+const MAX_SEGMENTS: usize = 24;
+
+/// The plan with nothing but that one of its segments which is predicted to gain most; without any stroke,
+/// if none is predicted to gain anything.
+///
+/// A segment is what makes sense by itself: of a tree, the way from any node on to the goal, along the tree
+/// or straight, for half of it would bring nothing to where it belongs; of a tour, a piece of three tool
+/// widths. What counts is the predicted number of particles that reach the goal, less several for each
+/// that leaves the surface over a wrong edge; among equals the shorter way.
+///
+/// # Errors
+/// If the scene's geometry cannot be used.
+pub fn best_segment(task: &Task, plan: &Plan) -> Result<Plan, PlanError> {
+    Ok(best_of(task, std::slice::from_ref(plan), &space_of(task)?))
+}
+
+/// The best segment ([`best_segment`]) of `count` plans, the variants of [`best_plan`](super::best_plan).
+///
+/// # Errors
+/// Those of [`plan`](super::plan()), if no variant gives a plan.
+pub fn best_segment_of_variants(
+    task: &Task,
+    to_plan_on: &ParticleDistribution,
+    config: &PlanConfig,
+    count: usize,
+) -> Result<Plan, PlanError> {
+    let plans = plan_variants(task, to_plan_on, config, count)?;
+    Ok(best_of(task, &plans, &space_of(task)?))
+}
+
+/// A plan made of segments, the best first and each chosen by what those before are predicted to leave.
+///
+/// Straight ways do not turn the tool, which near an edge pushes over it what lies beside the tool.
+pub(super) fn composed(task: &Task, plan: &Plan, space: &FreeSpace) -> Plan {
+    let candidates = segments(plan, task, space);
+    let mut state = task.clone();
+    let mut strokes = Vec::new();
+    while strokes.len() < MAX_SEGMENTS {
+        let Some(found) = best_among(&state, plan, &candidates) else {
+            break;
+        };
+        let one = with_strokes(plan, vec![found.stroke]);
+        state.particles = predict(&state, &one, |_| ()).particles;
+        strokes.extend(one.strokes);
+    }
+    with_edges_of(plan, strokes)
+}
+
+/// The free space of a task.
+pub(super) fn space_of(task: &Task) -> Result<FreeSpace, PlanError> {
+    let scene: Vec<_> = task.obstacles_in_surface().collect();
+    FreeSpace::new(&task.surface, &scene, task.tool.collision_radius())
+}
+
+/// A segment, and what is said for it.
+struct Found {
+    stroke: Stroke,
+    worth: i64,
+    length: f64,
+}
+
+impl Found {
+    fn is_better_than(&self, other: &Self) -> bool {
+        self.worth > other.worth || self.worth == other.worth && self.length < other.length
+    }
+}
+
+fn best_of(task: &Task, plans: &[Plan], space: &FreeSpace) -> Plan {
+    let mut best: Option<(Found, &Plan)> = None;
+    for plan in plans {
+        let found = best_among(task, plan, &segments(plan, task, space));
+        if let Some(found) = found
+            && (best.as_ref()).is_none_or(|(best, _)| found.is_better_than(best))
+        {
+            best = Some((found, plan));
+        }
+    }
+    match best {
+        Some((found, plan)) => with_edges_of(plan, vec![found.stroke]),
+        None => with_strokes(&plans[0], Vec::new()),
+    }
+}
+
+/// The best of some strokes, if any gains anything.
+fn best_among(task: &Task, plan: &Plan, strokes: &[Stroke]) -> Option<Found> {
+    let goal = &plan.graph.goal;
+    let now = worth(&Performance::of(&task.particles, goal, &task.surface));
+    let least = now + (task.particles.len() / GAIN).max(1) as i64;
+    let mut one = with_strokes(plan, Vec::new());
+    let mut best: Option<Found> = None;
+    for stroke in strokes {
+        one.strokes = vec![stroke.clone()];
+        let found = Found {
+            worth: worth(&predict(task, &one, |_| ()).performance),
+            length: stroke.length(),
+            stroke: stroke.clone(),
+        };
+        let is_better = best.as_ref().is_none_or(|best| found.is_better_than(best));
+        if found.worth >= least && is_better {
+            best = Some(found);
+        }
+    }
+    best
+}
+
+fn segments(plan: &Plan, task: &Task, space: &FreeSpace) -> Vec<Stroke> {
+    let symmetric = task.action == Action::Absorb && task.tool.is_half_turn_symmetric();
+    let graph = &plan.graph;
+    let chains: Vec<Vec<usize>> = match graph.goal {
+        GoalState::Collected { .. } | GoalState::Skimmed => (0..graph.nodes.len())
+            .flat_map(|node| {
+                let way = way_to_goal(graph, node);
+                let straight = straight_way(graph, &way, space);
+                std::iter::once(way).chain(straight)
+            })
+            .filter(|chain| chain.len() > 1)
+            .collect(),
+        GoalState::Absorbed => {
+            let longest = TOUR_SEGMENT * plan.collision_radius;
+            let strokes = plan.strokes.iter();
+            strokes
+                .flat_map(|stroke| pieces(graph, &stroke.nodes, longest))
+                .collect()
+        }
+    };
+    let along = |chain| Stroke::along(graph, chain, symmetric);
+    chains.into_iter().map(along).collect()
+}
+
+/// From a node along the tree's edges to its root.
+fn way_to_goal(graph: &SemanticDirectedGraph, node: usize) -> Vec<usize> {
+    std::iter::successors(Some(node), |&at| graph.successor(at)).collect()
+}
+
+/// From a way's first node straight to its last, where that is another way and nothing stands between.
+fn straight_way(
+    graph: &SemanticDirectedGraph,
+    way: &[usize],
+    space: &FreeSpace,
+) -> Option<Vec<usize>> {
+    let (&first, &last) = (way.first()?, way.last()?);
+    let is_clear = || space.is_clear_between(graph.position(first), graph.position(last));
+    (way.len() > 2 && is_clear()).then(|| vec![first, last])
+}
+
+/// For every node of a chain the piece that begins there and is as long as is allowed; pieces that only end
+/// what another piece wipes as well are left out.
+fn pieces(graph: &SemanticDirectedGraph, chain: &[usize], longest: f64) -> Vec<Vec<usize>> {
+    let mut pieces = Vec::new();
+    for first in 0..chain.len() {
+        let mut length = 0.0;
+        let mut last = first;
+        while let Some(&next) = chain.get(last + 1) {
+            let edge = graph.position(next) - graph.position(chain[last]);
+            length += edge.norm();
+            // An edge longer than that is a piece of its own.
+            if length > longest && last > first {
+                break;
+            }
+            last += 1;
+        }
+        pieces.push(chain[first..=last].to_vec());
+        if last + 1 == chain.len() {
+            break;
+        }
+    }
+    pieces
+}
+
+/// The plan with these strokes, and with their edges in the place of those that the tree has from the same
+/// nodes.
+fn with_edges_of(plan: &Plan, strokes: Vec<Stroke>) -> Plan {
+    let mut plan = with_strokes(plan, strokes);
+    let legs = plan.strokes.iter().flat_map(|stroke| {
+        let pairs = stroke.nodes.windows(2);
+        pairs.map(|pair| (pair[0], pair[1]))
+    });
+    let mut edges: Vec<(usize, usize)> = legs.collect();
+    edges.sort_unstable();
+    edges.dedup();
+    let longest = edges
+        .iter()
+        .map(|&(from, to)| (plan.graph.position(to) - plan.graph.position(from)).norm())
+        .fold(0.0, f64::max);
+    let others = plan.graph.edges.iter();
+    let others = others.filter(|(from, _)| !edges.iter().any(|(wiped, _)| wiped == from));
+    edges.extend(others.copied().collect::<Vec<_>>());
+    edges.sort_unstable();
+    plan.graph.max_edge_length = plan.graph.max_edge_length.map(|limit| limit.max(longest));
+    plan.graph.edges = edges;
+    plan
+}
+
+fn with_strokes(plan: &Plan, strokes: Vec<Stroke>) -> Plan {
+    Plan {
+        strokes,
+        ..plan.clone()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Node, NodeRole};
+    use super::*;
+    use crate::geometry::Point2;
+
+    fn chain(edges: &[f64]) -> SemanticDirectedGraph {
+        let mut x = 0.0;
+        let places = std::iter::once(0.0).chain(edges.iter().map(|edge| {
+            x += edge;
+            x
+        }));
+        SemanticDirectedGraph {
+            nodes: places
+                .map(|x| Node {
+                    position: Point2::new(x, 0.0),
+                    role: NodeRole::Coverage,
+                })
+                .collect(),
+            edges: (0..edges.len()).map(|i| (i, i + 1)).collect(),
+            goal: GoalState::Absorbed,
+            max_edge_length: None,
+            unreachable: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn a_tour_falls_into_pieces_no_longer_than_allowed() {
+        let graph = chain(&[0.25, 0.25, 0.25, 0.5]);
+        let all = [0, 1, 2, 3, 4];
+        assert_eq!(
+            pieces(&graph, &all, 0.5),
+            [vec![0, 1, 2], vec![1, 2, 3], vec![2, 3], vec![3, 4]]
+        );
+        assert_eq!(pieces(&graph, &all, 9.0), [all.to_vec()]);
+        // An edge that is too long is not left out for that.
+        assert_eq!(pieces(&graph, &[3, 4], 0.1), [vec![3, 4]]);
+        assert_eq!(pieces(&graph, &[2], 0.1), [vec![2]]);
+    }
+
+    #[test]
+    fn a_way_ends_at_the_root() {
+        let graph = chain(&[0.25, 0.25]);
+        assert_eq!(way_to_goal(&graph, 0), [0, 1, 2]);
+        assert_eq!(way_to_goal(&graph, 2), [2]);
+    }
+}
