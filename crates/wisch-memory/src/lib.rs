@@ -12,14 +12,16 @@ pub mod neem;
 pub mod ontology;
 mod record;
 mod remember;
+mod robot;
 pub mod store;
 pub mod telemetry;
 
 pub use catalogue::{Catalogue, IndividualId, Node};
 pub use frames::{FrameError, Frames, PoseAt, RoundScene, Sampling, StoredPose};
-pub use id::episode_id;
+pub use id::{date_and_time, episode_id};
 pub use ontology::Ontology;
 pub use record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, RecordFault, Value};
-pub use remember::{Occasion, RoundLog, remember};
+pub use remember::{Occasion, RoundLog, remember, remember_log};
+pub use robot::RobotText;
 pub use store::{Episode, EpisodeWriter, Fault, Memory, MemoryError};
 pub use telemetry::{Mark, Series, Telemetry, TelemetryError, TelemetryHead, TelemetryWriter};
