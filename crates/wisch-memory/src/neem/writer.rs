@@ -102,6 +102,7 @@ pub struct NeemWriter {
     closures: Closures,
     episodes: HashSet<String>,
     frames: HashMap<String, Frame>,
+    /// Between two poses of a frame [s].
     period: f64,
 }
 
@@ -239,10 +240,16 @@ impl NeemWriter {
         self.poses.write(&document)
     }
 
+    /// Shortest time between two poses of a frame that are written [s].
+    pub(super) fn shortest_period(&self) -> f64 {
+        self.period * (1.0 - EARLY)
+    }
+
     /// Number of the frame's sample, if it is due; then its time is kept.
     fn due(&mut self, name: &str, time: f64) -> Option<i64> {
+        let shortest = self.shortest_period();
         match self.frames.get_mut(name) {
-            Some(frame) if time - frame.last < self.period * (1.0 - EARLY) => None,
+            Some(frame) if time - frame.last < shortest => None,
             Some(frame) => {
                 frame.last = time;
                 frame.written += 1;
