@@ -1,16 +1,15 @@
+//! What a NEEM holds, and that it comes back as it went.
+
+mod laws;
+mod stored;
+
 use super::bson::{Bson, Document, Documents};
 use super::*;
-use crate::ontology::Ontology;
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
-use crate::store::Memory;
-use crate::telemetry::{Mark, TelemetryHead};
-use proptest::prelude::*;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::BufReader;
-use wisch::follow::Phase;
-use wisch::geometry::{Pose, Vector3};
-use wisch::robot::RobotModel;
+use wisch::geometry::Pose;
 
 fn individual(class: &str, interval: [f64; 2], parent: usize) -> Individual {
     Individual {
@@ -229,7 +228,7 @@ fn poses_are_thinned_frame_by_frame() {
         }
     }
     let wrench = WrenchSample {
-        time: 1_767_225_600.0625,
+        time: 1_767_225_600.062_5,
         frame: "sponge",
         topic: "wrench/external",
         force: [0.0, 0.5, -10.0],
@@ -257,7 +256,7 @@ fn poses_are_thinned_frame_by_frame() {
     }
     let wrench = &documents(&neem, "wrench")[0];
     let header = wrench.document("header").unwrap();
-    assert_eq!(header.number("time"), Some(1_767_225_600.0625));
+    assert_eq!(header.number("time"), Some(1_767_225_600.062_5));
     let force = wrench
         .document("wrench")
         .unwrap()
@@ -342,230 +341,4 @@ fn order_of_triples_between_subjects_does_not_matter() {
     let mut all = triples(&bumped()).unwrap();
     all.sort_by(|a, b| b.subject.cmp(&a.subject));
     assert_eq!(records(all).unwrap(), [bumped()]);
-}
-
-/// A name with prefix, known or not.
-fn names() -> impl Strategy<Value = String> {
-    let known: Vec<String> = Ontology::shipped()
-        .terms()
-        .map(|(name, _)| name.to_owned())
-        .collect();
-    const OTHERS: [&str; 4] = [
-        "rdf:type",
-        "owl:NamedIndividual",
-        "rdfs:label",
-        "owl:sameAs",
-    ];
-    prop_oneof![
-        4 => prop::sample::select(known),
-        1 => prop::sample::select(&OTHERS[..]).prop_map(str::to_owned),
-        2 => "(semco|soma|justin):[A-Za-z_#/-]{1,5}",
-    ]
-}
-
-fn numbers() -> impl Strategy<Value = f64> {
-    prop_oneof![any::<f64>(), -1e3..1e3, Just(-0.0)].prop_filter("finite", |x| x.is_finite())
-}
-
-fn intervals() -> impl Strategy<Value = [f64; 2]> {
-    [numbers(), numbers()].prop_map(|[a, b]| [a.min(b), a.max(b)])
-}
-
-fn individuals() -> impl Strategy<Value = Vec<Individual>> {
-    let text = prop_oneof![".{0,6}", Just(format!("{SEMCO}sponge"))];
-    let value = prop_oneof![
-        numbers().prop_map(Value::Number),
-        text.prop_map(Value::Text)
-    ];
-    let object = prop_oneof![
-        names().prop_map(Ok),
-        any::<prop::sample::Index>().prop_map(Err)
-    ];
-    // Those are said by parent and interval.
-    let relation = names().prop_filter("free", |name| {
-        ![triples::STEP_OF, triples::HAS_INTERVAL].contains(&name.as_str())
-    });
-    let relations =
-        prop::collection::btree_map(relation, prop::collection::vec(object, 1..3), 0..3);
-    let values = prop::collection::btree_map(names(), value, 0..3);
-    let parent = prop::option::of(any::<prop::sample::Index>());
-    let class = names().prop_filter("a class", |name| name != triples::NAMED);
-    let one = (
-        class,
-        prop::option::of(intervals()),
-        parent,
-        relations,
-        values,
-    );
-    prop::collection::vec(one, 0..6).prop_map(|all| {
-        let count = all.len();
-        let numbered = all.into_iter().enumerate();
-        numbered
-            .map(|(place, (class, interval, parent, relations, values))| {
-                let objects = |objects: Vec<Result<String, prop::sample::Index>>| {
-                    let named = |object: Result<String, prop::sample::Index>| match object {
-                        Ok(name) => name,
-                        Err(index) => format!("#{}", index.index(count)),
-                    };
-                    objects.into_iter().map(named).collect()
-                };
-                Individual {
-                    class,
-                    interval,
-                    parent: parent.filter(|_| place > 0).map(|index| index.index(place)),
-                    relations: relations
-                        .into_iter()
-                        .map(|(property, related)| (property, objects(related)))
-                        .collect(),
-                    values,
-                }
-            })
-            .collect()
-    })
-}
-
-fn episodes() -> impl Strategy<Value = EpisodeRecord> {
-    let origin = prop_oneof![Just(Origin::Simulated), ".{0,6}".prop_map(Origin::Imported)];
-    let rounds = prop::collection::vec(numbers(), 0..3);
-    let head = ("[A-Za-z0-9-]{1,8}", ".{0,6}", intervals(), origin);
-    (head, ".{0,6}", any::<u64>(), rounds, individuals()).prop_map(
-        |((id, task, interval, origin), program, seed, rounds, individuals)| EpisodeRecord {
-            schema: EPISODE_SCHEMA,
-            id,
-            task,
-            interval,
-            origin,
-            program,
-            seed,
-            rounds,
-            individuals,
-        },
-    )
-}
-
-proptest! {
-    #[test]
-    fn records_and_triples_are_each_other_turned_round(record in episodes()) {
-        prop_assume!(record.check().is_ok());
-        let through_documents = |triple: &Triple| {
-            let document = document::Closures::default().document([0; 12], triple).unwrap();
-            document::triple(&document).unwrap()
-        };
-        let there = triples(&record).unwrap();
-        let back: Vec<Triple> = there.iter().map(through_documents).collect();
-        prop_assert_eq!(&there, &back);
-        prop_assert_eq!(records(back).unwrap(), [record]);
-    }
-}
-
-/// A memory with [`bumped`] in it: one second at 1 kHz of an arm that turns about its first joint.
-fn stored(folder: &std::path::Path, robot: &RobotModel) -> Memory {
-    let memory = Memory::create(&folder.join("episodes")).unwrap();
-    let writer = memory.begin(&bumped().id).unwrap();
-    let joints: Vec<String> = (0..robot.dof())
-        .map(|variable| robot.variable(variable).name.clone())
-        .collect();
-    let origin =
-        serde_json::json!({"position": [0.0, 0.0, 0.0], "quaternion": [0.0, 0.0, 0.0, 1.0]});
-    let mut tool = origin.clone();
-    tool["position"] = serde_json::json!([0.0, 0.0, 0.25]);
-    let tip = &robot.links().last().unwrap().name;
-    let scene = serde_json::json!({
-        "schema": 1, "robot": "arm7", "world_from_root": origin, "tip": tip, "tip_from_tool": tool,
-        "tool": "sponge", "surface": "chopping_board", "world_from_surface": origin,
-    });
-    let mut columns: Vec<String> = joints
-        .iter()
-        .map(|joint| format!("position/{joint}"))
-        .collect();
-    columns.extend(["x", "y", "z", "qx", "qy", "qz", "qw"].map(|part| format!("measured/{part}")));
-    columns.extend(["fx", "fy", "fz", "mx", "my", "mz"].map(|part| format!("external/{part}")));
-    let head = TelemetryHead {
-        joints: joints.clone(),
-        notes: [("scene".to_owned(), scene.to_string())].into(),
-    };
-    let mut log = writer.telemetry_with_columns(1, head, &columns).unwrap();
-    let mark = Mark {
-        motion: 0,
-        phase: Phase::Transfer,
-    };
-    for step in 0..1000 {
-        let time = 1e-3 * f64::from(step);
-        let mut row = vec![0.0; columns.len()];
-        row[0] = time;
-        row[joints.len()..].copy_from_slice(&[
-            0.5, 0.25, time, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -8.0, 0.0, 0.0, 0.0,
-        ]);
-        log.push(time, mark, row).unwrap();
-    }
-    log.finish().unwrap();
-    writer.commit(&bumped()).unwrap();
-    memory
-}
-
-fn arm() -> RobotModel {
-    let urdf = include_str!("../../../../robots/arm7.urdf");
-    RobotModel::from_urdf("arm7.urdf", urdf, &mut |mesh| Err(mesh.to_owned())).unwrap()
-}
-
-#[test]
-fn a_stored_episode_brings_its_poses_and_wrenches() {
-    let folder = tempfile::tempdir().unwrap();
-    let robot = arm();
-    let memory = stored(folder.path(), &robot);
-    let episode = memory.episode(&bumped().id).unwrap();
-    let export = |name, poses| {
-        let neem = folder.path().join(name);
-        let mut writer = NeemWriter::create(&neem, &meta(), &NeemConfig::default()).unwrap();
-        writer.stored(&episode, poses).unwrap();
-        (writer.finish().unwrap(), neem)
-    };
-    let (report, by_tool) = export("tool", PoseSource::Tool);
-    assert_eq!((report.poses, report.wrenches), (10, 1000));
-    let (report, by_robot) = export("robot", PoseSource::Robot(&robot));
-    let frames = robot.links().len() as u64 + 3;
-    assert_eq!((report.poses, report.wrenches), (10 * frames, 1000));
-    for neem in [&by_tool, &by_robot] {
-        assert_eq!(import(neem).unwrap(), [bumped()]);
-    }
-    let sponge = |neem| -> Vec<Document> {
-        let mut poses = documents(neem, "tf");
-        poses.retain(|pose| pose.text("child_frame_id") == Some("sponge"));
-        poses
-    };
-    let position = |pose: &Document| {
-        let translation = pose.document("transform").unwrap().document("translation");
-        ["x", "y", "z"].map(|axis| translation.unwrap().number(axis).unwrap())
-    };
-    let stamp = |pose: &Document| pose.document("header").unwrap().get("stamp").cloned();
-    for (number, pose) in sponge(&by_tool).iter().enumerate() {
-        let [x, y, z] = position(pose);
-        assert_eq!([x, y], [0.5, 0.25]);
-        // Telemetry keeps 32 bits of a pose.
-        assert!((z - 0.1 * number as f64).abs() < 1e-6, "{z}");
-    }
-    for (number, pose) in sponge(&by_robot).iter().enumerate() {
-        let mut q = vec![0.0; robot.dof()];
-        q[0] = f64::from(0.1_f32 * number as f32);
-        let kinematics = robot.forward_kinematics(&q).unwrap();
-        let tip = robot.link(&robot.links().last().unwrap().name).unwrap();
-        let expected = kinematics.world_from_link(tip) * Pose::translation(0.0, 0.0, 0.25);
-        let error = Vector3::from(position(pose)) - expected.translation.vector;
-        assert!(error.norm() < 1e-6, "{error}");
-        let milliseconds = 1_767_225_600_000 + 100 * number as i64;
-        assert_eq!(stamp(pose), Some(Bson::Date(milliseconds)));
-    }
-}
-
-#[test]
-fn telemetry_of_another_robot_is_refused() {
-    let folder = tempfile::tempdir().unwrap();
-    let memory = stored(folder.path(), &arm());
-    let urdf = include_str!("../../../../robots/arm6.urdf");
-    let other = RobotModel::from_urdf("arm6.urdf", urdf, &mut |mesh| Err(mesh.to_owned())).unwrap();
-    let neem = folder.path().join("neem");
-    let mut writer = NeemWriter::create(&neem, &meta(), &NeemConfig::default()).unwrap();
-    let episode = memory.episode(&bumped().id).unwrap();
-    let refused = writer.stored(&episode, PoseSource::Robot(&other));
-    assert!(matches!(refused, Err(NeemError::Frames(_))), "{refused:?}");
 }
