@@ -1,5 +1,9 @@
 //! What the user may type.
 
+mod ask;
+
+pub use ask::{AskArgs, EngineArgs, EngineChoice};
+
 use crate::terminal::color_asked_for;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum, ValueHint};
@@ -114,6 +118,20 @@ MultiDOFJointTrajectory for a base that moves), tcp-path.csv and following.json.
 
 Exit codes: 0 the predicted performance reaches the task's target, 1 it does not, 2 an error.")]
     Follow(FollowArgs),
+    /// Ask the memory of what was wiped, in Prolog
+    #[command(after_help = "\
+Examples:
+  wisch ask 'low_performance(Action, P)'
+  wisch ask \"owl_individual_of(C, semco:'Collision'), occurs(C, [S, E])\"
+  wisch ask 'has_data_value(A, performance =< 0.8)' --json
+  wisch ask                     line by line, with history and completion
+  wisch ask --list              what queries may use
+
+Exit codes: 0 there is an answer, 1 there is none, 2 an error.")]
+    Ask(AskArgs),
+    /// The Prolog engine of `ask`, begun by it.
+    #[command(hide = true)]
+    PrologEngine(EngineArgs),
     /// Plan a task, without predicting what the plan does
     #[command(after_help = "\
 Examples:

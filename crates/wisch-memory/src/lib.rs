@@ -3,6 +3,7 @@
 //! An episode is a graph of [`Individual`]s (the wiping, its rounds and strokes, what was felt, who took part)
 //! beside its telemetry. The [`Catalogue`] holds the graphs of all episodes in columns.
 
+pub mod ask;
 pub mod catalogue;
 mod columns;
 pub mod frames;
@@ -15,6 +16,9 @@ pub mod store;
 pub mod telemetry;
 
 pub use catalogue::{Catalogue, IndividualId, Node};
+pub use ontology::Ontology;
+pub use frames::{FrameError, Frames, PoseAt, RoundScene, Sampling, StoredPose};
+pub use id::episode_id;
 pub use frames::{FrameError, Frames, PoseAt, RoundScene, Sampling, StoredPose};
 pub use id::episode_id;
 pub use ontology::Ontology;

@@ -1,5 +1,6 @@
 //! The commands, each in its file.
 
+mod ask;
 mod check;
 mod follow;
 mod footprint;
@@ -20,6 +21,8 @@ use crate::terminal::Outcome;
 pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
     match &cli.command {
         Command::Run(args) => run::run(args, &cli.global),
+        Command::Ask(args) => ask::ask(args, &cli.global),
+        Command::PrologEngine(args) => ask::engine(args),
         Command::Follow(args) => run::follow_only(args, &cli.global),
         Command::Plan(args) => run::plan_only(args, &cli.global),
         Command::Predict(args) => run::predict_only(args, &cli.global),

@@ -1,0 +1,280 @@
+//! `wisch ask`: queries in Prolog to a memory, one or line by line.
+
+use crate::args::{AskArgs, EngineArgs, EngineChoice, GlobalArgs};
+use crate::failure::Failure;
+use crate::terminal::{Outcome, print};
+use rustyline::completion::{Completer, Pair};
+use rustyline::error::ReadlineError;
+use rustyline::history::DefaultHistory;
+use rustyline::{Context, Editor, Helper, Highlighter, Hinter, Validator};
+use serde_json::{Map, Value, json};
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+use wisch_memory::Memory;
+use wisch_memory::ask::{
+    Answers, AskError, Asker, EngineCommand, Limits, Predicate, Senses, Term, Told, predicates,
+    work,
+};
+
+/// The hidden command that the program begins itself with, as an engine.
+pub const ENGINE_COMMAND: &str = "prolog-engine";
+/// Version of what `--json` prints.
+const ANSWERS_SCHEMA: &str = "wisch.answers/1";
+/// Where the lines that were typed are kept, in the memory's folder.
+const HISTORY_FILE: &str = ".history";
+
+/// Works as an engine until its input ends.
+pub fn engine(args: &EngineArgs) -> Result<Outcome, Failure> {
+    work(args.memory).map_err(|error| Failure::new(format!("memory limit: {error}")))?;
+    Ok(Outcome::Done)
+}
+
+/// Asks.
+pub fn ask(args: &AskArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    if args.list {
+        print(&listing(&predicates()))?;
+        return Ok(Outcome::Done);
+    }
+    let mut asker = asker(args)?;
+    match &args.query {
+        Some(query) => answer(&mut asker, query, args, global),
+        None if std::io::stdin().is_terminal() => interactive(&mut asker, args, global),
+        None => lines(&mut asker, args, global),
+    }
+}
+
+fn asker(args: &AskArgs) -> Result<Asker, Failure> {
+    let memory = Memory::open(&args.memory).map_err(|error| {
+        Failure::new(error).with_help("wisch run makes a memory; --memory names another one")
+    })?;
+    let catalogue = memory.catalogue().map_err(Failure::new)?;
+    let command = match args.engine {
+        EngineChoice::Scryer => {
+            let program = std::env::current_exe()
+                .map_err(|error| Failure::new(format!("the program's own file: {error}")))?;
+            EngineCommand::Own(program, vec![ENGINE_COMMAND.to_owned()])
+        }
+        EngineChoice::Swi => EngineCommand::Swi(PathBuf::from("swipl")),
+    };
+    let limits = Limits {
+        time: Duration::from_secs(args.timeout.into()),
+        memory: u64::from(args.memory_limit) << 20,
+        answers: args.limit as usize,
+    };
+    let told = Told::read(&args.memory).map_err(Failure::new)?;
+    let senses = Senses::of(memory);
+    Ok(Asker::new(command, limits, Arc::new(catalogue), senses, told))
+}
+
+/// One query; the goal is met if it holds.
+fn answer(
+    asker: &mut Asker,
+    query: &str,
+    args: &AskArgs,
+    global: &GlobalArgs,
+) -> Result<Outcome, Failure> {
+    let answers = asker.ask(query).map_err(|error| failure(&error, args))?;
+    if args.json {
+        print(&format!("{}\n", in_json(query, &answers)))?;
+    } else if args.csv {
+        print(&in_csv(&answers))?;
+    } else if !global.quiet {
+        print(&in_words(&answers))?;
+    }
+    Ok(if answers.holds() {
+        Outcome::Done
+    } else {
+        Outcome::GoalNotMet
+    })
+}
+
+fn failure(error: &AskError, args: &AskArgs) -> Failure {
+    let failure = Failure::new(error);
+    match error {
+        AskError::Fault(wisch_memory::ask::Fault::Unknown { kind, .. }) if kind == "predicate" => {
+            failure.with_help("wisch ask --list lists what queries may use")
+        }
+        AskError::Time(_) => failure.with_help("--timeout gives it more"),
+        AskError::EngineEnded { .. } => failure.with_help("--memory-limit gives it more memory"),
+        AskError::CannotStart(_) if args.engine == EngineChoice::Swi => {
+            failure.with_help("install SWI-Prolog, so that swipl can be found, or leave out --engine")
+        }
+        _ => failure,
+    }
+}
+
+/// Queries from standard input, a line each.
+fn lines(asker: &mut Asker, args: &AskArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let mut outcome = Outcome::Done;
+    for line in std::io::stdin().lines() {
+        let line = line.map_err(|error| Failure::new(format!("standard input: {error}")))?;
+        let query = line.trim();
+        if query.is_empty() || query.starts_with('%') {
+            continue;
+        }
+        if answer(asker, query, args, global)? == Outcome::GoalNotMet {
+            outcome = Outcome::GoalNotMet;
+        }
+    }
+    Ok(outcome)
+}
+
+/// Completes names of predicates.
+#[derive(Helper, Hinter, Highlighter, Validator)]
+struct Typing {
+    predicates: Vec<Predicate>,
+}
+
+impl Completer for Typing {
+    type Candidate = Pair;
+
+    fn complete(
+        &self,
+        line: &str,
+        at: usize,
+        _: &Context<'_>,
+    ) -> rustyline::Result<(usize, Vec<Pair>)> {
+        let before = &line[..at];
+        let word = |c: char| c.is_alphanumeric() || c == '_';
+        let start = before.rfind(|c| !word(c)).map_or(0, |place| {
+            place + before[place..].chars().next().map_or(1, char::len_utf8)
+        });
+        let typed = &before[start..];
+        let fitting = (self.predicates.iter()).filter(|p| !typed.is_empty() && p.name.starts_with(typed));
+        let mut pairs: Vec<Pair> = fitting
+            .map(|predicate| Pair {
+                display: predicate.meaning.clone(),
+                replacement: predicate.name.clone(),
+            })
+            .collect();
+        pairs.dedup_by(|a, b| a.replacement == b.replacement);
+        Ok((start, pairs))
+    }
+}
+
+fn interactive(asker: &mut Asker, args: &AskArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let terminal = |error: ReadlineError| Failure::new(format!("terminal: {error}"));
+    let mut editor: Editor<Typing, DefaultHistory> = Editor::new().map_err(terminal)?;
+    editor.set_helper(Some(Typing {
+        predicates: predicates(),
+    }));
+    let history = args.memory.join(HISTORY_FILE);
+    // A history that is not there yet, or cannot be read, is none.
+    let _ = editor.load_history(&history);
+    if !global.quiet {
+        print("Ask in Prolog, or type help; quit ends it.\n")?;
+    }
+    loop {
+        let line = match editor.readline("?- ") {
+            Ok(line) => line,
+            Err(ReadlineError::Eof | ReadlineError::Interrupted) => break,
+            Err(error) => return Err(terminal(error)),
+        };
+        let query = line.trim().trim_end_matches('.');
+        let _ = editor.add_history_entry(line.trim());
+        match query {
+            "" => {}
+            "quit" | "exit" | "halt" => break,
+            "help" => print(&listing(&predicates()))?,
+            _ => {
+                if let Err(failure) = answer(asker, query, args, global) {
+                    eprintln!("{:?}", miette::Report::new(failure));
+                }
+            }
+        }
+    }
+    save_history(&mut editor, &history);
+    Ok(Outcome::Done)
+}
+
+fn save_history(editor: &mut Editor<Typing, DefaultHistory>, file: &Path) {
+    // Nothing depends on it.
+    let _ = editor.save_history(file);
+}
+
+fn in_words(answers: &Answers) -> String {
+    if !answers.holds() {
+        return "false\n".to_owned();
+    }
+    let mut text = String::new();
+    for row in &answers.rows {
+        let bound = answers.names.iter().zip(row);
+        let bound = bound.filter(|(_, term)| !matches!(term, Term::Variable(_)));
+        let bound: Vec<_> = bound.map(|(name, term)| format!("{name} = {term}")).collect();
+        if bound.is_empty() {
+            text.push_str("true\n");
+        } else {
+            text.push_str(&bound.join(", "));
+            text.push('\n');
+        }
+    }
+    if answers.is_cut {
+        text.push_str(&format!(
+            "… after {} answers; --limit asks for more\n",
+            answers.rows.len()
+        ));
+    }
+    text
+}
+
+fn in_json(query: &str, answers: &Answers) -> Value {
+    let rows = answers.rows.iter().map(|row| {
+        let bound = answers.names.iter().zip(row);
+        let bound: Map<String, Value> = bound
+            .map(|(name, term)| (name.clone(), value(term)))
+            .collect();
+        Value::Object(bound)
+    });
+    json!({
+        "schema": ANSWERS_SCHEMA,
+        "query": query,
+        "answers": rows.collect::<Vec<_>>(),
+        "is_cut": answers.is_cut,
+    })
+}
+
+/// A term as JSON: numbers, lists and names as such, others as text.
+fn value(term: &Term) -> Value {
+    match term {
+        Term::Variable(_) => Value::Null,
+        Term::Integer(number) => json!(number),
+        Term::Float(number) => json!(number),
+        Term::Atom(name) => json!(name),
+        Term::List(items) => items.iter().map(value).collect(),
+        Term::Compound(..) => json!(term.to_string()),
+    }
+}
+
+fn in_csv(answers: &Answers) -> String {
+    let mut text = answers.names.join(",") + "\n";
+    for row in &answers.rows {
+        let cells = row.iter().map(|term| {
+            let cell = match term {
+                Term::Variable(_) => String::new(),
+                Term::Atom(name) => name.clone(),
+                other => other.to_string(),
+            };
+            if cell.contains([',', '"', '\n']) {
+                format!("\"{}\"", cell.replace('"', "\"\""))
+            } else {
+                cell
+            }
+        });
+        text.push_str(&cells.collect::<Vec<_>>().join(","));
+        text.push('\n');
+    }
+    text
+}
+
+fn listing(predicates: &[Predicate]) -> String {
+    let lines = predicates.iter().map(|predicate| {
+        let meaning = &predicate.meaning;
+        match meaning.split_once(": ") {
+            Some((call, says)) => format!("  {call}\n      {says}\n"),
+            None => format!("  {meaning}\n"),
+        }
+    });
+    lines.collect()
+}

@@ -1,0 +1,84 @@
+% What the memory holds, fetched by need. The facts are
+%
+%     i(Individual, Class, Start, End, Parent, Episode)    none where there is no such thing
+%     c(Class, Individual)                                 of exactly this class
+%     k(Parent, Part)
+%     v(Individual, Property, Value)
+%     r(Individual, Property, Object)
+%
+% with names as 'semco:Collision_20261122-005612-3f2a-17'.
+
+% known(+Kind, +Term, -Name): the name behind prefix:'Local', 'Local' or an IRI; Kind is class, property or thing.
+known(Kind, Term, Name) :-
+    ground(Term),
+    !,
+    ( atom(Term), Kind == thing, i(Term, _, _, _, _, _) -> Name = Term
+    ; resolved(Kind-Term, Found) -> Name = Found
+    ; need(resolve(Kind, Term), [Found]),
+      assertz(resolved(Kind-Term, Found)),
+      Name = Found
+    ).
+known(Kind, Term, _) :- throw(error(instantiation_error, known(Kind, Term))).
+
+% thing(?Term, -Name): as known/3, and a variable stays one.
+thing(Term, Name) :- var(Term), !, Name = Term.
+thing(Term, Name) :- known(thing, Term, Name).
+
+% in_closure(+Kind, +Name, -Other): of subclasses, superclasses, subproperties or superproperties, Name among them.
+in_closure(Kind, Name, Other) :-
+    ( closure(Kind, Name, Others) -> true
+    ; Request =.. [Kind, Name],
+      need(Request, Others),
+      assertz(closure(Kind, Name, Others))
+    ),
+    member(Other, Others).
+
+% individual(?I, ?Class, ?Start, ?End, ?Parent, ?Episode)
+individual(I, Class, Start, End, Parent, Episode) :-
+    nonvar(I),
+    !,
+    ( i(I, Class0, Start0, End0, Parent0, Episode0) -> true
+    ; ensure(individual(I)),
+      i(I, Class0, Start0, End0, Parent0, Episode0) ->
+        true
+    ),
+    Class = Class0, Start = Start0, End = End0, Parent = Parent0, Episode = Episode0.
+individual(I, Class, Start, End, Parent, Episode) :-
+    nonvar(Class),
+    !,
+    member_of(Class, I),
+    i(I, Class, Start, End, Parent, Episode).
+individual(I, Class, Start, End, Parent, Episode) :-
+    stream(individuals, i(I, Class, Start, End, Parent, Episode)).
+
+% member_of(+Class, -I): of exactly this class.
+member_of(Class, I) :- ensure(members(Class)), c(Class, I).
+
+% part(?Parent, ?Part)
+part(Parent, Part) :- nonvar(Part), !, individual(Part, _, _, _, Parent, _), Parent \== none.
+part(Parent, Part) :- nonvar(Parent), !, ensure(parts(Parent)), k(Parent, Part).
+part(Parent, Part) :- stream(individuals, i(Part, _, _, _, Parent, _)), Parent \== none.
+
+% value(?I, ?Property, ?Value), of exactly this property
+value(I, Property, Value) :-
+    nonvar(I),
+    !,
+    ( nonvar(Property) -> ensure_value(I, Property) ; ensure(statements(I)) ),
+    v(I, Property, Value).
+value(I, Property, Value) :-
+    nonvar(Property),
+    !,
+    stream(values(Property), Value0-I0),
+    I = I0,
+    Value = Value0.
+value(I, Property, Value) :- stream(values, v(I, Property, Value)).
+
+ensure_value(I, _) :- loaded(statements(I)), !.
+ensure_value(_, Property) :- loaded(column(Property)), !.
+ensure_value(I, Property) :- need(values_of(I, Property), Facts), store(Facts).
+
+% relation(?I, ?Property, ?Object), of exactly this property
+relation(I, Property, Object) :- nonvar(I), !, ensure(statements(I)), r(I, Property, Object).
+relation(I, Property, Object) :- nonvar(Object), !, stream(related_to(Object), r(I, Property, Object)).
+relation(I, Property, Object) :- nonvar(Property), !, stream(relations(Property), r(I, Property, Object)).
+relation(I, Property, Object) :- stream(relations, r(I, Property, Object)).

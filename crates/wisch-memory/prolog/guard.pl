@@ -1,0 +1,171 @@
+% What a query may call: the predicates listed here, and nothing else.
+
+% guarded(+Goal, -Guarded): the same goal, with a check before every goal that is not known yet.
+guarded(Goal, Guarded) :- var(Goal), !, Guarded = run(Goal).
+guarded((A, B), (A1, B1)) :- !, guarded(A, A1), guarded(B, B1).
+guarded((A ; B), (A1 ; B1)) :- !, guarded(A, A1), guarded(B, B1).
+guarded((A -> B), (A1 -> B1)) :- !, guarded(A, A1), guarded(B, B1).
+guarded(\+ A, \+ A1) :- !, guarded(A, A1).
+guarded(!, !) :- !.
+guarded(_^A, A1) :- !, guarded(A, A1).
+guarded(Goal, _) :- \+ callable(Goal), !, throw(error(type_error(callable, Goal), query)).
+guarded(Goal, Guarded) :-
+    functor(Goal, Name, Arity),
+    ( meta(Name, Arity, Kinds) ->
+        Goal =.. [_|Arguments],
+        guarded_arguments(Kinds, Arguments, Safe),
+        Guarded =.. [Name|Safe]
+    ; listed(Name, Arity) ->
+        Guarded = Goal
+    ; throw(unknown_predicate(Name, Arity))
+    ).
+
+guarded_arguments([], [], []).
+guarded_arguments([Kind|Kinds], [A|As], [B|Bs]) :-
+    guarded_argument(Kind, A, B),
+    guarded_arguments(Kinds, As, Bs).
+
+guarded_argument(value, A, A).
+guarded_argument(goal, A, B) :- guarded(A, B).
+guarded_argument(solutions, A, B) :- guarded_solutions(A, B).
+% Closures are checked when they are called: their arguments are known only then.
+guarded_argument(closure, A, run(A)).
+
+guarded_solutions(A, B) :- var(A), !, B = run(A).
+guarded_solutions(V^A, V^B) :- !, guarded_solutions(A, B).
+guarded_solutions(A, B) :- guarded(A, B).
+
+run(Goal) :-
+    ( var(Goal) -> throw(error(instantiation_error, query)) ; true ),
+    guarded(Goal, Guarded),
+    call(Guarded).
+run(G, A) :- extended(G, [A], H), run(H).
+run(G, A, B) :- extended(G, [A, B], H), run(H).
+run(G, A, B, C) :- extended(G, [A, B, C], H), run(H).
+run(G, A, B, C, D) :- extended(G, [A, B, C, D], H), run(H).
+run(G, A, B, C, D, E) :- extended(G, [A, B, C, D, E], H), run(H).
+
+extended(Goal, _, _) :- var(Goal), !, throw(error(instantiation_error, query)).
+extended(Goal, More, Extended) :-
+    ( callable(Goal) -> true ; throw(error(type_error(callable, Goal), query)) ),
+    Goal =.. [Name|Arguments],
+    append(Arguments, More, All),
+    Extended =.. [Name|All].
+
+meta(call, 1, [goal]).
+meta(call, 2, [closure, value]).
+meta(call, 3, [closure, value, value]).
+meta(call, 4, [closure, value, value, value]).
+meta(once, 1, [goal]).
+meta(ignore, 1, [goal]).
+meta(forall, 2, [goal, goal]).
+meta(findall, 3, [value, goal, value]).
+meta(bagof, 3, [value, solutions, value]).
+meta(setof, 3, [value, solutions, value]).
+meta(aggregate_all, 3, [value, goal, value]).
+meta(maplist, 2, [closure, value]).
+meta(maplist, 3, [closure, value, value]).
+meta(maplist, 4, [closure, value, value, value]).
+meta(foldl, 4, [closure, value, value, value]).
+meta(kb_call, 1, [goal]).
+meta(ask, 1, [goal]).
+meta(during, 2, [goal, value]).
+meta(since, 2, [goal, value]).
+meta(until, 2, [goal, value]).
+
+listed(Name, Arity) :- builtin(Name, Arity).
+listed(Name, Arity) :- predicate(Name, Arity, _).
+
+builtin(true, 0).
+builtin(fail, 0).
+builtin(false, 0).
+builtin(=, 2).
+builtin(\=, 2).
+builtin(==, 2).
+builtin(\==, 2).
+builtin(@<, 2).
+builtin(@>, 2).
+builtin(@=<, 2).
+builtin(@>=, 2).
+builtin(compare, 3).
+builtin(is, 2).
+builtin(=:=, 2).
+builtin(=\=, 2).
+builtin(<, 2).
+builtin(>, 2).
+builtin(=<, 2).
+builtin(>=, 2).
+builtin(var, 1).
+builtin(nonvar, 1).
+builtin(atom, 1).
+builtin(number, 1).
+builtin(integer, 1).
+builtin(float, 1).
+builtin(atomic, 1).
+builtin(compound, 1).
+builtin(callable, 1).
+builtin(ground, 1).
+builtin(is_list, 1).
+builtin(functor, 3).
+builtin(arg, 3).
+builtin(=.., 2).
+builtin(copy_term, 2).
+builtin(atom_length, 2).
+builtin(atom_concat, 3).
+builtin(sub_atom, 5).
+builtin(atom_chars, 2).
+builtin(atom_codes, 2).
+builtin(char_code, 2).
+builtin(number_chars, 2).
+builtin(number_codes, 2).
+builtin(atom_number, 2).
+builtin(between, 3).
+builtin(length, 2).
+builtin(member, 2).
+builtin(memberchk, 2).
+builtin(append, 3).
+builtin(reverse, 2).
+builtin(nth0, 3).
+builtin(nth1, 3).
+builtin(select, 3).
+builtin(sum_list, 2).
+builtin(sort, 2).
+builtin(keysort, 2).
+
+% aggregate_all(+Spec, :Goal, -Result): count, sum(E), max(E), min(E), bag(E) or set(E); of max and min with a
+% witness, as max(E, W), the result is max(E, W).
+aggregate_all(Spec, Goal, Result) :- var(Spec), !, throw(error(instantiation_error, aggregate_all(Spec, Goal, Result))).
+aggregate_all(count, Goal, Count) :- !, findall(x, Goal, L), length(L, Count).
+aggregate_all(bag(E), Goal, L) :- !, findall(E, Goal, L).
+aggregate_all(set(E), Goal, S) :- !, findall(E, Goal, L), sort(L, S).
+aggregate_all(sum(E), Goal, Sum) :- !, findall(X, (Goal, X is E), L), total(L, 0, Sum).
+aggregate_all(mean(E), Goal, Mean) :- !,
+    findall(X, (Goal, X is E), L),
+    L = [_|_],
+    total(L, 0, Sum),
+    length(L, N),
+    Mean is Sum / N.
+aggregate_all(max(E), Goal, Max) :- !, findall(X, (Goal, X is E), [First|L]), largest(L, First, Max).
+aggregate_all(min(E), Goal, Min) :- !, findall(X, (Goal, X is E), [First|L]), smallest(L, First, Min).
+aggregate_all(max(E, W), Goal, max(X, V)) :- !,
+    findall(Y-U, (Goal, Y is E, U = W), [First|L]),
+    largest_pair(L, First, X-V).
+aggregate_all(min(E, W), Goal, min(X, V)) :- !,
+    findall(Y-U, (Goal, Y is E, U = W), [First|L]),
+    smallest_pair(L, First, X-V).
+aggregate_all(Spec, _, _) :- throw(error(domain_error(aggregate, Spec), aggregate_all)).
+
+total([], Sum, Sum).
+total([X|Xs], Sum0, Sum) :- Sum1 is Sum0 + X, total(Xs, Sum1, Sum).
+
+largest([], M, M).
+largest([X|Xs], M0, M) :- ( X > M0 -> largest(Xs, X, M) ; largest(Xs, M0, M) ).
+
+smallest([], M, M).
+smallest([X|Xs], M0, M) :- ( X < M0 -> smallest(Xs, X, M) ; smallest(Xs, M0, M) ).
+
+largest_pair([], M, M).
+largest_pair([X-W|Xs], M-V, R) :- ( X > M -> largest_pair(Xs, X-W, R) ; largest_pair(Xs, M-V, R) ).
+
+smallest_pair([], M, M).
+smallest_pair([X-W|Xs], M-V, R) :- ( X < M -> smallest_pair(Xs, X-W, R) ; smallest_pair(Xs, M-V, R) ).

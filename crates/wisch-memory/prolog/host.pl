@@ -1,0 +1,117 @@
+% The conversation with the program: it sends queries, and the facts that they need.
+%
+% Terms go both ways, one a line. The program says ask(Query, Limit), where Query is a string; this says
+% names(Names), then row(Values) for each answer, and ends with done(all), done(limit) or error(Error). On the
+% way it may say need(Request), which the program answers with rows(Facts), chunk(Cursor, Rows) or
+% fault(Error), and view(Command), which it does not answer.
+
+:- dynamic(i/6).
+:- dynamic(k/2).
+:- dynamic(v/3).
+:- dynamic(r/3).
+:- dynamic(c/2).
+:- dynamic(loaded/1).
+:- dynamic(resolved/2).
+:- dynamic(closure/3).
+
+main :-
+    open_host,
+    repeat,
+    read_term(host, Order, []),
+    once(obey(Order)),
+    Order == halt,
+    !.
+
+obey(halt).
+obey(end_of_file) :- halt.
+obey(forget) :- forget_facts, say(done(all)), flush_output.
+obey(ask(Query, Limit)) :-
+    catch(answer(Query, Limit, End), Error, ( plain(Error, Plain), End = error(Plain) )),
+    say(End),
+    flush_output.
+
+% Engines say where an error happened in ways of their own.
+plain(error(Formal, _), error(Formal, none)) :- !.
+plain(Error, Error).
+
+answer(Query, Limit, End) :-
+    parse_query(Query, Goal, Names),
+    names_and_values(Names, Atoms, Values),
+    say(names(Atoms)),
+    guarded(Goal, Guarded),
+    counter_set(0),
+    Row =.. [row|Values],
+    ( call(Guarded),
+      counter_get(Before),
+      Before < Limit,
+      say(Row),
+      Count is Before + 1,
+      counter_set(Count),
+      Count >= Limit ->
+        End = done(limit)
+    ; End = done(all)
+    ).
+
+names_and_values([], [], []).
+names_and_values([Name=Value|Rest], Names, Values) :-
+    ( hidden(Name) ->
+        Names = Names1,
+        Values = Values1
+    ; Names = [Name|Names1],
+      Values = [Value|Values1]
+    ),
+    names_and_values(Rest, Names1, Values1).
+
+hidden(Name) :- sub_atom(Name, 0, 1, _, '_').
+
+say(Term) :-
+    write_term(Term, [quoted(true), ignore_ops(true)]),
+    put_char('.'),
+    nl.
+
+% need(+Request, -Rows): what the program knows of it.
+need(Request, Rows) :-
+    converse(need(Request), Reply),
+    reply(Reply, Rows).
+
+converse(Said, Reply) :-
+    say(Said),
+    flush_output,
+    read_term(host, Reply, []).
+
+reply(rows(Rows), Rows).
+reply(fault(Error), _) :- throw(Error).
+reply(end_of_file, _) :- halt.
+
+% stream(+Request, -Row): its rows one after the other, fetched as they are asked for.
+stream(Request, Row) :-
+    converse(need(Request), Reply),
+    chunk(Reply, Row).
+
+chunk(fault(Error), _) :- throw(Error).
+chunk(rows(Rows), Row) :- member(Row, Rows).
+chunk(chunk(Cursor, Rows), Row) :-
+    ( member(Row, Rows)
+    ; converse(need(more(Cursor)), Reply),
+      chunk(Reply, Row)
+    ).
+
+% ensure(+Request): its facts are here.
+ensure(Request) :- loaded(Request), !.
+ensure(Request) :-
+    need(Request, Facts),
+    store(Facts),
+    ( loaded(Request) -> true ; assertz(loaded(Request)) ).
+
+store([]).
+store([Fact|Facts]) :- assertz(Fact), store(Facts).
+
+forget_facts :-
+    retractall(i(_, _, _, _, _, _)),
+    retractall(k(_, _)),
+    retractall(v(_, _, _)),
+    retractall(r(_, _, _)),
+    retractall(c(_, _)),
+    retractall(loaded(_)),
+    retractall(resolved(_, _)),
+    retractall(closure(_, _, _)).

@@ -1,0 +1,286 @@
+% Questions about wiping that come up again and again. Each is a predicate like the others.
+
+% How good it was ------------------------------------------------------------------------------------------
+
+low_performance(Action, Performance) :-
+    has_data_value(Action, performance =< 0.8),
+    value_of(Action, 'semco:performance', Performance).
+
+low_performance_round(Round, Performance) :-
+    has_data_value(Round, performance =< 0.8),
+    of_class(Round, 'semco:WipingRound'),
+    value_of(Round, 'semco:performance', Performance).
+
+final_performance(Episode, Performance) :-
+    wiping_of(Episode, Action),
+    value_of(Action, 'semco:performance', Performance).
+
+goal_met(Action) :- of_class(Action, 'semco:WipingAction'), action_succeeded(Action).
+goal_missed(Action, Performance) :-
+    of_class(Action, 'semco:WipingAction'),
+    action_failed(Action),
+    value_of(Action, 'semco:performance', Performance).
+
+rounds_needed(Action, Rounds) :-
+    of_class(Action, 'semco:WipingAction'),
+    aggregate_all(count, round_of(Action, _, _), Rounds).
+
+wiping_time(Action, Seconds) :-
+    of_class(Action, 'semco:WipingAction'),
+    timed(Action, S, E),
+    Seconds is E - S.
+
+performance_by_round(Action, Number, Performance) :-
+    of_class(Action, 'semco:WipingAction'),
+    round_of(Action, Number, Round),
+    value_of(Round, 'semco:performance', Performance).
+
+prediction_error(Round, Error) :-
+    of_class(Round, 'semco:WipingRound'),
+    value_of(Round, 'semco:predictedPerformance', P),
+    value_of(Round, 'semco:performance', E),
+    Error is P - E.
+
+overconfident_prediction(Round, Error) :- prediction_error(Round, Error), Error > 0.1.
+
+uncertain_estimate(Round, Width) :-
+    of_class(Round, 'semco:WipingRound'),
+    value_of(Round, 'semco:performanceLow', L),
+    value_of(Round, 'semco:performanceHigh', H),
+    Width is H - L,
+    Width > 0.2.
+
+estimate_missed_truth(Round, Estimated, True) :-
+    of_class(Round, 'semco:WipingRound'),
+    value_of(Round, 'semco:simulatedPerformance', True),
+    value_of(Round, 'semco:performance', Estimated),
+    value_of(Round, 'semco:performanceLow', L),
+    value_of(Round, 'semco:performanceHigh', H),
+    ( True < L ; True > H ).
+
+% Pushes, and what came of them ----------------------------------------------------------------------------
+
+human_collision(Motion, Collision, [S, E]) :-
+    of_class(Collision, 'semco:HumanCollision'),
+    timed(Collision, S, E),
+    part(Motion, Collision).
+
+human_collision_in(Episode, Motion, Collision, [S, E]) :-
+    episode(Episode, Name),
+    part_below(Name, Collision, 'semco:HumanCollision'),
+    timed(Collision, S, E),
+    part(Motion, Collision),
+    Episode = Name.
+
+collisions_of(Episode, Count) :-
+    of_class(Episode, 'semco:WipingEpisode'),
+    aggregate_all(count, part_below(Episode, _, 'semco:Collision'), Count).
+
+peak_force_per_collision(Collision, Force) :-
+    of_class(Collision, 'semco:Collision'),
+    value_of(Collision, 'semco:peakForce', Force).
+
+hardest_collision(Collision, Force) :-
+    aggregate_all(max(F, C), peak_force_per_collision(C, F), max(Force, Collision)).
+
+interrupted_stroke(Stroke, Collision) :-
+    of_class(Collision, 'semco:Collision'),
+    part(Stroke, Collision),
+    of_class(Stroke, 'semco:Stroke').
+
+pushed_then_recovered(Action, Collisions) :-
+    of_class(Action, 'semco:WipingAction'),
+    action_succeeded(Action),
+    aggregate_all(count, part_below(Action, _, 'semco:Collision'), Collisions),
+    Collisions > 0.
+
+protective_stop(Stop, Time, Round) :-
+    of_class(Stop, 'semco:ProtectiveStop'),
+    timed(Stop, Time, _),
+    above(Stop, Round, 'semco:WipingRound').
+
+% Contact --------------------------------------------------------------------------------------------------
+
+contact_share(Round, Share) :- of_class(Round, 'semco:WipingRound'), value_of(Round, 'semco:contactShare', Share).
+
+poor_contact(Round, Share) :- contact_share(Round, Share), Share < 0.8.
+
+contact_loss_near_edge(Loss, Distance) :-
+    of_class(Loss, 'semco:ContactLoss'),
+    value_of(Loss, 'semco:edgeDistance', Distance),
+    Distance =< 0.03.
+
+mean_force_per_stroke(Stroke, Force) :- of_class(Stroke, 'semco:Stroke'), value_of(Stroke, 'semco:meanNormalForce', Force).
+
+weak_stroke(Stroke, Force) :- mean_force_per_stroke(Stroke, Force), Force > -8.0.
+
+stroke_without_contact(Stroke) :-
+    of_class(Stroke, 'semco:Stroke'),
+    value_of(Stroke, 'semco:contactShare', Share),
+    Share =< 0.01.
+
+longest_contact(Episode, Contact, Seconds) :-
+    of_class(Episode, 'semco:WipingEpisode'),
+    aggregate_all(max(E - S, C), (part_below(Episode, C, 'semco:ToolContact'), timed(C, S, E)), max(Seconds, Contact)).
+
+contact_time(Round, Seconds) :-
+    of_class(Round, 'semco:WipingRound'),
+    aggregate_all(sum(E - S), (part_below(Round, C, 'semco:ToolContact'), timed(C, S, E)), Seconds).
+
+stick_slip(Stroke, Event) :-
+    of_class(Event, 'semco:StickSlip'),
+    part(Stroke, Event),
+    of_class(Stroke, 'semco:Stroke').
+
+% Recovery and localisation --------------------------------------------------------------------------------
+
+recovery_that_worked(Action, Round, Before, After) :-
+    of_class(Action, 'semco:WipingAction'),
+    value_of(Action, 'semco:target', Target),
+    round_of(Action, Number, Round),
+    Number > 1,
+    value_of(Round, 'semco:performance', After),
+    After >= Target,
+    Last is Number - 1,
+    round_of(Action, Last, Previous),
+    value_of(Previous, 'semco:performance', Before),
+    Before < Target.
+
+recovery_gain(Round, Gain) :-
+    of_class(Action, 'semco:WipingAction'),
+    round_of(Action, Number, Round),
+    Number > 1,
+    Last is Number - 1,
+    round_of(Action, Last, Previous),
+    value_of(Previous, 'semco:performance', Before),
+    value_of(Round, 'semco:performance', After),
+    Gain is After - Before.
+
+round_without_progress(Round) :- recovery_gain(Round, Gain), Gain =< 0.005.
+
+relocalized(Round, Tilt, Offset) :-
+    of_class(Round, 'semco:WipingRound'),
+    value(Round, 'semco:diagnosis', relocalize),
+    value_of(Round, 'semco:planeTilt', Tilt),
+    value_of(Round, 'semco:planeOffset', Offset).
+
+tilted_surface(Round, Tilt) :-
+    of_class(Round, 'semco:WipingRound'),
+    value_of(Round, 'semco:planeTilt', Tilt),
+    Tilt > 0.0174.
+
+% Over many episodes ---------------------------------------------------------------------------------------
+
+% contact_force_drift(-Surface, -Slope, -First, -Last): newtons by which the mean force of contact falls per
+% episode on this surface, fitted over at least five episodes; only where it falls noticeably.
+contact_force_drift(Surface, Slope, First, Last) :-
+    on_surface(Surface, 'semco:meanNormalForce', abs, Series),
+    trend(Series, Slope, First, Last),
+    Slope < -0.01,
+    Last < 0.95 * First.
+
+% localization_drift(-Surface, -Slope, -First, -Last): metres by which the found plane moves per episode.
+localization_drift(Surface, Slope, First, Last) :-
+    on_surface(Surface, 'semco:planeOffset', plain, Series),
+    trend(Series, Slope, First, Last),
+    abs(Last - First) > 0.002.
+
+on_surface(Surface, Property, How, Series) :-
+    findall(O-(S-V), ( stream(first_rounds(Property), x(O, S, V0)), amount(How, V0, V) ), All),
+    keysort(All, Sorted),
+    grouped(Sorted, Groups),
+    member(Surface-Timed, Groups),
+    keysort(Timed, InTime),
+    findall(V, member(_-V, InTime), Series),
+    length(Series, N),
+    N >= 5.
+
+amount(abs, V0, V) :- V is abs(V0).
+amount(plain, V, V).
+
+grouped([], []).
+grouped([Key-V|Rest], [Key-[V|Vs]|Groups]) :- same_key(Rest, Key, Vs, Others), grouped(Others, Groups).
+
+same_key([Key1-V|Rest], Key, [V|Vs], Others) :- Key1 == Key, !, same_key(Rest, Key, Vs, Others).
+same_key(Others, _, [], Others).
+
+% trend(+Series, -Slope, -First, -Last): the least squares line, and where it begins and ends.
+trend(Series, Slope, First, Last) :-
+    sums(Series, 0, 0, 0.0, 0, 0.0, N, Sx, Sy, Sxx, Sxy),
+    N > 1,
+    D is N * Sxx - Sx * Sx,
+    Slope is (N * Sxy - Sx * Sy) / D,
+    First is (Sy - Slope * Sx) / N,
+    Last is First + Slope * (N - 1).
+
+sums([], N, Sx, Sy, Sxx, Sxy, N, Sx, Sy, Sxx, Sxy).
+sums([Y|Ys], N0, Sx0, Sy0, Sxx0, Sxy0, N, Sx, Sy, Sxx, Sxy) :-
+    Sx1 is Sx0 + N0,
+    Sy1 is Sy0 + Y,
+    Sxx1 is Sxx0 + N0 * N0,
+    Sxy1 is Sxy0 + N0 * Y,
+    N1 is N0 + 1,
+    sums(Ys, N1, Sx1, Sy1, Sxx1, Sxy1, N, Sx, Sy, Sxx, Sxy).
+
+tool_performance(Tool, Medium, Mean, Count) :-
+    findall((Tool-Medium)-P, (of_class(A, 'semco:WipingAction'), relation(A, 'semco:usesTool', Tool), relation(A, 'semco:removesMedium', Medium), value_of(A, 'semco:performance', P)), All),
+    mean_by_key(All, Tool-Medium, Mean, Count).
+
+strategy_performance(Strategy, Mean, Count) :-
+    findall(Strategy-P, (of_class(A, 'semco:WipingAction'), value(A, 'semco:strategy', Strategy), value_of(A, 'semco:performance', P)), All),
+    mean_by_key(All, Strategy, Mean, Count).
+
+surface_performance(Surface, Mean, Count) :-
+    findall(Surface-P, (of_class(A, 'semco:WipingAction'), relation(A, 'semco:actsOnSurface', Surface), value_of(A, 'semco:performance', P)), All),
+    mean_by_key(All, Surface, Mean, Count).
+
+mean_by_key(All, Key, Mean, Count) :-
+    keysort(All, Sorted),
+    grouped(Sorted, Groups),
+    member(Key-Ps, Groups),
+    total(Ps, 0, Sum),
+    length(Ps, Count),
+    Mean is Sum / Count.
+
+episode_with_tool(Episode, Tool) :- taking_part(Episode, Tool).
+episode_on_surface(Episode, Surface) :- taking_part(Episode, Surface).
+
+taking_part(Episode, Thing) :-
+    thing(Thing, Name),
+    stated(Action, 'dul:hasParticipant', Name),
+    of_class(Action, 'semco:WipingAction'),
+    part(Episode, Action),
+    Thing = Name.
+
+last_episode(Episode, Time) :-
+    need(last_episode, [Episode-Time]).
+
+episode_of(Thing, Episode) :-
+    known(thing, Thing, Name),
+    above(Name, Episode, 'semco:WipingEpisode').
+
+sure_failure(Action, High) :-
+    of_class(Action, 'semco:WipingAction'),
+    value_of(Action, 'semco:performanceHigh', High),
+    value_of(Action, 'semco:target', Target),
+    High < Target.
+
+% What they stand on ---------------------------------------------------------------------------------------
+
+value_of(I, Property, Number) :- value(I, Property, Number), number(Number).
+
+wiping_of(Episode, Action) :- of_class(Action, 'semco:WipingAction'), part(Episode, Action).
+
+round_of(Action, Number, Round) :-
+    part(Action, Round),
+    of_class(Round, 'semco:WipingRound'),
+    value_of(Round, 'semco:round', N),
+    Number is truncate(N).
+
+episode(Episode, Name) :- var(Episode), !, of_class(Name, 'semco:WipingEpisode').
+episode(Episode, Name) :- known(thing, Episode, Name).
+
+% part_below(+Whole, -Part, +Class): at any depth.
+part_below(Whole, Part, Class) :- part(Whole, Direct), ( of_class(Direct, Class), Part = Direct ; part_below(Direct, Part, Class) ).
+
+above(Part, Whole, Class) :- part(Direct, Part), ( of_class(Direct, Class) -> Whole = Direct ; above(Direct, Whole, Class) ).

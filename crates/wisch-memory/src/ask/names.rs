@@ -1,0 +1,222 @@
+//! What a name in a query means: a class, a property, or a thing of the memory.
+
+use super::Fault;
+use super::term::Term;
+use crate::catalogue::{Catalogue, IndividualId, Node};
+use crate::ontology::{Ontology, TermKind};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use wisch::text::UnknownName;
+
+/// Events that a concept classifies, by class: SOMA's `Collision` is a concept, ours is the event, and both find it.
+const CLASSIFIED: [(&str, &str); 1] = [("soma:Collision", "semco:Collision")];
+/// Properties that hold of what the catalogue has in other ways.
+const STRUCTURAL: [&str; 8] = [
+    "rdf:type",
+    "rdfs:subClassOf",
+    "dul:hasConstituent",
+    "dul:isConstituentOf",
+    "dul:isParticipantIn",
+    "dul:isExecutedIn",
+    "dul:classifies",
+    "dul:hasParticipant",
+];
+/// By which relation a shared thing is of which class, where the ontology does not know it.
+const CLASS_BY_RELATION: [(&str, &str); 4] = [
+    ("semco:usesTool", "semco:WipingTool"),
+    ("semco:removesMedium", "semco:Medium"),
+    ("semco:actsOnSurface", "semco:WipedSurface"),
+    ("soma:isPerformedBy", "semco:WipingRobot"),
+];
+
+/// Finds names.
+pub struct Names {
+    catalogue: Arc<Catalogue>,
+    ontology: &'static Ontology,
+    /// Classes of the things that episodes share.
+    shared: BTreeMap<String, String>,
+}
+
+impl Names {
+    /// Names of these episodes.
+    pub fn new(catalogue: Arc<Catalogue>, ontology: &'static Ontology) -> Self {
+        let mut shared = BTreeMap::new();
+        for name in ontology.individuals() {
+            if let Some(class) = ontology.term(name).and_then(|term| term.parents.first()) {
+                shared.insert(name.to_owned(), class.clone());
+            }
+        }
+        for (property, class) in CLASS_BY_RELATION {
+            for (_, node) in catalogue.relations(property) {
+                if let Node::Shared(number) = node {
+                    let name = &catalogue.shared()[*number as usize];
+                    if !shared.contains_key(name) {
+                        shared.insert(name.clone(), class.to_owned());
+                    }
+                }
+            }
+        }
+        Self {
+            catalogue,
+            ontology,
+            shared,
+        }
+    }
+
+    /// The full name of a class, property or thing.
+    pub(super) fn resolve(&self, kind: &str, term: &Term) -> Result<String, Fault> {
+        let unknown = |error: &UnknownName| {
+            // A prefix that is unknown is so whatever it stands before.
+            let kind = if error.to_string().contains("prefix") {
+                "prefix"
+            } else {
+                kind
+            };
+            Fault::unknown(kind, term, error.nearest())
+        };
+        let found = match term {
+            Term::Compound(colon, parts) if colon == ":" => match parts.as_slice() {
+                [Term::Atom(prefix), Term::Atom(local)] => self
+                    .with_prefix(prefix, local)
+                    .map_err(|error| unknown(&error))?,
+                _ => return Err(Fault::no_name(term)),
+            },
+            Term::Atom(name) => match (self.ontology.compact(name), name.split_once(':')) {
+                (Some(name), _) => {
+                    let (prefix, local) = name.split_once(':').unwrap_or(("", &name));
+                    self.with_prefix(prefix, local)
+                        .map_err(|error| unknown(&error))?
+                }
+                (None, Some((prefix, local))) => self
+                    .with_prefix(prefix, local)
+                    .map_err(|error| unknown(&error))?,
+                (None, None) => self.bare(kind, name).map_err(|error| unknown(&error))?,
+            },
+            _ => return Err(Fault::no_name(term)),
+        };
+        self.of_kind(kind, found, term)
+    }
+
+    fn of_kind(&self, kind: &str, found: String, term: &Term) -> Result<String, Fault> {
+        let known = self.ontology.kind(&found);
+        let fits = match kind {
+            "class" => known == Some(TermKind::Class),
+            "property" => {
+                known.is_some_and(TermKind::is_property) || STRUCTURAL.contains(&found.as_str())
+            }
+            _ => true,
+        };
+        if fits {
+            return Ok(found);
+        }
+        let local = found
+            .split_once(':')
+            .map_or(found.as_str(), |(_, local)| local);
+        let nearest = self.nearest(kind, local);
+        Err(Fault::unknown(kind, term, nearest.as_deref()))
+    }
+
+    fn nearest(&self, kind: &str, local: &str) -> Option<String> {
+        let names: Vec<&str> = match kind {
+            "class" => self.ontology.classes().collect(),
+            "property" => self.ontology.properties().collect(),
+            _ => self.shared.keys().map(String::as_str).collect(),
+        };
+        let locals = names
+            .iter()
+            .filter_map(|name| name.split_once(':').map(|(_, local)| local));
+        let error = UnknownName::new("name", local, locals);
+        let nearest = error.nearest()?;
+        let named = names
+            .into_iter()
+            .find(|name| name.ends_with(&format!(":{nearest}")));
+        named.map(str::to_owned)
+    }
+
+    fn with_prefix(&self, prefix: &str, local: &str) -> Result<String, UnknownName> {
+        let name = format!("{prefix}:{local}");
+        if prefix == "semco" && self.catalogue.find(local).is_some()
+            || self.shared.contains_key(&name) && self.ontology.term(&name).is_none()
+            || STRUCTURAL.contains(&name.as_str())
+        {
+            return Ok(name);
+        }
+        self.ontology.resolve(prefix, local).map(str::to_owned)
+    }
+
+    fn bare(&self, kind: &str, local: &str) -> Result<String, UnknownName> {
+        if self.catalogue.find(local).is_some() {
+            return Ok(format!("semco:{local}"));
+        }
+        let shared = format!("semco:{local}");
+        if self.shared.contains_key(&shared) {
+            return Ok(shared);
+        }
+        let structural = STRUCTURAL.iter().find(|name| {
+            name.split_once(':')
+                .is_some_and(|(_, structural)| structural == local)
+        });
+        match (structural, self.ontology.resolve_bare(local)) {
+            (Some(name), _) if kind == "property" => Ok((*name).to_owned()),
+            (_, found) => found.map(str::to_owned),
+        }
+    }
+
+    /// The individual of this full name.
+    pub(super) fn individual(&self, name: &str) -> Option<IndividualId> {
+        self.catalogue.find(name.strip_prefix("semco:")?)
+    }
+
+    /// What relations lead to, of this full name.
+    pub(super) fn node(&self, name: &str) -> Option<Node> {
+        if let Some(id) = self.individual(name) {
+            return Some(Node::Individual(id));
+        }
+        let place = self
+            .catalogue
+            .shared()
+            .iter()
+            .position(|shared| shared == name)?;
+        u32::try_from(place).ok().map(Node::Shared)
+    }
+
+    /// The class of something that episodes share.
+    pub(super) fn class_of_shared(&self, name: &str) -> Option<String> {
+        self.shared.get(name).cloned()
+    }
+
+    /// What episodes share of exactly this class.
+    pub(super) fn shared_of(&self, class: &str) -> Vec<String> {
+        let of_class = self.shared.iter().filter(|(_, of)| *of == class);
+        of_class.map(|(name, _)| name.clone()).collect()
+    }
+
+    pub(super) fn subclasses(&self, name: &str) -> Vec<Term> {
+        let mut found = or_itself(name, self.ontology.subclasses(name));
+        for (concept, class) in CLASSIFIED {
+            if found.contains(&concept) {
+                found.extend(or_itself(class, self.ontology.subclasses(class)));
+            }
+        }
+        found.into_iter().map(Term::atom).collect()
+    }
+
+    pub(super) fn superclasses(&self, name: &str) -> Vec<Term> {
+        let found = or_itself(name, self.ontology.superclasses(name));
+        found.into_iter().map(Term::atom).collect()
+    }
+
+    pub(super) fn subproperties(&self, name: &str) -> Vec<Term> {
+        let found = or_itself(name, self.ontology.subproperties(name));
+        found.into_iter().map(Term::atom).collect()
+    }
+
+    pub(super) fn superproperties(&self, name: &str) -> Vec<Term> {
+        let found = or_itself(name, self.ontology.superproperties(name));
+        found.into_iter().map(Term::atom).collect()
+    }
+}
+
+fn or_itself<'a>(name: &'a str, found: Result<Vec<&'a str>, UnknownName>) -> Vec<&'a str> {
+    found.unwrap_or_else(|_| vec![name])
+}

@@ -1,0 +1,556 @@
+//! Prolog terms: read as engines write them without operators, and written for people and for engines.
+
+use std::fmt;
+
+/// A term.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Term {
+    /// A variable that is not bound, by the engine's name for it.
+    Variable(String),
+    /// An atom.
+    Atom(String),
+    /// An integer.
+    Integer(i64),
+    /// A number with a fraction.
+    Float(f64),
+    /// A name with arguments.
+    Compound(String, Vec<Term>),
+    /// A list.
+    List(Vec<Term>),
+}
+
+/// Most terms within each other; deeper ones are refused.
+const MAX_DEPTH: usize = 1000;
+
+impl Term {
+    /// An atom.
+    pub fn atom(name: impl Into<String>) -> Self {
+        Self::Atom(name.into())
+    }
+
+    /// A name with arguments.
+    pub fn compound(name: impl Into<String>, arguments: impl Into<Vec<Self>>) -> Self {
+        Self::Compound(name.into(), arguments.into())
+    }
+
+    /// The text of an atom.
+    pub fn as_atom(&self) -> Option<&str> {
+        match self {
+            Self::Atom(name) => Some(name),
+            _ => None,
+        }
+    }
+
+    /// The value of a number.
+    pub fn as_number(&self) -> Option<f64> {
+        match self {
+            #[allow(
+                clippy::cast_precision_loss,
+                reason = "times and counts are far below 2^53"
+            )]
+            Self::Integer(value) => Some(*value as f64),
+            Self::Float(value) => Some(*value),
+            _ => None,
+        }
+    }
+
+    /// Name and arguments; an atom has none.
+    pub fn parts(&self) -> Option<(&str, &[Self])> {
+        match self {
+            Self::Atom(name) => Some((name, &[])),
+            Self::Compound(name, arguments) => Some((name, arguments)),
+            _ => None,
+        }
+    }
+
+    /// Reads a term in canonical notation, with or without the full stop at its end.
+    ///
+    /// # Errors
+    /// What was expected, and where.
+    pub fn parse(text: &str) -> Result<Self, TermError> {
+        let mut reader = Reader { text, at: 0 };
+        let term = reader.term(0)?;
+        reader.space();
+        match reader.rest() {
+            "" | "." => Ok(term),
+            _ => Err(reader.expected("the end")),
+        }
+    }
+
+    /// What engines read: every atom quoted.
+    pub fn write_quoted(&self, out: &mut String) {
+        use fmt::Write as _;
+        match self {
+            Self::Variable(_) => out.push('_'),
+            Self::Atom(name) => quote(name, out),
+            Self::Integer(value) => {
+                let _ = write!(out, "{value}");
+            }
+            Self::Float(value) => out.push_str(&float(*value)),
+            Self::Compound(name, arguments) => {
+                quote(name, out);
+                out.push('(');
+                separated(arguments, out, |term, out| term.write_quoted(out));
+                out.push(')');
+            }
+            Self::List(items) => {
+                out.push('[');
+                separated(items, out, |term, out| term.write_quoted(out));
+                out.push(']');
+            }
+        }
+    }
+}
+
+fn separated<T>(items: &[T], out: &mut String, mut write: impl FnMut(&T, &mut String)) {
+    for (place, item) in items.iter().enumerate() {
+        if place > 0 {
+            out.push(',');
+        }
+        write(item, out);
+    }
+}
+
+/// A number that Prolog reads as one with a fraction.
+pub(super) fn float(value: f64) -> String {
+    let text = format!("{value:?}");
+    // Prolog wants a fraction before an exponent.
+    match text.split_once('e') {
+        Some((digits, exponent)) if !digits.contains('.') => format!("{digits}.0e{exponent}"),
+        _ => text,
+    }
+}
+
+/// An atom in quotes.
+pub(super) fn quote(name: &str, out: &mut String) {
+    out.push('\'');
+    for c in name.chars() {
+        match c {
+            '\'' => out.push_str("\\'"),
+            '\\' => out.push_str("\\\\"),
+            '\n' => out.push_str("\\n"),
+            '\t' => out.push_str("\\t"),
+            c if c.is_control() => {
+                use fmt::Write as _;
+                let _ = write!(out, "\\x{:x}\\", u32::from(c));
+            }
+            c => out.push(c),
+        }
+    }
+    out.push('\'');
+}
+
+fn is_plain(name: &str) -> bool {
+    let mut chars = name.chars();
+    let alphanumeric = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    matches!(name, "[]" | "{}" | "!" | ";")
+        || chars.next().is_some_and(|c| c.is_ascii_lowercase()) && chars.all(alphanumeric)
+        || !name.is_empty() && name.chars().all(is_symbol)
+}
+
+fn is_symbol(c: char) -> bool {
+    "+-*/\\^<>=~:.?@#&$".contains(c)
+}
+
+/// As people write it: `semco:'Collision_1'`, lists in brackets, common operators between their arguments.
+impl fmt::Display for Term {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Variable(_) => f.write_str("_"),
+            Self::Atom(name) => write_name(name, f),
+            Self::Integer(value) => write!(f, "{value}"),
+            Self::Float(value) => f.write_str(&float(*value)),
+            Self::List(items) => {
+                f.write_str("[")?;
+                for (place, item) in items.iter().enumerate() {
+                    if place > 0 {
+                        f.write_str(", ")?;
+                    }
+                    write!(f, "{item}")?;
+                }
+                f.write_str("]")
+            }
+            Self::Compound(name, arguments) => match (name.as_str(), arguments.as_slice()) {
+                ("-" | ":" | "=", [left, right]) => write!(f, "{left}{name}{right}"),
+                _ => {
+                    write_name(name, f)?;
+                    f.write_str("(")?;
+                    for (place, argument) in arguments.iter().enumerate() {
+                        if place > 0 {
+                            f.write_str(", ")?;
+                        }
+                        write!(f, "{argument}")?;
+                    }
+                    f.write_str(")")
+                }
+            },
+        }
+    }
+}
+
+/// An atom; one of the memory's names with its prefix before the quotes.
+fn write_name(name: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let mut text = String::new();
+    match name.split_once(':') {
+        Some((prefix, local)) if is_plain(prefix) && !local.is_empty() && !local.contains('/') => {
+            text.push_str(prefix);
+            text.push(':');
+            if is_plain(local) {
+                text.push_str(local);
+            } else {
+                quote(local, &mut text);
+            }
+        }
+        _ if is_plain(name) => text.push_str(name),
+        _ => quote(name, &mut text),
+    }
+    f.write_str(&text)
+}
+
+/// A text that is no term.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("byte {at} of the engine's answer: {expected} was expected, found {found:?}")]
+pub struct TermError {
+    /// Where [bytes].
+    pub at: usize,
+    /// What was expected.
+    pub expected: &'static str,
+    /// What is there.
+    pub found: String,
+}
+
+struct Reader<'a> {
+    text: &'a str,
+    at: usize,
+}
+
+impl<'a> Reader<'a> {
+    fn rest(&self) -> &'a str {
+        &self.text[self.at..]
+    }
+
+    fn peek(&self) -> Option<char> {
+        self.rest().chars().next()
+    }
+
+    fn expected(&self, expected: &'static str) -> TermError {
+        TermError {
+            at: self.at,
+            expected,
+            found: self.rest().chars().take(20).collect(),
+        }
+    }
+
+    fn space(&mut self) {
+        let rest = self.rest();
+        self.at += rest.len() - rest.trim_start().len();
+    }
+
+    fn take(&mut self, token: char) -> bool {
+        self.space();
+        let found = self.peek() == Some(token);
+        if found {
+            self.at += token.len_utf8();
+        }
+        found
+    }
+
+    fn run(&mut self, belongs: impl Fn(char) -> bool) -> &'a str {
+        let rest = self.rest();
+        let end = rest.find(|c| !belongs(c)).unwrap_or(rest.len());
+        self.at += end;
+        &rest[..end]
+    }
+
+    fn term(&mut self, depth: usize) -> Result<Term, TermError> {
+        if depth > MAX_DEPTH {
+            return Err(self.expected("a term of less depth"));
+        }
+        self.space();
+        let word = |c: char| c.is_alphanumeric() || c == '_';
+        match self.peek() {
+            None => Err(self.expected("a term")),
+            Some(c) if c.is_ascii_digit() => self.number(false),
+            Some('-') if self.rest()[1..].starts_with(|c: char| c.is_ascii_digit()) => {
+                self.at += 1;
+                self.number(true)
+            }
+            Some('-')
+                if self.rest()[1..].starts_with(" ")
+                    && self.rest()[1..]
+                        .trim_start()
+                        .starts_with(|c: char| c.is_ascii_digit()) =>
+            {
+                self.at += 1;
+                self.space();
+                self.number(true)
+            }
+            Some('_' | 'A'..='Z') => Ok(Term::Variable(self.run(word).to_owned())),
+            Some('[') => self.list(depth),
+            Some('"') => {
+                let text = self.quoted('"')?;
+                Ok(Term::Atom(text))
+            }
+            Some('\'') => {
+                let name = self.quoted('\'')?;
+                self.compound(name, depth)
+            }
+            Some('{') if self.rest().starts_with("{}") => {
+                self.at += 2;
+                self.compound("{}".to_owned(), depth)
+            }
+            Some(c @ ('!' | ';' | ',')) => {
+                self.at += 1;
+                self.compound(c.to_string(), depth)
+            }
+            Some(c) if is_symbol(c) => {
+                let name = self.run(is_symbol).to_owned();
+                self.compound(name, depth)
+            }
+            Some(c) if word(c) => {
+                let name = self.run(word).to_owned();
+                self.compound(name, depth)
+            }
+            Some(_) => Err(self.expected("a term")),
+        }
+    }
+
+    fn number(&mut self, negative: bool) -> Result<Term, TermError> {
+        let start = self.at;
+        self.run(|c| c.is_ascii_digit());
+        let rest = self.rest();
+        let mut is_float = false;
+        if rest.starts_with('.') && rest[1..].starts_with(|c: char| c.is_ascii_digit()) {
+            is_float = true;
+            self.at += 1;
+            self.run(|c| c.is_ascii_digit());
+        }
+        let rest = self.rest();
+        if is_float && rest.starts_with(['e', 'E']) {
+            self.at += 1;
+            self.run(|c| c.is_ascii_digit() || c == '-' || c == '+');
+        }
+        let digits = &self.text[start..self.at];
+        let sign = if negative { -1.0 } else { 1.0 };
+        if self.rest().starts_with("Inf") || self.rest().starts_with("NaN") {
+            return Err(self.expected("a finite number"));
+        }
+        if !is_float
+            && let Ok(value) = format!("{}{digits}", if negative { "-" } else { "" }).parse()
+        {
+            return Ok(Term::Integer(value));
+        }
+        let value: f64 = digits.parse().map_err(|_| self.expected("a number"))?;
+        Ok(Term::Float(sign * value))
+    }
+
+    fn quoted(&mut self, mark: char) -> Result<String, TermError> {
+        self.at += 1;
+        let mut text = String::new();
+        loop {
+            let Some(c) = self.peek() else {
+                return Err(self.expected("a closing quote"));
+            };
+            self.at += c.len_utf8();
+            if c == mark {
+                if self.peek() != Some(mark) {
+                    return Ok(text);
+                }
+                self.at += 1;
+                text.push(mark);
+            } else if c == '\\' {
+                text.push(self.escaped()?);
+            } else {
+                text.push(c);
+            }
+        }
+    }
+
+    fn escaped(&mut self) -> Result<char, TermError> {
+        let Some(c) = self.peek() else {
+            return Err(self.expected("an escape sequence"));
+        };
+        self.at += c.len_utf8();
+        Ok(match c {
+            'n' => '\n',
+            't' => '\t',
+            'r' => '\r',
+            'a' => '\u{7}',
+            'b' => '\u{8}',
+            'f' => '\u{c}',
+            'v' => '\u{b}',
+            '0'..='7' | 'x' => {
+                if c != 'x' {
+                    self.at -= 1;
+                }
+                let digits = self.run(|c| c.is_ascii_hexdigit());
+                let radix = if c == 'x' { 16 } else { 8 };
+                let code = u32::from_str_radix(digits, radix).ok();
+                if self.peek() == Some('\\') {
+                    self.at += 1;
+                }
+                code.and_then(char::from_u32)
+                    .ok_or_else(|| self.expected("a character's code"))?
+            }
+            c => c,
+        })
+    }
+
+    fn compound(&mut self, name: String, depth: usize) -> Result<Term, TermError> {
+        if !self.rest().starts_with('(') {
+            return Ok(if name == "[]" {
+                Term::List(Vec::new())
+            } else {
+                Term::Atom(name)
+            });
+        }
+        if name == "." {
+            return self.pairs(depth);
+        }
+        self.at += 1;
+        let mut arguments = vec![self.term(depth + 1)?];
+        while self.take(',') {
+            arguments.push(self.term(depth + 1)?);
+        }
+        if !self.take(')') {
+            return Err(self.expected(")"));
+        }
+        Ok(Term::Compound(name, arguments))
+    }
+
+    /// A list as pairs of head and tail; long ones must not fill the stack.
+    fn pairs(&mut self, depth: usize) -> Result<Term, TermError> {
+        let mut items = Vec::new();
+        let mut open = 0;
+        loop {
+            self.space();
+            let rest = self.rest();
+            let Some(skip) = ["'.'(", ".("]
+                .iter()
+                .find(|start| rest.starts_with(**start))
+            else {
+                if open == 0 && rest.starts_with('(') {
+                    self.at += 1;
+                    open += 1;
+                    items.push(self.term(depth + 1)?);
+                    if !self.take(',') {
+                        return Err(self.expected(","));
+                    }
+                    continue;
+                }
+                break;
+            };
+            self.at += skip.len();
+            open += 1;
+            items.push(self.term(depth + 1)?);
+            if !self.take(',') {
+                return Err(self.expected(","));
+            }
+        }
+        let tail = self.term(depth + 1)?;
+        for _ in 0..open {
+            if !self.take(')') {
+                return Err(self.expected(")"));
+            }
+        }
+        Ok(closed(items, tail))
+    }
+
+    fn list(&mut self, depth: usize) -> Result<Term, TermError> {
+        self.at += 1;
+        if self.take(']') {
+            return Ok(Term::List(Vec::new()));
+        }
+        let mut items = vec![self.term(depth + 1)?];
+        while self.take(',') {
+            items.push(self.term(depth + 1)?);
+        }
+        let tail = if self.take('|') {
+            self.term(depth + 1)?
+        } else {
+            Term::List(Vec::new())
+        };
+        if !self.take(']') {
+            return Err(self.expected("]"));
+        }
+        Ok(closed(items, tail))
+    }
+}
+
+/// A list with these items before a tail; one that is open stays in pairs.
+fn closed(mut items: Vec<Term>, tail: Term) -> Term {
+    match tail {
+        Term::List(more) => {
+            items.extend(more);
+            Term::List(items)
+        }
+        tail => items.into_iter().rev().fold(tail, |tail, item| {
+            Term::Compound("'[|]'".trim_matches('\'').to_owned(), vec![item, tail])
+        }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(text: &str) -> String {
+        Term::parse(text).unwrap().to_string()
+    }
+
+    #[test]
+    fn both_engines_notations_are_read_alike() {
+        let scryer = "row('.'(a,'.'(1,'.'(-2.5,[]))),:(semco,'Collision'),_12,-(1,2),{}(x)).";
+        let swi = "row([a,1,-2.5],:(semco,'Collision'),_G12,-(1,2),{}(x)).";
+        let [a, b] = [scryer, swi].map(shown);
+        assert_eq!(a, b);
+        assert_eq!(a, "row([a, 1, -2.5], semco:'Collision', _, 1-2, {}(x))");
+    }
+
+    #[test]
+    fn names_of_the_memory_show_their_prefix() {
+        assert_eq!(
+            shown("'semco:Collision_2026-1'"),
+            "semco:'Collision_2026-1'"
+        );
+        assert_eq!(shown("'semco:sponge'"), "semco:sponge");
+        assert_eq!(shown("'it\\'s'"), "'it\\'s'");
+        assert_eq!(shown("'a\\x41\\b'"), "'aAb'");
+    }
+
+    #[test]
+    fn what_is_written_is_read_again() {
+        let term = Term::compound(
+            "f x",
+            [
+                Term::Float(1.7e9),
+                Term::Float(1e300),
+                Term::Float(-0.1),
+                Term::Integer(-3),
+                Term::List(vec![Term::atom("it's\n"), Term::List(Vec::new())]),
+            ],
+        );
+        let mut text = String::new();
+        term.write_quoted(&mut text);
+        assert_eq!(Term::parse(&text).unwrap(), term);
+    }
+
+    #[test]
+    fn a_long_list_of_pairs_does_not_fill_the_stack() {
+        let n = 100_000;
+        let text = format!("{}[]{}", "'.'(1,".repeat(n), ")".repeat(n));
+        let Term::List(items) = Term::parse(&text).unwrap() else {
+            panic!("no list");
+        };
+        assert_eq!(items.len(), n);
+    }
+
+    #[test]
+    fn what_is_no_term_is_an_error() {
+        for text in ["f(", "f(a", "'a", "[a|", ")", "", "f(a) b", "1.0Inf"] {
+            assert!(Term::parse(text).is_err(), "{text}");
+        }
+        let deep = format!("{}a{}", "f(".repeat(5000), ")".repeat(5000));
+        assert!(Term::parse(&deep).is_err());
+    }
+}
