@@ -45,12 +45,7 @@ pub fn remember(occasion: &Occasion, rounds: &[(&Round, &RoundLog)]) -> EpisodeR
     memory.add("semco:WipingEpisode", None);
     if let (Some(task), Some((last, _))) = (task, rounds.last()) {
         let action = memory.add("semco:WipingAction", Some(0));
-        let class = match task.action {
-            Action::Absorb => "semco:Absorbing",
-            Action::Collect => "semco:Collecting",
-            Action::Skim => "semco:Skimming",
-        };
-        memory.add(class, None);
+        memory.add(class_of(task.action), None);
         for (round, log) in rounds {
             memory.round(action, round, log);
         }
@@ -81,6 +76,82 @@ pub fn remember(occasion: &Occasion, rounds: &[(&Round, &RoundLog)]) -> EpisodeR
     }
 }
 
+/// The record of a log of some other robot: one round, of which only the touch is known.
+///
+/// `name` is that of the log, `duration` how long it is [s].
+pub fn remember_log(
+    occasion: &Occasion,
+    name: &str,
+    duration: f64,
+    task: &Task,
+    goal: &GoalState,
+    told: &Interpretation,
+) -> EpisodeRecord {
+    let during = [occasion.start, occasion.start + duration];
+    let is_met = told.plane.is_some() && told.performance.mean >= occasion.target;
+    let verdict = if is_met {
+        Verdict::GoalMet
+    } else {
+        Verdict::Again
+    };
+    let mut episode = Individual::new("semco:WipingEpisode", None);
+    episode.tell("semco:taskName", &task.name);
+    episode.set("semco:seed", occasion.seed as f64);
+    let mut action = Individual::new("semco:WipingAction", Some(0));
+    action.estimate(told);
+    action.set("semco:target", occasion.target);
+    action.set("semco:rounds", 1.0);
+    action.tell("semco:goal", &goal_of(task, goal));
+    action.relations = things_of(task);
+    action.relate("dul:executesTask", "#2".to_owned());
+    action.relate("soma:hasExecutionState", state(verdict));
+    let mut round = Individual::new("semco:WipingRound", Some(1));
+    describe_felt(&mut round, told);
+    round.set("semco:round", 1.0);
+    round.relations = things_of(task);
+    round.relate("soma:hasExecutionState", state(verdict));
+    let mut individuals = vec![
+        episode,
+        action,
+        Individual::new(class_of(task.action), None),
+        round,
+    ];
+    for place in [0, 1, 3] {
+        individuals[place].interval = Some(during);
+    }
+    let happening = Happening {
+        task,
+        told,
+        robot: None,
+        during,
+    };
+    individuals.extend(told.events.iter().map(|event| happening.of(event, 3)));
+    if let Diagnosis::Relocalize { .. } = told.diagnosis {
+        let mut found = Individual::new("semco:Relocalization", Some(3));
+        found.interval = Some([during[1]; 2]);
+        individuals.push(found);
+    }
+    EpisodeRecord {
+        schema: EPISODE_SCHEMA,
+        id: occasion.id.clone(),
+        task: task.name.clone(),
+        interval: during,
+        origin: Origin::Imported(name.to_owned()),
+        program: occasion.program.clone(),
+        seed: occasion.seed,
+        rounds: vec![occasion.start],
+        individuals,
+    }
+}
+
+const fn class_of(action: Action) -> &'static str {
+    match action {
+        Action::Absorb => "semco:Absorbing",
+        Action::Collect => "semco:Collecting",
+        Action::Skim => "semco:Skimming",
+    }
+}
+
 fn action_values(
     occasion: &Occasion,
     first: &Round,
@@ -88,7 +159,10 @@ fn action_values(
     rounds: usize,
 ) -> BTreeMap<String, Value> {
     let mut about = Individual::new("semco:WipingAction", None);
-    about.estimate(last);
+    about.estimate(&last.interpretation);
+    if let Some(truth) = last.true_performance {
+        about.set("semco:simulatedPerformance", truth);
+    }
     about.set(
         "semco:predictedPerformance",
         first.motion.prediction.performance.ratio(),
@@ -154,8 +228,14 @@ impl Remembering {
                 .map_or(number, |place| first + place)
         };
         for event in &told.events {
-            let individual = happening(event, parent_at(event.start), start, end, round);
-            self.individuals.push(individual);
+            let individual = Happening {
+                task: &round.motion.task,
+                told,
+                robot: Some(round.motion.cell.robot().name()),
+                during: [start, end],
+            };
+            let parent = parent_at(event.start);
+            self.individuals.push(individual.of(event, parent));
         }
         if let Ending::ProtectiveStop { time, .. } = round.executed.ending {
             let parent = parent_at(time);
@@ -172,34 +252,18 @@ impl Remembering {
 
 /// What is said of a round.
 fn describe(individual: &mut Individual, round: &Round) {
-    let told = &round.interpretation;
     let motion = &round.motion;
-    individual.estimate(round);
+    describe_felt(individual, &round.interpretation);
     individual.set("semco:round", motion.number as f64);
     individual.set("semco:strokes", motion.followed.strokes.len() as f64);
     individual.set(
         "semco:predictedPerformance",
         motion.prediction.performance.ratio(),
     );
-    individual.set("semco:contactShare", told.contact_share);
-    individual.set("semco:forceBias", told.force_bias);
-    let Felt { mean_force, .. } = Felt::of(told.path.iter());
-    if let Some(force) = mean_force {
-        individual.set("semco:meanNormalForce", force);
-    }
-    if let Some(plane) = &told.plane {
-        individual.set("semco:planeTilt", plane.tilt);
-        individual.set("semco:planeOffset", plane.offset);
+    if let Some(truth) = round.true_performance {
+        individual.set("semco:simulatedPerformance", truth);
     }
     individual.tell("semco:verdict", round.verdict.as_str());
-    individual.tell(
-        "semco:diagnosis",
-        match told.diagnosis {
-            Diagnosis::Localized => "localized",
-            Diagnosis::Relocalize { .. } => "relocalize",
-            Diagnosis::NoContact => "no contact",
-        },
-    );
     individual.tell(
         "semco:ending",
         match round.executed.ending {
@@ -210,6 +274,29 @@ fn describe(individual: &mut Individual, round: &Round) {
     );
     individual.relations = participants(round);
     individual.relate("soma:hasExecutionState", state(round.verdict));
+}
+
+/// What the touch of a round tells.
+fn describe_felt(individual: &mut Individual, told: &Interpretation) {
+    individual.estimate(told);
+    individual.set("semco:contactShare", told.contact_share);
+    individual.set("semco:forceBias", told.force_bias);
+    let Felt { mean_force, .. } = Felt::of(told.path.iter());
+    if let Some(force) = mean_force {
+        individual.set("semco:meanNormalForce", force);
+    }
+    if let Some(plane) = &told.plane {
+        individual.set("semco:planeTilt", plane.tilt);
+        individual.set("semco:planeOffset", plane.offset);
+    }
+    individual.tell(
+        "semco:diagnosis",
+        match told.diagnosis {
+            Diagnosis::Localized => "localized",
+            Diagnosis::Relocalize { .. } => "relocalize",
+            Diagnosis::NoContact => "no contact",
+        },
+    );
 }
 
 fn describe_stroke(individual: &mut Individual, stroke: usize, span: &Span, told: &Interpretation) {
@@ -254,40 +341,50 @@ impl Felt {
     }
 }
 
-/// An event of a round that began and ended at these times [s since 1970].
-fn happening(event: &Event, parent: usize, start: f64, end: f64, round: &Round) -> Individual {
-    let class = match event.kind {
-        EventKind::Contact => "semco:ToolContact",
-        EventKind::ContactLoss => "semco:ContactLoss",
-        EventKind::Collision => "semco:HumanCollision",
-        EventKind::StickSlip => "semco:StickSlip",
-    };
-    let mut individual = Individual::new(class, Some(parent));
-    let from = (start + event.start).min(end);
-    individual.interval = Some([from, (start + event.end).min(end).max(from)]);
-    individual.set("semco:samples", event.samples as f64);
-    individual.set("semco:meanNormalForce", event.mean_normal_force);
-    individual.set("semco:peakForce", event.peak_force);
-    individual.set("semco:peakHeight", event.peak_height);
-    let path = &round.interpretation.path;
-    let at = path.partition_point(|piece| piece.time[1] < event.start);
-    if let Some(piece) = path.get(at).or(path.last()) {
-        let point = Point2::new(piece.position.x, piece.position.y);
-        let outline = &round.motion.task.surface.outline;
-        individual.set("semco:edgeDistance", edge_distance(outline, point));
-    }
-    if event.kind == EventKind::Collision {
-        individual.relate("dul:isClassifiedBy", "semco:collision_concept".to_owned());
-        let who = [
-            "human",
-            round.motion.cell.robot().name(),
-            &round.motion.task.tool.name,
-        ];
-        for name in who {
-            individual.relate("dul:hasParticipant", shared(name));
+/// What happened in a round, and who was there.
+struct Happening<'a> {
+    task: &'a Task,
+    told: &'a Interpretation,
+    /// The robot's name, if it is known.
+    robot: Option<&'a str>,
+    /// When the round began and ended [s since 1970].
+    during: [f64; 2],
+}
+
+impl Happening<'_> {
+    fn of(&self, event: &Event, parent: usize) -> Individual {
+        let class = match event.kind {
+            EventKind::Contact => "semco:ToolContact",
+            EventKind::ContactLoss => "semco:ContactLoss",
+            EventKind::Collision => "semco:HumanCollision",
+            EventKind::StickSlip => "semco:StickSlip",
+        };
+        let [start, end] = self.during;
+        let mut individual = Individual::new(class, Some(parent));
+        // Rounding must not let a part outlast the whole.
+        let from = (start + event.start).min(end);
+        individual.interval = Some([from, (start + event.end).min(end).max(from)]);
+        individual.set("semco:samples", event.samples as f64);
+        individual.set("semco:meanNormalForce", event.mean_normal_force);
+        individual.set("semco:peakForce", event.peak_force);
+        individual.set("semco:peakHeight", event.peak_height);
+        let path = &self.told.path;
+        let at = path.partition_point(|piece| piece.time[1] < event.start);
+        if let Some(piece) = path.get(at).or(path.last()) {
+            let point = Point2::new(piece.position.x, piece.position.y);
+            let outline = &self.task.surface.outline;
+            individual.set("semco:edgeDistance", edge_distance(outline, point));
         }
+        if event.kind == EventKind::Collision {
+            individual.relate("dul:isClassifiedBy", "semco:collision_concept".to_owned());
+            let tool = self.task.tool.name.as_str();
+            let who = ["human"].into_iter().chain(self.robot).chain([tool]);
+            for name in who {
+                individual.relate("dul:hasParticipant", shared(name));
+            }
+        }
+        individual
     }
-    individual
 }
 
 fn edge_distance(outline: &Polygon, point: Point2) -> f64 {
@@ -296,12 +393,18 @@ fn edge_distance(outline: &Polygon, point: Point2) -> f64 {
 }
 
 fn participants(round: &Round) -> BTreeMap<String, Vec<String>> {
-    let task = &round.motion.task;
+    let robot = round.motion.cell.robot().name();
+    let mut relations = things_of(&round.motion.task);
+    relations.insert("soma:isPerformedBy".to_owned(), vec![shared(robot)]);
+    relations
+}
+
+/// What a task is done with, to what and where.
+fn things_of(task: &Task) -> BTreeMap<String, Vec<String>> {
     [
         ("semco:usesTool", task.tool.name.as_str()),
         ("semco:removesMedium", &task.medium),
         ("semco:actsOnSurface", &task.surface.name),
-        ("soma:isPerformedBy", round.motion.cell.robot().name()),
     ]
     .map(|(property, name)| (property.to_owned(), vec![shared(name)]))
     .into()
@@ -356,13 +459,10 @@ impl Individual {
         objects.push(object);
     }
 
-    fn estimate(&mut self, round: &Round) {
-        let estimate = &round.interpretation.performance;
+    fn estimate(&mut self, told: &Interpretation) {
+        let estimate = &told.performance;
         self.set("semco:performance", estimate.mean);
         self.set("semco:performanceLow", estimate.low);
         self.set("semco:performanceHigh", estimate.high);
-        if let Some(truth) = round.true_performance {
-            self.set("semco:simulatedPerformance", truth);
-        }
     }
 }

@@ -65,7 +65,13 @@ fn asker(args: &AskArgs) -> Result<Asker, Failure> {
     };
     let told = Told::read(&args.memory).map_err(Failure::new)?;
     let senses = Senses::of(memory);
-    Ok(Asker::new(command, limits, Arc::new(catalogue), senses, told))
+    Ok(Asker::new(
+        command,
+        limits,
+        Arc::new(catalogue),
+        senses,
+        told,
+    ))
 }
 
 /// One query; the goal is met if it holds.
@@ -98,9 +104,8 @@ fn failure(error: &AskError, args: &AskArgs) -> Failure {
         }
         AskError::Time(_) => failure.with_help("--timeout gives it more"),
         AskError::EngineEnded { .. } => failure.with_help("--memory-limit gives it more memory"),
-        AskError::CannotStart(_) if args.engine == EngineChoice::Swi => {
-            failure.with_help("install SWI-Prolog, so that swipl can be found, or leave out --engine")
-        }
+        AskError::CannotStart(_) if args.engine == EngineChoice::Swi => failure
+            .with_help("install SWI-Prolog, so that swipl can be found, or leave out --engine"),
         _ => failure,
     }
 }
@@ -142,7 +147,8 @@ impl Completer for Typing {
             place + before[place..].chars().next().map_or(1, char::len_utf8)
         });
         let typed = &before[start..];
-        let fitting = (self.predicates.iter()).filter(|p| !typed.is_empty() && p.name.starts_with(typed));
+        let fitting =
+            (self.predicates.iter()).filter(|p| !typed.is_empty() && p.name.starts_with(typed));
         let mut pairs: Vec<Pair> = fitting
             .map(|predicate| Pair {
                 display: predicate.meaning.clone(),
@@ -202,7 +208,9 @@ fn in_words(answers: &Answers) -> String {
     for row in &answers.rows {
         let bound = answers.names.iter().zip(row);
         let bound = bound.filter(|(_, term)| !matches!(term, Term::Variable(_)));
-        let bound: Vec<_> = bound.map(|(name, term)| format!("{name} = {term}")).collect();
+        let bound: Vec<_> = bound
+            .map(|(name, term)| format!("{name} = {term}"))
+            .collect();
         if bound.is_empty() {
             text.push_str("true\n");
         } else {

@@ -4,10 +4,13 @@ mod ask;
 mod check;
 mod follow;
 mod footprint;
+mod import;
 mod interpret;
 mod map;
+mod memory;
 mod new;
 mod prepare;
+mod remember;
 mod robot;
 mod rounds;
 mod run;
@@ -30,6 +33,7 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Footprint(args) => footprint::footprint(args, &cli.global),
         Command::New(args) => new::new(args, &cli.global),
         Command::Check(args) => check::check(args, &cli.global),
+        Command::Memory(command) => memory::memory(command, &cli.global),
         Command::Robot(RobotCommand::Check(args)) => robot::check_robot(args, &cli.global),
         Command::Robot(RobotCommand::Map(args)) => map::map(args, &cli.global),
     }

@@ -69,9 +69,9 @@ impl Senses {
             }
             ("telemetry", [Term::Atom(channel), from, to, Term::Atom(statistic)]) => {
                 let interval = [number(from)?, number(to)?];
-                vec![Term::Float(self.statistic(
-                    catalogue, channel, interval, statistic,
-                )?)]
+                vec![Term::Float(
+                    self.statistic(catalogue, channel, interval, statistic)?,
+                )]
             }
             _ => {
                 return Err(AskError::Protocol {
@@ -115,7 +115,15 @@ impl Senses {
                     continue;
                 };
                 if let Some(span) = span
-                    && let Some(last) = poses(&Span { from: span.to, ..span }, thing, Sampling::Count(1))?.first()
+                    && let Some(last) = poses(
+                        &Span {
+                            from: span.to,
+                            ..span
+                        },
+                        thing,
+                        Sampling::Count(1),
+                    )?
+                    .first()
                 {
                     return Ok(pose(last));
                 }
@@ -181,7 +189,11 @@ impl Senses {
     ) -> Result<Option<Span>, Fault> {
         let began = episode.rounds[round - 1];
         // A round ends where the next begins: no need to open what lies outside.
-        let ends = episode.rounds.get(round).copied().unwrap_or(episode.interval[1]);
+        let ends = episode
+            .rounds
+            .get(round)
+            .copied()
+            .unwrap_or(episode.interval[1]);
         if began > to || ends < from {
             return Ok(None);
         }
@@ -223,11 +235,13 @@ impl Senses {
         }
         let opened = self.memory.as_ref()?.episode(episode).ok()?;
         let text = String::from_utf8(opened.attachment(ROBOT_FILE).ok()?).ok()?;
-        let robot = Rc::new(RobotModel::from_urdf(ROBOT_FILE, &text, &mut |mesh| {
-            // Frames need no meshes.
-            Err(format!("{mesh}: an episode keeps none"))
-        })
-        .ok()?);
+        let robot = Rc::new(
+            RobotModel::from_urdf(ROBOT_FILE, &text, &mut |mesh| {
+                // Frames need no meshes.
+                Err(format!("{mesh}: an episode keeps none"))
+            })
+            .ok()?,
+        );
         self.robots.insert(episode.to_owned(), Rc::clone(&robot));
         Some(robot)
     }
@@ -250,9 +264,9 @@ fn sampling_of(term: &Term) -> Result<Sampling, Fault> {
         Some(("dt", [period])) if period.as_number().is_some_and(|period| period > 0.0) => {
             Ok(Sampling::Every(period.as_number().unwrap_or_default()))
         }
-        Some(("num_samples", [Term::Integer(count)])) if *count > 0 => {
-            Ok(Sampling::Count(usize::try_from(*count).unwrap_or(usize::MAX)))
-        }
+        Some(("num_samples", [Term::Integer(count)])) if *count > 0 => Ok(Sampling::Count(
+            usize::try_from(*count).unwrap_or(usize::MAX),
+        )),
         _ => Err(sense(format!(
             "{term} is no way to sample: there are dt(Seconds) and num_samples(N), both positive"
         ))),
@@ -306,7 +320,9 @@ fn channel_values(span: &Span, channel: &str) -> Result<Vec<f64>, Fault> {
             let [x, y, z] = ["measured/x", "measured/y", "measured/z"].map(column);
             let (x, y, z) = (x?, y?, z?);
             let steps = (1..times.len()).map(|k| {
-                let distance = (x[k] - x[k - 1]).hypot(y[k] - y[k - 1]).hypot(z[k] - z[k - 1]);
+                let distance = (x[k] - x[k - 1])
+                    .hypot(y[k] - y[k - 1])
+                    .hypot(z[k] - z[k - 1]);
                 distance / (times[k] - times[k - 1]).max(f64::MIN_POSITIVE)
             });
             Ok(steps.collect())
@@ -319,7 +335,9 @@ fn channel_values(span: &Span, channel: &str) -> Result<Vec<f64>, Fault> {
             if columns.contains(&name) {
                 return column(name);
             }
-            let known = ["force", "vertical_force", "speed"].into_iter().chain(columns);
+            let known = ["force", "vertical_force", "speed"]
+                .into_iter()
+                .chain(columns);
             let error = wisch::text::UnknownName::new("channel", name, known);
             Err(Fault::Unknown {
                 kind: "channel".to_owned(),
