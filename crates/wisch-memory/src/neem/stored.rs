@@ -56,18 +56,24 @@ impl NeemWriter {
     fn wrenches_of(&mut self, telemetry: &Telemetry, start: f64) -> Result<(), NeemError> {
         for what in ["controller", "external"] {
             let topic = format!("wrench/{what}");
-            let columns = FORCE.into_iter().chain(TORQUE);
-            let columns: Vec<String> = columns.map(|part| format!("{what}/{part}")).collect();
+            let named = |parts: &[&str]| -> Vec<String> {
+                parts.iter().map(|part| format!("{what}/{part}")).collect()
+            };
+            let mut columns = named(&FORCE);
+            let torque = named(&TORQUE);
+            if has_all(telemetry, &torque) {
+                columns.extend(torque);
+            }
             each_row(telemetry, &columns, |time, row| {
-                let &[fx, fy, fz, mx, my, mz] = row else {
+                let Some((&force, torque)) = row.split_first_chunk() else {
                     return Ok(());
                 };
                 self.wrench(&WrenchSample {
                     time: start + time,
                     frame: WORLD,
                     topic: &topic,
-                    force: [fx, fy, fz],
-                    torque: [mx, my, mz],
+                    force,
+                    torque: torque.first_chunk().copied(),
                 })
             })?;
         }
@@ -158,4 +164,11 @@ fn each_row(
         }
     }
     Ok(())
+}
+
+fn has_all(telemetry: &Telemetry, columns: &[String]) -> bool {
+    let known = telemetry.columns();
+    columns
+        .iter()
+        .all(|column| known.contains(&column.as_str()))
 }

@@ -53,8 +53,8 @@ pub struct WrenchSample<'a> {
     pub topic: &'a str,
     /// Force [N].
     pub force: [f64; 3],
-    /// Torque about the frame's origin [N m].
-    pub torque: [f64; 3],
+    /// Torque about the frame's origin [N m], if it was measured.
+    pub torque: Option<[f64; 3]>,
 }
 
 /// How much was written.
@@ -271,16 +271,18 @@ impl NeemWriter {
     /// # Errors
     /// A number is not finite, or writing fails.
     pub fn wrench(&mut self, sample: &WrenchSample) -> Result<(), NeemError> {
-        let numbers = sample.force.into_iter().chain(sample.torque);
+        let torque = sample.torque.into_iter().flatten();
+        let numbers = sample.force.into_iter().chain(torque);
         check_finite(sample.frame, sample.time, numbers.chain([sample.time]))?;
         let header = Document::default()
             .with("stamp", date(sample.time))
             // Dates end at milliseconds; telemetry does not.
             .with("time", sample.time)
             .with("frame_id", sample.frame);
-        let wrench = Document::default()
-            .with("force", xyz(sample.force))
-            .with("torque", xyz(sample.torque));
+        let mut wrench = Document::default().with("force", xyz(sample.force));
+        if let Some(torque) = sample.torque {
+            wrench = wrench.with("torque", xyz(torque));
+        }
         let document = Document::default()
             .with("_id", Bson::ObjectId(self.wrenches.ids.next()))
             .with("header", header)

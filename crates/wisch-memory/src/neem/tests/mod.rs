@@ -232,7 +232,7 @@ fn poses_are_thinned_frame_by_frame() {
         frame: "sponge",
         topic: "wrench/external",
         force: [0.0, 0.5, -10.0],
-        torque: [0.0; 3],
+        torque: Some([0.0; 3]),
     };
     writer.wrench(&wrench).unwrap();
     let report = writer.finish().unwrap();
