@@ -52,7 +52,7 @@ def ontology_faults(graph):
         above = RDFS.subClassOf if kind in (OWL.Class, OWL.NamedIndividual) else RDFS.subPropertyOf
         start = set(graph.objects(name, RDF.type)) - set(KINDS) if kind == OWL.NamedIndividual else {name}
         upper = {top for first in start for top in graph.transitive_objects(first, above)}
-        if not any(top.startswith((SOMA, DUL)) for top in upper):
+        if not any(str(top).startswith((str(SOMA), str(DUL))) for top in upper):
             yield f"{name} has no ancestor in SOMA or DUL"
         if kind in (OWL.ObjectProperty, OWL.DatatypeProperty):
             for said in (RDFS.domain, RDFS.range):
@@ -140,10 +140,10 @@ class Checker:
         graph = self.statements
         for event, interval in graph.subject_objects(DUL.hasTimeInterval):
             begin, end = graph.value(interval, SOMA.hasIntervalBegin), graph.value(interval, SOMA.hasIntervalEnd)
-            if begin is None or end is None or not begin.toPython() <= end.toPython():
-                yield f"{event} is from {begin} to {end}"
-            elif begin.datatype != XSD.double:
-                yield f"{event} begins at a {begin.datatype}"
+            if begin is None or end is None or not begin.datatype == end.datatype == XSD.double:
+                yield f"{event} is from {begin!r} to {end!r}"
+            elif not begin.toPython() <= end.toPython():
+                yield f"{event} ends at {end} before it begins at {begin}"
             self.counts["intervals"] += 1
         for part, whole in graph.subject_objects(SEMCO.isStepOf):
             if not any((whole, has, part) in graph for has in (DUL.hasConstituent, DUL.includesAction, DUL.includesEvent)):
