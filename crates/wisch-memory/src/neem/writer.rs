@@ -32,7 +32,7 @@ impl Default for NeemConfig {
 /// Where a frame was.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrameSample<'a> {
-    /// When [s since 1970]. The samples of a frame come in the order of their times.
+    /// When [s since 1970]. In an episode, the samples of a frame come in the order of their times.
     pub time: f64,
     /// Name of the frame: of an object the local name of its IRI, such as `sponge`.
     pub frame: &'a str,
@@ -184,6 +184,10 @@ impl NeemWriter {
             });
         }
         let triples = triples::triples(record)?;
+        // It need not be later than the one before.
+        for frame in self.frames.values_mut() {
+            frame.last = f64::NEG_INFINITY;
+        }
         self.episodes.insert(record.id.clone());
         for triple in triples {
             self.triple(&triple)?;
