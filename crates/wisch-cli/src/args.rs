@@ -11,6 +11,7 @@ use std::path::PathBuf;
 use wisch::plan::CoverageStrategy;
 use wisch::represent::Action;
 use wisch::robot::MapConfig;
+use wisch_memory::neem::NeemConfig;
 use wisch_telemetry::{Axes, WrenchSign};
 
 /// Plan robotic wiping, predict what it does to the dirt, and follow the plan with a robot.
@@ -377,6 +378,35 @@ Exit codes: 0 all is well, 1 something is broken, 2 an error.")]
     Verify(MemoryVerifyArgs),
     /// Forget an episode for good
     Forget(EpisodeArgs),
+    /// Write episodes for other programs, as a narrative-enabled episodic memory (NEEM)
+    #[command(after_help = "\
+Examples:
+  wisch memory export --neem neem
+  wisch memory export --neem neem 20261122-005612-3f2a --tf-rate-hz 50
+
+The folder has one subfolder for each collection, each a dump that mongorestore and KnowRob read: triples,
+annotations, inferred, tf, and wrench, which is our own. Beside them are meta.json and semco.owl.")]
+    Export(ExportArgs),
+}
+
+/// Arguments of `memory export`.
+#[derive(Debug, Args)]
+pub struct ExportArgs {
+    /// The episodes' names, as `wisch memory list` says them [default: all]
+    #[arg(value_name = "ID")]
+    pub ids: Vec<String>,
+    /// Folder for the NEEM; it must not be there yet
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub neem: PathBuf,
+    /// How often the pose of each frame is written [Hz]
+    #[arg(long, value_name = "HZ", default_value_t = NeemConfig::default().tf_rate_hz, allow_negative_numbers = true)]
+    pub tf_rate_hz: f64,
+    /// The memory.
+    #[command(flatten)]
+    pub memory: MemoryArgs,
+    /// Print one JSON object in place of the report
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `memory list`.

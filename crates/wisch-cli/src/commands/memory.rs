@@ -23,6 +23,7 @@ pub fn memory(command: &MemoryCommand, global: &GlobalArgs) -> Result<Outcome, F
         MemoryCommand::Verify(args) => verify(args, global),
         MemoryCommand::Forget(args) => forget(args, global),
         MemoryCommand::Import(args) => super::import::import(args, global),
+        MemoryCommand::Export(args) => super::export::export(args, global),
     }
 }
 
@@ -245,13 +246,13 @@ fn forget(args: &EpisodeArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-fn open(args: &MemoryArgs) -> Result<Memory, Failure> {
+pub(super) fn open(args: &MemoryArgs) -> Result<Memory, Failure> {
     Memory::open(&args.memory).map_err(|error| {
         Failure::new(error).with_help("wisch run adds an episode; --memory DIR looks elsewhere")
     })
 }
 
-fn broken(error: MemoryError) -> Failure {
+pub(super) fn broken(error: MemoryError) -> Failure {
     let help = match error {
         MemoryError::Unknown { .. } => "wisch memory list says which there are",
         _ => "wisch memory verify says what is broken, wisch memory forget ID removes an episode",

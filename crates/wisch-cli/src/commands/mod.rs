@@ -2,6 +2,7 @@
 
 mod ask;
 mod check;
+mod export;
 mod follow;
 mod footprint;
 mod import;

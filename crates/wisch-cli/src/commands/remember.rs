@@ -220,7 +220,7 @@ pub(super) fn begin(memory: &Memory, start: f64) -> Result<EpisodeWriter, Memory
 }
 
 /// Seconds since 1970.
-fn now() -> f64 {
+pub(super) fn now() -> f64 {
     let since = SystemTime::now().duration_since(UNIX_EPOCH);
     since.unwrap_or_default().as_secs_f64()
 }
