@@ -515,7 +515,7 @@ mod tests {
         );
         assert_eq!(shown("'semco:sponge'"), "semco:sponge");
         assert_eq!(shown("'it\\'s'"), "'it\\'s'");
-        assert_eq!(shown("'a\\x41\\b'"), "'aAb'");
+        assert_eq!(shown("'a\\x41\\b'"), "aAb");
     }
 
     #[test]
