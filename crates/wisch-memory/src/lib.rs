@@ -14,6 +14,7 @@ mod record;
 mod remember;
 pub mod store;
 pub mod telemetry;
+pub mod view;
 
 pub use catalogue::{Catalogue, IndividualId, Node};
 pub use frames::{FrameError, Frames, PoseAt, RoundScene, Sampling, StoredPose};
