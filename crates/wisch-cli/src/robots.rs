@@ -21,6 +21,19 @@ pub struct Robot {
     pub srdf: Option<Srdf>,
     /// What is in reach of the group that wipes, if that is known.
     pub map: Option<CapabilityMap>,
+    /// What it was read from.
+    pub files: RobotFiles,
+}
+
+/// The files of a robot, so that it can be read again when they have changed.
+#[derive(Debug, Clone, Default)]
+pub struct RobotFiles {
+    /// The URDF.
+    pub urdf: String,
+    /// The SRDF, if there is one.
+    pub srdf: Option<String>,
+    /// The collision meshes, under the names that the URDF gives them.
+    pub meshes: Vec<(String, Vec<u8>)>,
 }
 
 /// The text of one file, with the name under which messages speak of it.
@@ -133,6 +146,11 @@ fn built_in(name: &str) -> Result<Robot, Failure> {
         model,
         srdf,
         map: None,
+        files: RobotFiles {
+            urdf: urdf.contents.to_owned(),
+            srdf: text("srdf").map(|srdf| srdf.contents.to_owned()),
+            meshes: Vec::new(),
+        },
     })
 }
 
@@ -143,23 +161,35 @@ fn files(
 ) -> Result<Robot, Failure> {
     let text = read_text(urdf)?;
     let name = urdf.display().to_string();
-    let model = RobotModel::from_urdf(&name, &text, &mut meshes(urdf, packages))
+    let mut read = meshes(urdf, packages);
+    let mut found = Vec::new();
+    let mut keep = |file: &str| {
+        let bytes = read(file)?;
+        found.push((file.to_owned(), bytes.clone()));
+        Ok(bytes)
+    };
+    let model = RobotModel::from_urdf(&name, &text, &mut keep)
         .map_err(|error| Failure::new(error).with_help(format!("wisch robot check {name}")))?;
     let beside_urdf = urdf.with_extension("srdf");
     let srdf = match srdf {
         Some(path) => Some(path),
         None => beside_urdf.is_file().then_some(beside_urdf.as_path()),
     };
-    let srdf = srdf
-        .map(|path| {
-            let text = read_text(path)?;
-            Srdf::parse(&path.display().to_string(), &text, &model).map_err(Failure::new)
+    let srdf_text = srdf.map(read_text).transpose()?;
+    let srdf = (srdf.zip(srdf_text.as_deref()))
+        .map(|(path, text)| {
+            Srdf::parse(&path.display().to_string(), text, &model).map_err(Failure::new)
         })
         .transpose()?;
     Ok(Robot {
         model,
         srdf,
         map: None,
+        files: RobotFiles {
+            urdf: text,
+            srdf: srdf_text,
+            meshes: found,
+        },
     })
 }
 

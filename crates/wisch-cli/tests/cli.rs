@@ -88,7 +88,7 @@ fn run_writes_everything_and_says_where() {
     }
     assert_eq!(
         names(folder.path()),
-        ["board.toml", "result"],
+        ["board.toml", "episodes", "result"],
         "nothing is left behind"
     );
 }
@@ -294,7 +294,7 @@ fn results_of_an_earlier_run_are_replaced_and_nothing_else() {
     assert!(err.contains("a file stands there"), "{err}");
     assert_eq!(
         names(folder.path()),
-        ["board.toml", "result"],
+        ["board.toml", "episodes", "result"],
         "nothing is left behind"
     );
 }
@@ -317,7 +317,7 @@ fn a_failed_run_leaves_earlier_results_alone() {
     );
     assert_eq!(code, 2);
     assert!(before == contents(&folder.path().join("result")));
-    assert_eq!(names(folder.path()), ["board.toml", "result"]);
+    assert_eq!(names(folder.path()), ["board.toml", "episodes", "result"]);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 % What the memory holds, fetched by need. The facts are
 %
 %     i(Individual, Class, Start, End, Parent, Episode)    none where there is no such thing
-%     c(Class, Individual)                                 of exactly this class
+%     c(Class, Individuals)                                of exactly this class, some hundred in a list
 %     k(Parent, Part)
 %     v(Individual, Property, Value)
 %     r(Individual, Property, Object)
@@ -47,12 +47,13 @@ individual(I, Class, Start, End, Parent, Episode) :-
     nonvar(Class),
     !,
     member_of(Class, I),
-    i(I, Class, Start, End, Parent, Episode).
+    individual(I, Class, Start, End, Parent, Episode).
 individual(I, Class, Start, End, Parent, Episode) :-
     stream(individuals, i(I, Class, Start, End, Parent, Episode)).
 
 % member_of(+Class, -I): of exactly this class.
-member_of(Class, I) :- ensure(members(Class)), c(Class, I).
+member_of(Class, I) :- nonvar(I), !, individual(I, Class, _, _, _, _).
+member_of(Class, I) :- ensure(members(Class)), c(Class, Is), member(I, Is).
 
 % part(?Parent, ?Part)
 part(Parent, Part) :- nonvar(Part), !, individual(Part, _, _, _, Parent, _), Parent \== none.
@@ -75,7 +76,7 @@ value(I, Property, Value) :- stream(values, v(I, Property, Value)).
 
 ensure_value(I, _) :- loaded(statements(I)), !.
 ensure_value(_, Property) :- loaded(column(Property)), !.
-ensure_value(I, Property) :- need(values_of(I, Property), Facts), store(Facts).
+ensure_value(I, Property) :- fetch(values_of(I, Property)).
 
 % relation(?I, ?Property, ?Object), of exactly this property
 relation(I, Property, Object) :- nonvar(I), !, ensure(statements(I)), r(I, Property, Object).

@@ -1,7 +1,7 @@
 % The conversation with the program: it sends queries, and the facts that they need.
 %
 % Terms go both ways, one a line. The program says ask(Query, Limit), where Query is a string; this says
-% names(Names), then row(Values) for each answer, and ends with done(all), done(limit) or error(Error). On the
+% names(Names), then rows([row(Value, ...), ...]) with the answers, and ends with done(all), done(limit) or error(Error). On the
 % way it may say need(Request), which the program answers with rows(Facts), chunk(Cursor, Rows) or
 % fault(Error), and view(Command), which it does not answer.
 
@@ -41,16 +41,28 @@ answer(Query, Limit, End) :-
     guarded(Goal, Guarded),
     counter_set(0),
     Row =.. [row|Values],
-    ( call(Guarded),
-      counter_get(Before),
-      Before < Limit,
-      say(Row),
-      Count is Before + 1,
-      counter_set(Count),
-      Count >= Limit ->
-        End = done(limit)
-    ; End = done(all)
-    ).
+    findall(Row, at_most(Limit, Guarded), Rows),
+    say_rows(Rows),
+    counter_get(Count),
+    ( Count >= Limit -> End = done(limit) ; End = done(all) ).
+
+at_most(Limit, Goal) :-
+    call(Goal),
+    counter_get(Before),
+    Count is Before + 1,
+    counter_set(Count),
+    ( Count >= Limit -> ! ; true ).
+
+% Writing costs by the term: many rows go into one.
+say_rows([]) :- !.
+say_rows(Rows) :-
+    first(256, Rows, Some, Rest),
+    say(rows(Some)),
+    say_rows(Rest).
+
+first(0, Rest, [], Rest) :- !.
+first(_, [], [], []) :- !.
+first(N, [X|Xs], [X|Ys], Rest) :- M is N - 1, first(M, Xs, Ys, Rest).
 
 names_and_values([], [], []).
 names_and_values([Name=Value|Rest], Names, Values) :-
@@ -99,9 +111,15 @@ chunk(chunk(Cursor, Rows), Row) :-
 % ensure(+Request): its facts are here.
 ensure(Request) :- loaded(Request), !.
 ensure(Request) :-
-    need(Request, Facts),
-    store(Facts),
+    fetch(Request),
     ( loaded(Request) -> true ; assertz(loaded(Request)) ).
+
+% fetch(+Request): its facts come over, a chunk at a time.
+fetch(Request) :- converse(need(Request), Reply), take(Reply).
+
+take(rows(Facts)) :- !, store(Facts).
+take(chunk(Cursor, Facts)) :- !, store(Facts), fetch(more(Cursor)).
+take(Other) :- reply(Other, _).
 
 store([]).
 store([Fact|Facts]) :- assertz(Fact), store(Facts).

@@ -85,6 +85,22 @@ impl RoundScene {
         }
     }
 
+    /// A robot that stands at the world's origin, with the tool's frame that of its link, and the surface in the
+    /// world's own frame: for what was not wiped, such as examples.
+    pub fn upright(robot: &str, tip: &str, tool: &str, surface: &str) -> Self {
+        let nowhere = StoredPose::from(&Pose::identity());
+        Self {
+            schema: SCENE_SCHEMA,
+            robot: robot.to_owned(),
+            world_from_root: nowhere,
+            tip: tip.to_owned(),
+            tip_from_tool: nowhere,
+            tool: tool.to_owned(),
+            surface: surface.to_owned(),
+            world_from_surface: nowhere,
+        }
+    }
+
     /// The head of a round's telemetry, with this scene in it.
     pub fn head(&self, joints: Vec<String>) -> TelemetryHead {
         // Finite numbers and texts always have a form in JSON.
@@ -198,14 +214,6 @@ pub struct Frames<'a> {
     scene: RoundScene,
     tip: LinkId,
     columns: Vec<String>,
-}
-
-impl std::fmt::Debug for Telemetry {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Telemetry")
-            .field("path", &self.path())
-            .finish_non_exhaustive()
-    }
 }
 
 impl<'a> Frames<'a> {

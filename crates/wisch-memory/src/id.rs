@@ -9,14 +9,27 @@ const SECONDS_PER_DAY: i64 = 86_400;
 /// assert_eq!(wisch_memory::episode_id(1_795_309_772.5, 0x3f2a), "20261122-010932-3f2a");
 /// ```
 pub fn episode_id(start: f64, salt: u16) -> String {
-    let seconds = start.floor() as i64;
-    let (days, second) = (
-        seconds.div_euclid(SECONDS_PER_DAY),
-        seconds.rem_euclid(SECONDS_PER_DAY),
-    );
-    let [year, month, day] = date_of(days);
-    let [hour, minute, second] = [second / 3600, second / 60 % 60, second % 60];
+    let [year, month, day, hour, minute, second] = parts_of(start);
     format!("{year:04}{month:02}{day:02}-{hour:02}{minute:02}{second:02}-{salt:04x}")
+}
+
+/// Date and time (UTC) for people.
+///
+/// ```
+/// assert_eq!(wisch_memory::date_and_time(1_795_309_772.5), "2026-11-22 01:09:32");
+/// ```
+pub fn date_and_time(time: f64) -> String {
+    let [year, month, day, hour, minute, second] = parts_of(time);
+    format!("{year:04}-{month:02}-{day:02} {hour:02}:{minute:02}:{second:02}")
+}
+
+/// Year, month, day, hour, minute and second (UTC).
+fn parts_of(time: f64) -> [i64; 6] {
+    let seconds = time.floor() as i64;
+    let [year, month, day] = date_of(seconds.div_euclid(SECONDS_PER_DAY));
+    let second = seconds.rem_euclid(SECONDS_PER_DAY);
+    let [hour, minute, second] = [second / 3600, second / 60 % 60, second % 60];
+    [year, month, day, hour, minute, second]
 }
 
 /// Year, month and day of a day, counted from 1970-01-01, in the Gregorian calendar (Howard Hinnant,

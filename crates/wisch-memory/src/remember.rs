@@ -1,8 +1,10 @@
 //! From rounds of wiping to the record of an episode.
 
 mod log;
+mod logged;
 
 pub use log::RoundLog;
+pub use logged::remember_log;
 
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
 use log::Span;
@@ -45,12 +47,7 @@ pub fn remember(occasion: &Occasion, rounds: &[(&Round, &RoundLog)]) -> EpisodeR
     memory.add("semco:WipingEpisode", None);
     if let (Some(task), Some((last, _))) = (task, rounds.last()) {
         let action = memory.add("semco:WipingAction", Some(0));
-        let class = match task.action {
-            Action::Absorb => "semco:Absorbing",
-            Action::Collect => "semco:Collecting",
-            Action::Skim => "semco:Skimming",
-        };
-        memory.add(class, None);
+        memory.add(class_of(task.action), None);
         for (round, log) in rounds {
             memory.round(action, round, log);
         }
@@ -81,6 +78,14 @@ pub fn remember(occasion: &Occasion, rounds: &[(&Round, &RoundLog)]) -> EpisodeR
     }
 }
 
+const fn class_of(action: Action) -> &'static str {
+    match action {
+        Action::Absorb => "semco:Absorbing",
+        Action::Collect => "semco:Collecting",
+        Action::Skim => "semco:Skimming",
+    }
+}
+
 fn action_values(
     occasion: &Occasion,
     first: &Round,
@@ -88,7 +93,10 @@ fn action_values(
     rounds: usize,
 ) -> BTreeMap<String, Value> {
     let mut about = Individual::new("semco:WipingAction", None);
-    about.estimate(last);
+    about.estimate(&last.interpretation);
+    if let Some(truth) = last.true_performance {
+        about.set("semco:simulatedPerformance", truth);
+    }
     about.set(
         "semco:predictedPerformance",
         first.motion.prediction.performance.ratio(),
@@ -146,17 +154,17 @@ impl Remembering {
                 describe_stroke(individual, stroke, span, told);
             }
         }
-        let parent_at = |time: f64| {
-            let during = |span: &Span| span.start <= time && time < span.end;
-            spans
-                .iter()
-                .position(during)
-                .map_or(number, |place| first + place)
-        };
+        let parent_at =
+            |time: f64| first_during(&spans, time).map_or(number, |place| first + place);
         for event in &told.events {
+            let individual = Happening {
+                task: &round.motion.task,
+                told,
+                robot: Some(round.motion.cell.robot().name()),
+                during: [start, end],
+            };
             let parent = parent_at(event.start);
-            self.individuals
-                .extend(happening(event, parent, start, end, round));
+            self.individuals.extend(individual.of(event, parent));
         }
         if let Ending::ProtectiveStop { time, .. } = round.executed.ending {
             let parent = parent_at(time);
@@ -173,34 +181,18 @@ impl Remembering {
 
 /// What is said of a round.
 fn describe(individual: &mut Individual, round: &Round) {
-    let told = &round.interpretation;
     let motion = &round.motion;
-    individual.estimate(round);
+    describe_felt(individual, &round.interpretation);
     individual.set("semco:round", motion.number as f64);
     individual.set("semco:strokes", motion.followed.strokes.len() as f64);
     individual.set(
         "semco:predictedPerformance",
         motion.prediction.performance.ratio(),
     );
-    individual.set("semco:contactShare", told.contact_share);
-    individual.set("semco:forceBias", told.force_bias);
-    let Felt { mean_force, .. } = Felt::of(told.path.iter());
-    if let Some(force) = mean_force {
-        individual.set("semco:meanNormalForce", force);
-    }
-    if let Some(plane) = &told.plane {
-        individual.set("semco:planeTilt", plane.tilt);
-        individual.set("semco:planeOffset", plane.offset);
+    if let Some(truth) = round.true_performance {
+        individual.set("semco:simulatedPerformance", truth);
     }
     individual.tell("semco:verdict", round.verdict.as_str());
-    individual.tell(
-        "semco:diagnosis",
-        match told.diagnosis {
-            Diagnosis::Localized => "localized",
-            Diagnosis::Relocalize { .. } => "relocalize",
-            Diagnosis::NoContact => "no contact",
-        },
-    );
     individual.tell(
         "semco:ending",
         match round.executed.ending {
@@ -211,6 +203,35 @@ fn describe(individual: &mut Individual, round: &Round) {
     );
     individual.relations = participants(round);
     individual.relate("soma:hasExecutionState", state(round.verdict));
+}
+
+/// What the touch of a round tells.
+fn describe_felt(individual: &mut Individual, told: &Interpretation) {
+    individual.estimate(told);
+    individual.set("semco:contactShare", told.contact_share);
+    individual.set("semco:forceBias", told.force_bias);
+    let Felt { mean_force, .. } = Felt::of(told.path.iter());
+    if let Some(force) = mean_force {
+        individual.set("semco:meanNormalForce", force);
+    }
+    if let Some(plane) = &told.plane {
+        individual.set("semco:planeTilt", plane.tilt);
+        individual.set("semco:planeOffset", plane.offset);
+    }
+    individual.tell(
+        "semco:diagnosis",
+        match told.diagnosis {
+            Diagnosis::Localized => "localized",
+            Diagnosis::Relocalize { .. } => "relocalize",
+            Diagnosis::NoContact => "no contact",
+        },
+    );
+}
+
+/// The motion during which a time [s since the round began] lies.
+fn first_during(spans: &[Span], time: f64) -> Option<usize> {
+    let during = |span: &Span| span.start <= time && time < span.end;
+    spans.iter().position(during)
 }
 
 fn describe_stroke(individual: &mut Individual, stroke: usize, span: &Span, told: &Interpretation) {
@@ -255,50 +276,54 @@ impl Felt {
     }
 }
 
-/// An event of a round that began and ended at these times [s since 1970]; `None` of what the robot itself was
-/// about, which its motions tell.
-fn happening(
-    event: &Event,
-    parent: usize,
-    start: f64,
-    end: f64,
-    round: &Round,
-) -> Option<Individual> {
-    let class = match event.kind {
-        EventKind::Contact => "semco:ToolContact",
-        EventKind::ContactLoss => "semco:ContactLoss",
-        EventKind::Collision => "semco:HumanCollision",
-        EventKind::StickSlip => "semco:StickSlip",
-        EventKind::Approach | EventKind::Stroke | EventKind::Lift | EventKind::Retreat => {
-            return None;
+/// What happened in a round, and who was there.
+struct Happening<'a> {
+    task: &'a Task,
+    told: &'a Interpretation,
+    /// The robot's name, if it is known.
+    robot: Option<&'a str>,
+    /// When the round began and ended [s since 1970].
+    during: [f64; 2],
+}
+
+impl Happening<'_> {
+    /// `None` of what the robot itself was about, which its motions tell.
+    fn of(&self, event: &Event, parent: usize) -> Option<Individual> {
+        let class = match event.kind {
+            EventKind::Contact => "semco:ToolContact",
+            EventKind::ContactLoss => "semco:ContactLoss",
+            EventKind::Collision => "semco:HumanCollision",
+            EventKind::StickSlip => "semco:StickSlip",
+            EventKind::Approach | EventKind::Stroke | EventKind::Lift | EventKind::Retreat => {
+                return None;
+            }
+        };
+        let [start, end] = self.during;
+        let mut individual = Individual::new(class, Some(parent));
+        // Rounding must not let a part outlast the whole.
+        let from = (start + event.start).min(end);
+        individual.interval = Some([from, (start + event.end).min(end).max(from)]);
+        individual.set("semco:samples", event.samples as f64);
+        individual.set("semco:meanNormalForce", event.mean_normal_force);
+        individual.set("semco:peakForce", event.peak_force);
+        individual.set("semco:peakHeight", event.peak_height);
+        let path = &self.told.path;
+        let at = path.partition_point(|piece| piece.time[1] < event.start);
+        if let Some(piece) = path.get(at).or(path.last()) {
+            let point = Point2::new(piece.position.x, piece.position.y);
+            let outline = &self.task.surface.outline;
+            individual.set("semco:edgeDistance", edge_distance(outline, point));
         }
-    };
-    let mut individual = Individual::new(class, Some(parent));
-    let from = (start + event.start).min(end);
-    individual.interval = Some([from, (start + event.end).min(end).max(from)]);
-    individual.set("semco:samples", event.samples as f64);
-    individual.set("semco:meanNormalForce", event.mean_normal_force);
-    individual.set("semco:peakForce", event.peak_force);
-    individual.set("semco:peakHeight", event.peak_height);
-    let path = &round.interpretation.path;
-    let at = path.partition_point(|piece| piece.time[1] < event.start);
-    if let Some(piece) = path.get(at).or(path.last()) {
-        let point = Point2::new(piece.position.x, piece.position.y);
-        let outline = &round.motion.task.surface.outline;
-        individual.set("semco:edgeDistance", edge_distance(outline, point));
-    }
-    if event.kind == EventKind::Collision {
-        individual.relate("dul:isClassifiedBy", "semco:collision_concept".to_owned());
-        let who = [
-            "human",
-            round.motion.cell.robot().name(),
-            &round.motion.task.tool.name,
-        ];
-        for name in who {
-            individual.relate("dul:hasParticipant", shared(name));
+        if event.kind == EventKind::Collision {
+            individual.relate("dul:isClassifiedBy", "semco:collision_concept".to_owned());
+            let tool = self.task.tool.name.as_str();
+            let who = ["human"].into_iter().chain(self.robot).chain([tool]);
+            for name in who {
+                individual.relate("dul:hasParticipant", shared(name));
+            }
         }
+        Some(individual)
     }
-    Some(individual)
 }
 
 fn edge_distance(outline: &Polygon, point: Point2) -> f64 {
@@ -307,12 +332,18 @@ fn edge_distance(outline: &Polygon, point: Point2) -> f64 {
 }
 
 fn participants(round: &Round) -> BTreeMap<String, Vec<String>> {
-    let task = &round.motion.task;
+    let robot = round.motion.cell.robot().name();
+    let mut relations = things_of(&round.motion.task);
+    relations.insert("soma:isPerformedBy".to_owned(), vec![shared(robot)]);
+    relations
+}
+
+/// What a task is done with, to what and where.
+fn things_of(task: &Task) -> BTreeMap<String, Vec<String>> {
     [
         ("semco:usesTool", task.tool.name.as_str()),
         ("semco:removesMedium", &task.medium),
         ("semco:actsOnSurface", &task.surface.name),
-        ("soma:isPerformedBy", round.motion.cell.robot().name()),
     ]
     .map(|(property, name)| (property.to_owned(), vec![shared(name)]))
     .into()
@@ -367,13 +398,10 @@ impl Individual {
         objects.push(object);
     }
 
-    fn estimate(&mut self, round: &Round) {
-        let estimate = &round.interpretation.performance;
+    fn estimate(&mut self, told: &Interpretation) {
+        let estimate = &told.performance;
         self.set("semco:performance", estimate.mean);
         self.set("semco:performanceLow", estimate.low);
         self.set("semco:performanceHigh", estimate.high);
-        if let Some(truth) = round.true_performance {
-            self.set("semco:simulatedPerformance", truth);
-        }
     }
 }

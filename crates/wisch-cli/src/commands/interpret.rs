@@ -4,7 +4,7 @@ use super::prepare::Prepared;
 use super::results::{folder_name, internal, json};
 use super::run::given_plan;
 use super::words::{counted, percent};
-use crate::args::{GlobalArgs, InterpretArgs, LogArgs, TaskArgs};
+use crate::args::{GlobalArgs, InterpretArgs, LogArgs, LoggedArgs, TaskArgs};
 use crate::failure::Failure;
 use crate::output::{INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE};
 use crate::progress::Progress;
@@ -22,34 +22,26 @@ use wisch_telemetry::{AxesChoice, Log, LogOptions, ReadFault, TopicChoice, read}
 pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
     progress.say("reading the task");
-    let task_args = task_args(args);
+    let task_args = task_args(&args.source);
     let mut prepared = Prepared::read(&task_args)?;
-    let goal = goal(args, &task_args, &mut prepared)?;
+    let goal = goal(&args.source, &task_args, &mut prepared)?;
     let out = (args.out.clone()).unwrap_or_else(|| default_out(&prepared));
-    check_apart(&args.log, &out)?;
+    check_apart(&args.source.log, &out)?;
     // Before the long part: nobody likes to wait for "permission denied".
     let folder = OutputFolder::begin(&out, Leftover::Remove)?;
 
     progress.say("reading the log");
-    let options = log_options(&args.reading, &prepared);
-    let log = read(&args.log, &options).map_err(|error| {
-        let advice = advice(&error.fault);
-        let failure = Failure::new(error);
-        match advice {
-            Some(advice) => failure.with_help(advice),
-            None => failure,
-        }
-    })?;
+    let log = read_log(&args.source, &prepared)?;
     progress.say(format!(
         "interpreting {}",
         counted(log.samples.len(), "sample")
     ));
-    let told = told(args, &prepared, &log, &goal)?;
+    let told = told(&args.source, &prepared, &log, &goal)?;
     let record = InterpretationRecord::new(
         &prepared.task,
         &told,
         prepared.file.target_performance(),
-        LogRecord::new(&args.log, &log),
+        LogRecord::new(&args.source.log, &log),
     );
     let particles = (told.belief.sample(prepared.task.seed)).map_err(internal)?;
     folder.write(INTERPRETATION_FILE, json(&record)?)?;
@@ -71,7 +63,7 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
 }
 
 /// The part of the arguments that says which task it was.
-fn task_args(args: &InterpretArgs) -> TaskArgs {
+pub(super) fn task_args(args: &LoggedArgs) -> TaskArgs {
     TaskArgs {
         task: args.task.clone(),
         strategy: None,
@@ -83,8 +75,8 @@ fn task_args(args: &InterpretArgs) -> TaskArgs {
 }
 
 /// What the particles are measured against. Where to collect, the planner may have chosen: then only its plan knows.
-fn goal(
-    args: &InterpretArgs,
+pub(super) fn goal(
+    args: &LoggedArgs,
     task_args: &TaskArgs,
     prepared: &mut Prepared,
 ) -> Result<GoalState, Failure> {
@@ -129,6 +121,19 @@ fn check_apart(log: &Path, out: &Path) -> Result<(), Failure> {
         log.display()
     ))
     .with_help("choose another folder with --out"))
+}
+
+/// Reads the log, as the arguments and the task say.
+pub(super) fn read_log(args: &LoggedArgs, prepared: &Prepared) -> Result<Log, Failure> {
+    let options = log_options(&args.reading, prepared);
+    read(&args.log, &options).map_err(|error| {
+        let advice = advice(&error.fault);
+        let failure = Failure::new(error);
+        match advice {
+            Some(advice) => failure.with_help(advice),
+            None => failure,
+        }
+    })
 }
 
 fn log_options(args: &LogArgs, prepared: &Prepared) -> LogOptions {
@@ -182,8 +187,8 @@ fn advice(fault: &ReadFault) -> Option<String> {
     })
 }
 
-fn told(
-    args: &InterpretArgs,
+pub(super) fn told(
+    args: &LoggedArgs,
     prepared: &Prepared,
     log: &Log,
     goal: &GoalState,

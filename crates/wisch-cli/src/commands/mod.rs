@@ -2,13 +2,17 @@
 
 mod ask;
 mod check;
+mod export;
 mod follow;
 mod footprint;
+mod import;
 mod interpret;
 mod map;
+mod memory;
 mod new;
 mod past;
 mod prepare;
+mod remember;
 mod results;
 mod robot;
 mod rounds;
@@ -33,6 +37,7 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Footprint(args) => footprint::footprint(args, &cli.global),
         Command::New(args) => new::new(args, &cli.global),
         Command::Check(args) => check::check(args, &cli.global),
+        Command::Memory(command) => memory::memory(command, &cli.global),
         Command::Robot(RobotCommand::Check(args)) => robot::check_robot(args, &cli.global),
         Command::Robot(RobotCommand::Map(args)) => map::map(args, &cli.global),
     }

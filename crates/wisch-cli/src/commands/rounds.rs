@@ -3,6 +3,7 @@
 use super::follow::{Chosen, Following, performer, workcell_config};
 use super::past::{self, Keeper};
 use super::prepare::Prepared;
+use super::remember::Remembering;
 use super::words::{counted, percent};
 use crate::args::{LoopArgs, TaskArgs};
 use crate::failure::Failure;
@@ -13,6 +14,7 @@ use crate::report::{RoundView, RoundsInput};
 use crate::terminal::remark;
 use std::cell::RefCell;
 use std::ops::ControlFlow;
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use wisch::execute::{Ending, ExecuteConfig, TelemetrySample};
 use wisch::follow::{FollowConfig, audit};
@@ -46,7 +48,7 @@ pub fn bag_name(number: usize) -> String {
     format!("round-{number}.mcap")
 }
 
-/// Wipes until the goal is met, or no more can be done.
+/// Wipes until the goal is met, or no more can be done; says where the episode is kept, if it is.
 #[allow(clippy::too_many_arguments, reason = "what a run is made of")]
 pub fn wipe(
     chosen: &Chosen<'_>,
@@ -56,9 +58,10 @@ pub fn wipe(
     given: Option<wisch::plan::Plan>,
     folder: &OutputFolder,
     progress: &Progress,
-) -> Result<Vec<Done>, Failure> {
+) -> Result<(Vec<Done>, Option<PathBuf>), Failure> {
     progress.say("reading the robot");
     let robot = performer(chosen, task_args)?;
+    let mut episode = Remembering::begin(&args.memory)?;
     let reality = &prepared.reality;
     let (pace, usual_rounds) = if args.greedy {
         (Pace::Greedy, GREEDY_ROUNDS * reality.max_rounds)
@@ -112,8 +115,12 @@ pub fn wipe(
         given,
         past,
         &config,
-        &mut |news| watch.borrow_mut().see(&news),
+        &mut |news| {
+            episode.see(&news)?;
+            watch.borrow_mut().see(&news)
+        },
     );
+    episode.check()?;
     let watch = watch.into_inner();
     if let Some(failure) = watch.failure {
         return Err(failure);
@@ -123,7 +130,7 @@ pub fn wipe(
         error => prepared.failure(task_args, error),
     })?;
     let done = rounds.into_iter().zip(watch.times);
-    done.map(|(round, times)| {
+    let done = done.map(|(round, times)| {
         let dirt = &round.executed.truth.dirt;
         let truth = (!dirt.grains().is_empty()).then(|| dirt.particles());
         let number = round.motion.number;
@@ -138,8 +145,10 @@ pub fn wipe(
             round,
             times,
         })
-    })
-    .collect()
+    });
+    let done: Vec<Done> = done.collect::<Result<_, Failure>>()?;
+    let kept = episode.commit(&done, prepared, task_args, &robot.files)?;
+    Ok((done, kept))
 }
 
 /// Looks on while the loop runs: says where it is, writes bags, and takes the time.

@@ -110,11 +110,13 @@ fn work(
         progress.aside(|| say_what_was_found(folder.found(), leftover));
     }
 
+    let mut episode = None;
     let results_of = match (extent, &robot) {
         (Extent::Run(_, rounds), Some(robot)) => {
-            let done = wipe(
+            let (done, kept) = wipe(
                 robot, rounds, task_args, &prepared, given, &folder, &progress,
             )?;
+            episode = kept;
             progress.say("checking the motion");
             executed(done, task_args, &prepared)?
         }
@@ -140,6 +142,9 @@ fn work(
         ))?;
     } else if !global.quiet {
         print(&in_words(&summary, &results_of.rounds, &out))?;
+        if let Some(place) = episode {
+            print(&format!("  {:<18} {}\n", "episode", place.display()))?;
+        }
     }
     Ok(match summary.prediction {
         Some(PredictionSummary {

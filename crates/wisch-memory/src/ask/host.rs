@@ -12,9 +12,14 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 /// Rows of the first chunk of a stream, and of the largest; each is four times the one before.
-const CHUNK: [usize; 2] = [64, 4096];
+const CHUNK: [usize; 2] = [64, 512];
+/// Facts that are sent at once; an engine takes the longer for each the more come together.
+const FACTS_AT_ONCE: usize = 512;
 /// Values of a property that are sent at once when one of them is asked for.
 const BLOCK: usize = 20_000;
+
+/// Most members of a class that come over with their times and parents.
+const MEMBERS_WITH_FACTS: usize = 30_000;
 
 /// Rows that are made when they are asked for.
 type Rows = Box<dyn Iterator<Item = Term> + Send>;
@@ -43,7 +48,7 @@ struct Sent {
     told: HashSet<String>,
 }
 
-struct Cursor {
+pub(super) struct Cursor {
     rows: std::iter::Peekable<Rows>,
     size: usize,
 }
@@ -82,8 +87,16 @@ impl Host {
     /// The program failed; what a query did wrong is an answer.
     pub fn answer(&mut self, request: &Term, reply: &mut String) -> Result<(), AskError> {
         match self.rows(request) {
+            Ok(Reply::Facts(facts)) if facts.len() <= FACTS_AT_ONCE => {
+                Term::compound("rows", [Term::List(facts)]).write_quoted(reply);
+            }
             Ok(Reply::Facts(facts)) => {
-                Term::compound("rows", [Term::List(facts)]).write_quoted(reply)
+                let rows: Rows = Box::new(facts.into_iter());
+                let cursor = Cursor {
+                    rows: rows.peekable(),
+                    size: FACTS_AT_ONCE,
+                };
+                self.next_chunk(cursor, reply);
             }
             Ok(Reply::Stream(rows)) => {
                 let cursor = Cursor {
@@ -92,6 +105,7 @@ impl Host {
                 };
                 self.next_chunk(cursor, reply);
             }
+            Ok(Reply::More(cursor)) => self.next_chunk(cursor, reply),
             Err(Refusal::Fault(fault)) => {
                 Term::compound("fault", [fault.to_term()]).write_quoted(reply);
             }
@@ -125,7 +139,7 @@ impl Host {
         match (name, arguments) {
             ("more", [Term::Integer(cursor)]) => {
                 let rows = self.cursors.remove(cursor).ok_or_else(malformed)?;
-                Ok(Reply::Stream(Box::new(rows.rows)))
+                Ok(Reply::More(rows))
             }
             ("resolve", [kind, term]) => {
                 let kind = kind.as_atom().ok_or_else(malformed)?;
@@ -197,18 +211,23 @@ impl Host {
     fn members(&mut self, class: &str) -> Vec<Term> {
         let catalogue = Arc::clone(&self.catalogue);
         let mut facts = Vec::new();
-        for &id in catalogue.of_class(class) {
-            self.send_individual(id, &mut facts);
-            facts.push(Term::compound(
-                "c",
-                [Term::atom(class), Term::Atom(full_name(&catalogue, id))],
-            ));
+        let members = catalogue.of_class(class);
+        let mut names: Vec<Term> = Vec::with_capacity(members.len());
+        for &id in members {
+            if members.len() <= MEMBERS_WITH_FACTS {
+                self.send_individual(id, &mut facts);
+            }
+            names.push(Term::Atom(full_name(&catalogue, id)));
         }
         for name in self.names.shared_of(class) {
             if self.sent.parts.insert(format!("i {name}")) {
                 facts.push(shared_row(&name, class));
             }
-            facts.push(Term::compound("c", [Term::atom(class), Term::Atom(name)]));
+            names.push(Term::Atom(name));
+        }
+        for names in names.chunks(FACTS_AT_ONCE) {
+            let names = Term::List(names.to_vec());
+            facts.push(Term::compound("c", [Term::atom(class), names]));
         }
         facts
     }
@@ -502,6 +521,8 @@ pub(super) enum Reply {
     Facts(Vec<Term>),
     /// As they are asked for.
     Stream(Rows),
+    /// The rest of those.
+    More(Cursor),
 }
 
 /// Why nothing is sent.

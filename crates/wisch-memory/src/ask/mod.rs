@@ -334,7 +334,11 @@ impl Asker {
             };
             match said {
                 Term::Compound(name, mut arguments) => match (name.as_str(), arguments.len()) {
-                    ("row", _) => answers.rows.push(arguments),
+                    ("rows", 1) => {
+                        if let Term::List(rows) = arguments.remove(0) {
+                            answers.rows.extend(rows.into_iter().map(values));
+                        }
+                    }
                     ("need", 1) => {
                         reply.clear();
                         self.host.answer(&arguments[0], &mut reply)?;
@@ -360,7 +364,6 @@ impl Asker {
                         });
                     }
                 },
-                Term::Atom(name) if name == "row" => answers.rows.push(Vec::new()),
                 other => {
                     return Err(AskError::Protocol {
                         line: other.to_string(),
@@ -368,6 +371,14 @@ impl Asker {
                 }
             }
         }
+    }
+}
+
+/// The values of a row; one without variables is an atom.
+fn values(row: Term) -> Vec<Term> {
+    match row {
+        Term::Compound(_, values) => values,
+        _ => Vec::new(),
     }
 }
 

@@ -262,7 +262,7 @@ fn skeleton(
                 individual.parent = Some(parent);
             }
             HAS_INTERVAL if individual.interval.is_none() => {
-                let interval = intervals.get(&place).and_then(|said| interval(said));
+                let interval = intervals.get(&place).and_then(interval);
                 let whole = interval.ok_or_else(|| format!("the interval of {place} has no ends"));
                 individual.interval = Some(whole?);
             }

@@ -18,6 +18,7 @@ pub mod bson;
 mod document;
 mod import;
 mod meta;
+mod stored;
 mod triples;
 mod writer;
 
@@ -27,10 +28,14 @@ mod tests;
 pub use document::GRAPH;
 pub use import::{Triples, import, records};
 pub use meta::{NeemMeta, utc};
+pub use stored::PoseSource;
 pub use triples::{Object, Triple, ontology_triples, triples};
 pub use writer::{FrameSample, NeemConfig, NeemReport, NeemWriter, WrenchSample};
 
+use crate::frames::FrameError;
 use crate::record::RecordFault;
+use crate::store::MemoryError;
+use crate::telemetry::TelemetryError;
 use std::io;
 use std::path::{Path, PathBuf};
 use wisch::text::UnknownName;
@@ -119,6 +124,15 @@ pub enum NeemError {
         /// The rate [Hz].
         rate: f64,
     },
+    /// An episode of the memory that cannot be read.
+    #[error(transparent)]
+    Memory(#[from] MemoryError),
+    /// Telemetry that cannot be read.
+    #[error(transparent)]
+    Telemetry(#[from] TelemetryError),
+    /// Frames that cannot be computed.
+    #[error(transparent)]
+    Frames(#[from] FrameError),
     /// A sample with a number that is not finite.
     #[error("{frame}: a sample at {time} s has a number that is not finite")]
     Sample {

@@ -32,7 +32,7 @@ impl Default for NeemConfig {
 /// Where a frame was.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrameSample<'a> {
-    /// When [s since 1970]. The samples of a frame come in the order of their times.
+    /// When [s since 1970]. In an episode, the samples of a frame come in the order of their times.
     pub time: f64,
     /// Name of the frame: of an object the local name of its IRI, such as `sponge`.
     pub frame: &'a str,
@@ -53,8 +53,8 @@ pub struct WrenchSample<'a> {
     pub topic: &'a str,
     /// Force [N].
     pub force: [f64; 3],
-    /// Torque about the frame's origin [N m].
-    pub torque: [f64; 3],
+    /// Torque about the frame's origin [N m], if it was measured.
+    pub torque: Option<[f64; 3]>,
 }
 
 /// How much was written.
@@ -102,6 +102,7 @@ pub struct NeemWriter {
     closures: Closures,
     episodes: HashSet<String>,
     frames: HashMap<String, Frame>,
+    /// Between two poses of a frame [s].
     period: f64,
 }
 
@@ -183,6 +184,10 @@ impl NeemWriter {
             });
         }
         let triples = triples::triples(record)?;
+        // It need not be later than the one before.
+        for frame in self.frames.values_mut() {
+            frame.last = f64::NEG_INFINITY;
+        }
         self.episodes.insert(record.id.clone());
         for triple in triples {
             self.triple(&triple)?;
@@ -239,10 +244,16 @@ impl NeemWriter {
         self.poses.write(&document)
     }
 
+    /// Shortest time between two poses of a frame that are written [s].
+    pub(super) fn shortest_period(&self) -> f64 {
+        self.period * (1.0 - EARLY)
+    }
+
     /// Number of the frame's sample, if it is due; then its time is kept.
     fn due(&mut self, name: &str, time: f64) -> Option<i64> {
+        let shortest = self.shortest_period();
         match self.frames.get_mut(name) {
-            Some(frame) if time - frame.last < self.period * (1.0 - EARLY) => None,
+            Some(frame) if time - frame.last < shortest => None,
             Some(frame) => {
                 frame.last = time;
                 frame.written += 1;
@@ -264,16 +275,18 @@ impl NeemWriter {
     /// # Errors
     /// A number is not finite, or writing fails.
     pub fn wrench(&mut self, sample: &WrenchSample) -> Result<(), NeemError> {
-        let numbers = sample.force.into_iter().chain(sample.torque);
+        let torque = sample.torque.into_iter().flatten();
+        let numbers = sample.force.into_iter().chain(torque);
         check_finite(sample.frame, sample.time, numbers.chain([sample.time]))?;
         let header = Document::default()
             .with("stamp", date(sample.time))
             // Dates end at milliseconds; telemetry does not.
             .with("time", sample.time)
             .with("frame_id", sample.frame);
-        let wrench = Document::default()
-            .with("force", xyz(sample.force))
-            .with("torque", xyz(sample.torque));
+        let mut wrench = Document::default().with("force", xyz(sample.force));
+        if let Some(torque) = sample.torque {
+            wrench = wrench.with("torque", xyz(torque));
+        }
         let document = Document::default()
             .with("_id", Bson::ObjectId(self.wrenches.ids.next()))
             .with("header", header)

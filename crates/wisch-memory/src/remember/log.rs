@@ -2,6 +2,7 @@
 
 use wisch::execute::TelemetrySample;
 use wisch::follow::Phase;
+use wisch::interpret::{Event, EventKind};
 
 /// Which motions a round was made of, noted sample by sample.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -53,6 +54,27 @@ enum Part {
 }
 
 impl Span {
+    /// What a log's phase is in its round; `None` of other events. A stroke gets this number.
+    pub(super) fn of_phase(event: &Event, stroke: usize) -> Option<Self> {
+        let part = match event.kind {
+            EventKind::Approach => Part::Approach,
+            EventKind::Stroke => Part::Stroke,
+            EventKind::Lift => Part::Transfer,
+            EventKind::Retreat => Part::Retreat,
+            EventKind::Contact
+            | EventKind::ContactLoss
+            | EventKind::Collision
+            | EventKind::StickSlip => return None,
+        };
+        Some(Self {
+            part,
+            start: event.start,
+            end: event.end,
+            stroke: (part == Part::Stroke).then_some(stroke),
+            peak_force: event.peak_force,
+        })
+    }
+
     pub(super) const fn class(&self) -> &'static str {
         match self.part {
             Part::Approach => "semco:Approach",

@@ -7,9 +7,10 @@
 //!     checksums.json         length and CRC-32 of each file
 //!     round-1.parquet        telemetry
 //!     task.toml, robot.urdf, round-1/plan.json, …
-//!   .new-20261122-010203-…/  an episode that is being written
-//!   .lock-20261122-010203-…  held by who writes it
-//!   .lock                    held for moments: who begins, clears up or rewrites the catalogue
+//!   .new/                    apart, so that finding what is left over there does not mean going through all
+//!     20261122-010203-…/     an episode that is being written
+//!     20261122-010203-….lock held by who writes it
+//!     .lock                  held for moments: who begins, clears up or rewrites the catalogue
 //!   .catalogue/              the graphs of all episodes in tables; may go at any time
 //! ```
 //!
@@ -39,9 +40,10 @@ pub const RECORD_FILE: &str = "episode.json";
 /// Longest name of an episode [characters]; file systems take 255 bytes.
 const MAX_ID_LEN: usize = 80;
 
-const NEW_PREFIX: &str = ".new-";
-const LOCK_PREFIX: &str = ".lock-";
-const FORGOTTEN_PREFIX: &str = ".forgotten-";
+/// Where episodes are on their way into the memory, or out of it.
+const NEW_FOLDER: &str = ".new";
+const LOCK_ENDING: &str = ".lock";
+const FORGOTTEN_ENDING: &str = ".forgotten";
 const MEMORY_LOCK: &str = ".lock";
 
 /// A memory of episodes.
@@ -117,7 +119,7 @@ impl Memory {
     /// # Errors
     /// What the system says.
     pub fn episodes(&self) -> Result<Vec<String>, MemoryError> {
-        let mut names: Vec<String> = self.entries()?;
+        let mut names: Vec<String> = entries(&self.folder)?;
         names.retain(|name| is_id(name));
         names.sort_unstable();
         Ok(names)
@@ -151,14 +153,14 @@ impl Memory {
         let guard = self.lock()?;
         self.clear_up()?;
         let place = self.folder.join(id);
-        let new = self.folder.join(format!("{NEW_PREFIX}{id}"));
+        let new = self.new_place(id);
         if place.exists() || new.exists() {
             return Err(MemoryError::Exists {
                 path: self.folder.clone(),
                 id: id.to_owned(),
             });
         }
-        let lock_path = self.folder.join(format!("{LOCK_PREFIX}{id}"));
+        let lock_path = self.lock_place(id);
         let lock = File::create(&lock_path).map_err(at(&lock_path))?;
         lock.lock().map_err(at(&lock_path))?;
         fs::create_dir(&new).map_err(at(&new))?;
@@ -175,25 +177,26 @@ impl Memory {
         let guard = self.lock()?;
         self.note_forgotten(id)?;
         // By one rename, so that nobody meets half of it.
-        let gone = self.folder.join(format!("{FORGOTTEN_PREFIX}{id}"));
+        let gone = (self.folder.join(NEW_FOLDER)).join(format!("{id}{FORGOTTEN_ENDING}"));
+        remove_folder(&gone)?;
         fs::rename(episode.folder(), &gone).map_err(at(episode.folder()))?;
         sync_folder(&self.folder)?;
+        // Under the lock still: another of this name may be forgotten next.
+        remove_folder(&gone)?;
         drop(guard);
-        remove_folder(&gone)
+        Ok(())
     }
 
     /// Holds others off who begin an episode, clear up or rewrite the catalogue.
     fn lock(&self) -> Result<File, MemoryError> {
-        let path = self.folder.join(MEMORY_LOCK);
-        let file = File::create(&path).map_err(at(&path))?;
+        let (path, file) = self.memory_lock()?;
         file.lock().map_err(at(&path))?;
         Ok(file)
     }
 
     /// The same, if nobody else does at this moment.
     fn try_lock(&self) -> Result<Option<File>, MemoryError> {
-        let path = self.folder.join(MEMORY_LOCK);
-        let file = File::create(&path).map_err(at(&path))?;
+        let (path, file) = self.memory_lock()?;
         match file.try_lock() {
             Ok(()) => Ok(Some(file)),
             Err(TryLockError::WouldBlock) => Ok(None),
@@ -201,18 +204,40 @@ impl Memory {
         }
     }
 
+    fn memory_lock(&self) -> Result<(PathBuf, File), MemoryError> {
+        let folder = self.folder.join(NEW_FOLDER);
+        fs::create_dir_all(&folder).map_err(at(&folder))?;
+        let path = folder.join(MEMORY_LOCK);
+        let file = File::create(&path).map_err(at(&path))?;
+        Ok((path, file))
+    }
+
+    /// Where an episode stands while it is written.
+    fn new_place(&self, id: &str) -> PathBuf {
+        self.folder.join(NEW_FOLDER).join(id)
+    }
+
+    /// What its writer holds.
+    fn lock_place(&self, id: &str) -> PathBuf {
+        let folder = self.folder.join(NEW_FOLDER);
+        folder.join(format!("{id}{LOCK_ENDING}"))
+    }
+
     /// Clears away what dead writers have left. Only under the memory's lock: a writer that has just made its
     /// folder is not to be taken for dead.
     fn clear_up(&self) -> Result<(), MemoryError> {
-        for name in self.entries()? {
-            let path = self.folder.join(&name);
-            if name.starts_with(FORGOTTEN_PREFIX) {
-                remove_folder(&path)?;
+        let folder = self.folder.join(NEW_FOLDER);
+        for name in entries(&folder)? {
+            if name.ends_with(FORGOTTEN_ENDING) {
+                remove_folder(&folder.join(&name))?;
                 continue;
             }
-            let id = (name.strip_prefix(NEW_PREFIX)).or_else(|| name.strip_prefix(LOCK_PREFIX));
-            let Some(id) = id else { continue };
-            let lock_path = self.folder.join(format!("{LOCK_PREFIX}{id}"));
+            let id = name.strip_suffix(LOCK_ENDING).unwrap_or(&name);
+            // The memory's own lock is no episode's.
+            if !is_id(id) {
+                continue;
+            }
+            let lock_path = self.lock_place(id);
             // Without a lock to hold, nobody writes; with one that can be had, nobody does any more.
             let dead = match File::open(&lock_path) {
                 Ok(file) => match file.try_lock() {
@@ -224,24 +249,23 @@ impl Memory {
                 Err(error) => return Err(at(&lock_path)(error)),
             };
             if dead {
-                remove_folder(&self.folder.join(format!("{NEW_PREFIX}{id}")))?;
+                remove_folder(&self.new_place(id))?;
                 remove_file(&lock_path)?;
             }
         }
         Ok(())
     }
+}
 
-    /// The names of all that is in the folder.
-    fn entries(&self) -> Result<Vec<String>, MemoryError> {
-        let entries = fs::read_dir(&self.folder).map_err(at(&self.folder))?;
-        let mut names = Vec::new();
-        for entry in entries {
-            let entry = entry.map_err(at(&self.folder))?;
-            // Names of ours are plain; those that are no text are none of ours.
-            names.extend(entry.file_name().into_string());
-        }
-        Ok(names)
+/// The names of all that is in a folder.
+fn entries(folder: &Path) -> Result<Vec<String>, MemoryError> {
+    let mut names = Vec::new();
+    for entry in fs::read_dir(folder).map_err(at(folder))? {
+        let entry = entry.map_err(at(folder))?;
+        // Names of ours are plain; those that are no text are none of ours.
+        names.extend(entry.file_name().into_string());
     }
+    Ok(names)
 }
 
 /// Whether a folder of this name is an episode's.

@@ -3,9 +3,7 @@
 use super::episode::files_in;
 use super::error::{MemoryError, at};
 use super::sums::{FileSum, SUMS_FILE, Sums};
-use super::{
-    LOCK_PREFIX, Memory, NEW_PREFIX, RECORD_FILE, remove_file, remove_folder, sync_folder,
-};
+use super::{Memory, RECORD_FILE, remove_file, remove_folder, sync_folder};
 use crate::record::EpisodeRecord;
 use crate::telemetry::{TelemetryHead, TelemetryWriter};
 use std::collections::BTreeSet;
@@ -26,7 +24,7 @@ pub struct EpisodeWriter {
 impl EpisodeWriter {
     pub(super) fn new(memory: Memory, id: &str, lock: File) -> Self {
         Self {
-            folder: memory.folder.join(format!("{NEW_PREFIX}{id}")),
+            folder: memory.new_place(id),
             memory,
             id: id.to_owned(),
             _lock: lock,
@@ -129,7 +127,7 @@ impl EpisodeWriter {
 impl Drop for EpisodeWriter {
     fn drop(&mut self) {
         // After a commit there is no such folder any more; what cannot be removed now, the next writer removes.
-        let lock = (self.memory.folder).join(format!("{LOCK_PREFIX}{}", self.id));
+        let lock = self.memory.lock_place(&self.id);
         let _ = remove_folder(&self.folder).and_then(|()| remove_file(&lock));
     }
 }

@@ -333,6 +333,14 @@ impl Telemetry {
     }
 }
 
+impl std::fmt::Debug for Telemetry {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Telemetry")
+            .field("path", &self.path)
+            .finish_non_exhaustive()
+    }
+}
+
 impl Source {
     fn piece(&mut self, path: &Path, place: Place) -> Result<Piece, TelemetryError> {
         if let Some(piece) = self.cache.get(place) {

@@ -1,0 +1,153 @@
+//! `wisch memory export`: episodes in the form in which openEASE and KnowRob keep theirs.
+
+use super::memory::{broken, open};
+use super::remember::{PROGRAM, now};
+use super::words::counted;
+use crate::args::{ExportArgs, GlobalArgs};
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::terminal::{Outcome, print};
+use std::collections::BTreeSet;
+use wisch_memory::neem::{NeemConfig, NeemError, NeemMeta, NeemReport, NeemWriter, PoseSource};
+use wisch_memory::{Episode, EpisodeRecord, Memory, Ontology};
+
+/// Writes the episodes that are named, or all, as one NEEM.
+pub fn export(args: &ExportArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let progress = Progress::start(global);
+    let memory = open(&args.memory)?;
+    let episodes = episodes(&memory, &args.ids)?;
+    let meta = About::of(&episodes)?.meta(episodes.len())?;
+    let config = NeemConfig {
+        tf_rate_hz: args.tf_rate_hz,
+    };
+    let mut neem = NeemWriter::create(&args.neem, &meta, &config).map_err(not_written)?;
+    for (number, episode) in (1..).zip(&episodes) {
+        progress.say(format!("episode {number} of {}", episodes.len()));
+        write(&mut neem, episode)?;
+    }
+    let report = neem.finish().map_err(not_written)?;
+    drop(progress);
+    tell(args, global, &report)?;
+    Ok(Outcome::Done)
+}
+
+fn episodes(memory: &Memory, ids: &[String]) -> Result<Vec<Episode>, Failure> {
+    let all;
+    let ids = if ids.is_empty() {
+        all = memory.episodes().map_err(broken)?;
+        &all
+    } else {
+        ids
+    };
+    let found = ids.iter().map(|id| memory.episode(id).map_err(broken));
+    found.collect()
+}
+
+fn write(neem: &mut NeemWriter, episode: &Episode) -> Result<(), Failure> {
+    let files = episode.files().map_err(broken)?;
+    // An episode of a log does not say which robot it was.
+    let written = if files.iter().any(|file| file == "robot.urdf") {
+        let robot = episode.robot().map_err(broken)?;
+        neem.stored(episode, PoseSource::Robot(&robot))
+    } else {
+        neem.stored(episode, PoseSource::Tool)
+    };
+    written.map_err(not_written)
+}
+
+/// Who did what with what, in all the episodes.
+#[derive(Debug, Default)]
+struct About {
+    tasks: BTreeSet<String>,
+    tools: BTreeSet<String>,
+    media: BTreeSet<String>,
+    surfaces: BTreeSet<String>,
+    robots: BTreeSet<String>,
+}
+
+impl About {
+    fn of(episodes: &[Episode]) -> Result<Self, Failure> {
+        let mut about = Self::default();
+        for episode in episodes {
+            about.add(&episode.record().map_err(broken)?);
+        }
+        Ok(about)
+    }
+
+    fn add(&mut self, record: &EpisodeRecord) {
+        self.tasks.insert(record.task.clone());
+        for (property, to) in [
+            ("semco:usesTool", &mut self.tools),
+            ("semco:removesMedium", &mut self.media),
+            ("semco:actsOnSurface", &mut self.surfaces),
+            ("soma:isPerformedBy", &mut self.robots),
+        ] {
+            let related = record.individuals.iter().filter_map(|individual| {
+                let objects = individual.relations.get(property)?;
+                Some(objects.iter().filter_map(|name| name.split_once(':')))
+            });
+            to.extend(related.flatten().map(|(_, local)| local.to_owned()));
+        }
+    }
+
+    fn meta(&self, count: usize) -> Result<NeemMeta, Failure> {
+        let words = |names: &BTreeSet<String>| {
+            let names: Vec<String> = names.iter().map(|name| name.replace('_', " ")).collect();
+            names.join(", ")
+        };
+        let mut keywords = vec!["wiping".to_owned()];
+        for names in [&self.tools, &self.media, &self.surfaces, &self.robots] {
+            keywords.extend(names.iter().map(|name| name.replace('_', " ")));
+        }
+        let wiping = Ontology::shipped().expand("semco:Wiping");
+        Ok(NeemMeta {
+            name: "Robotic wiping".to_owned(),
+            description: format!(
+                "{} of robotic wiping: {}",
+                counted(count, "episode"),
+                words(&self.tasks)
+            ),
+            created_by: PROGRAM.to_owned(),
+            created_at: now(),
+            keywords,
+            url: String::new(),
+            activity: ["Wiping".to_owned(), wiping.map_err(Failure::new)?],
+            environment: words(&self.surfaces),
+            agent: words(&self.robots),
+            image: String::new(),
+        })
+    }
+}
+
+fn tell(args: &ExportArgs, global: &GlobalArgs, report: &NeemReport) -> Result<(), Failure> {
+    if args.json {
+        let line = serde_json::json!({
+            "neem": args.neem,
+            "episodes": report.episodes,
+            "triples": report.triples,
+            "annotations": report.annotations,
+            "poses": report.poses,
+            "wrenches": report.wrenches,
+        });
+        print(&format!("{line}\n"))?;
+    } else if !global.quiet {
+        print(&format!(
+            "{}: {}, {} triples, {} poses, {} wrenches\n",
+            args.neem.display(),
+            counted(report.episodes as usize, "episode"),
+            report.triples,
+            report.poses,
+            report.wrenches
+        ))?;
+    }
+    Ok(())
+}
+
+fn not_written(error: NeemError) -> Failure {
+    let help = match error {
+        NeemError::Exists { .. } => "--neem DIR must be a folder that is not there yet",
+        NeemError::Rate { .. } => "--tf-rate-hz 10 is the default",
+        _ => "wisch memory verify says what is broken",
+    };
+    Failure::new(error).with_help(help)
+}

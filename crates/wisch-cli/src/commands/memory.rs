@@ -1,0 +1,261 @@
+//! `wisch memory`: what is in the memory of episodes.
+
+use super::results::internal;
+use super::words::{counted, percent};
+use crate::args::{
+    EpisodeArgs, GlobalArgs, MemoryArgs, MemoryCommand, MemoryListArgs, MemoryVerifyArgs,
+};
+use crate::failure::Failure;
+use crate::terminal::{Outcome, print};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use wisch_memory::catalogue::{EpisodeRow, entries};
+use wisch_memory::{
+    Catalogue, EpisodeRecord, Individual, IndividualId, Memory, MemoryError, Node, Value,
+    date_and_time,
+};
+
+/// Does what the command line says.
+pub fn memory(command: &MemoryCommand, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    match command {
+        MemoryCommand::List(args) => list(args),
+        MemoryCommand::Show(args) => show(args),
+        MemoryCommand::Verify(args) => verify(args, global),
+        MemoryCommand::Forget(args) => forget(args, global),
+        MemoryCommand::Import(args) => super::import::import(args, global),
+        MemoryCommand::Export(args) => super::export::export(args, global),
+    }
+}
+
+/// What the list says of an episode.
+#[derive(Debug, Serialize)]
+struct Listed<'a> {
+    id: &'a str,
+    task: &'a str,
+    start_s: f64,
+    duration_s: f64,
+    rounds: usize,
+    /// As it was estimated in the end; absent where nothing was wiped.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    performance: Option<f64>,
+    succeeded: bool,
+    human_collisions: usize,
+}
+
+fn list(args: &MemoryListArgs) -> Result<Outcome, Failure> {
+    let catalogue = open(&args.memory)?.catalogue().map_err(broken)?;
+    let actions = actions(&catalogue);
+    let collisions = counts(&catalogue, "semco:HumanCollision");
+    let mut listed: Vec<Listed<'_>> = catalogue
+        .episodes()
+        .iter()
+        .map(|row| Listed::new(&catalogue, row, &actions, &collisions))
+        .collect();
+    listed.sort_by(|a, b| a.start_s.total_cmp(&b.start_s).then(a.id.cmp(b.id)));
+    let mut text = String::new();
+    if args.json {
+        for one in &listed {
+            text += &serde_json::to_string(one).map_err(internal)?;
+            text.push('\n');
+        }
+    } else if listed.is_empty() {
+        text = "no episodes yet: wisch run adds one\n".to_owned();
+    } else {
+        text = table(&listed);
+    }
+    print(&text)?;
+    Ok(Outcome::Done)
+}
+
+impl<'a> Listed<'a> {
+    fn new(
+        catalogue: &'a Catalogue,
+        row: &'a EpisodeRow,
+        actions: &BTreeMap<IndividualId, IndividualId>,
+        collisions: &BTreeMap<IndividualId, usize>,
+    ) -> Self {
+        let action = actions.get(&row.first).copied();
+        let performance = action.and_then(|action| {
+            let found = entries(catalogue.numbers("semco:performance"), action);
+            found.first().map(|(_, value)| *value)
+        });
+        let succeeded = action.is_some_and(|action| {
+            let states = entries(catalogue.relations("soma:hasExecutionState"), action);
+            states.iter().any(|(_, node)| match node {
+                Node::Shared(place) => {
+                    catalogue.shared()[*place as usize] == "soma:ExecutionState_Succeeded"
+                }
+                Node::Individual(_) => false,
+            })
+        });
+        Self {
+            id: &row.id,
+            task: &row.task,
+            start_s: row.interval[0],
+            duration_s: row.interval[1] - row.interval[0],
+            rounds: row.rounds.len(),
+            performance,
+            succeeded,
+            human_collisions: collisions.get(&row.first).copied().unwrap_or(0),
+        }
+    }
+}
+
+/// The wiping of each episode, by the episode's first individual.
+fn actions(catalogue: &Catalogue) -> BTreeMap<IndividualId, IndividualId> {
+    let actions = catalogue.of_class("semco:WipingAction").iter();
+    let by_episode = actions.map(|&id| (catalogue.episode_of(id).first, id));
+    by_episode.collect()
+}
+
+/// How many individuals of a class each episode has, by the episode's first individual.
+fn counts(catalogue: &Catalogue, class: &str) -> BTreeMap<IndividualId, usize> {
+    let mut counts = BTreeMap::new();
+    for &id in catalogue.of_class(class) {
+        *counts.entry(catalogue.episode_of(id).first).or_default() += 1;
+    }
+    counts
+}
+
+fn table(listed: &[Listed<'_>]) -> String {
+    let width = |of: fn(&Listed<'_>) -> usize, least: usize| {
+        listed.iter().map(of).max().unwrap_or(0).max(least)
+    };
+    let id = width(|one| one.id.chars().count(), 7);
+    let task = width(|one| one.task.chars().count(), 4);
+    let mut text = format!(
+        "{:<id$}  {:<task$}  {:>8}  {:>6}  {:>11}  {:<8}  collisions\n",
+        "episode", "task", "duration", "rounds", "performance", "goal"
+    );
+    for one in listed {
+        let performance = one.performance.map_or_else(|| "–".to_owned(), percent);
+        let duration = format!("{:.1} s", one.duration_s);
+        let goal = if one.succeeded { "met" } else { "not met" };
+        text += &format!(
+            "{:<id$}  {:<task$}  {duration:>8}  {:>6}  {performance:>11}  {goal:<8}  {:>10}\n",
+            one.id, one.task, one.rounds, one.human_collisions
+        );
+    }
+    text + &format!("{}\n", counted(listed.len(), "episode"))
+}
+
+fn show(args: &EpisodeArgs) -> Result<Outcome, Failure> {
+    let episode = open(&args.memory)?.episode(&args.id).map_err(broken)?;
+    let record = episode.record().map_err(broken)?;
+    if args.json {
+        let line = serde_json::to_string(&record).map_err(internal)?;
+        print(&(line + "\n"))?;
+    } else {
+        let files = episode.files().map_err(broken)?;
+        print(&in_words(&record, &files))?;
+    }
+    Ok(Outcome::Done)
+}
+
+fn in_words(record: &EpisodeRecord, files: &[String]) -> String {
+    let [start, end] = record.interval;
+    let mut text = format!(
+        "{}: {}, {} UTC, {:.1} s, by {}\n",
+        record.id,
+        record.task,
+        date_and_time(start),
+        end - start,
+        record.program
+    );
+    let mut depths: Vec<usize> = Vec::new();
+    for individual in &record.individuals {
+        let depth = individual.parent.map_or(0, |parent| depths[parent] + 1);
+        depths.push(depth);
+        text += &line(individual, depth, start);
+    }
+    text + &format!("  files: {}\n", files.join(", "))
+}
+
+/// An individual in one line.
+fn line(individual: &Individual, depth: usize, start: f64) -> String {
+    let time = individual.interval.map_or_else(String::new, |[from, to]| {
+        format!("{:.2} to {:.2} s", from - start, to - start)
+    });
+    let name = local(&individual.class);
+    let name = format!("{:indent$}{name}", "", indent = 2 * depth + 2);
+    let values = individual.values.iter().map(|(property, value)| {
+        let property = local(property);
+        match value {
+            Value::Number(number) => format!("{property} {}", short(*number)),
+            Value::Text(text) => format!("{property} {text:?}"),
+        }
+    });
+    let values: Vec<String> = values.collect();
+    let line = format!("{name:<26} {time:<20} {}", values.join(", "));
+    format!("{}\n", line.trim_end())
+}
+
+/// A number with at most four digits behind the point.
+fn short(number: f64) -> String {
+    let text = format!("{number:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// A name without its prefix.
+fn local(name: &str) -> &str {
+    name.split_once(':').map_or(name, |(_, local)| local)
+}
+
+/// What `verify --json` prints.
+#[derive(Debug, Serialize)]
+struct Verified {
+    episodes: usize,
+    faults: Vec<String>,
+}
+
+fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let memory = open(&args.memory)?;
+    let episodes = memory.episodes().map_err(broken)?.len();
+    let faults = memory.verify().map_err(broken)?;
+    let faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
+    let is_well = faults.is_empty();
+    if args.json {
+        let verified = Verified { episodes, faults };
+        let line = serde_json::to_string(&verified).map_err(internal)?;
+        print(&(line + "\n"))?;
+    } else if !global.quiet || !is_well {
+        let mut text: String = faults.iter().map(|fault| format!("{fault}\n")).collect();
+        let found = if is_well {
+            "all well".to_owned()
+        } else {
+            counted(faults.len(), "fault")
+        };
+        text += &format!("{}: {found}\n", counted(episodes, "episode"));
+        print(&text)?;
+    }
+    Ok(if is_well {
+        Outcome::Done
+    } else {
+        Outcome::GoalNotMet
+    })
+}
+
+fn forget(args: &EpisodeArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    open(&args.memory)?.forget(&args.id).map_err(broken)?;
+    if args.json {
+        let line = serde_json::json!({ "forgotten": args.id });
+        print(&format!("{line}\n"))?;
+    } else if !global.quiet {
+        print(&format!("forgot {}\n", args.id))?;
+    }
+    Ok(Outcome::Done)
+}
+
+pub(super) fn open(args: &MemoryArgs) -> Result<Memory, Failure> {
+    Memory::open(&args.memory).map_err(|error| {
+        Failure::new(error).with_help("wisch run adds an episode; --memory DIR looks elsewhere")
+    })
+}
+
+pub(super) fn broken(error: MemoryError) -> Failure {
+    let help = match error {
+        MemoryError::Unknown { .. } => "wisch memory list says which there are",
+        _ => "wisch memory verify says what is broken, wisch memory forget ID removes an episode",
+    };
+    Failure::new(error).with_help(help)
+}

@@ -1,0 +1,159 @@
+//! `wisch memory export`: what is in the memory comes out as a NEEM, and back.
+
+use assert_cmd::Command;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use tempfile::TempDir;
+use wisch::follow::Phase;
+use wisch_memory::neem::import;
+use wisch_memory::{
+    EPISODE_SCHEMA, EpisodeRecord, Individual, Mark, Memory, Origin, TelemetryHead,
+};
+
+/// Runs the program and returns exit code, standard output and standard error.
+fn wisch(folder: &Path, args: &[&str]) -> (i32, String, String) {
+    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("wisch"));
+    let output = command.current_dir(folder).args(args).output();
+    let output = output.expect("it runs");
+    (
+        output.status.code().expect("it ends by itself"),
+        String::from_utf8(output.stdout).expect("text"),
+        String::from_utf8(output.stderr).expect("text"),
+    )
+}
+
+fn record(id: &str) -> EpisodeRecord {
+    let interval = [1_767_225_600.0, 1_767_225_601.0];
+    let individual = |class: &str, parent, relations: &[(&str, &str)]| Individual {
+        class: class.to_owned(),
+        interval: Some(interval),
+        parent,
+        relations: relations
+            .iter()
+            .map(|(property, object)| ((*property).to_owned(), vec![(*object).to_owned()]))
+            .collect(),
+        values: BTreeMap::new(),
+    };
+    EpisodeRecord {
+        schema: EPISODE_SCHEMA,
+        id: id.to_owned(),
+        task: "board".to_owned(),
+        interval,
+        origin: Origin::Imported("lab.mcap".to_owned()),
+        program: "wisch".to_owned(),
+        seed: 7,
+        rounds: vec![interval[0]],
+        individuals: vec![
+            individual("semco:WipingEpisode", None, &[]),
+            individual(
+                "semco:WipingAction",
+                Some(0),
+                &[
+                    ("semco:usesTool", "semco:sponge"),
+                    ("semco:actsOnSurface", "semco:chopping_board"),
+                ],
+            ),
+        ],
+    }
+}
+
+/// A folder with a memory of two episodes, each with one second of the tool's pose and force at 100 Hz.
+fn memory() -> TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let memory = Memory::create(&folder.path().join("episodes")).expect("a memory");
+    let pose = ["x", "y", "z", "qx", "qy", "qz", "qw"].map(|part| format!("measured/{part}"));
+    let force = ["fx", "fy", "fz"].map(|part| format!("external/{part}"));
+    let columns = [pose.as_slice(), &force].concat();
+    let mark = Mark {
+        motion: 0,
+        phase: Phase::Wipe(0),
+    };
+    for id in ["first", "second"] {
+        let writer = memory.begin(id).expect("an episode");
+        let head = TelemetryHead::default();
+        let mut log = writer
+            .telemetry_with_columns(1, head, &columns)
+            .expect("telemetry");
+        for step in 0..100 {
+            let row = [0.1, 0.2, 0.8, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -9.0];
+            log.push(0.01 * f64::from(step), mark, row).expect("a row");
+        }
+        log.finish().expect("telemetry");
+        writer.commit(&record(id)).expect("an episode");
+    }
+    folder
+}
+
+#[test]
+fn all_episodes_come_out_and_back() {
+    let folder = memory();
+    let (code, out, err) = wisch(
+        folder.path(),
+        &["memory", "export", "--neem", "neem", "--json"],
+    );
+    assert_eq!((code, err.as_str()), (0, ""), "{out}");
+    let report: serde_json::Value = serde_json::from_str(&out).expect("one JSON object");
+    assert_eq!(
+        (&report["episodes"], &report["poses"]),
+        (&2.into(), &20.into())
+    );
+    assert_eq!(report["wrenches"], 200);
+    let neem = folder.path().join("neem");
+    assert_eq!(
+        import(&neem).expect("a NEEM"),
+        ["first", "second"].map(record)
+    );
+    for collection in ["triples", "annotations", "inferred", "tf", "wrench"] {
+        let dump = neem.join(collection).join("roslog");
+        for file in [".bson", ".metadata.json"] {
+            assert!(dump.join(format!("{collection}{file}")).is_file());
+        }
+    }
+    let meta = fs::read_to_string(neem.join("meta.json")).expect("meta.json");
+    let meta: serde_json::Value = serde_json::from_str(&meta).expect("JSON");
+    assert_eq!(meta["description"], "2 episodes of robotic wiping: board");
+    assert_eq!(meta["environment"], "chopping board");
+}
+
+#[test]
+fn named_episodes_come_out_at_the_rate_that_is_asked_for() {
+    let folder = memory();
+    let asked = [
+        "memory",
+        "export",
+        "--neem",
+        "neem",
+        "second",
+        "--tf-rate-hz",
+        "50",
+    ];
+    let (code, out, err) = wisch(folder.path(), &asked);
+    assert_eq!((code, err.as_str()), (0, ""), "{out}");
+    assert!(out.starts_with("neem: 1 episode, "), "{out}");
+    assert!(out.contains("50 poses, 100 wrenches"), "{out}");
+    let neem = folder.path().join("neem");
+    assert_eq!(import(&neem).expect("a NEEM"), [record("second")]);
+}
+
+#[test]
+fn wrong_input_leaves_no_folder() {
+    let folder = memory();
+    for (asked, said) in [
+        (["--neem", "neem", "secnd"].as_slice(), "second"),
+        (
+            &["--neem", "neem", "--tf-rate-hz", "-1"],
+            "-1 is not above 0",
+        ),
+        (&["--neem", "neem", "first", "first"], "twice"),
+        (&["--neem", "episodes"], "there is something already"),
+        (&["--neem", "neem", "--memory", "nowhere"], "nowhere"),
+    ] {
+        let args = [&["memory", "export"], asked].concat();
+        let (code, out, err) = wisch(folder.path(), &args);
+        assert_eq!((code, out.as_str()), (2, ""), "{asked:?}");
+        assert!(err.contains(said), "{asked:?}: {err}");
+        let left = fs::read_dir(folder.path()).expect("a folder").count();
+        assert_eq!(left, 1, "{asked:?} leaves only the memory");
+    }
+}

@@ -1,0 +1,258 @@
+//! `wisch run` keeps episodes, and `wisch memory` looks at them, in a real temporary directory.
+
+use assert_cmd::Command;
+use serde_json::Value as Json;
+use std::fs;
+use std::path::Path;
+use tempfile::TempDir;
+use wisch_memory::{EpisodeRecord, Frames, Memory, Origin, PoseAt, Sampling, Value};
+use wisch_telemetry::{LogOptions, read};
+
+/// Joints are stored in single precision; over a robot's length that is this far at the tool [m].
+const POSE_TOLERANCE: f64 = 2e-6;
+/// A force of single precision, of some hundred newtons at most [N].
+const FORCE_TOLERANCE: f64 = 1e-4;
+
+fn wisch(folder: &Path, args: &[&str]) -> (i32, String, String) {
+    let output = Command::new(assert_cmd::cargo::cargo_bin!("wisch"))
+        .current_dir(folder)
+        .args(args)
+        .output()
+        .expect("it runs");
+    (
+        output.status.code().expect("it ends by itself"),
+        String::from_utf8(output.stdout).expect("text"),
+        String::from_utf8(output.stderr).expect("text"),
+    )
+}
+
+/// Standard output of what works.
+fn said(folder: &Path, args: &[&str]) -> String {
+    let (code, out, err) = wisch(folder, args);
+    assert_eq!((code, err.as_str()), (0, ""), "{args:?}: {out}");
+    out
+}
+
+fn folder_with(scenario: &str) -> TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let from = root.join("scenarios").join(scenario);
+    fs::copy(from, folder.path().join("task.toml")).expect("a task");
+    folder
+}
+
+/// A memory with one episode of one round, beside its results in `result`.
+fn one_run() -> (TempDir, Memory, String) {
+    let folder = folder_with("arm-board.toml");
+    let args = ["run", "task.toml", "--rounds", "1", "--out", "result"];
+    let (code, out, err) = wisch(folder.path(), &args);
+    assert!(code <= 1 && err.is_empty(), "{code}: {err}");
+    let memory = Memory::open(&folder.path().join("episodes")).expect("the usual memory");
+    let ids = memory.episodes().expect("a list");
+    assert_eq!(ids.len(), 1);
+    assert!(out.contains(&format!("episodes/{}", ids[0])), "{out}");
+    (folder, memory, ids[0].clone())
+}
+
+fn number(record: &EpisodeRecord, class: &str, property: &str) -> f64 {
+    let mut those = record.individuals.iter().filter(|one| one.class == class);
+    match those.next().and_then(|one| one.values.get(property)) {
+        Some(Value::Number(number)) => *number,
+        other => panic!("{class} {property}: {other:?}"),
+    }
+}
+
+#[test]
+fn a_run_is_kept_as_it_was_and_can_be_asked() {
+    let (folder, memory, id) = one_run();
+    let episode = memory.episode(&id).expect("the episode");
+    let record = episode.record().expect("its record");
+    let text = fs::read_to_string(folder.path().join("result/rounds.json")).expect("rounds");
+    let rounds: Json = serde_json::from_str(&text).expect("JSON");
+    for (property, key) in [
+        ("semco:performance", "estimated"),
+        ("semco:predictedPerformance", "predicted"),
+        ("semco:simulatedPerformance", "true_performance"),
+    ] {
+        let kept = number(&record, "semco:WipingRound", property);
+        assert_eq!(rounds[0][key].as_f64(), Some(kept), "{property}");
+        assert_eq!(number(&record, "semco:WipingAction", property), kept);
+    }
+    parts_lie_within_the_whole(&record);
+    let strokes = record.individuals.iter();
+    let strokes = strokes.filter(|one| one.class == "semco:Stroke").count();
+    assert_eq!(
+        strokes as f64,
+        number(&record, "semco:WipingRound", "semco:strokes")
+    );
+    assert_eq!(record.origin, Origin::Simulated);
+
+    // Against the bag, which another program part wrote.
+    let bag = read(
+        &folder.path().join("result/round-1.mcap"),
+        &LogOptions::default(),
+    );
+    let bag = bag.expect("a bag");
+    let telemetry = episode.telemetry(1).expect("telemetry");
+    assert_eq!(telemetry.rows(), bag.samples.len());
+    let robot = episode.robot().expect("the robot");
+    let frames = Frames::new(&robot, &telemetry).expect("frames");
+    let [first, last] = telemetry.interval().expect("samples");
+    let force = telemetry.values("external/fz", 0..telemetry.rows());
+    for (sample, force) in bag.samples.iter().zip(force.expect("forces")) {
+        assert!((sample.force.z - force).abs() < FORCE_TOLERANCE);
+    }
+    let apart = |a: &PoseAt, sample: &wisch::interpret::TouchSample| {
+        let tool_from_tool = a.world_from_frame.inv_mul(&sample.world_from_tool);
+        tool_from_tool.translation.vector.norm() + tool_from_tool.rotation.angle()
+    };
+    let trajectory = frames.trajectory("sponge", [first, last], Sampling::Count(50));
+    for pose in trajectory.expect("poses") {
+        let row = bag
+            .samples
+            .partition_point(|sample| sample.time < pose.time - 1e-9);
+        let distance = apart(&pose, &bag.samples[row]);
+        assert!(distance < POSE_TOLERANCE, "{distance} at {} s", pose.time);
+    }
+    let half = frames.trajectory("tcp", [first, first + 1.5], Sampling::Every(0.5));
+    assert_eq!(half.expect("poses").len(), 4);
+    let wrong = frames
+        .pose("spong", first)
+        .expect_err("no such frame")
+        .to_string();
+    assert_eq!(
+        wrong,
+        "there is no frame \"spong\"; the nearest is \"sponge\""
+    );
+    let late = frames
+        .pose("tcp", last + 1.0)
+        .expect_err("too late")
+        .to_string();
+    assert!(late.starts_with("time: "), "{late}");
+
+    let listed: Json = serde_json::from_str(&said(folder.path(), &["memory", "list", "--json"]))
+        .expect("one object");
+    assert_eq!(listed["id"], id.as_str());
+    assert_eq!(listed["performance"], rounds[0]["estimated"]);
+    let table = said(folder.path(), &["memory", "list"]);
+    assert!(
+        table.contains(&id) && table.ends_with("1 episode\n"),
+        "{table}"
+    );
+    let shown = said(folder.path(), &["memory", "show", &id]);
+    assert!(
+        shown.contains("Stroke") && shown.contains("round-1.parquet"),
+        "{shown}"
+    );
+
+    // The bag of this very run says the same when it comes back as that of another robot.
+    let bag = [
+        "memory",
+        "import",
+        "result/round-1.mcap",
+        "--task",
+        "task.toml",
+    ];
+    let import = [&bag[..], &["--start-s", "1795309772", "--json"]].concat();
+    let imported: EpisodeRecord =
+        serde_json::from_str(&said(folder.path(), &import)).expect("a record");
+    assert!(
+        imported.id.starts_with("20261122-010932-"),
+        "{}",
+        imported.id
+    );
+    assert_eq!(imported.origin, Origin::Imported("round-1.mcap".to_owned()));
+    let again = number(&imported, "semco:WipingRound", "semco:performance");
+    assert_eq!(rounds[0]["estimated"].as_f64(), Some(again));
+    parts_lie_within_the_whole(&imported);
+    let other = memory.episode(&imported.id).expect("the import");
+    let rows = other.telemetry(1).expect("telemetry").rows();
+    assert_eq!(rows, telemetry.rows());
+
+    assert_eq!(
+        said(folder.path(), &["memory", "verify"]),
+        "2 episodes: all well\n"
+    );
+    let scratched = memory.folder().join(&id).join("round-1.parquet");
+    let mut bytes = fs::read(&scratched).expect("a file");
+    let middle = bytes.len() / 2;
+    bytes[middle] ^= 1;
+    fs::write(&scratched, bytes).expect("a scratch");
+    let (code, out, _) = wisch(folder.path(), &["memory", "verify"]);
+    assert_eq!(code, 1);
+    assert!(
+        out.contains("round-1.parquet") && out.ends_with("1 fault\n"),
+        "{out}"
+    );
+    let forgot = said(folder.path(), &["memory", "forget", &id]);
+    assert_eq!(forgot, format!("forgot {id}\n"));
+    assert_eq!(
+        said(folder.path(), &["memory", "verify"]),
+        "1 episode: all well\n"
+    );
+}
+
+/// Times of parts within those of what they are part of.
+fn parts_lie_within_the_whole(record: &EpisodeRecord) {
+    for one in &record.individuals {
+        let (Some([start, end]), Some(parent)) = (one.interval, one.parent) else {
+            continue;
+        };
+        let [from, to] = record.individuals[parent]
+            .interval
+            .expect("the whole has a time");
+        assert!(from <= start && end <= record.interval[1], "{one:?}");
+        // An event begins during its motion, and may outlast it.
+        let is_event = record.individuals[parent].class != "semco:WipingRound";
+        assert!(end <= to || is_event, "{one:?} in {from} to {to}");
+    }
+}
+
+#[test]
+fn without_a_memory_or_a_robot_nothing_is_kept() {
+    let folder = folder_with("arm-board.toml");
+    let alone = ["run", "task.toml", "--robot", "none"];
+    wisch(folder.path(), &alone);
+    assert!(!folder.path().join("episodes").exists());
+    for (args, expected) in [
+        (
+            &["memory", "list"][..],
+            "episodes: there is no memory of episodes",
+        ),
+        (
+            &["memory", "show", "x", "--memory", "."],
+            "there is no episode \"x\"",
+        ),
+        (
+            &["run", "task.toml", "--memory", "task.toml"],
+            "task.toml: ",
+        ),
+        (
+            &["run", "task.toml", "--memory", "m", "--no-memory"],
+            "--no-memory",
+        ),
+        (
+            &["memory", "import", "none.mcap", "--task", "task.toml"],
+            "none.mcap",
+        ),
+        (
+            &[
+                "memory",
+                "import",
+                "x",
+                "--task",
+                "task.toml",
+                "--start-s=-1",
+            ],
+            "-1 is not between 0 and 10000000000",
+        ),
+    ] {
+        let (code, out, err) = wisch(folder.path(), args);
+        assert_eq!((code, out.as_str()), (2, ""), "{args:?}");
+        assert!(
+            err.starts_with("error: ") && err.contains(expected),
+            "{err}"
+        );
+    }
+    assert!(!folder.path().join("episodes").exists());
+}

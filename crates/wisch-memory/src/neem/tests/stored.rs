@@ -1,0 +1,122 @@
+//! Episodes of the store.
+
+use super::super::bson::{Bson, Document};
+use super::super::{NeemConfig, NeemError, NeemWriter, PoseSource, import};
+use super::{bumped, documents, meta};
+use crate::store::Memory;
+use crate::telemetry::{Mark, TelemetryHead};
+use wisch::follow::Phase;
+use wisch::geometry::{Pose, Vector3};
+use wisch::robot::RobotModel;
+
+/// A memory with [`bumped`] in it: one second at 1 kHz of an arm that turns about its first joint.
+fn stored(folder: &std::path::Path, robot: &RobotModel) -> Memory {
+    let memory = Memory::create(&folder.join("episodes")).unwrap();
+    let writer = memory.begin(&bumped().id).unwrap();
+    let joints: Vec<String> = (0..robot.dof())
+        .map(|variable| robot.variable(variable).name.clone())
+        .collect();
+    let origin =
+        serde_json::json!({"position": [0.0, 0.0, 0.0], "quaternion": [0.0, 0.0, 0.0, 1.0]});
+    let mut tool = origin.clone();
+    tool["position"] = serde_json::json!([0.0, 0.0, 0.25]);
+    let tip = &robot.links().last().unwrap().name;
+    let scene = serde_json::json!({
+        "schema": 1, "robot": "arm7", "world_from_root": origin, "tip": tip, "tip_from_tool": tool,
+        "tool": "sponge", "surface": "chopping_board", "world_from_surface": origin,
+    });
+    let mut columns: Vec<String> = joints
+        .iter()
+        .map(|joint| format!("position/{joint}"))
+        .collect();
+    columns.extend(["x", "y", "z", "qx", "qy", "qz", "qw"].map(|part| format!("measured/{part}")));
+    columns.extend(["fx", "fy", "fz", "mx", "my", "mz"].map(|part| format!("external/{part}")));
+    let head = TelemetryHead {
+        joints: joints.clone(),
+        notes: [("scene".to_owned(), scene.to_string())].into(),
+    };
+    let mut log = writer.telemetry_with_columns(1, head, &columns).unwrap();
+    let mark = Mark {
+        motion: 0,
+        phase: Phase::Transfer,
+    };
+    for step in 0..1000 {
+        let time = 1e-3 * f64::from(step);
+        let mut row = vec![0.0; columns.len()];
+        row[0] = time;
+        row[joints.len()..].copy_from_slice(&[
+            0.5, 0.25, time, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -8.0, 0.0, 0.0, 0.0,
+        ]);
+        log.push(time, mark, row).unwrap();
+    }
+    log.finish().unwrap();
+    writer.commit(&bumped()).unwrap();
+    memory
+}
+
+fn arm() -> RobotModel {
+    let urdf = include_str!("../../../../../robots/arm7.urdf");
+    RobotModel::from_urdf("arm7.urdf", urdf, &mut |mesh| Err(mesh.to_owned())).unwrap()
+}
+
+#[test]
+fn a_stored_episode_brings_its_poses_and_wrenches() {
+    let folder = tempfile::tempdir().unwrap();
+    let robot = arm();
+    let memory = stored(folder.path(), &robot);
+    let episode = memory.episode(&bumped().id).unwrap();
+    let export = |name, poses| {
+        let neem = folder.path().join(name);
+        let mut writer = NeemWriter::create(&neem, &meta(), &NeemConfig::default()).unwrap();
+        writer.stored(&episode, poses).unwrap();
+        (writer.finish().unwrap(), neem)
+    };
+    let (report, by_tool) = export("tool", PoseSource::Tool);
+    assert_eq!((report.poses, report.wrenches), (10, 1000));
+    let (report, by_robot) = export("robot", PoseSource::Robot(&robot));
+    let frames = robot.links().len() as u64 + 3;
+    assert_eq!((report.poses, report.wrenches), (10 * frames, 1000));
+    for neem in [&by_tool, &by_robot] {
+        assert_eq!(import(neem).unwrap(), [bumped()]);
+    }
+    let sponge = |neem| -> Vec<Document> {
+        let mut poses = documents(neem, "tf");
+        poses.retain(|pose| pose.text("child_frame_id") == Some("sponge"));
+        poses
+    };
+    let position = |pose: &Document| {
+        let translation = pose.document("transform").unwrap().document("translation");
+        ["x", "y", "z"].map(|axis| translation.unwrap().number(axis).unwrap())
+    };
+    let stamp = |pose: &Document| pose.document("header").unwrap().get("stamp").cloned();
+    for (number, pose) in sponge(&by_tool).iter().enumerate() {
+        let [x, y, z] = position(pose);
+        assert_eq!([x, y], [0.5, 0.25]);
+        // Telemetry keeps 32 bits of a pose.
+        assert!((z - 0.1 * number as f64).abs() < 1e-6, "{z}");
+    }
+    for (number, pose) in sponge(&by_robot).iter().enumerate() {
+        let mut q = vec![0.0; robot.dof()];
+        q[0] = f64::from(0.1_f32 * number as f32);
+        let kinematics = robot.forward_kinematics(&q).unwrap();
+        let tip = robot.link(&robot.links().last().unwrap().name).unwrap();
+        let expected = kinematics.world_from_link(tip) * Pose::translation(0.0, 0.0, 0.25);
+        let error = Vector3::from(position(pose)) - expected.translation.vector;
+        assert!(error.norm() < 1e-6, "{error}");
+        let milliseconds = 1_767_225_600_000 + 100 * number as i64;
+        assert_eq!(stamp(pose), Some(Bson::Date(milliseconds)));
+    }
+}
+
+#[test]
+fn telemetry_of_another_robot_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = stored(folder.path(), &arm());
+    let urdf = include_str!("../../../../../robots/arm6.urdf");
+    let other = RobotModel::from_urdf("arm6.urdf", urdf, &mut |mesh| Err(mesh.to_owned())).unwrap();
+    let neem = folder.path().join("neem");
+    let mut writer = NeemWriter::create(&neem, &meta(), &NeemConfig::default()).unwrap();
+    let episode = memory.episode(&bumped().id).unwrap();
+    let refused = writer.stored(&episode, PoseSource::Robot(&other));
+    assert!(matches!(refused, Err(NeemError::Frames(_))), "{refused:?}");
+}
