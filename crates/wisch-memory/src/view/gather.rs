@@ -277,7 +277,7 @@ impl Gathering<'_> {
         let same = (self.known.iter()).find(|((id, _), _)| *id == row.id);
         let robot = match same {
             Some((_, &place)) => Rc::clone(&self.opened[place].robot),
-            None => Rc::new(robot_of(&episode)?),
+            None => Rc::new(episode.robot()?),
         };
         let frames = Frames::new(&robot, &telemetry)?;
         let scene = frames.scene();
@@ -494,18 +494,6 @@ fn parts(frames: &Frames, robot: &RobotModel, time: f64) -> Result<Vec<Part>, Vi
         })
     });
     Ok(parts.collect())
-}
-
-fn robot_of(episode: &Episode) -> Result<RobotModel, ViewError> {
-    let file = "robot.urdf";
-    let broken = |what: String| ViewError::Robot {
-        episode: episode.id().to_owned(),
-        what,
-    };
-    let text = String::from_utf8(episode.attachment(file)?)
-        .map_err(|error| broken(format!("{file}: {error}")))?;
-    let mut none = |mesh: &str| Err(format!("{mesh}: an episode keeps none"));
-    RobotModel::from_urdf(file, &text, &mut none).map_err(|error| broken(error.to_string()))
 }
 
 /// What happened in an episode, but for its parts that are nothing but wholes.

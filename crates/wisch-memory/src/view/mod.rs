@@ -106,14 +106,6 @@ pub enum ViewError {
         /// To when [s since 1970].
         to: f64,
     },
-    /// An episode without a robot.
-    #[error("episode {episode}: {what}")]
-    Robot {
-        /// Its name.
-        episode: String,
-        /// What is wrong.
-        what: String,
-    },
     /// Particles that cannot be read.
     #[error("episode {episode}: {file}: {what}")]
     Particles {
