@@ -18,6 +18,10 @@ const SCRIPT: &str = include_str!("space.js");
 /// Most rows of the table.
 const MAX_ROWS: usize = 200;
 
+/// Most letters of a cell, and those that are left of a longer one.
+const LONG_CELL: usize = 90;
+const SHORT_CELL: usize = 36;
+
 /// What the page is made of.
 #[derive(Debug, Clone, Copy)]
 pub struct AnswersInput<'a> {
@@ -96,7 +100,7 @@ fn table(answers: &Answers) -> Markup {
                     thead { tr { @for &column in &columns { th scope="col" { (answers.names[column]) } } } }
                     tbody {
                         @for row in answers.rows.iter().take(MAX_ROWS) {
-                            tr { @for &column in &columns { td { (cell(row.get(column))) } } }
+                            tr { @for &column in &columns { td { (folded(&cell(row.get(column)))) } } }
                         }
                     }
                 }
@@ -104,6 +108,17 @@ fn table(answers: &Answers) -> Markup {
             @if count > MAX_ROWS {
                 p class="note" { "The first " (MAX_ROWS) " are listed." }
             }
+        }
+    }
+}
+
+/// Long texts are folded up, for the table to stay one.
+fn folded(text: &str) -> Markup {
+    let letters = text.chars().count();
+    let start: String = text.chars().take(SHORT_CELL).collect();
+    html! {
+        @if letters <= LONG_CELL { (text) } @else {
+            details { summary { (start) "…" } (text) }
         }
     }
 }
@@ -138,6 +153,7 @@ fn in_space(space: &Space) -> Markup {
             div class="stage" id="space-stage" hidden {
                 canvas id="space" tabindex="0" role="img" aria-label="What the query shows, in 3-D: drag to turn, shift and drag to move, arrow keys to turn" {}
                 div class="views" {
+                    @if space.shines() { button type="button" data-look="near" { "Near" } }
                     button type="button" data-look="asked" { "What is asked" }
                     button type="button" data-look="all" { "All" }
                     button type="button" data-look="above" { "From above" }

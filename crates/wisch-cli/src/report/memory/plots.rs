@@ -6,17 +6,17 @@ use maud::{Markup, html};
 use std::f64::consts::TAU;
 use wisch_memory::view::{Diagram, Plot, PlotData};
 
-const WIDTH: f64 = 640.0;
-const LEFT: f64 = 76.0;
+const WIDTH: f64 = 460.0;
+const LEFT: f64 = 62.0;
 const RIGHT: f64 = 16.0;
 const TOP: f64 = 14.0;
-const HEIGHT: f64 = 280.0;
+const HEIGHT: f64 = 220.0;
 const ROW: f64 = 24.0;
 /// Room for labels of rows, and for their numbers.
-const LABELS: f64 = 190.0;
-const NUMBERS: f64 = 70.0;
+const LABELS: f64 = 136.0;
+const NUMBERS: f64 = 58.0;
 /// Most letters of a label.
-const LETTERS: usize = 28;
+const LETTERS: usize = 22;
 /// Most slices and rows; the others are put together or left out.
 const MAX_ROWS: usize = 60;
 const MAX_SLICES: usize = 10;
@@ -63,7 +63,7 @@ fn pie(amounts: &[(String, f64)], title: &str) -> Markup {
         slices[MAX_SLICES - 1] = (format!("{} others", rest.len()), rest_of_all);
     }
     let height = (ROW * slices.len() as f64 + 20.0).max(220.0);
-    let (radius, x, y) = (96.0, 120.0, height / 2.0);
+    let (radius, x, y) = (88.0, 96.0, height / 2.0);
     let mut turned = 0.0;
     let drawn: Vec<(String, &str, &str, f64, f64)> = (slices.iter().zip(HUES))
         .map(|((label, amount), hue)| {
@@ -84,8 +84,8 @@ fn pie(amounts: &[(String, f64)], title: &str) -> Markup {
             @for (row, (path, label, hue, amount, share)) in drawn.iter().enumerate() {
                 path class="slice" fill=(format!("var(--{hue})")) d=(path) {}
                 @let at = (height - ROW * drawn.len() as f64) / 2.0 + ROW * row as f64;
-                rect fill=(format!("var(--{hue})")) x="260" y=(px(at + 5.0)) width="13" height="13" rx="3" {}
-                text class="text" x="282" y=(px(at + 16.0)) {
+                rect fill=(format!("var(--{hue})")) x="206" y=(px(at + 5.0)) width="13" height="13" rx="3" {}
+                text class="text small" x="226" y=(px(at + 16.0)) {
                     (short(label)) " · " (number(*amount)) " · " (format!("{:.1} %", 100.0 * share))
                 }
             }
@@ -302,14 +302,23 @@ fn number(value: f64) -> String {
     text.replace('-', "\u{2212}")
 }
 
-/// A label that fits.
+/// A label that fits: of an individual its class and number, of others both ends.
 fn short(label: &str) -> String {
     let label = local(label);
-    if label.chars().count() <= LETTERS {
-        return label.to_owned();
+    let individual = label.split_once('_').and_then(|(class, rest)| {
+        let (episode, number) = rest.rsplit_once('-')?;
+        let is_number = number.bytes().all(|byte| byte.is_ascii_digit());
+        (is_number && episode.contains('-')).then(|| format!("{class} {number}"))
+    });
+    let label = individual.unwrap_or_else(|| label.to_owned());
+    let letters: Vec<char> = label.chars().collect();
+    if letters.len() <= LETTERS {
+        return label;
     }
-    let cut: String = label.chars().take(LETTERS - 1).collect();
-    format!("{cut}…")
+    let half = LETTERS / 2;
+    let ends = [&letters[..half], &letters[letters.len() - half + 1..]];
+    let [first, last] = ends.map(|end| end.iter().collect::<String>());
+    format!("{first}…{last}")
 }
 
 #[cfg(test)]
@@ -328,6 +337,16 @@ mod tests {
         assert_eq!(axis.named("time [s]"), "time [s] since 1795312612.000");
         let texts: Vec<String> = axis.ticks().into_iter().map(|(_, text)| text).collect();
         assert_eq!(texts, ["0", "1", "2", "3", "4", "5"]);
+    }
+
+    #[test]
+    fn labels_are_shortened_without_their_difference() {
+        assert_eq!(short("semco:Stroke_20261122-021522-785e-39"), "Stroke 39");
+        assert_eq!(short("sponge"), "sponge");
+        assert_eq!(
+            short("a_very_long_name_of_something-1"),
+            "a_very_long…omething-1"
+        );
     }
 
     #[test]

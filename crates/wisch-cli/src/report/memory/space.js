@@ -187,10 +187,15 @@ const rgb = (name) => {
 
 // The camera goes round a place.
 const view = { target: whole.center, distance: 3, azimuth: 0.8, height: 0.5 };
+const CLOSE = 0.45; // least that is shown round what shines [m]
 const look = (what) => {
-  const asked = items.filter((item) => item.shown && item.asked);
-  const list = what === "all" || !asked.length ? items.filter((item) => item.shown) : asked;
-  const { center, radius } = ball(list);
+  const shown = items.filter((item) => item.shown && item.count);
+  const asked = shown.filter((item) => item.asked);
+  const shining = asked.filter((item) => item.shines);
+  const whole = ball(what === "all" || !asked.length ? shown : asked);
+  const close = ball(shining);
+  const near = what === "near" && shining.length && 2 * close.radius < whole.radius;
+  const { center, radius } = near ? { center: close.center, radius: Math.max(CLOSE, 1.5 * close.radius) } : whole;
   view.target = center;
   const narrow = Math.min(1, canvas.clientWidth / Math.max(1, canvas.clientHeight));
   view.distance = (1.02 * radius) / Math.sin((FIELD / 2) * narrow);
@@ -318,7 +323,7 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", ask);
 let shaped = false;
 new ResizeObserver(() => {
   if (!canvas.clientWidth) return;
-  if (!shaped) look("asked");
+  if (!shaped) look("near");
   shaped = true;
   ask();
 }).observe(canvas);

@@ -5,7 +5,7 @@ use serde::Serialize;
 use wisch::geometry::{Mesh, Point3, Polygon, Pose, Vector3};
 use wisch::robot::Shape;
 use wisch_memory::view::{
-    Body, Colour, Dirt, DirtState, Emphasis, Figure, ShownRound, Track, View,
+    Body, Colour, Dirt, DirtState, Emphasis, Figure, Part, ShownRound, Track, View,
 };
 
 /// Most triangles of one mesh.
@@ -115,11 +115,17 @@ impl Space {
         self.items.is_empty()
     }
 
+    /// Whether something shines that can be looked at from near.
+    pub(super) fn shines(&self) -> bool {
+        self.items.iter().any(|item| item.shines)
+    }
+
     fn surroundings(&mut self, round: &ShownRound) {
         let [_, _, name] = &round.names;
         self.surface = Some(vector(&round.world_from_surface.translation.vector));
         if let Some(outline) = &round.outline {
-            let item = self.surface_item(name, round, outline);
+            let mut item = Item::new(name, "outline");
+            item.lines = rings(round, outline, &round.world_from_surface);
             self.items.push(item);
         }
         if !round.objects.is_empty() {
@@ -130,20 +136,6 @@ impl Space {
             }
             self.items.push(item);
         }
-    }
-
-    fn surface_item(&mut self, name: &str, round: &ShownRound, outline: &Polygon) -> Item {
-        let mut item = Item::new(name, "outline");
-        let radius = line_radius(round) / 3.0;
-        item.lines = (outline.rings())
-            .map(|ring| {
-                let closed = ring.iter().chain(ring.first());
-                let points =
-                    closed.map(|p| round.world_from_surface * Point3::new(p.x, p.y, ABOVE));
-                Line::new(radius, points)
-            })
-            .collect();
-        item
     }
 
     /// All of a round's way, thin, for what is looked at to be seen in it.
@@ -162,56 +154,49 @@ impl Space {
 
     fn body(&mut self, view: &View, body: &Body, robots: usize) {
         let round = &view.rounds[body.round];
-        let usual = match body.figure {
-            Figure::Robot { .. } => "robot-arm",
-            Figure::Tool(_) => "tool",
-            Figure::Surface(_) => "surface-3d",
-            Figure::Frame(_) => "plane",
-        };
-        let name = format!(
-            "{} {}",
-            local(&body.thing),
-            moment(view, body.round, body.time)
+        let at = moment(view, body.round, body.time);
+        let name = format!("{} {at}", named(round, &body.thing));
+        let mut item = Item::new(
+            &name,
+            &tint(body.emphasis, body.colour, usual(&body.figure)),
         );
-        let mut item = Item::new(&name, &tint(body.emphasis, body.colour, usual));
         item.asked = true;
         match &body.figure {
             Figure::Robot {
                 parts,
                 world_from_tool,
             } => {
-                for part in parts {
-                    let form = self.form(&part.shape);
-                    let pose = seven(&part.world_from_shape);
-                    item.solids.push(Solid { pose, form });
-                }
-                if let Some(base) = parts.first() {
-                    let at = vector(&base.world_from_shape.translation.vector);
-                    self.robot.get_or_insert(at);
-                }
                 if robots > 0 {
                     item.alpha = GHOST;
                 }
-                let mut held = Item::new(
-                    &format!("{} {}", round.names[1], moment(view, body.round, body.time)),
-                    "tool",
-                );
+                let mut held = Item::new(&format!("{} {at}", round.names[1]), "tool");
                 held.alpha = item.alpha;
                 held.asked = true;
                 held.solids.push(self.tool(round, world_from_tool));
-                self.items.push(held);
+                item.solids = self.parts(parts);
+                self.items.extend([item, held]);
+                return;
             }
             Figure::Tool(world_from_tool) => item.solids.push(self.tool(round, world_from_tool)),
             Figure::Surface(world_from_surface) => match &round.outline {
-                Some(outline) => {
-                    let here = self.surface_item(&name, round, outline);
-                    item.lines = here.lines;
-                }
+                Some(outline) => item.lines = rings(round, outline, world_from_surface),
                 None => item.dots.push(mark(round, world_from_surface)),
             },
             Figure::Frame(world_from_frame) => item.dots.push(mark(round, world_from_frame)),
         }
         self.items.push(item);
+    }
+
+    fn parts(&mut self, parts: &[Part]) -> Vec<Solid> {
+        if let Some(base) = parts.first() {
+            let at = vector(&base.world_from_shape.translation.vector);
+            self.robot.get_or_insert(at);
+        }
+        let solids = parts.iter().map(|part| Solid {
+            pose: seven(&part.world_from_shape),
+            form: self.form(&part.shape),
+        });
+        solids.collect()
     }
 
     /// The tool; a ball where its mesh is not known.
@@ -232,7 +217,7 @@ impl Space {
         let [from, to] = track.interval;
         let name = format!(
             "{}'s way {} to {}",
-            local(&track.thing),
+            named(round, &track.thing),
             moment(view, track.round, from),
             since(view, track.round, to)
         );
@@ -329,6 +314,26 @@ impl Line {
     }
 }
 
+/// The rings of an outline, a little above the surface.
+fn rings(round: &ShownRound, outline: &Polygon, world_from_surface: &Pose) -> Vec<Line> {
+    let rings = outline.rings().map(|ring| {
+        let closed = ring.iter().chain(ring.first());
+        let points = closed.map(|p| world_from_surface * Point3::new(p.x, p.y, ABOVE));
+        Line::new(line_radius(round) / 3.0, points)
+    });
+    rings.collect()
+}
+
+/// The colour of what a query gives none.
+const fn usual(figure: &Figure) -> &'static str {
+    match figure {
+        Figure::Robot { .. } => "robot-arm",
+        Figure::Tool(_) => "tool",
+        Figure::Surface(_) => "surface-3d",
+        Figure::Frame(_) => "plane",
+    }
+}
+
 fn mark(round: &ShownRound, world_from_frame: &Pose) -> Line {
     let place = Point3::from(world_from_frame.translation.vector);
     Line::new(3.0 * line_radius(round), [place].into_iter())
@@ -377,6 +382,14 @@ fn moment(view: &View, round: usize, time: f64) -> String {
 fn since(view: &View, round: usize, time: f64) -> String {
     let began = view.episodes[view.rounds[round].episode].interval[0];
     format!("{:.1} s", time - began)
+}
+
+/// What people call a thing.
+fn named<'a>(round: &'a ShownRound, thing: &'a str) -> &'a str {
+    match local(thing) {
+        "tool" | "tcp" => &round.names[1],
+        name => name,
+    }
 }
 
 /// A name without its prefix.

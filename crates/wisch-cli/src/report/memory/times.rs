@@ -80,7 +80,7 @@ pub(super) fn timeline(episode: &ShownEpisode) -> Markup {
                     @if to - from > 1.0 {
                         rect class="looked" x=(px(from)) y=(px(TOP - 4.0)) width=(px(to - from)) height=(px(bottom - TOP + 8.0)) {}
                     } @else {
-                        path class="cursor" d=(format!("M{} {}V{}", px(from), px(TOP - 8.0), px(bottom + 4.0))) {}
+                        path class="looked-at" d=(format!("M{} {}V{}", px(from), px(TOP - 8.0), px(bottom + 4.0))) {}
                     }
                 }
                 path class="axis" d=(format!("M{} {}H{}", px(LEFT), px(bottom + 4.0), px(WIDTH - RIGHT))) {}
