@@ -1,127 +1,68 @@
-//! Asks synthetic episodes, and takes the time: `ask [--swi] EPISODES QUERY…`; each query is asked twice.
+//! Asks a memory, and takes the time: `ask [--swi] FOLDER QUERY…`.
+//!
+//! Each query is asked six times: the first of an engine that knows nothing yet; of the others the median counts. A
+//! memory of many episodes is made by the example `synthetic`.
 
+use std::path::Path;
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
+use wisch_memory::Memory;
 use wisch_memory::ask::{Asker, EngineCommand, Limits, Senses, Told, work};
-use wisch_memory::{Catalogue, EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
 
-/// One episode: a round of four strokes, some of them pushed.
-fn episode(number: u32) -> EpisodeRecord {
-    let start = 1.7e9 + 100.0 * f64::from(number);
-    let individual =
-        |class: &str, parent: usize, at: [f64; 2], values: &[(&str, f64)]| Individual {
-            class: format!("semco:{class}"),
-            interval: Some(at.map(|t| start + t)),
-            parent: Some(parent),
-            relations: [].into(),
-            values: values
-                .iter()
-                .map(|(name, value)| (format!("semco:{name}"), Value::Number(*value)))
-                .collect(),
-        };
-    let performance = 0.6 + 0.4 * f64::from(number * 37 % 100) / 100.0;
-    let quality = [("performance", performance)];
-    let mut individuals = vec![
-        individual("WipingEpisode", 0, [0.0, 60.0], &[]),
-        individual("WipingAction", 0, [0.0, 60.0], &quality),
-        individual(
-            "WipingRound",
-            1,
-            [0.0, 60.0],
-            &[("performance", performance), ("round", 1.0)],
-        ),
-    ];
-    individuals[0].parent = None;
-    individuals[1].relations = [
-        ("semco:usesTool".to_owned(), vec!["semco:sponge".to_owned()]),
-        (
-            "soma:isPerformedBy".to_owned(),
-            vec!["semco:humanoid".to_owned()],
-        ),
-    ]
-    .into();
-    for stroke in 0..10 {
-        let begin = 6.0 * f64::from(stroke);
-        individuals.push(individual(
-            "Stroke",
-            2,
-            [begin, begin + 5.0],
-            &[("meanNormalForce", -9.5)],
-        ));
-    }
-    let from = 3.0 + f64::from(number % 40);
-    let force = 15.0 + f64::from(number % 23);
-    individuals.push(individual(
-        "HumanCollision",
-        3,
-        [from, from + 1.5],
-        &[("peakForce", force)],
-    ));
-    EpisodeRecord {
-        schema: EPISODE_SCHEMA,
-        id: format!("e{number}"),
-        task: "board".to_owned(),
-        interval: [start, start + 60.0],
-        origin: Origin::Simulated,
-        program: "example".to_owned(),
-        seed: 0,
-        rounds: vec![start],
-        individuals,
-    }
-}
+/// How often a query is asked of an engine that knows it.
+const WARM: usize = 5;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments: Vec<String> = std::env::args().skip(1).collect();
-    if arguments
-        .first()
-        .is_some_and(|argument| argument == "engine")
-    {
+    if arguments.first().is_some_and(|first| first == "engine") {
         return Ok(work(arguments[1].parse()?)?);
     }
-    let command = if arguments
-        .first()
-        .is_some_and(|argument| argument == "--swi")
-    {
+    let mut command = EngineCommand::Own(std::env::current_exe()?, vec!["engine".to_owned()]);
+    if arguments.first().is_some_and(|first| first == "--swi") {
         arguments.remove(0);
-        EngineCommand::Swi("swipl".into())
-    } else {
-        EngineCommand::Own(std::env::current_exe()?, vec!["engine".to_owned()])
+        command = EngineCommand::Swi("swipl".into());
+    }
+    let Some((folder, queries)) = arguments.split_first() else {
+        return Err("ask [--swi] FOLDER QUERY...".into());
     };
-    let count = arguments.remove(0).parse()?;
-    let episodes: Vec<_> = (0..count).map(episode).collect();
-    let catalogue = Arc::new(Catalogue::of(&episodes));
-    let limits = Limits::default();
-    let mut asker = Asker::new(
-        command,
-        limits,
-        catalogue,
-        Senses::default(),
-        Told::default(),
-    );
-    for query in &arguments {
-        println!("?- {query}");
-        for _ in 0..2 {
-            let begin = Instant::now();
-            let result = asker.ask(query);
-            let time = begin.elapsed();
-            match result {
-                Ok(answers) => {
-                    for row in answers.rows.iter().take(3) {
-                        let shown = answers.names.iter().zip(row);
-                        let shown: Vec<_> = shown
-                            .map(|(name, term)| format!("{name} = {term}"))
-                            .collect();
-                        println!("   {}", shown.join(", "));
-                    }
-                    println!(
-                        "   {} answers, {} views, {time:.1?}",
-                        answers.rows.len(),
-                        answers.views.len()
-                    );
-                }
-                Err(error) => println!("   {error}, {time:.1?}"),
+    let begin = Instant::now();
+    let memory = Memory::open(Path::new(folder))?;
+    let catalogue = Arc::new(memory.catalogue()?);
+    let episodes = catalogue.episodes().len();
+    println!("{episodes} episodes, opened in {:.1?}", begin.elapsed());
+    let limits = Limits {
+        answers: 100_000,
+        ..Limits::default()
+    };
+    let senses = Senses::of(memory);
+    let mut asker = Asker::new(command, limits, catalogue, senses, Told::default());
+    println!("{:>10} {:>10} {:>8}", "cold", "warm", "answers");
+    for query in queries {
+        match times(&mut asker, query) {
+            Ok((cold, warm, answers)) => {
+                let [cold, warm] = [cold, warm].map(|time| format!("{:.1} ms", 1e3 * time.as_secs_f64()));
+                println!("{cold:>10} {warm:>10} {answers:>8}  {query}");
             }
+            Err(error) => println!("{query}: {error}"),
         }
     }
     Ok(())
+}
+
+/// The first time, the median of the later ones, and how many answers there are.
+fn times(
+    asker: &mut Asker,
+    query: &str,
+) -> Result<(Duration, Duration, usize), wisch_memory::ask::AskError> {
+    let begin = Instant::now();
+    let answers = asker.ask(query)?.rows.len();
+    let cold = begin.elapsed();
+    let mut warm = Vec::new();
+    for _ in 0..WARM {
+        let begin = Instant::now();
+        asker.ask(query)?;
+        warm.push(begin.elapsed());
+    }
+    warm.sort();
+    Ok((cold, warm[WARM / 2], answers))
 }

@@ -10,7 +10,7 @@ use wisch::robot::{LinkId, RobotError, RobotModel};
 use wisch::run::Motion;
 
 /// Version of [`RoundScene`].
-const SCENE_SCHEMA: u32 = 1;
+pub const SCENE_SCHEMA: u32 = 1;
 /// The telemetry's note that holds the scene.
 const SCENE_NOTE: &str = "scene";
 /// Frames that every episode has besides the robot's links.
@@ -21,12 +21,15 @@ const MAX_SAMPLES: usize = 4_000_000;
 /// Where things were in a round that its joints do not tell.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RoundScene {
-    /// Its version.
-    schema: u32,
+    /// [`SCENE_SCHEMA`].
+    pub schema: u32,
     /// The robot's name.
     pub robot: String,
     /// Where its root link stood.
     pub world_from_root: StoredPose,
+    /// The link that stands on the floor and moves over it; `None` where that is the root.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub base: Option<String>,
     /// The link that held the tool.
     pub tip: String,
     /// The tool in that link's frame.
@@ -77,6 +80,10 @@ impl RoundScene {
             schema: SCENE_SCHEMA,
             robot: robot.name().to_owned(),
             world_from_root: cell.world_from_root().into(),
+            base: cell.base().map(|base| {
+                let carried = robot.variable(base.yaw).child;
+                robot.links()[carried.index()].name.clone()
+            }),
             tip: robot.links()[cell.tip().index()].name.clone(),
             tip_from_tool: cell.tip_from_tool().into(),
             tool: motion.task.tool.name.clone(),
@@ -93,6 +100,7 @@ impl RoundScene {
             schema: SCENE_SCHEMA,
             robot: robot.to_owned(),
             world_from_root: nowhere,
+            base: None,
             tip: tip.to_owned(),
             tip_from_tool: nowhere,
             tool: tool.to_owned(),
@@ -205,7 +213,7 @@ enum Carrier {
 /// The frames of one round.
 ///
 /// Frames are the robot's links by name, `tool` and `tcp` (the tool centre point) or the tool's name, `robot` and
-/// `base` or the robot's name (the first link that moves over the floor, else the root), `surface` or the
+/// `base` or the robot's name (the link that moves over the floor, else the root), `surface` or the
 /// surface's name, and `world`.
 #[derive(Debug)]
 pub struct Frames<'a> {
@@ -213,6 +221,7 @@ pub struct Frames<'a> {
     telemetry: &'a Telemetry,
     scene: RoundScene,
     tip: LinkId,
+    base: LinkId,
     columns: Vec<String>,
 }
 
@@ -260,6 +269,11 @@ impl<'a> Frames<'a> {
         }
         Ok(Self {
             tip: robot.link(&scene.tip)?,
+            base: match &scene.base {
+                Some(base) => robot.link(base)?,
+                // The first of the links, of which a robot has one at least.
+                None => robot.link(&robot.links()[0].name)?,
+            },
             columns: joints
                 .iter()
                 .map(|joint| format!("position/{joint}"))
@@ -379,20 +393,12 @@ impl<'a> Frames<'a> {
             "world" => Ok((Carrier::World, Pose::identity())),
             "tool" | "tcp" => Ok((Carrier::Link(self.tip), scene.tip_from_tool.into())),
             "surface" => Ok((Carrier::World, scene.world_from_surface.into())),
-            "robot" | "base" => at(self.base()),
+            "robot" | "base" => at(self.base),
             name if name == scene.tool => self.carrier("tcp"),
             name if name == scene.surface => self.carrier("surface"),
             name if name == scene.robot => self.carrier("robot"),
             name => Err(self.unknown(name)),
         }
-    }
-
-    /// The link that stands on the floor: behind the joints of a mobile base, else the root.
-    fn base(&self) -> LinkId {
-        let named = ["base_link", "base", "base_footprint", "mobile_base"];
-        let mut found = named.iter().filter_map(|name| self.robot.link(name).ok());
-        let first = || self.robot.link(&self.robot.links()[0].name);
-        found.next().or_else(|| first().ok()).unwrap_or(self.tip)
     }
 
     fn unknown(&self, name: &str) -> FrameError {

@@ -102,7 +102,7 @@ fn an_episode_is_read_back_and_forgotten() {
     let memory = memory(folder.path());
     let record = one_round(0);
     store(&memory, &record).unwrap();
-    assert_eq!(memory.episodes().unwrap(), [record.id.clone()]);
+    assert_eq!(memory.episodes().unwrap(), [record.id.as_str()]);
     let episode = memory.episode(&record.id).unwrap();
     assert_eq!(episode.record().unwrap(), record);
     assert_eq!(episode.attachment("round-1/plan.json").unwrap(), b"{}");

@@ -27,6 +27,9 @@ pub(super) const PROGRAM: &str = concat!("wisch ", env!("CARGO_PKG_VERSION"));
 /// How often another name is tried where one is taken.
 const NAMES_TRIED: u16 = 100;
 
+/// Adds a file to an episode: its name and contents.
+pub(super) type Attach<'a> = dyn Fn(&str, &[u8]) -> Result<(), Failure> + 'a;
+
 /// An episode that is being written, or none.
 pub struct Remembering {
     kept: Option<Kept>,
@@ -171,7 +174,7 @@ impl Kept {
 pub(super) fn attach_task(
     args: &TaskArgs,
     prepared: &Prepared,
-    attach: &dyn Fn(&str, &[u8]) -> Result<(), Failure>,
+    attach: &Attach<'_>,
 ) -> Result<(), Failure> {
     attach("task.toml", read_text(&args.task)?.as_bytes())?;
     let options = Options {
@@ -183,10 +186,7 @@ pub(super) fn attach_task(
     attach("options.json", json(&options)?.as_bytes())
 }
 
-fn attach_round(
-    done: &Done,
-    attach: &dyn Fn(&str, &[u8]) -> Result<(), Failure>,
-) -> Result<(), Failure> {
+fn attach_round(done: &Done, attach: &Attach<'_>) -> Result<(), Failure> {
     let round = &done.round;
     let motion = &round.motion;
     let name = |file: &str| format!("round-{}/{file}", motion.number);

@@ -299,7 +299,9 @@ fn relate(record: &mut EpisodeRecord, left: Vec<Said>) -> Result<(), NeemError> 
     }
     for (place, said) in left.into_iter().enumerate() {
         let subject = iri(&individual(record, place))?;
-        for (property, object) in said {
+        let mut kept = Vec::new();
+        // From the end: what is derived was said after what the record says.
+        for (property, object) in said.into_iter().rev() {
             let Object::Iri(object) = object else {
                 continue;
             };
@@ -318,7 +320,10 @@ fn relate(record: &mut EpisodeRecord, left: Vec<Said>) -> Result<(), NeemError> 
                     .compact(&object)
                     .ok_or(NeemError::Iri { iri: object })?,
             };
-            let relations = &mut record.individuals[place].relations;
+            kept.push((property, object));
+        }
+        let relations = &mut record.individuals[place].relations;
+        for (property, object) in kept.into_iter().rev() {
             relations.entry(property).or_default().push(object);
         }
     }

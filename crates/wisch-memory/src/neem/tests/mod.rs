@@ -342,3 +342,12 @@ fn order_of_triples_between_subjects_does_not_matter() {
     all.sort_by(|a, b| b.subject.cmp(&a.subject));
     assert_eq!(records(all).unwrap(), [bumped()]);
 }
+
+#[test]
+fn a_relation_that_is_derived_as_well_keeps_its_place() {
+    let mut record = bumped();
+    let parts = ["#5", "semco:sponge"].map(str::to_owned).to_vec();
+    let relations = &mut record.individuals[4].relations;
+    relations.insert("dul:hasConstituent".to_owned(), parts);
+    assert_eq!(records(triples(&record).unwrap()).unwrap(), [record]);
+}
