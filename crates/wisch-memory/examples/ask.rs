@@ -40,7 +40,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for query in queries {
         match times(&mut asker, query) {
             Ok((cold, warm, answers)) => {
-                let [cold, warm] = [cold, warm].map(|time| format!("{:.1} ms", 1e3 * time.as_secs_f64()));
+                let [cold, warm] =
+                    [cold, warm].map(|time| format!("{:.1} ms", 1e3 * time.as_secs_f64()));
                 println!("{cold:>10} {warm:>10} {answers:>8}  {query}");
             }
             Err(error) => println!("{query}: {error}"),

@@ -2,7 +2,7 @@
 
 use super::super::motion::{Thinned, thinned};
 use serde::Serialize;
-use wisch::geometry::{Mesh, Point3, Polygon, Pose, Vector3};
+use wisch::geometry::{Bounds2, Mesh, Point3, Polygon, Pose, Vector3};
 use wisch::robot::Shape;
 use wisch_memory::view::{
     Body, Colour, Dirt, DirtState, Emphasis, Figure, Part, ShownRound, Track, View,
@@ -12,8 +12,12 @@ use wisch_memory::view::{
 const MAX_TRIANGLES: usize = 3000;
 /// Most particles that are drawn; more are drawn as every so many.
 const MAX_PARTICLES: usize = 3000;
-/// Radius of a line that is asked for, as a share of how far the tool went.
+/// Radius of a line that is asked for, as a share of the surface's diagonal.
 const LINE: f64 = 0.008;
+/// The diagonal of a surface that is not known, as a share of how far the tool went, its way there included.
+const FAR_SHARE: f64 = 0.5;
+/// Radius of particles, as a share of that of lines.
+const PARTICLE: f64 = 0.7;
 /// Limits of that radius [m].
 const LINE_LIMITS: [f64; 2] = [0.0025, 0.02];
 /// What lies on the surface is drawn so much above it [m].
@@ -244,7 +248,7 @@ impl Space {
         let step = dirt.positions.len().div_ceil(MAX_PARTICLES).max(1);
         let places = dirt.positions.iter().step_by(step);
         let places = places.map(|p| round.world_from_surface * Point3::new(p.x, p.y, ABOVE));
-        item.dots = vec![Line::new(line_radius(round), places)];
+        item.dots = vec![Line::new(PARTICLE * line_radius(round), places)];
         self.items.push(item);
     }
 
@@ -349,12 +353,20 @@ fn stands_alike(a: &ShownRound, b: &ShownRound) -> bool {
 
 /// Thick enough to be seen, thin enough to be told apart.
 fn line_radius(round: &ShownRound) -> f64 {
-    let path = &round.tool_path;
-    let extent = path.first().map_or(0.0, |first| {
+    let corners = round.outline.iter().flat_map(Polygon::outer).copied();
+    let extent = match Bounds2::of(corners) {
+        Some(bounds) => bounds.size().norm(),
+        None => FAR_SHARE * reach(&round.tool_path),
+    };
+    (LINE * extent).clamp(LINE_LIMITS[0], LINE_LIMITS[1])
+}
+
+/// How far a way leads from where it begins [m].
+fn reach(path: &[Point3]) -> f64 {
+    path.first().map_or(0.0, |first| {
         let reach = path.iter().map(|place| (place - first).norm());
         reach.fold(0.0, f64::max)
-    });
-    (LINE * extent).clamp(LINE_LIMITS[0], LINE_LIMITS[1])
+    })
 }
 
 fn tint(emphasis: Emphasis, colour: Option<Colour>, usual: &str) -> String {
