@@ -256,6 +256,18 @@ fn answers_bring_their_episodes_along() {
 }
 
 #[test]
+fn of_too_many_answers_the_first_are_shown() {
+    let shown = memory_with(AFTER);
+    let said: Vec<String> = (0..MAX_POSES + 16)
+        .map(|k| format!("show('semco:slider',{})", BEGIN + PERIOD * k as f64))
+        .collect();
+    let said: Vec<&str> = said.iter().map(String::as_str).collect();
+    let view = shown.view(&said).unwrap();
+    assert_eq!(view.bodies.len(), MAX_POSES);
+    assert_eq!(view.left_out, 16);
+}
+
+#[test]
 fn what_was_not_recorded_is_named() {
     let shown = memory_with("x\n1\n");
     for (said, says) in [

@@ -17,6 +17,10 @@ use wisch::robot::RobotModel;
 
 /// Most poses of things in one view.
 pub const MAX_POSES: usize = 64;
+/// Most ways in one view.
+const MAX_TRACKS: usize = 200;
+/// Most rounds of which something is shown in space.
+const MAX_ROUNDS: usize = 24;
 /// Most episodes of which answers are shown over time.
 const MAX_EPISODES: usize = 12;
 /// Most points of a line.
@@ -75,7 +79,11 @@ pub fn gather(
         }
     }
     for wish in &wishes {
-        gathering.wish(wish)?;
+        if gathering.is_full() {
+            gathering.view.left_out += 1;
+        } else {
+            gathering.wish(wish)?;
+        }
     }
     gathering.mention(rows);
     Ok(gathering.view)
@@ -112,6 +120,13 @@ struct Stretch {
 }
 
 impl Gathering<'_> {
+    fn is_full(&self) -> bool {
+        let view = &self.view;
+        view.bodies.len() >= MAX_POSES
+            || view.tracks.len() >= MAX_TRACKS
+            || view.rounds.len() > MAX_ROUNDS
+    }
+
     fn wish(&mut self, wish: &Wish) -> Result<(), ViewError> {
         let (Subject::Thing(name) | Subject::Trajectory(name) | Subject::Particles(name)) =
             &wish.subject;
@@ -354,13 +369,17 @@ impl Gathering<'_> {
                 frames.trajectory(local(name), [from, to], Sampling::Every(period))?
             }
         };
-        let count = self.view.bodies.len() + poses.len();
+        let count = poses.len();
         if count > MAX_POSES {
             return Err(ViewError::TooManyPoses {
                 thing: name.to_owned(),
                 count,
                 limit: MAX_POSES,
             });
+        }
+        if self.view.bodies.len() + count > MAX_POSES {
+            self.view.left_out += 1;
+            return Ok(());
         }
         for at in poses {
             let body = Body {

@@ -139,6 +139,8 @@ pub struct View {
     pub particles: Vec<Dirt>,
     /// Diagrams.
     pub plots: Vec<Plot>,
+    /// How many of the things that were to be shown are not, because there are too many of them.
+    pub left_out: usize,
 }
 
 /// An episode that something is shown of.

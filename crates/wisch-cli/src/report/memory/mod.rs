@@ -52,6 +52,9 @@ pub fn answers_page(input: &AnswersInput) -> String {
                     pre class="query" { (input.query) }
                     (table(input.answers))
                     @if !space.is_empty() { (in_space(&space)) }
+                    @if view.left_out > 0 {
+                        p class="note" { "The picture is full: " (view.left_out) " more of what the query shows is left out." }
+                    }
                     @if !view.plots.is_empty() {
                         h2 { "In numbers" }
                         div class="plots" {

@@ -13,7 +13,7 @@ const MAX_TRIANGLES: usize = 3000;
 /// Most particles that are drawn; more are drawn as every so many.
 const MAX_PARTICLES: usize = 3000;
 /// Radius of a line that is asked for, as a share of the surface's diagonal.
-const LINE: f64 = 0.008;
+const LINE: f64 = 0.011;
 /// The diagonal of a surface that is not known, as a share of how far the tool went, its way there included.
 const FAR_SHARE: f64 = 0.5;
 /// Radius of particles, as a share of that of lines.

@@ -95,6 +95,7 @@ fn view() -> View {
             colour: None,
         }],
         plots: vec![plot],
+        left_out: 3,
     }
 }
 
@@ -194,8 +195,9 @@ fn collisions_are_marked_over_time() {
 }
 
 #[test]
-fn diagrams_are_drawn_with_their_numbers() {
+fn diagrams_and_what_is_left_out_are_told() {
     let page = page();
+    assert!(page.contains("The picture is full: 3 more"));
     assert!(page.contains("<h3>How hard</h3>"));
     assert!(page.contains(">20.5</text>"));
 }
