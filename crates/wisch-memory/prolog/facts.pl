@@ -12,7 +12,7 @@
 known(Kind, Term, Name) :-
     ground(Term),
     !,
-    ( atom(Term), Kind == thing, i(Term, _, _, _, _, _) -> Name = Term
+    ( Kind == thing, atom(Term), i(Term, _, _, _, _, _) -> Name = Term
     ; resolved(Kind-Term, Found) -> Name = Found
     ; need(resolve(Kind, Term), [Found]),
       assertz(resolved(Kind-Term, Found)),
@@ -38,8 +38,9 @@ individual(I, Class, Start, End, Parent, Episode) :-
     nonvar(I),
     !,
     ( i(I, Class0, Start0, End0, Parent0, Episode0) -> true
-    ; ensure(individual(I)),
-      i(I, Class0, Start0, End0, Parent0, Episode0) ->
+    ; known(thing, I, Name),
+      ensure(individual(Name)),
+      i(Name, Class0, Start0, End0, Parent0, Episode0) ->
         true
     ),
     Class = Class0, Start = Start0, End = End0, Parent = Parent0, Episode = Episode0.
@@ -56,16 +57,17 @@ member_of(Class, I) :- nonvar(I), !, individual(I, Class, _, _, _, _).
 member_of(Class, I) :- ensure(members(Class)), c(Class, Is), member(I, Is).
 
 % part(?Parent, ?Part)
-part(Parent, Part) :- nonvar(Part), !, individual(Part, _, _, _, Parent, _), Parent \== none.
-part(Parent, Part) :- nonvar(Parent), !, ensure(parts(Parent)), k(Parent, Part).
+part(Parent, Part) :- nonvar(Part), !, thing(Parent, Whole), individual(Part, _, _, _, Whole, _), Whole \== none.
+part(Parent, Part) :- nonvar(Parent), !, known(thing, Parent, Whole), ensure(parts(Whole)), k(Whole, Part).
 part(Parent, Part) :- stream(individuals, i(Part, _, _, _, Parent, _)), Parent \== none.
 
 % value(?I, ?Property, ?Value), of exactly this property
 value(I, Property, Value) :-
     nonvar(I),
     !,
-    ( nonvar(Property) -> ensure_value(I, Property) ; ensure(statements(I)) ),
-    v(I, Property, Value).
+    known(thing, I, Name),
+    ( nonvar(Property) -> ensure_value(Name, Property) ; ensure(statements(Name)) ),
+    v(Name, Property, Value).
 value(I, Property, Value) :-
     nonvar(Property),
     !,
@@ -79,7 +81,17 @@ ensure_value(_, Property) :- loaded(column(Property)), !.
 ensure_value(I, Property) :- fetch(values_of(I, Property)).
 
 % relation(?I, ?Property, ?Object), of exactly this property
-relation(I, Property, Object) :- nonvar(I), !, ensure(statements(I)), r(I, Property, Object).
-relation(I, Property, Object) :- nonvar(Object), !, stream(related_to(Object), r(I, Property, Object)).
+relation(I, Property, Object) :-
+    nonvar(I),
+    !,
+    known(thing, I, Name),
+    ensure(statements(Name)),
+    thing(Object, Found),
+    r(Name, Property, Found).
+relation(I, Property, Object) :-
+    nonvar(Object),
+    !,
+    known(thing, Object, Found),
+    stream(related_to(Found), r(I, Property, Found)).
 relation(I, Property, Object) :- nonvar(Property), !, stream(relations(Property), r(I, Property, Object)).
 relation(I, Property, Object) :- stream(relations, r(I, Property, Object)).

@@ -74,7 +74,7 @@ inverse_of('dul:isExecutedIn', 'dul:executesTask').
 inverse_of('dul:classifies', 'dul:isClassifiedBy').
 
 exactly(S, 'dul:hasConstituent', O) :- !, part(S, O).
-exactly(S, Exact, O) :- ( nonvar(O), \+ atom(O) -> fail ; relation(S, Exact, O) ).
+exactly(S, Exact, O) :- ( var(O) -> true ; atom(O), sub_atom(O, _, 1, _, ':') ), relation(S, Exact, O).
 exactly(S, Exact, O) :- ( var(O) -> true ; number(O) -> true ; atom(O) ), same_value(S, Exact, O).
 
 % A number that is asked for need not be written as it is stored: 1 finds 1.0.

@@ -173,14 +173,16 @@ tilted_surface(Round, Tilt) :-
 % contact_force_drift(-Surface, -Slope, -First, -Last): newtons by which the mean force of contact falls per
 % episode on this surface, fitted over at least five episodes; only where it falls noticeably.
 contact_force_drift(Surface, Slope, First, Last) :-
-    on_surface(Surface, 'semco:meanNormalForce', abs, Series),
+    thing(Surface, Name),
+    on_surface(Name, 'semco:meanNormalForce', abs, Series),
     trend(Series, Slope, First, Last),
     Slope < -0.01,
     Last < 0.95 * First.
 
 % localization_drift(-Surface, -Slope, -First, -Last): metres by which the found plane moves per episode.
 localization_drift(Surface, Slope, First, Last) :-
-    on_surface(Surface, 'semco:planeOffset', plain, Series),
+    thing(Surface, Name),
+    on_surface(Name, 'semco:planeOffset', plain, Series),
     trend(Series, Slope, First, Last),
     abs(Last - First) > 0.002.
 
