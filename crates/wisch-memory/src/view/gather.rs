@@ -1,18 +1,19 @@
 //! From what a query says to what the memory has to show for it.
 
+use super::posed::{figure, line, local, place};
 use super::{
-    Body, Command, Dirt, DirtState, Emphasis, Figure, Occurrence, Part, ShownEpisode, ShownRound,
-    Subject, Track, View, ViewError, When, Wish,
+    Body, Command, Dirt, DirtState, Emphasis, Occurrence, ShownEpisode, ShownRound, Subject, Track,
+    View, ViewError, When, Wish,
 };
 use crate::ask::Term;
 use crate::catalogue::{Catalogue, EpisodeRow, IndividualId, Node, entries};
-use crate::frames::{Frames, PoseAt, Sampling};
+use crate::frames::{Frames, Sampling};
 use crate::ontology::Ontology;
 use crate::store::{Episode, Memory};
 use crate::telemetry::Telemetry;
 use std::collections::HashMap;
 use std::rc::Rc;
-use wisch::geometry::{Mesh, Point2, Point3, Polygon, Pose};
+use wisch::geometry::{Mesh, Point2, Polygon, Pose};
 use wisch::robot::RobotModel;
 
 /// Most poses of things in one view.
@@ -23,10 +24,6 @@ const MAX_TRACKS: usize = 200;
 const MAX_ROUNDS: usize = 24;
 /// Most episodes of which answers are shown over time.
 const MAX_EPISODES: usize = 12;
-/// Most points of a line.
-const MAX_POINTS: usize = 1500;
-/// Finest step of a line [s].
-const FINEST_STEP: f64 = 0.02;
 /// Poses of a thing over an interval, if a query does not say how many.
 const POSES_OF_INTERVAL: usize = 5;
 
@@ -461,58 +458,6 @@ impl Gathering<'_> {
             }
         }
     }
-}
-
-/// What frames call it.
-fn local(name: &str) -> &str {
-    name.split_once(':').map_or(name, |(_, local)| local)
-}
-
-fn place(at: &PoseAt) -> Point3 {
-    Point3::from(at.world_from_frame.translation.vector)
-}
-
-/// The way of a frame, finely.
-fn line(frames: &Frames, frame: &str, [from, to]: [f64; 2]) -> Result<Vec<Point3>, ViewError> {
-    let step = ((to - from) / MAX_POINTS as f64).max(FINEST_STEP);
-    let poses = frames.trajectory(frame, [from, to], Sampling::Every(step))?;
-    Ok(poses.iter().map(place).collect())
-}
-
-fn figure(
-    frames: &Frames,
-    robot: &RobotModel,
-    name: &str,
-    at: &PoseAt,
-) -> Result<Figure, ViewError> {
-    let scene = frames.scene();
-    if name == scene.robot || name == "robot" {
-        return Ok(Figure::Robot {
-            parts: parts(frames, robot, at.time)?,
-            world_from_tool: frames.pose("tool", at.time)?.world_from_frame,
-        });
-    }
-    Ok(if name == scene.tool || name == "tool" {
-        Figure::Tool(at.world_from_frame)
-    } else if name == scene.surface || name == "surface" {
-        Figure::Surface(at.world_from_frame)
-    } else {
-        Figure::Frame(at.world_from_frame)
-    })
-}
-
-/// The robot's solids at a time.
-fn parts(frames: &Frames, robot: &RobotModel, time: f64) -> Result<Vec<Part>, ViewError> {
-    let poses = frames.links(time)?;
-    let links = robot.links().iter().zip(poses);
-    let parts = links.flat_map(|(link, world_from_link)| {
-        link.collision.iter().map(move |solid| Part {
-            link: link.name.clone(),
-            world_from_shape: world_from_link * solid.link_from_shape,
-            shape: solid.shape.clone(),
-        })
-    });
-    Ok(parts.collect())
 }
 
 /// What happened in an episode, but for its parts that are nothing but wholes.

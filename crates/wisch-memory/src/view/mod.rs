@@ -6,6 +6,7 @@ mod colour;
 mod command;
 mod gather;
 mod plot;
+mod posed;
 #[cfg(test)]
 mod tests;
 
