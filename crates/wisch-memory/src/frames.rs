@@ -308,6 +308,23 @@ impl<'a> Frames<'a> {
         self.pose_at(carrier, &offset, row)
     }
 
+    /// All links in the world at the sample nearest to a time [s since the round began], in the robot's order.
+    ///
+    /// # Errors
+    /// A time outside the telemetry, or a broken file.
+    pub fn links(&self, time: f64) -> Result<Vec<Pose>, FrameError> {
+        let row = self.row_at(time)?;
+        let columns: Vec<&str> = self.columns.iter().map(String::as_str).collect();
+        let positions = self.telemetry.row(&columns, row)?;
+        let kinematics = self.robot.forward_kinematics(&positions)?;
+        let world_from_root = Pose::from(self.scene.world_from_root);
+        let links = self.robot.links().iter().map(|link| {
+            let link = self.robot.link(&link.name)?;
+            Ok(world_from_root * kinematics.world_from_link(link))
+        });
+        links.collect()
+    }
+
     /// A frame in the world at several times between two [s], each at the nearest sample.
     ///
     /// # Errors

@@ -15,6 +15,7 @@ mod remember;
 mod robot;
 pub mod store;
 pub mod telemetry;
+pub mod view;
 
 pub use catalogue::{Catalogue, IndividualId, Node};
 pub use frames::{FrameError, Frames, PoseAt, RoundScene, Sampling, StoredPose};

@@ -21,6 +21,9 @@ pub struct AskArgs {
     /// Print the answers as a table of comma-separated values
     #[arg(long)]
     pub csv: bool,
+    /// Draw what the query shows, with its answers, into one HTML file
+    #[arg(long, value_name = "FILE", requires = "query", value_hint = ValueHint::FilePath)]
+    pub view: Option<PathBuf>,
     /// Most answers
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub limit: u32,

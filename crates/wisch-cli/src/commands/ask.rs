@@ -1,8 +1,9 @@
 //! `wisch ask`: queries in Prolog to a memory, one or line by line.
 
+use super::look;
 use crate::args::{AskArgs, EngineArgs, EngineChoice, GlobalArgs};
 use crate::failure::Failure;
-use crate::terminal::{Outcome, print};
+use crate::terminal::{Outcome, print, remark};
 use rustyline::completion::{Completer, Pair};
 use rustyline::error::ReadlineError;
 use rustyline::history::DefaultHistory;
@@ -12,11 +13,11 @@ use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
-use wisch_memory::Memory;
 use wisch_memory::ask::{
     Answers, AskError, Asker, EngineCommand, Limits, Predicate, Senses, Term, Told, predicates,
     work,
 };
+use wisch_memory::{Catalogue, Memory};
 
 /// The hidden command that the program begins itself with, as an engine.
 pub const ENGINE_COMMAND: &str = "prolog-engine";
@@ -37,19 +38,36 @@ pub fn ask(args: &AskArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
         print(&listing(&predicates()))?;
         return Ok(Outcome::Done);
     }
-    let mut asker = asker(args)?;
+    let mut asked = Asked::open(args)?;
     match &args.query {
-        Some(query) => answer(&mut asker, query, args, global),
-        None if std::io::stdin().is_terminal() => interactive(&mut asker, args, global),
-        None => lines(&mut asker, args, global),
+        Some(query) => answer(&mut asked, query, args, global),
+        None if std::io::stdin().is_terminal() => interactive(&mut asked, args, global),
+        None => lines(&mut asked, args, global),
     }
 }
 
-fn asker(args: &AskArgs) -> Result<Asker, Failure> {
-    let memory = Memory::open(&args.memory).map_err(|error| {
-        Failure::new(error).with_help("wisch run makes a memory; --memory names another one")
-    })?;
-    let catalogue = memory.catalogue().map_err(Failure::new)?;
+/// A memory that is asked.
+struct Asked {
+    memory: Memory,
+    catalogue: Arc<Catalogue>,
+    asker: Asker,
+}
+
+impl Asked {
+    fn open(args: &AskArgs) -> Result<Self, Failure> {
+        let memory = Memory::open(&args.memory).map_err(|error| {
+            Failure::new(error).with_help("wisch run makes a memory; --memory names another one")
+        })?;
+        let catalogue = Arc::new(memory.catalogue().map_err(Failure::new)?);
+        Ok(Self {
+            asker: asker(args, memory.clone(), Arc::clone(&catalogue))?,
+            memory,
+            catalogue,
+        })
+    }
+}
+
+fn asker(args: &AskArgs, memory: Memory, catalogue: Arc<Catalogue>) -> Result<Asker, Failure> {
     let command = match args.engine {
         EngineChoice::Scryer => {
             let program = std::env::current_exe()
@@ -65,29 +83,29 @@ fn asker(args: &AskArgs) -> Result<Asker, Failure> {
     };
     let told = Told::read(&args.memory).map_err(Failure::new)?;
     let senses = Senses::of(memory);
-    Ok(Asker::new(
-        command,
-        limits,
-        Arc::new(catalogue),
-        senses,
-        told,
-    ))
+    Ok(Asker::new(command, limits, catalogue, senses, told))
 }
 
 /// One query; the goal is met if it holds.
 fn answer(
-    asker: &mut Asker,
+    asked: &mut Asked,
     query: &str,
     args: &AskArgs,
     global: &GlobalArgs,
 ) -> Result<Outcome, Failure> {
-    let answers = asker.ask(query).map_err(|error| failure(&error, args))?;
+    let page = args.view.as_deref().map(look::begin).transpose()?;
+    let answers = (asked.asker.ask(query)).map_err(|error| failure(&error, args))?;
     if args.json {
         print(&format!("{}\n", in_json(query, &answers)))?;
     } else if args.csv {
         print(&in_csv(&answers))?;
     } else if !global.quiet {
         print(&in_words(&answers))?;
+    }
+    if let Some(page) = page {
+        look::draw(page, query, &answers, &asked.memory, &asked.catalogue)?;
+    } else if !answers.views.is_empty() && !global.quiet {
+        remark("the query shows something; --view FILE draws it");
     }
     Ok(if answers.holds() {
         Outcome::Done
@@ -111,7 +129,7 @@ fn failure(error: &AskError, args: &AskArgs) -> Failure {
 }
 
 /// Queries from standard input, a line each.
-fn lines(asker: &mut Asker, args: &AskArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+fn lines(asked: &mut Asked, args: &AskArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let mut outcome = Outcome::Done;
     for line in std::io::stdin().lines() {
         let line = line.map_err(|error| Failure::new(format!("standard input: {error}")))?;
@@ -119,7 +137,7 @@ fn lines(asker: &mut Asker, args: &AskArgs, global: &GlobalArgs) -> Result<Outco
         if query.is_empty() || query.starts_with('%') {
             continue;
         }
-        if answer(asker, query, args, global)? == Outcome::GoalNotMet {
+        if answer(asked, query, args, global)? == Outcome::GoalNotMet {
             outcome = Outcome::GoalNotMet;
         }
     }
@@ -160,7 +178,7 @@ impl Completer for Typing {
     }
 }
 
-fn interactive(asker: &mut Asker, args: &AskArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+fn interactive(asked: &mut Asked, args: &AskArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let terminal = |error: ReadlineError| Failure::new(format!("terminal: {error}"));
     let mut editor: Editor<Typing, DefaultHistory> = Editor::new().map_err(terminal)?;
     editor.set_helper(Some(Typing {
@@ -185,7 +203,7 @@ fn interactive(asker: &mut Asker, args: &AskArgs, global: &GlobalArgs) -> Result
             "quit" | "exit" | "halt" => break,
             "help" => print(&listing(&predicates()))?,
             _ => {
-                if let Err(failure) = answer(asker, query, args, global) {
+                if let Err(failure) = answer(asked, query, args, global) {
                     eprintln!("{:?}", miette::Report::new(failure));
                 }
             }

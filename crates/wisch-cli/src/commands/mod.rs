@@ -7,6 +7,7 @@ mod follow;
 mod footprint;
 mod import;
 mod interpret;
+mod look;
 mod map;
 mod memory;
 mod new;

@@ -3,6 +3,7 @@
 mod chart;
 mod contour;
 mod frames;
+mod memory;
 mod motion;
 mod page;
 mod palette;
@@ -16,6 +17,7 @@ mod tests;
 mod view;
 
 pub use frames::Frames;
+pub use memory::{AnswersInput, answers_page};
 pub use motion::{Contact, ParticleFrame, Phase, Placement, RatedPlace};
 pub use motion::{MotionInput, joint_plots, motion_section, placements_plan};
 pub use page::page;

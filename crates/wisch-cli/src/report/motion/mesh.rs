@@ -8,14 +8,14 @@ const FINEST: f64 = 256.0;
 
 /// A mesh as it is embedded.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Thinned {
-    pub(super) vertices: Vec<Point3>,
-    pub(super) triangles: Vec<[u32; 3]>,
+pub(in crate::report) struct Thinned {
+    pub(in crate::report) vertices: Vec<Point3>,
+    pub(in crate::report) triangles: Vec<[u32; 3]>,
 }
 
 /// At most `most` triangles (at least 12) of about the same shape: vertices that share a cell of a
 /// grid become their mean, and the grid is coarsened until it suffices (Rossignac and Borrel, 1993).
-pub(super) fn thinned(mesh: &Mesh, most: usize) -> Thinned {
+pub(in crate::report) fn thinned(mesh: &Mesh, most: usize) -> Thinned {
     let mut thinned = Thinned {
         vertices: mesh.vertices().to_vec(),
         triangles: mesh.triangles().to_vec(),

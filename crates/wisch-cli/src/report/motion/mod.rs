@@ -11,6 +11,8 @@ mod tempo;
 #[cfg(test)]
 mod tests;
 
+pub(super) use mesh::{Thinned, thinned};
+
 use super::panel::Panel;
 use maud::{Markup, PreEscaped, html};
 use record::ViewerRecord;

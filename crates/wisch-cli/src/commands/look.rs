@@ -1,0 +1,83 @@
+//! `wisch ask --view`: what a query shows, as one page.
+
+use super::prepare::Prepared;
+use crate::args::TaskArgs;
+use crate::failure::Failure;
+use crate::output::OutputFile;
+use crate::report::{AnswersInput, answers_page};
+use serde::Deserialize;
+use std::path::Path;
+use wisch::represent::{ScenePart, Task};
+use wisch_memory::ask::Answers;
+use wisch_memory::view::{Surroundings, gather};
+use wisch_memory::{Catalogue, Episode, Memory};
+
+/// What an episode keeps of the command line, as far as it changes the task.
+#[derive(Debug, Default, Deserialize)]
+struct Options {
+    #[serde(default)]
+    settings: Vec<(String, String)>,
+}
+
+/// Begins the page, before a query takes its time.
+pub(super) fn begin(file: &Path) -> Result<OutputFile, Failure> {
+    OutputFile::begin(file).map_err(|failure| failure.with_help(OTHER_FILE))
+}
+
+const OTHER_FILE: &str = "choose another file with --view";
+
+/// Writes the page.
+pub(super) fn draw(
+    file: OutputFile,
+    query: &str,
+    answers: &Answers,
+    memory: &Memory,
+    catalogue: &Catalogue,
+) -> Result<(), Failure> {
+    let view = gather(
+        &answers.views,
+        &answers.rows,
+        memory,
+        catalogue,
+        &mut surroundings,
+    );
+    let view = view.map_err(|error| {
+        Failure::new(error).with_help("wisch ask --list says how things are shown")
+    })?;
+    let input = AnswersInput {
+        query,
+        answers,
+        view: &view,
+    };
+    let page = answers_page(&input);
+    let written = file.finish(page.as_bytes());
+    written.map_err(|failure| failure.with_help(OTHER_FILE))
+}
+
+/// What stood round the robot, by the episode's task. A task that is not there, or refers to files that are not,
+/// leaves the picture without: where things were is known all the same.
+fn surroundings(episode: &Episode) -> Surroundings {
+    let options = episode.attachment("options.json").ok();
+    let options = options.and_then(|bytes| serde_json::from_slice::<Options>(&bytes).ok());
+    let args = TaskArgs {
+        task: episode.folder().join("task.toml"),
+        strategy: None,
+        action: None,
+        seed: None,
+        settings: options.unwrap_or_default().settings,
+        knowledge: None,
+    };
+    Prepared::read(&args).map_or_else(|_| Surroundings::default(), |read| around(read.task))
+}
+
+fn around(task: Task) -> Surroundings {
+    let stands = |part: &ScenePart| matches!(part, ScenePart::Obstacle | ScenePart::Carrier);
+    let objects = task.scene.into_iter().filter(|object| stands(&object.part));
+    Surroundings {
+        tool: Some(task.tool.mesh),
+        outline: Some(task.surface.outline),
+        objects: objects
+            .map(|object| (object.world_from_object, object.mesh))
+            .collect(),
+    }
+}

@@ -1,0 +1,198 @@
+//! What the engine says is to be looked at, as it is meant.
+
+use super::ViewError;
+use super::colour::Colour;
+use super::plot::Plot;
+use crate::ask::Term;
+
+/// What is to be looked at.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Subject {
+    /// A thing where it is, by its name such as `semco:sponge`.
+    Thing(String),
+    /// The way of a thing.
+    Trajectory(String),
+    /// What lies on a surface, by any name of the scene.
+    Particles(String),
+}
+
+/// When it is to be looked at; times in seconds since 1970.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum When {
+    /// At the end of the latest episode.
+    Latest,
+    /// At a time.
+    At(f64),
+    /// From a time to another, as often as seems fit.
+    During([f64; 2]),
+    /// From a time to another, every so many seconds.
+    Every([f64; 2], f64),
+}
+
+/// How it is to be drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Emphasis {
+    /// As it is.
+    Plain,
+    /// So that it stands out.
+    Strong,
+}
+
+/// One thing to be looked at.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wish {
+    /// What.
+    pub subject: Subject,
+    /// When.
+    pub when: When,
+    /// How.
+    pub emphasis: Emphasis,
+    /// In which colour, if the query says so.
+    pub colour: Option<Colour>,
+}
+
+/// A command of a query.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Command {
+    /// To look at these.
+    Look(Vec<Wish>),
+    /// To draw this.
+    Plot(Plot),
+}
+
+impl Command {
+    /// From what a query's `show`, `highlight` or `data_vis` came to.
+    ///
+    /// # Errors
+    /// What is no such command, or not complete.
+    ///
+    /// ```
+    /// use wisch_memory::ask::Term;
+    /// use wisch_memory::view::{Command, Subject, When};
+    ///
+    /// let term = Term::parse("show(trajectory('semco:sponge'),interval(10,12,dt(0.5)))")?;
+    /// let Command::Look(wishes) = Command::of(&term)? else { panic!() };
+    /// assert_eq!(wishes[0].subject, Subject::Trajectory("semco:sponge".to_owned()));
+    /// assert_eq!(wishes[0].when, When::Every([10.0, 12.0], 0.5));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of(term: &Term) -> Result<Self, ViewError> {
+        let plain = Emphasis::Plain;
+        let strong = Emphasis::Strong;
+        match term.parts() {
+            // The page always shows what there is: to be told so adds nothing.
+            Some(("show", [])) => Ok(Self::Look(Vec::new())),
+            Some(("show", [what])) => look(what, When::Latest, plain, None),
+            Some(("show", [what, how])) => look(what, when(how)?, plain, None),
+            Some(("show", [what, how, style])) => {
+                look(what, when(how)?, plain, Some(Colour::of(style)?))
+            }
+            Some(("highlight", [what])) => look(what, When::Latest, strong, None),
+            Some(("highlight", [what, style])) => {
+                look(what, When::Latest, strong, Some(Colour::of(style)?))
+            }
+            Some(("highlight", [what, how, style])) => {
+                look(what, when(how)?, strong, Some(Colour::of(style)?))
+            }
+            Some(("data_vis", [diagram, properties])) => {
+                Ok(Self::Plot(Plot::of(diagram, properties)?))
+            }
+            _ => Err(ViewError::Command {
+                found: term.to_string(),
+            }),
+        }
+    }
+}
+
+fn look(
+    what: &Term,
+    when: When,
+    emphasis: Emphasis,
+    colour: Option<Colour>,
+) -> Result<Command, ViewError> {
+    let subjects = subjects(what)?.into_iter();
+    let wishes = subjects.map(|subject| Wish {
+        subject,
+        when,
+        emphasis,
+        colour,
+    });
+    Ok(Command::Look(wishes.collect()))
+}
+
+fn subjects(what: &Term) -> Result<Vec<Subject>, ViewError> {
+    let refused = || ViewError::Subject {
+        found: what.to_string(),
+    };
+    match what {
+        Term::List(items) => {
+            let nested: Result<Vec<_>, _> = items.iter().map(subjects).collect();
+            Ok(nested?.into_iter().flatten().collect())
+        }
+        Term::Atom(name) => Ok(vec![Subject::Thing(name.clone())]),
+        Term::Compound(kind, parts) => {
+            let [of] = parts.as_slice() else {
+                return Err(refused());
+            };
+            let subject = match kind.as_str() {
+                "trajectory" => Subject::Trajectory,
+                "particles" => Subject::Particles,
+                _ => return Err(refused()),
+            };
+            let named = subjects(of)?.into_iter().map(|inner| match inner {
+                Subject::Thing(name) => Ok(subject(name)),
+                _ => Err(refused()),
+            });
+            named.collect()
+        }
+        _ => Err(refused()),
+    }
+}
+
+fn when(how: &Term) -> Result<When, ViewError> {
+    let refused = || ViewError::When {
+        found: how.to_string(),
+    };
+    let time = |term: &Term| term.as_number().filter(|time| time.is_finite());
+    let span = |from: &Term, to: &Term| match (time(from), time(to)) {
+        (Some(from), Some(to)) if from <= to => Ok([from, to]),
+        _ => Err(refused()),
+    };
+    if let Term::List(ends) = how {
+        return match ends.as_slice() {
+            [from, to] => Ok(When::During(span(from, to)?)),
+            _ => Err(refused()),
+        };
+    }
+    match how.parts() {
+        Some(("interval", [from, to])) => Ok(When::During(span(from, to)?)),
+        Some(("interval", [from, to, step])) => match step.parts() {
+            Some(("dt", [period])) => match time(period) {
+                Some(period) if period > 0.0 => Ok(When::Every(span(from, to)?, period)),
+                _ => Err(refused()),
+            },
+            _ => Err(refused()),
+        },
+        _ => time(how).map(When::At).ok_or_else(refused),
+    }
+}
+
+/// A term as text: names without quotes, lists of characters as the word they make.
+pub(super) fn text_of(term: &Term) -> String {
+    match term {
+        Term::Atom(name) => name.clone(),
+        Term::List(items) => {
+            let letters = items.iter().map(|item| {
+                let mut letters = item.as_atom()?.chars();
+                letters.next().filter(|_| letters.next().is_none())
+            });
+            letters
+                .collect::<Option<String>>()
+                .unwrap_or_else(|| term.to_string())
+        }
+        Term::Compound(colon, parts) if colon == ":" && parts.len() == 2 => {
+            format!("{}:{}", text_of(&parts[0]), text_of(&parts[1]))
+        }
+        other => other.to_string(),
+    }
+}

@@ -1,0 +1,510 @@
+//! From what a query says to what the memory has to show for it.
+
+use super::posed::{figure, line, local, place};
+use super::{
+    Body, Command, Dirt, DirtState, Emphasis, Occurrence, ShownEpisode, ShownRound, Subject, Track,
+    View, ViewError, When, Wish,
+};
+use crate::ask::Term;
+use crate::catalogue::{Catalogue, EpisodeRow, IndividualId, Node, entries};
+use crate::frames::{Frames, Sampling};
+use crate::ontology::Ontology;
+use crate::store::{Episode, Memory};
+use crate::telemetry::Telemetry;
+use std::collections::HashMap;
+use std::rc::Rc;
+use wisch::geometry::{Mesh, Point2, Polygon, Pose};
+use wisch::robot::RobotModel;
+
+/// Most poses of things in one view.
+pub const MAX_POSES: usize = 64;
+/// Most ways in one view.
+const MAX_TRACKS: usize = 200;
+/// Most rounds of which something is shown in space.
+const MAX_ROUNDS: usize = 24;
+/// Most episodes of which answers are shown over time.
+const MAX_EPISODES: usize = 12;
+/// Poses of a thing over an interval, if a query does not say how many.
+const POSES_OF_INTERVAL: usize = 5;
+
+/// What stands round a robot, which a memory does not compute itself.
+#[derive(Debug, Clone, Default)]
+pub struct Surroundings {
+    /// The tool's mesh, in its own frame.
+    pub tool: Option<Mesh>,
+    /// The surface's outline, in its own frame.
+    pub outline: Option<Polygon>,
+    /// What else stands there: its pose in the world, and its mesh.
+    pub objects: Vec<(Pose, Mesh)>,
+}
+
+/// What the memory has to show for what a query says; `rows` are its answers, whose events are shown over time.
+///
+/// # Errors
+/// What cannot be drawn, or was not recorded, by name.
+pub fn gather(
+    said: &[Term],
+    rows: &[Vec<Term>],
+    memory: &Memory,
+    catalogue: &Catalogue,
+    surroundings: &mut dyn FnMut(&Episode) -> Surroundings,
+) -> Result<View, ViewError> {
+    let mut gathering = Gathering {
+        memory,
+        catalogue,
+        surroundings,
+        view: View::default(),
+        opened: Vec::new(),
+        known: HashMap::new(),
+    };
+    let mut wishes: Vec<Wish> = Vec::new();
+    for term in said {
+        match Command::of(term)? {
+            Command::Plot(plot) => {
+                let plots = &mut gathering.view.plots;
+                plots.retain(|other| (other.diagram, &other.id) != (plot.diagram, &plot.id));
+                plots.push(plot);
+            }
+            // Answers repeat what does not depend on them.
+            Command::Look(wanted) => {
+                for wish in wanted {
+                    if !wishes.contains(&wish) {
+                        wishes.push(wish);
+                    }
+                }
+            }
+        }
+    }
+    for wish in &wishes {
+        if gathering.is_full() {
+            gathering.view.left_out += 1;
+        } else {
+            gathering.wish(wish)?;
+        }
+    }
+    gathering.mention(rows);
+    Ok(gathering.view)
+}
+
+/// A round that is open.
+#[derive(Clone)]
+struct Opened {
+    robot: Rc<RobotModel>,
+    telemetry: Rc<Telemetry>,
+    /// When it began [s since 1970].
+    began: f64,
+    /// What particles are called there, with prefix.
+    media: Vec<String>,
+}
+
+struct Gathering<'a> {
+    memory: &'a Memory,
+    catalogue: &'a Catalogue,
+    surroundings: &'a mut dyn FnMut(&Episode) -> Surroundings,
+    view: View,
+    /// As many as the view has rounds.
+    opened: Vec<Opened>,
+    /// By episode and round, the place among them.
+    known: HashMap<(String, usize), usize>,
+}
+
+/// A part of a round, in its own time [s].
+#[derive(Clone, Copy)]
+struct Stretch {
+    round: usize,
+    from: f64,
+    to: f64,
+}
+
+impl Gathering<'_> {
+    fn is_full(&self) -> bool {
+        let view = &self.view;
+        view.bodies.len() >= MAX_POSES
+            || view.tracks.len() >= MAX_TRACKS
+            || view.rounds.len() > MAX_ROUNDS
+    }
+
+    fn wish(&mut self, wish: &Wish) -> Result<(), ViewError> {
+        let (Subject::Thing(name) | Subject::Trajectory(name) | Subject::Particles(name)) =
+            &wish.subject;
+        // An event is looked at where the tool was while it lasted.
+        if let Some((interval, _)) = self.event(name) {
+            let tool = Wish {
+                subject: Subject::Trajectory("tool".to_owned()),
+                when: match wish.when {
+                    When::Latest => When::During(interval),
+                    when => when,
+                },
+                ..wish.clone()
+            };
+            return self.wish(&tool);
+        }
+        let highlighted = self.emphasize(name, wish);
+        if highlighted {
+            return Ok(());
+        }
+        for stretch in self.stretches(name, wish.when)? {
+            match &wish.subject {
+                Subject::Particles(_) => self.particles(wish, stretch)?,
+                Subject::Thing(_) if self.is_medium(stretch.round, name) => {
+                    self.particles(wish, stretch)?;
+                }
+                Subject::Thing(_) => self.bodies(name, wish, stretch)?,
+                Subject::Trajectory(_) => self.track(name, wish, stretch)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes what is there already stand out, if only that is asked for.
+    fn emphasize(&mut self, name: &str, wish: &Wish) -> bool {
+        if wish.emphasis == Emphasis::Plain || wish.when != When::Latest {
+            return false;
+        }
+        let mut found = false;
+        match wish.subject {
+            Subject::Thing(_) => {
+                for body in self
+                    .view
+                    .bodies
+                    .iter_mut()
+                    .filter(|body| body.thing == name)
+                {
+                    body.emphasis = wish.emphasis;
+                    body.colour = wish.colour.or(body.colour);
+                    found = true;
+                }
+            }
+            Subject::Trajectory(_) => {
+                for track in self
+                    .view
+                    .tracks
+                    .iter_mut()
+                    .filter(|track| track.thing == name)
+                {
+                    track.emphasis = wish.emphasis;
+                    track.colour = wish.colour.or(track.colour);
+                    found = true;
+                }
+            }
+            Subject::Particles(_) => {
+                for dirt in &mut self.view.particles {
+                    dirt.colour = wish.colour.or(dirt.colour);
+                    found = true;
+                }
+            }
+        }
+        found
+    }
+
+    /// The interval of an individual of this name.
+    fn event(&self, name: &str) -> Option<([f64; 2], IndividualId)> {
+        let id = self.catalogue.find(name.strip_prefix("semco:")?)?;
+        Some((self.catalogue.interval(id)?, id))
+    }
+
+    fn is_medium(&self, round: usize, name: &str) -> bool {
+        self.opened[round].media.iter().any(|medium| medium == name)
+    }
+
+    /// The parts of rounds that are to be looked at.
+    fn stretches(&mut self, thing: &str, when: When) -> Result<Vec<Stretch>, ViewError> {
+        let catalogue = self.catalogue;
+        let [from, to] = match when {
+            When::At(time) => [time; 2],
+            When::During(interval) | When::Every(interval, _) => interval,
+            When::Latest => return self.latest(thing),
+        };
+        let mut found = Vec::new();
+        for row in catalogue.episodes() {
+            if row.interval[0] > to || row.interval[1] < from {
+                continue;
+            }
+            for number in 1..=row.rounds.len() {
+                let began = row.rounds[number - 1];
+                let ended = row.rounds.get(number).copied().unwrap_or(row.interval[1]);
+                if began > to || ended < from {
+                    continue;
+                }
+                let round = self.open(row, number)?;
+                let telemetry = &self.opened[round].telemetry;
+                let Some([first, last]) = telemetry.interval() else {
+                    continue;
+                };
+                let stretch = [(from - began).max(first), (to - began).min(last)];
+                if stretch[0] <= stretch[1] {
+                    found.push(self.look(round, stretch, [from, to]));
+                }
+            }
+        }
+        if found.is_empty() {
+            return Err(ViewError::NoRecord {
+                thing: thing.to_owned(),
+                from,
+                to,
+            });
+        }
+        Ok(found)
+    }
+
+    /// The last round that has telemetry.
+    fn latest(&mut self, thing: &str) -> Result<Vec<Stretch>, ViewError> {
+        let mut rows: Vec<&EpisodeRow> = self.catalogue.episodes().iter().collect();
+        rows.sort_by(|a, b| b.interval[1].total_cmp(&a.interval[1]));
+        for row in rows {
+            for number in (1..=row.rounds.len()).rev() {
+                let Ok(round) = self.open(row, number) else {
+                    continue;
+                };
+                if let Some([first, last]) = self.opened[round].telemetry.interval() {
+                    let began = self.opened[round].began;
+                    let looked = [began + last; 2];
+                    return Ok(vec![self.look(round, [first, last], looked)]);
+                }
+            }
+        }
+        Err(ViewError::NoRecord {
+            thing: thing.to_owned(),
+            from: f64::NEG_INFINITY,
+            to: f64::INFINITY,
+        })
+    }
+
+    fn look(&mut self, round: usize, [from, to]: [f64; 2], looked: [f64; 2]) -> Stretch {
+        let looks = &mut self.view.episodes[self.view.rounds[round].episode].looked;
+        if !looks.contains(&looked) {
+            looks.push(looked);
+        }
+        Stretch { round, from, to }
+    }
+
+    /// The place of a round among those shown.
+    fn open(&mut self, row: &EpisodeRow, number: usize) -> Result<usize, ViewError> {
+        let key = (row.id.clone(), number);
+        if let Some(&place) = self.known.get(&key) {
+            return Ok(place);
+        }
+        let episode = self.memory.episode(&row.id)?;
+        let telemetry = Rc::new(episode.telemetry(number)?);
+        let same = (self.known.iter()).find(|((id, _), _)| *id == row.id);
+        let robot = match same {
+            Some((_, &place)) => Rc::clone(&self.opened[place].robot),
+            None => Rc::new(episode.robot()?),
+        };
+        let frames = Frames::new(&robot, &telemetry)?;
+        let scene = frames.scene();
+        let tool_path = match telemetry.interval() {
+            Some(interval) => line(&frames, "tool", interval)?,
+            None => Vec::new(),
+        };
+        let around = (self.surroundings)(&episode);
+        let shown = ShownRound {
+            episode: self.episode(row),
+            number,
+            world_from_surface: scene.world_from_surface.into(),
+            tool_path,
+            names: [&scene.robot, &scene.tool, &scene.surface].map(Clone::clone),
+            outline: around.outline,
+            tool_mesh: around.tool,
+            objects: around.objects,
+        };
+        let opened = Opened {
+            media: self.media(row),
+            telemetry: Rc::clone(&telemetry),
+            robot: Rc::clone(&robot),
+            began: row.rounds[number - 1],
+        };
+        self.view.rounds.push(shown);
+        self.opened.push(opened);
+        let place = self.opened.len() - 1;
+        self.known.insert(key, place);
+        Ok(place)
+    }
+
+    /// What was wiped away in an episode.
+    fn media(&self, row: &EpisodeRow) -> Vec<String> {
+        let removed = self.catalogue.relations("semco:removesMedium");
+        let nodes = (row.first..row.first + row.len).flat_map(|id| entries(removed, id));
+        let mut media: Vec<String> = nodes
+            .filter_map(|(_, node)| match node {
+                Node::Shared(number) => Some(self.catalogue.shared()[*number as usize].clone()),
+                Node::Individual(_) => None,
+            })
+            .collect();
+        media.dedup();
+        media
+    }
+
+    /// The place of an episode among those shown.
+    fn episode(&mut self, row: &EpisodeRow) -> usize {
+        let shown = &mut self.view.episodes;
+        if let Some(place) = shown.iter().position(|episode| episode.id == row.id) {
+            return place;
+        }
+        shown.push(ShownEpisode {
+            id: row.id.clone(),
+            task: row.task.clone(),
+            interval: row.interval,
+            occurrences: occurrences(self.catalogue, row),
+            looked: Vec::new(),
+        });
+        shown.len() - 1
+    }
+
+    fn bodies(&mut self, name: &str, wish: &Wish, stretch: Stretch) -> Result<(), ViewError> {
+        let opened = self.opened[stretch.round].clone();
+        let frames = Frames::new(&opened.robot, &opened.telemetry)?;
+        let Stretch { round, from, to } = stretch;
+        let poses = match wish.when {
+            When::Latest => vec![frames.pose(local(name), to)?],
+            When::At(_) => vec![frames.pose(local(name), from)?],
+            When::During(_) => {
+                let sampling = Sampling::Count(POSES_OF_INTERVAL);
+                frames.trajectory(local(name), [from, to], sampling)?
+            }
+            When::Every(_, period) => {
+                frames.trajectory(local(name), [from, to], Sampling::Every(period))?
+            }
+        };
+        let count = poses.len();
+        if count > MAX_POSES {
+            return Err(ViewError::TooManyPoses {
+                thing: name.to_owned(),
+                count,
+                limit: MAX_POSES,
+            });
+        }
+        if self.view.bodies.len() + count > MAX_POSES {
+            self.view.left_out += 1;
+            return Ok(());
+        }
+        for at in poses {
+            let body = Body {
+                thing: name.to_owned(),
+                figure: figure(&frames, &opened.robot, local(name), &at)?,
+                round,
+                time: opened.began + at.time,
+                emphasis: wish.emphasis,
+                colour: wish.colour,
+            };
+            self.view.bodies.push(body);
+        }
+        Ok(())
+    }
+
+    fn track(&mut self, name: &str, wish: &Wish, stretch: Stretch) -> Result<(), ViewError> {
+        let opened = self.opened[stretch.round].clone();
+        let frames = Frames::new(&opened.robot, &opened.telemetry)?;
+        let interval = [stretch.from, stretch.to];
+        let samples = match wish.when {
+            When::Every(_, period) => {
+                let poses = frames.trajectory(local(name), interval, Sampling::Every(period))?;
+                let timed = poses.iter();
+                timed
+                    .map(|at| (opened.began + at.time, place(at)))
+                    .collect()
+            }
+            _ => Vec::new(),
+        };
+        self.view.tracks.push(Track {
+            thing: name.to_owned(),
+            round: stretch.round,
+            interval: interval.map(|time| opened.began + time),
+            path: line(&frames, local(name), interval)?,
+            samples,
+            emphasis: wish.emphasis,
+            colour: wish.colour,
+        });
+        Ok(())
+    }
+
+    fn particles(&mut self, wish: &Wish, stretch: Stretch) -> Result<(), ViewError> {
+        let round = &self.view.rounds[stretch.round];
+        let id = self.view.episodes[round.episode].id.clone();
+        let (state, name) = match wish.when {
+            When::Latest => (DirtState::Estimated, "particles-estimated.csv"),
+            _ => (DirtState::Before, "particles-before.csv"),
+        };
+        let file = format!("round-{}/{name}", round.number);
+        let bytes = self.memory.episode(&id)?.attachment(&file)?;
+        let positions = positions(&bytes).map_err(|what| ViewError::Particles {
+            episode: id,
+            file,
+            what,
+        })?;
+        let dirt = Dirt {
+            round: stretch.round,
+            state,
+            positions,
+            colour: wish.colour,
+        };
+        let same = |other: &Dirt| other.round == dirt.round && other.state == dirt.state;
+        if !self.view.particles.iter().any(same) {
+            self.view.particles.push(dirt);
+        }
+        Ok(())
+    }
+
+    /// Takes in the episodes of individuals among the answers.
+    fn mention(&mut self, rows: &[Vec<Term>]) {
+        for term in rows.iter().flatten() {
+            if self.view.episodes.len() >= MAX_EPISODES {
+                return;
+            }
+            let name = term.as_atom().and_then(|name| name.strip_prefix("semco:"));
+            if let Some(id) = name.and_then(|name| self.catalogue.find(name)) {
+                let catalogue = self.catalogue;
+                self.episode(catalogue.episode_of(id));
+            }
+        }
+    }
+}
+
+/// What happened in an episode, but for its parts that are nothing but wholes.
+fn occurrences(catalogue: &Catalogue, row: &EpisodeRow) -> Vec<Occurrence> {
+    let kinds = Ontology::shipped().subclasses("semco:Collision");
+    let kinds = kinds.unwrap_or_default();
+    let ids = row.first..row.first + row.len;
+    let found = ids.filter_map(|id| {
+        let class = catalogue.class(id);
+        Some(Occurrence {
+            name: catalogue.name(id),
+            class: local(class).to_owned(),
+            is_collision: class == "semco:Collision" || kinds.contains(&class),
+            interval: catalogue.interval(id)?,
+        })
+    });
+    let wholes = ["WipingEpisode", "WipingAction"];
+    found
+        .filter(|occurrence| !wholes.contains(&occurrence.class.as_str()))
+        .collect()
+}
+
+/// The particles on the surface, of a table as distributions are written.
+fn positions(bytes: &[u8]) -> Result<Vec<Point2>, String> {
+    let text = std::str::from_utf8(bytes).map_err(|error| error.to_string())?;
+    let mut lines = text.lines().enumerate();
+    let (_, head) = lines.next().ok_or("it is empty")?;
+    let heads: Vec<&str> = head.split(',').collect();
+    let column = |name: &str| heads.iter().position(|head| *head == name);
+    let (Some(x), Some(y)) = (column("x_m"), column("y_m")) else {
+        return Err(format!("line 1: {head} names no x_m and y_m"));
+    };
+    let fate = column("fate");
+    let mut positions = Vec::new();
+    for (number, line) in lines.filter(|(_, line)| !line.is_empty()) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let number_in = |column: usize| {
+            let value = cells.get(column)?.parse::<f64>().ok()?;
+            value.is_finite().then_some(value)
+        };
+        let (Some(x), Some(y)) = (number_in(x), number_in(y)) else {
+            return Err(format!("line {}: {line} has no x_m and y_m", number + 1));
+        };
+        let lies_there = fate.is_none_or(|fate| cells.get(fate) == Some(&"on_surface"));
+        if lies_there {
+            positions.push(Point2::new(x, y));
+        }
+    }
+    Ok(positions)
+}
