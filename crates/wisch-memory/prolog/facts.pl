@@ -4,6 +4,7 @@
 %     c(Class, Individuals)                                of exactly this class, some hundred in a list
 %     k(Parent, Part)
 %     v(Individual, Property, Value)
+%     f(Request, Individuals)                              what a filter found, some hundred in a list
 %     r(Individual, Property, Object)
 %
 % with names as 'semco:Collision_20261122-005612-3f2a-17'.
@@ -76,8 +77,8 @@ value(I, Property, Value) :-
     Value = Value0.
 value(I, Property, Value) :- stream(values, v(I, Property, Value)).
 
+ensure_value(I, Property) :- v(I, Property, _), !.
 ensure_value(I, _) :- loaded(statements(I)), !.
-ensure_value(_, Property) :- loaded(column(Property)), !.
 ensure_value(I, Property) :- fetch(values_of(I, Property)).
 
 % relation(?I, ?Property, ?Object), of exactly this property
@@ -95,3 +96,14 @@ relation(I, Property, Object) :-
     stream(related_to(Found), r(I, Property, Found)).
 relation(I, Property, Object) :- nonvar(Property), !, stream(relations(Property), r(I, Property, Object)).
 relation(I, Property, Object) :- stream(relations, r(I, Property, Object)).
+
+% filtered(+Property, +Operator, +Number, -I): the program compares. What is not too much is kept.
+filtered(Property, Operator, Number, I) :-
+    Request = filter(Property, Operator, Number),
+    ( loaded(Request) -> true
+    ; need(size(Request), [few]) -> ensure(Request)
+    ; true
+    ),
+    ( loaded(Request) -> f(Request, Is), member(I, Is)
+    ; stream(Request, I)
+    ).

@@ -10,6 +10,7 @@
 :- dynamic(v/3).
 :- dynamic(r/3).
 :- dynamic(c/2).
+:- dynamic(f/2).
 :- dynamic(loaded/1).
 :- dynamic(resolved/2).
 :- dynamic(closure/3).
@@ -130,6 +131,7 @@ forget_facts :-
     retractall(v(_, _, _)),
     retractall(r(_, _, _)),
     retractall(c(_, _)),
+    retractall(f(_, _)),
     retractall(loaded(_)),
     retractall(resolved(_, _)),
     retractall(closure(_, _, _)).

@@ -129,8 +129,7 @@ matching(I, Exact, Operator, Bound) :- Number is Bound, ( var(I) -> among(I, Exa
 same_number(X, X0) :- number(X), number(X0), !, X =:= X0.
 same_number(X, X).
 
-% The program filters: of many values only those that match come over.
-among(I, Exact, Operator, Number) :- stream(filter(Exact, Operator, Number), I).
+among(I, Exact, Operator, Number) :- filtered(Exact, Operator, Number, I).
 
 compared(=<, A, B) :- A =< B.
 compared(>=, A, B) :- A >= B.

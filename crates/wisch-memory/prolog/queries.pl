@@ -176,7 +176,6 @@ contact_force_drift(Surface, Slope, First, Last) :-
     thing(Surface, Name),
     on_surface(Name, 'semco:meanNormalForce', abs, Series),
     trend(Series, Slope, First, Last),
-    Slope < -0.01,
     Last < 0.95 * First.
 
 % localization_drift(-Surface, -Slope, -First, -Last): metres by which the found plane moves per episode.

@@ -24,6 +24,8 @@ use wisch_memory::{
 
 /// What wrote an episode.
 pub(super) const PROGRAM: &str = concat!("wisch ", env!("CARGO_PKG_VERSION"));
+/// Least time between the episodes of a memory [s].
+const PAUSE: f64 = 1.0;
 /// How often another name is tried where one is taken.
 const NAMES_TRIED: u16 = 100;
 
@@ -55,14 +57,26 @@ struct Options<'a> {
     seed: u64,
 }
 
+/// When the last episode of a memory is over [s since 1970]: simulations are faster than the time that they simulate,
+/// and one robot does one thing at a time.
+fn after_the_last(memory: &Memory) -> f64 {
+    let names = memory.episodes().unwrap_or_default();
+    let last = names.iter().max().map(|name| memory.episode(name));
+    // One that cannot be read does not keep others from being written.
+    let record = last.and_then(Result::ok).map(|last| last.record());
+    record
+        .and_then(Result::ok)
+        .map_or(0.0, |record| record.interval[1] + PAUSE)
+}
+
 impl Remembering {
     /// Begins an episode, unless none is wanted.
     pub fn begin(args: &KeepArgs) -> Result<Self, Failure> {
         if args.no_memory {
             return Ok(Self { kept: None });
         }
-        let start = now();
         let memory = Memory::create(&args.memory).map_err(|error| cannot_keep(&error))?;
+        let start = now().max(after_the_last(&memory));
         let writer = begin(&memory, start).map_err(|error| cannot_keep(&error))?;
         let kept = Kept {
             place: args.memory.join(writer.id()),

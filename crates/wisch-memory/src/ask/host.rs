@@ -15,8 +15,8 @@ use std::sync::Arc;
 const CHUNK: [usize; 2] = [64, 512];
 /// Facts that are sent at once; an engine takes the longer for each the more come together.
 const FACTS_AT_ONCE: usize = 512;
-/// Values of a property that are sent at once when one of them is asked for.
-const BLOCK: usize = 20_000;
+/// Most individuals that a filter finds and the engine keeps; more are told again each time.
+const FILTERED_FACTS: usize = 20_000;
 
 /// Most members of a class that come over with their times and parents.
 const MEMBERS_WITH_FACTS: usize = 30_000;
@@ -42,7 +42,6 @@ pub struct Host {
 struct Sent {
     individuals: HashSet<IndividualId>,
     parts: HashSet<String>,
-    blocks: HashSet<(String, usize)>,
     values: HashMap<String, HashSet<IndividualId>>,
     statements: HashSet<IndividualId>,
     told: HashSet<String>,
@@ -163,7 +162,34 @@ impl Host {
             ("values", [Term::Atom(property)]) => Ok(Reply::Stream(self.column(property))),
             ("filter", [Term::Atom(property), Term::Atom(operator), bound]) => {
                 let bound = bound.as_number().ok_or_else(malformed)?;
-                Ok(Reply::Stream(self.filter(property, operator, bound)?))
+                let found = self.filter(property, operator, bound)?;
+                if found.len() > FILTERED_FACTS {
+                    return Ok(Reply::Stream(self.named(found)));
+                }
+                facts(
+                    found
+                        .chunks(FACTS_AT_ONCE)
+                        .map(|ids| {
+                            let names = ids
+                                .iter()
+                                .map(|&id| Term::Atom(full_name(&self.catalogue, id)));
+                            Term::compound("f", [request.clone(), Term::List(names.collect())])
+                        })
+                        .collect(),
+                )
+            }
+            ("size", [Term::Compound(filter, of)]) if filter == "filter" => {
+                let [Term::Atom(property), Term::Atom(operator), bound] = of.as_slice() else {
+                    return Err(malformed());
+                };
+                let bound = bound.as_number().ok_or_else(malformed)?;
+                let found = self.filter(property, operator, bound)?;
+                let size = if found.len() > FILTERED_FACTS {
+                    "many"
+                } else {
+                    "few"
+                };
+                facts(vec![Term::atom(size)])
             }
             ("relations", []) => Ok(Reply::Stream(self.relations(None))),
             ("relations", [Term::Atom(property)]) => {
@@ -238,13 +264,15 @@ impl Host {
         }
     }
 
-    /// The facts of an individual, and of the others of its episode.
+    /// The facts of an individual, and of its neighbours of the same class: whoever asks for one mostly asks for more.
     fn individual(&mut self, name: &str) -> Vec<Term> {
         let mut facts = Vec::new();
         if let Some(id) = self.names.individual(name) {
-            let episode = self.catalogue.episode_of(id);
-            for id in episode.first..episode.first + episode.len {
-                self.send_individual(id, &mut facts);
+            let catalogue = Arc::clone(&self.catalogue);
+            let alike = catalogue.of_class(catalogue.class(id));
+            let place = alike.partition_point(|other| *other < id) / FACTS_AT_ONCE;
+            for &other in alike.iter().skip(place * FACTS_AT_ONCE).take(FACTS_AT_ONCE) {
+                self.send_individual(other, &mut facts);
             }
         } else if let Some(class) = self.names.class_of_shared(name)
             && self.sent.parts.insert(format!("i {name}"))
@@ -324,32 +352,29 @@ impl Host {
         true
     }
 
-    /// Values of one property, of this thing and of its neighbours: whoever asks for one mostly asks for more.
+    /// Values of one property, of this thing and of its neighbours of the same class.
     fn values_of(&mut self, name: &str, property: &str) -> Vec<Term> {
+        let mut facts = self.told_once(name);
         let Some(id) = self.names.individual(name) else {
-            return self.told_once(name);
+            return facts;
         };
         let catalogue = Arc::clone(&self.catalogue);
-        let (numbers, texts) = (catalogue.numbers(property), catalogue.texts(property));
-        let mut facts = self.told_once(name);
-        let place = numbers.partition_point(|(subject, _)| *subject < id) / BLOCK;
-        if self.sent.blocks.insert((property.to_owned(), place)) {
-            let block = numbers.iter().skip(place * BLOCK).take(BLOCK);
-            for &(id, value) in block {
-                if self.is_new_value(property, id) {
-                    let name = full_name(&catalogue, id);
-                    facts.push(value_row(&name, property, Term::Float(value)));
-                }
+        let alike = catalogue.of_class(catalogue.class(id));
+        let place = alike.partition_point(|other| *other < id) / FACTS_AT_ONCE;
+        for &other in alike.iter().skip(place * FACTS_AT_ONCE).take(FACTS_AT_ONCE) {
+            let numbers = entries(catalogue.numbers(property), other);
+            let texts = entries(catalogue.texts(property), other);
+            if numbers.is_empty() && texts.is_empty() || !self.is_new_value(property, other) {
+                continue;
             }
-            if numbers.len() <= BLOCK && texts.is_empty() {
-                let request = Term::compound("column", [Term::atom(property)]);
-                facts.push(Term::compound("loaded", [request]));
-            }
-        }
-        if !entries(texts, id).is_empty() && self.is_new_value(property, id) {
-            for (_, text) in entries(texts, id) {
-                facts.push(value_row(name, property, Term::atom(text)));
-            }
+            let name = full_name(&catalogue, other);
+            let numbers = numbers.iter().map(|(_, value)| Term::Float(*value));
+            let texts = texts.iter().map(|(_, text)| Term::atom(text));
+            facts.extend(
+                numbers
+                    .chain(texts)
+                    .map(|value| value_row(&name, property, value)),
+            );
         }
         facts
     }
@@ -400,7 +425,12 @@ impl Host {
         )
     }
 
-    fn filter(&self, property: &str, operator: &str, bound: f64) -> Result<Rows, Refusal> {
+    fn filter(
+        &self,
+        property: &str,
+        operator: &str,
+        bound: f64,
+    ) -> Result<Vec<IndividualId>, Refusal> {
         #[allow(clippy::float_cmp, reason = "what is asked for")]
         let matches: fn(f64, f64) -> bool = match operator {
             "=<" => |value, bound| value <= bound,
@@ -414,13 +444,9 @@ impl Host {
                 }));
             }
         };
-        let catalogue = Arc::clone(&self.catalogue);
-        let property = property.to_owned();
-        let len = catalogue.numbers(&property).len();
-        Ok(Box::new((0..len).filter_map(move |place| {
-            let (id, value) = catalogue.numbers(&property)[place];
-            matches(value, bound).then(|| Term::Atom(full_name(&catalogue, id)))
-        })))
+        let numbers = self.catalogue.numbers(property).iter();
+        let matching = numbers.filter(|(_, value)| matches(*value, bound));
+        Ok(matching.map(|(id, _)| *id).collect())
     }
 
     fn relations(&self, property: Option<&str>) -> Rows {

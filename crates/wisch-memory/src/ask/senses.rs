@@ -22,8 +22,6 @@ const MAX_POSES: usize = 200_000;
 #[derive(Default)]
 pub struct Senses {
     memory: Option<Memory>,
-    /// The episode in which what was asked for last began or ended.
-    focus: Option<String>,
     rounds: HashMap<(String, usize), Rc<Telemetry>>,
     robots: HashMap<String, Rc<RobotModel>>,
 }
@@ -167,7 +165,10 @@ impl Senses {
             return Err(sense("this memory has no telemetry".to_owned()));
         }
         let mut spans = Vec::new();
-        for episode in self.episodes_at(catalogue, [from, to]) {
+        for episode in catalogue.episodes() {
+            if episode.interval[0] > to || episode.interval[1] < from {
+                continue;
+            }
             for round in 1..=episode.rounds.len() {
                 spans.extend(self.span(episode, round, [from, to])?);
             }
@@ -178,39 +179,6 @@ impl Senses {
             )));
         }
         Ok(spans)
-    }
-
-    /// The episodes at a time. Simulated ones may overlap: then the one in which something began or ended just
-    /// then; or the one that was so asked for before; or all.
-    fn episodes_at<'a>(
-        &mut self,
-        catalogue: &'a Catalogue,
-        [from, to]: [f64; 2],
-    ) -> Vec<&'a EpisodeRow> {
-        let during = |row: &&EpisodeRow| row.interval[0] <= to && row.interval[1] >= from;
-        let found: Vec<_> = catalogue.episodes().iter().filter(during).collect();
-        if found.len() < 2 {
-            return found;
-        }
-        let bounds = |row: &&&EpisodeRow| {
-            (row.first..row.first + row.len).any(|id| {
-                let interval = catalogue.interval(id);
-                // The very same numbers, as they came from the memory.
-                interval.is_some_and(|[start, end]| {
-                    [start, end].map(f64::to_bits) == [from, to].map(f64::to_bits)
-                })
-            })
-        };
-        if let Some(row) = found.iter().find(bounds) {
-            self.focus = Some(row.id.clone());
-        }
-        match found
-            .iter()
-            .find(|row| Some(&row.id) == self.focus.as_ref())
-        {
-            Some(row) => vec![row],
-            None => found,
-        }
     }
 
     fn span(
