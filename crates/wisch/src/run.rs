@@ -32,6 +32,10 @@ const DRAW_SHIFT: u32 = 32;
 /// After so many strokes in a row that brought nothing, the next one is not expected to.
 const STALLED_STROKES: usize = 4;
 
+/// After a push, how far the lower end of the estimate may lie below the target for it to be claimed; half of what a
+/// claim may be wrong by.
+const DOUBT_TOLERATED: f64 = 0.05;
+
 /// The robot that does it.
 #[derive(Debug, Clone, Copy)]
 pub struct Performer<'a> {
@@ -258,6 +262,14 @@ pub fn resume(
             // What happens while somebody pushes is felt badly: only a calm round shows that it is done.
             Verdict::Again | Verdict::GoalMet if is_done && is_disturbed => Verdict::NothingToGain,
             Verdict::GoalMet if is_disturbed => Verdict::Again,
+            // Nor is it known where the dirt went that was carried then: the doubt must have been wiped away.
+            Verdict::GoalMet if was_pushed(&rounds) && is_doubtful(&interpretation, config) => {
+                if is_done {
+                    Verdict::NothingToGain
+                } else {
+                    Verdict::Again
+                }
+            }
             Verdict::Again if is_done => Verdict::NothingToGain,
             // A single stroke says little: the next best one is another.
             Verdict::NoProgress if config.pace == Pace::Greedy && stalled < STALLED_STROKES => {
@@ -439,6 +451,17 @@ fn was_disturbed(executed: &Executed, interpretation: &Interpretation) -> bool {
     let mut events = interpretation.events.iter();
     matches!(executed.ending, Ending::ProtectiveStop { .. })
         || events.any(|event| event.kind == EventKind::Collision)
+}
+
+/// Whether an earlier round was disturbed.
+fn was_pushed(rounds: &[Round]) -> bool {
+    let mut rounds = rounds.iter();
+    rounds.any(|round| was_disturbed(&round.executed, &round.interpretation))
+}
+
+/// Whether the lower end of the estimate is too far below the target to claim it.
+fn is_doubtful(interpretation: &Interpretation, config: &RunConfig) -> bool {
+    interpretation.performance.low < config.target - DOUBT_TOLERATED
 }
 
 /// The dirt as it really lies: where the task has it, unless there is too much of it for the simulation.
