@@ -55,7 +55,15 @@ individual(I, Class, Start, End, Parent, Episode) :-
 
 % member_of(+Class, -I): of exactly this class.
 member_of(Class, I) :- nonvar(I), !, individual(I, Class, _, _, _, _).
-member_of(Class, I) :- ensure(members(Class)), c(Class, Is), member(I, Is).
+member_of(Class, I) :-
+    Request = members(Class),
+    ( loaded(Request) -> true
+    ; need(size(Request), [few]) -> ensure(Request)
+    ; true
+    ),
+    ( loaded(Request) -> c(Class, Is), member(I, Is)
+    ; stream(named_members(Class), I)
+    ).
 
 % part(?Parent, ?Part)
 part(Parent, Part) :- nonvar(Part), !, thing(Parent, Whole), individual(Part, _, _, _, Whole, _), Whole \== none.

@@ -18,8 +18,8 @@ const FACTS_AT_ONCE: usize = 512;
 /// Most individuals that a filter finds and the engine keeps; more are told again each time.
 const FILTERED_FACTS: usize = 20_000;
 
-/// Most members of a class that come over with their times and parents.
-const MEMBERS_WITH_FACTS: usize = 30_000;
+/// Most members of a class that the engine keeps, with times and parents; more are named one after the other.
+const MOST_MEMBERS: usize = 30_000;
 
 /// Rows that are made when they are asked for.
 type Rows = Box<dyn Iterator<Item = Term> + Send>;
@@ -151,6 +151,19 @@ impl Host {
             ("superproperties", [Term::Atom(name)]) => facts(self.names.superproperties(name)),
             ("classes", []) => facts(self.ontology.classes().map(Term::atom).collect()),
             ("members", [Term::Atom(class)]) => facts(self.members(class)),
+            ("named_members", [Term::Atom(class)]) => {
+                let shared = self.names.shared_of(class).into_iter().map(Term::Atom);
+                let members = self.named(self.catalogue.of_class(class).to_vec());
+                Ok(Reply::Stream(Box::new(members.chain(shared))))
+            }
+            ("size", [Term::Compound(members, of)]) if members == "members" => {
+                let [Term::Atom(class)] = of.as_slice() else {
+                    return Err(malformed());
+                };
+                let count = self.catalogue.of_class(class).len();
+                let size = if count > MOST_MEMBERS { "many" } else { "few" };
+                facts(vec![Term::atom(size)])
+            }
             ("individual", [Term::Atom(name)]) => facts(self.individual(name)),
             ("parts", [Term::Atom(name)]) => facts(self.parts(name)),
             ("statements", [Term::Atom(name)]) => facts(self.statements(name)),
@@ -240,9 +253,7 @@ impl Host {
         let members = catalogue.of_class(class);
         let mut names: Vec<Term> = Vec::with_capacity(members.len());
         for &id in members {
-            if members.len() <= MEMBERS_WITH_FACTS {
-                self.send_individual(id, &mut facts);
-            }
+            self.send_individual(id, &mut facts);
             names.push(Term::Atom(full_name(&catalogue, id)));
         }
         for name in self.names.shared_of(class) {
