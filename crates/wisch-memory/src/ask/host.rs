@@ -15,6 +15,10 @@ use std::sync::Arc;
 const CHUNK: [usize; 2] = [64, 512];
 /// Facts that are sent at once; an engine takes the longer for each the more come together.
 const FACTS_AT_ONCE: usize = 512;
+/// Individuals of a class that come together: those beside the one that is asked for, mostly of its episode.
+const INDIVIDUALS_AT_ONCE: usize = 8;
+/// Values of a property that come together.
+const VALUES_AT_ONCE: usize = 64;
 /// Most individuals that a filter finds and the engine keeps; more are told again each time.
 const FILTERED_FACTS: usize = 20_000;
 
@@ -281,8 +285,12 @@ impl Host {
         if let Some(id) = self.names.individual(name) {
             let catalogue = Arc::clone(&self.catalogue);
             let alike = catalogue.of_class(catalogue.class(id));
-            let place = alike.partition_point(|other| *other < id) / FACTS_AT_ONCE;
-            for &other in alike.iter().skip(place * FACTS_AT_ONCE).take(FACTS_AT_ONCE) {
+            let place = alike.partition_point(|other| *other < id) / INDIVIDUALS_AT_ONCE;
+            for &other in alike
+                .iter()
+                .skip(place * INDIVIDUALS_AT_ONCE)
+                .take(INDIVIDUALS_AT_ONCE)
+            {
                 self.send_individual(other, &mut facts);
             }
         } else if let Some(class) = self.names.class_of_shared(name)
@@ -371,8 +379,12 @@ impl Host {
         };
         let catalogue = Arc::clone(&self.catalogue);
         let alike = catalogue.of_class(catalogue.class(id));
-        let place = alike.partition_point(|other| *other < id) / FACTS_AT_ONCE;
-        for &other in alike.iter().skip(place * FACTS_AT_ONCE).take(FACTS_AT_ONCE) {
+        let place = alike.partition_point(|other| *other < id) / VALUES_AT_ONCE;
+        for &other in alike
+            .iter()
+            .skip(place * VALUES_AT_ONCE)
+            .take(VALUES_AT_ONCE)
+        {
             let numbers = entries(catalogue.numbers(property), other);
             let texts = entries(catalogue.texts(property), other);
             if numbers.is_empty() && texts.is_empty() || !self.is_new_value(property, other) {
