@@ -237,9 +237,7 @@ impl Host {
                 let fact = self.told.tell(subject, property, object)?;
                 facts(vec![fact])
             }
-            _ => self
-                .senses
-                .rows(&self.catalogue, &self.names, name, arguments),
+            _ => self.senses.rows(&self.catalogue, name, arguments),
         }
     }
 

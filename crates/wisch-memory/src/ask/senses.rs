@@ -1,7 +1,6 @@
 //! Where things were and what was felt, from the telemetry of episodes.
 
 use super::host::{Refusal, Reply};
-use super::names::Names;
 use super::term::Term;
 use super::{AskError, Fault};
 use crate::catalogue::{Catalogue, EpisodeRow};
@@ -48,7 +47,6 @@ impl Senses {
     pub(super) fn rows(
         &mut self,
         catalogue: &Catalogue,
-        names: &Names,
         name: &str,
         arguments: &[Term],
     ) -> Result<Reply, Refusal> {
@@ -80,7 +78,6 @@ impl Senses {
                 .into());
             }
         };
-        let _ = names;
         Ok(Reply::Facts(facts))
     }
 

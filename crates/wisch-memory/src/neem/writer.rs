@@ -79,15 +79,16 @@ pub struct NeemReport {
 /// ```no_run
 /// use std::path::Path;
 /// use wisch_memory::neem::{NeemConfig, NeemMeta, NeemWriter};
-/// # fn records() -> Vec<wisch_memory::EpisodeRecord> { Vec::new() }
-/// # fn meta() -> NeemMeta { unimplemented!() }
+/// use wisch_memory::EpisodeRecord;
+/// use wisch_memory::neem::NeemError;
 ///
-/// let mut neem = NeemWriter::create(Path::new("crumbs"), &meta(), &NeemConfig::default())?;
-/// for record in records() {
-///     neem.episode(&record)?;
+/// fn export(records: &[EpisodeRecord], meta: &NeemMeta) -> Result<u64, NeemError> {
+///     let mut neem = NeemWriter::create(Path::new("crumbs"), meta, &NeemConfig::default())?;
+///     for record in records {
+///         neem.episode(record)?;
+///     }
+///     Ok(neem.finish()?.triples)
 /// }
-/// println!("{} triples", neem.finish()?.triples);
-/// # Ok::<(), wisch_memory::neem::NeemError>(())
 /// ```
 #[derive(Debug)]
 pub struct NeemWriter {
