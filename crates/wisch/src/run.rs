@@ -12,7 +12,10 @@ use crate::plan::{
     CoverageStrategy, Plan, PlanConfig, PlanError, Prediction, best_plan, best_segment,
     best_segment_of_variants, predict,
 };
-use crate::recover::{Pace, Verdict, believed_performance, judge, next_task, unfinished};
+use crate::recover::{
+    Circumstances, LEAST_PROGRESS, Pace, Verdict, believed_performance, decide, judge, next_task,
+    unfinished,
+};
 use crate::represent::{
     GoalState, ParticleDistribution, ParticleError, Performance, Reality, Task,
 };
@@ -251,34 +254,21 @@ pub fn resume(
         let next = next_task(&task, &goal, &interpretation, task.seed.wrapping_add(1))?;
         let doubted = drawn(&next, &interpretation.belief)?;
         let is_done = unfinished(&doubted, &goal)?.is_empty();
-        let is_disturbed = was_disturbed(&executed, &interpretation);
         let judged = judge(&interpretation, before, config.target);
         stalled = if judged == Verdict::NoProgress {
             stalled + 1
         } else {
             0
         };
-        let verdict = match judged {
-            // What happens while somebody pushes is felt badly: only a calm round shows that it is done.
-            Verdict::Again | Verdict::GoalMet if is_done && is_disturbed => Verdict::NothingToGain,
-            Verdict::GoalMet if is_disturbed => Verdict::Again,
-            // Nor is it known where the dirt went that was carried then: the doubt must have been wiped away.
-            Verdict::GoalMet if was_pushed(&rounds) && is_doubtful(&interpretation, config) => {
-                if is_done {
-                    Verdict::NothingToGain
-                } else {
-                    Verdict::Again
-                }
-            }
-            Verdict::Again if is_done => Verdict::NothingToGain,
+        let circumstances = Circumstances {
+            is_done,
+            is_disturbed: was_disturbed(&executed, &interpretation),
+            is_doubtful: was_pushed(&rounds) && is_doubtful(&interpretation, config),
+            is_rising: interpretation.performance.mean >= before + LEAST_PROGRESS,
             // A single stroke says little: the next best one is another.
-            Verdict::NoProgress if config.pace == Pace::Greedy && stalled < STALLED_STROKES => {
-                Verdict::Again
-            }
-            // Somebody or something was in the way: that says nothing against another try.
-            Verdict::NoProgress if is_disturbed => Verdict::Again,
-            verdict => verdict,
+            is_patient: config.pace == Pace::Greedy && stalled < STALLED_STROKES,
         };
+        let verdict = decide(judged, &circumstances);
         let round = Round {
             verdict,
             true_performance: true_performance(&executed.truth.dirt, &goal, &task)?,

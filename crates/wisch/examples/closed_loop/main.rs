@@ -8,19 +8,18 @@
 mod robot;
 #[path = "../shipped/mod.rs"]
 mod shipped;
+#[path = "../shipped/whole.rs"]
+mod whole;
 
 use robot::{Robot, humanoid};
 use shipped::{AnyError, knowledge, scenario, task};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Instant;
-use wisch::execute::ExecuteConfig;
-use wisch::follow::{FollowConfig, WorkcellConfig};
+use whole::run_config;
 use wisch::interpret::EventKind;
-use wisch::plan::{CoverageStrategy, PlanConfig};
-use wisch::recover::Pace;
 use wisch::represent::{Intent, KnowledgeBase};
-use wisch::run::{News, Performer, Round, RunConfig, run};
+use wisch::run::{News, Performer, Round, run};
 
 const SCENARIOS: [&str; 3] = [
     "chopping-board",
@@ -97,24 +96,7 @@ fn trial(
     };
     let task = task(&file, *action, seed, knowledge, root)?;
     let reality = file.reality(&task, knowledge)?;
-    let config = RunConfig {
-        plan: PlanConfig {
-            strategy: CoverageStrategy::Kde,
-            seed,
-            bandwidth: file.bandwidth_m(),
-            lift_height: file.lift_height_m(),
-        },
-        variants: file.plan_variants(),
-        workcell: WorkcellConfig {
-            world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
-            ..WorkcellConfig::default()
-        },
-        follow: FollowConfig::default(),
-        execute: ExecuteConfig::default(),
-        target: file.target_performance(),
-        max_rounds: reality.max_rounds,
-        pace: Pace::Whole,
-    };
+    let config = run_config(&file, &reality, seed);
     let performer = Performer {
         robot: &robot.model,
         srdf: Some(&robot.srdf),

@@ -14,6 +14,8 @@ mod robot;
 #[path = "../shipped/mod.rs"]
 mod shipped;
 mod summary;
+#[path = "../shipped/whole.rs"]
+mod whole;
 
 use draw::disturbed;
 use rayon::prelude::*;
@@ -24,13 +26,11 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::process::ExitCode;
 use summary::{Episode, Fate, Pass, Summary};
-use wisch::execute::{ExecuteConfig, TelemetrySample};
-use wisch::follow::{FollowConfig, WorkcellConfig};
+use whole::run_config;
+use wisch::execute::TelemetrySample;
 use wisch::interpret::EventKind;
-use wisch::plan::{CoverageStrategy, PlanConfig};
-use wisch::recover::Pace;
 use wisch::represent::{Intent, KnowledgeBase, Reality, TaskFile};
-use wisch::run::{News, Performer, Round, RunConfig, run};
+use wisch::run::{News, Performer, Round, run};
 
 /// What every episode has in common.
 struct Stage<'a> {
@@ -103,6 +103,12 @@ impl Stage<'_> {
         Episode {
             seed,
             disturbances: reality.as_ref().map_or_else(String::new, in_words),
+            pushes: reality.map_or_else(Vec::new, |reality| {
+                let pushes = reality.pushes.iter();
+                pushes
+                    .map(|push| [push.start, push.start + push.duration])
+                    .collect()
+            }),
             bad_samples,
             fate,
         }
@@ -121,24 +127,7 @@ impl Stage<'_> {
         let task = task(file, *action, seed, &self.knowledge, self.root)?;
         let reality = disturbed(&file.reality(&task, &self.knowledge)?, seed);
         *disturbances = Some(reality.clone());
-        let config = RunConfig {
-            plan: PlanConfig {
-                strategy: CoverageStrategy::Kde,
-                seed,
-                bandwidth: file.bandwidth_m(),
-                lift_height: file.lift_height_m(),
-            },
-            variants: file.plan_variants(),
-            workcell: WorkcellConfig {
-                world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
-                ..WorkcellConfig::default()
-            },
-            follow: FollowConfig::default(),
-            execute: ExecuteConfig::default(),
-            target: file.target_performance(),
-            max_rounds: reality.max_rounds,
-            pace: Pace::Whole,
-        };
+        let config = run_config(file, &reality, seed);
         let performer = Performer {
             robot: &self.robot.model,
             srdf: Some(&self.robot.srdf),

@@ -8,6 +8,10 @@ use wisch::recover::Verdict;
 const FALSE_BY: f64 = 0.10;
 /// Sizes of errors of the estimate that are told, as shares of all errors [1].
 const QUANTILES: [f64; 4] = [0.5, 0.9, 0.95, 1.0];
+/// Pushes with less time between them are one [s].
+const PUSH_GAP: f64 = 0.35;
+/// An end of a push is found if it is felt no more than this apart [s].
+const PUSH_TOLERANCE: f64 = 0.05;
 /// Rounding of a force that is saturated at a limit [N].
 const FORCE_ROUNDING: f64 = 1e-9;
 
@@ -15,6 +19,8 @@ const FORCE_ROUNDING: f64 = 1e-9;
 pub struct Episode {
     pub seed: u64,
     pub disturbances: String,
+    /// From when to when somebody pushed in the first round [s].
+    pub pushes: Vec<[f64; 2]>,
     /// Samples in which something is not a number.
     pub bad_samples: usize,
     pub fate: Fate,
@@ -28,6 +34,49 @@ pub enum Fate {
     Failed(String),
     /// With a panic.
     Panicked(String),
+}
+
+impl Episode {
+    /// The pushes that were over when the first round was, those soon after each other as one.
+    fn whole_pushes(&self, duration: f64) -> Vec<[f64; 2]> {
+        let mut pushes = self.pushes.clone();
+        pushes.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let mut whole: Vec<[f64; 2]> = Vec::new();
+        for [start, end] in pushes {
+            match whole.last_mut() {
+                Some(before) if start <= before[1] + PUSH_GAP => before[1] = before[1].max(end),
+                _ => whole.push([start, end]),
+            }
+        }
+        whole.retain(|push| push[1] < duration);
+        whole
+    }
+}
+
+/// How pushes were felt.
+#[derive(Default)]
+struct Pushes {
+    count: usize,
+    found: usize,
+    /// How far starts and ends are off, of those found [s].
+    off: [Vec<f64>; 2],
+}
+
+impl Pushes {
+    fn add(&mut self, pushes: &[[f64; 2]], collisions: &[[f64; 2]]) {
+        for [start, end] in pushes {
+            self.count += 1;
+            let felt = (collisions.iter()).filter(|felt| felt[0] < *end && felt[1] > *start);
+            let whole = felt
+                .copied()
+                .reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
+            if let Some(felt) = whole {
+                self.found += 1;
+                self.off[0].push((felt[0] - start).abs());
+                self.off[1].push((felt[1] - end).abs());
+            }
+        }
+    }
 }
 
 /// One round.
@@ -132,6 +181,7 @@ pub struct Summary {
     /// Estimated − true, all together.
     drift: f64,
     last_truths: Vec<f64>,
+    pushes: Pushes,
 }
 
 impl Summary {
@@ -154,6 +204,7 @@ impl Summary {
             held: 0,
             drift: 0.0,
             last_truths: Vec::new(),
+            pushes: Pushes::default(),
         };
         for episode in episodes {
             all.add(episode);
@@ -176,6 +227,10 @@ impl Summary {
                 return;
             }
         };
+        if let Some(first) = passes.first() {
+            let whole = episode.whole_pushes(first.duration);
+            self.pushes.add(&whole, &first.collisions);
+        }
         if self.rounds.len() <= passes.len() {
             self.rounds.resize(passes.len() + 1, 0);
         }
@@ -302,6 +357,17 @@ impl fmt::Display for Summary {
             "90 % interval       holds the truth in {} of {} rounds",
             self.held,
             self.errors.len()
+        )?;
+        let near = |off: &Vec<f64>| off.iter().filter(|off| **off <= PUSH_TOLERANCE).count();
+        let [starts, ends] = &self.pushes.off;
+        writeln!(
+            f,
+            "pushes              {} of {} felt, {} starts and {} ends within {:.0} ms",
+            self.pushes.found,
+            self.pushes.count,
+            near(starts),
+            near(ends),
+            1e3 * PUSH_TOLERANCE
         )
     }
 }

@@ -45,6 +45,20 @@ pub(super) fn without_rim(mesh: &Mesh, rim: f64) -> Result<Mesh, FollowError> {
     Mesh::new(vertices.collect(), mesh.triangles().to_vec()).map_err(FollowError::Tool)
 }
 
+/// The tool while nothing presses it: its underside lies as far below the tool centre point as it is compressed
+/// when it wipes.
+pub(super) fn relaxed(mesh: &Mesh, compression_depth: f64) -> Result<Mesh, FollowError> {
+    let stretched = |v: &Point3| {
+        let share = (1.0 - v.z / (2.0 * compression_depth)).clamp(0.0, 1.0);
+        Point3::new(v.x, v.y, v.z - compression_depth * share)
+    };
+    if compression_depth <= 0.0 {
+        return Ok(mesh.clone());
+    }
+    let vertices = mesh.vertices().iter().map(stretched);
+    Mesh::new(vertices.collect(), mesh.triangles().to_vec()).map_err(FollowError::Tool)
+}
+
 /// How far a shape reaches along its link's z axis [m].
 fn outermost(collision: &Collision) -> f64 {
     let pose = &collision.link_from_shape;
@@ -66,5 +80,23 @@ fn outermost(collision: &Collision) -> f64 {
             let heights = mesh.vertices().iter().map(|vertex| (pose * vertex).z);
             heights.fold(f64::NEG_INFINITY, f64::max)
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tool_at_rest_hangs_as_low_as_it_is_compressed_when_it_wipes() {
+        let sponge = Mesh::cuboid(Vector3::new(0.07, 0.11, 0.05)).unwrap();
+        let (low, high) = sponge.bounds();
+        let (low_at_rest, high_at_rest) = relaxed(&sponge, 0.005).unwrap().bounds();
+        assert!(
+            (low.z - low_at_rest.z - 0.005).abs() < 1e-12,
+            "{low_at_rest}"
+        );
+        assert_eq!((high, low.xy()), (high_at_rest, low_at_rest.xy()));
+        assert_eq!(relaxed(&sponge, 0.0).unwrap(), sponge);
     }
 }

@@ -3,7 +3,7 @@
 use super::group::{
     Group, PlanarBase, READY_STATE, hand_and_holder, planar_base, put_in, standing_links,
 };
-use super::hold::{tip_from_tool, without_rim};
+use super::hold::{relaxed, tip_from_tool, without_rim};
 use super::second_arm::SecondArm;
 use super::{FollowError, JointLimit, JointLimits, ToolPose};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
@@ -156,8 +156,12 @@ impl Workcell {
 
         let tool = unlike(&robot, &task.tool.name);
         let bare = CollisionModel::new(&robot, srdf)?;
+        // Nothing presses a tool in free motion.
+        let relaxed = relaxed(&task.tool.mesh, task.interaction.compression_depth_m)?;
         let mut collisions = bare.clone();
-        collisions.attach(&tool, tip, tip_from_tool, &task.tool.mesh)?;
+        collisions.attach(&tool, tip, tip_from_tool, &relaxed)?;
+        let mut in_contact = bare.clone();
+        in_contact.attach(&tool, tip, tip_from_tool, &task.tool.mesh)?;
         // Whole against the robot, without its rim against the scene.
         let mut slim = bare;
         let core = unlike(&robot, &format!("core of {}", task.tool.name));
@@ -169,36 +173,32 @@ impl Workcell {
         }
         if let Some(second) = &second {
             for link in hand_and_holder(&robot, second.chain().tip()) {
-                collisions.allow(&tool, &link)?;
-                slim.allow(&tool, &link)?;
+                for model in [&mut collisions, &mut in_contact, &mut slim] {
+                    model.allow(&tool, &link)?;
+                }
             }
         }
         let on_wheels = base.map_or(vec![], |base| standing_links(&robot, &base));
         let root_from_world = world_from_root.inverse();
         let mut obstacles = Vec::new();
-        let mut carriers = Vec::new();
         for object in &task.scene {
             if matches!(object.part, ScenePart::Robot | ScenePart::Tool) {
                 continue;
             }
             let name = unlike(&robot, &object.name);
             let root_from_object = root_from_world * object.world_from_object;
-            collisions.add_obstacle(&name, root_from_object, &object.mesh)?;
-            slim.add_obstacle(&name, root_from_object, &object.mesh)?;
-            slim.allow(&tool, &name)?;
-            for link in on_wheels.iter().filter(|_| is_below_floor(object)) {
-                collisions.allow(link, &name)?;
-                slim.allow(link, &name)?;
+            for model in [&mut collisions, &mut in_contact, &mut slim] {
+                model.add_obstacle(&name, root_from_object, &object.mesh)?;
+                for link in on_wheels.iter().filter(|_| is_below_floor(object)) {
+                    model.allow(link, &name)?;
+                }
             }
+            slim.allow(&tool, &name)?;
             if object.part == ScenePart::Carrier {
-                carriers.push(name.clone());
+                in_contact.allow(&tool, &name)?;
+                slim.allow(&core, &name)?;
             }
             obstacles.push(name);
-        }
-        let mut in_contact = collisions.clone();
-        for carrier in &carriers {
-            in_contact.allow(&tool, carrier)?;
-            slim.allow(&core, carrier)?;
         }
         let arm_collisions = collisions.for_variables(&arm_variables);
         let arm_collisions_in_contact = slim.for_variables(&arm_variables);

@@ -2,13 +2,24 @@
 
 use super::events::{Evidence, Level, Run, level};
 use super::{Event, EventKind};
+use crate::geometry::Vector3;
+
+/// Size of the mean force over the mean size of the force, from which on a force acts rather than swings [1], and
+/// the longest time over which the mean is taken [s]. Whoever pushes does so in one direction for a while: random
+/// pushes keep 0.7 and more; the inertia of a long tool that the robot lifts swings about nothing, below 0.3.
+const LEAST_STEADINESS: f64 = 0.5;
+const SWING: f64 = 0.2;
+/// How long before a blow the tool must have been off the surface for it to be the tool's own landing, and how
+/// long such a blow lasts at most [s].
+const TOUCHDOWN: [f64; 2] = [0.1, 0.3];
 
 impl Evidence<'_> {
-    /// Pushes: without the tool's own landing after one, and each as one.
+    /// Pushes: without what only swings, without the tool's own landings, and each as one.
     pub(super) fn collisions(&self) -> Vec<Event> {
         let runs = self.runs(|i| self.collision(i), |i| self.push_bridge(i));
         let mut pushes: Vec<Run> = Vec::new();
-        for run in runs {
+        let runs = runs.into_iter();
+        for run in runs.filter(|run| self.is_steady(run) && !self.is_touchdown(run)) {
             match pushes.last_mut() {
                 Some(before) if self.is_landing(before, &run) => {}
                 Some(before) if self.gap(before, &run) <= self.config.events.push_gap_s => {
@@ -30,8 +41,22 @@ impl Evidence<'_> {
     /// Whether a run soon after a push is the tool that was let go of and comes down again: it presses on
     /// the surface, and nothing draws it along.
     fn is_landing(&self, before: &Run, next: &Run) -> bool {
+        self.gap(before, next) <= self.config.events.landing_s && self.is_pressed(next)
+    }
+
+    /// Whether a run is a blow as the tool comes down on the surface.
+    fn is_touchdown(&self, run: &Run) -> bool {
+        let [before, longest] = TOUCHDOWN;
+        let [start, end] = [self.span(run.first)[0], self.span(run.last)[1]];
+        let earlier = (0..run.first).rev();
+        let mut earlier = earlier.take_while(|&i| self.span(i)[1] >= start - before);
+        end - start <= longest && self.is_pressed(run) && earlier.any(|i| !self.is_touching(i))
+    }
+
+    /// Whether in a run it is the surface that presses rather than somebody who draws.
+    fn is_pressed(&self, run: &Run) -> bool {
         let (mut drawn, mut pressed) = (0.0, 0.0);
-        for i in next.first..=next.last {
+        for i in run.first..=run.last {
             let [start, end] = self.span(i);
             if self.shoved(i).max(self.handled(i)) == Level::Strong {
                 drawn += end - start;
@@ -39,7 +64,24 @@ impl Evidence<'_> {
                 pressed += end - start;
             }
         }
-        self.gap(before, next) <= self.config.events.landing_s && pressed > drawn
+        pressed > drawn
+    }
+
+    /// Whether the force of a run has a direction, for a while at least.
+    fn is_steady(&self, run: &Run) -> bool {
+        let (mut acting, mut all) = (0.0, 0.0);
+        let (mut net, mut since) = (Vector3::zeros(), self.span(run.first)[0]);
+        for i in run.first..=run.last {
+            let [start, end] = self.span(i);
+            if end - since > SWING {
+                acting += net.norm();
+                (net, since) = (Vector3::zeros(), start);
+            }
+            let impulse = self.force(i) * (end - start);
+            net += impulse;
+            all += impulse.norm();
+        }
+        acting + net.norm() >= LEAST_STEADINESS * all
     }
 
     pub(super) fn is_pushed(&self, i: usize) -> bool {

@@ -53,6 +53,8 @@ enum Way {
     ByForce,
     /// By the distance from the plane, which is off by this [m].
     ByPlace(f64),
+    /// What it carried it drags along as long as it is near the surface at all.
+    Dragging,
 }
 
 impl<'a> Witness<'a> {
@@ -100,12 +102,14 @@ impl<'a> Witness<'a> {
     fn draw(&self, stretch: &Range<usize>, random: &mut ChaCha8Rng) -> Account {
         let uncertainty = &self.config.uncertainty;
         let off = normal2(random).x * self.config.plane.inlier_distance_m;
-        let is_by_force = random.random::<f64>() < uncertainty.pushed_by_force;
+        let way = random.random::<f64>();
         let is_hopping = random.random::<f64>() < uncertainty.hop_share;
         let begin = random.random::<f64>();
         Account {
-            way: if is_by_force {
+            way: if way < uncertainty.pushed_by_force {
                 Way::ByForce
+            } else if way < uncertainty.pushed_by_force + uncertainty.pushed_dragging {
+                Way::Dragging
             } else {
                 Way::ByPlace(off)
             },
@@ -138,8 +142,13 @@ impl<'a> Witness<'a> {
         match account.way {
             _ if account.hop.contains(&i) => Felt::Nothing,
             Way::ByPlace(off) if self.is_pushed[i] => self.by_place(piece, off),
-            Way::ByPlace(_) | Way::ByForce => by_force(piece),
+            Way::Dragging if self.is_pushed[i] && self.is_near(piece) => Felt::Mean(1.0),
+            Way::ByPlace(_) | Way::Dragging | Way::ByForce => by_force(piece),
         }
+    }
+
+    fn is_near(&self, piece: &PathPiece) -> bool {
+        piece.height.abs() <= self.config.events.near_height_m
     }
 
     /// As much as the tool must be compressed where it is, if it is as much farther from the plane.

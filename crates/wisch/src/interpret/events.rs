@@ -6,6 +6,7 @@
 use super::contact::Judged;
 use super::pieces::Piece;
 use super::{Event, EventKind, InterpretConfig, PathPiece, Touch};
+use crate::geometry::Vector3;
 use crate::represent::Surface;
 
 /// Confident pieces from which on a log tells its own friction: half a second.
@@ -15,6 +16,7 @@ const LEAST_CONTACTS: usize = 50;
 #[derive(Debug)]
 pub(super) struct Evidence<'a> {
     pieces: &'a [Piece],
+    bias: Vector3,
     pub(super) path: &'a [PathPiece],
     pub(super) off: &'a [f64],
     surface: &'a Surface,
@@ -59,6 +61,7 @@ impl<'a> Evidence<'a> {
         });
         Self {
             pieces,
+            bias: judged.bias,
             path,
             off: &judged.off,
             surface,
@@ -113,6 +116,11 @@ impl<'a> Evidence<'a> {
         let before = i.checked_sub(1).map_or(first, |j| self.path[j].time[1]);
         let after = self.path.get(i + 1).map_or(last, |next| next.time[0]);
         [0.5 * (before + first), 0.5 * (last + after)]
+    }
+
+    /// What is felt at a piece, the bias taken off, in the axes of the believed surface [N].
+    pub(super) fn force(&self, i: usize) -> Vector3 {
+        self.pieces[i].force - self.bias
     }
 
     fn is_on_plane(&self, i: usize) -> bool {

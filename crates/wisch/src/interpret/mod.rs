@@ -13,6 +13,7 @@ mod density;
 mod doubt;
 mod error;
 mod events;
+mod heap;
 mod interpreter;
 mod motions;
 mod outcome;

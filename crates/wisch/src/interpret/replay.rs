@@ -6,6 +6,7 @@
 //! what is drawn.
 
 use super::doubt::Witness;
+use super::heap::Heap;
 use super::motions::{ContactMotion, MAX_LENGTH};
 use super::uneven::Uneven;
 use super::variation::Variation;
@@ -70,16 +71,20 @@ impl Replay<'_> {
         variation: &Variation,
         replay: u64,
     ) -> ParticleDistribution {
-        let slip = match self.effect {
-            Effect::Push => variation.slip,
-            Effect::Absorb => 0.0,
+        let (slip, heap) = match self.effect {
+            Effect::Push => (variation.slip, variation.heap * self.config.redraw_length_m),
+            Effect::Absorb => (0.0, 0.0),
         };
         let mut chances = Chances::new(self.config.seed, replay, particles.len(), slip);
+        let mut heap = Heap::new(heap, chances.key);
         let mut field = ParticleField::new(particles);
         let mut model = EffectModel::new(self.footprint, self.effect);
         let bounds = self.footprint.bounds();
         for contact in motions {
             let contact = variation.applied(contact);
+            if !contact.continues {
+                heap.rest(&mut field, self.surface);
+            }
             let uneven = Uneven::of(&contact, bounds, self.config.nominal_compression());
             let most = (uneven.as_ref()).map_or(contact.felt.share(), Uneven::most);
             if !chances.advance(&contact, self.config.likelihood.probability(most)) {
@@ -88,13 +93,20 @@ impl Replay<'_> {
             let likelihood = &self.config.likelihood;
             let redraw_length = self.config.redraw_length_m;
             let motion = &contact.motion;
+            heap.begin(motion);
             model.apply_where(&mut field, self.surface, motion, |particle, position| {
                 let probability = uneven.as_ref().map_or(chances.probability, |uneven| {
                     likelihood.probability(uneven.share(position))
                 });
-                chances.responds(particle, probability, redraw_length)
+                let responds = chances.responds(particle, probability, redraw_length);
+                if responds {
+                    heap.take(particle);
+                }
+                responds
             });
+            heap.pass(&mut field, self.surface);
         }
+        heap.rest(&mut field, self.surface);
         field.distribution()
     }
 }
@@ -180,7 +192,7 @@ impl Chances {
 }
 
 /// A number even in (0, 1) for a key, a particle and a draw, whatever was drawn before.
-fn even(key: u64, particle: u64, draw: u32) -> f64 {
+pub(super) fn even(key: u64, particle: u64, draw: u32) -> f64 {
     let mixed = mix(mix(key ^ mix(particle)).wrapping_add(u64::from(draw)));
     // 53 bits, the middle of each step.
     ((mixed >> 11) as f64 + 0.5) * (1.0 / (1_u64 << 53) as f64)

@@ -29,9 +29,15 @@ pub struct Uncertainty {
     /// spreads, turns about its corners and leaks. No standard deviation: in seven of eight replays nothing
     /// slips, in the others any share up to this one.
     pub slip_share: f64,
+    /// Depth of a heap of all particles before the tool, over the radius r_s of its collision sphere, at most [1]:
+    /// each replay has any depth up to this one.
+    pub heap_depth: f64,
     /// Share of the replays that still tell contact by the force where somebody pushes [1]; the others tell it by
     /// the distance from the plane.
     pub pushed_by_force: f64,
+    /// Share of the replays in which a tool that is pushed drags what it carried along as long as it is near the
+    /// surface at all [1]: it may tilt, and the hand that holds it takes its force away.
+    pub pushed_dragging: f64,
     /// Share of the replays in which a tool that is pushed hops once over what it carried [1].
     pub hop_share: f64,
     /// What all this leaves out, by which the interval is wider at either end [1].
@@ -46,7 +52,9 @@ impl Uncertainty {
         particle_m: 0.0,
         force_share: 0.0,
         slip_share: 0.0,
+        heap_depth: 0.0,
         pushed_by_force: 1.0,
+        pushed_dragging: 0.0,
         hop_share: 0.0,
         model_share: 0.0,
     };
@@ -64,9 +72,16 @@ impl Uncertainty {
             ("uncertainty.particle_m", self.particle_m, 1.0, "0 to 1 m"),
             ("uncertainty.force_share", self.force_share, 1.0, "0 to 1"),
             ("uncertainty.slip_share", self.slip_share, 1.0, "0 to 1"),
+            ("uncertainty.heap_depth", self.heap_depth, 10.0, "0 to 10"),
             (
                 "uncertainty.pushed_by_force",
                 self.pushed_by_force,
+                1.0,
+                "0 to 1",
+            ),
+            (
+                "uncertainty.pushed_dragging",
+                self.pushed_dragging,
                 1.0,
                 "0 to 1",
             ),
@@ -103,7 +118,9 @@ impl Default for Uncertainty {
             particle_m: 1.5e-3,
             force_share: 0.08,
             slip_share: 0.2,
+            heap_depth: 0.12,
             pushed_by_force: 0.25,
+            pushed_dragging: 0.2,
             hop_share: 0.5,
             model_share: 0.025,
         }
@@ -118,6 +135,8 @@ pub(super) struct Variation {
     force_scale: f64,
     /// Share of what is pushed that slips past the tool, per drawing [1].
     pub(super) slip: f64,
+    /// Depth of a heap of all particles over r_s [1].
+    pub(super) heap: f64,
     particle_m: f64,
 }
 
@@ -130,6 +149,7 @@ impl Variation {
         Self {
             grasp: PlanarPose::new(Point2::from(offset), turn * uncertainty.grasp_turn),
             slip: uncertainty.slip_share * severity(seed, replay),
+            heap: uncertainty.heap_depth * random.random::<f64>(),
             force_scale: (1.0 + scale * uncertainty.force_share).max(0.0),
             particle_m: uncertainty.particle_m,
             random,

@@ -12,6 +12,7 @@ mod strokes;
 mod tour;
 mod tree;
 mod variants;
+mod worth;
 
 pub use clearance::FreeSpace;
 pub use coverage::{

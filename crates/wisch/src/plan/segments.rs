@@ -1,8 +1,9 @@
 //! One segment of a plan at a time: what is worth wiping next, before anybody looks; paper §4.3.
 
-use super::variants::{plan_variants, worth};
+use super::variants::plan_variants;
+use super::worth::{worth, worth_of_rest};
 use super::{FreeSpace, Plan, PlanConfig, PlanError, SemanticDirectedGraph, Stroke, predict};
-use crate::represent::{Action, GoalState, ParticleDistribution, Performance, Task};
+use crate::represent::{Action, GoalState, ParticleDistribution, Task};
 
 /// Length of a segment of a tour, over the radius r_s of the collision sphere: about three widths of the
 /// tool, as far as a wipe reaches before one looks.
@@ -95,15 +96,14 @@ fn best_of(task: &Task, plans: &[Plan], space: &FreeSpace) -> Plan {
 
 /// The best of some strokes, if any gains anything.
 fn best_among(task: &Task, plan: &Plan, strokes: &[Stroke]) -> Option<Found> {
-    let goal = &plan.graph.goal;
-    let now = worth(&Performance::of(&task.particles, goal, &task.surface));
+    let now = worth_of_rest(task, &plan.graph.goal);
     let least = now + (task.particles.len() / GAIN).max(1) as i64;
     let mut one = with_strokes(plan, Vec::new());
     let mut best: Option<Found> = None;
     for stroke in strokes {
         one.strokes = vec![stroke.clone()];
         let found = Found {
-            worth: worth(&predict(task, &one, |_| ()).performance),
+            worth: worth(task, &one),
             length: stroke.length(),
             stroke: stroke.clone(),
         };

@@ -1,8 +1,9 @@
 //! Several plans for the same dirt, of which the predicted effect chooses one.
 
 use super::segments::{composed, space_of};
-use super::{CoverageStrategy, Plan, PlanConfig, PlanError, plan, predict};
-use crate::represent::{Action, ParticleDistribution, Performance, Task};
+use super::worth::worth;
+use super::{CoverageStrategy, Plan, PlanConfig, PlanError, plan};
+use crate::represent::{Action, ParticleDistribution, Task};
 
 /// Bandwidths of the density estimate that are tried beside the configured one, over half the radius of the
 /// collision sphere. The density's peaks, and with them the strokes, differ from one to the next.
@@ -15,7 +16,8 @@ const MAX_CORNERS: usize = 8;
 /// way in contact.
 ///
 /// Worth is the number of particles that reach the goal, less several for each that leaves the surface over
-/// a wrong edge: what is left can be wiped again, what is lost cannot.
+/// a wrong edge: what is left can be wiped again, what is lost cannot; and less those that are pushed so near
+/// to one that some of a heap would fall.
 ///
 /// Nodes are placed on `to_plan_on`, such as the dirt that is not yet where it belongs; what the plans do is
 /// predicted on all of the task's dirt, so that a stroke that scatters a heap counts against its plan.
@@ -41,7 +43,7 @@ pub fn best_plan(
         plans.extend(composed);
     }
     let judged = plans.into_iter().map(|plan| {
-        let worth = worth(&predict(task, &plan, |_| ()).performance);
+        let worth = worth(task, &plan);
         (worth, plan.contact_distance(), plan)
     });
     let best = judged.reduce(|best, next| {
@@ -49,15 +51,6 @@ pub fn best_plan(
         if is_better { next } else { best }
     });
     best.map_or_else(|| plan(task, config), |(_, _, plan)| Ok(plan))
-}
-
-/// How many particles that might still be brought to the goal one is worth that never will: whatever is
-/// left on the surface can be wiped again.
-const LOSS: i64 = 3;
-
-/// What a performance is worth: particles where they belong, less those that nothing brings back.
-pub(super) const fn worth(performance: &Performance) -> i64 {
-    performance.achieved as i64 - LOSS * performance.lost as i64
 }
 
 /// Up to `count` plans, at least one; the first is the plan as configured, unless that fails.

@@ -32,7 +32,7 @@ pub enum Verdict {
     NothingToGain,
     /// The robot cannot wipe again: no plan or no motion was found for the surface where it was felt.
     NoWay,
-    /// The surface was not felt: nothing is known of the effect.
+    /// The surface was not felt, and nobody was in the way: nothing is known of the effect.
     NoContact,
 }
 
@@ -66,6 +66,45 @@ pub fn judge(interpretation: &Interpretation, before: f64, target: f64) -> Verdi
         Verdict::NoProgress
     } else {
         Verdict::Again
+    }
+}
+
+/// What matters beside the estimate for what follows a round.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Circumstances {
+    /// Nothing is believed to lie elsewhere than where it belongs, but for what is lost.
+    pub is_done: bool,
+    /// Somebody pushed, or the robot stopped itself.
+    pub is_disturbed: bool,
+    /// Somebody pushed in an earlier round, and by the lower end of the estimate too little may be done.
+    pub is_doubtful: bool,
+    /// The estimate is higher than before the round.
+    pub is_rising: bool,
+    /// Nothing gained so far is no reason to stop.
+    pub is_patient: bool,
+}
+
+/// What follows a round that was judged so.
+///
+/// What happens while somebody pushes is felt badly: only a calm round shows that the goal is met. Nor is it
+/// known where the dirt went that was carried then: the doubt must have been wiped away. But that somebody or
+/// something was in the way says nothing against another try.
+pub const fn decide(judged: Verdict, circumstances: &Circumstances) -> Verdict {
+    let Circumstances {
+        is_done,
+        is_disturbed,
+        is_doubtful,
+        is_rising,
+        is_patient,
+    } = *circumstances;
+    match judged {
+        Verdict::GoalMet if !is_disturbed && !is_doubtful => Verdict::GoalMet,
+        Verdict::GoalMet | Verdict::Again if is_done => Verdict::NothingToGain,
+        Verdict::GoalMet if !is_disturbed && !is_rising => Verdict::NoProgress,
+        Verdict::GoalMet => Verdict::Again,
+        Verdict::NoProgress if is_disturbed || is_patient => Verdict::Again,
+        Verdict::NoContact if is_disturbed => Verdict::Again,
+        verdict => verdict,
     }
 }
 
@@ -123,4 +162,60 @@ pub fn unfinished(task: &Task, goal: &GoalState) -> Result<ParticleDistribution,
 /// Mean share of the particles that a belief has where the goal wants them.
 pub fn believed_performance(belief: &Belief, goal: &GoalState, surface: &Surface) -> f64 {
     belief.performance(goal, surface).mean
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_goal_is_claimed_in_calm_only_and_a_push_is_no_reason_to_give_up() {
+        let calm = Circumstances {
+            is_rising: true,
+            ..Circumstances::default()
+        };
+        let disturbed = Circumstances {
+            is_disturbed: true,
+            ..calm
+        };
+        let doubtful = Circumstances {
+            is_doubtful: true,
+            ..calm
+        };
+        let done = |circumstances| Circumstances {
+            is_done: true,
+            ..circumstances
+        };
+        for (judged, circumstances, expected) in [
+            (Verdict::GoalMet, calm, Verdict::GoalMet),
+            (Verdict::GoalMet, done(calm), Verdict::GoalMet),
+            (Verdict::GoalMet, disturbed, Verdict::Again),
+            (Verdict::GoalMet, doubtful, Verdict::Again),
+            (Verdict::GoalMet, done(disturbed), Verdict::NothingToGain),
+            (Verdict::GoalMet, done(doubtful), Verdict::NothingToGain),
+            (Verdict::Again, calm, Verdict::Again),
+            (Verdict::Again, done(calm), Verdict::NothingToGain),
+            (Verdict::NoProgress, calm, Verdict::NoProgress),
+            (Verdict::NoProgress, disturbed, Verdict::Again),
+            (Verdict::NoContact, calm, Verdict::NoContact),
+            (Verdict::NoContact, disturbed, Verdict::Again),
+            (Verdict::NoWay, disturbed, Verdict::NoWay),
+        ] {
+            assert_eq!(
+                decide(judged, &circumstances),
+                expected,
+                "{circumstances:?}"
+            );
+        }
+        let stalled = Circumstances {
+            is_rising: false,
+            ..doubtful
+        };
+        assert_eq!(decide(Verdict::GoalMet, &stalled), Verdict::NoProgress);
+        let patient = Circumstances {
+            is_patient: true,
+            ..calm
+        };
+        assert_eq!(decide(Verdict::NoProgress, &patient), Verdict::Again);
+    }
 }

@@ -1,6 +1,6 @@
 //! Particles sorted into cells, so that a stroke only meets the particles near it.
 
-use super::{Fate, ParticleDistribution};
+use super::{Fate, ParticleDistribution, Surface};
 use crate::geometry::{Bounds2, Point2, Vector2};
 
 const NONE: u32 = u32::MAX;
@@ -29,6 +29,8 @@ pub struct ParticleField {
     fate: Vec<Fate>,
     /// Slot → index in the distribution that the field was built from.
     index: Vec<u32>,
+    /// The way back.
+    slot: Vec<Slot>,
     remaining: usize,
 }
 
@@ -60,6 +62,7 @@ impl ParticleField {
             y: Vec::with_capacity(particles.len()),
             fate: Vec::with_capacity(particles.len()),
             index: (0..particles.len() as u32).collect(),
+            slot: vec![0; particles.len()],
             remaining: 0,
         };
         let cells: Vec<u32> = particles
@@ -69,6 +72,7 @@ impl ParticleField {
         field.index.sort_by_key(|&i| cells[i as usize]);
         for slot in 0..particles.len() {
             let i = field.index[slot] as usize;
+            field.slot[i] = slot as Slot;
             field.x.push(particles.x[i]);
             field.y.push(particles.y[i]);
             field.fate.push(particles.fate[i]);
@@ -96,6 +100,29 @@ impl ParticleField {
             particles.fate[i as usize] = self.fate[slot];
         }
         particles
+    }
+
+    /// Moves particle `index` of the distribution as far as told, or off the surface if an edge is in the way;
+    /// unless `stays`, a particle that does not fall remains where it is. What is off the surface is left alone.
+    pub(crate) fn shove(&mut self, index: usize, surface: &Surface, by: Vector2, stays: bool) {
+        let slot = self.slot[index];
+        if self.fate[slot as usize] != Fate::OnSurface {
+            return;
+        }
+        let from = self.position(slot);
+        match surface.exit_edge(from, from + by) {
+            Some(edge) => {
+                let edge = u16::try_from(edge).unwrap_or(u16::MAX);
+                self.remove(slot, from + by, Fate::OffSurface { edge });
+            }
+            None if stays => self.relocate(slot, from + by),
+            None => {}
+        }
+    }
+
+    /// How many particles there were at the beginning.
+    pub(crate) fn len(&self) -> usize {
+        self.index.len()
     }
 
     /// How many particles still lie on the surface.

@@ -3,6 +3,7 @@
 mod chords;
 mod effect;
 mod field;
+mod heap;
 mod knowledge;
 mod metrics;
 mod motion;
@@ -18,6 +19,7 @@ mod turning;
 
 pub use effect::{EffectModel, MotionEffect};
 pub use field::ParticleField;
+pub use heap::{HEAP_DEPTH, heap_depth};
 pub use knowledge::{
     Action, AngleRange, AreaOfEffect, Effect, GrainSize, Grip, Interaction, KnowledgeBase,
     KnowledgeError, LogNormal, MediumEntry, MediumKind, Place, RankedTool, SecondGrip,

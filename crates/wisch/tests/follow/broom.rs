@@ -4,8 +4,8 @@ use crate::board::{self, board, cell};
 use crate::humanoid::{planned, shipped};
 use crate::problems::robots;
 use wisch::follow::{
-    FollowConfig, FollowError, Followed, GRIP_TOLERANCE, LEAN_TOLERANCE, MotionFault, Workcell,
-    WorkcellConfig, audit, follow,
+    FollowConfig, FollowError, Followed, GRIP_TOLERANCE, LEAN_TOLERANCE, MotionFault, Phase, Touch,
+    Workcell, WorkcellConfig, audit, follow,
 };
 use wisch::geometry::{Point3, Vector3};
 use wisch::represent::{Action, Task, TaskFile};
@@ -94,6 +94,34 @@ fn both_hands_stay_on_the_stick_over_the_whole_motion() {
             "{faults:?}"
         );
     }
+}
+
+#[test]
+fn bristles_that_nothing_presses_hang_below_the_tool_centre_point() {
+    let (_, task, cell, followed) = swept();
+    let depth = task.interaction.compression_depth_m;
+    let over_sheet = |q: &[f64]| {
+        let kinematics = cell.robot().forward_kinematics(q).unwrap();
+        let world_from_tool = kinematics.world_from_link(cell.tip()) * cell.tip_from_tool();
+        let sheet = task.surface.world_from_surface.translation.z;
+        world_from_tool.translation.z - sheet
+    };
+    // Half as high as the bristles are compressed when they sweep.
+    let times = (0..).map(|i| f64::from(i) * 1e-3);
+    let lifting = times
+        .filter(|time| {
+            let motion = (followed.motions.iter().rev()).find(|motion| motion.start <= *time);
+            motion.is_some_and(|motion| motion.phase == Phase::Lift)
+        })
+        .map(|time| followed.sample(time).unwrap().q)
+        .find(|q| over_sheet(q) > 0.5 * depth)
+        .unwrap();
+    let touching = |touch| {
+        let model = cell.all_collisions(touch);
+        model.collision(&lifting, 1e-3).unwrap()
+    };
+    assert_eq!(touching(Touch::Surface), None);
+    assert!(touching(Touch::Nothing).is_some());
 }
 
 #[test]

@@ -224,6 +224,44 @@ fn any_force_in_free_motion_is_somebody() {
 }
 
 #[test]
+fn a_force_that_swings_is_nobody() {
+    let [_, end] = Script::default().contacts()[0];
+    // The inertia of a long tool in free motion: to and fro every 40 ms.
+    let hand = |i: u32| {
+        let start = end + 0.7 + 0.04 * f64::from(i);
+        let size = if i.is_multiple_of(2) { 20.0 } else { -20.0 };
+        Hand {
+            start,
+            end: start + 0.04,
+            off: Vector3::zeros(),
+            force: Vector3::new(0.0, 0.0, size),
+        }
+    };
+    let mut swinging = Script {
+        hands: (0..10).map(hand).collect(),
+        ..Script::default()
+    };
+    assert_eq!(events(&told(&swinging), EventKind::Collision), []);
+    for hand in &mut swinging.hands {
+        hand.force = Vector3::new(0.0, 0.0, 20.0);
+    }
+    assert_eq!(events(&told(&swinging), EventKind::Collision).len(), 1);
+}
+
+#[test]
+fn a_tool_that_comes_down_hard_has_not_been_pushed() {
+    let [start, _] = Script::default().contacts()[1];
+    let blow = Vector3::new(0.0, 0.0, 25.0);
+    let pressed = Vector3::new(0.0, 0.0, -0.0075);
+    let landing = held(&[[start, start + 0.1]], pressed, blow);
+    assert_eq!(events(&told(&landing), EventKind::Collision), []);
+    let later = held(&[[start + 1.0, start + 1.1]], pressed, blow);
+    assert_eq!(events(&told(&later), EventKind::Collision).len(), 1);
+    let long = held(&[[start, start + 0.8]], pressed, blow);
+    assert_eq!(events(&told(&long), EventKind::Collision).len(), 1);
+}
+
+#[test]
 fn a_push_that_lasts_into_free_motion_is_one() {
     let [_, end] = Script::default().contacts()[0];
     let up = (Vector3::new(0.0, 0.0, 0.03), Vector3::new(0.0, 0.0, 12.0));

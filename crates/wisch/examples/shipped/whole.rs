@@ -1,0 +1,33 @@
+//! How the examples run the whole loop.
+
+use wisch::execute::ExecuteConfig;
+use wisch::follow::{FollowConfig, WorkcellConfig};
+use wisch::plan::{CoverageStrategy, PlanConfig};
+use wisch::recover::Pace;
+use wisch::represent::{Reality, TaskFile};
+use wisch::run::RunConfig;
+
+/// As the task file says, with plans by density.
+pub fn run_config(file: &TaskFile, reality: &Reality, seed: u64) -> RunConfig {
+    let robot = file.robot();
+    RunConfig {
+        plan: PlanConfig {
+            strategy: CoverageStrategy::Kde,
+            seed,
+            bandwidth: file.bandwidth_m(),
+            lift_height: file.lift_height_m(),
+        },
+        variants: file.plan_variants(),
+        workcell: WorkcellConfig {
+            group: robot.and_then(|robot| robot.group.clone()),
+            second_group: robot.and_then(|robot| robot.second_group.clone()),
+            world_from_robot: robot.and_then(|robot| robot.world_from_robot),
+            ..WorkcellConfig::default()
+        },
+        follow: FollowConfig::default(),
+        execute: ExecuteConfig::default(),
+        target: file.target_performance(),
+        max_rounds: reality.max_rounds,
+        pace: Pace::Whole,
+    }
+}

@@ -1,0 +1,186 @@
+//! What a plan is worth, by its predicted effect.
+
+use super::{Plan, predict};
+use crate::geometry::Edge;
+use crate::represent::{
+    Fate, GoalState, HEAP_DEPTH, ParticleDistribution, Performance, Task, heap_depth,
+};
+
+/// How many particles that might still be brought to the goal one is worth that never will: whatever is
+/// left on the surface can be wiped again.
+const LOSS: i64 = 3;
+/// How many particles at the goal one takes back that comes to the brink.
+const RISK: i64 = 1;
+
+/// What doing nothing is worth: the particles where they belong, less several for each that nothing brings
+/// back.
+pub(super) fn worth_of_rest(task: &Task, goal: &GoalState) -> i64 {
+    counted(&Performance::of(&task.particles, goal, &task.surface))
+}
+
+/// What a plan is worth: the particles that it is predicted to leave where they belong, less several for each
+/// that leaves the surface over a wrong edge, and less those that are pushed so near to one that some of the
+/// heap would fall.
+pub(super) fn worth(task: &Task, plan: &Plan) -> i64 {
+    let mut brink = Brink::new(task, plan);
+    let prediction = predict(task, plan, |progress| {
+        brink.pass(progress.field.distribution());
+    });
+    counted(&prediction.performance) - RISK * brink.endangered()
+}
+
+const fn counted(performance: &Performance) -> i64 {
+    performance.achieved as i64 - LOSS * performance.lost as i64
+}
+
+/// The strip along the edges over which nothing is to fall, as wide as a heap needs.
+struct Brink {
+    edges: Vec<Edge>,
+    /// Depth of a heap of all particles [m].
+    heap: f64,
+    before: ParticleDistribution,
+    is_endangered: Vec<bool>,
+}
+
+impl Brink {
+    fn new(task: &Task, plan: &Plan) -> Self {
+        let surface = &task.surface;
+        let is_allowed =
+            |edge: usize| plan.graph.goal == GoalState::Skimmed && surface.is_skim_edge(edge);
+        let edges = surface.outline.edges().enumerate();
+        Self {
+            edges: edges
+                .filter(|&(index, _)| !is_allowed(index))
+                .map(|(_, edge)| edge)
+                .collect(),
+            heap: HEAP_DEPTH * plan.collision_radius,
+            is_endangered: vec![false; task.particles.len()],
+            before: task.particles.clone(),
+        }
+    }
+
+    /// Takes in where the particles lie after a motion.
+    fn pass(&mut self, after: ParticleDistribution) {
+        let is_pushed = |i: usize| {
+            after.fate(i) == Fate::OnSurface && after.position(i) != self.before.position(i)
+        };
+        let pushed: Vec<usize> = (0..after.len()).filter(|&i| is_pushed(i)).collect();
+        let width = heap_depth(self.heap, pushed.len() as f64 / after.len().max(1) as f64);
+        for i in pushed {
+            let place = after.position(i);
+            let is_near = |edge: &Edge| edge.distance(place) < width;
+            self.is_endangered[i] = self.is_endangered[i] || self.edges.iter().any(is_near);
+        }
+        self.before = after;
+    }
+
+    fn endangered(&self) -> i64 {
+        self.is_endangered.iter().filter(|&&is| is).count() as i64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{CoverageStrategy, Node, NodeRole, SemanticDirectedGraph, Stroke};
+    use super::*;
+    use crate::geometry::{Mesh, PlanarPose, Point2, Polygon, Pose, Region, Vector2, Vector3};
+    use crate::represent::{
+        Action, AngleRange, Interaction, LogNormal, Surface, SurfaceScope, Tool,
+    };
+    use std::f64::consts::FRAC_PI_2;
+
+    /// Crumbs on a board that ends at y = -0.14.
+    fn task(crumbs: &[Point2]) -> Task {
+        Task {
+            name: "test".into(),
+            action: Action::Collect,
+            surface: Surface {
+                name: "board".into(),
+                outline: Polygon::rectangle(Vector2::new(0.4, 0.28)),
+                world_from_surface: Pose::identity(),
+                skim_edges: vec![0],
+            },
+            scene: vec![],
+            tool: Tool {
+                name: "sponge".into(),
+                mesh: Mesh::cuboid(Vector3::new(0.07, 0.11, 0.05)).unwrap(),
+                footprint: Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))]),
+                area_of_effect: Vector2::new(0.07, 0.11),
+                rotation_about_normal: AngleRange::FULL,
+                tilt: None,
+                grip: None,
+                second_grip: None,
+            },
+            medium: "breadcrumbs".into(),
+            interaction: Interaction {
+                tool: "sponge".into(),
+                medium: "breadcrumbs".into(),
+                surface: SurfaceScope::Any,
+                actions: Action::ALL.into_iter().collect(),
+                press_force_n: 10.0,
+                stiffness_n_per_m: 500.0,
+                damping_ratio: 0.7,
+                nullspace_posture_weight: 0.1,
+                compression_depth_m: 0.005,
+                likelihood: LogNormal {
+                    mu: -1.05,
+                    sigma: 0.25,
+                },
+            },
+            particles: ParticleDistribution::new(crumbs).unwrap(),
+            collect_goal: None,
+            tool_start: Point2::new(0.0, -0.3),
+            seed: 1,
+        }
+    }
+
+    /// A stroke towards the edge that ends there; the goal holds whatever it pushes.
+    fn towards_the_edge(end: f64, goal: GoalState) -> Plan {
+        let at = [Point2::new(0.0, 0.0), Point2::new(0.0, end)];
+        Plan {
+            strategy: CoverageStrategy::Kde,
+            graph: SemanticDirectedGraph {
+                nodes: (at.iter())
+                    .map(|&position| Node {
+                        position,
+                        role: NodeRole::Coverage,
+                    })
+                    .collect(),
+                edges: vec![(0, 1)],
+                goal,
+                max_edge_length: None,
+                unreachable: vec![],
+            },
+            strokes: vec![Stroke {
+                nodes: vec![0, 1],
+                poses: at.map(|at| PlanarPose::new(at, -FRAC_PI_2)).to_vec(),
+            }],
+            collision_radius: Vector2::new(0.07, 0.11).norm() / 2.0,
+            unreachable_share: 0.0,
+            tool_start: Point2::new(0.0, -0.3),
+            lift_height: 0.05,
+        }
+    }
+
+    #[test]
+    fn a_heap_on_the_brink_is_worth_nothing_and_a_single_crumb_its_all() {
+        let goal = GoalState::Collected {
+            center: Point2::new(0.0, -0.1),
+            radius: 0.05,
+        };
+        let (near, far) = (towards_the_edge(-0.09, goal), towards_the_edge(-0.07, goal));
+        let heap = task(&[Point2::new(0.0, -0.06); 50]);
+        assert_eq!(worth_of_rest(&heap, &goal), 50);
+        assert_eq!((worth(&heap, &near), worth(&heap, &far)), (0, 50));
+        // Over the edge.
+        assert_eq!(worth(&heap, &towards_the_edge(-0.12, goal)), -3 * 50);
+        let mut crumbs = vec![Point2::new(0.19, 0.13); 49];
+        crumbs.push(Point2::new(0.0, -0.06));
+        assert_eq!(worth(&task(&crumbs), &near), 1);
+        // Over this edge the heap is to go.
+        let skimmed = towards_the_edge(-0.09, GoalState::Skimmed);
+        assert_eq!(worth(&heap, &skimmed), 0);
+        let skimmed = towards_the_edge(-0.12, GoalState::Skimmed);
+        assert_eq!(worth(&heap, &skimmed), 50);
+    }
+}
