@@ -1,8 +1,17 @@
 //! What the user may type.
 
 mod ask;
+mod log;
+mod memory;
+mod robot;
 
 pub use ask::{AskArgs, EngineArgs, EngineChoice};
+pub use log::{InterpretArgs, LogArgs, LoggedArgs};
+pub use memory::{
+    EpisodeArgs, ExportArgs, ImportArgs, KeepArgs, MemoryArgs, MemoryCommand, MemoryListArgs,
+    MemoryVerifyArgs,
+};
+pub use robot::{RobotCheckArgs, RobotCommand, RobotMapArgs};
 
 use crate::terminal::color_asked_for;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -10,9 +19,6 @@ use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum, 
 use std::path::PathBuf;
 use wisch::plan::CoverageStrategy;
 use wisch::represent::Action;
-use wisch::robot::MapConfig;
-use wisch_memory::neem::NeemConfig;
-use wisch_telemetry::{Axes, WrenchSign};
 
 /// Plan robotic wiping, predict what it does to the dirt, and follow the plan with a robot.
 ///
@@ -192,71 +198,6 @@ Examples:
     Memory(MemoryCommand),
 }
 
-/// What to do with a robot.
-#[derive(Debug, Subcommand)]
-pub enum RobotCommand {
-    /// Report what is missing or odd in a robot's URDF
-    #[command(after_help = "\
-Examples:
-  wisch robot check robots/humanoid.urdf
-  wisch robot check arm.urdf --package arm_description=../arm_description
-  wisch robot check arm.urdf --json | jq '.findings[] | select(.severity == \"warning\")'
-
-Exit codes: 0 fine (notes at most), 1 warnings that matter, 2 no robot can be made of it.")]
-    Check(RobotCheckArgs),
-    /// Build the capability map of a robot: what its arm can reach, in voxels and directions
-    #[command(after_help = "\
-Examples:
-  wisch robot map humanoid
-  wisch robot map my_robot.urdf --group manipulator --out my_robot.reach
-
-The map is used to find where a mobile base should stand. Beside the URDF, with its name and the
-ending .reach, it is found by itself; elsewhere, --map names it. It belongs to this very robot: change
-the robot, and build it anew.")]
-    Map(RobotMapArgs),
-}
-
-/// Arguments of `robot map`.
-#[derive(Debug, Args)]
-pub struct RobotMapArgs {
-    /// A robot that is shipped, or a URDF
-    #[arg(value_name = "ROBOT", value_hint = ValueHint::FilePath)]
-    pub robot: String,
-    /// The group of the robot's SRDF that reaches [default: the first]
-    #[arg(long, value_name = "NAME")]
-    pub group: Option<String>,
-    /// Edge of a voxel [m], 0.001 to 10
-    #[arg(long, value_name = "METRES", default_value_t = MapConfig::default().voxel, allow_negative_numbers = true)]
-    pub voxel_m: f64,
-    /// Random postures that are looked at
-    #[arg(long, value_name = "N", default_value_t = MapConfig::default().samples)]
-    pub samples: u64,
-    /// Where to write it, a file that ends in .reach [default: beside the URDF; of a robot that is
-    /// shipped, here]
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    pub out: Option<PathBuf>,
-    /// Where the files of package://NAME are; may be given more than once
-    #[arg(long = "package", value_name = "NAME=DIR", value_parser = package)]
-    pub packages: Vec<(String, PathBuf)>,
-    /// Print one JSON object in place of the report
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// Arguments of `robot check`.
-#[derive(Debug, Args)]
-pub struct RobotCheckArgs {
-    /// The robot's URDF; xacro files are to be expanded first
-    #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
-    pub file: PathBuf,
-    /// Where the files of package://NAME are; may be given more than once
-    #[arg(long = "package", value_name = "NAME=DIR", value_parser = package)]
-    pub packages: Vec<(String, PathBuf)>,
-    /// Print one JSON object in place of the report
-    #[arg(long)]
-    pub json: bool,
-}
-
 /// Which task, and what to change about it.
 #[derive(Debug, Args)]
 pub struct TaskArgs {
@@ -324,127 +265,6 @@ pub struct LoopArgs {
     pub memory: KeepArgs,
 }
 
-/// Where a run is kept as an episode.
-#[derive(Debug, Args)]
-pub struct KeepArgs {
-    /// Folder of the memory to which the run is added as an episode, with telemetry and all that was felt
-    #[arg(long, value_name = "DIR", default_value = DEFAULT_MEMORY, value_hint = ValueHint::DirPath)]
-    pub memory: PathBuf,
-    /// Do not keep the run as an episode
-    #[arg(long, conflicts_with = "memory")]
-    pub no_memory: bool,
-}
-
-/// Which memory is looked into.
-#[derive(Debug, Args)]
-pub struct MemoryArgs {
-    /// Folder of the memory
-    #[arg(long, value_name = "DIR", default_value = DEFAULT_MEMORY, value_hint = ValueHint::DirPath)]
-    pub memory: PathBuf,
-}
-
-/// Where episodes are kept if nothing else is said.
-const DEFAULT_MEMORY: &str = "episodes";
-
-/// What to do with a memory of episodes.
-#[derive(Debug, Subcommand)]
-pub enum MemoryCommand {
-    /// List the episodes, oldest first
-    #[command(after_help = "\
-Examples:
-  wisch memory list
-  wisch memory list --json | jq 'select(.performance < 0.8) | .id'
-
-With --json, one object per line.")]
-    List(MemoryListArgs),
-    /// Say what happened in an episode
-    #[command(after_help = "\
-Examples:
-  wisch memory show 20261122-005612-3f2a
-  wisch memory show 20261122-005612-3f2a --json | jq '.individuals[] | .class' | sort | uniq -c")]
-    Show(EpisodeArgs),
-    /// Interpret a log of the tool's pose and force, and add it to the memory as an episode
-    #[command(after_help = "\
-Examples:
-  wisch memory import wipe.mcap --task board.toml
-  wisch memory import log.csv --task board.toml --csv-columns t=time,x=px --start-s 1795308972
-
-The log is read as wisch interpret reads it. Tables and simulated bags often count time from 0: then
---start-s says when it was.")]
-    Import(Box<ImportArgs>),
-    /// Hold every file of every episode against its check sum, and read it
-    #[command(after_help = "\
-Exit codes: 0 all is well, 1 something is broken, 2 an error.")]
-    Verify(MemoryVerifyArgs),
-    /// Forget an episode for good
-    Forget(EpisodeArgs),
-    /// Write episodes for other programs, as a narrative-enabled episodic memory (NEEM)
-    #[command(after_help = "\
-Examples:
-  wisch memory export --neem neem
-  wisch memory export --neem neem 20261122-005612-3f2a --tf-rate-hz 50
-
-The folder has one subfolder for each collection, each a dump that mongorestore and KnowRob read: triples,
-annotations, inferred, tf, and wrench, which is our own. Beside them are meta.json and semco.owl.")]
-    Export(ExportArgs),
-}
-
-/// Arguments of `memory export`.
-#[derive(Debug, Args)]
-pub struct ExportArgs {
-    /// The episodes' names, as `wisch memory list` says them [default: all]
-    #[arg(value_name = "ID")]
-    pub ids: Vec<String>,
-    /// Folder for the NEEM; it must not be there yet
-    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
-    pub neem: PathBuf,
-    /// How often the pose of each frame is written [Hz]
-    #[arg(long, value_name = "HZ", default_value_t = NeemConfig::default().tf_rate_hz, allow_negative_numbers = true)]
-    pub tf_rate_hz: f64,
-    /// The memory.
-    #[command(flatten)]
-    pub memory: MemoryArgs,
-    /// Print one JSON object in place of the report
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// Arguments of `memory list`.
-#[derive(Debug, Args)]
-pub struct MemoryListArgs {
-    /// The memory.
-    #[command(flatten)]
-    pub memory: MemoryArgs,
-    /// Print one JSON object per episode in place of the table
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// Arguments of `memory verify`.
-#[derive(Debug, Args)]
-pub struct MemoryVerifyArgs {
-    /// The memory.
-    #[command(flatten)]
-    pub memory: MemoryArgs,
-    /// Print one JSON object in place of the report
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// Which episode.
-#[derive(Debug, Args)]
-pub struct EpisodeArgs {
-    /// The episode's name, as `wisch memory list` says it
-    #[arg(value_name = "ID")]
-    pub id: String,
-    /// The memory.
-    #[command(flatten)]
-    pub memory: MemoryArgs,
-    /// Print one JSON object in place of the report
-    #[arg(long)]
-    pub json: bool,
-}
-
 /// Arguments of `follow`, and of `run` in part.
 #[derive(Debug, Args)]
 pub struct FollowArgs {
@@ -505,109 +325,6 @@ pub struct PredictArgs {
     pub results: ResultArgs,
 }
 
-/// Arguments of `interpret`.
-#[derive(Debug, Args)]
-pub struct InterpretArgs {
-    /// The log.
-    #[command(flatten)]
-    pub source: LoggedArgs,
-    /// Folder for the results; one of an earlier run is replaced [default: out/NAME-OF-THE-TASK-interpreted]
-    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
-    pub out: Option<PathBuf>,
-    /// Print one JSON object in place of the summary
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// Arguments of `memory import`.
-#[derive(Debug, Args)]
-pub struct ImportArgs {
-    /// The log.
-    #[command(flatten)]
-    pub source: LoggedArgs,
-    /// When the log's first sample was taken, in seconds since 1970 (UTC) [default: as the log says]
-    #[arg(long, value_name = "SECONDS", value_parser = start_s)]
-    pub start_s: Option<f64>,
-    /// The memory.
-    #[command(flatten)]
-    pub memory: MemoryArgs,
-    /// Print one JSON object in place of the summary
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// A log, and what was being done.
-#[derive(Debug, Args)]
-pub struct LoggedArgs {
-    /// The log: a bag (.mcap), a folder with one, or a table
-    #[arg(value_name = "LOG", value_hint = ValueHint::AnyPath)]
-    pub log: PathBuf,
-    /// The task that was being done
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    pub task: PathBuf,
-    /// The plan that was followed; says where to collect, if the task does not
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    pub plan: Option<PathBuf>,
-    /// What was done to the dirt [default: the task's]
-    #[arg(long, value_name = "ACTION", value_parser = action_parser())]
-    pub action: Option<Action>,
-    /// Seed of everything random [default: the task's]
-    #[arg(long, value_name = "N")]
-    pub seed: Option<u64>,
-    /// Change a value of the task file; may be given more than once
-    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = setting)]
-    pub settings: Vec<(String, String)>,
-    /// Folder with tools, media, surfaces, interactions and the domain [default: built in]
-    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
-    pub knowledge: Option<PathBuf>,
-    /// How the log is to be understood.
-    #[command(flatten)]
-    pub reading: LogArgs,
-}
-
-/// How a log is to be understood.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "How the log is to be understood")]
-pub struct LogArgs {
-    /// Topic with the tool's pose, after a colon the field or child frame in it [default: the only one]
-    #[arg(long, value_name = "TOPIC[:FIELD]")]
-    pub pose_topic: Option<String>,
-    /// Topic with the force, after a colon the field in it [default: the only one]
-    #[arg(long, value_name = "TOPIC[:FIELD]")]
-    pub wrench_topic: Option<String>,
-    /// A table's names of columns, where they are not t, x, y, z, qx, qy, qz, qw, fx, fy and fz
-    #[arg(long, value_name = "OURS=THEIRS", value_delimiter = ',', value_parser = setting)]
-    pub csv_columns: Vec<(String, String)>,
-    /// In whose axes the force is given: the task's world, the frame of the logged poses (log), the frame whose
-    /// pose is logged (tool), or the surface [default: as the log says, or tool]
-    #[arg(long, value_name = "AXES", value_parser = axes_parser())]
-    pub wrench_frame: Option<Axes>,
-    /// Whether the force is that on the tool or that by the tool
-    #[arg(long, value_name = "SIGN", default_value = "on-tool", value_parser = sign_parser())]
-    pub wrench_sign: WrenchSign,
-    /// The log's unit of force [N]
-    #[arg(long, value_name = "NEWTONS", default_value_t = 1.0, value_parser = unit)]
-    pub force_unit_n: f64,
-    /// The log's unit of length [m]
-    #[arg(long, value_name = "METRES", default_value_t = 1.0, value_parser = unit)]
-    pub length_unit_m: f64,
-    /// A table's unit of time [s]
-    #[arg(long, value_name = "SECONDS", default_value_t = 1.0, value_parser = unit)]
-    pub time_unit_s: f64,
-    /// The task's tool in the frame whose pose is logged: position [m], roll, pitch and yaw [rad]
-    #[arg(long, num_args = 6, value_names = POSE_NAMES, allow_negative_numbers = true, value_parser = finite)]
-    pub pose_offset: Vec<f64>,
-    /// The frame of the logged poses in the task's world: position [m], roll, pitch and yaw [rad]
-    #[arg(long, num_args = 6, value_names = POSE_NAMES, allow_negative_numbers = true, value_parser = finite)]
-    pub world_from_log: Vec<f64>,
-    /// How long the rarer of pose and force may be unknown and is interpolated [s]
-    #[arg(long, value_name = "SECONDS", default_value_t = 0.1, value_parser = unit)]
-    pub max_gap_s: f64,
-}
-
-/// What six numbers of a pose are.
-const POSE_NAMES: [&str; 6] = ["X", "Y", "Z", "ROLL", "PITCH", "YAW"];
-
 /// Arguments of `footprint`.
 #[derive(Debug, Args)]
 pub struct FootprintArgs {
@@ -654,53 +371,6 @@ fn strategy_parser() -> impl TypedValueParser<Value = CoverageStrategy> {
 
 fn action_parser() -> impl TypedValueParser<Value = Action> {
     PossibleValuesParser::new(Action::ALL.map(Action::as_str)).try_map(|name| name.parse())
-}
-
-fn axes_parser() -> impl TypedValueParser<Value = Axes> {
-    PossibleValuesParser::new(Axes::ALL.map(Axes::as_str)).map(|name| {
-        let named = Axes::ALL.into_iter().find(|axes| axes.as_str() == name);
-        // The parser lets none but these names pass.
-        named.unwrap_or(Axes::Tool)
-    })
-}
-
-fn sign_parser() -> impl TypedValueParser<Value = WrenchSign> {
-    PossibleValuesParser::new(["on-tool", "by-tool"]).map(|name| match name.as_str() {
-        "by-tool" => WrenchSign::ByTool,
-        _ => WrenchSign::OnTool,
-    })
-}
-
-fn start_s(text: &str) -> Result<f64, String> {
-    let seconds: f64 = text.parse().map_err(|_| format!("{text:?} is no number"))?;
-    if (0.0..LATEST_START_S).contains(&seconds) {
-        return Ok(seconds);
-    }
-    Err(format!("{seconds} is not between 0 and {LATEST_START_S}"))
-}
-
-/// The year 2286, the last time whose seconds have ten digits.
-const LATEST_START_S: f64 = 1e10;
-
-fn unit(text: &str) -> Result<f64, String> {
-    let unit = finite(text)?;
-    if (UNIT_LIMITS[0]..=UNIT_LIMITS[1]).contains(&unit) {
-        Ok(unit)
-    } else {
-        let [low, high] = UNIT_LIMITS;
-        Err(format!("it is not within {low:e} to {high:e}"))
-    }
-}
-
-/// From nanoseconds to kilometres: what a unit of a log may be in SI units.
-const UNIT_LIMITS: [f64; 2] = [1e-9, 1e9];
-
-fn finite(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(number) if number.is_finite() => Ok(number),
-        Ok(_) => Err("it is not finite".to_owned()),
-        Err(_) => Err("it is no number".to_owned()),
-    }
 }
 
 fn setting(text: &str) -> Result<(String, String), String> {

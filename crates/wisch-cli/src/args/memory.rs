@@ -1,0 +1,155 @@
+//! Arguments of `memory`, and where runs are kept.
+
+use super::LoggedArgs;
+use clap::{Args, Subcommand, ValueHint};
+use std::path::PathBuf;
+use wisch_memory::neem::NeemConfig;
+
+/// Where a run is kept as an episode.
+#[derive(Debug, Args)]
+pub struct KeepArgs {
+    /// Folder of the memory to which the run is added as an episode, with telemetry and all that was felt
+    #[arg(long, value_name = "DIR", default_value = DEFAULT_MEMORY, value_hint = ValueHint::DirPath)]
+    pub memory: PathBuf,
+    /// Do not keep the run as an episode
+    #[arg(long, conflicts_with = "memory")]
+    pub no_memory: bool,
+}
+
+/// Which memory is looked into.
+#[derive(Debug, Args)]
+pub struct MemoryArgs {
+    /// Folder of the memory
+    #[arg(long, value_name = "DIR", default_value = DEFAULT_MEMORY, value_hint = ValueHint::DirPath)]
+    pub memory: PathBuf,
+}
+
+/// Where episodes are kept if nothing else is said.
+const DEFAULT_MEMORY: &str = "episodes";
+
+/// What to do with a memory of episodes.
+#[derive(Debug, Subcommand)]
+pub enum MemoryCommand {
+    /// List the episodes, oldest first
+    #[command(after_help = "\
+Examples:
+  wisch memory list
+  wisch memory list --json | jq 'select(.performance < 0.8) | .id'
+
+With --json, one object per line.")]
+    List(MemoryListArgs),
+    /// Say what happened in an episode
+    #[command(after_help = "\
+Examples:
+  wisch memory show 20261122-005612-3f2a
+  wisch memory show 20261122-005612-3f2a --json | jq '.individuals[] | .class' | sort | uniq -c")]
+    Show(EpisodeArgs),
+    /// Interpret a log of the tool's pose and force, and add it to the memory as an episode
+    #[command(after_help = "\
+Examples:
+  wisch memory import wipe.mcap --task board.toml
+  wisch memory import log.csv --task board.toml --csv-columns t=time,x=px --start-s 1795308972
+
+The log is read as wisch interpret reads it. Tables and simulated bags often count time from 0: then
+--start-s says when it was.")]
+    Import(Box<ImportArgs>),
+    /// Hold every file of every episode against its check sum, and read it
+    #[command(after_help = "\
+Exit codes: 0 all is well, 1 something is broken, 2 an error.")]
+    Verify(MemoryVerifyArgs),
+    /// Forget an episode for good
+    Forget(EpisodeArgs),
+    /// Write episodes for other programs, as a narrative-enabled episodic memory (NEEM)
+    #[command(after_help = "\
+Examples:
+  wisch memory export --neem neem
+  wisch memory export --neem neem 20261122-005612-3f2a --tf-rate-hz 50
+
+The folder has one subfolder for each collection, each a dump that mongorestore and KnowRob read: triples,
+annotations, inferred, tf, and wrench, which is our own. Beside them are meta.json and semco.owl.")]
+    Export(ExportArgs),
+}
+
+/// Arguments of `memory import`.
+#[derive(Debug, Args)]
+pub struct ImportArgs {
+    /// The log.
+    #[command(flatten)]
+    pub source: LoggedArgs,
+    /// When the log's first sample was taken, in seconds since 1970 (UTC) [default: as the log says]
+    #[arg(long, value_name = "SECONDS", value_parser = start_s)]
+    pub start_s: Option<f64>,
+    /// The memory.
+    #[command(flatten)]
+    pub memory: MemoryArgs,
+    /// Print one JSON object in place of the summary
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `memory export`.
+#[derive(Debug, Args)]
+pub struct ExportArgs {
+    /// The episodes' names, as `wisch memory list` says them [default: all]
+    #[arg(value_name = "ID")]
+    pub ids: Vec<String>,
+    /// Folder for the NEEM; it must not be there yet
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub neem: PathBuf,
+    /// How often the pose of each frame is written [Hz]
+    #[arg(long, value_name = "HZ", default_value_t = NeemConfig::default().tf_rate_hz, allow_negative_numbers = true)]
+    pub tf_rate_hz: f64,
+    /// The memory.
+    #[command(flatten)]
+    pub memory: MemoryArgs,
+    /// Print one JSON object in place of the report
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `memory list`.
+#[derive(Debug, Args)]
+pub struct MemoryListArgs {
+    /// The memory.
+    #[command(flatten)]
+    pub memory: MemoryArgs,
+    /// Print one JSON object per episode in place of the table
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `memory verify`.
+#[derive(Debug, Args)]
+pub struct MemoryVerifyArgs {
+    /// The memory.
+    #[command(flatten)]
+    pub memory: MemoryArgs,
+    /// Print one JSON object in place of the report
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Which episode.
+#[derive(Debug, Args)]
+pub struct EpisodeArgs {
+    /// The episode's name, as `wisch memory list` says it
+    #[arg(value_name = "ID")]
+    pub id: String,
+    /// The memory.
+    #[command(flatten)]
+    pub memory: MemoryArgs,
+    /// Print one JSON object in place of the report
+    #[arg(long)]
+    pub json: bool,
+}
+
+fn start_s(text: &str) -> Result<f64, String> {
+    let seconds: f64 = text.parse().map_err(|_| format!("{text:?} is no number"))?;
+    if (0.0..LATEST_START_S).contains(&seconds) {
+        return Ok(seconds);
+    }
+    Err(format!("{seconds} is not between 0 and {LATEST_START_S}"))
+}
+
+/// The year 2286, the last time whose seconds have ten digits.
+const LATEST_START_S: f64 = 1e10;
