@@ -7,7 +7,7 @@ use wisch::recover::Pace;
 use wisch::represent::{Reality, TaskFile};
 use wisch::run::RunConfig;
 
-/// As the task file says, with plans by density.
+/// As `wisch run` does it, with plans by density.
 pub fn run_config(file: &TaskFile, reality: &Reality, seed: u64) -> RunConfig {
     let robot = file.robot();
     RunConfig {
@@ -24,7 +24,10 @@ pub fn run_config(file: &TaskFile, reality: &Reality, seed: u64) -> RunConfig {
             world_from_robot: robot.and_then(|robot| robot.world_from_robot),
             ..WorkcellConfig::default()
         },
-        follow: FollowConfig::default(),
+        follow: FollowConfig {
+            seed,
+            ..FollowConfig::default()
+        },
         execute: ExecuteConfig::default(),
         target: file.target_performance(),
         max_rounds: reality.max_rounds,
