@@ -5,6 +5,7 @@
 //! reach, and comes to rest elsewhere. How deep a heap is nobody measures, so each replay has a depth of its
 //! own.
 
+use super::chances::even;
 use crate::geometry::Vector2;
 use crate::represent::{ParticleField, Surface, ToolMotion, heap_depth};
 
@@ -68,8 +69,8 @@ impl Heap {
     fn offset(&self, particle: usize, field: &ParticleField) -> Vector2 {
         let share = self.carried.len() as f64 / field.len().max(1) as f64;
         let depth = heap_depth(self.depth_of_all, share);
-        let [ahead, beside] = PLACES
-            .map(|place| super::replay::even(self.key ^ place, particle as u64, self.contact));
+        let [ahead, beside] =
+            PLACES.map(|place| even(self.key ^ place, particle as u64, self.contact));
         Vector2::new(ahead, beside - 0.5) * depth
     }
 }

@@ -6,6 +6,7 @@
 //! ```
 
 mod belief;
+mod chances;
 mod collisions;
 mod config;
 mod contact;
