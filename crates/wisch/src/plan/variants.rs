@@ -16,8 +16,8 @@ const MAX_CORNERS: usize = 8;
 /// way in contact.
 ///
 /// Worth is the number of particles that reach the goal, less several for each that leaves the surface over
-/// a wrong edge: what is left can be wiped again, what is lost cannot; and less those that are pushed so near
-/// to one that some of a heap would fall.
+/// a wrong edge: what is left can be wiped again, what is lost cannot; and less for those that are pushed so
+/// near to one that some of a heap would fall.
 ///
 /// Nodes are placed on `to_plan_on`, such as the dirt that is not yet where it belongs; what the plans do is
 /// predicted on all of the task's dirt, so that a stroke that scatters a heap counts against its plan.

@@ -10,8 +10,8 @@ use crate::represent::{
 /// left on the surface can be wiped again.
 const LOSS: i64 = 3;
 /// How many particles at the goal one takes back that comes right to an edge; within the brink in proportion.
-/// Half: about as many fall as cost that by [`LOSS`], and who refuses whatever comes near an edge leaves dirt
-/// elsewhere. Chosen on `failure-human-push`, seeds 101 to 130, of which more end well than with 1.
+/// Chosen on `failure-human-push`, seeds 101 to 130: with 1, and where all within the brink counts in full, dirt
+/// is left elsewhere and fewer of them end well.
 const RISK: f64 = 0.5;
 
 /// What doing nothing is worth: the particles where they belong, less several for each that nothing brings

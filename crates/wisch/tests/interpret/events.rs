@@ -320,3 +320,32 @@ fn whether_a_pushed_tool_wiped_is_told_by_its_place_and_by_its_force() {
     assert!(either.low < by_force + 0.02, "{either:?}: {by_force}");
     assert!(either.high > by_place - 0.02, "{either:?}: {by_place}");
 }
+
+#[test]
+fn a_pushed_tool_may_drag_its_load_along_as_long_as_it_is_near_the_surface() {
+    let task = task(400, STEEP);
+    let [start, end] = Script::default().contacts()[1];
+    let wiped = |lift: f64, pushed_dragging: f64| {
+        // Off the plane, where neither place nor force tell of contact.
+        let push = Vector3::new(12.0, 0.0, 1.0);
+        let script = held(
+            &[[start + 0.3, end - 0.3]],
+            Vector3::new(0.0, 0.0, lift),
+            push,
+        );
+        let config = InterpretConfig {
+            uncertainty: Uncertainty {
+                pushed_by_force: 0.0,
+                pushed_dragging,
+                ..Uncertainty::NONE
+            },
+            ..InterpretConfig::of(&task)
+        };
+        told_with(&script.samples(&task), &task, &config)
+            .performance
+            .mean
+    };
+    assert!(wiped(0.010, 1.0) > wiped(0.010, 0.0) + 0.1);
+    // Too high to drag anything.
+    assert!((wiped(0.030, 1.0) - wiped(0.030, 0.0)).abs() < 0.02);
+}

@@ -118,6 +118,7 @@ fn the_interval_widens_with_all_that_is_uncertain() {
     let default = Uncertainty::default();
     let (grasp_offset_m, grasp_turn) = (default.grasp_offset_m, default.grasp_turn);
     let (particle_m, slip_share) = (default.particle_m, default.slip_share);
+    let heap_depth = default.heap_depth;
     let alone = [
         Uncertainty {
             grasp_offset_m,
@@ -126,6 +127,7 @@ fn the_interval_widens_with_all_that_is_uncertain() {
         Uncertainty { grasp_turn, ..none },
         Uncertainty { particle_m, ..none },
         Uncertainty { slip_share, ..none },
+        Uncertainty { heap_depth, ..none },
         default,
     ];
     for uncertainty in alone {
@@ -140,6 +142,7 @@ fn the_interval_widens_with_all_that_is_uncertain() {
             grasp_turn: 8.0 * uncertainty.grasp_turn,
             particle_m: 3.0 * uncertainty.particle_m,
             slip_share: 3.0 * uncertainty.slip_share,
+            heap_depth: 3.0 * uncertainty.heap_depth,
             ..uncertainty
         };
         let wider = pushed(&task, &samples, larger);
