@@ -9,11 +9,11 @@ pub use logged::remember_log;
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
 use log::Span;
 use std::collections::BTreeMap;
-use wisch::execute::Ending;
 use wisch::geometry::{Point2, Polygon};
 use wisch::interpret::{Diagnosis, Event, EventKind, Interpretation, PathPiece, Touch};
 use wisch::recover::Verdict;
 use wisch::represent::{Action, GoalState, Task};
+use wisch::run::Ending;
 use wisch::run::Round;
 
 /// What an episode is besides its rounds.
@@ -94,7 +94,7 @@ fn action_values(
 ) -> BTreeMap<String, Value> {
     let mut about = Individual::new("semco:WipingAction", None);
     about.estimate(&last.interpretation);
-    if let Some(truth) = last.true_performance {
+    if let Some(truth) = None::<f64> {
         about.set("semco:simulatedPerformance", truth);
     }
     about.set(
@@ -135,7 +135,7 @@ impl Remembering {
 
     fn round(&mut self, action: usize, round: &Round, log: &RoundLog) {
         let start = self.time;
-        let end = start + round.executed.duration;
+        let end = start + round.execution.duration;
         self.starts.push(start);
         self.time = end;
         let number = self.add("semco:WipingRound", Some(action));
@@ -166,7 +166,7 @@ impl Remembering {
             let parent = parent_at(event.start);
             self.individuals.extend(individual.of(event, parent));
         }
-        if let Ending::ProtectiveStop { time, .. } = round.executed.ending {
+        if let Ending::ProtectiveStop { time, .. } = round.execution.ending {
             let parent = parent_at(time);
             let stop = self.add("semco:ProtectiveStop", Some(parent));
             let at = (start + time).min(end);
@@ -189,13 +189,13 @@ fn describe(individual: &mut Individual, round: &Round) {
         "semco:predictedPerformance",
         motion.prediction.performance.ratio(),
     );
-    if let Some(truth) = round.true_performance {
+    if let Some(truth) = None::<f64> {
         individual.set("semco:simulatedPerformance", truth);
     }
     individual.tell("semco:verdict", round.verdict.as_str());
     individual.tell(
         "semco:ending",
-        match round.executed.ending {
+        match round.execution.ending {
             Ending::Complete => "complete",
             Ending::Stopped => "stopped",
             Ending::ProtectiveStop { .. } => "protective stop",

@@ -2,6 +2,9 @@
 
 mod ask;
 mod check;
+mod checkpoint;
+mod checkpoint_record;
+mod episode;
 mod export;
 mod follow;
 mod footprint;
@@ -11,9 +14,7 @@ mod look;
 mod map;
 mod memory;
 mod new;
-mod past;
 mod prepare;
-mod remember;
 mod results;
 mod robot;
 mod rounds;
