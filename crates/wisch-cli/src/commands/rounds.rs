@@ -64,9 +64,9 @@ pub fn wipe(
     let mut episode = Remembering::begin(&args.memory)?;
     let reality = &prepared.reality;
     let (pace, usual_rounds) = if args.greedy {
-        (Pace::Greedy, GREEDY_ROUNDS * reality.max_rounds)
+        (Pace::Greedy, GREEDY_ROUNDS * prepared.file.max_rounds())
     } else {
-        (Pace::Whole, reality.max_rounds)
+        (Pace::Whole, prepared.file.max_rounds())
     };
     let config = RunConfig {
         plan: prepared.config.clone(),

@@ -10,17 +10,17 @@ use crate::args::{
     FollowArgs, GlobalArgs, LoopArgs, PredictArgs, ResultArgs, RobotArgs, RunArgs, TaskArgs,
     WipeArgs,
 };
-use crate::assets::read_text;
 use crate::failure::Failure;
 use crate::output::OutputFolder;
 use crate::progress::Progress;
-use crate::records::{PlanRecord, PredictionSummary};
+use crate::records::PredictionSummary;
 use crate::report::Frames;
 use crate::terminal::{Outcome, print, remark};
 use crate::workplace::{Found, Leftover};
 use std::path::Path;
 use std::time::Instant;
 use wisch::plan::{Plan, Prediction, plan, predict};
+use wisch_io::{PlanRecord, read_text};
 
 /// How far to go.
 #[derive(Debug, Clone, Copy)]

@@ -18,8 +18,9 @@ use std::path::Path;
 use std::time::Instant;
 use whole::run_config;
 use wisch::interpret::EventKind;
-use wisch::represent::{Intent, KnowledgeBase};
+use wisch::represent::KnowledgeBase;
 use wisch::run::{News, Performer, Round, run};
+use wisch_io::{Intent, reality};
 
 const SCENARIOS: [&str; 3] = [
     "chopping-board",
@@ -95,8 +96,8 @@ fn trial(
         return Err(format!("{name} names no action").into());
     };
     let task = task(&file, *action, seed, knowledge, root)?;
-    let reality = file.reality(&task, knowledge)?;
-    let config = run_config(&file, &reality, seed);
+    let reality = reality(file.execution(), &task, knowledge)?;
+    let config = run_config(&file, seed);
     let performer = Performer {
         robot: &robot.model,
         srdf: Some(&robot.srdf),

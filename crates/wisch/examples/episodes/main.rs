@@ -29,8 +29,9 @@ use summary::{Episode, Fate, Pass, Summary};
 use whole::run_config;
 use wisch::execute::TelemetrySample;
 use wisch::interpret::EventKind;
-use wisch::represent::{Intent, KnowledgeBase, Reality, TaskFile};
+use wisch::represent::{KnowledgeBase, Reality};
 use wisch::run::{News, Performer, Round, run};
+use wisch_io::{Intent, TaskFile, reality};
 
 /// What every episode has in common.
 struct Stage<'a> {
@@ -125,9 +126,9 @@ impl Stage<'_> {
             return Err(format!("{} names no action", file.name()).into());
         };
         let task = task(file, *action, seed, &self.knowledge, self.root)?;
-        let reality = disturbed(&file.reality(&task, &self.knowledge)?, seed);
+        let reality = disturbed(&reality(file.execution(), &task, &self.knowledge)?, seed);
         *disturbances = Some(reality.clone());
-        let config = run_config(file, &reality, seed);
+        let config = run_config(file, seed);
         let performer = Performer {
             robot: &self.robot.model,
             srdf: Some(&self.robot.srdf),

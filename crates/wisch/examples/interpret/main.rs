@@ -22,7 +22,8 @@ use wisch::interpret::{
     Belief, EventKind, InterpretConfig, Interpretation, TouchSample, interpret,
 };
 use wisch::plan::{CoverageStrategy, PlanConfig, plan};
-use wisch::represent::{Action, GoalState, Intent, Performance, Push, Reality, Task};
+use wisch::represent::{Action, GoalState, Performance, Push, Reality, Task};
+use wisch_io::{Intent, reality};
 
 /// Force [N] and duration [s] of the pushes.
 const PUSH: [f64; 2] = [15.0, 0.8];
@@ -173,7 +174,7 @@ fn main() -> Result<(), AnyError> {
         seed,
     };
 
-    let real = file.reality(&task, &knowledge)?;
+    let real = reality(file.execution(), &task, &knowledge)?;
     let calm = Reality {
         pushes: vec![],
         ..real.clone()

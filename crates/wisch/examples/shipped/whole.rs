@@ -4,11 +4,11 @@ use wisch::execute::ExecuteConfig;
 use wisch::follow::{FollowConfig, WorkcellConfig};
 use wisch::plan::{CoverageStrategy, PlanConfig};
 use wisch::recover::Pace;
-use wisch::represent::{Reality, TaskFile};
 use wisch::run::RunConfig;
+use wisch_io::TaskFile;
 
 /// As `wisch run` does it, with plans by density.
-pub fn run_config(file: &TaskFile, reality: &Reality, seed: u64) -> RunConfig {
+pub fn run_config(file: &TaskFile, seed: u64) -> RunConfig {
     let robot = file.robot();
     RunConfig {
         plan: PlanConfig {
@@ -30,7 +30,7 @@ pub fn run_config(file: &TaskFile, reality: &Reality, seed: u64) -> RunConfig {
         },
         execute: ExecuteConfig::default(),
         target: file.target_performance(),
-        max_rounds: reality.max_rounds,
+        max_rounds: file.max_rounds(),
         pace: Pace::Whole,
     }
 }

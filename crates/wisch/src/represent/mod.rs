@@ -14,7 +14,6 @@ mod section;
 mod sources;
 mod surface;
 mod task;
-mod task_file;
 mod turning;
 
 pub use effect::{EffectModel, MotionEffect};
@@ -32,9 +31,7 @@ pub use reality::{FrictionChange, Push, Reality};
 pub use scene::{SceneObject, ScenePart};
 pub use section::{OccupiedArea, SURFACE_SKIN};
 pub use sources::{
-    Cluster, DirtArea, MaskSource, ParticleSource, SourceError, cluster_particles, csv_particles,
-    mask_particles, uniform_particles,
+    Cluster, DirtArea, SourceError, cluster_particles, particle_generator, uniform_particles,
 };
 pub use surface::Surface;
 pub use task::{Task, Tool};
-pub use task_file::{Intent, ReadFile, RobotDescription, RobotRecord, TaskError, TaskFile};

@@ -58,6 +58,4 @@ pub struct Reality {
     pub kind: MediumKind,
     /// Up to how many particles are real bodies; a task with more is executed without dirt.
     pub max_bodies: usize,
-    /// How many rounds there may be.
-    pub max_rounds: usize,
 }

@@ -209,7 +209,6 @@ pub fn as_believed() -> Reality {
         },
         kind: MediumKind::Solid,
         max_bodies: 400,
-        max_rounds: 3,
     }
 }
 
