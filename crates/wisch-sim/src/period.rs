@@ -13,9 +13,10 @@ use wisch::control::{
 };
 use wisch::follow::{Followed, Motion, Phase, TrajectorySample, Workcell};
 use wisch::geometry::{Point3, Pose, Vector3};
-use wisch::represent::{FrictionChange, Push, Task};
+use wisch::represent::Task;
 use wisch::robot::{Articulation, ArticulationState, Range};
 use wisch::run::{Ending, Execution, MotionOrder, SampleSink, StopCause, TelemetrySample, Wrench};
+use wisch_io::{FrictionChange, Push};
 
 /// Faster than this no robot moves [rad/s or m/s].
 const MAX_VELOCITY: f64 = 100.0;

@@ -57,7 +57,7 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     attach_task(&task_args, &prepared, &attach)?;
     let estimated = (told.belief.sample(prepared.task.seed)).map_err(internal)?;
     let name = format!("round-1/{PARTICLES_ESTIMATED_FILE}");
-    attach(&name, estimated.to_csv().as_bytes())?;
+    attach(&name, wisch_io::particles_to_csv(&estimated).as_bytes())?;
     let occasion = Occasion {
         id: writer.id().to_owned(),
         start,

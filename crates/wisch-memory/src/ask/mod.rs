@@ -23,7 +23,7 @@ use engine::Engine;
 use host::Host;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-use wisch::text::UnknownName;
+use wisch::source_location::UnknownName;
 
 /// The Prolog system that answers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

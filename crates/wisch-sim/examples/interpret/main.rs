@@ -22,8 +22,9 @@ use wisch::interpret::{
     Belief, EventKind, InterpretConfig, Interpretation, TouchSample, interpret,
 };
 use wisch::plan::{CoverageStrategy, PlanConfig, plan};
-use wisch::represent::{Action, GoalState, Intent, Push, Task};
+use wisch::represent::{Action, GoalState, Task};
 use wisch::run::MotionOrder;
+use wisch_io::{Intent, Push};
 use wisch_sim::{Dirt, SimulationSettings, execute};
 
 /// Force [N] and duration [s] of the pushes.
@@ -180,7 +181,7 @@ fn main() -> Result<(), AnyError> {
         seed,
     };
 
-    let real = file.reality(&task, &knowledge)?;
+    let real = SimulationSettings::of(file.execution(), &task, &knowledge)?;
     let calm = SimulationSettings {
         pushes: vec![],
         ..real.clone()

@@ -1,40 +1,14 @@
 use super::*;
+use crate::KnowledgeSource;
 use proptest::prelude::*;
-
-/// The knowledge files as shipped.
-const SHIPPED: [(&str, &str); 4] = [
-    (
-        "tools.toml",
-        include_str!(concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../../knowledge/tools.toml"
-        )),
-    ),
-    (
-        "media.toml",
-        include_str!(concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../../knowledge/media.toml"
-        )),
-    ),
-    (
-        "surfaces.toml",
-        include_str!(concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../../knowledge/surfaces.toml"
-        )),
-    ),
-    (
-        "interactions.toml",
-        include_str!(concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../../knowledge/interactions.toml"
-        )),
-    ),
-];
+use std::collections::BTreeSet;
+use wisch::geometry::Vector3;
+use wisch::represent::{Action, AreaOfEffect, Effect, MediumKind};
 
 fn shipped() -> KnowledgeBase {
-    KnowledgeBase::from_toml(&SHIPPED).unwrap_or_else(|error| panic!("{error}"))
+    KnowledgeSource::BuiltIn
+        .base()
+        .unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The least that holds one of everything, to be broken at will.
@@ -74,14 +48,14 @@ sigma = 1.0
 fn error_after(piece: &str, by: &str) -> String {
     assert_eq!(SMALL.matches(piece).count(), 1, "{piece} must occur once");
     let text = SMALL.replace(piece, by);
-    KnowledgeBase::from_toml(&[("small.toml", &text)])
+    parse_knowledge(&[("small.toml", &text)])
         .expect_err("the text is broken")
         .to_string()
 }
 
 #[test]
 fn an_entry_says_what_its_file_says() {
-    let knowledge = KnowledgeBase::from_toml(&[("small.toml", SMALL)]).unwrap();
+    let knowledge = parse_knowledge(&[("small.toml", SMALL)]).unwrap();
     let tool = knowledge.tool("squeegee").unwrap();
     let area = AreaOfEffect {
         width_m: 0.3,
@@ -101,7 +75,7 @@ fn an_entry_says_what_its_file_says() {
 #[test]
 fn the_compression_depth_is_the_tools_unless_the_interaction_says_otherwise() {
     let depth = |text: &str| {
-        let knowledge = KnowledgeBase::from_toml(&[("small.toml", text)]).unwrap();
+        let knowledge = parse_knowledge(&[("small.toml", text)]).unwrap();
         let interaction = knowledge.interaction("squeegee", "gravel", "yard");
         interaction.unwrap().compression_depth_m
     };
@@ -115,7 +89,7 @@ fn what_is_known_of_the_very_surface_comes_before_what_is_known_of_any() {
     let at = SMALL.find("[[interaction]]").unwrap();
     let on_the_roof = (SMALL[at..].replace("\"any\"", "\"roof\"")).replace("n = 10", "n = 3");
     let text = format!("{SMALL}{on_the_roof}");
-    let knowledge = KnowledgeBase::from_toml(&[("small.toml", &text)]).unwrap();
+    let knowledge = parse_knowledge(&[("small.toml", &text)]).unwrap();
     let force = |surface| {
         let interaction = knowledge.interaction("squeegee", "gravel", surface);
         interaction.unwrap().press_force_n
@@ -129,8 +103,8 @@ fn texts_may_refer_to_each_other_in_any_order() {
     let interactions = format!("schema = 1\n[[interaction]]{interactions}");
     let files = [("b.toml", interactions.as_str()), ("a.toml", entries)];
     assert_eq!(
-        KnowledgeBase::from_toml(&files).unwrap(),
-        KnowledgeBase::from_toml(&[("small.toml", SMALL)]).unwrap()
+        parse_knowledge(&files).unwrap(),
+        parse_knowledge(&[("small.toml", SMALL)]).unwrap()
     );
 }
 
@@ -328,11 +302,11 @@ fn defining_something_twice_names_both_places() {
         error_after("name = \"roof\"", "name = \"yard\""),
         "small.toml:18:8: surface yard is already defined at small.toml:15:8"
     );
-    let error = KnowledgeBase::from_toml(&[("a.toml", SMALL), ("b.toml", SMALL)]).unwrap_err();
+    let error = parse_knowledge(&[("a.toml", SMALL), ("b.toml", SMALL)]).unwrap_err();
     let expected = "b.toml:3:8: tool squeegee is already defined at a.toml:3:8";
     assert_eq!(error.to_string(), expected);
     let again = &SMALL[SMALL.find("[[interaction]]").unwrap()..];
-    let error = KnowledgeBase::from_toml(&[("a.toml", &format!("{SMALL}{again}"))]).unwrap_err();
+    let error = parse_knowledge(&[("a.toml", &format!("{SMALL}{again}"))]).unwrap_err();
     assert!(
         error
             .to_string()
@@ -449,22 +423,23 @@ fn every_action_has_its_name_and_effect() {
 proptest! {
     #[test]
     fn no_text_makes_the_reader_panic(text in "\\PC*", tail in ".*") {
-        let _ = KnowledgeBase::from_toml(&[("any.toml", &text)]);
-        let _ = KnowledgeBase::from_toml(&[("any.toml", &format!("{SMALL}{tail}"))]);
+        let _ = parse_knowledge(&[("any.toml", &text)]);
+        let _ = parse_knowledge(&[("any.toml", &format!("{SMALL}{tail}"))]);
     }
 
     #[test]
     fn no_change_to_a_text_makes_the_reader_panic(
-        file in 0..4_usize,
+        file in prop::sample::select(vec!["small", "tools.toml", "media.toml", "surfaces.toml"]),
         cuts in prop::collection::vec((0.0..1.0_f64, 0..12_usize, "[\\PC\n\"\\[\\]{}=.#-]{0,6}"), 1..5)
     ) {
-        let mut text = if file == 3 { SMALL.to_owned() } else { SHIPPED[file].1.to_owned() };
+        let shipped = KnowledgeSource::BuiltIn.asset(file).map(String::from_utf8);
+        let mut text = shipped.map_or(SMALL.to_owned(), |text| text.expect("it is text"));
         for (share, length, inserted) in cuts {
             let start = text.floor_char_boundary((share * text.len() as f64) as usize);
             let end = text.floor_char_boundary(start + length);
             text.replace_range(start..end, &inserted);
         }
-        if let Err(error) = KnowledgeBase::from_toml(&[("mutated.toml", &text)]) {
+        if let Err(error) = parse_knowledge(&[("mutated.toml", &text)]) {
             prop_assert!(!error.to_string().is_empty());
         }
     }
@@ -485,7 +460,7 @@ grasp = "by the handle""#;
 #[test]
 fn a_tool_is_held_as_its_file_says() {
     let text = SMALL.replace("grasp = \"by the handle\"", GRIPS);
-    let knowledge = KnowledgeBase::from_toml(&[("small.toml", &text)]).unwrap();
+    let knowledge = parse_knowledge(&[("small.toml", &text)]).unwrap();
     let tool = knowledge.tool("squeegee").unwrap();
     let hand = tool.grip.unwrap().tool_from_hand;
     assert_eq!(hand.translation.vector, Vector3::new(0.0, 0.1, 0.9));

@@ -1,14 +1,16 @@
 //! From what was typed to what is meant: knowledge looked up, files read, particles drawn.
 
 use super::{Frame, ObjectRecord, Role, Shape, TaskError, TaskFile};
-use crate::geometry::{
+use crate::particles::{ParticleSource, csv_particles, mask_particles};
+use wisch::geometry::{
     Bounds2, Mesh, MeshFormat, Point2, Point3, Polygon, Region, Vector2, footprint,
 };
-use crate::represent::{
+use wisch::represent::{
     Action, DirtArea, Interaction, KnowledgeBase, KnowledgeError, OccupiedArea,
-    ParticleDistribution, ParticleSource, Place, SceneObject, ScenePart, Surface, Task, Tool,
-    ToolEntry, cluster_particles, csv_particles, mask_particles, uniform_particles,
+    ParticleDistribution, SceneObject, ScenePart, Surface, Task, Tool, ToolEntry,
+    cluster_particles, uniform_particles,
 };
+use wisch::source_location::Place;
 
 /// Reads a file named by a path; the error says why it cannot.
 pub type ReadFile<'a> = dyn FnMut(&str) -> Result<Vec<u8>, String> + 'a;
@@ -146,9 +148,11 @@ impl TaskFile {
     ) -> Result<ParticleDistribution, TaskError> {
         let at = &self.contents.particles_at;
         let particles = match &self.contents.particles {
-            ParticleSource::Uniform { count } => uniform_particles(area, *count, seed),
+            ParticleSource::Uniform { count } => {
+                uniform_particles(area, *count, seed).map_err(Into::into)
+            }
             ParticleSource::Clusters { count, clusters } => {
-                cluster_particles(area, clusters, *count, seed)
+                cluster_particles(area, clusters, *count, seed).map_err(Into::into)
             }
             ParticleSource::Csv { file } => {
                 let text = read(assets, at, file)?;

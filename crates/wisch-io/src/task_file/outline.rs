@@ -3,7 +3,7 @@
 use super::TaskError;
 use super::reader::Field;
 use super::record::POSITION_M;
-use crate::geometry::{Edge, Point2, Polygon, Vector2};
+use wisch::geometry::{Edge, Point2, Polygon, Vector2};
 
 /// Most points of an outline with its holes: every pair of edges is held against each other.
 const MAX_POINTS: usize = 2_000;

@@ -1,14 +1,10 @@
 //! The table `[execution]`: what a simulated execution takes for real.
 
 use super::reader::{Field, Section};
-use super::{ExecutionRecord, TaskError, TaskFile};
-use crate::geometry::{Pose, Vector3};
-use crate::represent::{
-    FrictionChange, GrainSize, KnowledgeBase, KnowledgeError, LogNormal, MediumKind, Push, Reality,
-    Task,
-};
+use super::{ExecutionRecord, FrictionChange, Push, TaskError};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::ops::RangeInclusive;
+use wisch::geometry::{Pose, Vector3};
 
 pub(super) const EXECUTION_KEYS: &[&str] = &[
     "surface_tilt_rad",
@@ -57,14 +53,6 @@ const NOISE_DEFAULT: f64 = 0.15;
 /// As many grains as are simulated at several times real time.
 const BODIES_DEFAULT: usize = 400;
 const ROUNDS_DEFAULT: usize = 4;
-/// Drops of a liquid on a surface that they wet [m].
-const DROPS: GrainSize = GrainSize {
-    min_m: 0.002,
-    max_m: 0.004,
-};
-/// Smaller grains are simulated as ones of this diameter [m]: a contact of two smaller bodies is not
-/// resolved at 1 kHz.
-const LEAST_GRAIN: f64 = 0.0008;
 
 impl Default for ExecutionRecord {
     fn default() -> Self {
@@ -78,12 +66,15 @@ impl Default for ExecutionRecord {
             mu: None,
             sigma: None,
             max_bodies: BODIES_DEFAULT,
-            max_rounds: ROUNDS_DEFAULT,
         }
     }
 }
 
-pub(super) fn execution(field: &Field<'_>) -> Result<ExecutionRecord, TaskError> {
+/// What is taken for real, and how many rounds there may be.
+pub(super) fn execution(field: Option<&Field<'_>>) -> Result<(ExecutionRecord, usize), TaskError> {
+    let Some(field) = field else {
+        return Ok((ExecutionRecord::default(), ROUNDS_DEFAULT));
+    };
     let section = field.section(EXECUTION_KEYS)?;
     let usual = ExecutionRecord::default();
     let vector = |key, limits: &RangeInclusive<f64>| -> Result<Vector3, TaskError> {
@@ -105,7 +96,8 @@ pub(super) fn execution(field: &Field<'_>) -> Result<ExecutionRecord, TaskError>
         let given = section.get(key).map(|field| field.integer(limits));
         Ok::<_, TaskError>(given.transpose()?.map_or(usual, |n| n as usize))
     };
-    Ok(ExecutionRecord {
+    let max_rounds = whole("max_rounds", ROUNDS, ROUNDS_DEFAULT)?;
+    let record = ExecutionRecord {
         believed_from_real: Pose::from_parts(
             Translation3::from(shift),
             UnitQuaternion::from_scaled_axis(Vector3::new(about_x, about_y, 0.0)),
@@ -136,8 +128,8 @@ pub(super) fn execution(field: &Field<'_>) -> Result<ExecutionRecord, TaskError>
         mu: number("mu", &LOG_FORCE)?,
         sigma: number("sigma", &LOG_SPREAD)?,
         max_bodies: whole("max_bodies", BODIES, usual.max_bodies)?,
-        max_rounds: whole("max_rounds", ROUNDS, usual.max_rounds)?,
-    })
+    };
+    Ok((record, max_rounds))
 }
 
 fn round(table: Section<'_>) -> Result<usize, TaskError> {
@@ -156,48 +148,4 @@ fn tables<T>(
     };
     let items = field.items("an array of tables")?;
     items.iter().map(|item| read(item.section(keys)?)).collect()
-}
-
-impl TaskFile {
-    /// The world as a simulated execution of a task takes it for real: what the file says of it, over what
-    /// the knowledge base says of surface and medium.
-    ///
-    /// # Errors
-    /// If surface or medium of the task are unknown.
-    pub fn reality(
-        &self,
-        task: &Task,
-        knowledge: &KnowledgeBase,
-    ) -> Result<Reality, KnowledgeError> {
-        let record = &self.contents.execution;
-        let medium = knowledge.medium(&task.medium)?;
-        let likelihood = task.interaction.likelihood;
-        let grain_size = medium.grain_size.unwrap_or(DROPS);
-        Ok(Reality {
-            believed_from_real: record.believed_from_real,
-            friction: match record.friction {
-                Some(friction) => friction,
-                None => knowledge.surface(&task.surface.name)?.friction,
-            },
-            friction_changes: record.friction_changes.clone(),
-            pushes: record.pushes.clone(),
-            force_noise: record.force_noise,
-            force_bias: record.force_bias,
-            likelihood: LogNormal {
-                mu: record.mu.unwrap_or(likelihood.mu),
-                sigma: record.sigma.unwrap_or(likelihood.sigma),
-            },
-            grain_size: GrainSize {
-                min_m: grain_size.min_m.max(LEAST_GRAIN),
-                max_m: grain_size.max_m.max(LEAST_GRAIN),
-            },
-            kind: if medium.grain_size.is_none() {
-                MediumKind::Liquid
-            } else {
-                medium.kind
-            },
-            max_bodies: record.max_bodies,
-            max_rounds: record.max_rounds,
-        })
-    }
 }

@@ -7,11 +7,13 @@ use super::{
     Contents, Frame, Intent, ObjectRecord, RobotDescription, RobotRecord, Role, Shape,
     SurfaceRecord, TaskError, ToolRecord,
 };
-use crate::geometry::{Point2, Pose, Vector2, Vector3};
-use crate::represent::{Action, Cluster, MAX_PARTICLES, MaskSource, ParticleSource, UnknownName};
+use crate::particles::{MaskSource, ParticleSource};
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
+use wisch::geometry::{Point2, Pose, Vector2, Vector3};
+use wisch::represent::{Action, Cluster, MAX_PARTICLES};
+use wisch::source_location::{Place, UnknownName};
 
 /// The schema that this version reads.
 pub(super) const SCHEMA: u64 = 1;
@@ -56,7 +58,7 @@ const LIFT_HEIGHT_DEFAULT: f64 = 0.05;
 /// Default of `target_performance`.
 const TARGET_PERFORMANCE_DEFAULT: f64 = 0.95;
 
-/// The edges of [`crate::geometry::Polygon::rectangle`], by index.
+/// The edges of [`wisch::geometry::Polygon::rectangle`], by index.
 const RECTANGLE_EDGES: [&str; 4] = ["y_min", "x_max", "y_max", "x_min"];
 const SHAPES: [&str; 5] = ["box_m", "cylinder", "sphere", "capsule", "mesh"];
 
@@ -214,6 +216,7 @@ pub(super) fn read(source: &Source<'_>) -> Result<Contents, TaskError> {
         None => Vec::new(),
     };
     let particles = root.require("particles")?;
+    let (execution, max_rounds) = super::execution::execution(root.get("execution").as_ref())?;
     Ok(Contents {
         name: root.require("name")?.name()?,
         seed: match root.get("seed") {
@@ -236,11 +239,8 @@ pub(super) fn read(source: &Source<'_>) -> Result<Contents, TaskError> {
         medium_at: named(medium),
         surface: surface(&root.require("surface")?, &scene)?,
         robot: root.get("robot").map(|f| robot(&f)).transpose()?,
-        execution: root
-            .get("execution")
-            .map(|f| super::execution::execution(&f))
-            .transpose()?
-            .unwrap_or_default(),
+        execution,
+        max_rounds,
         collect_goal,
         particles_at: particles.place(),
         particles: particle_source(&particles)?,
@@ -272,7 +272,7 @@ fn intent(
     root: Section<'_>,
     tool: Option<Section<'_>>,
     medium: Option<Section<'_>>,
-) -> Result<(Intent, crate::represent::Place), TaskError> {
+) -> Result<(Intent, Place), TaskError> {
     let (key, field) = root.exactly_one(&["action", "goal"])?;
     let at = field.place();
     let names = |key| tool.and_then(|tool| tool.get(key));

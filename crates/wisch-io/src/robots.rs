@@ -1,12 +1,13 @@
-//! Robots: those that the program carries, and the user's.
+//! Robots: those that are shipped, and the user's.
 
 use crate::assets::{self, beside, read_text};
-use crate::failure::Failure;
+use crate::error::Error;
+use crate::task_file::RobotDescription;
 use include_dir::{Dir, include_dir};
 use std::path::{Path, PathBuf};
-use wisch::represent::{RobotDescription, UnknownName};
 use wisch::robot::{CapabilityMap, RobotHash, RobotModel, Srdf};
 use wisch::run::Performer;
+use wisch::source_location::UnknownName;
 
 /// The robots folder as it was when the program was built.
 static BUILT_IN: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../robots");
@@ -63,7 +64,7 @@ impl Robot {
         task_file: &Path,
         map_file: Option<&Path>,
         packages: &[(String, PathBuf)],
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, Error> {
         let robot = Self::read_without_map(description, task_file, packages)?;
         let found = match (map_file, description) {
             (Some(path), _) => Some((path.display().to_string(), assets::read(path)?)),
@@ -82,9 +83,7 @@ impl Robot {
             }
         };
         let map = found.map(|(name, bytes)| {
-            CapabilityMap::from_bytes(&name, &bytes, RobotHash::of(&robot.model)).map_err(|error| {
-                Failure::new(error).with_help("wisch robot map builds it anew, for this very robot")
-            })
+            CapabilityMap::from_bytes(&name, &bytes, RobotHash::of(&robot.model))
         });
         Ok(Self {
             map: map.transpose()?,
@@ -100,7 +99,7 @@ impl Robot {
         description: &RobotDescription,
         task_file: &Path,
         packages: &[(String, PathBuf)],
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, Error> {
         match description {
             RobotDescription::Named(name) => built_in(name),
             RobotDescription::Files { urdf, srdf } => {
@@ -111,9 +110,9 @@ impl Robot {
         }
     }
 
-    /// What `--robot` means: a robot that is shipped, or a file.
+    /// What a word means: the name of a robot that is shipped, or the path of a URDF from the working directory.
     pub fn description(text: &str) -> RobotDescription {
-        if names().any(|name| name == text) || !text.contains(['.', '/', '\\']) {
+        if shipped_robots().any(|name| name == text) || !text.contains(['.', '/', '\\']) {
             return RobotDescription::Named(text.to_owned());
         }
         // Paths on the command line count from the working directory, not from the task file.
@@ -125,8 +124,8 @@ impl Robot {
     }
 }
 
-/// Names of the robots that the program carries.
-pub fn names() -> impl Iterator<Item = &'static str> {
+/// Names of the robots that are shipped.
+pub fn shipped_robots() -> impl Iterator<Item = &'static str> {
     BUILT_IN.files().filter_map(|file| {
         let path = file.path();
         let is_urdf = path.extension().is_some_and(|e| e == "urdf");
@@ -134,7 +133,7 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     })
 }
 
-fn built_in(name: &str) -> Result<Robot, Failure> {
+fn built_in(name: &str) -> Result<Robot, Error> {
     let text = |extension: &str| {
         let file = BUILT_IN.get_file(format!("{name}.{extension}"))?;
         Some(Named {
@@ -142,15 +141,12 @@ fn built_in(name: &str) -> Result<Robot, Failure> {
             contents: file.contents_utf8()?,
         })
     };
-    let urdf = text("urdf").ok_or_else(|| {
-        Failure::new(UnknownName::new("robot", name, names()))
-            .with_help("a robot of your own is a file: a path that ends in .urdf")
-    })?;
+    let urdf = text("urdf")
+        .ok_or_else(|| Error::UnknownRobot(UnknownName::new("robot", name, shipped_robots())))?;
     let mut no_meshes = |file: &str| Err(format!("{file}: built-in robots have no meshes"));
-    let model =
-        RobotModel::from_urdf(&urdf.name, urdf.contents, &mut no_meshes).map_err(Failure::new)?;
+    let model = RobotModel::from_urdf(&urdf.name, urdf.contents, &mut no_meshes)?;
     let srdf = (text("srdf"))
-        .map(|srdf| Srdf::parse(&srdf.name, srdf.contents, &model).map_err(Failure::new))
+        .map(|srdf| Srdf::parse(&srdf.name, srdf.contents, &model))
         .transpose()?;
     Ok(Robot {
         model,
@@ -164,22 +160,20 @@ fn built_in(name: &str) -> Result<Robot, Failure> {
     })
 }
 
-fn files(
-    urdf: &Path,
-    srdf: Option<&Path>,
-    packages: &[(String, PathBuf)],
-) -> Result<Robot, Failure> {
+fn files(urdf: &Path, srdf: Option<&Path>, packages: &[(String, PathBuf)]) -> Result<Robot, Error> {
     let text = read_text(urdf)?;
     let name = urdf.display().to_string();
-    let mut read = meshes(urdf, packages);
+    let mut read = robot_meshes(urdf, packages);
     let mut found = Vec::new();
     let mut keep = |file: &str| {
         let bytes = read(file)?;
         found.push((file.to_owned(), bytes.clone()));
         Ok(bytes)
     };
-    let model = RobotModel::from_urdf(&name, &text, &mut keep)
-        .map_err(|error| Failure::new(error).with_help(format!("wisch robot check {name}")))?;
+    let model = RobotModel::from_urdf(&name, &text, &mut keep).map_err(|error| Error::Urdf {
+        file: name.clone(),
+        error,
+    })?;
     let beside_urdf = urdf.with_extension("srdf");
     let srdf = match srdf {
         Some(path) => Some(path),
@@ -187,9 +181,7 @@ fn files(
     };
     let srdf_text = srdf.map(read_text).transpose()?;
     let srdf = (srdf.zip(srdf_text.as_deref()))
-        .map(|(path, text)| {
-            Srdf::parse(&path.display().to_string(), text, &model).map_err(Failure::new)
-        })
+        .map(|(path, text)| Srdf::parse(&path.display().to_string(), text, &model))
         .transpose()?;
     Ok(Robot {
         model,
@@ -208,7 +200,7 @@ fn folder(task_file: &Path) -> &Path {
 }
 
 /// Reads what a URDF refers to: paths count from the URDF's folder, packages are given.
-pub fn meshes(
+pub fn robot_meshes(
     urdf: &Path,
     packages: &[(String, PathBuf)],
 ) -> impl FnMut(&str) -> Result<Vec<u8>, String> {
@@ -221,6 +213,6 @@ pub fn meshes(
         let known = packages.iter().find(|(known, _)| known == name);
         let (_, folder) =
             known.ok_or_else(|| format!("its package is not known; add --package {name}=DIR"))?;
-        assets::read(&folder.join(rest)).map_err(|failure| failure.to_string())
+        assets::read(&folder.join(rest)).map_err(|error| error.to_string())
     }
 }

@@ -1,9 +1,9 @@
 //! The text of a task file and the settings laid over it, as one tree whose values know their place.
 
 use super::TaskError;
-use crate::represent::Place;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+use wisch::source_location::Place;
 
 /// Keys of which one excludes the others: setting one drops the others from the file.
 const ALTERNATIVES: [&[&str]; 3] = [

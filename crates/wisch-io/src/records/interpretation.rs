@@ -3,7 +3,6 @@
 use super::plan::PoseRecord;
 use serde::Serialize;
 use wisch::interpret::{Diagnosis, Event, EventKind, FittedPlane, Interpretation};
-use wisch_telemetry::{AxesSource, Log};
 
 /// The format's name.
 pub const INTERPRETATION_FORMAT: &str = "wisch-interpretation";
@@ -189,27 +188,6 @@ impl EventRecord {
             mean_normal_force_n: event.mean_normal_force,
             peak_force_n: event.peak_force,
             peak_height_m: event.peak_height,
-        }
-    }
-}
-
-impl LogRecord {
-    /// What is written of a log that was read from a file.
-    pub fn new(file: &std::path::Path, log: &Log) -> Self {
-        let times = [log.samples.first(), log.samples.last()]
-            .map(|sample| sample.map_or(0.0, |sample| sample.time));
-        Self {
-            file: file.display().to_string(),
-            pose: log.pose_name.clone(),
-            wrench: log.wrench_name.clone(),
-            wrench_frame: log.axes.as_str(),
-            wrench_frame_assumed: log.axes_source == AxesSource::Assumed,
-            samples: log.samples.len(),
-            duration_s: times[1] - times[0],
-            start_ns: log.start,
-            repeated: log.repeated,
-            unpaired: log.unpaired,
-            unfinished: log.is_unfinished,
         }
     }
 }

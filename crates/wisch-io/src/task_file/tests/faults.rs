@@ -1,7 +1,7 @@
 //! What is refused, and where it says that the fault is.
 
 use super::*;
-use crate::geometry::Mesh;
+use wisch::geometry::Mesh;
 
 #[test]
 fn a_fault_is_refused_with_its_place() {

@@ -1,7 +1,9 @@
 //! Why a task file was refused.
 
-use crate::geometry::{FootprintError, MeshError};
-use crate::represent::{KnowledgeError, Place, SourceError, UnknownName};
+use crate::particles::ParticleSourceError;
+use wisch::geometry::{FootprintError, MeshError};
+use wisch::represent::KnowledgeError;
+use wisch::source_location::{Place, UnknownName};
 
 /// Why a task file could not be read or does not become a task.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -158,7 +160,7 @@ pub enum TaskError {
         at: Place,
         /// Why.
         #[source]
-        error: SourceError,
+        error: ParticleSourceError,
     },
 }
 

@@ -17,7 +17,7 @@ impl Place {
     /// The place of the byte at `offset`; beyond the end of the text it is the end.
     ///
     /// ```
-    /// use wisch::text::Place;
+    /// use wisch::source_location::Place;
     /// let place = Place::at_offset("tools.toml", "schema = 1\nname = 3\n", 18);
     /// assert_eq!(place.to_string(), "tools.toml:2:8");
     /// ```

@@ -1,5 +1,6 @@
 //! The task file: what the user writes, as typed and checked, and how it becomes a [`Task`].
 
+mod disturbance;
 mod error;
 mod execution;
 mod outline;
@@ -10,13 +11,16 @@ mod resolve;
 mod tests;
 mod tree;
 
+pub use disturbance::{FrictionChange, Push};
 pub use error::TaskError;
 pub use resolve::ReadFile;
 
+use crate::particles::ParticleSource;
+use wisch::geometry::{Point2, Polygon, Pose, Vector3};
+use wisch::represent::Action;
 #[cfg(doc)]
-use super::Task;
-use super::{Action, FrictionChange, ParticleSource, Place, Push};
-use crate::geometry::{Point2, Polygon, Pose, Vector3};
+use wisch::represent::Task;
+use wisch::source_location::Place;
 
 /// What a task file asks for.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -87,6 +91,7 @@ struct Contents {
     surface: SurfaceRecord,
     robot: Option<RobotRecord>,
     execution: ExecutionRecord,
+    max_rounds: usize,
     collect_goal: Option<Point2>,
     scene: Vec<ObjectRecord>,
     particles: ParticleSource,
@@ -123,19 +128,28 @@ struct ObjectRecord {
     role: Role,
 }
 
-/// What is said of reality; `None` leaves it to the knowledge base.
+/// The table `[execution]`: what a simulated execution is to take for real, and neither the plan nor the
+/// interpretation is told.
 #[derive(Debug, Clone, PartialEq)]
-struct ExecutionRecord {
-    believed_from_real: Pose,
-    friction: Option<f64>,
-    friction_changes: Vec<FrictionChange>,
-    pushes: Vec<Push>,
-    force_noise: f64,
-    force_bias: Vector3,
-    mu: Option<f64>,
-    sigma: Option<f64>,
-    max_bodies: usize,
-    max_rounds: usize,
+pub struct ExecutionRecord {
+    /// Where the surface really is, in the frame of the believed one.
+    pub believed_from_real: Pose,
+    /// Coulomb coefficient between tool and surface at the start [1]; `None` takes the knowledge base's.
+    pub friction: Option<f64>,
+    /// Changes of it, as typed.
+    pub friction_changes: Vec<FrictionChange>,
+    /// Who pushes, as typed.
+    pub pushes: Vec<Push>,
+    /// Standard deviation of the measured force, per axis [N].
+    pub force_noise: f64,
+    /// What is always added to the measured force, in the axes of the world [N].
+    pub force_bias: Vector3,
+    /// Mean of ln f′ from which on a grain is taken along; `None` takes the knowledge base's.
+    pub mu: Option<f64>,
+    /// Standard deviation of ln f′; `None` takes the knowledge base's.
+    pub sigma: Option<f64>,
+    /// Up to how many particles are real bodies.
+    pub max_bodies: usize,
 }
 
 /// In which frame an object's pose is given.
@@ -179,14 +193,14 @@ impl TaskFile {
     /// range or at odds with another: with file, line and column.
     ///
     /// ```
-    /// use wisch::represent::TaskFile;
+    /// use wisch_io::TaskFile;
     /// let setting = ("seed".to_owned(), "7".to_owned());
     /// let task = TaskFile::parse("template.toml", TaskFile::TEMPLATE, &[setting])?;
     /// assert_eq!(task.seed(), 7);
     ///
     /// let error = TaskFile::parse("task.toml", "schema = 1\ncolour = 3\n", &[]).unwrap_err();
     /// assert!(error.to_string().starts_with("task.toml:2:1: unknown key \"colour\""));
-    /// # Ok::<(), wisch::represent::TaskError>(())
+    /// # Ok::<(), wisch_io::TaskError>(())
     /// ```
     pub fn parse(name: &str, text: &str, settings: &[(String, String)]) -> Result<Self, TaskError> {
         let source = tree::Source::new(name, text, settings);
@@ -233,6 +247,16 @@ impl TaskFile {
     /// How high the tool is lifted between strokes [m].
     pub fn lift_height_m(&self) -> f64 {
         self.contents.lift_height
+    }
+
+    /// What a simulated execution is to take for real.
+    pub fn execution(&self) -> &ExecutionRecord {
+        &self.contents.execution
+    }
+
+    /// How many rounds there may be, `execution.max_rounds`.
+    pub fn max_rounds(&self) -> usize {
+        self.contents.max_rounds
     }
 
     /// How many plans the prediction chooses from.

@@ -1,17 +1,17 @@
 //! Particles listed in CSV files: bare positions, or an estimate with fates.
 
-use super::{DirtArea, SourceError};
-use crate::geometry::Point2;
-use crate::represent::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError};
+use super::ParticleSourceError;
 use std::fmt::Write;
+use wisch::geometry::Point2;
+use wisch::represent::{DirtArea, Fate, MAX_PARTICLES, ParticleDistribution, ParticleError};
 
-/// Header of the lists that [`ParticleDistribution::to_csv`] writes.
+/// Header of the lists that [`particles_to_csv`] writes.
 const ESTIMATE_HEADER: [&str; 5] = ["particle", "x_m", "y_m", "fate", "edge"];
 /// Furthest a coordinate of a list may be from the surface's origin [m].
 const MAX_POSITION: f64 = 100.0;
 
 /// Particles from a CSV text: two columns x and y [m] in the surface frame, with or without the
-/// header `x,y` or `x_m,y_m`; or a list with fates as [`ParticleDistribution::to_csv`] writes it.
+/// header `x,y` or `x_m,y_m`; or a list with fates as [`particles_to_csv`] writes it.
 /// Lines that start with `#` are skipped.
 ///
 /// # Errors
@@ -22,11 +22,11 @@ pub fn csv_particles(
     file: &str,
     text: &[u8],
     area: DirtArea<'_>,
-) -> Result<ParticleDistribution, SourceError> {
+) -> Result<ParticleDistribution, ParticleSourceError> {
     let rows = rows(file, text)?;
     let edges = area.outline.edges().count();
     for row in &rows {
-        let at = |problem| SourceError::Line {
+        let at = |problem| ParticleSourceError::Line {
             file: file.to_owned(),
             line: row.line,
             problem,
@@ -47,44 +47,47 @@ pub fn csv_particles(
             _ => {}
         }
     }
-    distribution(rows)
+    distribution(&rows)
 }
 
-impl ParticleDistribution {
-    /// The particles as CSV with columns `particle,x_m,y_m,fate,edge`: index, position in the surface
-    /// frame [m], `on_surface`, `absorbed` or `off_surface`, and for the last the edge it went over.
-    /// Numbers are written so that reading them gives back the same bits.
-    ///
-    /// ```
-    /// use wisch::{geometry::Point2, represent::ParticleDistribution};
-    /// let crumbs = ParticleDistribution::new(&[Point2::new(0.1, -0.25)])?;
-    /// assert_eq!(crumbs.to_csv(), "particle,x_m,y_m,fate,edge\n0,0.1,-0.25,on_surface,\n");
-    /// assert_eq!(ParticleDistribution::from_csv("estimate.csv", crumbs.to_csv().as_bytes())?, crumbs);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn to_csv(&self) -> String {
-        let mut text = ESTIMATE_HEADER.join(",") + "\n";
-        for (particle, (position, fate)) in self.iter().enumerate() {
-            let (fate, edge) = match fate {
-                Fate::OnSurface => ("on_surface", String::new()),
-                Fate::Absorbed => ("absorbed", String::new()),
-                Fate::OffSurface { edge } => ("off_surface", edge.to_string()),
-            };
-            let (x, y) = (position.x, position.y);
-            // Writing to a String does not fail.
-            let _ = writeln!(text, "{particle},{x},{y},{fate},{edge}");
-        }
-        text
+/// The particles as CSV with columns `particle,x_m,y_m,fate,edge`: index, position in the surface
+/// frame [m], `on_surface`, `absorbed` or `off_surface`, and for the last the edge it went over.
+/// Numbers are written so that reading them gives back the same bits.
+///
+/// ```
+/// use wisch::{geometry::Point2, represent::ParticleDistribution};
+/// use wisch_io::{particles_from_csv, particles_to_csv};
+/// let crumbs = ParticleDistribution::new(&[Point2::new(0.1, -0.25)])?;
+/// let text = particles_to_csv(&crumbs);
+/// assert_eq!(text, "particle,x_m,y_m,fate,edge\n0,0.1,-0.25,on_surface,\n");
+/// assert_eq!(particles_from_csv("estimate.csv", text.as_bytes())?, crumbs);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn particles_to_csv(particles: &ParticleDistribution) -> String {
+    let mut text = ESTIMATE_HEADER.join(",") + "\n";
+    for (particle, (position, fate)) in particles.iter().enumerate() {
+        let (fate, edge) = match fate {
+            Fate::OnSurface => ("on_surface", String::new()),
+            Fate::Absorbed => ("absorbed", String::new()),
+            Fate::OffSurface { edge } => ("off_surface", edge.to_string()),
+        };
+        let (x, y) = (position.x, position.y);
+        // Writing to a String does not fail.
+        let _ = writeln!(text, "{particle},{x},{y},{fate},{edge}");
     }
+    text
+}
 
-    /// The particles that [`ParticleDistribution::to_csv`] wrote; bare positions are taken as lying on
-    /// the surface. `file` is used in error messages.
-    ///
-    /// # Errors
-    /// A line that does not follow the format, or no particle at all: with file and line.
-    pub fn from_csv(file: &str, text: &[u8]) -> Result<Self, SourceError> {
-        distribution(rows(file, text)?)
-    }
+/// The particles that [`particles_to_csv`] wrote; bare positions are taken as lying on the surface.
+/// `file` is used in error messages.
+///
+/// # Errors
+/// A line that does not follow the format, or no particle at all: with file and line.
+pub fn particles_from_csv(
+    file: &str,
+    text: &[u8],
+) -> Result<ParticleDistribution, ParticleSourceError> {
+    distribution(&rows(file, text)?)
 }
 
 struct Row {
@@ -93,11 +96,9 @@ struct Row {
     fate: Fate,
 }
 
-fn distribution(rows: Vec<Row>) -> Result<ParticleDistribution, SourceError> {
-    let points: Vec<Point2> = rows.iter().map(|row| row.position).collect();
-    let mut particles = ParticleDistribution::new(&points)?;
-    particles.fate = rows.iter().map(|row| row.fate).collect();
-    Ok(particles)
+fn distribution(rows: &[Row]) -> Result<ParticleDistribution, ParticleSourceError> {
+    let particles: Vec<_> = rows.iter().map(|row| (row.position, row.fate)).collect();
+    Ok(ParticleDistribution::with_fates(&particles)?)
 }
 
 /// Which columns a list has.
@@ -107,8 +108,8 @@ enum Columns {
     Estimate,
 }
 
-fn rows(file: &str, text: &[u8]) -> Result<Vec<Row>, SourceError> {
-    let fault = |line: u64, problem: String| SourceError::Line {
+fn rows(file: &str, text: &[u8]) -> Result<Vec<Row>, ParticleSourceError> {
+    let fault = |line: u64, problem: String| ParticleSourceError::Line {
         file: file.to_owned(),
         line,
         problem,
@@ -158,7 +159,7 @@ fn rows(file: &str, text: &[u8]) -> Result<Vec<Row>, SourceError> {
         });
     }
     if rows.is_empty() {
-        return Err(SourceError::EmptyList {
+        return Err(ParticleSourceError::EmptyList {
             file: file.to_owned(),
         });
     }

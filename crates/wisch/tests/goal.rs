@@ -1,32 +1,41 @@
-use super::*;
-use crate::represent::SurfaceScope;
-use proptest::prelude::*;
+//! From goals to actions, with the knowledge and the domain that are shipped.
 
-/// A file of the knowledge folder as shipped.
-macro_rules! shipped {
-    ($name:literal) => {
-        include_str!(concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../../knowledge/",
-            $name
-        ))
-    };
+use proptest::prelude::*;
+use wisch::plan::{Domain, GoalError, GoalLiteral, ResolvedGoal, resolve_goal};
+use wisch::represent::{Action, KnowledgeBase, SurfaceScope};
+use wisch_io::KnowledgeSource;
+
+/// Longest text that is read [bytes].
+const MAX_TEXT_LEN: usize = 1 << 20;
+/// Words that begin something other than an atom.
+const CONSTRUCTS: [&str; 12] = [
+    "or",
+    "imply",
+    "exists",
+    "forall",
+    "when",
+    "oneof",
+    "preference",
+    "assign",
+    "increase",
+    "decrease",
+    "scale-up",
+    "scale-down",
+];
+
+fn wiping_text() -> String {
+    let text = KnowledgeSource::BuiltIn.asset("wiping.pddl").unwrap();
+    String::from_utf8(text).unwrap()
 }
 
-const WIPING: &str = shipped!("wiping.pddl");
-
 fn wiping() -> Domain {
-    Domain::parse("wiping.pddl", WIPING).unwrap_or_else(|error| panic!("{error}"))
+    let domain = Domain::parse("wiping.pddl", &wiping_text());
+    domain.unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn knowledge() -> KnowledgeBase {
-    let files = [
-        ("tools.toml", shipped!("tools.toml")),
-        ("media.toml", shipped!("media.toml")),
-        ("surfaces.toml", shipped!("surfaces.toml")),
-        ("interactions.toml", shipped!("interactions.toml")),
-    ];
-    KnowledgeBase::from_toml(&files).unwrap_or_else(|error| panic!("{error}"))
+    let knowledge = KnowledgeSource::BuiltIn.base();
+    knowledge.unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn resolve(goal: &str, in_hand: Option<&str>, at_hand: &[&str]) -> Result<ResolvedGoal, GoalError> {
@@ -145,7 +154,7 @@ fn goals_that_cannot_be_reached_say_why() {
 
 #[test]
 fn a_precondition_that_nothing_meets_is_named() {
-    let text = WIPING
+    let text = wiping_text()
         .replace(
             "(hand-empty)\n    (holding",
             "(hand-empty)\n    (charged)\n    (holding",
@@ -321,13 +330,13 @@ fn texts_beyond_the_limits_are_refused() {
     let deep = format!("{}{}", "(a ".repeat(65), ")".repeat(65));
     let expected = "goal: nesting of parentheses: 65 exceeds the limit of 64";
     assert_eq!(GoalLiteral::parse(&deep).unwrap_err().to_string(), expected);
-    let long = " ".repeat(form::MAX_TEXT_LEN + 1);
+    let long = " ".repeat(MAX_TEXT_LEN + 1);
     let expected = "goal: length in bytes: 1048577 exceeds the limit of 1048576";
     assert_eq!(GoalLiteral::parse(&long).unwrap_err().to_string(), expected);
     let word = format!("({})", "a".repeat(129));
     let expected = "goal: length of a word in bytes: 129 exceeds the limit of 128";
     assert_eq!(GoalLiteral::parse(&word).unwrap_err().to_string(), expected);
-    assert!(GoalLiteral::parse(&"(".repeat(form::MAX_TEXT_LEN)).is_err());
+    assert!(GoalLiteral::parse(&"(".repeat(MAX_TEXT_LEN)).is_err());
 }
 
 proptest! {
@@ -336,7 +345,7 @@ proptest! {
         for text in [&text, &lisp] {
             let _ = GoalLiteral::parse(text);
             let _ = Domain::parse("any.pddl", text);
-            let _ = Problem::parse("any.pddl", text);
+            let _ = wisch::plan::Problem::parse("any.pddl", text);
         }
     }
 
@@ -350,7 +359,7 @@ proptest! {
             prop_assert_eq!(&GoalLiteral::parse(&goal.to_string()).unwrap(), &goal);
             prop_assert_eq!(goal.arguments(), arguments);
         } else {
-            prop_assert!(syntax::is_construct(&predicate));
+            prop_assert!(CONSTRUCTS.contains(&predicate.as_str()));
         }
     }
 
@@ -358,7 +367,7 @@ proptest! {
     fn no_change_to_the_domain_makes_a_reader_or_the_search_panic(
         cuts in prop::collection::vec((0.0..1.0_f64, 0..12_usize, "[()a-z?:\\PC -]{0,6}"), 1..4)
     ) {
-        let mut text = WIPING.to_owned();
+        let mut text = wiping_text();
         for (share, length, inserted) in cuts {
             let start = text.floor_char_boundary((share * text.len() as f64) as usize);
             let end = text.floor_char_boundary(start + length);

@@ -1,6 +1,7 @@
-//! Files, with limits, and the knowledge that the program carries.
+//! Files, with limits, and the knowledge that the library carries.
 
-use crate::failure::Failure;
+use crate::error::Error;
+use crate::knowledge::parse_knowledge;
 use include_dir::{Dir, include_dir};
 use std::fs::File;
 use std::io::{ErrorKind, Read};
@@ -24,22 +25,18 @@ const DOMAIN_FILE: &str = "wiping.pddl";
 ///
 /// # Errors
 /// A file that is not there, a folder, one beyond 256 MiB, or whatever the system says.
-pub fn read(path: &Path) -> Result<Vec<u8>, Failure> {
-    let shown = path.display();
+pub fn read(path: &Path) -> Result<Vec<u8>, Error> {
     let failed = |error: std::io::Error| match error.kind() {
-        ErrorKind::NotFound => match nearest_name(path) {
-            Some(nearest) => Failure::new(format!("{shown}: there is no such file"))
-                .with_help(format!("nearest in that folder: {nearest}")),
-            None => Failure::new(format!("{shown}: there is no such file")),
+        ErrorKind::NotFound => Error::NoSuchFile {
+            path: path.to_owned(),
+            nearest: nearest_name(path),
         },
-        _ => Failure::new(format!("{shown}: {error}")),
+        _ => Error::unusable(path, error),
     };
     let file = File::open(path).map_err(failed)?;
     let metadata = file.metadata().map_err(failed)?;
     if metadata.is_dir() {
-        return Err(Failure::new(format!(
-            "{shown}: this is a folder, not a file"
-        )));
+        return Err(Error::unusable(path, "this is a folder, not a file"));
     }
     let mut bytes = Vec::new();
     // Pipes and devices do not tell their length: count what comes.
@@ -48,9 +45,8 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Failure> {
         .map_err(failed)?;
     if bytes.len() as u64 > MAX_FILE_LEN {
         let len = metadata.len().max(bytes.len() as u64);
-        return Err(Failure::new(format!(
-            "{shown}: {len} bytes exceed the limit of {MAX_FILE_LEN} bytes"
-        )));
+        let problem = format!("{len} bytes exceed the limit of {MAX_FILE_LEN} bytes");
+        return Err(Error::unusable(path, problem));
     }
     Ok(bytes)
 }
@@ -59,7 +55,7 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Failure> {
 ///
 /// # Errors
 /// Those of [`read`], and bytes that are not UTF-8.
-pub fn read_text(path: &Path) -> Result<String, Failure> {
+pub fn read_text(path: &Path) -> Result<String, Error> {
     let bytes = read(path)?;
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
@@ -67,11 +63,11 @@ pub fn read_text(path: &Path) -> Result<String, Failure> {
             .iter()
             .filter(|&&b| b == b'\n')
             .count();
-        Failure::new(format!(
-            "{}:{line}: byte {at} is not UTF-8 text",
-            path.display()
-        ))
-        .with_help("save the file as UTF-8; is it the right file?")
+        Error::NotText {
+            path: path.to_owned(),
+            line,
+            byte: at,
+        }
     })
 }
 
@@ -97,12 +93,14 @@ pub fn beside(task_file: &Path) -> impl FnMut(&str) -> Result<Vec<u8>, String> +
         .parent()
         .map(Path::to_path_buf)
         .unwrap_or_default();
-    move |path| read(&folder.join(path)).map_err(|failure| failure.to_string())
+    move |path| read(&folder.join(path)).map_err(|error| error.to_string())
 }
 
 /// Where knowledge comes from.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub enum KnowledgeSource {
-    /// Built into the program.
+    /// That which is shipped.
+    #[default]
     BuiltIn,
     /// A folder of the user's.
     Folder(PathBuf),
@@ -118,25 +116,25 @@ impl KnowledgeSource {
     ///
     /// # Errors
     /// No folder, a file that cannot be read, or knowledge that does not hold together.
-    pub fn base(&self) -> Result<KnowledgeBase, Failure> {
+    pub fn base(&self) -> Result<KnowledgeBase, Error> {
         let texts = self.texts()?;
         let texts: Vec<(&str, &str)> = texts
             .iter()
             .map(|(name, text)| (name.as_str(), text.as_str()))
             .collect();
-        KnowledgeBase::from_toml(&texts).map_err(Failure::new)
+        Ok(parse_knowledge(&texts)?)
     }
 
     /// The PDDL domain of wiping.
     ///
     /// # Errors
     /// A file that cannot be read, or is no domain.
-    pub fn domain(&self) -> Result<Domain, Failure> {
-        let text = self.asset(DOMAIN_FILE).map_err(Failure::new)?;
+    pub fn domain(&self) -> Result<Domain, Error> {
+        let text = self.asset(DOMAIN_FILE).map_err(Error::Asset)?;
         let name = self.shown(DOMAIN_FILE);
         let text = String::from_utf8(text)
-            .map_err(|_| Failure::new(format!("{name}: it is not UTF-8 text")))?;
-        Domain::parse(&name, &text).map_err(Failure::new)
+            .map_err(|_| Error::unusable(Path::new(&name), "it is not UTF-8 text"))?;
+        Ok(Domain::parse(&name, &text)?)
     }
 
     /// A file of the knowledge folder, such as a tool's mesh.
@@ -149,7 +147,7 @@ impl KnowledgeSource {
                 .get_file(path)
                 .map(|file| file.contents().to_vec())
                 .ok_or_else(|| format!("{path}: the built-in knowledge has no such file")),
-            Self::Folder(folder) => read(&folder.join(path)).map_err(|failure| failure.to_string()),
+            Self::Folder(folder) => read(&folder.join(path)).map_err(|error| error.to_string()),
         }
     }
 
@@ -161,7 +159,7 @@ impl KnowledgeSource {
     }
 
     /// Every TOML file of the folder with its name, by name.
-    fn texts(&self) -> Result<Vec<(String, String)>, Failure> {
+    fn texts(&self) -> Result<Vec<(String, String)>, Error> {
         let mut texts = match self {
             Self::BuiltIn => BUILT_IN
                 .files()
@@ -172,23 +170,19 @@ impl KnowledgeSource {
                 })
                 .collect::<Vec<_>>(),
             Self::Folder(folder) => {
-                let entries = std::fs::read_dir(folder)
-                    .map_err(|error| Failure::new(format!("{}: {error}", folder.display())))?;
+                let entries =
+                    std::fs::read_dir(folder).map_err(|error| Error::unusable(folder, error))?;
                 entries
                     .filter_map(|entry| Some(entry.ok()?.path()))
                     .filter(|path| is_toml(path))
                     .map(|path| Ok((path.display().to_string(), read_text(&path)?)))
-                    .collect::<Result<Vec<_>, Failure>>()?
+                    .collect::<Result<Vec<_>, Error>>()?
             }
         };
         if let (Self::Folder(folder), true) = (self, texts.is_empty()) {
-            return Err(Failure::new(format!(
-                "{}: the folder holds no .toml file",
-                folder.display()
-            ))
-            .with_help(
-                "knowledge is tools.toml, media.toml, surfaces.toml and interactions.toml",
-            ));
+            return Err(Error::NoKnowledge {
+                folder: folder.clone(),
+            });
         }
         texts.sort();
         Ok(texts)

@@ -1,11 +1,11 @@
 //! Particles from a mask or photo, registered to the surface by its four corners.
 
-use super::{DirtArea, SourceError, checked_count, generator};
-use crate::geometry::{Bounds2, Point2, Vector2};
-use crate::represent::ParticleDistribution;
+use super::ParticleSourceError;
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 use rand::RngExt;
 use std::io::Cursor;
+use wisch::geometry::{Bounds2, Point2, Vector2};
+use wisch::represent::{DirtArea, ParticleDistribution, SourceError, particle_generator};
 
 /// Most pixels of an image: a large photo, and 200 MB once decoded.
 const MAX_PIXELS: u64 = 64_000_000;
@@ -45,9 +45,9 @@ pub fn mask_particles(
     bytes: &[u8],
     area: DirtArea<'_>,
     seed: u64,
-) -> Result<ParticleDistribution, SourceError> {
-    checked_count(source.count)?;
-    let fault = |problem: String| SourceError::Image {
+) -> Result<ParticleDistribution, ParticleSourceError> {
+    SourceError::check_count(source.count)?;
+    let fault = |problem: String| ParticleSourceError::Image {
         file: source.file.clone(),
         problem,
     };
@@ -69,7 +69,7 @@ pub fn mask_particles(
             "no pixel on the free surface is within {tolerance} of the colour [{r}, {g}, {b}]"
         )));
     }
-    let mut random = generator(seed);
+    let mut random = particle_generator(seed);
     let points: Vec<Point2> = (0..source.count)
         .map(|_| {
             let (column, row) = pixels[random.random_range(0..pixels.len())];

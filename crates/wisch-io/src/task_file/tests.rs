@@ -1,7 +1,8 @@
 use super::*;
-use crate::geometry::Vector2;
-use crate::represent::{KnowledgeBase, ScenePart, Task};
+use crate::KnowledgeSource;
 use proptest::prelude::*;
+use wisch::geometry::Vector2;
+use wisch::represent::{ScenePart, Task};
 
 mod faults;
 
@@ -46,27 +47,6 @@ fn set(text: &str, settings: &[(&str, &str)]) -> Result<TaskFile, TaskError> {
     TaskFile::parse("small.toml", text, &settings)
 }
 
-fn knowledge_folder() -> std::path::PathBuf {
-    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../knowledge")
-}
-
-fn knowledge() -> KnowledgeBase {
-    let names = [
-        "tools.toml",
-        "media.toml",
-        "surfaces.toml",
-        "interactions.toml",
-    ];
-    let texts = names.map(|name| {
-        std::fs::read_to_string(knowledge_folder().join(name)).expect("the file is shipped")
-    });
-    let files: Vec<(&str, &str)> = names
-        .into_iter()
-        .zip(texts.iter().map(String::as_str))
-        .collect();
-    KnowledgeBase::from_toml(&files).expect("shipped knowledge is sound")
-}
-
 /// Resolves with the shipped knowledge; `files` are the assets.
 fn resolved_as(
     file: &TaskFile,
@@ -81,17 +61,15 @@ fn resolved_as(
             .map(|(_, bytes)| bytes.to_vec())
             .ok_or("no such file".to_owned())
     };
-    let mut meshes = |path: &str| {
-        std::fs::read(knowledge_folder().join(path)).map_err(|error| error.to_string())
-    };
+    let shipped = KnowledgeSource::BuiltIn;
     file.resolve(
         action,
         tool,
         medium,
         file.seed(),
-        &knowledge(),
+        &shipped.base().expect("shipped knowledge is sound"),
         &mut assets,
-        &mut meshes,
+        &mut |path| shipped.asset(path),
     )
 }
 
@@ -348,16 +326,15 @@ fn the_same_file_and_seed_give_the_same_task() {
     let file = parsed(SMALL).unwrap();
     let particles = |seed| {
         let mut none = |_: &str| Err("not needed".to_owned());
-        let mut meshes = |path: &str| Ok(std::fs::read(knowledge_folder().join(path)).unwrap());
-        let (action, knowledge) = (Action::Skim, knowledge());
+        let shipped = KnowledgeSource::BuiltIn;
         file.resolve(
-            action,
+            Action::Skim,
             "sponge",
             "breadcrumbs",
             seed,
-            &knowledge,
+            &shipped.base().unwrap(),
             &mut none,
-            &mut meshes,
+            &mut |path| shipped.asset(path),
         )
         .unwrap()
         .particles

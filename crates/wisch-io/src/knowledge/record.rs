@@ -8,18 +8,17 @@ use std::ops::{Bound, RangeBounds};
 use serde::Deserialize;
 use toml::Spanned;
 
+use super::KnowledgeFileError;
 use super::grip::{GripRecord, SecondGripRecord};
-use super::{
+use wisch::geometry::Vector3;
+use wisch::represent::{
     Action, AngleRange, AreaOfEffect, GrainSize, Interaction, KnowledgeBase, KnowledgeError,
-    LogNormal, MediumEntry, MediumKind, Place, SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry,
-    UnknownName,
+    LogNormal, MediumEntry, MediumKind, SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry,
 };
-use crate::geometry::Vector3;
+use wisch::source_location::Place;
 
 /// The schema that this version reads.
 pub(super) const SCHEMA: i64 = 1;
-/// The surface of an interaction that holds on all of them.
-pub(super) const ANY_SURFACE: &str = "any";
 /// Longest name of a tool, medium or surface [bytes].
 pub(super) const NAME_MAX_LEN: usize = 64;
 
@@ -149,19 +148,19 @@ impl Source<'_> {
         Place::at_offset(self.name, self.text, spanned.span().start)
     }
 
-    fn syntax_error(self, error: &toml::de::Error) -> KnowledgeError {
+    fn syntax_error(self, error: &toml::de::Error) -> KnowledgeFileError {
         let offset = error.span().map_or(0, |span| span.start);
-        KnowledgeError::Syntax {
+        KnowledgeFileError::Syntax {
             at: Place::at_offset(self.name, self.text, offset),
             message: error.message().to_owned(),
         }
     }
 
-    fn record(self) -> Result<FileRecord, KnowledgeError> {
+    fn record(self) -> Result<FileRecord, KnowledgeFileError> {
         let SchemaRecord { schema } =
             toml::from_str(self.text).map_err(|error| self.syntax_error(&error))?;
         if *schema.get_ref() != SCHEMA {
-            return Err(KnowledgeError::Schema {
+            return Err(KnowledgeFileError::Schema {
                 at: self.place(&schema),
                 found: *schema.get_ref(),
             });
@@ -169,35 +168,31 @@ impl Source<'_> {
         toml::from_str(self.text).map_err(|error| self.syntax_error(&error))
     }
 
-    fn new_name(self, name: &Spanned<String>) -> Result<String, KnowledgeError> {
+    fn new_name(self, name: &Spanned<String>) -> Result<String, KnowledgeFileError> {
         let text = name.get_ref();
         let is_pddl_name = text.starts_with(|c: char| c.is_ascii_lowercase())
             && text
                 .bytes()
                 .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || b"_-".contains(&c));
-        if is_pddl_name && text.len() <= NAME_MAX_LEN && text != ANY_SURFACE {
+        if is_pddl_name && text.len() <= NAME_MAX_LEN && text != SurfaceScope::ANY_NAME {
             Ok(text.clone())
         } else {
-            Err(KnowledgeError::BadName {
+            Err(KnowledgeFileError::BadName {
                 at: self.place(name),
                 name: text.clone(),
             })
         }
     }
 
-    fn known_name<T>(
+    /// What a look-up of `name` found.
+    fn found<T>(
         self,
-        kind: &'static str,
         name: &Spanned<String>,
-        entries: &BTreeMap<String, T>,
-    ) -> Result<String, KnowledgeError> {
-        if entries.contains_key(name.get_ref()) {
-            return Ok(name.get_ref().clone());
-        }
-        let known = entries.keys().map(String::as_str);
-        Err(KnowledgeError::UnknownReference {
+        found: Result<T, KnowledgeError>,
+    ) -> Result<T, KnowledgeFileError> {
+        found.map_err(|error| KnowledgeFileError::UnknownReference {
             at: self.place(name),
-            unknown: Box::new(UnknownName::new(kind, name.get_ref(), known)),
+            error,
         })
     }
 
@@ -206,7 +201,7 @@ impl Source<'_> {
         field: &'static str,
         value: &Spanned<f64>,
         limits: Limits,
-    ) -> Result<f64, KnowledgeError> {
+    ) -> Result<f64, KnowledgeFileError> {
         self.within(field, self.place(value), *value.get_ref(), limits)
     }
 
@@ -216,7 +211,7 @@ impl Source<'_> {
         at: Place,
         value: f64,
         limits: Limits,
-    ) -> Result<f64, KnowledgeError> {
+    ) -> Result<f64, KnowledgeFileError> {
         if limits.contains(&value) {
             return Ok(value);
         }
@@ -225,7 +220,7 @@ impl Source<'_> {
             Excluded(limit) => format!("{excluded} {limit}"),
             Bound::Unbounded => "any".to_owned(),
         };
-        Err(KnowledgeError::OutOfRange {
+        Err(KnowledgeFileError::OutOfRange {
             at,
             field,
             value,
@@ -243,12 +238,12 @@ impl Source<'_> {
         field: &'static str,
         pair: &Spanned<[f64; 2]>,
         limits: Limits,
-    ) -> Result<[f64; 2], KnowledgeError> {
+    ) -> Result<[f64; 2], KnowledgeFileError> {
         let [min, max] = *pair.get_ref();
         self.within(field, self.place(pair), min, limits)?;
         self.within(field, self.place(pair), max, limits)?;
         if min > max {
-            return Err(KnowledgeError::Inconsistent {
+            return Err(KnowledgeFileError::Inconsistent {
                 at: self.place(pair),
                 problem: format!("{field}: {min} comes before {max} but is larger"),
             });
@@ -260,14 +255,14 @@ impl Source<'_> {
         self,
         field: &'static str,
         pair: &Spanned<[f64; 2]>,
-    ) -> Result<AngleRange, KnowledgeError> {
+    ) -> Result<AngleRange, KnowledgeFileError> {
         let [min_rad, max_rad] = self.ascending(field, pair, ANGLE_RAD)?;
         Ok(AngleRange { min_rad, max_rad })
     }
 
-    fn tool(self, record: &ToolRecord) -> Result<ToolEntry, KnowledgeError> {
+    fn tool(self, record: &ToolRecord) -> Result<ToolEntry, KnowledgeFileError> {
         if record.mesh_file.get_ref().is_empty() {
-            return Err(KnowledgeError::Inconsistent {
+            return Err(KnowledgeFileError::Inconsistent {
                 at: self.place(&record.mesh_file),
                 problem: "mesh_file is empty".to_owned(),
             });
@@ -300,14 +295,17 @@ impl Source<'_> {
         })
     }
 
-    fn area_of_effect(self, record: &AreaOfEffectRecord) -> Result<AreaOfEffect, KnowledgeError> {
+    fn area_of_effect(
+        self,
+        record: &AreaOfEffectRecord,
+    ) -> Result<AreaOfEffect, KnowledgeFileError> {
         Ok(AreaOfEffect {
             width_m: self.number("width_m", &record.width_m, EXTENT_M)?,
             depth_m: self.number("depth_m", &record.depth_m, EXTENT_M)?,
         })
     }
 
-    fn tilt(self, record: &TiltRecord) -> Result<TiltFreedom, KnowledgeError> {
+    fn tilt(self, record: &TiltRecord) -> Result<TiltFreedom, KnowledgeFileError> {
         let axis = Vector3::from(*record.axis_in_tool.get_ref());
         let at = self.place(&record.axis_in_tool);
         self.within("length of axis_in_tool", at, axis.norm(), UNIT_NORM)?;
@@ -317,9 +315,9 @@ impl Source<'_> {
         })
     }
 
-    fn medium(self, record: &MediumRecord) -> Result<MediumEntry, KnowledgeError> {
+    fn medium(self, record: &MediumRecord) -> Result<MediumEntry, KnowledgeFileError> {
         let name = self.new_name(&record.name)?;
-        let inconsistent = |problem: &str| KnowledgeError::Inconsistent {
+        let inconsistent = |problem: &str| KnowledgeFileError::Inconsistent {
             at: self.place(&record.name),
             problem: format!("medium {name}: {problem}"),
         };
@@ -348,7 +346,7 @@ impl Source<'_> {
         })
     }
 
-    fn surface(self, record: &SurfaceRecord) -> Result<SurfaceEntry, KnowledgeError> {
+    fn surface(self, record: &SurfaceRecord) -> Result<SurfaceEntry, KnowledgeFileError> {
         Ok(SurfaceEntry {
             name: self.new_name(&record.name)?,
             friction: self.number("friction", &record.friction, FRICTION)?,
@@ -359,37 +357,35 @@ impl Source<'_> {
         self,
         record: &InteractionRecord,
         knowledge: &KnowledgeBase,
-    ) -> Result<Interaction, KnowledgeError> {
-        let tool = self.known_name("tool", &record.tool, &knowledge.tools)?;
-        let surface = if record.surface.get_ref() == ANY_SURFACE {
+    ) -> Result<Interaction, KnowledgeFileError> {
+        let tool = self.found(&record.tool, knowledge.tool(record.tool.get_ref()))?;
+        let surface = if record.surface.get_ref() == SurfaceScope::ANY_NAME {
             SurfaceScope::Any
         } else {
-            SurfaceScope::Named(self.known_name("surface", &record.surface, &knowledge.surfaces)?)
+            let surface = knowledge.surface(record.surface.get_ref());
+            SurfaceScope::Named(self.found(&record.surface, surface)?.name.clone())
         };
         let compression_depth_m = match &record.compression_depth_m {
             Some(depth) => self.number("compression_depth_m", depth, LENGTH_M)?,
-            None => knowledge.tool(&tool)?.compression_depth_m,
+            None => tool.compression_depth_m,
         };
         let actions = (record.actions.get_ref().iter())
             .map(|action| {
-                action.get_ref().parse::<Action>().map_err(|unknown| {
-                    KnowledgeError::UnknownReference {
-                        at: self.place(action),
-                        unknown: Box::new(unknown),
-                    }
-                })
+                let parsed = action.get_ref().parse::<Action>();
+                self.found(action, parsed.map_err(KnowledgeError::from))
             })
             .collect::<Result<_, _>>()?;
         if record.actions.get_ref().is_empty() {
-            return Err(KnowledgeError::Inconsistent {
+            return Err(KnowledgeFileError::Inconsistent {
                 at: self.place(&record.actions),
                 problem: "an interaction needs at least one action".to_owned(),
             });
         }
         let number = |field, value, limits| self.number(field, value, limits);
+        let medium = knowledge.medium(record.medium.get_ref());
         Ok(Interaction {
-            medium: self.known_name("medium", &record.medium, &knowledge.media)?,
-            tool,
+            medium: self.found(&record.medium, medium)?.name.clone(),
+            tool: tool.name.clone(),
             surface,
             actions,
             press_force_n: number("press_force_n", &record.press_force_n, FORCE_N)?,
@@ -418,9 +414,9 @@ impl Source<'_> {
 struct Definitions(BTreeMap<String, Place>);
 
 impl Definitions {
-    fn define(&mut self, what: String, at: Place) -> Result<(), KnowledgeError> {
+    fn define(&mut self, what: String, at: Place) -> Result<(), KnowledgeFileError> {
         match self.0.get(&what) {
-            Some(first) => Err(KnowledgeError::Duplicate {
+            Some(first) => Err(KnowledgeFileError::Duplicate {
                 at,
                 first: first.clone(),
                 what,
@@ -434,7 +430,7 @@ impl Definitions {
 }
 
 /// Reads all texts; interactions last, for they refer to the rest.
-pub(super) fn read(files: &[(&str, &str)]) -> Result<KnowledgeBase, KnowledgeError> {
+pub(super) fn read(files: &[(&str, &str)]) -> Result<KnowledgeBase, KnowledgeFileError> {
     let mut knowledge = KnowledgeBase::default();
     let mut definitions = Definitions::default();
     let mut interactions = Vec::new();
@@ -444,19 +440,19 @@ pub(super) fn read(files: &[(&str, &str)]) -> Result<KnowledgeBase, KnowledgeErr
         for record in &file.tools {
             let tool = source.tool(record)?;
             definitions.define(format!("tool {}", tool.name), source.place(&record.name))?;
-            knowledge.tools.insert(tool.name.clone(), tool);
+            knowledge.insert_tool(tool);
         }
         for record in &file.media {
             let medium = source.medium(record)?;
             let at = source.place(&record.name);
             definitions.define(format!("medium {}", medium.name), at)?;
-            knowledge.media.insert(medium.name.clone(), medium);
+            knowledge.insert_medium(medium);
         }
         for record in &file.surfaces {
             let surface = source.surface(record)?;
             let at = source.place(&record.name);
             definitions.define(format!("surface {}", surface.name), at)?;
-            knowledge.surfaces.insert(surface.name.clone(), surface);
+            knowledge.insert_surface(surface);
         }
         interactions.extend(file.interactions.into_iter().map(|record| (source, record)));
     }
@@ -467,13 +463,8 @@ pub(super) fn read(files: &[(&str, &str)]) -> Result<KnowledgeBase, KnowledgeErr
             interaction.tool, interaction.medium, interaction.surface
         );
         definitions.define(what, source.place(&record.tool))?;
-        knowledge
-            .interactions
-            .entry(interaction.tool.clone())
-            .or_default()
-            .entry(interaction.medium.clone())
-            .or_default()
-            .insert(interaction.surface.clone(), interaction);
+        let inserted = knowledge.insert_interaction(interaction);
+        source.found(&record.tool, inserted)?;
     }
     Ok(knowledge)
 }

@@ -2,9 +2,9 @@
 
 use super::TaskError;
 use super::tree::{Entry, Node, Source, Value};
-use crate::geometry::Point2;
-use crate::represent::{Place, UnknownName};
 use std::ops::RangeInclusive;
+use wisch::geometry::Point2;
+use wisch::source_location::{Place, UnknownName};
 
 /// A table whose keys are all known.
 #[derive(Clone, Copy)]
