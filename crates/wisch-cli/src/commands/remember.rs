@@ -18,8 +18,8 @@ use std::path::PathBuf;
 use std::time::{SystemTime, UNIX_EPOCH};
 use wisch::run::{Motion, News};
 use wisch_memory::{
-    EpisodeWriter, Memory, MemoryError, Occasion, RobotText, RoundLog, RoundScene, TelemetryWriter,
-    episode_id, remember,
+    EpisodeHeader, EpisodeRound, EpisodeWriter, Memory, MemoryError, RobotText, RoundLog,
+    RoundScene, TelemetryWriter, episode_id, remember,
 };
 
 /// What wrote an episode.
@@ -135,7 +135,7 @@ impl Remembering {
         for done in done {
             attach_round(done, &attach)?;
         }
-        let occasion = Occasion {
+        let header = EpisodeHeader {
             id: kept.writer.id().to_owned(),
             start: kept.start,
             target: prepared.file.target_performance(),
@@ -147,11 +147,19 @@ impl Remembering {
         let rounds: Vec<_> = done
             .iter()
             .map(|done| {
-                let log = kept.logs.get(&done.round.motion.number);
-                (&done.round, log.unwrap_or(&unseen))
+                let round = &done.round;
+                EpisodeRound {
+                    motion: &round.motion,
+                    log: kept.logs.get(&round.motion.number).unwrap_or(&unseen),
+                    duration: round.executed.duration,
+                    ending: &round.executed.ending,
+                    interpretation: &round.interpretation,
+                    verdict: round.verdict,
+                    simulated_performance: round.true_performance,
+                }
             })
             .collect();
-        let record = remember(&occasion, &rounds);
+        let record = remember(&header, &rounds);
         (kept.writer.commit(&record)).map_err(|error| cannot_keep(&error))?;
         Ok(Some(kept.place))
     }
