@@ -16,8 +16,8 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use wisch::run::{PlannedRound, RunEvent};
 use wisch_io::{PlanRecord, RobotFiles, particles_to_csv, read_text};
 use wisch_memory::{
-    EpisodeWriter, Memory, MemoryError, Occasion, RobotText, RoundLog, RoundScene, TelemetryWriter,
-    episode_id, remember,
+    EpisodeHeader, EpisodeRound, EpisodeWriter, Memory, MemoryError, RobotText, RoundLog,
+    RoundScene, TelemetryWriter, episode_id, remember,
 };
 
 /// What wrote an episode.
@@ -133,7 +133,7 @@ impl EpisodeRecorder {
         for done in done {
             attach_round(done, &attach)?;
         }
-        let occasion = Occasion {
+        let header = EpisodeHeader {
             id: kept.writer.id().to_owned(),
             start: kept.start,
             target: prepared.file.target_performance(),
@@ -145,11 +145,19 @@ impl EpisodeRecorder {
         let rounds: Vec<_> = done
             .iter()
             .map(|done| {
-                let log = kept.logs.get(&done.round.motion.number);
-                (&done.round, log.unwrap_or(&unseen))
+                let round = &done.round;
+                EpisodeRound {
+                    motion: &round.motion,
+                    log: kept.logs.get(&round.motion.number).unwrap_or(&unseen),
+                    duration: round.execution.duration,
+                    ending: &round.execution.ending,
+                    interpretation: &round.interpretation,
+                    verdict: round.verdict,
+                    simulated_performance: done.true_performance,
+                }
             })
             .collect();
-        let record = remember(&occasion, &rounds);
+        let record = remember(&header, &rounds);
         (kept.writer.commit(&record)).map_err(|error| cannot_keep(&error))?;
         Ok(Some(kept.place))
     }

@@ -182,7 +182,7 @@ mod tests {
             });
         }
         let spans = log.spans();
-        let told: Vec<_> = (spans.iter())
+        let found: Vec<_> = (spans.iter())
             .map(|span| (&span.class()[6..], span.start, span.end, span.stroke))
             .collect();
         let expected = [
@@ -195,7 +195,7 @@ mod tests {
             ("Retreat", 10.0, 11.0, None),
             ("Drive", 11.0, 11.0, None),
         ];
-        assert_eq!(told, expected);
+        assert_eq!(found, expected);
         assert_eq!(spans[2].peak_force, 5.0);
     }
 }

@@ -7,21 +7,21 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use wisch_memory::Memory;
-use wisch_memory::ask::{Asker, EngineCommand, Limits, Senses, Told, work};
+use wisch_memory::ask::{Asker, Assertions, EngineCommand, Limits, TelemetryPredicates};
 
 /// How often a query is asked of an engine that knows it.
 const WARM: usize = 5;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments: Vec<String> = std::env::args().skip(1).collect();
-    if arguments.first().is_some_and(|first| first == "engine") {
-        return Ok(work(arguments[1].parse()?)?);
-    }
-    let mut command = EngineCommand::Own(std::env::current_exe()?, vec!["engine".to_owned()]);
-    if arguments.first().is_some_and(|first| first == "--swi") {
+    let is_swi = arguments.first().is_some_and(|first| first == "--swi");
+    let command = if is_swi {
         arguments.remove(0);
-        command = EngineCommand::Swi("swipl".into());
-    }
+        EngineCommand::swi().ok_or("swipl cannot be found")?
+    } else {
+        EngineCommand::scryer()
+            .ok_or("wisch-prolog cannot be found: cargo build --release -p wisch-prolog")?
+    };
     let Some((folder, queries)) = arguments.split_first() else {
         return Err("ask [--swi] FOLDER QUERY...".into());
     };
@@ -34,8 +34,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         answers: 100_000,
         ..Limits::default()
     };
-    let senses = Senses::of(memory);
-    let mut asker = Asker::new(command, limits, catalogue, senses, Told::default());
+    let telemetry = TelemetryPredicates::of(memory);
+    let mut asker = Asker::new(command, limits, catalogue, telemetry, Assertions::default());
     println!("{:>10} {:>10} {:>8}", "cold", "warm", "answers");
     for query in queries {
         match times(&mut asker, query) {

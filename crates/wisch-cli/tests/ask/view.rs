@@ -1,57 +1,7 @@
 //! `wisch ask --view`: a page, or none at all.
 
-use assert_cmd::Command;
+use super::{ID, ask, memory};
 use std::fs;
-use std::path::Path;
-use tempfile::TempDir;
-use wisch_memory::{EPISODE_SCHEMA, EpisodeRecord, Individual, Memory, Origin};
-
-const ID: &str = "20261122-010000-abcd";
-
-/// A memory of one episode with a push, without telemetry.
-fn memory() -> TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    let memory = Memory::create(&folder.path().join("episodes")).unwrap();
-    let individual = |class: &str, parent, interval| Individual {
-        class: format!("semco:{class}"),
-        interval: Some(interval),
-        parent,
-        relations: [].into(),
-        values: [].into(),
-    };
-    let all = [1000.0, 1010.0];
-    let record = EpisodeRecord {
-        schema: EPISODE_SCHEMA,
-        id: ID.to_owned(),
-        task: "board".to_owned(),
-        interval: all,
-        origin: Origin::Simulated,
-        program: "test".to_owned(),
-        seed: 1,
-        rounds: vec![1000.0],
-        individuals: vec![
-            individual("WipingEpisode", None, all),
-            individual("WipingAction", Some(0), all),
-            individual("WipingRound", Some(1), all),
-            individual("HumanCollision", Some(2), [1003.0, 1004.5]),
-        ],
-    };
-    memory.begin(ID).unwrap().commit(&record).unwrap();
-    folder
-}
-
-/// Exit code, standard output and standard error.
-fn ask(folder: &Path, args: &[&str]) -> (i32, String, String) {
-    let mut command = Command::cargo_bin("wisch").unwrap();
-    let output = command.current_dir(folder).arg("ask").args(args).output();
-    let output = output.unwrap();
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (
-        output.status.code().unwrap(),
-        text(output.stdout),
-        text(output.stderr),
-    )
-}
 
 const COLLISIONS: &str = "owl_individual_of(C, semco:'Collision'), occurs(C, [S, E]), D is E - S, \
     data_vis(barchart(lasted), [data: [[C], [D]], title: 'How long', ylabel: 'time [s]'])";

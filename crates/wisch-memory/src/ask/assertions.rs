@@ -1,6 +1,6 @@
-//! Statements that people told a memory, kept beside its episodes.
+//! Statements that people added to a memory, kept beside its episodes.
 
-use super::AskError;
+use super::error::AskError;
 use super::term::Term;
 use std::fs::{self, OpenOptions};
 use std::io::Write;
@@ -12,21 +12,21 @@ const FILE: &str = "told.jsonl";
 /// One statement: subject, property, and a name or a value.
 type Statement = (String, String, serde_json::Value);
 
-/// What was told.
+/// What people added.
 #[derive(Debug, Clone, Default)]
-pub struct Told {
+pub struct Assertions {
     file: Option<PathBuf>,
     statements: Vec<Statement>,
 }
 
-impl Told {
-    /// What was told to the memory in this folder.
+impl Assertions {
+    /// What people added to the memory in this folder.
     ///
     /// # Errors
     /// If its file cannot be read, or holds something else.
     pub fn read(memory: &std::path::Path) -> Result<Self, AskError> {
         let file = memory.join(FILE);
-        let failed = |what: String| AskError::Told {
+        let failed = |what: String| AskError::Assertions {
             file: file.display().to_string(),
             what,
         };
@@ -46,12 +46,7 @@ impl Told {
     }
 
     /// Keeps a statement, and gives it as a fact.
-    pub(super) fn tell(
-        &mut self,
-        subject: &str,
-        property: &str,
-        object: &Term,
-    ) -> Result<Term, AskError> {
+    pub fn add(&mut self, subject: &str, property: &str, object: &Term) -> Result<Term, AskError> {
         let value = match object {
             Term::Atom(name) => serde_json::Value::from(name.as_str()),
             other => other
@@ -60,7 +55,7 @@ impl Told {
         };
         let statement = (subject.to_owned(), property.to_owned(), value);
         if let Some(file) = &self.file {
-            let failed = |error: std::io::Error| AskError::Told {
+            let failed = |error: std::io::Error| AskError::Assertions {
                 file: file.display().to_string(),
                 what: error.to_string(),
             };
@@ -77,13 +72,13 @@ impl Told {
         Ok(fact)
     }
 
-    /// Whether nothing was told.
-    pub(super) fn is_empty(&self) -> bool {
+    /// Whether nothing was added.
+    pub fn is_empty(&self) -> bool {
         self.statements.is_empty()
     }
 
-    /// What was told of a thing, as facts.
-    pub(super) fn about(&self, name: &str) -> Vec<Term> {
+    /// What was added of a thing, as facts.
+    pub fn about(&self, name: &str) -> Vec<Term> {
         let about = self
             .statements
             .iter()
@@ -92,9 +87,9 @@ impl Told {
     }
 
     /// Values of a property, each with its thing.
-    pub(super) fn values(&self, property: &str) -> Vec<Term> {
-        let told = self.statements.iter().filter(|(_, of, _)| of == property);
-        let values = told.map(|statement| (statement, fact(statement)));
+    pub fn values(&self, property: &str) -> Vec<Term> {
+        let added = self.statements.iter().filter(|(_, of, _)| of == property);
+        let values = added.map(|statement| (statement, fact(statement)));
         let pairs = values.filter_map(|((subject, ..), fact)| match fact {
             Term::Compound(name, parts) if name == "v" => {
                 let value = parts.into_iter().nth(2)?;
@@ -106,17 +101,17 @@ impl Told {
     }
 
     /// Relations, of one property or of all.
-    pub(super) fn relations(&self, property: Option<&str>) -> Vec<Term> {
-        let told = self.statements.iter();
-        let told = told.filter(|(_, of, _)| property.is_none_or(|property| of == property));
-        told.map(fact).filter(is_relation).collect()
+    pub fn relations(&self, property: Option<&str>) -> Vec<Term> {
+        let added = self.statements.iter();
+        let added = added.filter(|(_, of, _)| property.is_none_or(|property| of == property));
+        added.map(fact).filter(is_relation).collect()
     }
 
     /// Relations that lead to a thing.
-    pub(super) fn related_to(&self, object: &str) -> Vec<Term> {
-        let told = self.statements.iter();
-        let told = told.filter(|(_, _, to)| to.as_str() == Some(object));
-        told.map(fact).filter(is_relation).collect()
+    pub fn related_to(&self, object: &str) -> Vec<Term> {
+        let added = self.statements.iter();
+        let added = added.filter(|(_, _, to)| to.as_str() == Some(object));
+        added.map(fact).filter(is_relation).collect()
     }
 }
 

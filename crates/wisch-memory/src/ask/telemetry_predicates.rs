@@ -1,8 +1,8 @@
 //! Where things were and what was felt, from the telemetry of episodes.
 
-use super::host::{Refusal, Reply};
+use super::error::{AskError, QueryFault};
+use super::reply::Refusal;
 use super::term::Term;
-use super::{AskError, Fault};
 use crate::catalogue::{Catalogue, EpisodeRow};
 use crate::frames::{Frames, PoseAt, Sampling};
 use crate::store::Memory;
@@ -19,7 +19,7 @@ const MAX_POSES: usize = 200_000;
 
 /// The telemetry of a memory's episodes; what was read once is kept.
 #[derive(Default)]
-pub struct Senses {
+pub struct TelemetryPredicates {
     memory: Option<Memory>,
     rounds: HashMap<(String, usize), Rc<Telemetry>>,
     robots: HashMap<String, Rc<RobotModel>>,
@@ -35,7 +35,7 @@ struct Span {
     to: f64,
 }
 
-impl Senses {
+impl TelemetryPredicates {
     /// Of the episodes of a memory.
     pub fn of(memory: Memory) -> Self {
         Self {
@@ -47,9 +47,11 @@ impl Senses {
     pub(super) fn rows(
         &mut self,
         catalogue: &Catalogue,
-        name: &str,
-        arguments: &[Term],
-    ) -> Result<Reply, Refusal> {
+        request: &Term,
+    ) -> Result<Vec<Term>, Refusal> {
+        let Some((name, arguments)) = request.parts() else {
+            return Err(AskError::unexpected(request).into());
+        };
         let facts = match (name, arguments) {
             ("pose", [Term::Atom(thing), time]) => {
                 let time = number(time)?;
@@ -71,14 +73,9 @@ impl Senses {
                     self.statistic(catalogue, channel, interval, statistic)?,
                 )]
             }
-            _ => {
-                return Err(AskError::Protocol {
-                    line: Term::compound(name, arguments).to_string(),
-                }
-                .into());
-            }
+            _ => return Err(AskError::unexpected(request).into()),
         };
-        Ok(Reply::Facts(facts))
+        Ok(facts)
     }
 
     /// Times [s since 1970] and poses of a thing in the world.
@@ -88,14 +85,14 @@ impl Senses {
         thing: &str,
         interval: [f64; 2],
         sampling: Sampling,
-    ) -> Result<Vec<(f64, Term)>, Fault> {
+    ) -> Result<Vec<(f64, Term)>, QueryFault> {
         let mut found = Vec::new();
         for span in self.spans(catalogue, interval)? {
             let began = span.began;
             let poses = poses(&span, thing, sampling)?;
             found.extend(poses.iter().map(|at| (began + at.time, pose(at))));
             if found.len() > MAX_POSES {
-                return Err(sense(format!(
+                return Err(fault(format!(
                     "the trajectory has more than {MAX_POSES} poses: ask for a longer dt"
                 )));
             }
@@ -103,7 +100,7 @@ impl Senses {
         Ok(found)
     }
 
-    fn last_pose(&mut self, catalogue: &Catalogue, thing: &str) -> Result<Term, Fault> {
+    fn last_pose(&mut self, catalogue: &Catalogue, thing: &str) -> Result<Term, QueryFault> {
         let mut episodes: Vec<&EpisodeRow> = catalogue.episodes().iter().collect();
         episodes.sort_by(|a, b| b.interval[1].total_cmp(&a.interval[1]));
         for episode in episodes {
@@ -126,7 +123,7 @@ impl Senses {
                 }
             }
         }
-        Err(sense("no episode has telemetry".to_owned()))
+        Err(fault("no episode has telemetry".to_owned()))
     }
 
     /// max, min, mean or root mean square of a channel.
@@ -136,13 +133,13 @@ impl Senses {
         channel: &str,
         interval: [f64; 2],
         statistic: &str,
-    ) -> Result<f64, Fault> {
+    ) -> Result<f64, QueryFault> {
         let mut values = Vec::new();
         for span in self.spans(catalogue, interval)? {
             values.extend(channel_values(&span, channel)?);
         }
         if values.is_empty() {
-            return Err(sense("there is no sample in this time".to_owned()));
+            return Err(fault("there is no sample in this time".to_owned()));
         }
         let count = values.len() as f64;
         match statistic {
@@ -150,16 +147,20 @@ impl Senses {
             "min" => Ok(values.into_iter().fold(f64::INFINITY, f64::min)),
             "mean" => Ok(values.iter().sum::<f64>() / count),
             "rms" => Ok((values.iter().map(|v| v * v).sum::<f64>() / count).sqrt()),
-            other => Err(sense(format!(
+            other => Err(fault(format!(
                 "{other} is no statistic: there are max, min, mean and rms"
             ))),
         }
     }
 
     /// The parts of rounds within a time [s since 1970].
-    fn spans(&mut self, catalogue: &Catalogue, [from, to]: [f64; 2]) -> Result<Vec<Span>, Fault> {
+    fn spans(
+        &mut self,
+        catalogue: &Catalogue,
+        [from, to]: [f64; 2],
+    ) -> Result<Vec<Span>, QueryFault> {
         if self.memory.is_none() {
-            return Err(sense("this memory has no telemetry".to_owned()));
+            return Err(fault("this memory has no telemetry".to_owned()));
         }
         let mut spans = Vec::new();
         for episode in catalogue.episodes() {
@@ -171,7 +172,7 @@ impl Senses {
             }
         }
         if spans.is_empty() {
-            return Err(sense(format!(
+            return Err(fault(format!(
                 "no telemetry was recorded between {from} and {to} s"
             )));
         }
@@ -183,7 +184,7 @@ impl Senses {
         episode: &EpisodeRow,
         round: usize,
         [from, to]: [f64; 2],
-    ) -> Result<Option<Span>, Fault> {
+    ) -> Result<Option<Span>, QueryFault> {
         let began = episode.rounds[round - 1];
         // A round ends where the next begins: no need to open what lies outside.
         let ends = episode
@@ -211,16 +212,20 @@ impl Senses {
         }))
     }
 
-    fn telemetry(&mut self, episode: &EpisodeRow, round: usize) -> Result<Rc<Telemetry>, Fault> {
+    fn telemetry(
+        &mut self,
+        episode: &EpisodeRow,
+        round: usize,
+    ) -> Result<Rc<Telemetry>, QueryFault> {
         let key = (episode.id.clone(), round);
         if let Some(telemetry) = self.rounds.get(&key) {
             return Ok(Rc::clone(telemetry));
         }
         let Some(memory) = &self.memory else {
-            return Err(sense("this memory has no telemetry".to_owned()));
+            return Err(fault("this memory has no telemetry".to_owned()));
         };
-        let opened = memory.episode(&episode.id).map_err(sense)?;
-        let telemetry = Rc::new(opened.telemetry(round).map_err(sense)?);
+        let opened = memory.episode(&episode.id).map_err(fault)?;
+        let telemetry = Rc::new(opened.telemetry(round).map_err(fault)?);
         self.rounds.insert(key, Rc::clone(&telemetry));
         Ok(telemetry)
     }
@@ -244,19 +249,19 @@ impl Senses {
     }
 }
 
-fn sense(what: impl Display) -> Fault {
-    Fault::Sense {
+fn fault(what: impl Display) -> QueryFault {
+    QueryFault::Telemetry {
         what: what.to_string(),
     }
 }
 
-fn number(term: &Term) -> Result<f64, Fault> {
+fn number(term: &Term) -> Result<f64, QueryFault> {
     term.as_number()
         .filter(|number| number.is_finite())
-        .ok_or_else(|| sense(format!("{term} is no time")))
+        .ok_or_else(|| fault(format!("{term} is no time")))
 }
 
-fn sampling_of(term: &Term) -> Result<Sampling, Fault> {
+fn sampling_of(term: &Term) -> Result<Sampling, QueryFault> {
     match term.parts() {
         Some(("dt", [period])) if period.as_number().is_some_and(|period| period > 0.0) => {
             Ok(Sampling::Every(period.as_number().unwrap_or_default()))
@@ -264,23 +269,23 @@ fn sampling_of(term: &Term) -> Result<Sampling, Fault> {
         Some(("num_samples", [Term::Integer(count)])) if *count > 0 => Ok(Sampling::Count(
             usize::try_from(*count).unwrap_or(usize::MAX),
         )),
-        _ => Err(sense(format!(
+        _ => Err(fault(format!(
             "{term} is no way to sample: there are dt(Seconds) and num_samples(N), both positive"
         ))),
     }
 }
 
 /// Poses of a thing; of the tool also where the robot is not known.
-fn poses(span: &Span, thing: &str, sampling: Sampling) -> Result<Vec<PoseAt>, Fault> {
+fn poses(span: &Span, thing: &str, sampling: Sampling) -> Result<Vec<PoseAt>, QueryFault> {
     let Some(robot) = &span.robot else {
-        return Err(sense(format!(
+        return Err(fault(format!(
             "the episode has no {ROBOT_FILE}: where {thing} was cannot be computed"
         )));
     };
     let local = thing.split_once(':').map_or(thing, |(_, local)| local);
-    let frames = Frames::new(robot, &span.telemetry).map_err(sense)?;
+    let frames = Frames::new(robot, &span.telemetry).map_err(fault)?;
     let interval = [span.from, span.to];
-    frames.trajectory(local, interval, sampling).map_err(sense)
+    frames.trajectory(local, interval, sampling).map_err(fault)
 }
 
 /// [Frame, [X, Y, Z], [Qx, Qy, Qz, Qw]]
@@ -294,13 +299,13 @@ fn pose(at: &PoseAt) -> Term {
     ])
 }
 
-fn channel_values(span: &Span, channel: &str) -> Result<Vec<f64>, Fault> {
+fn channel_values(span: &Span, channel: &str) -> Result<Vec<f64>, QueryFault> {
     let telemetry = &span.telemetry;
     let rows = telemetry
         .rows_between([span.from, span.to])
-        .map_err(sense)?;
-    let column = |name: &str| telemetry.values(name, rows.clone()).map_err(sense);
-    let size = |columns: &[&str]| -> Result<Vec<f64>, Fault> {
+        .map_err(fault)?;
+    let column = |name: &str| telemetry.values(name, rows.clone()).map_err(fault);
+    let size = |columns: &[&str]| -> Result<Vec<f64>, QueryFault> {
         let mut squares = vec![0.0; rows.len()];
         for name in columns {
             for (square, value) in squares.iter_mut().zip(column(name)?) {
@@ -313,7 +318,7 @@ fn channel_values(span: &Span, channel: &str) -> Result<Vec<f64>, Fault> {
         "force" => size(&["external/fx", "external/fy", "external/fz"]),
         "vertical_force" => column("external/fz"),
         "speed" => {
-            let times = telemetry.times(rows.clone()).map_err(sense)?;
+            let times = telemetry.times(rows.clone()).map_err(fault)?;
             let [x, y, z] = ["measured/x", "measured/y", "measured/z"].map(column);
             let (x, y, z) = (x?, y?, z?);
             let steps = (1..times.len()).map(|k| {
@@ -336,7 +341,7 @@ fn channel_values(span: &Span, channel: &str) -> Result<Vec<f64>, Fault> {
                 .into_iter()
                 .chain(columns);
             let error = wisch::source_location::UnknownName::new("channel", name, known);
-            Err(Fault::Unknown {
+            Err(QueryFault::Unknown {
                 kind: "channel".to_owned(),
                 name: name.to_owned(),
                 nearest: error.nearest().map(str::to_owned),
