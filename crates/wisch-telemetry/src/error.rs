@@ -1,8 +1,7 @@
 //! What can be wrong with a bag.
 
 use super::quantity::QuantityError;
-use super::schema::SchemaError;
-use super::walk::MessageError;
+use super::ros2::{MessageError, SchemaError};
 use std::path::PathBuf;
 
 /// Why telemetry could not be written.

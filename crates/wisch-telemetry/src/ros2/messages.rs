@@ -6,7 +6,7 @@ use wisch::geometry::{self, Vector3 as Vector};
 
 /// `builtin_interfaces/Time`, also used for a duration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub(super) struct Time {
+pub(crate) struct Time {
     pub sec: i32,
     pub nanosec: u32,
 }
@@ -25,18 +25,18 @@ impl Time {
 }
 
 /// How the log counts time.
-pub(super) const NANOSECONDS_PER_SECOND: u64 = 1_000_000_000;
+pub(crate) const NANOSECONDS_PER_SECOND: u64 = 1_000_000_000;
 
 /// `std_msgs/Header`.
 #[derive(Debug, Clone, Copy, Serialize)]
-pub(super) struct Header<'a> {
+pub(crate) struct Header<'a> {
     pub stamp: Time,
     pub frame_id: &'a str,
 }
 
 /// `sensor_msgs/JointState`.
 #[derive(Debug, Serialize)]
-pub(super) struct JointState<'a> {
+pub(crate) struct JointState<'a> {
     pub header: Header<'a>,
     pub name: &'a [String],
     pub position: &'a [f64],
@@ -46,7 +46,7 @@ pub(super) struct JointState<'a> {
 
 /// `geometry_msgs/Vector3`; a point is laid out the same.
 #[derive(Debug, Clone, Copy, Serialize)]
-pub(super) struct Vector3 {
+pub(crate) struct Vector3 {
     pub x: f64,
     pub y: f64,
     pub z: f64,
@@ -64,7 +64,7 @@ impl From<Vector> for Vector3 {
 
 /// `geometry_msgs/Quaternion`.
 #[derive(Debug, Clone, Copy, Serialize)]
-pub(super) struct Quaternion {
+pub(crate) struct Quaternion {
     pub x: f64,
     pub y: f64,
     pub z: f64,
@@ -73,7 +73,7 @@ pub(super) struct Quaternion {
 
 /// `geometry_msgs/Pose`; a transform is laid out the same.
 #[derive(Debug, Clone, Copy, Serialize)]
-pub(super) struct Pose {
+pub(crate) struct Pose {
     pub position: Vector3,
     pub orientation: Quaternion,
 }
@@ -95,14 +95,14 @@ impl From<&geometry::Pose> for Pose {
 
 /// `geometry_msgs/PoseStamped`.
 #[derive(Debug, Serialize)]
-pub(super) struct PoseStamped<'a> {
+pub(crate) struct PoseStamped<'a> {
     pub header: Header<'a>,
     pub pose: Pose,
 }
 
 /// `geometry_msgs/Wrench`.
 #[derive(Debug, Serialize)]
-pub(super) struct Wrench {
+pub(crate) struct Wrench {
     pub force: Vector3,
     pub torque: Vector3,
 }
@@ -118,14 +118,14 @@ impl From<&control::Wrench> for Wrench {
 
 /// `geometry_msgs/WrenchStamped`.
 #[derive(Debug, Serialize)]
-pub(super) struct WrenchStamped<'a> {
+pub(crate) struct WrenchStamped<'a> {
     pub header: Header<'a>,
     pub wrench: Wrench,
 }
 
 /// `geometry_msgs/TransformStamped`.
 #[derive(Debug, Serialize)]
-pub(super) struct TransformStamped<'a> {
+pub(crate) struct TransformStamped<'a> {
     pub header: Header<'a>,
     pub child_frame_id: &'a str,
     pub transform: Pose,
@@ -133,19 +133,19 @@ pub(super) struct TransformStamped<'a> {
 
 /// `tf2_msgs/TFMessage`.
 #[derive(Debug, Serialize)]
-pub(super) struct TfMessage<'a> {
+pub(crate) struct TfMessage<'a> {
     pub transforms: &'a [TransformStamped<'a>],
 }
 
 /// `std_msgs/String`.
 #[derive(Debug, Serialize)]
-pub(super) struct Text<'a> {
+pub(crate) struct Text<'a> {
     pub data: &'a str,
 }
 
 /// `std_msgs/ColorRGBA`.
 #[derive(Debug, Clone, Copy, Serialize)]
-pub(super) struct Color {
+pub(crate) struct Color {
     pub r: f32,
     pub g: f32,
     pub b: f32,
@@ -154,7 +154,7 @@ pub(super) struct Color {
 
 /// `sensor_msgs/CompressedImage`, always empty: the texture of a marker that has none.
 #[derive(Debug, Serialize)]
-pub(super) struct NoImage<'a> {
+pub(crate) struct NoImage<'a> {
     pub header: Header<'a>,
     pub format: &'a str,
     pub data: &'a [u8],
@@ -162,14 +162,14 @@ pub(super) struct NoImage<'a> {
 
 /// `visualization_msgs/MeshFile`, always empty.
 #[derive(Debug, Serialize)]
-pub(super) struct NoMesh<'a> {
+pub(crate) struct NoMesh<'a> {
     pub filename: &'a str,
     pub data: &'a [u8],
 }
 
 /// `visualization_msgs/Marker`.
 #[derive(Debug, Serialize)]
-pub(super) struct Marker<'a> {
+pub(crate) struct Marker<'a> {
     pub header: Header<'a>,
     pub ns: &'a str,
     pub id: i32,
@@ -192,7 +192,7 @@ pub(super) struct Marker<'a> {
 }
 
 /// `Marker::kind` of points.
-pub(super) const MARKER_POINTS: i32 = 8;
+pub(crate) const MARKER_POINTS: i32 = 8;
 
 #[cfg(test)]
 mod tests {

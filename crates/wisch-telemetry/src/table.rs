@@ -1,10 +1,10 @@
 //! Logs as tables of numbers, with a line of names above them.
 
 use super::error::ReadFault;
-use super::log::{LogOptions, RawLog};
-use super::messages::NANOSECONDS_PER_SECOND;
+use super::options::LogOptions;
 use super::quantity::Quantity;
-use super::track::Track;
+use super::ros2::NANOSECONDS_PER_SECOND;
+use super::track::{RawLog, Track};
 use wisch::geometry::{Pose, Vector3};
 use wisch::represent::UnknownName;
 
@@ -50,14 +50,14 @@ struct Column {
 }
 
 /// Our names of all columns that are read: time, pose, force.
-pub(super) fn column_names() -> impl Iterator<Item = &'static str> {
+fn column_names() -> impl Iterator<Item = &'static str> {
     let quantities = Pose::NUMBERS.iter().chain(Vector3::NUMBERS).copied();
     std::iter::once(TIME).chain(quantities)
 }
 
 /// Reads a table. Lines that begin with a hash are comments, unless the names stand in one; a line of units may
 /// follow the names.
-pub(super) fn read(bytes: &[u8], options: &LogOptions) -> Result<RawLog, ReadFault> {
+pub(crate) fn read(bytes: &[u8], options: &LogOptions) -> Result<RawLog, ReadFault> {
     let text = std::str::from_utf8(bytes).map_err(|error| ReadFault::NotText {
         byte: error.valid_up_to(),
     })?;

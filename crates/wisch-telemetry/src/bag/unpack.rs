@@ -6,7 +6,7 @@ use std::io::{self, Read};
 
 /// Why a chunk cannot be unpacked.
 #[derive(Debug)]
-pub(super) enum UnpackError {
+pub(crate) enum UnpackError {
     /// It is packed in a way that is not read.
     Unknown,
     /// It is longer than the limit.
@@ -22,7 +22,7 @@ impl From<io::Error> for UnpackError {
 }
 
 /// A chunk's records, by the name of how they are packed. Never more than `limit` bytes come out.
-pub(super) fn unpack<'a>(
+pub(crate) fn unpack<'a>(
     compression: &str,
     packed: &'a [u8],
     limit: usize,

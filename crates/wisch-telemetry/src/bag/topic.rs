@@ -1,11 +1,29 @@
 //! The topics of the bags that are written.
 
-use super::{AXES_KEY, FRAME_WORLD, ROLE_KEY, ROLE_POSE, ROLE_WRENCH, START_KEY};
+use crate::options::Axes;
 use std::collections::BTreeMap;
+
+/// Frame of the world.
+pub(crate) const FRAME_WORLD: &str = Axes::World.as_str();
+/// Frame of the tool, its tool centre point at the origin.
+pub(crate) const FRAME_TOOL: &str = Axes::Tool.as_str();
+/// Frame of the target surface.
+pub(crate) const FRAME_SURFACE: &str = Axes::Surface.as_str();
+
+/// Key of a channel's metadata that says what the channel is to the interpretation.
+pub(crate) const ROLE_KEY: &str = "wisch.role";
+/// The channel says where the tool is.
+pub(crate) const ROLE_POSE: &str = "tool pose";
+/// The channel says what the tool feels.
+pub(crate) const ROLE_WRENCH: &str = "external wrench";
+/// Key of a channel's metadata that says the log's time when the samples' time is 0 [ns].
+pub(crate) const START_KEY: &str = "wisch.start_ns";
+/// Key of a channel's metadata that says in whose axes a wrench is given.
+pub(crate) const AXES_KEY: &str = "wisch.axes";
 
 /// The topics, in the order of their channels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Topic {
+pub(crate) enum Topic {
     Joints,
     Commanded,
     Measured,

@@ -1,12 +1,13 @@
 //! Poses or forces over time, and the two of them together.
 
 use super::error::ReadFault;
-use super::messages::NANOSECONDS_PER_SECOND;
 use super::quantity::{Quantity, QuantityError};
+use super::ros2::NANOSECONDS_PER_SECOND;
+use wisch::geometry::{Pose, Vector3};
 
 /// What a log says of one quantity, in the order of time.
 #[derive(Debug, Clone)]
-pub(super) struct Track<Q> {
+pub(crate) struct Track<Q> {
     /// Where it comes from, as messages call it.
     pub name: String,
     /// The frame that it is said to be in; empty where nothing is said.
@@ -15,6 +16,15 @@ pub(super) struct Track<Q> {
     pub entries: Vec<(i64, Q)>,
     /// How many entries were left out, as they bore the time of the one before.
     pub repeated: usize,
+}
+
+/// What a file says, before it is understood.
+pub(crate) struct RawLog {
+    pub poses: Track<Pose>,
+    pub wrenches: Track<Vector3>,
+    pub axes: Option<String>,
+    pub start: Option<i64>,
+    pub unfinished: bool,
 }
 
 impl<Q: Quantity> Track<Q> {
@@ -64,7 +74,7 @@ impl<Q: Quantity> Track<Q> {
 }
 
 /// Seconds of nanoseconds.
-pub(super) fn seconds(time: i64) -> f64 {
+pub(crate) fn seconds(time: i64) -> f64 {
     time as f64 / NANOSECONDS_PER_SECOND as f64
 }
 
@@ -72,7 +82,7 @@ pub(super) fn seconds(time: i64) -> f64 {
 ///
 /// # Errors
 /// No time at which both are known.
-pub(super) fn paired<P: Quantity, W: Quantity>(
+pub(crate) fn paired<P: Quantity, W: Quantity>(
     poses: &Track<P>,
     wrenches: &Track<W>,
     max_gap: f64,
@@ -123,7 +133,6 @@ fn at_times_of<A: Quantity, B: Quantity>(
 mod tests {
     use super::*;
     use proptest::prelude::*;
-    use wisch::geometry::{Pose, Vector3};
 
     fn track<Q: Quantity>(name: &str, entries: impl IntoIterator<Item = (i64, Q)>) -> Track<Q> {
         let mut track = Track::new(name.to_owned());

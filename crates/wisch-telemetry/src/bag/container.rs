@@ -4,8 +4,8 @@
 //! Records are told apart here and not by the `mcap` crate, since that one runs out of a chunk whose records claim
 //! to be longer than it.
 
-use super::error::ReadFault;
 use super::unpack::{UnpackError, unpack};
+use crate::error::ReadFault;
 use mcap::read::ChannelAccumulator;
 use mcap::records::{Record, op};
 use mcap::{Channel, MAGIC, McapError, parse_record};
@@ -18,11 +18,11 @@ const MAX_RECORD_LEN: usize = 256 << 20;
 const HEAD_LEN: usize = 9;
 
 /// Takes a message: its channel, when it was recorded [ns], and its bytes.
-pub(super) type Take<'a> = dyn FnMut(&Channel<'_>, u64, &[u8]) -> Result<(), ReadFault> + 'a;
+pub(crate) type Take<'a> = dyn FnMut(&Channel<'_>, u64, &[u8]) -> Result<(), ReadFault> + 'a;
 
 /// Where a file ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Ending {
+pub(crate) enum Ending {
     /// After its last record.
     Footer,
     /// Before, at this byte.
@@ -36,7 +36,7 @@ pub(super) enum Ending {
 ///
 /// # Errors
 /// What the system says, what `each` says, and every fault of the file but that it ends early.
-pub(super) fn messages(source: impl Read, each: &mut Take<'_>) -> Result<Ending, ReadFault> {
+pub(crate) fn messages(source: impl Read, each: &mut Take<'_>) -> Result<Ending, ReadFault> {
     let mut file = Records { source, byte: 0 };
     let magic = file.take(MAGIC.len() as u64)?;
     if magic != MAGIC {

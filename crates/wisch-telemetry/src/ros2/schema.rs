@@ -48,7 +48,7 @@ pub enum SchemaError {
 
 /// What a value is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
     Bool,
     Unsigned {
         len: usize,
@@ -66,7 +66,7 @@ pub(super) enum Kind {
 
 /// How many values a field holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Shape {
+pub(crate) enum Shape {
     One,
     Array(usize),
     Sequence,
@@ -74,7 +74,7 @@ pub(super) enum Shape {
 
 /// A field of a message.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Field {
+pub(crate) struct Field {
     pub name: String,
     pub kind: Kind,
     pub shape: Shape,
@@ -85,7 +85,7 @@ type Fields = Vec<Field>;
 
 /// The layout of a message: its fields, and those of every message in it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Schema {
+pub(crate) struct Schema {
     /// The first is the message's own.
     definitions: Vec<Fields>,
 }

@@ -1,7 +1,7 @@
 //! Writes a bag of a made-up tool that wipes the board of `scenarios/chopping-board.toml`:
 //!
 //! ```text
-//! cargo run -p wisch-cli --example demo_bag -- demo.mcap
+//! cargo run -p wisch-telemetry --example demo_bag -- demo.mcap
 //! wisch interpret demo.mcap --task scenarios/chopping-board.toml --action absorb
 //! ```
 

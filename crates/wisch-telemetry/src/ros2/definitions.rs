@@ -109,14 +109,14 @@ const SEPARATOR: &str =
     "================================================================================\n";
 
 /// Whether a line separates definitions.
-pub(super) fn is_separator(line: &str) -> bool {
+pub(crate) fn is_separator(line: &str) -> bool {
     line.starts_with("===") && line.bytes().all(|byte| byte == b'=')
 }
 
 /// The text of a schema with encoding `ros2msg`: the type's fields, then those of every type in it, each once.
 ///
 /// The type is one of the table above; any other has no fields.
-pub(super) fn full_definition(name: &str) -> String {
+pub(crate) fn full_definition(name: &str) -> String {
     let mut text = own(name).to_owned();
     let mut told = vec![name];
     let mut open = nested(own(name));

@@ -1,14 +1,13 @@
 //! Telemetry as a ROS 2 bag: MCAP with CDR messages, written while it comes in.
 
-use super::definitions::full_definition;
-use super::error::WriteError;
-use super::messages::{
+use super::topic::{FRAME_SURFACE, FRAME_TOOL, FRAME_WORLD, Topic};
+use crate::error::WriteError;
+use crate::ros2::full_definition;
+use crate::ros2::messages::{
     Color, Header, JointState, MARKER_POINTS, Marker, NANOSECONDS_PER_SECOND, NoImage, NoMesh,
     Pose as PoseMessage, PoseStamped, Text, TfMessage, Time, TransformStamped, Vector3,
     WrenchStamped,
 };
-use super::topic::Topic;
-use super::{FRAME_TOOL, FRAME_WORLD, SURFACE_FRAME, active_path};
 use cdr::{CdrLe, Infinite};
 use mcap::records::MessageHeader;
 use mcap::write::NoSeek;
@@ -40,6 +39,13 @@ const PARTICLE_COLOR: Color = Color {
     b: 0.15,
     a: 1.0,
 };
+
+/// The name of a bag that is being written.
+pub fn active_path(bag: &Path) -> PathBuf {
+    let mut name = bag.as_os_str().to_owned();
+    name.push(".active");
+    PathBuf::from(name)
+}
 
 /// What a bag says once.
 #[derive(Debug, Clone, PartialEq)]
@@ -351,7 +357,7 @@ impl BagWriter {
             },
             TransformStamped {
                 header,
-                child_frame_id: SURFACE_FRAME,
+                child_frame_id: FRAME_SURFACE,
                 transform: (&self.head.world_from_surface).into(),
             },
         ];

@@ -1,14 +1,12 @@
 //! Where in the messages of a topic a pose or a force stands.
 
-use super::messages::NANOSECONDS_PER_SECOND;
-use super::quantity::{Quantity, QuantityError};
-use super::schema::{Field, Kind, Schema, Shape};
-use super::walk::Value;
+use crate::quantity::{Quantity, QuantityError};
+use crate::ros2::{Field, Kind, NANOSECONDS_PER_SECOND, Schema, Shape, Value};
 use std::marker::PhantomData;
 
 /// Finds a quantity in messages of one schema.
 #[derive(Debug, Clone)]
-pub(super) struct Source<Q> {
+pub(crate) struct Locator<Q> {
     place: Place,
     /// Where a message holds many of them, as those of `/tf` do: the list.
     list: Option<Vec<usize>>,
@@ -29,7 +27,7 @@ struct Place {
 
 /// What a message says of a quantity.
 #[derive(Debug)]
-pub(super) struct Found<'a, Q> {
+pub(crate) struct Found<'a, Q> {
     /// The child frame, where a message holds many.
     pub child: &'a str,
     /// The frame of the header, if there is one.
@@ -40,7 +38,7 @@ pub(super) struct Found<'a, Q> {
     pub value: Result<Q, QuantityError>,
 }
 
-impl<Q: Quantity> Source<Q> {
+impl<Q: Quantity> Locator<Q> {
     /// Looks where a message holds the quantity; in a field of it, where one is named.
     pub fn find(schema: &Schema, field: &str) -> Option<Self> {
         let single = |place| Self {
@@ -154,8 +152,8 @@ fn is_text(field: &Field) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::definitions::full_definition;
     use super::*;
+    use crate::ros2::full_definition;
     use wisch::geometry::{Pose, Vector3};
 
     fn schema(name: &str) -> Schema {
@@ -176,8 +174,8 @@ mod tests {
         ];
         for (name, holds) in cases {
             let schema = schema(name);
-            let pose = Source::<Pose>::find(&schema, "").is_some();
-            let wrench = Source::<Vector3>::find(&schema, "").is_some();
+            let pose = Locator::<Pose>::find(&schema, "").is_some();
+            let wrench = Locator::<Vector3>::find(&schema, "").is_some();
             assert_eq!([pose, wrench], holds, "{name}");
         }
     }
@@ -189,9 +187,9 @@ mod tests {
         let pose_part = "===\nMSG: geometry_msgs/PoseStamped\n";
         let schema =
             Schema::parse("a/State", format!("{own}{pose_part}{text}").as_bytes()).unwrap();
-        assert!(Source::<Pose>::find(&schema, "").is_none());
-        let source = Source::<Pose>::find(&schema, "tool").unwrap();
-        let [sec, _] = source.place.stamp.unwrap();
+        assert!(Locator::<Pose>::find(&schema, "").is_none());
+        let locator = Locator::<Pose>::find(&schema, "tool").unwrap();
+        let [sec, _] = locator.place.stamp.unwrap();
         assert_eq!(sec, [2, 0, 0, 0], "the stamp is that of the field");
     }
 }

@@ -45,7 +45,7 @@ pub enum MessageError {
 
 /// A value of a message.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Value {
+pub(crate) enum Value {
     /// A number or a boolean; integers beyond 2⁵³ are rounded.
     Number(f64),
     Text(String),
@@ -76,7 +76,7 @@ impl Value {
 }
 
 /// Takes a message apart.
-pub(super) fn decode(schema: &Schema, bytes: &[u8]) -> Result<Value, MessageError> {
+pub(crate) fn decode(schema: &Schema, bytes: &[u8]) -> Result<Value, MessageError> {
     let Some((header, payload)) = bytes.split_at_checked(ENCAPSULATION_LEN) else {
         return Err(MessageError::TooShort {
             byte: 0,

@@ -1,14 +1,13 @@
 //! ROS 2 bags: finds the poses and forces in an MCAP file of whatever topics.
 
 use super::container::{Ending, messages};
-use super::error::ReadFault;
-use super::log::{RawLog, TopicChoice};
-use super::quantity::Quantity;
-use super::schema::Schema;
-use super::source::{Found, Source};
-use super::track::Track;
-use super::walk::{MessageError, Value, decode};
-use super::{AXES_KEY, ROLE_KEY, ROLE_POSE, ROLE_WRENCH, START_KEY};
+use super::locator::{Found, Locator};
+use super::topic::{AXES_KEY, ROLE_KEY, ROLE_POSE, ROLE_WRENCH, START_KEY};
+use crate::error::ReadFault;
+use crate::options::TopicChoice;
+use crate::quantity::Quantity;
+use crate::ros2::{MessageError, Schema, Value, decode};
+use crate::track::{RawLog, Track};
 use mcap::Channel;
 use std::collections::{BTreeMap, HashMap};
 use std::fs::File;
@@ -19,7 +18,7 @@ use wisch::geometry::{Pose, Vector3};
 use wisch::represent::UnknownName;
 
 /// Gathers what the parts of a bag say.
-pub(super) struct BagReader {
+pub(crate) struct BagReader {
     poses: Search<Pose>,
     wrenches: Search<Vector3>,
     /// Every topic with its type.
@@ -34,8 +33,8 @@ enum Reading {
     Nothing,
     Messages {
         schema: Rc<Schema>,
-        pose: Option<Rc<Source<Pose>>>,
-        wrench: Option<Rc<Source<Vector3>>>,
+        pose: Option<Rc<Locator<Pose>>>,
+        wrench: Option<Rc<Locator<Vector3>>>,
     },
 }
 
@@ -101,11 +100,11 @@ impl BagReader {
         };
         let value = decode(schema, data);
         let log_time = i64::try_from(log_time).unwrap_or(i64::MAX);
-        if let Some(source) = pose {
-            self.poses.take(channel, source, &value, log_time);
+        if let Some(locator) = pose {
+            self.poses.take(channel, locator, &value, log_time);
         }
-        if let Some(source) = wrench {
-            self.wrenches.take(channel, source, &value, log_time);
+        if let Some(locator) = wrench {
+            self.wrenches.take(channel, locator, &value, log_time);
         }
         Ok(())
     }
@@ -125,8 +124,8 @@ impl BagReader {
             // Bags hold topics of all kinds, and this is not the one that was asked for.
             Err(_) => return Ok(Reading::Nothing),
         };
-        let pose = self.poses.source(channel, &schema)?;
-        let wrench = self.wrenches.source(channel, &schema)?;
+        let pose = self.poses.locator(channel, &schema)?;
+        let wrench = self.wrenches.locator(channel, &schema)?;
         Ok(if pose.is_none() && wrench.is_none() {
             Reading::Nothing
         } else {
@@ -228,17 +227,17 @@ impl<Q: Quantity> Search<Q> {
     }
 
     /// How to read a channel, if it holds the quantity.
-    fn source(
+    fn locator(
         &self,
         channel: &Channel<'_>,
         schema: &Schema,
-    ) -> Result<Option<Rc<Source<Q>>>, ReadFault> {
+    ) -> Result<Option<Rc<Locator<Q>>>, ReadFault> {
         if !self.wants(channel) {
             return Ok(None);
         }
         let field = self.named.as_ref().map_or("", |(_, field)| field);
-        let source = Source::find(schema, field);
-        if source.is_none() && self.names(channel) {
+        let locator = Locator::find(schema, field);
+        if locator.is_none() && self.names(channel) {
             let kind = channel.schema.as_ref().map(|schema| schema.name.clone());
             return Err(ReadFault::NotThere {
                 topic: channel.topic.clone(),
@@ -247,13 +246,13 @@ impl<Q: Quantity> Search<Q> {
                 what: Q::NAME,
             });
         }
-        Ok(source.map(Rc::new))
+        Ok(locator.map(Rc::new))
     }
 
     fn take(
         &mut self,
         channel: &Channel<'_>,
-        source: &Source<Q>,
+        locator: &Locator<Q>,
         message: &Result<Value, MessageError>,
         log_time: i64,
     ) {
@@ -262,8 +261,8 @@ impl<Q: Quantity> Search<Q> {
         }
         let number = self.count(&channel.topic);
         let taken = match message {
-            Ok(message) => (source.read(message))
-                .try_for_each(|found| self.push(channel, source, found, number, log_time)),
+            Ok(message) => (locator.read(message))
+                .try_for_each(|found| self.push(channel, locator, found, number, log_time)),
             Err(error) => Err(ReadFault::Message {
                 topic: channel.topic.clone(),
                 number,
@@ -288,12 +287,12 @@ impl<Q: Quantity> Search<Q> {
     fn push(
         &mut self,
         channel: &Channel<'_>,
-        source: &Source<Q>,
+        locator: &Locator<Q>,
         found: Found<'_, Q>,
         number: usize,
         log_time: i64,
     ) -> Result<(), ReadFault> {
-        let child = if source.is_list() { found.child } else { "" };
+        let child = if locator.is_list() { found.child } else { "" };
         let known = (self.candidates.iter())
             .position(|known| known.topic == channel.topic && known.child == child);
         let index = known.unwrap_or_else(|| {
