@@ -1,6 +1,7 @@
 //! Real dirt: grains with a size and a will of their own.
 
 use crate::geometry::Point2;
+use crate::random::normal;
 use crate::represent::{Fate, ParticleDistribution, ParticleError, Reality};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -65,10 +66,4 @@ impl Dirt {
         let grains = self.grains.iter().map(|grain| (grain.position, grain.fate));
         ParticleDistribution::with_fates(&grains.collect::<Vec<_>>())
     }
-}
-
-/// A standard normal number by Box and Muller.
-pub(super) fn normal(random: &mut ChaCha8Rng) -> f64 {
-    let (u, v) = (1.0 - random.random::<f64>(), random.random::<f64>());
-    (-2.0 * libm::log(u)).sqrt() * libm::cos(std::f64::consts::TAU * v)
 }

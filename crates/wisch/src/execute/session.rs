@@ -1,7 +1,6 @@
 //! The loop of control, simulation and telemetry.
 
 use super::controller::{Desired, ImpedanceController, Measured, Posture};
-use super::dirt::normal;
 use super::grains::GrainBodies;
 use super::observer::MomentumObserver;
 use super::plant::{GRAVITY, Plant, tool_load};
@@ -11,6 +10,7 @@ use super::{
 };
 use crate::follow::{Followed, Motion, Phase, TrajectorySample, Workcell};
 use crate::geometry::{Point3, Pose, Vector3};
+use crate::random::normal;
 use crate::represent::{FrictionChange, Push, Reality, Task};
 use crate::robot::{Articulation, ArticulationState, Range};
 use nalgebra::{Matrix6xX, Translation3, Vector6};
