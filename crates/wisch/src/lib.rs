@@ -20,6 +20,7 @@ pub mod follow;
 pub mod geometry;
 pub mod interpret;
 pub mod plan;
+pub mod random;
 pub mod recover;
 pub mod represent;
 pub mod robot;

@@ -1,9 +1,9 @@
 //! What the tool was about: coming, wiping, moving over to the next stroke, going.
 
-use super::events::Evidence;
-use super::{Event, EventKind};
+use super::detector::EventDetector;
+use super::event::{Event, EventKind};
 
-impl Evidence<'_> {
+impl EventDetector<'_> {
     /// The phases of a task, one after the other from the first piece to the last; none where nothing was
     /// touched. `contacts` are in their order.
     pub(super) fn phases(&self, contacts: &[Event]) -> Vec<Event> {

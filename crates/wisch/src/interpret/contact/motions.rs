@@ -1,11 +1,11 @@
-//! The straight motions in contact that stand for a felt path.
+//! The straight motions in contact that stand for a path.
 
-use super::PathPiece;
+use super::path::PathPiece;
 use crate::geometry::{Edge, PlanarPose, Point2, Pose, Vector2, wrap_angle};
 use crate::represent::ToolMotion;
 
 /// Longest motion that is replayed at once [m]: thresholds are drawn between motions.
-pub(super) const MAX_LENGTH: f64 = 0.01;
+pub(in crate::interpret) const MAX_LENGTH: f64 = 0.01;
 /// Less travel than this is standing [m], and less turn, if it turns [rad].
 const STANDING: [f64; 2] = [2e-3, 0.035];
 /// The same for the beginning of a contact: what the tool comes down on is carried the way that it first
@@ -25,37 +25,37 @@ const SAME_PLACE: f64 = 1e-4;
 /// Pieces further apart than this are not one contact [s].
 const MAX_GAP: f64 = 0.25;
 
-/// Of what the f′ of a contact is told [1].
+/// f′ of a contact, and where under the tool it holds [1].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Felt {
+pub(in crate::interpret) enum NormalizedForce {
     /// There is no contact.
-    Nothing,
-    /// Of the whole tool, as a force tells it.
+    NoContact,
+    /// Mean over the whole tool, measured as a force.
     Mean(f64),
-    /// Of the middle of the tool, as its distance from the plane tells it; below 0 where only a side touches.
+    /// In the middle of the tool, derived from its distance from the plane; below 0 where only a side touches.
     Middle(f64),
 }
 
-impl Felt {
-    pub(super) const fn share(self) -> f64 {
+impl NormalizedForce {
+    pub(in crate::interpret) const fn value(self) -> f64 {
         match self {
-            Self::Nothing => 0.0,
-            Self::Mean(share) | Self::Middle(share) => share,
+            Self::NoContact => 0.0,
+            Self::Mean(value) | Self::Middle(value) => value,
         }
     }
 
     /// As if the force were by this factor another; a distance is what it is.
-    pub(super) fn scaled(self, factor: f64) -> Self {
+    pub(in crate::interpret) fn scaled(self, factor: f64) -> Self {
         match self {
             Self::Mean(share) => Self::Mean(share * factor),
-            Self::Nothing | Self::Middle(_) => self,
+            Self::NoContact | Self::Middle(_) => self,
         }
     }
 
     /// The same kind with another value.
     const fn with(self, share: f64) -> Self {
         match self {
-            Self::Nothing => Self::Nothing,
+            Self::NoContact => Self::NoContact,
             Self::Mean(_) => Self::Mean(share),
             Self::Middle(_) => Self::Middle(share),
         }
@@ -64,28 +64,27 @@ impl Felt {
 
 /// A straight motion in contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct ContactMotion {
-    pub(super) motion: ToolMotion,
-    /// Mean f′ over the way [1].
-    pub(super) felt: Felt,
+pub(in crate::interpret) struct ContactMotion {
+    pub(in crate::interpret) motion: ToolMotion,
+    /// f′, as a mean over the way.
+    pub(in crate::interpret) force: NormalizedForce,
     /// Mean slope of the plane against the underside, in the tool frame [1].
-    pub(super) slope: Vector2,
+    pub(in crate::interpret) slope: Vector2,
     /// Whether it goes on where the one before ended.
-    pub(super) continues: bool,
+    pub(in crate::interpret) continues: bool,
 }
 
-/// The straight motions in contact of a path, in the frame of the real surface. `felt` tells of each piece
-/// whether it is contact.
-pub(super) fn contact_motions(
+/// The straight motions in contact of a path, in the frame of the real surface. `force` gives f′ of each piece.
+pub(in crate::interpret) fn contact_motions(
     path: &[PathPiece],
     real_from_believed: &Pose,
-    felt: impl Fn(usize) -> Felt,
+    force: impl Fn(usize) -> NormalizedForce,
 ) -> Vec<ContactMotion> {
     let mut builder = Builder::default();
     for (i, piece) in path.iter().enumerate() {
-        match felt(i) {
-            Felt::Nothing => builder.interrupt(),
-            felt => builder.take(piece, felt, real_from_believed),
+        match force(i) {
+            NormalizedForce::NoContact => builder.interrupt(),
+            force => builder.take(piece, force, real_from_believed),
         }
     }
     builder.interrupt();
@@ -105,7 +104,7 @@ struct Open {
     from: PlanarPose,
     to: PlanarPose,
     last_time: f64,
-    kind: Felt,
+    kind: NormalizedForce,
     /// Places passed on the way, the last one included.
     passed: Vec<Point2>,
     /// Travel and f′ times travel; standing, pieces count instead [m].
@@ -118,7 +117,7 @@ struct Open {
 }
 
 impl Builder {
-    fn take(&mut self, piece: &PathPiece, felt: Felt, real_from_believed: &Pose) {
+    fn take(&mut self, piece: &PathPiece, force: NormalizedForce, real_from_believed: &Pose) {
         let position = (real_from_believed * piece.position).xy();
         if let Some(open) = &self.open
             && piece.time[0] - open.last_time > MAX_GAP
@@ -127,16 +126,16 @@ impl Builder {
         }
         let Some(open) = &mut self.open else {
             let at = PlanarPose::new(position, piece.heading);
-            self.open = Some(Open::at(at, piece, felt, false));
+            self.open = Some(Open::at(at, piece, force, false));
             return;
         };
         let turn = wrap_angle(piece.heading - open.to.heading);
         let to = PlanarPose::new(position, open.to.heading + turn);
-        if open.stands_on(felt) || open.goes_on_to(&to, felt) {
-            open.grow(to, piece, felt);
+        if open.stands_on(force) || open.goes_on_to(&to, force) {
+            open.grow(to, piece, force);
         } else {
-            let mut next = Open::at(open.end(), piece, felt, true);
-            next.grow(to, piece, felt);
+            let mut next = Open::at(open.end(), piece, force, true);
+            next.grow(to, piece, force);
             self.close();
             self.open = Some(next);
         }
@@ -178,7 +177,7 @@ impl Builder {
                 from: at(part),
                 to: at(part + 1),
             },
-            felt: open.kind.with(open.share()),
+            force: open.kind.with(open.share()),
             slope: open.slope(),
             continues: open.continues || part > 0,
         }));
@@ -186,17 +185,17 @@ impl Builder {
 }
 
 impl Open {
-    fn at(from: PlanarPose, piece: &PathPiece, felt: Felt, continues: bool) -> Self {
+    fn at(from: PlanarPose, piece: &PathPiece, force: NormalizedForce, continues: bool) -> Self {
         Self {
             from,
             to: from,
             last_time: piece.time[1],
-            kind: felt,
+            kind: force,
             passed: Vec::new(),
             travel: 0.0,
             share_by_travel: 0.0,
             pieces: 1.0,
-            share_by_pieces: felt.share(),
+            share_by_pieces: force.value(),
             slope_by_pieces: piece.slope,
             continues,
         }
@@ -241,32 +240,32 @@ impl Open {
         self.slope_by_pieces / self.pieces
     }
 
-    fn is_like(&self, felt: Felt) -> bool {
-        std::mem::discriminant(&self.kind) == std::mem::discriminant(&felt)
+    fn is_like(&self, force: NormalizedForce) -> bool {
+        std::mem::discriminant(&self.kind) == std::mem::discriminant(&force)
     }
 
-    fn stands_on(&self, felt: Felt) -> bool {
-        self.is_standing() && self.is_like(felt)
+    fn stands_on(&self, force: NormalizedForce) -> bool {
+        self.is_standing() && self.is_like(force)
     }
 
-    fn goes_on_to(&self, to: &PlanarPose, felt: Felt) -> bool {
+    fn goes_on_to(&self, to: &PlanarPose, force: NormalizedForce) -> bool {
         let chord = Edge {
             start: self.from.position,
             end: to.position,
         };
-        self.is_like(felt)
-            && (felt.share() - self.share()).abs() <= MAX_SHARE_CHANGE
+        self.is_like(force)
+            && (force.value() - self.share()).abs() <= MAX_SHARE_CHANGE
             && (to.heading - self.from.heading).abs() <= MAX_TURN
             && (to.position - self.from.position).norm() <= MAX_LENGTH
             && (self.passed.iter()).all(|place| chord.distance(*place) <= MAX_DEVIATION)
     }
 
-    fn grow(&mut self, to: PlanarPose, piece: &PathPiece, felt: Felt) {
+    fn grow(&mut self, to: PlanarPose, piece: &PathPiece, force: NormalizedForce) {
         let last = self.passed.last().copied().unwrap_or(self.from.position);
         let step = (to.position - last).norm();
         if step > SAME_PLACE {
             self.travel += step;
-            self.share_by_travel += step * felt.share();
+            self.share_by_travel += step * force.value();
             // What it passed while standing is not on its way.
             if self.is_standing() {
                 self.passed.clear();
@@ -274,7 +273,7 @@ impl Open {
             self.passed.push(to.position);
         }
         self.pieces += 1.0;
-        self.share_by_pieces += felt.share();
+        self.share_by_pieces += force.value();
         self.slope_by_pieces += piece.slope;
         self.last_time = piece.time[1];
         self.to = to;

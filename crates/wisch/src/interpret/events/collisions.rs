@@ -1,7 +1,7 @@
 //! Somebody or something is in the way of the tool.
 
-use super::events::{Evidence, Level, Run, level};
-use super::{Event, EventKind};
+use super::detector::{Candidate, EventDetector, Level, level};
+use super::event::{Event, EventKind};
 use crate::geometry::Vector3;
 
 /// Size of the mean force over the mean size of the force, from which on a force acts rather than swings [1], and
@@ -13,50 +13,54 @@ const SWING: f64 = 0.2;
 /// long such a blow lasts at most [s].
 const TOUCHDOWN: [f64; 2] = [0.1, 0.3];
 
-impl Evidence<'_> {
+impl EventDetector<'_> {
     /// Pushes: without what only swings, without the tool's own landings, and each as one.
     pub(super) fn collisions(&self) -> Vec<Event> {
-        let runs = self.runs(|i| self.collision(i), |i| self.push_bridge(i));
-        let mut pushes: Vec<Run> = Vec::new();
-        let runs = runs.into_iter();
-        for run in runs.filter(|run| self.is_steady(run) && !self.is_touchdown(run)) {
+        let candidates = self.candidates(|i| self.collision(i), |i| self.push_bridge(i));
+        let mut pushes: Vec<Candidate> = Vec::new();
+        let candidates = candidates.into_iter();
+        for candidate in candidates
+            .filter(|candidate| self.is_steady(candidate) && !self.is_touchdown(candidate))
+        {
             match pushes.last_mut() {
-                Some(before) if self.is_landing(before, &run) => {}
-                Some(before) if self.gap(before, &run) <= self.config.events.push_gap_s => {
-                    before.last = run.last;
+                Some(before) if self.is_landing(before, &candidate) => {}
+                Some(before) if self.gap(before, &candidate) <= self.config.events.push_gap_s => {
+                    before.last = candidate.last;
                 }
-                _ => pushes.push(run),
+                _ => pushes.push(candidate),
             }
         }
         (pushes.iter())
-            .map(|run| self.described(EventKind::Collision, run.first, run.last))
+            .map(|candidate| self.described(EventKind::Collision, candidate.first, candidate.last))
             .collect()
     }
 
-    /// Time from the end of one run to the beginning of the next [s].
-    fn gap(&self, before: &Run, next: &Run) -> f64 {
+    /// Time from the end of one candidate to the beginning of the next [s].
+    fn gap(&self, before: &Candidate, next: &Candidate) -> f64 {
         self.span(next.first)[0] - self.span(before.last)[1]
     }
 
-    /// Whether a run soon after a push is the tool that was let go of and comes down again: it presses on
+    /// Whether a candidate soon after a push is the tool that was let go of and comes down again: it presses on
     /// the surface, and nothing draws it along.
-    fn is_landing(&self, before: &Run, next: &Run) -> bool {
+    fn is_landing(&self, before: &Candidate, next: &Candidate) -> bool {
         self.gap(before, next) <= self.config.events.landing_s && self.is_pressed(next)
     }
 
-    /// Whether a run is a blow as the tool comes down on the surface.
-    fn is_touchdown(&self, run: &Run) -> bool {
+    /// Whether a candidate is a blow as the tool comes down on the surface.
+    fn is_touchdown(&self, candidate: &Candidate) -> bool {
         let [before, longest] = TOUCHDOWN;
-        let [start, end] = [self.span(run.first)[0], self.span(run.last)[1]];
-        let earlier = (0..run.first).rev();
+        let [start, end] = [self.span(candidate.first)[0], self.span(candidate.last)[1]];
+        let earlier = (0..candidate.first).rev();
         let mut earlier = earlier.take_while(|&i| self.span(i)[1] >= start - before);
-        end - start <= longest && self.is_pressed(run) && earlier.any(|i| !self.is_touching(i))
+        end - start <= longest
+            && self.is_pressed(candidate)
+            && earlier.any(|i| !self.is_touching(i))
     }
 
-    /// Whether in a run it is the surface that presses rather than somebody who draws.
-    fn is_pressed(&self, run: &Run) -> bool {
+    /// Whether in a candidate it is the surface that presses rather than somebody who draws.
+    fn is_pressed(&self, candidate: &Candidate) -> bool {
         let (mut drawn, mut pressed) = (0.0, 0.0);
-        for i in run.first..=run.last {
+        for i in candidate.first..=candidate.last {
             let [start, end] = self.span(i);
             if self.shoved(i).max(self.handled(i)) == Level::Strong {
                 drawn += end - start;
@@ -67,11 +71,11 @@ impl Evidence<'_> {
         pressed > drawn
     }
 
-    /// Whether the force of a run has a direction, for a while at least.
-    fn is_steady(&self, run: &Run) -> bool {
+    /// Whether the force of a candidate has a direction, for a while at least.
+    fn is_steady(&self, candidate: &Candidate) -> bool {
         let (mut acting, mut all) = (0.0, 0.0);
-        let (mut net, mut since) = (Vector3::zeros(), self.span(run.first)[0]);
-        for i in run.first..=run.last {
+        let (mut net, mut since) = (Vector3::zeros(), self.span(candidate.first)[0]);
+        for i in candidate.first..=candidate.last {
             let [start, end] = self.span(i);
             if end - since > SWING {
                 acting += net.norm();

@@ -2,9 +2,10 @@
 //!
 //! A plane is a height and a slope over the believed surface. A direction over which the contacts do not
 //! spread says nothing about the slope along it: one straight stroke gives no plane. There the believed
-//! slope holds, so that a stroke still tells height and slope along itself.
+//! slope holds, so that a stroke still gives height and slope along itself.
 
 use crate::geometry::{Point3, Vector2, Vector3};
+use crate::interpret::config::PlaneConfig;
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
@@ -12,39 +13,6 @@ use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 const MAX_SCORED: usize = 5000;
 /// Rounds of least squares; the inliers of a plane settle after two or three.
 const MAX_REFINEMENTS: usize = 10;
-
-/// How a plane is found among points.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlaneConfig {
-    /// ε of (11): farthest that an inlier may be from the plane [m].
-    pub inlier_distance_m: f64,
-    /// How far the normal may lean from the believed one [rad].
-    pub cone: f64,
-    /// With this probability at least one hypothesis is drawn from inliers alone [1].
-    pub confidence: f64,
-    /// Most hypotheses.
-    pub max_iterations: usize,
-    /// Fewest inliers.
-    pub min_points: usize,
-    /// Least share of the points that are inliers: scattered points lie on no plane [1].
-    pub min_share: f64,
-    /// Standard deviation of the points along a direction from which on they tell the slope there [m].
-    pub min_spread_m: f64,
-}
-
-impl Default for PlaneConfig {
-    fn default() -> Self {
-        Self {
-            inlier_distance_m: 1e-3,
-            cone: 10.0_f64.to_radians(),
-            confidence: 0.9999,
-            max_iterations: 1000,
-            min_points: 10,
-            min_share: 0.2,
-            min_spread_m: 0.02,
-        }
-    }
-}
 
 /// A plane over the xy plane: z = height + slope · (x, y).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,21 +1,21 @@
-//! What happened during a log: intervals, each with its evidence.
+//! A log as events are detected in it.
 //!
 //! Every event has two thresholds: where the higher one is passed for long enough there is an event, and it
 //! reaches as far as the lower one is passed, short interruptions included.
 
-use super::contact::Judged;
-use super::pieces::Piece;
-use super::{Event, EventKind, InterpretConfig, PathPiece, Touch};
+use super::event::{Event, EventKind};
 use crate::geometry::Vector3;
+use crate::interpret::config::InterpretConfig;
+use crate::interpret::contact::{ClassifiedPath, MeasuredPiece, PathPiece, Touch};
 use crate::represent::Surface;
 
-/// Confident pieces from which on a log tells its own friction: half a second.
+/// Confident pieces from which on a log shows its own friction: half a second.
 const LEAST_CONTACTS: usize = 50;
 
-/// A log as events see it; all lists are as long.
+/// Detects events in a log; all lists are as long.
 #[derive(Debug)]
-pub(super) struct Evidence<'a> {
-    pieces: &'a [Piece],
+pub(in crate::interpret) struct EventDetector<'a> {
+    pieces: &'a [MeasuredPiece],
     bias: Vector3,
     pub(super) path: &'a [PathPiece],
     pub(super) off: &'a [f64],
@@ -46,14 +46,14 @@ pub(super) fn level(weak: bool, strong: bool) -> Level {
     }
 }
 
-impl<'a> Evidence<'a> {
-    pub(super) fn new(
-        pieces: &'a [Piece],
-        judged: &'a Judged,
+impl<'a> EventDetector<'a> {
+    pub(in crate::interpret) fn new(
+        pieces: &'a [MeasuredPiece],
+        classified: &'a ClassifiedPath,
         surface: &'a Surface,
         config: &'a InterpretConfig,
     ) -> Self {
-        let path = &judged.path;
+        let path = &classified.path;
         let steps = (0..path.len()).map(|i| {
             (path[i].position - path[i.saturating_sub(1)].position)
                 .xy()
@@ -61,9 +61,9 @@ impl<'a> Evidence<'a> {
         });
         Self {
             pieces,
-            bias: judged.bias,
+            bias: classified.bias,
             path,
-            off: &judged.off,
+            off: &classified.off,
             surface,
             way: steps
                 .scan(0.0, |way, step| {
@@ -71,46 +71,14 @@ impl<'a> Evidence<'a> {
                     Some(*way)
                 })
                 .collect(),
-            has_plane: judged.plane.is_some(),
+            has_plane: classified.plane.is_some(),
             friction: friction(path, config),
-            noise: judged.noise.min(2.0 * config.force_noise_n),
+            noise: classified.noise.min(2.0 * config.force_noise_n),
             config,
         }
     }
 
-    /// All events, by start.
-    pub(super) fn events(&self) -> Vec<Event> {
-        let mut events = self.intervals(EventKind::Contact, |i| self.contact(i));
-        events.extend(self.phases(&events));
-        let losses = self.intervals(EventKind::ContactLoss, |i| self.loss(i));
-        let collisions = self.collisions();
-        // What a push takes from the surface is the push's, not a loss.
-        events.extend(losses.into_iter().filter(|loss| {
-            !(collisions.iter()).any(|push| loss.start < push.end && push.start < loss.end)
-        }));
-        events.extend(collisions);
-        events.extend(self.stick_slips());
-        events.sort_by(|a, b| a.start.total_cmp(&b.start).then(a.kind.cmp(&b.kind)));
-        events
-    }
-
-    /// Time in contact over the time on or near the surface [1].
-    pub(super) fn contact_share(&self) -> f64 {
-        let (mut near, mut touching) = (0.0, 0.0);
-        for i in 0..self.path.len() {
-            let [start, end] = self.span(i);
-            let is_touching = self.is_touching(i);
-            if is_touching || self.is_near(i) {
-                near += end - start;
-            }
-            if is_touching {
-                touching += end - start;
-            }
-        }
-        if near > 0.0 { touching / near } else { 0.0 }
-    }
-
-    /// From when to when a piece speaks: half way to its neighbours [s].
+    /// From when to when a piece counts: half way to its neighbours [s].
     pub(super) fn span(&self, i: usize) -> [f64; 2] {
         let [first, last] = self.path[i].time;
         let before = i.checked_sub(1).map_or(first, |j| self.path[j].time[1]);
@@ -123,7 +91,7 @@ impl<'a> Evidence<'a> {
         self.pieces[i].force - self.bias
     }
 
-    fn is_on_plane(&self, i: usize) -> bool {
+    pub(super) fn is_on_plane(&self, i: usize) -> bool {
         matches!(self.path[i].touch, Touch::Weak | Touch::Confident)
     }
 
@@ -131,26 +99,10 @@ impl<'a> Evidence<'a> {
         self.is_on_plane(i) && self.path[i].normalized_force >= self.config.events.contact_share[1]
     }
 
-    fn is_near(&self, i: usize) -> bool {
+    pub(super) fn is_near(&self, i: usize) -> bool {
         let piece = &self.path[i];
         piece.height.abs() <= self.config.events.near_height_m
             && self.surface.outline.contains(piece.position.xy())
-    }
-
-    fn contact(&self, i: usize) -> Level {
-        let [begin, end] = self.config.events.contact_share;
-        let share = self.path[i].normalized_force;
-        let on_plane = self.is_on_plane(i);
-        level(on_plane && share >= end, on_plane && share >= begin)
-    }
-
-    /// Over the surface and near it, moving along it, without force.
-    fn loss(&self, i: usize) -> Level {
-        let without_force = self.path[i].normalized_force < self.config.events.contact_share[0]
-            && !self.is_pushed(i);
-        let lost = self.has_plane && without_force && self.is_near(i);
-        let [rise, along] = self.travel(i);
-        level(lost, lost && along > 2.0 * rise)
     }
 
     /// Travel across and along the surface over a piece and its neighbours [m].
@@ -173,36 +125,28 @@ impl<'a> Evidence<'a> {
         }
     }
 
-    /// Runs of pieces at least weak, interruptions bridged, in which the strong ones last long enough.
-    fn intervals(&self, kind: EventKind, level: impl Fn(usize) -> Level) -> Vec<Event> {
-        let bridge = |_| self.config.events.bridge_s;
-        let runs = self.runs(level, bridge).into_iter();
-        runs.filter(|run| {
-            let travel = (self.path[run.last].position - self.path[run.first].position).xy();
-            kind != EventKind::ContactLoss || travel.norm() >= self.config.events.loss_travel_m
-        })
-        .map(|run| self.described(kind, run.first, run.last))
-        .collect()
-    }
-
-    /// The same as runs; `bridge` tells how long one may be interrupted at a piece [s].
-    pub(super) fn runs(
+    /// Stretches of pieces at least weak, interruptions bridged, in which the strong ones last long enough;
+    /// `bridge` tells how long one may be interrupted at a piece [s].
+    pub(super) fn candidates(
         &self,
         level: impl Fn(usize) -> Level,
         bridge: impl Fn(usize) -> f64,
-    ) -> Vec<Run> {
-        let mut runs = Vec::new();
-        let mut run: Option<Run> = None;
+    ) -> Vec<Candidate> {
+        let mut candidates = Vec::new();
+        let mut candidate: Option<Candidate> = None;
         for i in 0..self.path.len() {
             let [start, end] = self.span(i);
             let now = level(i);
             if now == Level::Below {
-                if run.as_ref().is_some_and(|run| end - run.end > bridge(i)) {
-                    runs.extend(run.take());
+                if candidate
+                    .as_ref()
+                    .is_some_and(|candidate| end - candidate.end > bridge(i))
+                {
+                    candidates.extend(candidate.take());
                 }
                 continue;
             }
-            let open = run.get_or_insert(Run {
+            let open = candidate.get_or_insert(Candidate {
                 first: i,
                 last: i,
                 end,
@@ -214,9 +158,9 @@ impl<'a> Evidence<'a> {
                 open.strong += end - start;
             }
         }
-        runs.extend(run);
-        runs.retain(|run| run.strong >= self.config.events.min_duration_s);
-        runs
+        candidates.extend(candidate);
+        candidates.retain(|candidate| candidate.strong >= self.config.events.min_duration_s);
+        candidates
     }
 
     /// The evidence of pieces `first` to `last`.
@@ -227,7 +171,7 @@ impl<'a> Evidence<'a> {
         let weighted = pieces
             .iter()
             .zip(path)
-            .map(|(piece, judged)| f64::from(piece.samples) * judged.normal_force);
+            .map(|(piece, classified)| f64::from(piece.samples) * classified.normal_force);
         Event {
             kind,
             start: self.span(first)[0],
@@ -265,7 +209,7 @@ fn friction(path: &[PathPiece], config: &InterpretConfig) -> f64 {
 
 /// Pieces that may be an event.
 #[derive(Debug, Clone)]
-pub(super) struct Run {
+pub(super) struct Candidate {
     pub(super) first: usize,
     pub(super) last: usize,
     /// [s]

@@ -1,15 +1,18 @@
-//! Stretches of a log in which somebody else has a hand on the tool.
+//! Contact during pushes, as hypotheses: one per replay.
 //!
-//! There the force that is felt is the hand's as much as the surface's: little force may be a hand that holds
-//! against the spring of the tool, much of it a hand in the air. Where the tool is tells it otherwise: a tool
-//! that is nearer to the plane than it is long when nothing presses it must touch. And a tool that is shoved
-//! and let go of may hop over what it carried, where nobody feels it. None of these accounts is certain, so
-//! each replay believes one of its own.
+//! While somebody has a hand on the tool, the force that is felt is the hand's as much as the surface's: little
+//! force may be a hand that holds against the spring of the tool, much of it a hand in the air. Where the tool is
+//! is another sign: a tool that is nearer to the plane than it is long when nothing presses it must touch. And a
+//! tool that is shoved and let go of may hop over what it carried, where nobody feels it. None of these hypotheses
+//! is certain, so each replay takes one of its own.
 
-use super::motions::{ContactMotion, Felt, contact_motions};
-use super::variation::normal2;
-use super::{Event, EventKind, InterpretConfig, PathPiece, Touch};
 use crate::geometry::{Bounds2, Pose};
+use crate::interpret::config::InterpretConfig;
+use crate::interpret::contact::{
+    ContactMotion, NormalizedForce, PathPiece, Touch, contact_motions,
+};
+use crate::interpret::events::{Event, EventKind};
+use crate::random::normal;
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use std::borrow::Cow;
@@ -19,12 +22,12 @@ use std::ops::Range;
 const BEFORE: f64 = 0.05;
 /// How long after a push a tool that is let go of swings [s].
 const AFTER: f64 = 2.0;
-/// Stream of random numbers: apart from those of the chances and of the variations.
+/// Stream of random numbers: apart from those of activation and parameters.
 const STREAM: u64 = 0x646f_7562_0000_0000;
 
-/// What it takes to tell contact.
+/// What speaks for contact, and when somebody pushed meanwhile.
 #[derive(Debug)]
-pub(super) struct Witness<'a> {
+pub(in crate::interpret) struct ContactEvidence<'a> {
     path: &'a [PathPiece],
     /// Of the footprint, in the frame of the tool.
     bounds: Option<Bounds2>,
@@ -38,28 +41,29 @@ pub(super) struct Witness<'a> {
     certain: Vec<ContactMotion>,
 }
 
-/// How one replay tells contact in a stretch: by the force again as soon as the hand has let go.
+/// How one replay detects contact in a stretch: by the force again as soon as the hand has let go.
 #[derive(Debug, Clone)]
-struct Account {
+struct PushHypothesis {
     stretch: Range<usize>,
-    way: Way,
+    criterion: Criterion,
     /// Pieces within which the tool touches nothing.
     hop: Range<usize>,
 }
 
+/// What decides on contact while somebody pushes.
 #[derive(Debug, Clone, Copy)]
-enum Way {
+enum Criterion {
     /// By the force, as everywhere else.
-    ByForce,
+    Force,
     /// By the distance from the plane, which is off by this [m].
-    ByPlace(f64),
+    Distance(f64),
     /// What it carried it drags along as long as it is near the surface at all.
     Dragging,
 }
 
-impl<'a> Witness<'a> {
+impl<'a> ContactEvidence<'a> {
     /// Of a path in the frame of the believed surface with these events.
-    pub(super) fn new(
+    pub(in crate::interpret) fn new(
         path: &'a [PathPiece],
         events: &[Event],
         bounds: Option<Bounds2>,
@@ -78,40 +82,40 @@ impl<'a> Witness<'a> {
     }
 
     /// Whether nothing was touched, and nobody pushed.
-    pub(super) fn is_untouched(&self) -> bool {
+    pub(in crate::interpret) fn is_untouched(&self) -> bool {
         self.certain.is_empty() && self.stretches.is_empty()
     }
 
     /// The motions in contact that a replay believes.
-    pub(super) fn account(&self, replay: u64) -> Cow<'_, [ContactMotion]> {
+    pub(in crate::interpret) fn motions(&self, replay: u64) -> Cow<'_, [ContactMotion]> {
         if self.stretches.is_empty() {
             return Cow::Borrowed(&self.certain);
         }
         let mut random = ChaCha8Rng::seed_from_u64(self.config.seed);
         random.set_stream(STREAM ^ replay);
-        let accounts: Vec<Account> = (self.stretches.iter())
+        let hypotheses: Vec<PushHypothesis> = (self.stretches.iter())
             .map(|stretch| self.draw(stretch, &mut random))
             .collect();
-        let felt = |i: usize| {
-            let account = accounts.iter().find(|one| one.stretch.contains(&i));
-            account.map_or_else(|| by_force(&self.path[i]), |one| self.felt(i, one))
+        let force = |i: usize| {
+            let hypothesis = hypotheses.iter().find(|one| one.stretch.contains(&i));
+            hypothesis.map_or_else(|| by_force(&self.path[i]), |one| self.force(i, one))
         };
-        Cow::Owned(contact_motions(self.path, &self.real_from_believed, felt))
+        Cow::Owned(contact_motions(self.path, &self.real_from_believed, force))
     }
 
-    fn draw(&self, stretch: &Range<usize>, random: &mut ChaCha8Rng) -> Account {
+    fn draw(&self, stretch: &Range<usize>, random: &mut ChaCha8Rng) -> PushHypothesis {
         let uncertainty = &self.config.uncertainty;
-        let off = normal2(random).x * self.config.plane.inlier_distance_m;
-        let way = random.random::<f64>();
+        let off = normal(random) * self.config.plane.inlier_distance_m;
+        let choice = random.random::<f64>();
         let is_hopping = random.random::<f64>() < uncertainty.hop_share;
         let begin = random.random::<f64>();
-        Account {
-            way: if way < uncertainty.pushed_by_force {
-                Way::ByForce
-            } else if way < uncertainty.pushed_by_force + uncertainty.pushed_dragging {
-                Way::Dragging
+        PushHypothesis {
+            criterion: if choice < uncertainty.pushed_by_force {
+                Criterion::Force
+            } else if choice < uncertainty.pushed_by_force + uncertainty.pushed_dragging {
+                Criterion::Dragging
             } else {
-                Way::ByPlace(off)
+                Criterion::Distance(off)
             },
             hop: if is_hopping {
                 self.hop(stretch, begin)
@@ -137,13 +141,15 @@ impl<'a> Witness<'a> {
         at(from)..at(from + length) + 1
     }
 
-    fn felt(&self, i: usize, account: &Account) -> Felt {
+    fn force(&self, i: usize, hypothesis: &PushHypothesis) -> NormalizedForce {
         let piece = &self.path[i];
-        match account.way {
-            _ if account.hop.contains(&i) => Felt::Nothing,
-            Way::ByPlace(off) if self.is_pushed[i] => self.by_place(piece, off),
-            Way::Dragging if self.is_pushed[i] && self.is_near(piece) => Felt::Mean(1.0),
-            Way::ByPlace(_) | Way::Dragging | Way::ByForce => by_force(piece),
+        match hypothesis.criterion {
+            _ if hypothesis.hop.contains(&i) => NormalizedForce::NoContact,
+            Criterion::Distance(off) if self.is_pushed[i] => self.by_distance(piece, off),
+            Criterion::Dragging if self.is_pushed[i] && self.is_near(piece) => {
+                NormalizedForce::Mean(1.0)
+            }
+            Criterion::Distance(_) | Criterion::Dragging | Criterion::Force => by_force(piece),
         }
     }
 
@@ -152,32 +158,32 @@ impl<'a> Witness<'a> {
     }
 
     /// As much as the tool must be compressed where it is, if it is as much farther from the plane.
-    fn by_place(&self, piece: &PathPiece, off: f64) -> Felt {
+    fn by_distance(&self, piece: &PathPiece, off: f64) -> NormalizedForce {
         let compression = self.config.nominal_compression();
         let height = piece.height + off;
         if compression <= 0.0 {
             let is_near = height <= self.config.plane.inlier_distance_m;
             return if is_near {
-                Felt::Mean(1.0)
+                NormalizedForce::Mean(1.0)
             } else {
-                Felt::Nothing
+                NormalizedForce::NoContact
             };
         }
         let middle = 1.0 - height / compression;
         let half = self.bounds.map(|bounds| bounds.size() / 2.0);
         let most = half.map_or(0.0, |half| piece.slope.abs().dot(&half) / compression);
         if middle + most > 0.0 {
-            Felt::Middle(middle.min(1.0))
+            NormalizedForce::Middle(middle.min(1.0))
         } else {
-            Felt::Nothing
+            NormalizedForce::NoContact
         }
     }
 }
 
-fn by_force(piece: &PathPiece) -> Felt {
+fn by_force(piece: &PathPiece) -> NormalizedForce {
     match piece.touch {
-        Touch::Weak | Touch::Confident => Felt::Mean(piece.normalized_force),
-        Touch::Free | Touch::FalsePositive => Felt::Nothing,
+        Touch::Weak | Touch::Confident => NormalizedForce::Mean(piece.normalized_force),
+        Touch::Free | Touch::FalsePositive => NormalizedForce::NoContact,
     }
 }
 

@@ -1,9 +1,9 @@
 //! Pressure under a tool that gives way and stands inclined to the plane.
 //!
 //! A bed of springs is compressed the more the higher the plane rises towards the hand, and where it would
-//! be stretched it has left the plane. The force tells the mean of that over the tool.
+//! be stretched it has left the plane. The force is the mean of that over the tool.
 
-use super::motions::{ContactMotion, Felt};
+use super::motions::{ContactMotion, NormalizedForce};
 use crate::geometry::{Bounds2, PlanarPose, Point2, Vector2};
 use crate::represent::ToolMotion;
 
@@ -14,9 +14,9 @@ const HALVINGS: usize = 20;
 /// The smaller of two differences is at least this share of the larger [1]; the formula divides by both.
 const LEAST_RATIO: f64 = 1e-3;
 
-/// f′ under a tool, by place.
+/// f′ under a tool that presses unevenly, by place.
 #[derive(Debug)]
-pub(super) struct Uneven {
+pub(in crate::interpret) struct PressureDistribution {
     motion: ToolMotion,
     /// f′ in the middle of the tool; below 0 where the tool has left the plane there [1].
     middle: f64,
@@ -25,10 +25,10 @@ pub(super) struct Uneven {
     bounds: Bounds2,
 }
 
-impl Uneven {
+impl PressureDistribution {
     /// Under a tool within `bounds` (tool frame) that has this compression at nominal force [m]. `None` where
     /// it presses evenly.
-    pub(super) fn of(
+    pub(in crate::interpret) fn of(
         contact: &ContactMotion,
         bounds: Option<Bounds2>,
         compression: f64,
@@ -38,10 +38,10 @@ impl Uneven {
         let half = rise.abs().component_mul(&bounds.size()) / 2.0;
         (half.sum() > EVEN).then(|| Self {
             motion: contact.motion,
-            middle: match contact.felt {
-                Felt::Nothing => -half.sum(),
-                Felt::Mean(share) => middle(share, half),
-                Felt::Middle(share) => share,
+            middle: match contact.force {
+                NormalizedForce::NoContact => -half.sum(),
+                NormalizedForce::Mean(share) => middle(share, half),
+                NormalizedForce::Middle(share) => share,
             },
             rise,
             bounds,
@@ -49,7 +49,7 @@ impl Uneven {
     }
 
     /// Largest f′ under the tool [1].
-    pub(super) fn most(&self) -> f64 {
+    pub(in crate::interpret) fn most(&self) -> f64 {
         let half = self.rise.abs().dot(&self.bounds.size()) / 2.0;
         (self.middle + half).max(0.0)
     }
@@ -58,7 +58,7 @@ impl Uneven {
     ///
     /// It feels it where it comes under the tool and where it last is, if it stays: between them f′ changes
     /// evenly.
-    pub(super) fn share(&self, position: Point2) -> f64 {
+    pub(in crate::interpret) fn share(&self, position: Point2) -> f64 {
         self.share_under(&self.motion.from, position)
             .max(self.share_under(&self.motion.to, position))
             .max(0.0)

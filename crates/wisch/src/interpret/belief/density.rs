@@ -1,7 +1,7 @@
 //! How much dirt is believed to lie where.
 
-use super::{Belief, InterpretError};
 use crate::geometry::{Bounds2, Point2, Vector2};
+use crate::interpret::error::InterpretError;
 use crate::represent::{ParticleDistribution, Surface};
 
 /// Most cells of a map: a million are a square metre in square millimetres.
@@ -23,7 +23,7 @@ pub struct DensityMap {
 
 impl DensityMap {
     pub(super) fn of(
-        belief: &Belief,
+        replays: &[ParticleDistribution],
         surface: &Surface,
         cell_size: f64,
     ) -> Result<Self, InterpretError> {
@@ -49,7 +49,7 @@ impl DensityMap {
             mean: Vec::new(),
             deviation: Vec::new(),
         };
-        map.fill(belief.replays());
+        map.fill(replays);
         Ok(map)
     }
 

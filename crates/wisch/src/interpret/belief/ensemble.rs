@@ -1,12 +1,38 @@
-//! Where the dirt is believed to lie: many replays of the same log, each with chances of its own.
+//! Where the dirt is believed to lie: many replays of the same log, each with random numbers of its own.
 
-use super::{DensityMap, Estimate, InterpretError};
+use super::density::DensityMap;
 use crate::geometry::Point2;
+use crate::interpret::error::InterpretError;
 use crate::represent::{
     Fate, GoalState, ParticleDistribution, ParticleError, Performance, Surface,
 };
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
+
+/// Seeds of several draws differ from here on [bits], far from those of other rounds.
+const DRAW_SHIFT: u32 = 32;
+
+/// A share with a 90 % interval.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// Mean over the replays.
+    pub mean: f64,
+    /// 5th percentile, less what the model leaves out.
+    pub low: f64,
+    /// 95th percentile, and what the model leaves out.
+    pub high: f64,
+}
+
+impl Estimate {
+    /// With an interval longer by a margin at either end, within 0 to 1.
+    pub(in crate::interpret) fn widened(self, margin: f64) -> Self {
+        Self {
+            mean: self.mean,
+            low: (self.low - margin).clamp(0.0, 1.0),
+            high: (self.high + margin).clamp(0.0, 1.0),
+        }
+    }
+}
 
 /// An ensemble of particle distributions over the same particles.
 #[derive(Debug, Clone, PartialEq)]
@@ -86,11 +112,40 @@ impl Belief {
         ParticleDistribution::with_fates(&particles)
     }
 
+    /// Several draws of [`Belief::sample`] one on top of the other: all that the dirt may be like, for plans that are to
+    /// be good on average. A single draw has dirt where there is none and none where there is some.
+    ///
+    /// It holds `count` times the particles, those of a draw together; the draws have seeds of their own, derived
+    /// from `seed`.
+    ///
+    /// # Errors
+    /// As [`Belief::sample`], and more than [`MAX_PARTICLES`](crate::represent::MAX_PARTICLES) in all.
+    ///
+    /// ```
+    /// use wisch::geometry::Point2;
+    /// use wisch::interpret::Belief;
+    /// use wisch::represent::ParticleDistribution;
+    /// let [here, there] = [0.0, 0.1].map(|x| ParticleDistribution::new(&[Point2::new(x, 0.0)]).unwrap());
+    /// let belief = Belief::of(vec![here, there])?;
+    /// let draws = belief.draws(1000, 7)?;
+    /// let share_here = draws.remaining().filter(|place| place.x < 0.05).count() as f64 / 1000.0;
+    /// assert!((share_here - 0.5).abs() < 0.1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn draws(&self, count: u64, seed: u64) -> Result<ParticleDistribution, ParticleError> {
+        let mut particles = Vec::new();
+        for draw in 0..count {
+            let draw = self.sample(seed.wrapping_add(draw << DRAW_SHIFT))?;
+            particles.extend(draw.iter());
+        }
+        ParticleDistribution::with_fates(&particles)
+    }
+
     /// How many particles remain where, over square cells of side `cell_size` [m].
     ///
     /// # Errors
     /// Cells so small that there are too many, or a side that is not above 0.
     pub fn density(&self, surface: &Surface, cell_size: f64) -> Result<DensityMap, InterpretError> {
-        DensityMap::of(self, surface, cell_size)
+        DensityMap::of(&self.replays, surface, cell_size)
     }
 }

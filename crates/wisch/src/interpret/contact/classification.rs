@@ -1,16 +1,17 @@
 //! Which pieces of a path are contact: bias, normalised force (9), and the fitted plane (10), (11).
 
-use super::pieces::Piece;
+use super::downsampling::MeasuredPiece;
+use super::path::{FittedPlane, PathPiece, Touch};
 use super::plane::{PlaneFit, fit_plane};
-use super::{FittedPlane, InterpretConfig, PathPiece, ToolCompliance, Touch};
 use crate::geometry::{Bounds2, Point2, Point3, Vector2, Vector3};
+use crate::interpret::config::{InterpretConfig, ToolCompliance};
 use crate::represent::Surface;
 
 /// Pieces on either side over which the speed is compared, about 50 ms: inertia of the hand is not bias.
 const CALM_REACH: usize = 5;
 /// Acceleration below which the tool moves calmly [m/s²]; half a newton for a hand of half a kilogram.
 const CALM_ACCELERATION: f64 = 1.0;
-/// Fewest pieces of free motion that tell a bias.
+/// Fewest pieces of free motion that show a bias.
 const MIN_CALM: usize = 5;
 /// The size of a force with normal noise in three directions has its median at 1.54 standard deviations, and
 /// hardly passes 4 of them.
@@ -19,7 +20,7 @@ const NOISE_BY_MEDIAN: f64 = 2.6;
 const POINT_TRAVEL: f64 = 5e-4;
 /// ... or this long afterwards [s], so that a tool held still does not outvote one that wipes.
 const POINT_PERIOD: f64 = 0.05;
-/// f′ from which on a weak contact tells where the surface is [1].
+/// f′ from which on a weak contact shows where the surface is [1].
 const TOUCHING_SHARE: f64 = 0.3;
 /// Share of the tool that a surface carries at least, for its contact to be one with the surface [1].
 const LEAST_SUPPORT: f64 = 0.3;
@@ -28,32 +29,32 @@ const LEAST_FACING: f64 = 0.5;
 /// f′ from which on force off the plane is a force like that of contact [1].
 const FALSE_POSITIVE_SHARE: f64 = 0.2;
 
-/// A path with contact told apart.
+/// A path with each piece classified as contact or not.
 #[derive(Debug, Clone)]
-pub(super) struct Judged {
-    pub(super) path: Vec<PathPiece>,
+pub(in crate::interpret) struct ClassifiedPath {
+    pub(in crate::interpret) path: Vec<PathPiece>,
     /// By how much the tool's underside is farther from the plane than one that touches may be [m]; at most
     /// 0 on the plane.
-    pub(super) off: Vec<f64>,
-    pub(super) plane: Option<(PlaneFit, FittedPlane)>,
+    pub(in crate::interpret) off: Vec<f64>,
+    pub(in crate::interpret) plane: Option<(PlaneFit, FittedPlane)>,
     /// Mean of what is felt in free motion, in the axes of the believed surface [N].
-    pub(super) bias: Vector3,
+    pub(in crate::interpret) bias: Vector3,
     /// Size of a force that noise in calm free motion makes believe [N]; infinite where there is none.
-    pub(super) noise: f64,
+    pub(in crate::interpret) noise: f64,
 }
 
-/// What pieces are judged by.
+/// Classifies measured pieces.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Judge<'a> {
-    pub(super) surface: &'a Surface,
+pub(in crate::interpret) struct ContactClassifier<'a> {
+    pub(in crate::interpret) surface: &'a Surface,
     /// Largest distance of the footprint from the tool centre point [m].
-    pub(super) reach: f64,
-    pub(super) config: &'a InterpretConfig,
+    pub(in crate::interpret) reach: f64,
+    pub(in crate::interpret) config: &'a InterpretConfig,
 }
 
-impl Judge<'_> {
-    /// Tells contact apart.
-    pub(super) fn judge(&self, pieces: &[Piece]) -> Judged {
+impl ContactClassifier<'_> {
+    /// Takes the bias off, fits the plane, and tells contact from what is none.
+    pub(in crate::interpret) fn classify(&self, pieces: &[MeasuredPiece]) -> ClassifiedPath {
         let config = self.config;
         let (bias, noise) = bias_and_noise(pieces, config);
         let confident = touching_points(pieces, bias.z, config.confident_share, config);
@@ -65,9 +66,9 @@ impl Judge<'_> {
         });
         let fit = plane.as_ref().map(|(fit, _)| fit);
         let (path, off) = (pieces.iter())
-            .map(|piece| self.judge_piece(piece, bias, fit))
+            .map(|piece| self.classify_piece(piece, bias, fit))
             .unzip();
-        Judged {
+        ClassifiedPath {
             path,
             off,
             plane,
@@ -76,9 +77,9 @@ impl Judge<'_> {
         }
     }
 
-    fn judge_piece(
+    fn classify_piece(
         &self,
-        piece: &Piece,
+        piece: &MeasuredPiece,
         bias: Vector3,
         plane: Option<&PlaneFit>,
     ) -> (PathPiece, f64) {
@@ -95,7 +96,7 @@ impl Judge<'_> {
             (false, share) if share >= FALSE_POSITIVE_SHARE => Touch::FalsePositive,
             (false, _) => Touch::Free,
         };
-        let judged = PathPiece {
+        let classified = PathPiece {
             time: piece.time,
             position: piece.position,
             heading: piece.heading,
@@ -106,7 +107,7 @@ impl Judge<'_> {
             slope: plane.map_or_else(Vector2::zeros, |plane| slope(piece, &plane.normal())),
             touch,
         };
-        (judged, off)
+        (classified, off)
     }
 
     /// By how much the underside of a tool at this height is farther off the plane than it may be [m].
@@ -138,7 +139,7 @@ impl Judge<'_> {
 
 /// Slope of a plane with this normal (believed surface frame) against the underside, in the tool frame [1];
 /// zero where they stand across each other, which no contact under the tool does.
-fn slope(piece: &Piece, normal: &Vector3) -> Vector2 {
+fn slope(piece: &MeasuredPiece, normal: &Vector3) -> Vector2 {
     let normal_in_tool = piece.surface_from_tool.inverse() * normal;
     if normal_in_tool.z < LEAST_FACING {
         return Vector2::zeros();
@@ -148,13 +149,13 @@ fn slope(piece: &Piece, normal: &Vector3) -> Vector2 {
 
 /// Median force over the time of calm free motion, by component, zero where there is none; and the size that
 /// what is left then hardly passes.
-fn bias_and_noise(pieces: &[Piece], config: &InterpretConfig) -> (Vector3, f64) {
+fn bias_and_noise(pieces: &[MeasuredPiece], config: &InterpretConfig) -> (Vector3, f64) {
     // Half the nominal force is no bias: that is a surface far above the believed one.
-    let is_free = |piece: &Piece| {
+    let is_free = |piece: &MeasuredPiece| {
         piece.mean_height > config.free_height_m
             && piece.force.z.abs() < 0.5 * config.nominal_force()
     };
-    let calm: Vec<&Piece> = (0..pieces.len())
+    let calm: Vec<&MeasuredPiece> = (0..pieces.len())
         .filter(|&i| is_free(&pieces[i]) && is_calm(pieces, i))
         .map(|i| &pieces[i])
         .collect();
@@ -171,7 +172,7 @@ fn bias_and_noise(pieces: &[Piece], config: &InterpretConfig) -> (Vector3, f64) 
     (bias, NOISE_BY_MEDIAN * median(sizes.collect()))
 }
 
-/// The median of values that count as often as told: by time, not by pieces, of which a tool that is flung
+/// The median of values with weights: by time, not by pieces, of which a tool that is flung
 /// away makes the most.
 fn median(mut weighed: Vec<(f64, u32)>) -> f64 {
     weighed.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
@@ -185,7 +186,7 @@ fn median(mut weighed: Vec<(f64, u32)>) -> f64 {
 }
 
 /// Whether the velocity is about the same before and after a piece.
-fn is_calm(pieces: &[Piece], i: usize) -> bool {
+fn is_calm(pieces: &[MeasuredPiece], i: usize) -> bool {
     let (Some(before), Some(after)) = (i.checked_sub(CALM_REACH), pieces.get(i + CALM_REACH))
     else {
         return false;
@@ -209,8 +210,8 @@ fn spring_back(normal_force: f64, config: &InterpretConfig) -> f64 {
     }
 }
 
-/// The plane with what weaker contacts tell of it. Where the surface falls away, confident contacts are few
-/// and close together, and say little of its slope; but how far the tool has sprung back tells where it
+/// The plane with what weaker contacts say of it. Where the surface falls away, confident contacts are few
+/// and close together, and say little of its slope; but how far the tool has sprung back shows where it
 /// touches. That plane holds if most of the confident contacts that made the first lie on it as well.
 fn widened(
     first: PlaneFit,
@@ -233,7 +234,7 @@ fn widened(
 
 /// Where the underside touches with at least this f′ (10), in the frame of the believed surface.
 fn touching_points(
-    pieces: &[Piece],
+    pieces: &[MeasuredPiece],
     bias: f64,
     least_share: f64,
     config: &InterpretConfig,
@@ -263,7 +264,7 @@ fn touching_points(
 }
 
 /// The middle of a surface [m].
-pub(super) fn middle(surface: &Surface) -> Point2 {
+pub(in crate::interpret) fn middle(surface: &Surface) -> Point2 {
     let outline = surface.outline.outer().iter().copied();
     Bounds2::of(outline).map_or_else(Point2::origin, |bounds| bounds.center())
 }

@@ -1,7 +1,8 @@
 //! A log in pieces: bounded memory however long it is and however fast it was sampled.
 
-use super::{InterpretError, TouchSample};
+use super::path::TouchSample;
 use crate::geometry::{Point3, Pose, Vector3, wrap_angle};
+use crate::interpret::error::InterpretError;
 use nalgebra::UnitQuaternion;
 
 /// Longest piece [s]: events are to be found to a fraction of 50 ms.
@@ -20,33 +21,33 @@ const MAX_FORCE: f64 = 1e6;
 /// Largest time [s]: seconds since 1970 fit in and still resolve a microsecond.
 const MAX_TIME: f64 = 1e10;
 
-/// Some consecutive samples as one, in the frame of the believed surface.
+/// Some consecutive samples as one, as measured, in the frame of the believed surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Piece {
+pub(in crate::interpret) struct MeasuredPiece {
     /// First and last time [s].
-    pub(super) time: [f64; 2],
+    pub(in crate::interpret) time: [f64; 2],
     /// Samples in it.
-    pub(super) samples: u32,
+    pub(in crate::interpret) samples: u32,
     /// Tool centre point at the last sample [m].
-    pub(super) position: Point3,
+    pub(in crate::interpret) position: Point3,
     /// Mean height of the tool centre point over the believed surface [m].
-    pub(super) mean_height: f64,
+    pub(in crate::interpret) mean_height: f64,
     /// Heading at the last sample [rad].
-    pub(super) heading: f64,
+    pub(in crate::interpret) heading: f64,
     /// Tool at the last sample.
-    pub(super) surface_from_tool: UnitQuaternion<f64>,
+    pub(in crate::interpret) surface_from_tool: UnitQuaternion<f64>,
     /// Mean force of the surroundings on the tool [N].
-    pub(super) force: Vector3,
+    pub(in crate::interpret) force: Vector3,
     /// Largest size of the force [N].
-    pub(super) peak_force: f64,
+    pub(in crate::interpret) peak_force: f64,
 }
 
 /// Takes samples in and keeps pieces.
 #[derive(Debug, Clone)]
-pub(super) struct Recorder {
+pub(in crate::interpret) struct Downsampler {
     surface_from_world: Pose,
     /// The last one still grows.
-    pieces: Vec<Piece>,
+    pieces: Vec<MeasuredPiece>,
     /// Where the last piece began [m], [rad].
     began: (Point3, f64),
     /// By which factor pieces may be longer than at the beginning.
@@ -55,8 +56,8 @@ pub(super) struct Recorder {
     samples: usize,
 }
 
-impl Recorder {
-    pub(super) fn new(world_from_surface: &Pose, max_pieces: usize) -> Self {
+impl Downsampler {
+    pub(in crate::interpret) fn new(world_from_surface: &Pose, max_pieces: usize) -> Self {
         Self {
             surface_from_world: world_from_surface.inverse(),
             pieces: Vec::new(),
@@ -67,16 +68,19 @@ impl Recorder {
         }
     }
 
-    pub(super) fn pieces(&self) -> &[Piece] {
+    pub(in crate::interpret) fn pieces(&self) -> &[MeasuredPiece] {
         &self.pieces
     }
 
     /// Takes one sample in; a refused one leaves everything as it was.
-    pub(super) fn push(&mut self, sample: &TouchSample) -> Result<(), InterpretError> {
+    pub(in crate::interpret) fn push(
+        &mut self,
+        sample: &TouchSample,
+    ) -> Result<(), InterpretError> {
         self.check(sample)?;
         let surface_from_tool = self.surface_from_world * sample.world_from_tool;
         let axis_in_surface = surface_from_tool.rotation * Vector3::x();
-        let one = Piece {
+        let one = MeasuredPiece {
             time: [sample.time; 2],
             samples: 1,
             position: surface_from_tool.translation.vector.into(),
@@ -152,7 +156,12 @@ impl Recorder {
 }
 
 /// Whether a sample still belongs to the piece before.
-fn fits(piece: &Piece, sample: &Piece, began: (Point3, f64), coarseness: f64) -> bool {
+fn fits(
+    piece: &MeasuredPiece,
+    sample: &MeasuredPiece,
+    began: (Point3, f64),
+    coarseness: f64,
+) -> bool {
     let (position, heading) = began;
     sample.time[1] - piece.time[0] < MAX_DURATION * coarseness - TIME_SLACK
         && (sample.position - position).norm() <= MAX_TRAVEL * coarseness
@@ -160,10 +169,10 @@ fn fits(piece: &Piece, sample: &Piece, began: (Point3, f64), coarseness: f64) ->
 }
 
 /// Two pieces, one after the other, as one.
-fn joined(one: &Piece, next: &Piece) -> Piece {
+fn joined(one: &MeasuredPiece, next: &MeasuredPiece) -> MeasuredPiece {
     let samples = one.samples.saturating_add(next.samples);
     let share = f64::from(next.samples) / f64::from(samples);
-    Piece {
+    MeasuredPiece {
         time: [one.time[0], next.time[1]],
         samples,
         position: next.position,

@@ -1,7 +1,7 @@
 //! Stick-slip: the tool stands, tears itself loose, and stands again.
 
-use super::events::Evidence;
-use super::{Event, EventKind};
+use super::detector::EventDetector;
+use super::event::{Event, EventKind};
 
 /// Half the time over which the mean speed is taken [s].
 const WINDOW: f64 = 0.25;
@@ -10,7 +10,7 @@ const STUCK: f64 = 0.3;
 const SLIPPING: f64 = 1.4;
 /// Longest time between two turns of the same stick-slip [s]: slower ones are the plan's own stops.
 const LONGEST_TURN: f64 = 0.25;
-/// Slowest mean speed at which it can be told [m/s]: positions off by 0.1 mm look like half of it.
+/// Slowest mean speed at which it can be detected [m/s]: positions off by 0.1 mm look like half of it.
 const SLOWEST: f64 = 0.03;
 /// Least change of the force along the surface between stuck and slipping [N].
 const LEAST_FORCE: f64 = 1.0;
@@ -32,7 +32,7 @@ struct Turn {
     least: f64,
 }
 
-impl Evidence<'_> {
+impl EventDetector<'_> {
     /// Runs of turns, one soon after the other.
     pub(super) fn stick_slips(&self) -> Vec<Event> {
         let turns = self.turns();
