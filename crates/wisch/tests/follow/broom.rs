@@ -120,8 +120,8 @@ fn bristles_that_nothing_presses_hang_below_the_tool_centre_point() {
         let model = cell.all_collisions(touch);
         model.collision(&lifting, 1e-3).unwrap()
     };
-    assert_eq!(touching(Touch::Surface), None);
-    assert!(touching(Touch::Nothing).is_some());
+    assert_eq!(touching(AllowedContact::Surface), None);
+    assert!(touching(AllowedContact::None).is_some());
 }
 
 #[test]
