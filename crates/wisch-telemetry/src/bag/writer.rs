@@ -376,7 +376,7 @@ impl BagWriter {
         // Writing to a text cannot fail.
         let _ = match phase {
             Phase::Drive => write!(text, "drive"),
-            Phase::Transfer => write!(text, "transfer"),
+            Phase::FreeMotion => write!(text, "transfer"),
             Phase::Lifted => write!(text, "lifted"),
             Phase::Lower => write!(text, "lower"),
             Phase::Wipe(stroke) => write!(text, "wipe {stroke}"),
