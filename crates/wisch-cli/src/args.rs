@@ -257,6 +257,12 @@ pub struct LoopArgs {
     /// Execute no faster than in reality
     #[arg(long)]
     pub realtime: bool,
+    /// Execute by a program that speaks the executor protocol, instead of the built-in simulator
+    #[arg(long, value_name = "COMMAND", conflicts_with = "resume")]
+    pub executor: Option<String>,
+    /// Write what happens as JSON lines, to a file or with "-" to standard output
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub events: Option<PathBuf>,
     /// Where the episode is kept.
     #[command(flatten)]
     pub memory: KeepArgs,

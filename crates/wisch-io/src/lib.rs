@@ -9,6 +9,7 @@ mod error;
 mod knowledge;
 mod load;
 mod particles;
+mod process;
 mod records;
 mod robots;
 mod task_file;
@@ -21,11 +22,12 @@ pub use particles::{
     MaskSource, ParticleSource, ParticleSourceError, csv_particles, mask_particles,
     particles_from_csv, particles_to_csv,
 };
+pub use process::{EXECUTOR_PROTOCOL, ProcessExecutor};
 pub use records::{
-    AbandonedRecord, AttemptRecord, EventRecord, FollowedRecord, GoalRecord, INTERPRETATION_FORMAT,
+    AbandonedRecord, AttemptRecord, EVENT_SCHEMA, EventRecord, EventRecorder, FollowedRecord, GoalRecord, INTERPRETATION_FORMAT,
     InterpretationRecord, LogRecord, MotionRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA,
     PlacementRecord, PlanRecord, PlanRecordError, PlanarPoseRecord, PlaneRecord, PoseRecord,
-    RobotTrajectory, RoleRecord, StrokeRecord, WaypointRecord, WipedRecord, tcp_path_csv,
+    RobotTrajectory, RoleRecord, RunEventRecord, StrokeRecord, WaypointRecord, WipedRecord, tcp_path_csv,
 };
 pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, shipped_robots};
 pub use task_file::{

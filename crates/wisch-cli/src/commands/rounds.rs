@@ -14,16 +14,19 @@ use crate::progress::Progress;
 use crate::records::{RoundSummary, RoundTimes};
 use crate::report::{Frames, RoundView, RoundsInput};
 use crate::terminal::remark;
+use std::fs::File;
+use std::io::{BufWriter, Write};
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use wisch::geometry::Point3;
 use wisch::interpret::EventKind;
 use wisch::plan::Plan;
 use wisch::represent::{ParticleDistribution, ParticleError, Task};
 use wisch::run::{
-    Ending, PlannedRound, Recording, Round, RunConfig, RunEvent, Stage, TelemetrySample,
+    Ending, Executor, PlannedRound, Recording, Round, RunConfig, RunEvent, Stage, TelemetrySample,
 };
+use wisch_io::{EventRecorder, ProcessExecutor};
 use wisch_sim::{GroundTruth, World};
 use wisch_telemetry::{BagHead, BagWriter, WriteError};
 
@@ -87,8 +90,14 @@ pub fn execute(
     }
     let executed_s: Vec<f64> = kept.iter().map(|round| round.executing_s).collect();
     let (recorded, truth) = kept.into_iter().map(|r| (r.recorded, r.truth)).unzip();
-    let world = World::new(&prepared.task, prepared.reality.clone()).after(truth);
-    let mut executor = Recording::new(recorded, world);
+    let mut executor = match &args.executor {
+        Some(command) => Executing::Process(start(command)?),
+        None => {
+            let world = World::new(&prepared.task, prepared.reality.clone()).after(truth);
+            Executing::World(Box::new(Recording::new(recorded, world)))
+        }
+    };
+    let mut events = args.events.as_deref().map(EventLog::begin).transpose()?;
 
     let mut watch = Watch::new(job);
     let mut recorder = Recorder {
@@ -106,21 +115,25 @@ pub fn execute(
     let mut session = job.session(config, given);
     let result = loop {
         let finished = session.rounds().len();
-        let stage = session.step(&mut executor, &mut |event| {
+        let stage = session.step(executor.as_dyn(), &mut |event| {
             watch.see(event)?;
+            if let Some(events) = &mut events {
+                let written = events.see(event);
+                watch.flow(written)?;
+            }
             recorder.round_of(event);
             if recorder.is_taken_over() {
                 return ControlFlow::Continue(());
             }
             episode.see(event)?;
             let seen = recorder.see(event);
-            watch.flow(seen)
+            watch.flow(seen.map_err(cannot_write))
         });
         if let [.., round] = &session.rounds()[finished..] {
             let number = round.motion.number;
             if let Some(seconds) = executed_s.get(finished) {
                 watch.times_mut(number).executing_s = *seconds;
-            } else if let (None, Some(truth)) = (&watch.failure, executor.inner().truth().last()) {
+            } else if let (None, Some(truth)) = (&watch.failure, executor.truth().last()) {
                 let seconds = watch.times(number).executing_s;
                 recorder.checkpoints.keep(round, truth, seconds)?;
             }
@@ -142,10 +155,10 @@ pub fn execute(
     let planning_s = watch.times(1).planning_s;
     let predicted = Some((prediction, watch.take_frames()?));
     let done = (session.into_rounds().into_iter())
-        .zip(executor.inner().truth())
-        .map(|(round, truth)| {
+        .enumerate()
+        .map(|(i, round)| {
             let times = *watch.times_mut(round.motion.number);
-            Done::new(round, truth, times, prepared)
+            Done::new(round, executor.truth().get(i), times, prepared)
                 .map_err(|error| prepared.failure(task_args, error))
         });
     let rounds: Vec<Done> = done.collect::<Result<_, Failure>>()?;
@@ -160,10 +173,83 @@ pub fn execute(
     Ok((results, kept))
 }
 
+/// What executes the motions.
+enum Executing {
+    World(Box<Recording<World>>),
+    Process(ProcessExecutor),
+}
+
+impl Executing {
+    fn as_dyn(&mut self) -> &mut dyn Executor {
+        match self {
+            Self::World(world) => world.as_mut(),
+            Self::Process(process) => process,
+        }
+    }
+
+    /// What the simulated world knows of each round; nothing is known of another one.
+    fn truth(&self) -> &[GroundTruth] {
+        match self {
+            Self::World(world) => world.inner().truth(),
+            Self::Process(_) => &[],
+        }
+    }
+}
+
+/// Starts the program of `--executor`.
+fn start(command: &str) -> Result<ProcessExecutor, Failure> {
+    let words = shlex::split(command).unwrap_or_default();
+    let [program, arguments @ ..] = words.as_slice() else {
+        return Err(Failure::new(format!("--executor {command:?}: that is no command")));
+    };
+    ProcessExecutor::start(program, arguments).map_err(|error| {
+        Failure::new(error).with_help("docs/executor-protocol.md says what an executor has to say")
+    })
+}
+
+fn cannot_write(error: WriteError) -> Failure {
+    Failure::new(error).with_help("choose another folder with --out")
+}
+
+/// What happens, as JSON lines.
+struct EventLog {
+    place: String,
+    output: Box<dyn Write>,
+    recorder: EventRecorder,
+}
+
+impl EventLog {
+    fn begin(path: &Path) -> Result<Self, Failure> {
+        let place = path.display().to_string();
+        let output: Box<dyn Write> = if place == "-" {
+            Box::new(std::io::stdout())
+        } else {
+            let file = File::create(path)
+                .map_err(|error| Failure::new(format!("{place}: cannot write there: {error}")))?;
+            Box::new(BufWriter::new(file))
+        };
+        Ok(Self {
+            place,
+            output,
+            recorder: EventRecorder::default(),
+        })
+    }
+
+    fn see(&mut self, event: &RunEvent<'_>) -> Result<(), Failure> {
+        let Some(record) = self.recorder.record(event) else {
+            return Ok(());
+        };
+        let mut line = serde_json::to_vec(&record).map_err(internal)?;
+        line.push(b'\n');
+        (self.output.write_all(&line).and_then(|()| self.output.flush()))
+            .map_err(|error| Failure::new(format!("{}: cannot write there: {error}", self.place)))
+    }
+}
+
 impl Done {
     fn new(
         round: Round,
-        truth: &GroundTruth,
+        truth: Option<&GroundTruth>,
         times: RoundTimes,
         prepared: &Prepared,
     ) -> Result<Self, ParticleError> {
@@ -171,10 +257,12 @@ impl Done {
             number, task, plan, ..
         } = &round.motion;
         let pushes = prepared.reality.pushes.iter();
-        let pushes = pushes.filter(|push| push.round == *number);
+        // Only the simulated world knows who pushed.
+        let pushes = pushes.filter(|push| truth.is_some() && push.round == *number);
+        let performance = |truth: &GroundTruth| truth.performance(&plan.graph.goal, &task.surface);
         Ok(Self {
-            truth: truth.particles()?,
-            true_performance: truth.performance(&plan.graph.goal, &task.surface)?,
+            truth: (truth.map(GroundTruth::particles).transpose()?).flatten(),
+            true_performance: (truth.map(performance).transpose()?).flatten(),
             pushes: pushes
                 .map(|push| [push.start, push.start + push.duration])
                 .collect(),
@@ -274,11 +362,10 @@ impl<'a> Watch<'a> {
         self.since = Instant::now();
     }
 
-    fn flow(&mut self, result: Result<(), WriteError>) -> ControlFlow<()> {
+    fn flow(&mut self, result: Result<(), Failure>) -> ControlFlow<()> {
         match result {
             Ok(()) => ControlFlow::Continue(()),
-            Err(error) => {
-                let failure = Failure::new(error).with_help("choose another folder with --out");
+            Err(failure) => {
                 self.failure.get_or_insert(failure);
                 ControlFlow::Break(())
             }

@@ -1,11 +1,13 @@
 //! The contents of the files that are written and read. SI units, radians; keys end in their unit, and poses say
 //! their frames.
 
+mod event;
 mod followed;
 mod interpretation;
 mod plan;
 mod trajectory;
 
+pub use event::{EVENT_SCHEMA, EventRecorder, RunEventRecord};
 pub use followed::{
     AbandonedRecord, AttemptRecord, FollowedRecord, MotionRecord, PlacementRecord, WipedRecord,
 };

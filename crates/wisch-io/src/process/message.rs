@@ -1,0 +1,246 @@
+//! The messages between this program and an executor in another process: one JSON object a line.
+
+use serde::{Deserialize, Serialize};
+use wisch::geometry::{Pose, Vector3};
+use wisch::run::{MotionOrder, Wrench};
+
+/// How far from 1 the norm of a quaternion may be.
+const UNIT_TOLERANCE: f64 = 1e-3;
+
+/// What is said to the child.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum ToChild<'a> {
+    Hello {
+        protocol: &'static str,
+        version: u32,
+    },
+    /// A motion; as many points as it says follow.
+    Execute(MotionHead),
+    Point(TrajectoryPoint),
+    /// The motion at hand is to be broken off.
+    Stop,
+    Observe {
+        surface: &'a str,
+    },
+}
+
+/// What is said of a motion before its points.
+#[derive(Debug, Serialize)]
+pub(super) struct MotionHead {
+    round: usize,
+    seed: u64,
+    robot: String,
+    joints: Vec<String>,
+    tool: String,
+    world_from_surface: [f64; 7],
+    press_force_n: f64,
+    stiffness_n_per_m: f64,
+    damping_ratio: f64,
+    compression_depth_m: f64,
+    duration_s: f64,
+    phases: Vec<PhaseMessage>,
+    points: usize,
+}
+
+/// One part of a motion.
+#[derive(Debug, Serialize)]
+struct PhaseMessage {
+    phase: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stroke: Option<usize>,
+    start_s: f64,
+    end_s: f64,
+}
+
+/// Where the joints and the tool shall be at a time.
+#[derive(Debug, Serialize)]
+pub(super) struct TrajectoryPoint {
+    time_s: f64,
+    positions: Vec<f64>,
+    velocities: Vec<f64>,
+    world_from_tool: [f64; 7],
+}
+
+/// What the child says.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum FromChild {
+    Ready { version: u32 },
+    Sample(SampleMessage),
+    Done(Ended),
+    Observation(Option<Vec<[f64; 2]>>),
+    Error(String),
+}
+
+/// What is measured at one instant.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct SampleMessage {
+    pub time_s: f64,
+    world_from_tool: [f64; 7],
+    force_n: [f64; 3],
+    #[serde(default)]
+    moment_nm: [f64; 3],
+    world_from_commanded: Option<[f64; 7]>,
+    #[serde(default)]
+    controller_force_n: [f64; 3],
+    #[serde(default)]
+    controller_moment_nm: [f64; 3],
+    #[serde(default)]
+    pub positions: Vec<f64>,
+    #[serde(default)]
+    pub velocities: Vec<f64>,
+    #[serde(default)]
+    pub efforts: Vec<f64>,
+}
+
+/// How an execution went.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Ended {
+    pub duration_s: f64,
+    pub ending: EndingMessage,
+    pub positions: Vec<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum EndingMessage {
+    Complete,
+    Stopped,
+    ProtectiveStop { time_s: f64, reason: String },
+}
+
+impl FromChild {
+    /// What kind of message it is, for messages.
+    pub const fn kind(&self) -> &'static str {
+        match self {
+            Self::Ready { .. } => "\"ready\"",
+            Self::Sample(_) => "\"sample\"",
+            Self::Done(_) => "\"done\"",
+            Self::Observation(_) => "\"observation\"",
+            Self::Error(_) => "\"error\"",
+        }
+    }
+}
+
+impl MotionHead {
+    pub fn new(order: &MotionOrder<'_>, points: usize) -> Self {
+        let robot = order.cell.robot();
+        let interaction = &order.task.interaction;
+        let phases = order.followed.motions.iter().map(|motion| PhaseMessage {
+            phase: motion.phase.as_str(),
+            stroke: motion.phase.stroke(),
+            start_s: motion.start,
+            end_s: motion.end(),
+        });
+        Self {
+            round: order.round,
+            seed: order.seed,
+            robot: robot.name().to_owned(),
+            joints: (0..robot.dof())
+                .map(|i| robot.variable(i).name.clone())
+                .collect(),
+            tool: order.task.tool.name.clone(),
+            world_from_surface: numbers(&order.task.surface.world_from_surface),
+            press_force_n: interaction.press_force_n,
+            stiffness_n_per_m: interaction.stiffness_n_per_m,
+            damping_ratio: interaction.damping_ratio,
+            compression_depth_m: interaction.compression_depth_m,
+            duration_s: order.followed.duration(),
+            phases: phases.collect(),
+            points,
+        }
+    }
+}
+
+impl TrajectoryPoint {
+    /// The state at a time [s].
+    pub fn of(order: &MotionOrder<'_>, time: f64) -> Result<Self, String> {
+        let cell = order.cell;
+        let sample = order.followed.sample(time).ok_or("the motion is empty")?;
+        let kinematics = (cell.robot().forward_kinematics(&sample.q)).map_err(|e| e.to_string())?;
+        let root_from_tip = kinematics.world_from_link(cell.tip());
+        let world_from_tool = cell.world_from_root() * root_from_tip * cell.tip_from_tool();
+        Ok(Self {
+            time_s: time,
+            world_from_tool: numbers(&world_from_tool),
+            positions: sample.q,
+            velocities: sample.qd,
+        })
+    }
+}
+
+impl SampleMessage {
+    /// That it comes after the one before, and that all in it are numbers of the right count.
+    pub fn check(&self, since: f64, dof: usize) -> Result<(), String> {
+        let time = self.time_s;
+        if time <= since {
+            return Err(format!("the sample of {time} s follows that of {since} s"));
+        }
+        for (key, values) in [
+            ("positions", &self.positions),
+            ("velocities", &self.velocities),
+            ("efforts", &self.efforts),
+        ] {
+            let count = values.len();
+            if count != 0 && count != dof {
+                return Err(format!(
+                    "at {time} s {key} has {count} numbers, the robot {dof} joints"
+                ));
+            }
+        }
+        let poses = [Some(self.world_from_tool), self.world_from_commanded];
+        for pose in poses.into_iter().flatten() {
+            let norm = pose[3..].iter().map(|x| x * x).sum::<f64>().sqrt();
+            if (norm - 1.0).abs() > UNIT_TOLERANCE {
+                return Err(format!(
+                    "at {time} s a quaternion has norm {norm}, not 1 within {UNIT_TOLERANCE}"
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// Where the tool is.
+    pub fn world_from_tool(&self) -> Pose {
+        pose(&self.world_from_tool)
+    }
+
+    /// Where it was told to be, if that is said.
+    pub fn world_from_commanded(&self) -> Option<Pose> {
+        self.world_from_commanded.as_ref().map(pose)
+    }
+
+    /// f_c.
+    pub fn controller(&self) -> Wrench {
+        wrench(self.controller_force_n, self.controller_moment_nm)
+    }
+
+    /// f_ext.
+    pub fn external(&self) -> Wrench {
+        wrench(self.force_n, self.moment_nm)
+    }
+}
+
+fn wrench(force: [f64; 3], moment: [f64; 3]) -> Wrench {
+    Wrench {
+        force: Vector3::from(force),
+        moment: Vector3::from(moment),
+    }
+}
+
+/// x, y, z, then the quaternion's x, y, z, w.
+fn numbers(pose: &Pose) -> [f64; 7] {
+    let p = pose.translation.vector;
+    let q = pose.rotation.coords;
+    [p.x, p.y, p.z, q.x, q.y, q.z, q.w]
+}
+
+fn pose(&[x, y, z, i, j, k, w]: &[f64; 7]) -> Pose {
+    Pose::from_parts(
+        nalgebra::Translation3::new(x, y, z),
+        nalgebra::UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w, i, j, k)),
+    )
+}
