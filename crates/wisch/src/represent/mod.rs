@@ -1,21 +1,21 @@
 //! Task, surface, tool, medium, and dirt as particles, with the one model of what wiping does to them.
 
-mod chords;
 mod effect;
 mod field;
 mod heap;
 mod knowledge;
 mod metrics;
 mod motion;
+mod occupied_area;
 mod particles;
 mod reality;
 mod scene;
-mod section;
 mod sources;
 mod surface;
+mod swept_rotation;
+mod swept_translation;
 mod task;
 mod task_file;
-mod turning;
 
 pub use effect::{EffectModel, MotionEffect};
 pub use field::ParticleField;
@@ -27,10 +27,10 @@ pub use knowledge::{
 };
 pub use metrics::{GoalState, Performance};
 pub use motion::ToolMotion;
+pub use occupied_area::{OccupiedArea, SURFACE_SKIN};
 pub use particles::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError, ParticleTally};
 pub use reality::{FrictionChange, Push, Reality};
 pub use scene::{SceneObject, ScenePart};
-pub use section::{OccupiedArea, SURFACE_SKIN};
 pub use sources::{
     Cluster, DirtArea, MaskSource, ParticleSource, SourceError, cluster_particles, csv_particles,
     mask_particles, uniform_particles,
