@@ -3,8 +3,8 @@
 //! The data walks one way, and every stage imports only the stages before it:
 //!
 //! ```text
-//! geometry → represent → plan → follow
-//!     └────► robot ───────────────┘
+//! geometry → represent → goal → plan → follow
+//!     └────► robot ──────────────────────┘
 //! ```
 //!
 //! Nothing here reads a clock, a file or the network. Files reach the library as bytes through
@@ -18,6 +18,7 @@
 pub mod execute;
 pub mod follow;
 pub mod geometry;
+pub mod goal;
 pub mod interpret;
 pub mod plan;
 pub mod recover;

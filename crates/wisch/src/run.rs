@@ -9,8 +9,8 @@ use crate::interpret::{
     Belief, EventKind, InterpretConfig, InterpretError, Interpretation, Interpreter, TouchSample,
 };
 use crate::plan::{
-    CoverageStrategy, Plan, PlanConfig, PlanError, Prediction, best_plan, best_segment,
-    best_segment_of_variants, predict,
+    CoverageStrategy, Plan, PlanConfig, PlanError, Prediction, best_plan, best_subplan,
+    best_subplan_of_candidates, predict,
 };
 use crate::recover::{
     Circumstances, LEAST_PROGRESS, Pace, Verdict, believed_performance, decide, judge, next_task,
@@ -312,13 +312,13 @@ fn plan_round(
             let count = recovery_variants(task);
             return Ok(match config.pace {
                 Pace::Whole => best_plan(task, &open, &kde, count)?,
-                Pace::Greedy => best_segment_of_variants(task, &open, &kde, count)?,
+                Pace::Greedy => best_subplan_of_candidates(task, &open, &kde, count)?,
             });
         }
     };
     Ok(match config.pace {
         Pace::Whole => whole,
-        Pace::Greedy => best_segment(task, &whole)?,
+        Pace::Greedy => best_subplan(task, &whole)?,
     })
 }
 

@@ -3,7 +3,8 @@
 use crate::args::TaskArgs;
 use crate::assets::{KnowledgeSource, beside, read_text};
 use crate::failure::Failure;
-use wisch::plan::{CoverageStrategy, GoalLiteral, PlanConfig, resolve_goal};
+use wisch::goal::{GoalLiteral, resolve_goal};
+use wisch::plan::{CoverageStrategy, PlanConfig};
 use wisch::represent::{Action, Intent, KnowledgeBase, Reality, Task, TaskFile, UnknownName};
 
 /// What a task gets that asks for none: the paper's plainest, which never leaves a free cell out.
@@ -93,13 +94,8 @@ impl Prepared {
 }
 
 fn strategy_named(name: &str, shown: &str) -> Result<CoverageStrategy, Failure> {
-    name.parse().map_err(|_| {
-        let known = CoverageStrategy::ALL.map(CoverageStrategy::as_str);
-        Failure::new(format!(
-            "{shown}: {}",
-            UnknownName::new("strategy", name, known)
-        ))
-    })
+    let named: Result<_, UnknownName> = name.parse();
+    named.map_err(|error| Failure::new(format!("{shown}: {error}")))
 }
 
 fn choose(
