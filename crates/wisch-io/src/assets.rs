@@ -6,7 +6,7 @@ use include_dir::{Dir, include_dir};
 use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
-use wisch::plan::Domain;
+use wisch::goal::Domain;
 use wisch::represent::KnowledgeBase;
 
 /// Longest file that is read [bytes].

@@ -3,7 +3,7 @@
 use crate::knowledge::KnowledgeFileError;
 use crate::task_file::TaskError;
 use std::path::{Path, PathBuf};
-use wisch::plan::GoalError;
+use wisch::goal::GoalError;
 use wisch::represent::Action;
 use wisch::robot::{MapError, RobotError};
 use wisch::source_location::UnknownName;

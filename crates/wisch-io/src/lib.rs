@@ -24,10 +24,11 @@ pub use particles::{
 };
 pub use process::{EXECUTOR_PROTOCOL, ProcessExecutor};
 pub use records::{
-    AbandonedRecord, AttemptRecord, EVENT_SCHEMA, EventRecord, EventRecorder, FollowedRecord, GoalRecord, INTERPRETATION_FORMAT,
-    InterpretationRecord, LogRecord, MotionRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA,
-    PlacementRecord, PlanRecord, PlanRecordError, PlanarPoseRecord, PlaneRecord, PoseRecord,
-    RobotTrajectory, RoleRecord, RunEventRecord, StrokeRecord, WaypointRecord, WipedRecord, tcp_path_csv,
+    AbandonedRecord, AttemptRecord, EVENT_SCHEMA, EventRecord, EventRecorder, FollowedRecord,
+    GoalRecord, INTERPRETATION_FORMAT, InterpretationRecord, LogRecord, MotionRecord, NodeRecord,
+    PLAN_FORMAT, PLAN_SCHEMA, PlacementRecord, PlanRecord, PlanRecordError, PlanarPoseRecord,
+    PlaneRecord, PoseRecord, RobotTrajectory, RoleRecord, RunEventRecord, StrokeRecord,
+    WaypointRecord, WipedRecord, tcp_path_csv,
 };
 pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, shipped_robots};
 pub use task_file::{

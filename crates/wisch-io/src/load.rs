@@ -4,7 +4,8 @@ use crate::assets::{KnowledgeSource, beside, read_text};
 use crate::error::Error;
 use crate::task_file::{Intent, TaskFile};
 use std::path::{Path, PathBuf};
-use wisch::plan::{CoverageStrategy, GoalLiteral, PlanConfig, resolve_goal};
+use wisch::goal::{GoalLiteral, resolve_goal};
+use wisch::plan::{CoverageStrategy, PlanConfig};
 use wisch::represent::{Action, KnowledgeBase, Task};
 use wisch::source_location::UnknownName;
 

@@ -3,8 +3,8 @@
 //! The data walks one way, and every stage imports only the stages before it:
 //!
 //! ```text
-//! geometry → represent → plan → follow
-//!     └────► robot ───────────────┘
+//! geometry → represent → goal → plan → follow
+//!     └────► robot ──────────────────────┘
 //! ```
 //!
 //! Nothing here reads a clock, a file or the network: task files, knowledge and robots are read by the crate
@@ -18,6 +18,7 @@
 pub mod control;
 pub mod follow;
 pub mod geometry;
+pub mod goal;
 pub mod interpret;
 pub mod plan;
 pub mod random;

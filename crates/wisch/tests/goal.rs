@@ -1,7 +1,7 @@
 //! From goals to actions, with the knowledge and the domain that are shipped.
 
 use proptest::prelude::*;
-use wisch::plan::{Domain, GoalError, GoalLiteral, ResolvedGoal, resolve_goal};
+use wisch::goal::{Domain, GoalError, GoalLiteral, ResolvedGoal, resolve_goal};
 use wisch::represent::{Action, KnowledgeBase, SurfaceScope};
 use wisch_io::KnowledgeSource;
 
@@ -345,7 +345,6 @@ proptest! {
         for text in [&text, &lisp] {
             let _ = GoalLiteral::parse(text);
             let _ = Domain::parse("any.pddl", text);
-            let _ = wisch::plan::Problem::parse("any.pddl", text);
         }
     }
 

@@ -4,9 +4,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The stages in the order in which data walks through them.
-const STAGES: [&str; 8] = [
+const STAGES: [&str; 9] = [
     "geometry",
     "represent",
+    "goal",
     "plan",
     "robot",
     "follow",
@@ -171,6 +172,36 @@ fn an_item_that_is_not_there_is_noticed() {
     assert_eq!(items("see `plan::grid` and `cargo doc`"), ["plan::grid"]);
 }
 
+/// Files outside `plan/coverage` that name the strategy which nothing takes by default: each would have to
+/// learn of a new one.
+#[test]
+fn a_coverage_strategy_is_told_apart_in_its_own_folder_only() {
+    let crates = source().join("../..");
+    let told = |text: &str| text.contains("CoverageStrategy::Rrt") || text.contains("Self::Rrt");
+    let mut named = Vec::new();
+    for entry in fs::read_dir(crates).unwrap() {
+        let folder = entry.unwrap().path().join("src");
+        let files = if folder.is_dir() {
+            rust_files(&folder)
+        } else {
+            Vec::new()
+        };
+        for file in files {
+            let text = code(&fs::read_to_string(&file).unwrap());
+            if told(text.split("#[cfg(test)]").next().unwrap_or_default()) {
+                let file = file.canonicalize().unwrap();
+                let is_test = file.ends_with("tests.rs");
+                named.extend((!is_test).then(|| file.display().to_string()));
+            }
+        }
+    }
+    assert_eq!(named.len(), 1, "{named:?}");
+    assert!(
+        named[0].ends_with("wisch/src/plan/coverage/mod.rs"),
+        "{named:?}"
+    );
+}
+
 /// What only the simulated world knows: its names must not stand in stages that do without.
 const TRUTH: [&str; 4] = ["GroundTruth", "Dirt", "Reality", ".truth"];
 
@@ -187,6 +218,7 @@ fn opens_truth(text: &str) -> Option<&'static str> {
 fn no_plan_and_no_interpretation_opens_the_truth() {
     for stage in [
         "geometry",
+        "goal",
         "plan",
         "robot",
         "follow",

@@ -4,8 +4,8 @@
 use std::path::{Path, PathBuf};
 use wisch::geometry::Mesh;
 use wisch::plan::{
-    CoverageStrategy, NodeRole, Plan, PlanConfig, best_plan, best_segment,
-    best_segment_of_variants, plan, predict,
+    CoverageStrategy, NodeRole, Plan, PlanConfig, best_plan, best_subplan,
+    best_subplan_of_candidates, plan, predict,
 };
 use wisch::recover::unfinished;
 use wisch::represent::{Action, OccupiedArea, Task};
@@ -160,7 +160,7 @@ fn segment_by_segment_the_board_is_wiped() {
             };
             let whole = plan(&task, &config).expect("there is room");
             let goal = whole.graph.goal;
-            let mut segment = best_segment(&task, &whole).expect("a scene");
+            let mut segment = best_subplan(&task, &whole).expect("a scene");
             let mut performance = 0.0;
             for _ in 0..MOST {
                 let Some(stroke) = segment.strokes.first() else {
@@ -183,7 +183,7 @@ fn segment_by_segment_the_board_is_wiped() {
                 if open.is_empty() {
                     break;
                 }
-                segment = best_segment_of_variants(&task, &open, &config, VARIANTS)
+                segment = best_subplan_of_candidates(&task, &open, &config, VARIANTS)
                     .expect("there is room");
             }
             assert!(performance >= 0.90, "{action} {seed}: {performance}");

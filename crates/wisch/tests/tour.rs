@@ -51,6 +51,18 @@ fn unrelated_costs(node_count: usize, seed: u64) -> CostMatrix {
     CostMatrix::from_fn(node_count, |_, _| rng.random_range(-1.0..10.0)).expect("finite costs")
 }
 
+/// From `start` always on to the cheapest node that is left.
+fn nearest_neighbours(costs: &CostMatrix, start: usize) -> Vec<usize> {
+    let mut order = vec![start];
+    while order.len() < costs.node_count() {
+        let last = order[order.len() - 1];
+        let left = (0..costs.node_count()).filter(|node| !order.contains(node));
+        let next = left.min_by(|&a, &b| costs.cost(last, a).total_cmp(&costs.cost(last, b)));
+        order.extend(next);
+    }
+    order
+}
+
 fn sorted(order: &[usize]) -> Vec<usize> {
     let mut order = order.to_vec();
     order.sort_unstable();
@@ -98,7 +110,7 @@ proptest! {
     }
 
     #[test]
-    fn many_nodes_are_each_visited_once(
+    fn many_nodes_are_each_visited_once_and_cheaper_than_by_nearest_neighbours(
         node_count in 13..60_usize,
         seed: u64,
         pick: usize,
@@ -111,10 +123,14 @@ proptest! {
         let tour = shortest_tour(&costs, &config);
         prop_assert_eq!(tour[0], 0);
         prop_assert_eq!(sorted(&tour), everyone.clone());
+        let naive = costs.tour_cost(&nearest_neighbours(&costs, 0));
+        prop_assert!(costs.tour_cost(&tour) <= naive + 1e-9, "more than {naive}");
 
         let path = shortest_path_from(&costs, start, &config).unwrap();
         prop_assert_eq!(path[0], start);
         prop_assert_eq!(sorted(&path), everyone);
+        let naive = costs.path_cost(&nearest_neighbours(&costs, start));
+        prop_assert!(costs.path_cost(&path) <= naive + 1e-9, "more than {naive}");
     }
 }
 
@@ -212,12 +228,13 @@ fn forbidden_moves_are_avoided_where_they_can_be() {
 }
 
 #[test]
-fn points_that_coincide_cost_nothing() {
+fn points_that_coincide_are_each_visited_once() {
     let costs = CostMatrix::euclidean(&[Point2::new(1.0, 2.0); 100]).unwrap();
     let config = TourConfig::default();
     let tour = shortest_tour(&costs, &config);
     assert_eq!(sorted(&tour), (0..100).collect::<Vec<_>>());
     let path = shortest_path_from(&costs, 7, &config).unwrap();
+    assert_eq!(path[0], 7);
     assert_eq!(sorted(&path), (0..100).collect::<Vec<_>>());
 }
 

@@ -200,7 +200,9 @@ impl Executing {
 fn start(command: &str) -> Result<ProcessExecutor, Failure> {
     let words = shlex::split(command).unwrap_or_default();
     let [program, arguments @ ..] = words.as_slice() else {
-        return Err(Failure::new(format!("--executor {command:?}: that is no command")));
+        return Err(Failure::new(format!(
+            "--executor {command:?}: that is no command"
+        )));
     };
     ProcessExecutor::start(program, arguments).map_err(|error| {
         Failure::new(error).with_help("docs/executor-protocol.md says what an executor has to say")
@@ -241,8 +243,11 @@ impl EventLog {
         };
         let mut line = serde_json::to_vec(&record).map_err(internal)?;
         line.push(b'\n');
-        (self.output.write_all(&line).and_then(|()| self.output.flush()))
-            .map_err(|error| Failure::new(format!("{}: cannot write there: {error}", self.place)))
+        (self
+            .output
+            .write_all(&line)
+            .and_then(|()| self.output.flush()))
+        .map_err(|error| Failure::new(format!("{}: cannot write there: {error}", self.place)))
     }
 }
 

@@ -10,8 +10,7 @@ use std::time::{Duration, Instant};
 use wisch::geometry::Point2;
 use wisch::represent::{ParticleDistribution, Task};
 use wisch::run::{
-    Ending, Execution, Executor, ExecutorError, MotionOrder, SampleSink, StopCause,
-    TelemetrySample,
+    Ending, Execution, Executor, ExecutorError, MotionOrder, SampleSink, StopCause, TelemetrySample,
 };
 
 /// The version of the protocol.
@@ -89,8 +88,9 @@ impl ProcessExecutor {
 
     /// Gives a child that says nothing up after so long, a minute unless told.
     #[must_use]
-    pub fn with_silence_limit(self, silence: Duration) -> Self {
-        Self { silence, ..self }
+    pub fn with_silence_limit(mut self, silence: Duration) -> Self {
+        self.silence = silence;
+        self
     }
 
     fn fault(&self, problem: impl std::fmt::Display) -> ExecutorError {
@@ -235,7 +235,11 @@ impl Drop for ProcessExecutor {
 /// thread and no other.
 fn write_lines(mut stdin: ChildStdin, messages: &Receiver<Vec<u8>>) {
     for message in messages {
-        if stdin.write_all(&message).and_then(|()| stdin.flush()).is_err() {
+        if stdin
+            .write_all(&message)
+            .and_then(|()| stdin.flush())
+            .is_err()
+        {
             return;
         }
     }

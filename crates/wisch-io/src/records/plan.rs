@@ -5,10 +5,8 @@
 
 use serde::{Deserialize, Serialize};
 use wisch::geometry::{PlanarPose, Point2, Pose};
-use wisch::plan::{
-    CoverageStrategy, Node, NodeRole, Plan, SemanticDirectedGraph, Stroke, TcpWaypoint,
-};
-use wisch::represent::{GoalState, Task};
+use wisch::plan::{Node, NodeRole, Plan, SemanticDirectedGraph, Stroke, TcpWaypoint};
+use wisch::represent::{GoalState, Task, UnknownName};
 
 /// What `format` says in every plan.json.
 pub const PLAN_FORMAT: &str = "wisch-plan";
@@ -221,8 +219,8 @@ pub enum PlanRecordError {
         poses: usize,
     },
     /// A strategy that does not exist.
-    #[error("{0}")]
-    Strategy(String),
+    #[error(transparent)]
+    Strategy(#[from] UnknownName),
 }
 
 /// Largest coordinate in a plan file, either sign [m].
@@ -315,14 +313,8 @@ impl PlanRecord {
         self.check_task(task)?;
         self.check_indices()?;
         self.check_numbers()?;
-        let strategy: CoverageStrategy =
-            self.strategy
-                .parse()
-                .map_err(|error: wisch::plan::UnknownStrategy| {
-                    PlanRecordError::Strategy(error.to_string())
-                })?;
         Ok(Plan {
-            strategy,
+            strategy: self.strategy.parse()?,
             graph: SemanticDirectedGraph {
                 nodes: self.nodes.iter().map(node).collect(),
                 edges: self.edges.iter().map(|&[from, to]| (from, to)).collect(),

@@ -2,8 +2,8 @@
 
 mod collada;
 mod read;
-mod xml;
 
+pub(crate) use collada::{MAX_ATTRIBUTES, most_attributes};
 pub use read::MeshFormat;
 
 use super::{Point3, Pose, Vector3};

@@ -6,7 +6,9 @@ mod polygon;
 mod pose;
 
 pub use footprint::{FootprintError, MAX_FOOTPRINT_EDGES, MIN_COMPRESSION_DEPTH, footprint};
+pub(crate) use mesh::{MAX_ATTRIBUTES, most_attributes};
 pub use mesh::{MAX_COORDINATE, MAX_TRIANGLES, Mesh, MeshError, MeshFormat};
+pub(crate) use polygon::encloses;
 pub use polygon::{Bounds2, Edge, Polygon, Region};
 pub use pose::{PlanarPose, Pose, wrap_angle};
 

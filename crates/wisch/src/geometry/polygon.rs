@@ -94,15 +94,20 @@ impl Polygon {
 
     /// Whether the point lies inside (even–odd rule; points on the boundary fall to either side).
     pub fn contains(&self, point: Point2) -> bool {
-        let mut inside = false;
-        for Edge { start, end } in self.edges() {
-            if (start.y > point.y) != (end.y > point.y) {
-                let x = start.x + (point.y - start.y) / (end.y - start.y) * (end.x - start.x);
-                inside ^= point.x < x;
-            }
-        }
-        inside
+        encloses(self.edges(), point)
     }
+}
+
+/// Whether a point lies inside a boundary of edges in any order (even–odd rule).
+pub(crate) fn encloses(edges: impl IntoIterator<Item = Edge>, point: Point2) -> bool {
+    let mut inside = false;
+    for Edge { start, end } in edges {
+        if (start.y > point.y) != (end.y > point.y) {
+            let x = start.x + (point.y - start.y) / (end.y - start.y) * (end.x - start.x);
+            inside ^= point.x < x;
+        }
+    }
+    inside
 }
 
 /// Several disjoint polygons, such as the footprint of a brush.

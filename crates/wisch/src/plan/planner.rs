@@ -1,11 +1,10 @@
 //! The planner: nodes by strategy, graph by policy, strokes by order.
 
-use super::strokes::Stroke;
+use super::coverage::CoverageInput;
 use super::tree::{branches, forest};
 use super::{
-    CostMatrix, CoverageStrategy, FreeSpace, KdeConfig, Node, NodeRole, RrtConfig,
-    SemanticDirectedGraph, TcpWaypoint, TourConfig, TourError, grid, kde, predict, rrt,
-    shortest_path_from,
+    CostMatrix, CoverageStrategy, FreeSpace, Node, NodeRole, Plan, PlanError,
+    SemanticDirectedGraph, Stroke, TourConfig, predict, shortest_path_from,
 };
 use crate::geometry::{Edge, Point2};
 use crate::represent::{Action, GoalState, Task};
@@ -23,115 +22,6 @@ pub struct PlanConfig {
     pub lift_height: f64,
 }
 
-/// Why no plan could be made.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum PlanError {
-    /// No node fits on the surface.
-    #[error(
-        "surface \"{surface}\": no place is free for a tool that needs {diameter:.3} m of clearance"
-    )]
-    NoFreeNode {
-        /// Name of the surface.
-        surface: String,
-        /// d_s [m].
-        diameter: f64,
-    },
-    /// The goal node given by the user cannot be taken.
-    #[error(
-        "goal node ({x:.3}, {y:.3}) m on surface \"{surface}\": {distance:.3} m from the nearest obstacle or off the surface, the tool needs {radius:.3} m"
-    )]
-    GoalNotFree {
-        /// Name of the surface.
-        surface: String,
-        /// Its x [m].
-        x: f64,
-        /// Its y [m].
-        y: f64,
-        /// Distance to the scene [m].
-        distance: f64,
-        /// r_s [m].
-        radius: f64,
-    },
-    /// A skim has no edge to push over.
-    #[error(
-        "surface \"{surface}\": a skim needs at least one edge in skim_edges with free space beyond it"
-    )]
-    NoSkimEdge {
-        /// Name of the surface.
-        surface: String,
-    },
-    /// The scene's geometry cannot be used.
-    #[error("scene: {0}")]
-    Scene(String),
-    /// The tour could not be solved.
-    #[error(transparent)]
-    Tour(#[from] TourError),
-}
-
-/// Planned strokes and the graph they come from.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Plan {
-    /// How the nodes were placed.
-    pub strategy: CoverageStrategy,
-    /// Nodes and directed edges.
-    pub graph: SemanticDirectedGraph,
-    /// Strokes in the order of execution.
-    pub strokes: Vec<Stroke>,
-    /// Radius r_s of the collision sphere [m].
-    pub collision_radius: f64,
-    /// Share of the particles that lie further than r_s from every edge and node of the graph.
-    pub unreachable_share: f64,
-    /// Where the tool starts, in the surface frame [m].
-    pub tool_start: Point2,
-    /// How high the tool is lifted between strokes [m].
-    pub lift_height: f64,
-}
-
-impl Plan {
-    /// Distance travelled in contact [m].
-    pub fn contact_distance(&self) -> f64 {
-        self.strokes.iter().map(Stroke::length).sum()
-    }
-
-    /// Distance travelled in all, lifted moves included [m].
-    pub fn total_distance(&self) -> f64 {
-        self.tcp_path()
-            .windows(2)
-            .map(|leg| {
-                let flat =
-                    (leg[1].surface_from_tool.position - leg[0].surface_from_tool.position).norm();
-                flat.hypot(leg[1].height - leg[0].height)
-            })
-            .sum()
-    }
-
-    /// The corners of the tool centre point's whole path: approach, strokes, lifts, retreat.
-    pub fn tcp_path(&self) -> Vec<TcpWaypoint> {
-        let mut path = Vec::new();
-        for stroke in &self.strokes {
-            let (Some(first), Some(last)) = (stroke.poses.first(), stroke.poses.last()) else {
-                continue;
-            };
-            let lifted = |pose| TcpWaypoint {
-                surface_from_tool: pose,
-                height: self.lift_height,
-            };
-            if path.is_empty() {
-                let mut start = *first;
-                start.position = self.tool_start;
-                path.push(lifted(start));
-            }
-            path.push(lifted(*first));
-            path.extend(stroke.poses.iter().map(|&pose| TcpWaypoint {
-                surface_from_tool: pose,
-                height: 0.0,
-            }));
-            path.push(lifted(*last));
-        }
-        path
-    }
-}
-
 /// Plans the wiping motion of a task.
 ///
 /// # Errors
@@ -142,25 +32,14 @@ pub fn plan(task: &Task, config: &PlanConfig) -> Result<Plan, PlanError> {
     let scene: Vec<_> = task.obstacles_in_surface().collect();
     let space = FreeSpace::new(&task.surface, &scene, radius)?;
     let particles: Vec<Point2> = task.particles.remaining().collect();
-    let coverage = match config.strategy {
-        CoverageStrategy::Grid => grid(&space),
-        CoverageStrategy::Rrt => rrt(
-            &space,
-            task.tool_start,
-            &RrtConfig {
-                seed: config.seed,
-                ..RrtConfig::default()
-            },
-        ),
-        CoverageStrategy::Kde => kde(
-            &space,
-            &particles,
-            &KdeConfig {
-                bandwidth: config.bandwidth,
-                reach: task.tool.reach(),
-            },
-        ),
-    };
+    let coverage = config.strategy.nodes(&CoverageInput {
+        space: &space,
+        particles: &particles,
+        tool_start: task.tool_start,
+        tool_reach: task.tool.reach(),
+        seed: config.seed,
+        bandwidth: config.bandwidth,
+    });
     if coverage.is_empty() && !particles.is_empty() {
         return Err(PlanError::NoFreeNode {
             surface: task.surface.name.clone(),

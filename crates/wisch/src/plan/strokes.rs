@@ -1,7 +1,7 @@
-//! Strokes: what the tool does from touching down to lifting off.
+//! Strokes, what the tool does from touching down to lifting off, and the plan that they make up.
 
-use super::SemanticDirectedGraph;
-use crate::geometry::{PlanarPose, wrap_angle};
+use super::{CoverageStrategy, SemanticDirectedGraph};
+use crate::geometry::{PlanarPose, Point2, wrap_angle};
 use crate::represent::ToolMotion;
 
 /// One motion in contact through a chain of nodes.
@@ -72,5 +72,69 @@ impl Stroke {
     /// Distance travelled in contact [m].
     pub fn length(&self) -> f64 {
         self.motions().map(|motion| motion.travel().1).sum()
+    }
+}
+
+/// Planned strokes and the graph they come from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// How the nodes were placed.
+    pub strategy: CoverageStrategy,
+    /// Nodes and directed edges.
+    pub graph: SemanticDirectedGraph,
+    /// Strokes in the order of execution.
+    pub strokes: Vec<Stroke>,
+    /// Radius r_s of the collision sphere [m].
+    pub collision_radius: f64,
+    /// Share of the particles that lie further than r_s from every edge and node of the graph.
+    pub unreachable_share: f64,
+    /// Where the tool starts, in the surface frame [m].
+    pub tool_start: Point2,
+    /// How high the tool is lifted between strokes [m].
+    pub lift_height: f64,
+}
+
+impl Plan {
+    /// Distance travelled in contact [m].
+    pub fn contact_distance(&self) -> f64 {
+        self.strokes.iter().map(Stroke::length).sum()
+    }
+
+    /// Distance travelled in all, lifted moves included [m].
+    pub fn total_distance(&self) -> f64 {
+        self.tcp_path()
+            .windows(2)
+            .map(|leg| {
+                let flat =
+                    (leg[1].surface_from_tool.position - leg[0].surface_from_tool.position).norm();
+                flat.hypot(leg[1].height - leg[0].height)
+            })
+            .sum()
+    }
+
+    /// The corners of the tool centre point's whole path: approach, strokes, lifts, retreat.
+    pub fn tcp_path(&self) -> Vec<TcpWaypoint> {
+        let mut path = Vec::new();
+        for stroke in &self.strokes {
+            let (Some(first), Some(last)) = (stroke.poses.first(), stroke.poses.last()) else {
+                continue;
+            };
+            let lifted = |pose| TcpWaypoint {
+                surface_from_tool: pose,
+                height: self.lift_height,
+            };
+            if path.is_empty() {
+                let mut start = *first;
+                start.position = self.tool_start;
+                path.push(lifted(start));
+            }
+            path.push(lifted(*first));
+            path.extend(stroke.poses.iter().map(|&pose| TcpWaypoint {
+                surface_from_tool: pose,
+                height: 0.0,
+            }));
+            path.push(lifted(*last));
+        }
+        path
     }
 }

@@ -6,14 +6,14 @@
 //!   towards it, and is left behind when the boundary recedes.
 //!
 //! Particles do not touch each other, so each is computed alone: in closed form for a translation
-//! ([`chords`](super::chords)), by contact events along the way for a motion that also turns
-//! ([`turning`](super::turning)). No step size enters either.
+//! ([`swept_translation`](super::swept_translation)), by contact events along the way for a motion that also turns
+//! ([`swept_rotation`](super::swept_rotation)). No step size enters either.
 
-use super::chords::ChordTable;
 use super::field::{ParticleField, Slot};
 use super::heap::Heap;
 use super::motion::{CLEARANCE, ToolMotion};
-use super::turning::Turning;
+use super::swept_rotation::SweptRotation;
+use super::swept_translation::SweptTranslation;
 use super::{Effect, Fate, Surface};
 use crate::geometry::{Edge, Point2, Region, Vector2};
 use rayon::prelude::*;
@@ -66,7 +66,7 @@ pub struct EffectModel {
     edges: Vec<Edge>,
     /// Largest distance of the footprint from the tool centre point [m].
     reach: f64,
-    chords: ChordTable,
+    translation: SweptTranslation,
     near: Vec<Slot>,
     outcomes: Vec<Option<Outcome>>,
     heap: Option<Heap>,
@@ -90,7 +90,7 @@ impl EffectModel {
             .fold(0.0, f64::max);
         Self {
             kind,
-            chords: ChordTable::for_edges(edges.len()),
+            translation: SweptTranslation::for_edges(edges.len()),
             edges,
             reach,
             near: Vec::new(),
@@ -230,8 +230,9 @@ impl EffectModel {
         mut responds: impl FnMut(usize, Point2) -> bool,
     ) -> MotionEffect {
         let (along, length) = motion.travel();
-        self.chords.fill(&self.edges, motion.from.heading, along);
-        let Some((low, high)) = self.chords.extent() else {
+        self.translation
+            .fill(&self.edges, motion.from.heading, along);
+        let Some((low, high)) = self.translation.extent() else {
             return MotionEffect::default();
         };
         let side = Vector2::new(-along.y, along.x);
@@ -246,7 +247,7 @@ impl EffectModel {
             let position = field.position(slot);
             let relative = position - motion.from.position;
             let (ahead, lateral) = (relative.dot(&along), relative.dot(&side));
-            let chords = self.chords.at(lateral);
+            let chords = self.translation.at(lateral);
             match self.kind {
                 Effect::Absorb => {
                     if chords.covers(ahead, length) && responds(field.index(slot), position) {
@@ -279,7 +280,7 @@ impl EffectModel {
         let half = Vector2::new(length / 2.0 + self.reach, self.reach);
         field.collect_near(center, along, half, &mut self.near);
 
-        let turning = Turning::new(&self.edges, motion);
+        let rotation = SweptRotation::new(&self.edges, motion);
         let corridor = Edge {
             start: motion.from.position,
             end: motion.to.position,
@@ -289,8 +290,8 @@ impl EffectModel {
                 return None;
             }
             match self.kind {
-                Effect::Absorb => turning.touches(position).then_some(Outcome::Absorbed),
-                Effect::Push => turning
+                Effect::Absorb => rotation.touches(position).then_some(Outcome::Absorbed),
+                Effect::Push => rotation
                     .ride(position)
                     .map(|way| landing(surface, way.points())),
             }

@@ -1,19 +1,19 @@
 //! Task, surface, tool, medium, and dirt as particles, with the one model of what wiping does to them.
 
-mod chords;
 mod effect;
 mod field;
 mod heap;
 mod knowledge;
 mod metrics;
 mod motion;
+mod occupied_area;
 mod particles;
 mod scene;
-mod section;
 mod sources;
 mod surface;
+mod swept_rotation;
+mod swept_translation;
 mod task;
-mod turning;
 
 pub use effect::{EffectModel, MotionEffect};
 pub use field::ParticleField;
@@ -25,9 +25,9 @@ pub use knowledge::{
 };
 pub use metrics::{GoalState, Performance};
 pub use motion::ToolMotion;
+pub use occupied_area::{OccupiedArea, SURFACE_SKIN};
 pub use particles::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError, ParticleTally};
 pub use scene::{SceneObject, ScenePart};
-pub use section::{OccupiedArea, SURFACE_SKIN};
 pub use sources::{
     Cluster, DirtArea, SourceError, cluster_particles, particle_generator, uniform_particles,
 };

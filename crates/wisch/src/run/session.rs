@@ -8,7 +8,8 @@ use crate::follow::{Audit, Workcell, WorkcellConfig, audit, follow};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::interpret::{Belief, InterpretConfig, Interpretation, Interpreter, TouchSample};
 use crate::plan::{
-    CoverageStrategy, Plan, PlanConfig, best_plan, best_segment, best_segment_of_variants, predict,
+    CoverageStrategy, Plan, PlanConfig, best_plan, best_subplan, best_subplan_of_candidates,
+    predict,
 };
 use crate::recover::{
     PLANNING_DRAWS, Pace, RoundJudge, RoundOutcome, Verdict, believed_performance, is_done,
@@ -291,13 +292,13 @@ impl<'a> Session<'a> {
                 let count = recovery_candidates(&task.tool.footprint);
                 return Ok(match config.pace {
                     Pace::Whole => best_plan(task, &open, &kde, count)?,
-                    Pace::Greedy => best_segment_of_variants(task, &open, &kde, count)?,
+                    Pace::Greedy => best_subplan_of_candidates(task, &open, &kde, count)?,
                 });
             }
         };
         Ok(match config.pace {
             Pace::Whole => whole,
-            Pace::Greedy => best_segment(task, &whole)?,
+            Pace::Greedy => best_subplan(task, &whole)?,
         })
     }
 

@@ -252,6 +252,9 @@ mod tests {
         let heap = vec![Point2::new(0.1, 0.1); 5];
         assert_eq!(data_bandwidth(&heap, 0.065), 0.065);
         let close: Vec<Point2> = spread.iter().map(|p| p * 1e-4).collect();
-        assert!(data_bandwidth(&close, 0.065) < 0.002);
+        // Steps of 0.1 mm: sum of squares n (n² − 1) / 12, over both axes' 2 (n − 1).
+        let sigma = 1e-4 * (83_325.0_f64 / 198.0).sqrt();
+        let scott = 2_f64.sqrt() * sigma * 100_f64.powf(-1.0 / 6.0);
+        assert!((data_bandwidth(&close, 0.065) - scott).abs() < 1e-12);
     }
 }

@@ -8,6 +8,9 @@ pub use grid::grid;
 pub use kde::{DensityMap, KdeConfig, data_bandwidth, kde};
 pub use rrt::{RrtConfig, rrt};
 
+use super::FreeSpace;
+use crate::geometry::Point2;
+use crate::represent::UnknownName;
 use std::str::FromStr;
 
 /// How nodes are spread over the surface.
@@ -33,6 +36,48 @@ impl CoverageStrategy {
             Self::Kde => "kde",
         }
     }
+
+    /// Whether the nodes depend on the bandwidth of a density estimate.
+    pub(super) fn uses_bandwidth(self) -> bool {
+        self == Self::Kde
+    }
+
+    /// The nodes that it places, in the surface frame [m].
+    pub(super) fn nodes(self, input: &CoverageInput<'_>) -> Vec<Point2> {
+        match self {
+            Self::Grid => grid(input.space),
+            Self::Rrt => rrt(
+                input.space,
+                input.tool_start,
+                &RrtConfig {
+                    seed: input.seed,
+                    ..RrtConfig::default()
+                },
+            ),
+            Self::Kde => kde(
+                input.space,
+                input.particles,
+                &KdeConfig {
+                    bandwidth: input.bandwidth,
+                    reach: input.tool_reach,
+                },
+            ),
+        }
+    }
+}
+
+/// What a strategy may go by. Places are in the surface frame.
+pub(super) struct CoverageInput<'a> {
+    pub(super) space: &'a FreeSpace,
+    /// Where dirt lies [m].
+    pub(super) particles: &'a [Point2],
+    /// Where the tool starts [m].
+    pub(super) tool_start: Point2,
+    /// Distance within which the tool at a node reaches a particle [m].
+    pub(super) tool_reach: f64,
+    pub(super) seed: u64,
+    /// Bandwidth of a density estimate [m]; `None` takes it from the data.
+    pub(super) bandwidth: Option<f64>,
 }
 
 impl std::fmt::Display for CoverageStrategy {
@@ -41,18 +86,11 @@ impl std::fmt::Display for CoverageStrategy {
     }
 }
 
-/// A strategy of that name does not exist.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("strategy \"{0}\" is not known; known are grid, rrt and kde")]
-pub struct UnknownStrategy(String);
-
 impl FromStr for CoverageStrategy {
-    type Err = UnknownStrategy;
+    type Err = UnknownName;
 
-    fn from_str(name: &str) -> Result<Self, UnknownStrategy> {
-        Self::ALL
-            .into_iter()
-            .find(|strategy| strategy.as_str() == name)
-            .ok_or_else(|| UnknownStrategy(name.to_owned()))
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        let named = Self::ALL.into_iter().find(|s| s.as_str() == name);
+        named.ok_or_else(|| UnknownName::new("strategy", name, Self::ALL.map(Self::as_str)))
     }
 }

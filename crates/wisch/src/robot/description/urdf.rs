@@ -19,7 +19,7 @@
 //! The limits of such a joint are limits of the sum: this is how coupled limits are written.
 
 use super::planar;
-use crate::geometry::{Pose, Vector3};
+use crate::geometry::{MAX_ATTRIBUTES, Pose, Vector3, most_attributes};
 use crate::robot::RobotError;
 use crate::source_location::Place;
 use nalgebra::{Matrix3, Translation3, UnitQuaternion};
@@ -35,8 +35,6 @@ pub const MAX_SHAPES: usize = 10_000;
 const MAX_NODES: u32 = 500_000;
 /// Most terms of all joints that follow others.
 const MAX_TERMS: usize = 10_000;
-/// Most attributes of one element: the parser compares each with every other.
-const MAX_ATTRIBUTES: usize = 5_000;
 /// Greatest number that is read, in any unit.
 const MAX_NUMBER: f64 = 1e9;
 
@@ -169,13 +167,6 @@ impl Urdf {
         }
         Ok(urdf)
     }
-}
-
-/// The most attributes that any element can have, by the quotes between angle brackets.
-fn most_attributes(text: &str) -> usize {
-    let between = text.split(['<', '>']);
-    let quotes = between.map(|piece| piece.bytes().filter(|b| matches!(b, b'"' | b'\'')).count());
-    quotes.max().unwrap_or(0) / 2
 }
 
 pub(in crate::robot) fn elements<'a, 'i>(

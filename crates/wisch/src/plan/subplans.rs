@@ -1,54 +1,39 @@
-//! One segment of a plan at a time: what is worth wiping next, before anybody looks; paper §4.3.
+//! One subplan at a time: what is best wiped next, before anybody looks; paper §4.3.
 
-use super::variants::plan_variants;
-use super::worth::{worth, worth_of_rest};
-use super::{FreeSpace, Plan, PlanConfig, PlanError, SemanticDirectedGraph, Stroke, predict};
-use crate::represent::{Action, GoalState, ParticleDistribution, Task};
+use super::objective::{objective, objective_at_rest};
+use super::{FreeSpace, Plan, PlanError, SemanticDirectedGraph, Stroke, predict};
+use crate::represent::{Action, GoalState, Task};
 
-/// Length of a segment of a tour, over the radius r_s of the collision sphere: about three widths of the
+/// Length of a subplan of a tour, over the radius r_s of the collision sphere: about three widths of the
 /// tool, as far as a wipe reaches before one looks.
-const TOUR_SEGMENT: f64 = 6.0;
-/// Of so many particles a segment has to gain one to be worth its way.
+const TOUR_SUBPLAN: f64 = 6.0;
+/// Of so many particles a subplan has to gain one to be worth its way.
 const GAIN: usize = 250;
-/// Segments of a plan that is made of nothing else, at most.
-const MAX_SEGMENTS: usize = 24;
+/// Subplans of a plan that is made of nothing else, at most.
+const MAX_SUBPLANS: usize = 24;
 
-/// The plan with nothing but that one of its segments which is predicted to gain most; without any stroke,
+/// The plan with nothing but that one of its subplans which is predicted to gain most; without any stroke,
 /// if none is predicted to gain anything.
 ///
-/// A segment is what makes sense by itself: of a tree, the way from any node on to the goal, along the tree
+/// A subplan is what makes sense by itself: of a tree, the way from any node on to the goal, along the tree
 /// or straight, for half of it would bring nothing to where it belongs; of a tour, a piece of three tool
 /// widths. What counts is the predicted number of particles that reach the goal, less several for each
 /// that leaves the surface over a wrong edge; among equals the shorter way.
 ///
 /// # Errors
 /// If the scene's geometry cannot be used.
-pub fn best_segment(task: &Task, plan: &Plan) -> Result<Plan, PlanError> {
+pub fn best_subplan(task: &Task, plan: &Plan) -> Result<Plan, PlanError> {
     Ok(best_of(task, std::slice::from_ref(plan), &space_of(task)?))
 }
 
-/// The best segment ([`best_segment`]) of `count` plans, the variants of [`best_plan`](super::best_plan).
-///
-/// # Errors
-/// Those of [`plan`](super::plan()), if no variant gives a plan.
-pub fn best_segment_of_variants(
-    task: &Task,
-    to_plan_on: &ParticleDistribution,
-    config: &PlanConfig,
-    count: usize,
-) -> Result<Plan, PlanError> {
-    let plans = plan_variants(task, to_plan_on, config, count)?;
-    Ok(best_of(task, &plans, &space_of(task)?))
-}
-
-/// A plan made of segments, the best first and each chosen by what those before are predicted to leave.
+/// A plan made of subplans, the best first and each chosen by what those before are predicted to leave.
 ///
 /// Straight ways do not turn the tool, which near an edge pushes over it what lies beside the tool.
 pub(super) fn composed(task: &Task, plan: &Plan, space: &FreeSpace) -> Plan {
-    let candidates = segments(plan, task, space);
+    let candidates = subplans(plan, task, space);
     let mut state = task.clone();
     let mut strokes = Vec::new();
-    while strokes.len() < MAX_SEGMENTS {
+    while strokes.len() < MAX_SUBPLANS {
         let Some(found) = best_among(&state, plan, &candidates) else {
             break;
         };
@@ -65,23 +50,25 @@ pub(super) fn space_of(task: &Task) -> Result<FreeSpace, PlanError> {
     FreeSpace::new(&task.surface, &scene, task.tool.collision_radius())
 }
 
-/// A segment, and what is said for it.
+/// A subplan, and what is said for it.
 struct Found {
     stroke: Stroke,
-    worth: i64,
+    objective: i64,
     length: f64,
 }
 
 impl Found {
     fn is_better_than(&self, other: &Self) -> bool {
-        self.worth > other.worth || self.worth == other.worth && self.length < other.length
+        self.objective > other.objective
+            || self.objective == other.objective && self.length < other.length
     }
 }
 
-fn best_of(task: &Task, plans: &[Plan], space: &FreeSpace) -> Plan {
+/// The best subplan of several plans; the first without any stroke if none gains anything.
+pub(super) fn best_of(task: &Task, plans: &[Plan], space: &FreeSpace) -> Plan {
     let mut best: Option<(Found, &Plan)> = None;
     for plan in plans {
-        let found = best_among(task, plan, &segments(plan, task, space));
+        let found = best_among(task, plan, &subplans(plan, task, space));
         if let Some(found) = found
             && (best.as_ref()).is_none_or(|(best, _)| found.is_better_than(best))
         {
@@ -96,26 +83,26 @@ fn best_of(task: &Task, plans: &[Plan], space: &FreeSpace) -> Plan {
 
 /// The best of some strokes, if any gains anything.
 fn best_among(task: &Task, plan: &Plan, strokes: &[Stroke]) -> Option<Found> {
-    let now = worth_of_rest(task, &plan.graph.goal);
+    let now = objective_at_rest(task, &plan.graph.goal);
     let least = now + (task.particles.len() / GAIN).max(1) as i64;
     let mut one = with_strokes(plan, Vec::new());
     let mut best: Option<Found> = None;
     for stroke in strokes {
         one.strokes = vec![stroke.clone()];
         let found = Found {
-            worth: worth(task, &one),
+            objective: objective(task, &one),
             length: stroke.length(),
             stroke: stroke.clone(),
         };
         let is_better = best.as_ref().is_none_or(|best| found.is_better_than(best));
-        if found.worth >= least && is_better {
+        if found.objective >= least && is_better {
             best = Some(found);
         }
     }
     best
 }
 
-fn segments(plan: &Plan, task: &Task, space: &FreeSpace) -> Vec<Stroke> {
+fn subplans(plan: &Plan, task: &Task, space: &FreeSpace) -> Vec<Stroke> {
     let symmetric = task.action == Action::Absorb && task.tool.is_half_turn_symmetric();
     let graph = &plan.graph;
     let chains: Vec<Vec<usize>> = match graph.goal {
@@ -128,7 +115,7 @@ fn segments(plan: &Plan, task: &Task, space: &FreeSpace) -> Vec<Stroke> {
             .filter(|chain| chain.len() > 1)
             .collect(),
         GoalState::Absorbed => {
-            let longest = TOUR_SEGMENT * plan.collision_radius;
+            let longest = TOUR_SUBPLAN * plan.collision_radius;
             let strokes = plan.strokes.iter();
             strokes
                 .flat_map(|stroke| pieces(graph, &stroke.nodes, longest))

@@ -1,6 +1,6 @@
 //! Where the objects of a scene stand on the target surface.
 
-use crate::geometry::{Edge, Mesh, Point2, Point3};
+use crate::geometry::{Edge, Mesh, Point2, Point3, encloses};
 
 /// Geometry closer to the surface's plane than this counts as part of it [m].
 pub const SURFACE_SKIN: f64 = 1e-4;
@@ -39,18 +39,8 @@ impl OccupiedArea {
 
     /// Whether an object stands on this point (even–odd rule per object).
     pub fn contains(&self, point: Point2) -> bool {
-        self.sections.iter().any(|edges| {
-            edges
-                .iter()
-                .filter(|e| (e.start.y > point.y) != (e.end.y > point.y))
-                .filter(|e| {
-                    let share = (point.y - e.start.y) / (e.end.y - e.start.y);
-                    point.x < e.start.x + share * (e.end.x - e.start.x)
-                })
-                .count()
-                % 2
-                == 1
-        })
+        let mut sections = self.sections.iter();
+        sections.any(|edges| encloses(edges.iter().copied(), point))
     }
 }
 

@@ -8,7 +8,7 @@ const MAX_BINS: usize = 256;
 /// The footprint's edges in the frame of a stroke (x along the motion, y to its left), sorted into
 /// bins of y so that a particle only meets the edges beside it.
 #[derive(Debug, Clone)]
-pub(super) struct ChordTable {
+pub(super) struct SweptTranslation {
     edges: Vec<Edge>,
     low: Point2,
     high: Point2,
@@ -23,7 +23,7 @@ pub(super) struct Chords<'a> {
     crossings: &'a [f64],
 }
 
-impl ChordTable {
+impl SweptTranslation {
     pub(super) fn for_edges(edges: usize) -> Self {
         let bins = (edges / 4).clamp(1, MAX_BINS);
         Self {

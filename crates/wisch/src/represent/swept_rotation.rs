@@ -7,7 +7,7 @@
 //! the particle. All of this is exact to about 1e-9 m whatever the turn.
 
 use super::motion::{CLEARANCE, ToolMotion};
-use crate::geometry::{Edge, Point2, Vector2};
+use crate::geometry::{Edge, Point2, Vector2, encloses};
 
 /// Deviation from the chord below which the curve counts as straight [m].
 const STRAIGHT: f64 = 1e-12;
@@ -59,14 +59,14 @@ struct Touch<'a> {
 }
 
 /// One motion of a footprint, position and heading linear in t ∈ [0, 1].
-pub(super) struct Turning<'a> {
+pub(super) struct SweptRotation<'a> {
     edges: &'a [Edge],
     motion: &'a ToolMotion,
     travel: Vector2,
     turn: f64,
 }
 
-impl<'a> Turning<'a> {
+impl<'a> SweptRotation<'a> {
     pub(super) fn new(edges: &'a [Edge], motion: &'a ToolMotion) -> Self {
         Self {
             edges,
@@ -205,16 +205,7 @@ impl<'a> Turning<'a> {
     }
 
     fn covers(&self, point_in_tool: Point2) -> bool {
-        let p = point_in_tool;
-        self.edges
-            .iter()
-            .filter(|e| (e.start.y > p.y) != (e.end.y > p.y))
-            .filter(|e| {
-                p.x < e.start.x + (p.y - e.start.y) / (e.end.y - e.start.y) * (e.end.x - e.start.x)
-            })
-            .count()
-            % 2
-            == 1
+        encloses(self.edges.iter().copied(), point_in_tool)
     }
 
     /// A particle under the footprint when the tool comes down: carried along the motion until outside.

@@ -1,8 +1,8 @@
-//! Several plans for the same dirt, of which the predicted effect chooses one.
+//! Candidate plans for the same dirt, of which the predicted effect chooses one.
 
-use super::segments::{composed, space_of};
-use super::worth::worth;
-use super::{CoverageStrategy, Plan, PlanConfig, PlanError, plan};
+use super::objective::objective;
+use super::subplans::{best_of, composed, space_of};
+use super::{Plan, PlanConfig, PlanError, plan};
 use crate::represent::{Action, ParticleDistribution, Task};
 
 /// Bandwidths of the density estimate that are tried beside the configured one, over half the radius of the
@@ -12,29 +12,29 @@ const BANDWIDTHS: [f64; 9] = [0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.7, 2.0, 2.6];
 /// Corners of the surface at which strokes are begun.
 const MAX_CORNERS: usize = 8;
 
-/// The plan that is predicted to be worth most among `count` variants; of equal ones that with the shortest
+/// The plan with the best predicted effect among `count` candidates; of equal ones that with the shortest
 /// way in contact.
 ///
-/// Worth is the number of particles that reach the goal, less several for each that leaves the surface over
-/// a wrong edge: what is left can be wiped again, what is lost cannot; and less for those that are pushed so
-/// near to one that some of a heap would fall.
+/// The objective is the number of particles that reach the goal, less several for each that leaves the
+/// surface over a wrong edge: what is left can be wiped again, what is lost cannot; and less for those that
+/// are pushed so near to one that some of a heap would fall.
 ///
 /// Nodes are placed on `to_plan_on`, such as the dirt that is not yet where it belongs; what the plans do is
 /// predicted on all of the task's dirt, so that a stroke that scatters a heap counts against its plan.
-/// Variants differ in the bandwidth of the density estimate, if the strategy is KDE, and then in where the
+/// Candidates differ in the bandwidth of the density estimate, if the strategy uses one, and then in where the
 /// strokes begin: at the tool, or at a corner of the surface. The first is the plan as configured, so with a
 /// count of 1 this is [`plan`]. Where as many as there are bandwidths are asked for, each of their graphs also
 /// gives a plan whose strokes are chosen one by one by their predicted effect, among them straight ones.
 ///
 /// # Errors
-/// Those of [`plan`], if no variant gives a plan.
+/// Those of [`plan`], if no candidate gives a plan.
 pub fn best_plan(
     task: &Task,
     to_plan_on: &ParticleDistribution,
     config: &PlanConfig,
     count: usize,
 ) -> Result<Plan, PlanError> {
-    let mut plans = plan_variants(task, to_plan_on, config, count)?;
+    let mut plans = candidate_plans(task, to_plan_on, config, count)?;
     let is_rooted = matches!(task.action, Action::Collect | Action::Skim);
     if is_rooted && count >= BANDWIDTHS.len() {
         let space = space_of(task)?;
@@ -43,8 +43,8 @@ pub fn best_plan(
         plans.extend(composed);
     }
     let judged = plans.into_iter().map(|plan| {
-        let worth = worth(task, &plan);
-        (worth, plan.contact_distance(), plan)
+        let objective = objective(task, &plan);
+        (objective, plan.contact_distance(), plan)
     });
     let best = judged.reduce(|best, next| {
         let is_better = next.0 > best.0 || next.0 == best.0 && next.1 < best.1;
@@ -53,8 +53,22 @@ pub fn best_plan(
     best.map_or_else(|| plan(task, config), |(_, _, plan)| Ok(plan))
 }
 
+/// The best subplan ([`best_subplan`](super::best_subplan)) of `count` plans, the candidates of [`best_plan`].
+///
+/// # Errors
+/// Those of [`plan`], if no candidate gives a plan.
+pub fn best_subplan_of_candidates(
+    task: &Task,
+    to_plan_on: &ParticleDistribution,
+    config: &PlanConfig,
+    count: usize,
+) -> Result<Plan, PlanError> {
+    let plans = candidate_plans(task, to_plan_on, config, count)?;
+    Ok(best_of(task, &plans, &space_of(task)?))
+}
+
 /// Up to `count` plans, at least one; the first is the plan as configured, unless that fails.
-pub(super) fn plan_variants(
+fn candidate_plans(
     task: &Task,
     to_plan_on: &ParticleDistribution,
     config: &PlanConfig,
@@ -63,23 +77,22 @@ pub(super) fn plan_variants(
     let mut open = task.clone();
     open.particles = to_plan_on.clone();
     let half_radius = task.tool.collision_radius() / 2.0;
-    let others = match config.strategy {
-        CoverageStrategy::Kde => BANDWIDTHS.map(|scale| Some(scale * half_radius)).to_vec(),
-        CoverageStrategy::Grid | CoverageStrategy::Rrt => Vec::new(),
-    };
-    let bandwidths: Vec<Option<f64>> = std::iter::once(config.bandwidth).chain(others).collect();
+    let mut bandwidths = vec![config.bandwidth];
+    if config.strategy.uses_bandwidth() {
+        bandwidths.extend(BANDWIDTHS.map(|scale| Some(scale * half_radius)));
+    }
     let corners = task.surface.outline.outer().iter().take(MAX_CORNERS);
     let starts = std::iter::once(task.tool_start).chain(corners.copied());
-    let variants = starts.flat_map(|start| bandwidths.iter().map(move |&b| (start, b)));
+    let settings = starts.flat_map(|start| bandwidths.iter().map(move |&b| (start, b)));
     let mut plans = Vec::new();
     let mut failure = None;
-    for (start, bandwidth) in variants.take(count.max(1)) {
+    for (start, bandwidth) in settings.take(count.max(1)) {
         open.tool_start = start;
-        let variant = PlanConfig {
+        let candidate = PlanConfig {
             bandwidth,
             ..config.clone()
         };
-        match plan(&open, &variant) {
+        match plan(&open, &candidate) {
             Ok(plan) => plans.push(Plan {
                 tool_start: task.tool_start,
                 ..plan

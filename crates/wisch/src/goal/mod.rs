@@ -1,37 +1,36 @@
-//! Goals in PDDL, and which wiping action with which tool reaches them (§3.2, S_g of equation 3).
+//! From a goal in PDDL to the wiping action and the tool that reach it, before there is a task (§3.2,
+//! S_g of equation 3).
+//!
+//! A goal is one fact, such as `(collected breadcrumbs chopping_board)`. A [`Domain`] in typed STRIPS
+//! says which actions bring facts about, the knowledge base which tools can do them where, and
+//! [`resolve_goal`] searches for the shortest plan.
 
 mod domain;
 mod error;
 mod form;
 #[cfg(test)]
 mod planning_tests;
-mod problem;
 mod search;
 mod syntax;
 
+use std::collections::HashSet;
 use std::fmt;
-use std::fmt::Write as _;
 
 pub use domain::Domain;
 pub use error::GoalError;
-pub use problem::{Problem, solve};
-pub use search::Step;
 
 use crate::represent::{Action, KnowledgeBase, RankedTool};
-use domain::Lookup;
 use form::Source;
-use syntax::Atom;
+use search::{Fact, Problem};
 
 /// What errors call a goal that was handed in without a name.
 const GOAL_TEXT_NAME: &str = "goal";
-/// What errors call the problem that is derived from a goal and the knowledge base.
-const DERIVED_TEXT_NAME: &str = "problem derived from the goal";
 
 /// A single fact that is to become true, such as `(collected breadcrumbs chopping_board)`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct GoalLiteral {
-    predicate: String,
-    arguments: Vec<String>,
+    /// The predicate, then its arguments.
+    words: Vec<String>,
 }
 
 impl GoalLiteral {
@@ -39,15 +38,15 @@ impl GoalLiteral {
     ///
     /// # Errors
     ///
-    /// [`GoalError::Syntax`] with line and column if it is not one list of names, and
-    /// [`GoalError::NotSupported`] for anything but a single positive atom.
+    /// [`GoalError::Text`] with line and column if it is not one list of names, or anything but a
+    /// single positive atom.
     ///
     /// ```
-    /// use wisch::plan::GoalLiteral;
+    /// use wisch::goal::GoalLiteral;
     /// let goal = GoalLiteral::parse("(collected breadcrumbs chopping_board)")?;
     /// assert_eq!(goal.predicate(), "collected");
     /// assert_eq!(goal.arguments(), ["breadcrumbs", "chopping_board"]);
-    /// # Ok::<(), wisch::plan::GoalError>(())
+    /// # Ok::<(), wisch::goal::GoalError>(())
     /// ```
     pub fn parse(text: &str) -> Result<Self, GoalError> {
         let source = Source {
@@ -59,30 +58,26 @@ impl GoalLiteral {
             return Err(source.not_supported(form.at, &format!("`{head}` in a single goal")));
         }
         let atom = syntax::atom(source, &form)?;
-        if let Some(variable) = atom.arguments.iter().find(|a| a.starts_with('?')) {
+        if let Some(variable) = atom.words.iter().find(|word| word.starts_with('?')) {
             return Err(source.expected_at(form.at, "names only", &format!("`{variable}`")));
         }
-        Ok(Self {
-            predicate: atom.predicate,
-            arguments: atom.arguments,
-        })
+        Ok(Self { words: atom.words })
     }
 
     /// The predicate.
     pub fn predicate(&self) -> &str {
-        &self.predicate
+        &self.words[0]
     }
 
     /// The objects that it is said of.
     pub fn arguments(&self) -> &[String] {
-        &self.arguments
+        &self.words[1..]
     }
 }
 
 impl fmt::Display for GoalLiteral {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let arguments = self.arguments.iter().map(String::as_str);
-        search::write_atom(f, &self.predicate, arguments)
+        f.write_str(&search::text(&self.words))
     }
 }
 
@@ -111,13 +106,14 @@ pub struct ResolvedGoal {
 ///
 /// # Errors
 ///
-/// A predicate that the domain does not have, a medium, surface or tool that the knowledge base does
-/// not have: each with the nearest. [`GoalError::NoCapableTool`],
-/// [`GoalError::CapableToolMissing`], [`GoalError::ToolNotAtHand`] or [`GoalError::NoPlan`] if the goal can't be reached, and [`GoalError::NoWiping`] if no wiping
-/// is needed.
+/// [`GoalError::Text`] for a predicate that the domain does not have and [`GoalError::Knowledge`] for
+/// a medium, surface or tool that the knowledge base does not have: each with the nearest.
+/// [`GoalError::NoCapableTool`], [`GoalError::CapableToolMissing`], [`GoalError::ToolNotAtHand`] or
+/// [`GoalError::NoPlan`] if the goal can't be reached, and [`GoalError::NoWiping`] if no wiping is
+/// needed. [`GoalError::TooLarge`] if the domain leaves more to search than about a second of work.
 ///
 /// ```
-/// use wisch::plan::{GoalLiteral, resolve_goal};
+/// use wisch::goal::{GoalLiteral, resolve_goal};
 /// use wisch::represent::Action;
 /// use wisch_io::KnowledgeSource;
 /// let domain = KnowledgeSource::BuiltIn.domain().unwrap();
@@ -127,7 +123,7 @@ pub struct ResolvedGoal {
 /// let resolved = resolve_goal(&goal, &domain, &knowledge, None, &["brush", "sponge"])?;
 /// assert_eq!(resolved.action, Action::Collect);
 /// assert_eq!(resolved.steps, ["(grasp sponge)", "(collect sponge breadcrumbs chopping_board)"]);
-/// # Ok::<(), wisch::plan::GoalError>(())
+/// # Ok::<(), wisch::goal::GoalError>(())
 /// ```
 pub fn resolve_goal(
     literal: &GoalLiteral,
@@ -148,35 +144,39 @@ pub fn resolve_goal(
         return Err(GoalError::ToolNotAtHand {
             goal: literal.to_string(),
             tool: (*tool).to_owned(),
-            available: at_hand.iter().map(|&tool| tool.to_owned()).collect(),
+            available: owned(&at_hand),
         });
     }
-    let tools = target.ranked_tools(knowledge, &at_hand)?;
-    let text = target.problem_text(literal, domain, knowledge, tool_in_hand, &tools)?;
-    let problem = Problem::parse(DERIVED_TEXT_NAME, &text)?;
-    let grounded = search::Grounded::new(domain, &problem)?;
-    let plan = grounded.shortest_plan()?.ok_or_else(|| GoalError::NoPlan {
-        goal: literal.to_string(),
-        unmet: grounded.unmet_preconditions(),
-    })?;
-    let no_wiping = || GoalError::NoWiping {
+    let tools = target.ranked_tools(&at_hand)?;
+    let problem = target.problem(literal, tool_in_hand, &tools)?;
+    let Some(plan) = problem.shortest_plan()? else {
+        return Err(GoalError::NoPlan {
+            goal: literal.to_string(),
+            unmet: problem.unmet_preconditions()?,
+        });
+    };
+    let wiping = plan.iter().rev().find_map(|step| wiping_step(step, domain));
+    let (action, [tool, medium, surface]) = wiping.ok_or_else(|| GoalError::NoWiping {
         goal: literal.to_string(),
         wiping_goals: wiping_goals(domain),
-    };
-    let (action, [tool, medium, surface]) = (plan.iter().rev())
-        .find_map(|step| wiping_step(step, domain))
-        .ok_or_else(no_wiping)?;
+    })?;
     Ok(ResolvedGoal {
         action,
         tool,
         medium,
         surface,
-        steps: plan.iter().map(Step::to_string).collect(),
+        steps: plan.iter().map(|step| search::text(step)).collect(),
     })
+}
+
+fn owned(names: &[&str]) -> Vec<String> {
+    names.iter().map(|&name| name.to_owned()).collect()
 }
 
 /// What a goal literal speaks of.
 struct Target<'a> {
+    domain: &'a Domain,
+    knowledge: &'a KnowledgeBase,
     media: Vec<&'a str>,
     surfaces: Vec<&'a str>,
     tools: Vec<&'a str>,
@@ -188,42 +188,42 @@ impl<'a> Target<'a> {
     /// Looks the literal's arguments up by the types that its predicate takes.
     fn of(
         literal: &'a GoalLiteral,
-        domain: &Domain,
-        knowledge: &KnowledgeBase,
+        domain: &'a Domain,
+        knowledge: &'a KnowledgeBase,
     ) -> Result<Self, GoalError> {
-        let text = literal.to_string();
-        let source = Source {
-            name: GOAL_TEXT_NAME,
-            text: &text,
-        };
-        let atom = Atom {
-            at: 0,
-            predicate: literal.predicate.clone(),
-            arguments: literal.arguments.clone(),
-        };
-        let lookup = Lookup::new(domain);
-        let predicate = domain.predicate_of(source, &atom, &lookup)?;
         let mut target = Self {
+            domain,
+            knowledge,
             media: Vec::new(),
             surfaces: Vec::new(),
             tools: Vec::new(),
             actions: Vec::new(),
         };
-        let types = &domain.predicates[predicate].parameters;
-        for (argument, &type_id) in literal.arguments.iter().zip(types) {
-            let known_as = match domain.type_name(type_id) {
+        let words: Fact<'a> = literal.words.iter().map(String::as_str).collect();
+        let text = literal.to_string();
+        let source = Source {
+            name: GOAL_TEXT_NAME,
+            text: &text,
+        };
+        let parameters = domain.parameters(source, 0, &words)?;
+        for (&argument, parameter) in words[1..].iter().zip(parameters) {
+            let known_as = match parameter.type_name.as_str() {
                 "medium" => knowledge.medium(argument).map(|_| &mut target.media),
                 "surface" => knowledge.surface(argument).map(|_| &mut target.surfaces),
                 "tool" => knowledge.tool(argument).map(|_| &mut target.tools),
                 // Left to the domain, whose constants it may name.
                 _ => continue,
             }?;
-            if !known_as.contains(&argument.as_str()) {
+            if !known_as.contains(&argument) {
                 known_as.push(argument);
             }
         }
-        target.actions = (domain.schemas.iter())
-            .filter(|schema| schema.add.iter().any(|add| add.predicate == predicate))
+        let reaches = |effect: &syntax::Atom| effect.words[0] == words[0];
+        let schemas = domain
+            .schemas
+            .iter()
+            .filter(|schema| schema.add.iter().any(reaches));
+        target.actions = schemas
             .filter_map(|schema| schema.name.parse().ok())
             .collect();
         Ok(target)
@@ -234,107 +234,97 @@ impl<'a> Target<'a> {
     /// # Errors
     ///
     /// If wiping one medium on one surface is the goal, and no tool can do that.
-    fn ranked_tools(
-        &self,
-        knowledge: &'a KnowledgeBase,
-        at_hand: &[&'a str],
-    ) -> Result<Vec<&'a str>, GoalError> {
+    fn ranked_tools(&self, at_hand: &[&'a str]) -> Result<Vec<&'a str>, GoalError> {
         let mut tools: Vec<&str> = Vec::new();
-        if let (&[medium], &[surface], [action, ..]) =
+        if let (&[medium], &[surface], &[action, ..]) =
             (&self.media[..], &self.surfaces[..], &self.actions[..])
         {
             let mut capable: Vec<RankedTool<'_>> = Vec::new();
             for &action in &self.actions {
-                capable.extend(knowledge.tools_for(medium, surface, action)?);
+                capable.extend(self.knowledge.tools_for(medium, surface, action)?);
             }
             // A stable sort: tools that are alike stay in the order of their names.
             capable.sort_by(|a, b| b.probability.total_cmp(&a.probability));
             let capable: Vec<&str> = capable.iter().map(|tool| tool.tool.name.as_str()).collect();
+            let (medium, surface) = (medium.to_owned(), surface.to_owned());
             if capable.is_empty() {
                 return Err(GoalError::NoCapableTool {
-                    action: *action,
-                    medium: medium.to_owned(),
-                    surface: surface.to_owned(),
-                    known: known_actions(knowledge, medium, surface)?,
+                    known: known_actions(self.knowledge, &medium, &surface)?,
+                    action,
+                    medium,
+                    surface,
                 });
             }
             tools.extend(capable.iter().filter(|tool| at_hand.contains(tool)));
             if tools.is_empty() {
                 return Err(GoalError::CapableToolMissing {
-                    action: *action,
-                    medium: medium.to_owned(),
-                    surface: surface.to_owned(),
-                    available: at_hand.iter().map(|&tool| tool.to_owned()).collect(),
-                    capable: capable.iter().map(|&tool| tool.to_owned()).collect(),
+                    action,
+                    medium,
+                    surface,
+                    available: owned(at_hand),
+                    capable: owned(&capable),
                 });
             }
         }
         tools.extend(at_hand);
-        let mut seen = std::collections::HashSet::new();
+        let mut seen = HashSet::new();
         tools.retain(|tool| seen.insert(*tool));
         Ok(tools)
     }
 
-    /// Writes the goal with all that is known as a PDDL problem.
-    fn problem_text(
+    /// The goal with all that is known.
+    fn problem(
         &self,
-        literal: &GoalLiteral,
-        domain: &Domain,
-        knowledge: &KnowledgeBase,
-        tool_in_hand: Option<&str>,
-        tools: &[&str],
-    ) -> Result<String, GoalError> {
-        let declared = |name: &str| domain.predicates.iter().any(|p| p.name == name);
-        let mut objects = String::new();
+        literal: &'a GoalLiteral,
+        tool_in_hand: Option<&'a str>,
+        tools: &[&'a str],
+    ) -> Result<Problem<'a>, GoalError> {
+        let constants = self.domain.constants.iter().map(syntax::Typed::as_pair);
+        let mut objects: Vec<(&str, &str)> = constants.collect();
         for (names, type_name) in [
             (tools, "tool"),
             (&self.media, "medium"),
             (&self.surfaces, "surface"),
         ] {
             // What the domain knows as a constant is an object already.
-            for name in
-                (names.iter()).filter(|name| !domain.constants.iter().any(|c| c.name == **name))
-            {
-                writeln!(objects, "    {name} - {type_name}").expect(STRING);
-            }
+            let is_new = |name: &&&str| self.domain.constants.iter().all(|c| c.name != **name);
+            objects.extend(names.iter().filter(is_new).map(|&name| (name, type_name)));
         }
-        let mut facts = String::new();
-        match tool_in_hand {
-            Some(tool) if declared("holding") => {
-                writeln!(facts, "    (holding {tool})").expect(STRING);
-            }
-            None if declared("hand-empty") => facts += "    (hand-empty)\n",
-            _ => {}
-        }
-        for medium in &self.media {
-            for surface in &self.surfaces {
-                if declared("on") {
-                    writeln!(facts, "    (on {medium} {surface})").expect(STRING);
-                }
+        let mut facts: Vec<(String, Fact<'a>)> = match tool_in_hand {
+            Some(tool) => vec![("holding".to_owned(), vec![tool])],
+            None => vec![("hand-empty".to_owned(), vec![])],
+        };
+        for &medium in &self.media {
+            for &surface in &self.surfaces {
+                facts.push(("on".to_owned(), vec![medium, surface]));
                 for action in Action::ALL {
-                    if !declared(&format!("can-{action}")) {
-                        continue;
-                    }
-                    for capable in knowledge.tools_for(medium, surface, action)? {
-                        let tool = capable.tool.name.as_str();
-                        if tools.contains(&tool) {
-                            writeln!(facts, "    (can-{action} {tool} {medium} {surface})")
-                                .expect(STRING);
-                        }
+                    let known = self.knowledge.tools_for(medium, surface, action)?;
+                    let capable = known.iter().map(|capable| capable.tool.name.as_str());
+                    for tool in capable.filter(|tool| tools.contains(tool)) {
+                        facts.push((format!("can-{action}"), vec![tool, medium, surface]));
                     }
                 }
             }
         }
-        Ok(format!(
-            "(define (problem derived)\n  (:domain {})\n  (:objects\n{objects})\n  \
-             (:init\n{facts})\n  (:goal {literal}))\n",
-            domain.name()
-        ))
+        // What the domain has no word for does not matter to it.
+        let declared = facts.into_iter().filter_map(|(name, arguments)| {
+            let predicate = self.domain.predicates.iter().find(|p| p.name == name)?;
+            Some(
+                std::iter::once(predicate.name.as_str())
+                    .chain(arguments)
+                    .collect(),
+            )
+        });
+        let problem = Problem {
+            domain: self.domain,
+            objects,
+            init: declared.collect(),
+            goal: vec![literal.words.iter().map(String::as_str).collect()],
+        };
+        problem.check()?;
+        Ok(problem)
     }
 }
-
-/// Why writing to a `String` is no error.
-const STRING: &str = "a String takes whatever is written";
 
 /// What is known for a medium on a surface, such as "skim with window_wiper".
 fn known_actions(
@@ -359,7 +349,7 @@ fn wiping_goals(domain: &Domain) -> Vec<String> {
     let mut goals: Vec<String> = (domain.schemas.iter())
         .filter(|schema| schema.name.parse::<Action>().is_ok())
         .flat_map(|schema| &schema.add)
-        .map(|add| domain.predicates[add.predicate].name.clone())
+        .map(|add| add.words[0].clone())
         .collect();
     goals.sort();
     goals.dedup();
@@ -367,18 +357,17 @@ fn wiping_goals(domain: &Domain) -> Vec<String> {
 }
 
 /// Action, tool, medium and surface of a step, if it wipes.
-fn wiping_step(step: &Step, domain: &Domain) -> Option<(Action, [String; 3])> {
-    let action = step.action.parse().ok()?;
-    let schema = domain.schemas.iter().find(|s| s.name == step.action)?;
+fn wiping_step(step: &Fact<'_>, domain: &Domain) -> Option<(Action, [String; 3])> {
+    let action = step[0].parse().ok()?;
+    let schema = domain
+        .schemas
+        .iter()
+        .find(|schema| schema.name == step[0])?;
     let argument_of = |type_name: &str| {
-        let parameter = (schema.parameters.iter())
-            .position(|parameter| domain.type_name(parameter.type_id) == type_name)?;
-        step.arguments.get(parameter).cloned()
+        let mut parameters = schema.parameters.iter();
+        let parameter = parameters.position(|parameter| parameter.type_name == type_name)?;
+        step.get(1 + parameter).map(|&name| name.to_owned())
     };
-    let arguments = [
-        argument_of("tool")?,
-        argument_of("medium")?,
-        argument_of("surface")?,
-    ];
-    Some((action, arguments))
+    let [tool, medium, surface] = ["tool", "medium", "surface"].map(argument_of);
+    Some((action, [tool?, medium?, surface?]))
 }

@@ -18,8 +18,8 @@ use super::form::{Form, Source, is_name};
 /// has it in it, names being in small letters.
 const MARK: char = 'X';
 
-/// Words that begin something other than an atom.
-const CONSTRUCTS: [&str; 20] = [
+/// Words that begin something other than an atom, beyond `and` and `not`.
+pub(super) const CONSTRUCTS: [&str; 20] = [
     "or",
     "imply",
     "exists",
@@ -42,11 +42,6 @@ const CONSTRUCTS: [&str; 20] = [
     "/",
 ];
 
-/// Whether a word begins something other than an atom, beyond `and` and `not`.
-pub(super) fn is_construct(word: &str) -> bool {
-    CONSTRUCTS.contains(&word)
-}
-
 /// A name with its type.
 #[derive(Debug, Clone)]
 pub(super) struct Typed {
@@ -56,12 +51,25 @@ pub(super) struct Typed {
     pub(super) type_at: usize,
 }
 
-/// A predicate with arguments, names or `?variables`.
+impl Typed {
+    /// Name and type.
+    pub(super) fn as_pair(&self) -> (&str, &str) {
+        (&self.name, &self.type_name)
+    }
+}
+
+/// A predicate with its arguments, names or `?variables`.
 #[derive(Debug, Clone)]
 pub(super) struct Atom {
     pub(super) at: usize,
-    pub(super) predicate: String,
-    pub(super) arguments: Vec<String>,
+    /// The predicate first.
+    pub(super) words: Vec<String>,
+}
+
+impl Atom {
+    pub(super) fn fact(&self) -> Vec<&str> {
+        self.words.iter().map(String::as_str).collect()
+    }
 }
 
 /// What a typed list gives types to.
@@ -119,36 +127,42 @@ pub(super) fn typed_list(
             return Err(source.expected_at(at, expected, "a list without"));
         }
     };
-    Ok(names
-        .iter()
-        .enumerate()
-        .zip(parameters)
-        .map(|((i, form), parameter)| Typed {
-            name: form.word().unwrap_or_default().to_owned(),
-            at: form.at,
-            type_name: match parameter.type_ {
-                Type::Simple(name) => name.replacen(MARK, "", 1),
-                Type::Either(names) => names.concat(),
-            },
-            type_at: types.get(i).map_or(form.at, |form| form.at),
-        })
-        .collect())
+    let typed = names.iter().enumerate().zip(parameters);
+    let typed = typed.map(|((i, form), parameter)| Typed {
+        name: form.word().unwrap_or_default().to_owned(),
+        at: form.at,
+        type_name: match parameter.type_ {
+            Type::Simple(name) => name.replacen(MARK, "", 1),
+            Type::Either(names) => names.concat(),
+        },
+        type_at: types.get(i).map_or(form.at, |form| form.at),
+    });
+    Ok(typed.collect())
 }
 
 fn variable(word: &str) -> Option<&str> {
     word.strip_prefix('?').filter(|name| is_name(name))
 }
 
-/// Reads `(predicate argument ...)`.
-pub(super) fn atom(source: Source<'_>, form: &Form) -> Result<Atom, GoalError> {
+/// The predicate that an atom begins with, and what follows.
+pub(super) fn predicate<'f>(
+    source: Source<'_>,
+    form: &'f Form,
+) -> Result<(&'f str, &'f [Form]), GoalError> {
     const EXPECTED: &str = "an atom `(predicate argument ...)`";
-    let (head, arguments) = form.head().ok_or_else(|| source.expected(EXPECTED, form))?;
-    if is_construct(head) {
+    let (head, rest) = form.head().ok_or_else(|| source.expected(EXPECTED, form))?;
+    if CONSTRUCTS.contains(&head) {
         return Err(source.not_supported(form.at, &format!("`{head}`")));
     }
     if !is_name(head) || ["and", "not", "either"].contains(&head) {
         return Err(source.expected(EXPECTED, form));
     }
+    Ok((head, rest))
+}
+
+/// Reads `(predicate argument ...)`.
+pub(super) fn atom(source: Source<'_>, form: &Form) -> Result<Atom, GoalError> {
+    let (head, arguments) = predicate(source, form)?;
     let mut text = format!("({MARK}{head}");
     for argument in arguments {
         let word = argument.word().unwrap_or_default();
@@ -160,56 +174,42 @@ pub(super) fn atom(source: Source<'_>, form: &Form) -> Result<Atom, GoalError> {
     }
     text.push(')');
     match Expression::parse_expression(TokenStream::new(&text)) {
-        Ok((rest, Expression::Atom { name, parameters })) if rest.is_empty() => Ok(Atom {
-            at: form.at,
-            predicate: name.replacen(MARK, "", 1),
-            arguments: parameters
-                .iter()
-                .map(|parameter| parameter.to_string().replacen(MARK, "", 1))
-                .collect(),
-        }),
-        _ => Err(source.expected(EXPECTED, form)),
+        Ok((rest, Expression::Atom { name, parameters })) if rest.is_empty() => {
+            let arguments = parameters.iter().map(ToString::to_string);
+            let words = std::iter::once(name).chain(arguments);
+            Ok(Atom {
+                at: form.at,
+                words: words.map(|word| word.replacen(MARK, "", 1)).collect(),
+            })
+        }
+        _ => Err(source.expected("an atom", form)),
     }
 }
 
-/// An atom that is to be true or false.
-#[derive(Debug, Clone)]
-pub(super) enum Literal {
-    Holds(Atom),
-    HoldsNot(Atom),
-}
-
-/// Reads an atom, `(not atom)`, or an `(and ...)` of these; `()` is nothing.
-pub(super) fn literals(source: Source<'_>, form: &Form) -> Result<Vec<Literal>, GoalError> {
-    if form.list().is_some_and(<[Form]>::is_empty) {
-        return Ok(Vec::new());
-    }
+/// Reads an atom, `(not atom)`, or an `(and ...)` of these; `()` is nothing. Each comes with whether
+/// it is to be true.
+pub(super) fn literals(source: Source<'_>, form: &Form) -> Result<Vec<(bool, Atom)>, GoalError> {
     match form.head() {
+        None if form.list().is_some_and(<[Form]>::is_empty) => Ok(Vec::new()),
         Some(("and", forms)) => {
-            let parts: Vec<_> = forms
-                .iter()
-                .map(|form| literals(source, form))
-                .collect::<Result<_, _>>()?;
-            Ok(parts.concat())
+            let parts = forms.iter().map(|form| literals(source, form));
+            Ok(parts.collect::<Result<Vec<_>, _>>()?.concat())
         }
         Some(("not", [form])) if form.head().is_some_and(|(head, _)| head == "not") => {
             Err(source.not_supported(form.at, "`(not (not ...))`"))
         }
-        Some(("not", [form])) => Ok(vec![Literal::HoldsNot(atom(source, form)?)]),
+        Some(("not", [form])) => Ok(vec![(false, atom(source, form)?)]),
         Some(("not", _)) => Err(source.expected("`(not atom)`", form)),
-        _ => Ok(vec![Literal::Holds(atom(source, form)?)]),
+        _ => Ok(vec![(true, atom(source, form)?)]),
     }
 }
 
 /// The same where nothing may be negated.
 pub(super) fn atoms(source: Source<'_>, form: &Form, role: &str) -> Result<Vec<Atom>, GoalError> {
-    literals(source, form)?
-        .into_iter()
-        .map(|literal| match literal {
-            Literal::Holds(atom) => Ok(atom),
-            Literal::HoldsNot(atom) => {
-                Err(source.not_supported(atom.at, &format!("`not` in {role}")))
-            }
-        })
-        .collect()
+    let literals = literals(source, form)?.into_iter();
+    let atoms = literals.map(|(holds, atom)| {
+        let refused = || source.not_supported(atom.at, &format!("`not` in {role}"));
+        if holds { Ok(atom) } else { Err(refused()) }
+    });
+    atoms.collect()
 }

@@ -1,88 +1,18 @@
-//! What can be wrong with a goal, a domain or a problem.
+//! Why a goal cannot be read, or leads to no action.
 
-use crate::represent::{Action, KnowledgeError, Place, UnknownName};
+use crate::represent::{Action, KnowledgeError, Place};
 
 /// Why a goal could not be read or leads to no plan.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GoalError {
-    /// The text is not PDDL of the kind that is read here.
-    #[error("{at}: expected {expected}, found {found}")]
-    Syntax {
+    /// A text that is not PDDL of the kind that is read here, or does not hold together.
+    #[error("{at}: {fault}")]
+    Text {
         /// Where.
         at: Place,
-        /// What should have stood there.
-        expected: String,
-        /// What stands there.
-        found: String,
-    },
-    /// A construct of PDDL beyond typed STRIPS.
-    #[error("{at}: {construct} is not supported; typed STRIPS with positive preconditions is")]
-    NotSupported {
-        /// Where.
-        at: Place,
-        /// The construct, as it is written.
-        construct: String,
-    },
-    /// A name that nothing known bears.
-    #[error("{at}: {unknown}")]
-    Unknown {
-        /// Where.
-        at: Place,
-        /// The name and those near it.
-        unknown: Box<UnknownName>,
-    },
-    /// A predicate with too many or too few arguments.
-    #[error("{at}: predicate {predicate} takes {expected} arguments, found {found}")]
-    Arity {
-        /// Where.
-        at: Place,
-        /// The predicate.
-        predicate: String,
-        /// How many arguments it takes.
-        expected: usize,
-        /// How many there are.
-        found: usize,
-    },
-    /// An argument of a type that the predicate does not take.
-    #[error("{at}: {argument} is of type {found}, which is no {expected}")]
-    TypeMismatch {
-        /// Where.
-        at: Place,
-        /// The argument.
-        argument: String,
-        /// Its type.
-        found: String,
-        /// The type that the predicate takes.
-        expected: String,
-    },
-    /// A type that is its own ancestor.
-    #[error("{at}: type {name} is its own ancestor")]
-    CyclicType {
-        /// Where.
-        at: Place,
-        /// The type.
-        name: String,
-    },
-    /// A name given twice.
-    #[error("{at}: {what} is already defined at {first}")]
-    Duplicate {
-        /// The later of the two.
-        at: Place,
-        /// The earlier of the two.
-        first: Place,
-        /// What they define.
-        what: String,
-    },
-    /// A problem that was written for another domain.
-    #[error("{at}: the problem is one of domain {found:?}, not of {expected:?}")]
-    OtherDomain {
-        /// Where.
-        at: Place,
-        /// The domain that the problem names.
-        found: String,
-        /// The domain that was given.
-        expected: String,
+        /// What was expected, is not supported, is unknown, or fits nothing else.
+        fault: String,
     },
     /// More than this planner takes on.
     #[error("{text}: {what}: {value} exceeds the limit of {limit}")]
@@ -90,7 +20,7 @@ pub enum GoalError {
         /// The name of the text.
         text: String,
         /// What there is too much of.
-        what: &'static str,
+        what: String,
         /// How much there is, or how much there was when counting stopped.
         value: usize,
         /// How much there may be.

@@ -1,4 +1,4 @@
-//! What a plan is worth, by its predicted effect.
+//! The objective by which plans for the same dirt are compared: their predicted effect.
 
 use super::{Plan, predict};
 use crate::geometry::Edge;
@@ -9,26 +9,26 @@ use crate::represent::{
 /// How many particles that might still be brought to the goal one is worth that never will: whatever is
 /// left on the surface can be wiped again.
 const LOSS: i64 = 3;
-/// How many particles at the goal one takes back that comes right to an edge; within the brink in proportion.
-/// Chosen on `failure-human-push`, seeds 101 to 130: with 1, and where all within the brink counts in full, dirt
+/// How many particles at the goal one takes back that comes right to an edge; within the margin in proportion.
+/// Chosen on `failure-human-push`, seeds 101 to 130: with 1, and where all within the margin counts in full, dirt
 /// is left elsewhere and fewer of them end well.
 const RISK: f64 = 0.5;
 
-/// What doing nothing is worth: the particles where they belong, less several for each that nothing brings
-/// back.
-pub(super) fn worth_of_rest(task: &Task, goal: &GoalState) -> i64 {
+/// The objective of doing nothing [particles]: those where they belong, less several for each that nothing
+/// brings back.
+pub(super) fn objective_at_rest(task: &Task, goal: &GoalState) -> i64 {
     counted(&Performance::of(&task.particles, goal, &task.surface))
 }
 
-/// What a plan is worth: the particles that it is predicted to leave where they belong, less several for each
-/// that leaves the surface over a wrong edge, and less for those that are pushed so near to one that some of
-/// the heap would fall.
-pub(super) fn worth(task: &Task, plan: &Plan) -> i64 {
-    let mut brink = Brink::new(task, plan);
+/// The objective of a plan [particles]: those that it is predicted to leave where they belong, less several
+/// for each that leaves the surface over a wrong edge, and less for those that are pushed so near to one that
+/// some of the heap would fall.
+pub(super) fn objective(task: &Task, plan: &Plan) -> i64 {
+    let mut margin = EdgeMargin::new(task, plan);
     let prediction = predict(task, plan, |progress| {
-        brink.pass(progress.field.distribution());
+        margin.pass(progress.field.distribution());
     });
-    counted(&prediction.performance) - (RISK * brink.nearness()).round() as i64
+    counted(&prediction.performance) - (RISK * margin.nearness()).round() as i64
 }
 
 const fn counted(performance: &Performance) -> i64 {
@@ -36,16 +36,16 @@ const fn counted(performance: &Performance) -> i64 {
 }
 
 /// The strip along the edges over which nothing is to fall, as wide as a heap needs.
-struct Brink {
+struct EdgeMargin {
     edges: Vec<Edge>,
     /// Depth of a heap of all particles [m].
     heap: f64,
     before: ParticleDistribution,
-    /// How near to an edge each particle came in the worst case, over the width of the brink [1].
+    /// How near to an edge each particle came in the worst case, over the width of the margin [1].
     nearness: Vec<f64>,
 }
 
-impl Brink {
+impl EdgeMargin {
     fn new(task: &Task, plan: &Plan) -> Self {
         let surface = &task.surface;
         let is_allowed =
@@ -167,27 +167,27 @@ mod tests {
     }
 
     #[test]
-    fn a_heap_on_the_brink_is_worth_less_the_nearer_it_is_and_a_single_crumb_its_all() {
+    fn a_heap_within_the_margin_counts_less_the_nearer_it_is_and_a_single_crumb_in_full() {
         let goal = GoalState::Collected {
             center: Point2::new(0.0, -0.1),
             radius: 0.05,
         };
         let near = towards_the_edge(-0.09, goal);
         let heap = task(&[Point2::new(0.0, -0.06); 50]);
-        assert_eq!(worth_of_rest(&heap, &goal), 50);
+        assert_eq!(objective_at_rest(&heap, &goal), 50);
         // The leading edge is 35 mm ahead, and a heap of all needs 22.8 mm.
         let ends = [-0.08, -0.09, -0.1, -0.104];
-        let worths = ends.map(|end| worth(&heap, &towards_the_edge(end, goal)));
-        assert_eq!(worths, [50, 41, 30, 26]);
+        let objectives = ends.map(|end| objective(&heap, &towards_the_edge(end, goal)));
+        assert_eq!(objectives, [50, 41, 30, 26]);
         // Over the edge.
-        assert_eq!(worth(&heap, &towards_the_edge(-0.12, goal)), -3 * 50);
+        assert_eq!(objective(&heap, &towards_the_edge(-0.12, goal)), -3 * 50);
         let mut crumbs = vec![Point2::new(0.19, 0.13); 49];
         crumbs.push(Point2::new(0.0, -0.06));
-        assert_eq!(worth(&task(&crumbs), &near), 1);
+        assert_eq!(objective(&task(&crumbs), &near), 1);
         // Over this edge the heap is to go.
         let skimmed = towards_the_edge(-0.1, GoalState::Skimmed);
-        assert_eq!(worth(&heap, &skimmed), 0);
+        assert_eq!(objective(&heap, &skimmed), 0);
         let skimmed = towards_the_edge(-0.12, GoalState::Skimmed);
-        assert_eq!(worth(&heap, &skimmed), 50);
+        assert_eq!(objective(&heap, &skimmed), 50);
     }
 }

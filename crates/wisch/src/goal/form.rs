@@ -27,18 +27,12 @@ impl Source<'_> {
     }
 
     pub(super) fn expected_at(self, at: usize, expected: &str, found: &str) -> GoalError {
-        GoalError::Syntax {
-            at: self.place(at),
-            expected: expected.to_owned(),
-            found: found.to_owned(),
-        }
+        self.fault(at, format!("expected {expected}, found {found}"))
     }
 
     pub(super) fn not_supported(self, at: usize, construct: &str) -> GoalError {
-        GoalError::NotSupported {
-            at: self.place(at),
-            construct: construct.to_owned(),
-        }
+        let what = "is not supported; typed STRIPS with positive preconditions is";
+        self.fault(at, format!("{construct} {what}"))
     }
 
     pub(super) fn unknown<'n>(
@@ -48,15 +42,19 @@ impl Source<'_> {
         name: &str,
         known: impl IntoIterator<Item = &'n str>,
     ) -> GoalError {
-        GoalError::Unknown {
+        self.fault(at, UnknownName::new(kind, name, known).to_string())
+    }
+
+    pub(super) fn fault(self, at: usize, fault: String) -> GoalError {
+        GoalError::Text {
             at: self.place(at),
-            unknown: Box::new(UnknownName::new(kind, name, known)),
+            fault,
         }
     }
 
     pub(super) fn check_size(
         self,
-        what: &'static str,
+        what: &str,
         value: usize,
         limit: usize,
     ) -> Result<(), GoalError> {
@@ -65,7 +63,7 @@ impl Source<'_> {
         }
         Err(GoalError::TooLarge {
             text: self.name.to_owned(),
-            what,
+            what: what.to_owned(),
             value,
             limit,
         })

@@ -1,0 +1,48 @@
+//! Why a task cannot be planned.
+
+use super::TourError;
+
+/// Why no plan could be made.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PlanError {
+    /// No node fits on the surface.
+    #[error(
+        "surface \"{surface}\": no place is free for a tool that needs {diameter:.3} m of clearance"
+    )]
+    NoFreeNode {
+        /// Name of the surface.
+        surface: String,
+        /// d_s [m].
+        diameter: f64,
+    },
+    /// The goal node given by the user cannot be taken.
+    #[error(
+        "goal node ({x:.3}, {y:.3}) m on surface \"{surface}\": {distance:.3} m from the nearest obstacle or off the surface, the tool needs {radius:.3} m"
+    )]
+    GoalNotFree {
+        /// Name of the surface.
+        surface: String,
+        /// Its x [m].
+        x: f64,
+        /// Its y [m].
+        y: f64,
+        /// Distance to the scene [m].
+        distance: f64,
+        /// r_s [m].
+        radius: f64,
+    },
+    /// A skim has no edge to push over.
+    #[error(
+        "surface \"{surface}\": a skim needs at least one edge in skim_edges with free space beyond it"
+    )]
+    NoSkimEdge {
+        /// Name of the surface.
+        surface: String,
+    },
+    /// The scene's geometry cannot be used.
+    #[error("scene: {0}")]
+    Scene(String),
+    /// The tour could not be solved.
+    #[error(transparent)]
+    Tour(#[from] TourError),
+}
