@@ -75,7 +75,7 @@ impl Domain {
     /// let text = "(define (domain lamp) (:predicates (lit)) (:action switch :effect (lit)))";
     /// assert_eq!(Domain::parse("lamp.pddl", text)?.name(), "lamp");
     /// let error = Domain::parse("lamp.pddl", &text.replace("(lit)))", "(lot)))")).unwrap_err();
-    /// assert_eq!(error.to_string(), r#"lamp.pddl:1:66: unknown predicate "lot"; nearest: lit"#);
+    /// assert_eq!(error.to_string(), r#"lamp.pddl:1:67: unknown predicate "lot"; nearest: lit"#);
     /// # Ok::<(), wisch::goal::GoalError>(())
     /// ```
     pub fn parse(name: &str, text: &str) -> Result<Self, GoalError> {
