@@ -4,8 +4,8 @@ use crate::board::{self, board, cell};
 use crate::humanoid::{planned, shipped};
 use crate::problems::robots;
 use wisch::follow::{
-    FollowConfig, FollowError, Followed, GRIP_TOLERANCE, LEAN_TOLERANCE, MotionFault, Phase, Touch,
-    Workcell, WorkcellConfig, audit, follow,
+    AllowedContact, FollowConfig, FollowError, Followed, GRIP_TOLERANCE, LEAN_TOLERANCE,
+    MotionFault, Phase, Workcell, WorkcellConfig, audit, follow,
 };
 use wisch::geometry::{Point3, Vector3};
 use wisch::represent::{Action, Task, TaskFile};
