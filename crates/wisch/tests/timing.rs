@@ -2,8 +2,8 @@
 
 use proptest::prelude::*;
 use wisch::follow::{
-    CheckConfig, JointLimit, JointLimits, JointPath, SAMPLE_PERIOD, TimingConfig, TimingError,
-    Trajectory, TrajectoryFault, TrajectorySample, time_path, trajectory_faults,
+    CheckConfig, JointLimit, JointLimits, JointPath, Rate, SAMPLE_PERIOD, TimingConfig,
+    TimingError, Trajectory, TrajectoryFault, TrajectorySample, time_path, trajectory_faults,
 };
 
 fn limits(joints: &[(f64, f64)]) -> JointLimits {
@@ -369,7 +369,8 @@ fn every_planted_fault_is_found() {
             |f| {
                 matches!(
                     f,
-                    TrajectoryFault::Velocity {
+                    TrajectoryFault::TooFast {
+                        rate: Rate::Velocity,
                         sample: 200,
                         joint: 0,
                         ..
@@ -383,7 +384,8 @@ fn every_planted_fault_is_found() {
             |f| {
                 matches!(
                     f,
-                    TrajectoryFault::Acceleration {
+                    TrajectoryFault::TooFast {
+                        rate: Rate::Acceleration,
                         sample: 200,
                         joint: 1,
                         ..
@@ -395,7 +397,16 @@ fn every_planted_fault_is_found() {
         (
             "position jumps",
             |s| s[200].q[0] += 1e-4,
-            |f| matches!(f, TrajectoryFault::PositionStep { sample: 199, .. }),
+            |f| {
+                matches!(
+                    f,
+                    TrajectoryFault::TooFast {
+                        rate: Rate::PositionStep,
+                        sample: 199,
+                        ..
+                    }
+                )
+            },
         ),
         (
             "all later positions jump",
@@ -404,14 +415,27 @@ fn every_planted_fault_is_found() {
                 matches!(
                     f,
                     TrajectoryFault::VelocityMismatch { joint: 1, .. }
-                        | TrajectoryFault::PositionBend { joint: 1, .. }
+                        | TrajectoryFault::TooFast {
+                            rate: Rate::PositionBend,
+                            joint: 1,
+                            ..
+                        }
                 )
             },
         ),
         (
             "positions bend",
             |s| s[200].q[0] -= 1e-5,
-            |f| matches!(f, TrajectoryFault::PositionBend { sample: 200, .. }),
+            |f| {
+                matches!(
+                    f,
+                    TrajectoryFault::TooFast {
+                        rate: Rate::PositionBend,
+                        sample: 200,
+                        ..
+                    }
+                )
+            },
         ),
         (
             "velocity jumps",
@@ -419,7 +443,8 @@ fn every_planted_fault_is_found() {
             |f| {
                 matches!(
                     f,
-                    TrajectoryFault::VelocityStep {
+                    TrajectoryFault::TooFast {
+                        rate: Rate::VelocityStep,
                         sample: 199,
                         joint: 0,
                         ..
@@ -460,7 +485,16 @@ fn every_planted_fault_is_found() {
         (
             "segment too fast",
             |s| s.iter_mut().for_each(|s| s.qd[1] *= 1.01),
-            |f| matches!(f, TrajectoryFault::SegmentTooFast { joint: 1, .. }),
+            |f| {
+                matches!(
+                    f,
+                    TrajectoryFault::TooFast {
+                        rate: Rate::SegmentVelocity,
+                        joint: 1,
+                        ..
+                    }
+                )
+            },
         ),
     ];
     let (samples, path, limits) = sound();

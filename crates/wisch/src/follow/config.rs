@@ -71,59 +71,44 @@ impl FollowConfig {
     /// # Errors
     /// The first field that does not.
     pub(super) fn checked(&self) -> Result<(), FollowError> {
+        let steps = "0.0001 to 1 m";
+        let speeds = "0.001 to 10 m/s";
+        let placements = self.placements as f64;
+        let starts = self.start_configurations as f64;
         let fields = [
-            ("step", self.step, 1e-4, 1.0, "0.0001 to 1 m"),
-            ("turn", self.turn, 1e-3, 1.0, "0.001 to 1 rad"),
+            ("step", self.step, [1e-4, 1.0], steps),
+            ("turn", self.turn, [1e-3, 1.0], "0.001 to 1 rad"),
             (
                 "orientation_increment",
                 self.orientation_increment,
-                1e-2,
-                PI,
+                [1e-2, PI],
                 "0.01 to pi rad",
             ),
-            ("margin", self.margin, 1e-4, 1.0, "0.0001 to 1 m"),
+            ("margin", self.margin, [1e-4, 1.0], steps),
             (
                 "max_joint_step",
                 self.max_joint_step,
-                1e-3,
-                PI,
+                [1e-3, PI],
                 "0.001 to pi rad",
             ),
             (
                 "line_tolerance",
                 self.line_tolerance,
-                1e-5,
-                0.1,
+                [1e-5, 0.1],
                 "0.00001 to 0.1 m",
             ),
             (
                 "turn_tolerance",
                 self.turn_tolerance,
-                1e-4,
-                1.0,
+                [1e-4, 1.0],
                 "0.0001 to 1 rad",
             ),
-            (
-                "contact_speed",
-                self.contact_speed,
-                1e-3,
-                10.0,
-                "0.001 to 10 m/s",
-            ),
-            (
-                "approach_speed",
-                self.approach_speed,
-                1e-3,
-                10.0,
-                "0.001 to 10 m/s",
-            ),
+            ("contact_speed", self.contact_speed, [1e-3, 10.0], speeds),
+            ("approach_speed", self.approach_speed, [1e-3, 10.0], speeds),
+            ("start_configurations", starts, [1.0, 1e4], "1 to 10000"),
+            ("placements", placements, [1.0, 1e4], "1 to 10000"),
         ];
-        let count = |name, count: usize| (name, count as f64, 1.0, 1e4, "1 to 10000");
-        let counts = [
-            count("start_configurations", self.start_configurations),
-            count("placements", self.placements),
-        ];
-        for (name, value, least, most, expected) in fields.into_iter().chain(counts) {
+        for (name, value, [least, most], expected) in fields {
             if !(value >= least && value <= most) {
                 return Err(FollowError::Config {
                     name,

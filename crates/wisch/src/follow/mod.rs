@@ -16,7 +16,9 @@ mod schedule;
 mod timing;
 mod workcell;
 
-pub use audit::{Audit, CheckConfig, End, MotionFault, TrajectoryFault, audit, trajectory_faults};
+pub use audit::{
+    Audit, CheckConfig, End, MotionFault, Rate, TrajectoryFault, audit, trajectory_faults,
+};
 pub use config::{FollowConfig, SearchScope};
 pub use error::FollowError;
 pub use follower::follow;

@@ -9,7 +9,7 @@ mod kinematics;
 mod line;
 mod trajectory;
 
-pub use trajectory::{CheckConfig, End, TrajectoryFault, trajectory_faults};
+pub use trajectory::{CheckConfig, End, Rate, TrajectoryFault, trajectory_faults};
 
 use crate::follow::{
     AllowedContact, FollowConfig, FollowError, Followed, GRIP_TOLERANCE, GripDeviation, JointLimit,

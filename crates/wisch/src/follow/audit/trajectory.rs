@@ -83,68 +83,16 @@ pub enum TrajectoryFault {
         /// The range's upper end.
         upper: f64,
     },
-    /// A reported velocity exceeds the limit.
-    #[error("sample {sample}, joint {joint}: velocity {value} exceeds {limit}")]
-    Velocity {
-        /// The sample.
+    /// A joint is faster than its limit.
+    #[error("{}", rate.told(*sample, *joint, *value, *limit))]
+    TooFast {
+        /// In what way.
+        rate: Rate,
+        /// The sample; the earlier or the middle one of several.
         sample: usize,
         /// The joint.
         joint: usize,
-        /// Its velocity.
-        value: f64,
-        /// The limit.
-        limit: f64,
-    },
-    /// A reported acceleration exceeds the limit.
-    #[error("sample {sample}, joint {joint}: acceleration {value} exceeds {limit}")]
-    Acceleration {
-        /// The sample.
-        sample: usize,
-        /// The joint.
-        joint: usize,
-        /// Its acceleration.
-        value: f64,
-        /// The limit.
-        limit: f64,
-    },
-    /// Positions move faster between two samples than the velocity limit: too fast there, or a jump.
-    #[error(
-        "joint {joint} moves at {value} from sample {sample} to the next; the limit is {limit}"
-    )]
-    PositionStep {
-        /// The earlier sample.
-        sample: usize,
-        /// The joint.
-        joint: usize,
-        /// Its mean velocity.
-        value: f64,
-        /// The limit.
-        limit: f64,
-    },
-    /// Velocities change faster between two samples than the acceleration limit: too fast, or a jump.
-    #[error(
-        "joint {joint} accelerates at {value} from sample {sample} to the next; the limit is {limit}"
-    )]
-    VelocityStep {
-        /// The earlier sample.
-        sample: usize,
-        /// The joint.
-        joint: usize,
-        /// Its mean acceleration.
-        value: f64,
-        /// The limit.
-        limit: f64,
-    },
-    /// Positions of three samples bend more than the acceleration limit.
-    #[error(
-        "joint {joint}: positions around sample {sample} accelerate at {value}; the limit is {limit}"
-    )]
-    PositionBend {
-        /// The middle sample.
-        sample: usize,
-        /// The joint.
-        joint: usize,
-        /// Mean acceleration over the three samples.
+        /// What it does.
         value: f64,
         /// The limit.
         limit: f64,
@@ -203,18 +151,46 @@ pub enum TrajectoryFault {
         /// The deviation allowed.
         bound: f64,
     },
-    /// A joint moves faster than the segments it may be on allow by their shortest times.
-    #[error("sample {sample}, joint {joint}: velocity {value} exceeds {limit}, the segment's")]
-    SegmentTooFast {
-        /// The sample.
-        sample: usize,
-        /// The joint.
-        joint: usize,
-        /// Its velocity.
-        value: f64,
-        /// What the segment allows.
-        limit: f64,
-    },
+}
+
+/// In what way a joint is too fast.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Rate {
+    /// The velocity that a sample reports.
+    Velocity,
+    /// The acceleration that a sample reports.
+    Acceleration,
+    /// Positions from one sample to the next: too fast there, or a jump.
+    PositionStep,
+    /// Velocities from one sample to the next: too fast, or a jump.
+    VelocityStep,
+    /// Mean acceleration by the positions of three samples.
+    PositionBend,
+    /// The velocity against the shortest times of the segments that the sample may be on.
+    SegmentVelocity,
+}
+
+impl Rate {
+    fn told(self, sample: usize, joint: usize, value: f64, limit: f64) -> String {
+        let exceeds = |what: &str, whose: &str| {
+            format!("sample {sample}, joint {joint}: {what} {value} exceeds {limit}{whose}")
+        };
+        let step = |moves: &str| {
+            format!(
+                "joint {joint} {moves} at {value} from sample {sample} to the next; the limit is {limit}"
+            )
+        };
+        match self {
+            Self::Velocity => exceeds("velocity", ""),
+            Self::Acceleration => exceeds("acceleration", ""),
+            Self::PositionStep => step("moves"),
+            Self::VelocityStep => step("accelerates"),
+            Self::PositionBend => format!(
+                "joint {joint}: positions around sample {sample} accelerate at {value}; the limit is {limit}"
+            ),
+            Self::SegmentVelocity => exceeds("velocity", ", the segment's"),
+        }
+    }
 }
 
 /// Everything that is wrong with a motion, in order of the samples; empty if it obeys all limits, starts and
@@ -304,6 +280,24 @@ impl Check<'_> {
         value.abs() > limit * (1.0 + self.config.relative_tolerance) + uncertainty
     }
 
+    /// The fault of a value that exceeds its limit, the two of `values`.
+    fn too_fast(
+        &self,
+        rate: Rate,
+        sample: usize,
+        joint: usize,
+        [value, limit]: [f64; 2],
+        uncertainty: f64,
+    ) -> Option<TrajectoryFault> {
+        (self.exceeds(value, limit, uncertainty)).then_some(TrajectoryFault::TooFast {
+            rate,
+            sample,
+            joint,
+            value,
+            limit,
+        })
+    }
+
     fn limits_at(&self, sample: usize, faults: &mut Vec<TrajectoryFault>) {
         let state = &self.samples[sample];
         for (joint, limit) in self.limits.joints().iter().enumerate() {
@@ -318,22 +312,11 @@ impl Check<'_> {
                     upper: limit.upper,
                 });
             }
-            if self.exceeds(qd, limit.velocity, 0.0) {
-                faults.push(TrajectoryFault::Velocity {
-                    sample,
-                    joint,
-                    value: qd,
-                    limit: limit.velocity,
-                });
-            }
-            if self.exceeds(qdd, limit.acceleration, 0.0) {
-                faults.push(TrajectoryFault::Acceleration {
-                    sample,
-                    joint,
-                    value: qdd,
-                    limit: limit.acceleration,
-                });
-            }
+            let mut add = |rate, value, limit| {
+                faults.extend(self.too_fast(rate, sample, joint, [value, limit], 0.0));
+            };
+            add(Rate::Velocity, qd, limit.velocity);
+            add(Rate::Acceleration, qdd, limit.acceleration);
         }
     }
 
@@ -348,23 +331,22 @@ impl Check<'_> {
             let resolution = 2.0 * self.config.position_resolution * this.q[joint].abs().max(1.0);
             let way = next.q[joint] - this.q[joint];
             let velocity = way / step;
-            if self.exceeds(velocity, limit.velocity, resolution / step) {
-                faults.push(TrajectoryFault::PositionStep {
-                    sample,
-                    joint,
-                    value: velocity,
-                    limit: limit.velocity,
-                });
-            }
-            let acceleration = (next.qd[joint] - this.qd[joint]) / step;
-            if self.exceeds(acceleration, limit.acceleration, resolution / step) {
-                faults.push(TrajectoryFault::VelocityStep {
-                    sample,
-                    joint,
-                    value: acceleration,
-                    limit: limit.acceleration,
-                });
-            }
+            let values = [velocity, limit.velocity];
+            faults.extend(self.too_fast(
+                Rate::PositionStep,
+                sample,
+                joint,
+                values,
+                resolution / step,
+            ));
+            let values = [(next.qd[joint] - this.qd[joint]) / step, limit.acceleration];
+            faults.extend(self.too_fast(
+                Rate::VelocityStep,
+                sample,
+                joint,
+                values,
+                resolution / step,
+            ));
             // With accelerations of at most a, the trapezoid rule errs by at most a·step²/4.
             let trapezoid = 0.5 * step * (this.qd[joint] + next.qd[joint]);
             let error = 0.25 * limit.acceleration * step * step;
@@ -382,14 +364,10 @@ impl Check<'_> {
                 let mean_step = 0.5 * (step + second_step);
                 let bend = (second - velocity) / mean_step;
                 let uncertainty = 2.0 * resolution / (mean_step * step.min(second_step));
-                if self.exceeds(bend, limit.acceleration, uncertainty) {
-                    faults.push(TrajectoryFault::PositionBend {
-                        sample: sample + 1,
-                        joint,
-                        value: bend,
-                        limit: limit.acceleration,
-                    });
-                }
+                let values = [bend, limit.acceleration];
+                let fault =
+                    self.too_fast(Rate::PositionBend, sample + 1, joint, values, uncertainty);
+                faults.extend(fault);
             }
         }
     }
@@ -512,14 +490,14 @@ impl Check<'_> {
             }
         }
         for (joint, (&value, &limit)) in self.samples[sample].qd.iter().zip(&allowed).enumerate() {
-            if self.exceeds(value, limit, self.config.relative_tolerance) {
-                faults.push(TrajectoryFault::SegmentTooFast {
-                    sample,
-                    joint,
-                    value,
-                    limit,
-                });
-            }
+            let slack = self.config.relative_tolerance;
+            faults.extend(self.too_fast(
+                Rate::SegmentVelocity,
+                sample,
+                joint,
+                [value, limit],
+                slack,
+            ));
         }
     }
 }
