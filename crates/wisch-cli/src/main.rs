@@ -10,9 +10,7 @@ mod failure;
 mod output;
 mod progress;
 mod records;
-mod report;
 mod robots;
-mod svg;
 mod terminal;
 mod workplace;
 

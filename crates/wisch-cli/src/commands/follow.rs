@@ -6,9 +6,6 @@ use crate::args::{RobotArgs, TaskArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::records::FollowingSummary;
-use crate::report::{
-    Contact, Frames, MotionInput, ParticleFrame, Phase as ShownPhase, Placement, RatedPlace,
-};
 use crate::robots::Robot;
 use std::time::Instant;
 use wisch::follow::{
@@ -19,6 +16,9 @@ use wisch::geometry::{Pose, Vector3};
 use wisch::plan::Plan;
 use wisch::represent::{Fate, RobotDescription, RobotRecord, ScenePart, Task};
 use wisch::robot::CapabilityMap;
+use wisch_report::{
+    Contact, EffectFrames, MotionInput, ParticleFrame, Phase as ShownPhase, Placement, RatedPlace,
+};
 
 /// What `--robot` says to leave the robot out.
 const NO_ROBOT: &str = "none";
@@ -339,7 +339,7 @@ impl Following {
     }
 
     /// What the report shows of it.
-    pub fn shown(&self, frames: &Frames) -> Shown {
+    pub fn shown(&self, frames: &EffectFrames) -> Shown {
         let count = (self.followed.duration() / SHOWN_PERIOD).ceil() as usize;
         let samples = (0..=count)
             .filter_map(|i| {
@@ -386,7 +386,7 @@ impl Following {
 
     /// The particles of a prediction's frames at the times at which the tool has come about that far:
     /// as if it wiped each stroke at one speed.
-    fn particles(&self, frames: &Frames) -> Vec<ParticleFrame> {
+    fn particles(&self, frames: &EffectFrames) -> Vec<ParticleFrame> {
         let mut before = vec![0.0];
         for stroke in &self.followed.strokes {
             before.push(before.last().unwrap_or(&0.0) + stroke.length());

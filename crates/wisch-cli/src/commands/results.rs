@@ -13,9 +13,9 @@ use crate::output::{
     TCP_PATH_FILE, TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE,
 };
 use crate::records::{FollowedRecord, PlanRecord, RobotTrajectory, RoundSummary, tcp_path_csv};
-use crate::report::{self, Frames, ReportInput};
 use std::path::{Path, PathBuf};
 use wisch::plan::{Plan, Prediction};
+use wisch_report::{self as report, EffectFrames, ReportInput};
 
 /// Pixels per unit of a picture's own size.
 const PNG_SCALE: f32 = 2.0;
@@ -102,7 +102,7 @@ fn write_report(
     prepared: &Prepared,
     results: &Results,
     prediction: &Prediction,
-    frames: &Frames,
+    frames: &EffectFrames,
 ) -> Result<(), Failure> {
     let title = title(prepared);
     let following = results.following.as_ref();

@@ -10,7 +10,6 @@ use crate::failure::Failure;
 use crate::output::OutputFolder;
 use crate::progress::Progress;
 use crate::records::{RoundSummary, RoundTimes};
-use crate::report::{RoundView, RoundsInput};
 use crate::terminal::remark;
 use std::cell::RefCell;
 use std::ops::ControlFlow;
@@ -23,6 +22,7 @@ use wisch::interpret::EventKind;
 use wisch::recover::{Pace, Verdict};
 use wisch::represent::{ParticleDistribution, Task};
 use wisch::run::{Motion, News, Performer, Round, RunConfig, RunError, resume};
+use wisch_report::{RoundView, RoundsInput};
 use wisch_telemetry::{BagHead, BagWriter, WriteError};
 
 /// Between two updates of the progress [samples].

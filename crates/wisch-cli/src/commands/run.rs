@@ -15,12 +15,12 @@ use crate::failure::Failure;
 use crate::output::OutputFolder;
 use crate::progress::Progress;
 use crate::records::{PlanRecord, PredictionSummary};
-use crate::report::Frames;
 use crate::terminal::{Outcome, print, remark};
 use crate::workplace::{Found, Leftover};
 use std::path::Path;
 use std::time::Instant;
 use wisch::plan::{Plan, Prediction, plan, predict};
+use wisch_report::EffectFrames;
 
 /// How far to go.
 #[derive(Debug, Clone, Copy)]
@@ -72,7 +72,7 @@ pub(super) struct Results {
     pub following: Option<Following>,
     /// Share of the particles that abandoned nodes cost.
     pub abandoned_share: f64,
-    pub predicted: Option<(Prediction, Frames)>,
+    pub predicted: Option<(Prediction, EffectFrames)>,
     /// What was executed.
     pub rounds: Vec<Done>,
 }
@@ -197,7 +197,7 @@ fn stages(
                 "predicting {}",
                 counted(wiped.strokes.len(), "stroke")
             ));
-            let mut frames = Frames::new(task, &wiped);
+            let mut frames = EffectFrames::new(task, &wiped);
             let prediction = predict(task, &wiped, |p| frames.watch(p));
             if following
                 .as_ref()
@@ -230,7 +230,7 @@ fn executed(
     let plan = first.round.motion.plan.clone();
     let task = &prepared.task;
     let wiped = following.plan(&plan);
-    let mut frames = Frames::new(task, &wiped);
+    let mut frames = EffectFrames::new(task, &wiped);
     let prediction = predict(task, &wiped, |p| frames.watch(p));
     let hoped = predict(task, &plan, |_| ()).performance.ratio();
     Ok(Results {
