@@ -204,3 +204,50 @@ fn no_plan_and_no_interpretation_opens_the_truth() {
     );
     assert_eq!(opens_truth("/// GroundTruth is not for us"), None);
 }
+
+/// Functions of a file that other stages may call and that change a particle field, by name.
+fn field_mutators(text: &str) -> Vec<&str> {
+    let text = text.split("#[cfg(test)]").next().unwrap_or_default();
+    let mut owner = "";
+    let mut found = Vec::new();
+    for item in text.lines().map(str::trim_start) {
+        if let Some(header) = item.strip_prefix("impl") {
+            owner = header;
+        }
+        let is_open = item.starts_with("pub") && !item.starts_with("pub(super)");
+        let (true, Some((_, rest))) = (is_open, item.split_once("fn ")) else {
+            continue;
+        };
+        let at = item.as_ptr() as usize - text.as_ptr() as usize;
+        let signature = text[at..].split(['{', ';']).next().unwrap_or_default();
+        let is_method_of_field = owner.contains("ParticleField") && signature.contains("&mut self");
+        if is_method_of_field || signature.contains("&mut ParticleField") {
+            found.push(rest.split(['(', '<']).next().unwrap_or(rest));
+        }
+    }
+    found
+}
+
+#[test]
+fn only_the_effect_model_moves_particles() {
+    for file in rust_files(&source()) {
+        let text = code(&fs::read_to_string(&file).unwrap());
+        let is_effect_model = file.ends_with("represent/effect.rs");
+        let expected: &[&str] = if is_effect_model {
+            &["lift_off", "apply", "apply_where"]
+        } else {
+            &[]
+        };
+        assert_eq!(field_mutators(&text), expected, "{}", file.display());
+    }
+}
+
+#[test]
+fn a_second_way_to_move_particles_is_noticed() {
+    let shove = "impl ParticleField {\n    pub(crate) fn shove(\n        &mut self,\n        by: Vector2,\n    ) {}\n}";
+    assert_eq!(field_mutators(shove), ["shove"]);
+    let sweep = "pub fn sweep<T>(field: &mut ParticleField, by: T) {\n}";
+    assert_eq!(field_mutators(sweep), ["sweep"]);
+    let inside = "impl ParticleField {\n    pub(super) fn remove(&mut self) {}\n    pub fn len(&self) -> usize {}\n}";
+    assert_eq!(field_mutators(inside), [""; 0]);
+}

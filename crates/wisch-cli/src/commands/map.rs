@@ -4,15 +4,14 @@ use crate::args::{GlobalArgs, RobotMapArgs};
 use crate::failure::Failure;
 use crate::output::OutputFile;
 use crate::progress::Progress;
-use crate::robots::{MAP_EXTENSION, Robot};
 use crate::terminal::{Outcome, print};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 use wisch::follow::Group;
 use wisch::geometry::Pose;
-use wisch::represent::RobotDescription;
 use wisch::robot::{CapabilityMap, CollisionModel, MapConfig, MapStage, MapTool};
+use wisch_io::{MAP_EXTENSION, Robot, RobotDescription};
 
 /// The schema of the object that `--json` prints.
 const SCHEMA: u32 = 1;

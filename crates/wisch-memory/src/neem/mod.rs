@@ -14,8 +14,8 @@
 //!
 //! [`NeemWriter`] writes one document at a time, [`import`] reads the episodes back from the triples.
 
-pub mod bson;
 mod document;
+mod dump;
 mod import;
 mod meta;
 mod stored;
@@ -26,6 +26,7 @@ mod writer;
 mod tests;
 
 pub use document::GRAPH;
+pub use dump::DumpError;
 pub use import::{Triples, import, records};
 pub use meta::{NeemMeta, utc};
 pub use stored::PoseSource;
@@ -38,7 +39,7 @@ use crate::store::MemoryError;
 use crate::telemetry::TelemetryError;
 use std::io;
 use std::path::{Path, PathBuf};
-use wisch::text::UnknownName;
+use wisch::source_location::UnknownName;
 
 /// Why a NEEM cannot be written or read.
 #[derive(Debug, thiserror::Error)]
@@ -59,11 +60,11 @@ pub enum NeemError {
     },
     /// A document that is none.
     #[error("{path}: {error}", path = .path.display())]
-    Bson {
+    Dump {
         /// In which file.
         path: PathBuf,
         /// What is wrong with it.
-        error: bson::BsonError,
+        error: DumpError,
     },
     /// A document that is no triple.
     #[error("{path}: document {number} is no triple: {what}", path = .path.display())]

@@ -1,13 +1,14 @@
 //! A motion for the tests: the humanoid drives to the chopping board and wipes it.
 
 use super::input::*;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use wisch::follow::TrajectorySample;
 use wisch::follow::{JointLimit, JointLimits, JointPath, TimingConfig, time_path};
 use wisch::geometry::{Point3, Pose, Vector3};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, TcpWaypoint, plan, predict};
-use wisch::represent::{Action, KnowledgeBase, Task, TaskFile};
+use wisch::represent::{Action, Task};
 use wisch::robot::{LinkId, RobotModel};
+use wisch_io::{LoadOptions, load_task, read, read_text};
 
 /// Ready pose of the paper's robot: torso, right arm [deg].
 const TORSO: [f64; 3] = [0.0, -48.527, 97.386];
@@ -31,10 +32,13 @@ pub(crate) struct Demo {
 
 impl Demo {
     pub(crate) fn new() -> Self {
-        let urdf = text("robots/humanoid.urdf");
-        let robot = RobotModel::from_urdf("humanoid", &urdf, &mut |path| bytes(Path::new(path)))
-            .expect("the shipped robot can be used");
-        let task = task();
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let urdf = read_text(&root.join("robots/humanoid.urdf")).expect("the shipped robot");
+        let robot = RobotModel::from_urdf("humanoid", &urdf, &mut |path| {
+            read(Path::new(path)).map_err(|error| error.to_string())
+        })
+        .expect("the shipped robot can be used");
+        let task = task(&root.join("scenarios/chopping-board.toml"));
         let config = PlanConfig {
             strategy: CoverageStrategy::Kde,
             seed: 1,
@@ -74,42 +78,14 @@ impl Demo {
     }
 }
 
-/// A file of the repository.
-fn shipped(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../..")
-        .join(path)
-}
-
-fn text(path: &str) -> String {
-    std::fs::read_to_string(shipped(path)).expect("a file of the repository")
-}
-
-fn bytes(path: &Path) -> Result<Vec<u8>, String> {
-    std::fs::read(path).map_err(|error| error.to_string())
-}
-
-fn task() -> Task {
-    let file = TaskFile::parse(
-        "chopping-board",
-        &text("scenarios/chopping-board.toml"),
-        &[],
-    )
-    .expect("a task");
-    let names = ["interactions", "media", "surfaces", "tools"];
-    let texts = names.map(|name| (name, text(&format!("knowledge/{name}.toml"))));
-    let texts = texts.each_ref().map(|(name, text)| (*name, text.as_str()));
-    let knowledge = KnowledgeBase::from_toml(&texts).expect("the shipped knowledge");
-    file.resolve(
-        Action::Collect,
-        "sponge",
-        "breadcrumbs",
-        1,
-        &knowledge,
-        &mut |path| bytes(&shipped("scenarios").join(path)),
-        &mut |path| bytes(&shipped("knowledge").join(path)),
-    )
-    .expect("the shipped scenario")
+fn task(path: &Path) -> Task {
+    let options = LoadOptions {
+        action: Some(Action::Collect),
+        seed: Some(1),
+        ..LoadOptions::default()
+    };
+    let loaded = load_task(path, &options);
+    loaded.expect("the shipped scenario").task
 }
 
 /// Postures along the plan's path, each from the one before by damped least squares, timed.

@@ -3,7 +3,7 @@
 use super::FollowError;
 use crate::geometry::Vector3;
 use crate::robot::{JointKind, LinkId, RobotModel, Srdf};
-use crate::text::UnknownName;
+use crate::source_location::UnknownName;
 
 /// Name of the SRDF's state in which the arm waits and travels. A state of this name with `_` and the tool's
 /// name after it goes before, for tools that need a posture of their own.

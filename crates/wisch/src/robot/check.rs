@@ -3,7 +3,7 @@
 use super::collision::{Collision, load_shapes};
 use super::urdf::{Urdf, UrdfInertial, UrdfJoint, UrdfLimit};
 use super::{Fault, Finding, RobotError, Severity, Subject};
-use crate::text::{Place, UnknownName};
+use crate::source_location::{Place, UnknownName};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Deepest tree of links.

@@ -1,7 +1,7 @@
 //! Why a text is no robot, or numbers are no configuration of it.
 
 use super::Finding;
-use crate::text::{Place, UnknownName};
+use crate::source_location::{Place, UnknownName};
 
 /// What can be wrong with a robot or with what it is asked.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -1,6 +1,6 @@
 //! What a check of a robot reports.
 
-use crate::text::Place;
+use crate::source_location::Place;
 use std::fmt;
 
 /// How much a finding matters.

@@ -4,7 +4,7 @@ use super::check::Checked;
 use super::urdf::{Urdf, UrdfInertial, UrdfJoint, UrdfMimic};
 use super::{Collision, Finding, RobotError, Severity};
 use crate::geometry::{Point3, Pose, Vector3};
-use crate::text::UnknownName;
+use crate::source_location::UnknownName;
 use nalgebra::{Matrix3, Unit, UnitQuaternion};
 use std::collections::BTreeMap;
 

@@ -2,7 +2,7 @@
 
 use super::urdf::{Reader, elements};
 use super::{LinkId, RobotError, RobotModel};
-use crate::text::{Place, UnknownName};
+use crate::source_location::{Place, UnknownName};
 use roxmltree::Node;
 use std::collections::BTreeSet;
 

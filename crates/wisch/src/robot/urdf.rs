@@ -21,7 +21,7 @@
 use super::RobotError;
 use super::planar;
 use crate::geometry::{Pose, Vector3};
-use crate::text::Place;
+use crate::source_location::Place;
 use nalgebra::{Matrix3, Translation3, UnitQuaternion};
 use roxmltree::{Document, Node, ParsingOptions};
 

@@ -8,7 +8,8 @@ use wisch::follow::{
     Workcell, WorkcellConfig, audit, follow,
 };
 use wisch::geometry::{Point3, Vector3};
-use wisch::represent::{Action, Task, TaskFile};
+use wisch::represent::{Action, Task};
+use wisch_io::TaskFile;
 
 /// How far the humanoid's hand reaches beyond its link's origin: a capsule of 0.12 m about 0.2 m [m].
 const HAND: f64 = 0.32;

@@ -14,7 +14,7 @@ pub use segment::SEGMENT_RESOLUTION;
 use super::chain::Frame;
 use super::{LinkId, RobotError, RobotModel, Srdf};
 use crate::geometry::{Mesh, Pose};
-use crate::text::UnknownName;
+use crate::source_location::UnknownName;
 use frames::{Frames, Mount};
 use mesh::Placed;
 use segment::Span;
