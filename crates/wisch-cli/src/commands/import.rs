@@ -92,7 +92,7 @@ fn write_telemetry(writer: &EpisodeWriter, log: &Log) -> Result<(), MemoryError>
     // Of a log nobody knows what the robot was about.
     let mark = Mark {
         motion: 0,
-        phase: Phase::Transfer,
+        phase: Phase::FreeMotion,
     };
     for sample in &log.samples {
         let p = sample.world_from_tool.translation.vector;

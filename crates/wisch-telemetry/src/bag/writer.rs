@@ -347,7 +347,7 @@ impl BagWriter {
         let wipe;
         let data = match phase {
             Phase::Drive => "drive",
-            Phase::Transfer => "transfer",
+            Phase::FreeMotion => "transfer",
             Phase::Lifted => "lifted",
             Phase::Lower => "lower",
             Phase::Wipe(stroke) => {

@@ -1,9 +1,9 @@
 //! Algorithm 1 of paper §3.3: an edge is followed with the tool's free degrees of freedom.
 
 use super::arm::Arm;
-use super::freedom::{Freedom, change, deviation, nearest_first, turned_along};
 use super::global::{self, Leg};
-use super::{Attempt, Effort, ToolPose, Touch};
+use super::tool_redundancy::{ToolOrientation, change, deviation, nearest_first, turned_along};
+use crate::follow::{AllowedContact, Attempt, SearchScope, ToolPose};
 use crate::geometry::PlanarPose;
 use crate::represent::Action;
 use crate::robot::JointPositions;
@@ -14,41 +14,41 @@ const MAX_TURN: f64 = 0.8;
 
 /// Follows an edge in contact to a node: locally in every orientation, nearest first, then, if asked for,
 /// by the global search.
-pub(super) fn follow_edge(
+pub(in crate::follow) fn follow_edge(
     arm: &Arm,
     start: &JointPositions,
     from: &ToolPose,
     planned: [&PlanarPose; 2],
-    freedoms: &[Freedom],
-    effort: Effort,
+    orientations: &[ToolOrientation],
+    search: SearchScope,
 ) -> Result<Leg, Vec<Attempt>> {
     let mut attempts = Vec::new();
     let symmetric = arm.task.tool.is_half_turn_symmetric();
-    let mut order = nearest_first(freedoms, planned[0], from, symmetric);
+    let mut order = nearest_first(orientations, planned[0], from, symmetric);
     // Where the orientation makes no difference, neither does turning.
     if arm.task.action != Action::Absorb {
-        order.retain(|freedom| change(planned[0], freedom, from).abs() <= MAX_TURN);
+        order.retain(|orientation| change(planned[0], orientation, from).abs() <= MAX_TURN);
     }
-    for freedom in &order {
-        let to = turned_along(planned, freedom, from);
-        match arm.along(start, from, &to, Touch::Surface) {
+    for orientation in &order {
+        let to = turned_along(planned, orientation, from);
+        match arm.along(start, from, &to, AllowedContact::Surface) {
             Ok(configurations) => {
                 return Ok(Leg {
                     configurations,
                     line: vec![to],
-                    turned: deviation(freedom, planned[0], from, symmetric),
+                    turned: deviation(orientation, planned[0], from, symmetric),
                 });
             }
             Err(broken) => attempts.push(Attempt {
-                rotation: freedom.rotation,
-                tilt: freedom.tilt,
+                rotation: orientation.rotation,
+                tilt: orientation.tilt,
                 progress: broken.progress,
                 obstruction: broken.obstruction,
             }),
         }
     }
-    match effort {
-        Effort::Local => Err(attempts),
-        Effort::Global => global::search(arm, start, from, planned, &order).ok_or(attempts),
+    match search {
+        SearchScope::Local => Err(attempts),
+        SearchScope::Global => global::search(arm, start, from, planned, &order).ok_or(attempts),
     }
 }

@@ -18,9 +18,9 @@
 //!
 //! The limits of such a joint are limits of the sum: this is how coupled limits are written.
 
-use super::RobotError;
 use super::planar;
 use crate::geometry::{Pose, Vector3};
+use crate::robot::RobotError;
 use crate::source_location::Place;
 use nalgebra::{Matrix3, Translation3, UnitQuaternion};
 use roxmltree::{Document, Node, ParsingOptions};
@@ -40,7 +40,7 @@ const MAX_ATTRIBUTES: usize = 5_000;
 /// Greatest number that is read, in any unit.
 const MAX_NUMBER: f64 = 1e9;
 
-pub(super) struct Urdf {
+pub(in crate::robot) struct Urdf {
     pub robot: String,
     pub links: Vec<UrdfLink>,
     pub joints: Vec<UrdfJoint>,
@@ -48,7 +48,7 @@ pub(super) struct Urdf {
     pub mimics: Vec<UrdfMimic>,
 }
 
-pub(super) struct UrdfLink {
+pub(in crate::robot) struct UrdfLink {
     pub name: String,
     /// Where its element starts [byte].
     pub at: usize,
@@ -59,7 +59,7 @@ pub(super) struct UrdfLink {
 }
 
 #[derive(Clone)]
-pub(super) struct UrdfInertial {
+pub(in crate::robot) struct UrdfInertial {
     /// Where its element starts [byte].
     pub at: usize,
     pub mass: f64,
@@ -67,14 +67,14 @@ pub(super) struct UrdfInertial {
     pub about_center: Matrix3<f64>,
 }
 
-pub(super) struct UrdfShape {
+pub(in crate::robot) struct UrdfShape {
     /// Where its element starts [byte].
     pub at: usize,
     pub link_from_shape: Pose,
     pub geometry: UrdfGeometry,
 }
 
-pub(super) enum UrdfGeometry {
+pub(in crate::robot) enum UrdfGeometry {
     Box(Vector3),
     Cylinder { radius: f64, length: f64 },
     Capsule { radius: f64, length: f64 },
@@ -82,7 +82,7 @@ pub(super) enum UrdfGeometry {
     Mesh { file: String, scale: Vector3 },
 }
 
-pub(super) struct UrdfJoint {
+pub(in crate::robot) struct UrdfJoint {
     pub name: String,
     pub kind: String,
     /// Where its element starts [byte].
@@ -95,7 +95,7 @@ pub(super) struct UrdfJoint {
 }
 
 #[derive(Clone, Copy, Default)]
-pub(super) struct UrdfLimit {
+pub(in crate::robot) struct UrdfLimit {
     pub lower: Option<f64>,
     pub upper: Option<f64>,
     pub velocity: Option<f64>,
@@ -103,7 +103,7 @@ pub(super) struct UrdfLimit {
     pub acceleration: Option<f64>,
 }
 
-pub(super) struct UrdfMimic {
+pub(in crate::robot) struct UrdfMimic {
     /// Where its element starts [byte].
     pub at: usize,
     pub joint: String,
@@ -112,7 +112,7 @@ pub(super) struct UrdfMimic {
 }
 
 /// The text of a file, for messages with places.
-pub(super) struct Reader<'a> {
+pub(in crate::robot) struct Reader<'a> {
     file: &'a str,
     text: &'a str,
 }
@@ -178,7 +178,7 @@ fn most_attributes(text: &str) -> usize {
     quotes.max().unwrap_or(0) / 2
 }
 
-pub(super) fn elements<'a, 'i>(
+pub(in crate::robot) fn elements<'a, 'i>(
     node: Node<'a, 'i>,
     name: &'static str,
 ) -> impl Iterator<Item = Node<'a, 'i>> {

@@ -2,10 +2,10 @@
 
 use super::arm::Arm;
 use super::edge::follow_edge;
-use super::freedom::{Freedom, rank, turned};
+use super::free_motion::free_motion;
 use super::global::Leg;
-use super::transfer::transfer;
-use super::{Attempt, Effort, Obstruction, Phase, ToolPose, Touch};
+use super::tool_redundancy::{ToolOrientation, rank, turned};
+use crate::follow::{AllowedContact, Attempt, Obstruction, Phase, SearchScope, ToolPose};
 use crate::geometry::PlanarPose;
 use crate::plan::Stroke;
 use crate::represent::Action;
@@ -22,7 +22,7 @@ const TURNED: f64 = 0.2;
 
 /// Where the arm is between strokes.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Now {
+pub(in crate::follow) struct Now {
     pub q: JointPositions,
     /// Where the lifted tool is over the surface; `None` away from it.
     pub tool: Option<ToolPose>,
@@ -30,8 +30,8 @@ pub(super) struct Now {
 
 /// A motion of the arm that has no times yet.
 #[derive(Debug, Clone)]
-pub(super) struct Piece {
-    pub phase: PieceKind,
+pub(in crate::follow) struct UntimedMotion {
+    pub phase: UntimedPhase,
     /// Configurations, the first where the piece before ended.
     pub path: Vec<JointPositions>,
     /// Corners of the tool's line; empty in free motion.
@@ -40,15 +40,15 @@ pub(super) struct Piece {
 
 /// What a piece is for; strokes are numbered once all are known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum PieceKind {
+pub(in crate::follow) enum UntimedPhase {
     Plain(Phase),
     Wipe,
 }
 
 /// What became of a stroke.
 #[derive(Debug, Clone)]
-pub(super) struct Run {
-    pub pieces: Vec<Piece>,
+pub(in crate::follow) struct Run {
+    pub pieces: Vec<UntimedMotion>,
     /// The last of the given nodes that was passed.
     pub last: usize,
     /// The tool at every corner of the wiped line.
@@ -86,21 +86,21 @@ struct Contact {
 /// Follows a stroke through `planned` poses as far as possible from any of several configurations.
 ///
 /// First with the tool oriented exactly as planned; only if no configuration can do that, with all its
-/// freedoms.
+/// orientations.
 ///
 /// # Errors
 /// What was tried, if the tool cannot even be put down at the first of them.
-pub(super) fn run(
+pub(in crate::follow) fn run(
     arm: &Arm,
     now: &Now,
     planned: &[PlanarPose],
     lift_height: f64,
-    freedoms: &[Freedom],
+    orientations: &[ToolOrientation],
     seed: u64,
 ) -> Result<Run, Vec<Attempt>> {
     let symmetric = arm.task.tool.is_half_turn_symmetric();
-    let exact: Vec<Freedom> = (freedoms.iter().copied())
-        .filter(|freedom| rank(freedom, symmetric) == 0.0)
+    let exact: Vec<ToolOrientation> = (orientations.iter().copied())
+        .filter(|orientation| rank(orientation, symmetric) == 0.0)
         .collect();
     let mut search = Search {
         arm,
@@ -113,8 +113,11 @@ pub(super) fn run(
     };
     // Where the orientation makes no difference, it need not be kept to.
     let is_exact = arm.task.action != Action::Absorb && search.try_any(&exact, EXACT_STARTS);
-    if !is_exact && !search.try_any(freedoms, STARTS) && arm.config.effort == Effort::Global {
-        search.globally(freedoms);
+    if !is_exact
+        && !search.try_any(orientations, STARTS)
+        && arm.config.search == SearchScope::Global
+    {
+        search.globally(orientations);
     }
     search.best.map(|(run, ..)| run).ok_or(search.attempts)
 }
@@ -127,25 +130,26 @@ struct Search<'a> {
     lift_height: f64,
     seed: u64,
     attempts: Vec<Attempt>,
-    /// With the freedom and the start that it began with.
-    best: Option<(Run, Freedom, u64)>,
+    /// With the orientation and the start that it began with.
+    best: Option<(Run, ToolOrientation, u64)>,
 }
 
 impl Search<'_> {
     /// Tries configurations until a run goes all the way about as planned; whether one does.
     ///
     /// The tool is carried on over the surface, then put down in configurations reached by free motion.
-    fn try_any(&mut self, freedoms: &[Freedom], starts: u64) -> bool {
+    fn try_any(&mut self, orientations: &[ToolOrientation], starts: u64) -> bool {
         let mut tried = 0;
         for start in 0..=starts {
             if start == 0 && self.now.tool.is_none() {
                 continue;
             }
-            for freedom in freedoms {
+            for orientation in orientations {
                 if tried == self.arm.config.start_configurations {
                     return self.is_whole();
                 }
-                let Some(is_new_best) = self.try_one(freedom, start, freedoms, Effort::Local)
+                let Some(is_new_best) =
+                    self.try_one(orientation, start, orientations, SearchScope::Local)
                 else {
                     continue;
                 };
@@ -159,9 +163,9 @@ impl Search<'_> {
     }
 
     /// The best run again, with the global search where it stopped.
-    fn globally(&mut self, freedoms: &[Freedom]) {
-        if let Some((_, freedom, start)) = self.best {
-            self.try_one(&freedom, start, freedoms, Effort::Global);
+    fn globally(&mut self, orientations: &[ToolOrientation]) {
+        if let Some((_, orientation, start)) = self.best {
+            self.try_one(&orientation, start, orientations, SearchScope::Global);
         }
     }
 
@@ -177,10 +181,10 @@ impl Search<'_> {
     /// One configuration: whether it gives the best run so far; `None` if the tool cannot be put down.
     fn try_one(
         &mut self,
-        freedom: &Freedom,
+        orientation: &ToolOrientation,
         start: u64,
-        freedoms: &[Freedom],
-        effort: Effort,
+        orientations: &[ToolOrientation],
+        search: SearchScope,
     ) -> Option<bool> {
         let (arm, now, planned) = (self.arm, self.now, self.planned);
         let begun = match begin(
@@ -188,7 +192,7 @@ impl Search<'_> {
             now,
             &planned[0],
             self.lift_height,
-            freedom,
+            orientation,
             start,
             self.seed,
         ) {
@@ -198,7 +202,7 @@ impl Search<'_> {
                 return None;
             }
         };
-        let contact = wipe(arm, &begun, planned, freedoms, effort);
+        let contact = wipe(arm, &begun, planned, orientations, search);
         let turned = contact.turned(&begun, arm);
         let length = contact.legs.len();
         let is_better = self.best.as_ref().is_none_or(|(best, ..)| {
@@ -209,7 +213,7 @@ impl Search<'_> {
         }
         match finish(arm, now, begun, contact, self.lift_height, self.seed) {
             Ok(run) => {
-                self.best = Some((run, *freedom, start));
+                self.best = Some((run, *orientation, start));
                 Some(true)
             }
             Err(attempt) => {
@@ -227,7 +231,7 @@ struct Begun {
     above: JointPositions,
     down: Vec<JointPositions>,
     pose: ToolPose,
-    freedom: Freedom,
+    orientation: ToolOrientation,
 }
 
 impl Begun {
@@ -241,25 +245,25 @@ fn begin(
     now: &Now,
     planned: &PlanarPose,
     lift_height: f64,
-    freedom: &Freedom,
+    orientation: &ToolOrientation,
     start: u64,
     seed: u64,
 ) -> Result<Begun, Attempt> {
     let heading = now
         .tool
         .map_or(planned.heading, |tool| tool.surface_from_tool.heading);
-    let pose = turned(planned, freedom, heading);
+    let pose = turned(planned, orientation, heading);
     let lifted = pose.lifted(lift_height);
     let failed = |progress: f64, obstruction| Attempt {
-        rotation: freedom.rotation,
-        tilt: freedom.tilt,
+        rotation: orientation.rotation,
+        tilt: orientation.tilt,
         progress,
         obstruction,
     };
     let (over, above) = match (start, now.tool) {
         (0, Some(tool)) => {
             let path = arm
-                .along(&now.q, &tool, &lifted, Touch::Nothing)
+                .along(&now.q, &tool, &lifted, AllowedContact::None)
                 .map_err(|broken| failed(broken.progress, broken.obstruction))?;
             let above = *path.last().unwrap_or(&now.q);
             (Some(path), above)
@@ -284,14 +288,14 @@ fn begin(
         }
     };
     let down = arm
-        .along(&above, &lifted, &pose, Touch::Surface)
+        .along(&above, &lifted, &pose, AllowedContact::Surface)
         .map_err(|broken| failed(broken.progress, broken.obstruction))?;
     Ok(Begun {
         over,
         above,
         down,
         pose,
-        freedom: *freedom,
+        orientation: *orientation,
     })
 }
 
@@ -304,7 +308,7 @@ impl Contact {
             Action::Collect | Action::Skim => {
                 let symmetric = arm.task.tool.is_half_turn_symmetric();
                 let legs = self.legs.iter().map(|leg| leg.turned);
-                rank(&begun.freedom, symmetric) + legs.sum::<f64>()
+                rank(&begun.orientation, symmetric) + legs.sum::<f64>()
             }
         }
     }
@@ -314,8 +318,8 @@ fn wipe(
     arm: &Arm,
     begun: &Begun,
     planned: &[PlanarPose],
-    freedoms: &[Freedom],
-    effort: Effort,
+    orientations: &[ToolOrientation],
+    search: SearchScope,
 ) -> Contact {
     let mut contact = Contact {
         legs: Vec::new(),
@@ -330,8 +334,8 @@ fn wipe(
             &contact.end,
             &contact.end_pose,
             [begin, goal],
-            freedoms,
-            effort,
+            orientations,
+            search,
         ) {
             Ok(leg) => {
                 contact.end = *leg.configurations.last().unwrap_or(&contact.end);
@@ -357,41 +361,46 @@ fn finish(
     seed: u64,
 ) -> Result<Run, Attempt> {
     let failed = |obstruction| Attempt {
-        rotation: begun.freedom.rotation,
-        tilt: begun.freedom.tilt,
+        rotation: begun.orientation.rotation,
+        tilt: begun.orientation.tilt,
         progress: 1.0,
         obstruction,
     };
     let lifted = contact.end_pose.lifted(lift_height);
     let up = arm
-        .along(&contact.end, &contact.end_pose, &lifted, Touch::Surface)
+        .along(
+            &contact.end,
+            &contact.end_pose,
+            &lifted,
+            AllowedContact::Surface,
+        )
         .map_err(|broken| failed(broken.obstruction))?;
     let above_start = begun.pose.lifted(lift_height);
     let mut pieces = Vec::new();
     match (&begun.over, now.tool) {
-        (Some(path), Some(tool)) => pieces.push(Piece {
-            phase: PieceKind::Plain(Phase::Lifted),
+        (Some(path), Some(tool)) => pieces.push(UntimedMotion {
+            phase: UntimedPhase::Plain(Phase::Lifted),
             path: with_start(now.q, path),
             line: vec![tool, above_start],
         }),
         _ => {
-            let path = transfer(arm, &now.q, &begun.above, seed).ok_or_else(|| {
-                let blocked = arm.way(&now.q, &begun.above, Touch::Nothing);
+            let path = free_motion(arm, &now.q, &begun.above, seed).ok_or_else(|| {
+                let blocked = arm.way(&now.q, &begun.above, AllowedContact::None);
                 failed(blocked.err().unwrap_or(Obstruction::OutOfReach {
                     position_error: 0.0,
                     rotation_error: 0.0,
                 }))
             })?;
-            pieces.push(Piece {
-                phase: PieceKind::Plain(Phase::Transfer),
+            pieces.push(UntimedMotion {
+                phase: UntimedPhase::Plain(Phase::FreeMotion),
                 path,
                 line: Vec::new(),
             });
         }
     }
     let start = begun.start();
-    pieces.push(Piece {
-        phase: PieceKind::Plain(Phase::Lower),
+    pieces.push(UntimedMotion {
+        phase: UntimedPhase::Plain(Phase::Lower),
         path: with_start(begun.above, &begun.down),
         line: vec![above_start, begun.pose],
     });
@@ -403,14 +412,14 @@ fn finish(
         wiped.extend(leg.line);
         path.extend(leg.configurations);
     }
-    pieces.push(Piece {
-        phase: PieceKind::Wipe,
+    pieces.push(UntimedMotion {
+        phase: UntimedPhase::Wipe,
         path,
         line: wiped.clone(),
     });
     let end = *up.last().unwrap_or(&contact.end);
-    pieces.push(Piece {
-        phase: PieceKind::Plain(Phase::Lift),
+    pieces.push(UntimedMotion {
+        phase: UntimedPhase::Plain(Phase::Lift),
         path: with_start(contact.end, &up),
         line: vec![contact.end_pose, lifted],
     });

@@ -1,6 +1,6 @@
 //! How hands hold a tool, and its shape in the hand.
 
-use super::FollowError;
+use crate::follow::FollowError;
 use crate::geometry::{Mesh, Point3, Pose, Vector3};
 use crate::represent::Tool;
 use crate::robot::{Collision, LinkId, RobotModel, Shape};
@@ -8,7 +8,7 @@ use nalgebra::{Translation3, UnitQuaternion};
 use std::f64::consts::PI;
 
 /// The end of a hand in the frame of its link: on the z axis, as far out as the hand's shapes go.
-pub(super) fn tip_from_hand(robot: &RobotModel, tip: LinkId) -> Pose {
+pub(in crate::follow) fn tip_from_hand(robot: &RobotModel, tip: LinkId) -> Pose {
     let hand = &robot.links()[tip.index()].collision;
     let reach = hand.iter().map(outermost).fold(0.0, f64::max);
     Pose::translation(0.0, 0.0, reach)
@@ -16,7 +16,12 @@ pub(super) fn tip_from_hand(robot: &RobotModel, tip: LinkId) -> Pose {
 
 /// A tool in the frame of the link that leads it: by its grip, or else by the rear edge of its upper face,
 /// the hand leaning back by `lean` [rad].
-pub(super) fn tip_from_tool(robot: &RobotModel, tip: LinkId, tool: &Tool, lean: f64) -> Pose {
+pub(in crate::follow) fn tip_from_tool(
+    robot: &RobotModel,
+    tip: LinkId,
+    tool: &Tool,
+    lean: f64,
+) -> Pose {
     let hand_from_tool = match &tool.grip {
         Some(grip) => grip.tool_from_hand.inverse(),
         None => by_the_rear_edge(tool, lean),
@@ -35,7 +40,7 @@ fn by_the_rear_edge(tool: &Tool, lean: f64) -> Pose {
 
 /// The tool without its rim: kept clear of the scene by less than the margin, because the plan keeps its
 /// collision sphere, which just holds the tool, clear already.
-pub(super) fn without_rim(mesh: &Mesh, rim: f64) -> Result<Mesh, FollowError> {
+pub(in crate::follow) fn without_rim(mesh: &Mesh, rim: f64) -> Result<Mesh, FollowError> {
     let (low, high) = mesh.bounds();
     let middle = nalgebra::center(&low, &high);
     let size = high - low;
@@ -47,7 +52,7 @@ pub(super) fn without_rim(mesh: &Mesh, rim: f64) -> Result<Mesh, FollowError> {
 
 /// The tool while nothing presses it: its underside lies as far below the tool centre point as it is compressed
 /// when it wipes.
-pub(super) fn relaxed(mesh: &Mesh, compression_depth: f64) -> Result<Mesh, FollowError> {
+pub(in crate::follow) fn relaxed(mesh: &Mesh, compression_depth: f64) -> Result<Mesh, FollowError> {
     let stretched = |v: &Point3| {
         let share = (1.0 - v.z / (2.0 * compression_depth)).clamp(0.0, 1.0);
         Point3::new(v.x, v.y, v.z - compression_depth * share)

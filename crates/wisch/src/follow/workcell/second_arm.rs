@@ -4,16 +4,16 @@
 //! and leans on it no further than the grip allows. Between two configurations it turns no more than it
 //! must, so that the way of the leading arm decides that of the second.
 
-use super::hold::tip_from_hand;
-use super::{FollowError, Obstruction};
+use super::grasp::tip_from_hand;
+use crate::follow::{FollowError, GripDeviation, Obstruction};
 use crate::geometry::{Point3, Pose, Vector3};
 use crate::represent::SecondGrip;
 use crate::robot::{
     Chain, IkConfig, IkOutcome, IkSolver, JointPositions, LinkId, RobotError, RobotModel,
-    RotationGoal,
+    RotationGoal, z_to,
 };
 use nalgebra::{Translation3, Unit, UnitQuaternion};
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
 /// Farthest that the second hand may be off its grip on the tool [m].
 pub const GRIP_TOLERANCE: f64 = 2e-3;
@@ -34,15 +34,6 @@ pub struct SecondArm {
     leading_tip_from_tool: Pose,
     tip_from_hand: Pose,
     grip: SecondGrip,
-}
-
-/// How far the second hand is from where the tool wants it.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct GripDeviation {
-    /// Distance of the hand's outermost point from the grip [m].
-    pub position: f64,
-    /// How much further than allowed the hand leans on the bar [rad].
-    pub lean: f64,
 }
 
 impl GripDeviation {
@@ -66,7 +57,7 @@ impl SecondArm {
     ///
     /// # Errors
     /// If it has no variable of its own, or one of the leading arm.
-    pub(super) fn new(
+    pub(in crate::follow) fn new(
         robot: &RobotModel,
         leading: &IkSolver,
         leading_tip_from_tool: Pose,
@@ -127,14 +118,12 @@ impl SecondArm {
         let point = fork_from_tool * self.grip.point_in_tool;
         let bar = fork_from_tool * self.grip.axis_in_tool.into_inner();
         let along = leaning(&bar, hand, self.grip.max_lean);
-        let rotation = UnitQuaternion::rotation_between(&Vector3::z(), &along)
-            .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI));
-        Pose::from_parts(Translation3::from(point), rotation)
+        Pose::from_parts(Translation3::from(point), z_to(&along))
     }
 
     /// Positions of the second arm that keep the grip for these of the leading one, near `start`. The hand
     /// leans as it does there, or where that is out of reach comes across the bar.
-    pub(super) fn held(
+    pub(in crate::follow) fn held(
         &self,
         leading: &[f64],
         start: &[f64],
@@ -156,7 +145,7 @@ impl SecondArm {
     }
 
     /// The same from any of several starts, then from random ones.
-    pub(super) fn held_anyhow(
+    pub(in crate::follow) fn held_anyhow(
         &self,
         leading: &[f64],
         starts: &[&[f64]],
@@ -199,7 +188,7 @@ impl SecondArm {
     }
 
     /// How far the hand is off its grip.
-    pub(super) fn deviation(
+    pub(in crate::follow) fn deviation(
         &self,
         leading: &[f64],
         second: &[f64],
@@ -212,7 +201,11 @@ impl SecondArm {
 }
 
 /// How far a hand is off a grip on a tool, both in one frame.
-pub(super) fn off_grip(grip: &SecondGrip, from_tool: &Pose, from_hand: &Pose) -> GripDeviation {
+pub(in crate::follow) fn off_grip(
+    grip: &SecondGrip,
+    from_tool: &Pose,
+    from_hand: &Pose,
+) -> GripDeviation {
     let hand: Point3 = from_hand.translation.vector.into();
     let bar = from_tool * grip.axis_in_tool.into_inner();
     let across = from_hand * Vector3::y();
@@ -252,22 +245,16 @@ fn solved(outcome: Result<IkOutcome, RobotError>) -> Result<JointPositions, Obst
 
 /// The link nearest to two others that both hang on.
 fn fork(robot: &RobotModel, a: LinkId, b: LinkId) -> LinkId {
-    let above = |link: LinkId| {
-        std::iter::successors(Some(link), |at| {
-            let joint = robot.links()[at.index()].parent?;
-            Some(robot.joints()[joint.index()].parent)
-        })
-    };
-    let of_a: Vec<LinkId> = above(a).collect();
-    above(b)
-        .find(|link| of_a.contains(link))
-        .unwrap_or_else(|| robot.root())
+    let up = |link| std::iter::once(link).chain(robot.joints_above(link).map(|joint| joint.parent));
+    let of_a: Vec<LinkId> = up(a).collect();
+    (up(b).find(|link| of_a.contains(link))).unwrap_or_else(|| robot.root())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use proptest::prelude::*;
+    use std::f64::consts::PI;
 
     fn unit() -> impl Strategy<Value = Vector3> {
         [-1.0..1.0, -1.0..1.0, -1.0..1.0]

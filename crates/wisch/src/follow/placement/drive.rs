@@ -1,7 +1,7 @@
 //! The way of the base between placements: A* over position and heading round obstacles, straightened;
 //! paper §3.3.
 
-use super::{FollowConfig, Workcell};
+use crate::follow::{FollowConfig, Workcell};
 use crate::geometry::{PlanarPose, wrap_angle};
 use pathfinding::prelude::astar;
 use std::f64::consts::TAU;
@@ -27,7 +27,7 @@ enum Node {
 /// Poses of the base from one to another, both included; `None` if there is no free way.
 ///
 /// The arm stays in the ready posture.
-pub(super) fn drive(
+pub(in crate::follow) fn drive(
     cell: &Workcell,
     from: &PlanarPose,
     to: &PlanarPose,

@@ -1,8 +1,10 @@
 //! Where the base stands while the arm wipes: places rated by how much of the rest of the path is in
 //! reach; paper §3.3.
 
-use super::freedom::{freedoms, rank};
-use super::{FollowConfig, Placement, RatedPlace, ToolPose, Workcell};
+pub(super) mod drive;
+
+use crate::follow::path::tool_redundancy::{orientations, rank};
+use crate::follow::{FollowConfig, Placement, RatedPlace, ToolPose, Workcell};
 use crate::geometry::{Bounds2, PlanarPose, Point2, Point3, Pose, Vector3, wrap_angle};
 use crate::represent::{Task, Tool};
 use crate::robot::{CapabilityMap, IkConfig, IkOutcome, RobotError, RotationGoal};
@@ -32,7 +34,7 @@ const IN_REACH: f64 = 0.5;
 const AROUND: f64 = 1.6;
 
 /// What rates a pose.
-pub(super) struct Reachability<'a> {
+pub(in crate::follow) struct Reachability<'a> {
     cell: &'a Workcell,
     task: &'a Task,
     map: Option<&'a CapabilityMap>,
@@ -51,11 +53,11 @@ struct Turn {
 
 fn turns(tool: &Tool) -> Vec<Turn> {
     let symmetric = tool.is_half_turn_symmetric();
-    (freedoms(tool, TURN).iter())
-        .filter(|freedom| freedom.tilt.abs() < TURN / 2.0)
-        .map(|freedom| Turn {
-            rotation: UnitQuaternion::from_axis_angle(&Vector3::z_axis(), freedom.rotation),
-            worth: 1.0 / (1.0 + rank(freedom, symmetric)),
+    (orientations(tool, TURN).iter())
+        .filter(|orientation| orientation.tilt.abs() < TURN / 2.0)
+        .map(|orientation| Turn {
+            rotation: UnitQuaternion::from_axis_angle(&Vector3::z_axis(), orientation.rotation),
+            worth: 1.0 / (1.0 + rank(orientation, symmetric)),
         })
         .collect()
 }
@@ -189,7 +191,7 @@ impl<'a> Reachability<'a> {
 
 /// A rated place.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Candidate {
+pub(in crate::follow) struct Candidate {
     pub world_from_base: PlanarPose,
     /// How many poses from the first on are in reach; `None` where the robot cannot stand.
     pub in_reach: Option<usize>,
@@ -219,7 +221,11 @@ impl From<&Candidate> for Placement {
 
 /// The places worth trying, best first and apart from each other: those from which most of the path
 /// can be followed before the base has to move, of these those with ample reach, of these the nearest.
-pub(super) fn best(candidates: &[Candidate], from: &PlanarPose, count: usize) -> Vec<Candidate> {
+pub(in crate::follow) fn best(
+    candidates: &[Candidate],
+    from: &PlanarPose,
+    count: usize,
+) -> Vec<Candidate> {
     let mut usable: Vec<(usize, i64, f64, &Candidate)> = candidates
         .iter()
         .filter_map(|candidate| {

@@ -1,9 +1,10 @@
 //! Whether a URDF makes sense: every rule that a robot must or should obey.
 
 use super::collision::{Collision, load_shapes};
+use super::diagnostics::{Diagnostics, words};
 use super::urdf::{Urdf, UrdfInertial, UrdfJoint, UrdfLimit};
-use super::{Fault, Finding, RobotError, Severity, Subject};
-use crate::source_location::{Place, UnknownName};
+use crate::robot::{Diagnostic, DiagnosticKind, RobotError, Severity, Subject};
+use crate::source_location::UnknownName;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Deepest tree of links.
@@ -22,12 +23,12 @@ const TRIANGLE_TOLERANCE: f64 = 1e-4;
 /// An [`Severity::Error`] means that [`RobotModel::from_urdf`](super::RobotModel::from_urdf) refuses the text.
 ///
 /// ```
-/// use wisch::robot::{Fault, check};
+/// use wisch::robot::{DiagnosticKind, check};
 /// let text = r#"<robot name="r"><link name="a"/><link name="b"/>
 ///   <joint name="j" type="revolute"><parent link="a"/><child link="b"/><axis xyz="0 0 2"/></joint>
 /// </robot>"#;
-/// let findings = check("r.urdf", text, &mut |_| Err("no meshes here".into()))?;
-/// assert!(findings.iter().any(|f| f.fault == Fault::Axis && f.at.line == 2));
+/// let diagnostics = check("r.urdf", text, &mut |_| Err("no meshes here".into()))?;
+/// assert!(diagnostics.iter().any(|f| f.kind == DiagnosticKind::Axis && f.at.line == 2));
 /// # Ok::<(), wisch::robot::RobotError>(())
 /// ```
 ///
@@ -37,14 +38,14 @@ pub fn check(
     name: &str,
     text: &str,
     meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
-) -> Result<Vec<Finding>, RobotError> {
-    Ok(Checked::new(name, text, meshes)?.findings)
+) -> Result<Vec<Diagnostic>, RobotError> {
+    Ok(Checked::new(name, text, meshes)?.diagnostics)
 }
 
 /// A URDF with what was found in it, and its collision shapes by link.
-pub(super) struct Checked {
+pub(in crate::robot) struct Checked {
     pub urdf: Urdf,
-    pub findings: Vec<Finding>,
+    pub diagnostics: Vec<Diagnostic>,
     pub collision: Vec<Vec<Collision>>,
 }
 
@@ -55,10 +56,10 @@ impl Checked {
         meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
     ) -> Result<Self, RobotError> {
         let urdf = Urdf::read(name, text)?;
-        let mut report = Report {
+        let mut report = Diagnostics {
             file: name,
             text,
-            findings: Vec::new(),
+            diagnostics: Vec::new(),
         };
         names(&urdf, &mut report);
         tree(&urdf, &mut report);
@@ -68,64 +69,13 @@ impl Checked {
         mimics(&urdf, &mut report);
         inertias(&urdf, &mut report);
         let collision = load_shapes(&urdf, meshes, &mut report);
-        let mut findings = report.findings;
-        findings.sort_by_key(|f| (f.at.line, f.at.column));
+        let mut diagnostics = report.diagnostics;
+        diagnostics.sort_by_key(|f| (f.at.line, f.at.column));
         Ok(Self {
             urdf,
-            findings,
+            diagnostics,
             collision,
         })
-    }
-}
-
-/// Collects findings with their places.
-pub(super) struct Report<'a> {
-    file: &'a str,
-    text: &'a str,
-    findings: Vec<Finding>,
-}
-
-/// What was found, what was expected, and what to do.
-pub(super) struct Words {
-    pub value: String,
-    pub limit: String,
-    pub advice: String,
-}
-
-pub(super) fn words(
-    value: impl Into<String>,
-    limit: impl Into<String>,
-    advice: impl Into<String>,
-) -> Words {
-    Words {
-        value: value.into(),
-        limit: limit.into(),
-        advice: advice.into(),
-    }
-}
-
-impl Report<'_> {
-    pub fn add(
-        &mut self,
-        severity: Severity,
-        fault: Fault,
-        subject: Subject,
-        offset: usize,
-        words: Words,
-    ) {
-        self.findings.push(Finding {
-            severity,
-            at: Place::at_offset(self.file, self.text, offset),
-            subject,
-            fault,
-            value: words.value,
-            limit: words.limit,
-            advice: words.advice,
-        });
-    }
-
-    fn error(&mut self, fault: Fault, subject: Subject, offset: usize, words: Words) {
-        self.add(Severity::Error, fault, subject, offset, words);
     }
 }
 
@@ -138,7 +88,7 @@ fn joint(name: &str) -> Subject {
 }
 
 /// Duplicate and unknown names.
-fn names(urdf: &Urdf, report: &mut Report) {
+fn names(urdf: &Urdf, report: &mut Diagnostics) {
     let unique = "a name of its own";
     let mut seen = BTreeSet::new();
     for l in &urdf.links {
@@ -148,7 +98,7 @@ fn names(urdf: &Urdf, report: &mut Report) {
                 unique,
                 "rename one of them",
             );
-            report.error(Fault::DuplicateName, link(&l.name), l.at, w);
+            report.error(DiagnosticKind::DuplicateName, link(&l.name), l.at, w);
         }
     }
     let mut joints = BTreeSet::new();
@@ -159,7 +109,7 @@ fn names(urdf: &Urdf, report: &mut Report) {
                 unique,
                 "rename one of them",
             );
-            report.error(Fault::DuplicateName, joint(&j.name), j.at, w);
+            report.error(DiagnosticKind::DuplicateName, joint(&j.name), j.at, w);
         }
         for (role, end) in [("parent", &j.parent), ("child", &j.child)] {
             if !seen.contains(end) {
@@ -169,14 +119,14 @@ fn names(urdf: &Urdf, report: &mut Report) {
                     "a link of this robot",
                     "correct the name or add the link",
                 );
-                report.error(Fault::UnknownName, joint(&j.name), j.at, w);
+                report.error(DiagnosticKind::UnknownName, joint(&j.name), j.at, w);
             }
         }
     }
 }
 
 /// One root, one parent per link, no circle, not too deep.
-fn tree(urdf: &Urdf, report: &mut Report) {
+fn tree(urdf: &Urdf, report: &mut Diagnostics) {
     let mut parent_of: BTreeMap<&str, &UrdfJoint> = BTreeMap::new();
     for j in &urdf.joints {
         if let Some(first) = parent_of.get(j.child.as_str()) {
@@ -185,7 +135,7 @@ fn tree(urdf: &Urdf, report: &mut Report) {
                 "one parent per link",
                 "remove one of the joints; closed loops are not read",
             );
-            report.error(Fault::SeveralParents, joint(&j.name), j.at, w);
+            report.error(DiagnosticKind::SeveralParents, joint(&j.name), j.at, w);
         } else {
             parent_of.insert(&j.child, j);
         }
@@ -208,7 +158,7 @@ fn tree(urdf: &Urdf, report: &mut Report) {
                 "a parent or a child of some joint",
                 "attach it by a joint (type fixed) or remove it",
             );
-            report.error(Fault::UnreferencedLink, link(&l.name), l.at, w);
+            report.error(DiagnosticKind::UnreferencedLink, link(&l.name), l.at, w);
         } else {
             let root = first_root.map_or("", |first| first.name.as_str());
             let w = words(
@@ -216,14 +166,14 @@ fn tree(urdf: &Urdf, report: &mut Report) {
                 "one root",
                 "attach it by a joint",
             );
-            report.error(Fault::SeveralRoots, link(&l.name), l.at, w);
+            report.error(DiagnosticKind::SeveralRoots, link(&l.name), l.at, w);
         }
     }
     depth(urdf, &parent_of, report);
 }
 
 /// Walks from each link to its root, stopping where an earlier walk has been.
-fn depth(urdf: &Urdf, parent_of: &BTreeMap<&str, &UrdfJoint>, report: &mut Report) {
+fn depth(urdf: &Urdf, parent_of: &BTreeMap<&str, &UrdfJoint>, report: &mut Diagnostics) {
     let mut depth_of: BTreeMap<&str, usize> = BTreeMap::new();
     for l in &urdf.links {
         let mut path: Vec<&str> = Vec::new();
@@ -235,7 +185,7 @@ fn depth(urdf: &Urdf, parent_of: &BTreeMap<&str, &UrdfJoint>, report: &mut Repor
             }
             if !on_path.insert(at) {
                 let w = words("it holds itself", "a tree", "remove a joint of the circle");
-                report.error(Fault::Cycle, link(at), l.at, w);
+                report.error(DiagnosticKind::Cycle, link(at), l.at, w);
                 break 0;
             }
             path.push(at);
@@ -253,13 +203,13 @@ fn depth(urdf: &Urdf, parent_of: &BTreeMap<&str, &UrdfJoint>, report: &mut Repor
                 format!("at most {MAX_DEPTH}"),
                 "join links that do not move against each other",
             );
-            report.error(Fault::Depth, link(&l.name), l.at, w);
+            report.error(DiagnosticKind::Depth, link(&l.name), l.at, w);
         }
     }
 }
 
 /// Type, axis and limits of one joint.
-fn joint_alone(j: &UrdfJoint, urdf: &Urdf, report: &mut Report) {
+fn joint_alone(j: &UrdfJoint, urdf: &Urdf, report: &mut Diagnostics) {
     let subject = || joint(&j.name);
     match j.kind.as_str() {
         "fixed" => return,
@@ -271,33 +221,33 @@ fn joint_alone(j: &UrdfJoint, urdf: &Urdf, report: &mut Report) {
                 "fixed, revolute, continuous, prismatic or planar",
                 "write it as prismatic x, prismatic y, continuous yaw (and so on), one after the other",
             );
-            return report.error(Fault::JointType, subject(), j.at, w);
+            return report.error(DiagnosticKind::JointType, subject(), j.at, w);
         }
         other => {
             let known = ["fixed", "revolute", "continuous", "prismatic", "planar"];
             let unknown = UnknownName::new("joint type", other, known);
             let w = words(unknown.to_string(), known.join(", "), "correct the type");
-            return report.error(Fault::JointType, subject(), j.at, w);
+            return report.error(DiagnosticKind::JointType, subject(), j.at, w);
         }
     }
     let length = j.axis.norm();
     let how = "make the axis a unit vector";
     if length < AXIS_TOLERANCE {
         let w = words(format!("its axis has length {length}"), "length 1", how);
-        report.error(Fault::Axis, subject(), j.at, w);
+        report.error(DiagnosticKind::Axis, subject(), j.at, w);
     } else if (length - 1.0).abs() > AXIS_TOLERANCE {
         let w = words(
             format!("its axis has length {length}"),
             "length 1",
             format!("{how}; it is normalised here"),
         );
-        report.add(Severity::Warning, Fault::Axis, subject(), j.at, w);
+        report.add(Severity::Warning, DiagnosticKind::Axis, subject(), j.at, w);
     }
     let follows = urdf.mimics.iter().any(|m| m.joint == j.name);
     limits(j, follows, report);
 }
 
-fn limits(j: &UrdfJoint, follows: bool, report: &mut Report) {
+fn limits(j: &UrdfJoint, follows: bool, report: &mut Diagnostics) {
     let unit = if j.kind == "prismatic" { "m" } else { "rad" };
     let force = if j.kind == "prismatic" { "N" } else { "Nm" };
     let limit = j.limit.unwrap_or_default();
@@ -310,7 +260,7 @@ fn limits(j: &UrdfJoint, follows: bool, report: &mut Report) {
                     "lower <= upper",
                     "exchange or correct them",
                 );
-                report.error(Fault::Limit, joint(&j.name), j.at, w);
+                report.error(DiagnosticKind::Limit, joint(&j.name), j.at, w);
             }
             (Some(lower), Some(upper)) if lower == upper && !follows => {
                 let w = words(
@@ -318,7 +268,13 @@ fn limits(j: &UrdfJoint, follows: bool, report: &mut Report) {
                     "lower < upper",
                     "widen the limits, or make the joint fixed",
                 );
-                report.add(Severity::Warning, Fault::Limit, joint(&j.name), j.at, w);
+                report.add(
+                    Severity::Warning,
+                    DiagnosticKind::Limit,
+                    joint(&j.name),
+                    j.at,
+                    w,
+                );
             }
             (Some(_), Some(_)) => {}
             _ if follows => {}
@@ -330,7 +286,7 @@ fn limits(j: &UrdfJoint, follows: bool, report: &mut Report) {
                 );
                 report.add(
                     Severity::Warning,
-                    Fault::LimitMissing,
+                    DiagnosticKind::LimitMissing,
                     joint(&j.name),
                     j.at,
                     w,
@@ -364,7 +320,13 @@ fn limits(j: &UrdfJoint, follows: bool, report: &mut Report) {
                     format!("{what} above 0 {unit}"),
                     format!("add <limit {what}>; without it none is kept"),
                 );
-                report.add(severity, Fault::LimitMissing, joint(&j.name), j.at, w);
+                report.add(
+                    severity,
+                    DiagnosticKind::LimitMissing,
+                    joint(&j.name),
+                    j.at,
+                    w,
+                );
             }
             Some(value) if value <= 0.0 => {
                 let w = words(
@@ -372,7 +334,13 @@ fn limits(j: &UrdfJoint, follows: bool, report: &mut Report) {
                     format!("above 0 {unit}"),
                     "give the limit of the drive; with this one the joint cannot move",
                 );
-                report.add(Severity::Warning, Fault::Limit, joint(&j.name), j.at, w);
+                report.add(
+                    Severity::Warning,
+                    DiagnosticKind::Limit,
+                    joint(&j.name),
+                    j.at,
+                    w,
+                );
             }
             Some(_) => {}
         }
@@ -380,7 +348,7 @@ fn limits(j: &UrdfJoint, follows: bool, report: &mut Report) {
 }
 
 /// Joints that follow others: the others exist, can move, and do not follow back.
-fn mimics(urdf: &Urdf, report: &mut Report) {
+fn mimics(urdf: &Urdf, report: &mut Diagnostics) {
     let by_name: BTreeMap<&str, &UrdfJoint> =
         urdf.joints.iter().map(|j| (j.name.as_str(), j)).collect();
     let mut seen = BTreeSet::new();
@@ -397,7 +365,7 @@ fn mimics(urdf: &Urdf, report: &mut Report) {
                         "a joint of this robot",
                         "correct the name",
                     );
-                    report.error(Fault::UnknownName, subject(), m.at, w);
+                    report.error(DiagnosticKind::UnknownName, subject(), m.at, w);
                 }
                 Some(j) if j.kind == "fixed" => {
                     let w = words(
@@ -405,7 +373,7 @@ fn mimics(urdf: &Urdf, report: &mut Report) {
                         "joints that move",
                         "remove the mimic",
                     );
-                    report.error(Fault::Mimic, subject(), m.at, w);
+                    report.error(DiagnosticKind::Mimic, subject(), m.at, w);
                 }
                 Some(_) => {}
             }
@@ -416,11 +384,11 @@ fn mimics(urdf: &Urdf, report: &mut Report) {
                 "one <mimic>",
                 "keep one of them",
             );
-            report.error(Fault::Mimic, subject(), m.at, w);
+            report.error(DiagnosticKind::Mimic, subject(), m.at, w);
         }
         if m.terms.is_empty() {
             let w = words("it follows no joint", "a <term>", "add one");
-            report.error(Fault::Mimic, subject(), m.at, w);
+            report.error(DiagnosticKind::Mimic, subject(), m.at, w);
         }
     }
     // Whatever cannot be reduced to joints that follow none follows itself.
@@ -443,12 +411,12 @@ fn mimics(urdf: &Urdf, report: &mut Report) {
             "joints that follow none in the end",
             "remove a mimic of the circle",
         );
-        report.error(Fault::Mimic, joint(&m.joint), m.at, w);
+        report.error(DiagnosticKind::Mimic, joint(&m.joint), m.at, w);
     }
 }
 
 /// Bodies that no matter could form, and joints that move nothing.
-fn inertias(urdf: &Urdf, report: &mut Report) {
+fn inertias(urdf: &Urdf, report: &mut Diagnostics) {
     for l in &urdf.links {
         if let Some(inertial) = &l.inertial {
             impossible_inertia(&l.name, inertial, report);
@@ -494,17 +462,23 @@ fn inertias(urdf: &Urdf, report: &mut Report) {
                     false => "add <inertial> with mass and inertia: dynamics need them",
                 },
             );
-            report.add(severity, Fault::InertiaMissing, link(&j.child), j.at, w);
+            report.add(
+                severity,
+                DiagnosticKind::InertiaMissing,
+                link(&j.child),
+                j.at,
+                w,
+            );
         }
     }
 }
 
-fn impossible_inertia(name: &str, inertial: &UrdfInertial, report: &mut Report) {
+fn impossible_inertia(name: &str, inertial: &UrdfInertial, report: &mut Diagnostics) {
     let mut warn = |value: String, limit: &str, advice: &str| {
         let w = words(value, limit, advice);
         report.add(
             Severity::Warning,
-            Fault::Inertia,
+            DiagnosticKind::Inertia,
             link(name),
             inertial.at,
             w,

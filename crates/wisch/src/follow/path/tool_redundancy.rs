@@ -1,6 +1,6 @@
-//! The tool's free degrees of freedom (paper §3.3), measured against the plan.
+//! The redundancy of the task: which orientations the tool may have at a pose of the plan (paper §3.3).
 
-use super::ToolPose;
+use crate::follow::ToolPose;
 use crate::geometry::{PlanarPose, wrap_angle};
 use crate::represent::Tool;
 use std::f64::consts::{PI, TAU};
@@ -8,20 +8,20 @@ use std::f64::consts::{PI, TAU};
 /// Angles nearer than this are the same [rad].
 const SAME_ANGLE: f64 = 1e-6;
 
-/// A value of the tool's free degrees of freedom.
+/// An orientation of the tool, measured against the planned one.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Freedom {
+pub(in crate::follow) struct ToolOrientation {
     /// Rotation about the surface normal against the planned heading [rad].
     pub rotation: f64,
     /// Lean about the tilt axis [rad].
     pub tilt: f64,
 }
 
-/// All values of a tool's freedoms, nearest to the planned orientation first.
+/// All orientations that a tool may have, each `increment` [rad], nearest to the planned one first.
 ///
 /// A tool that half a turn maps onto itself is as near at half a turn as at none: it may be turned as far
 /// from there, leaning the other way.
-pub(super) fn freedoms(tool: &Tool, increment: f64) -> Vec<Freedom> {
+pub(in crate::follow) fn orientations(tool: &Tool, increment: f64) -> Vec<ToolOrientation> {
     let range = tool.rotation_about_normal;
     let whole_turn = range.max_rad - range.min_rad > TAU - increment / 2.0;
     let rotations = multiples(range.min_rad, range.max_rad, increment, whole_turn);
@@ -30,17 +30,21 @@ pub(super) fn freedoms(tool: &Tool, increment: f64) -> Vec<Freedom> {
         |tilt| multiples(tilt.range.min_rad, tilt.range.max_rad, increment, false),
     );
     let symmetric = tool.is_half_turn_symmetric();
-    let mut all: Vec<Freedom> = rotations
+    let mut all: Vec<ToolOrientation> = rotations
         .iter()
-        .flat_map(|&rotation| tilts.iter().map(move |&tilt| Freedom { rotation, tilt }))
+        .flat_map(|&rotation| {
+            tilts
+                .iter()
+                .map(move |&tilt| ToolOrientation { rotation, tilt })
+        })
         .collect();
     if symmetric && !whole_turn {
-        let reversed = |freedom: &Freedom| Freedom {
-            rotation: wrap_angle(freedom.rotation + PI),
-            tilt: -freedom.tilt,
+        let reversed = |orientation: &ToolOrientation| ToolOrientation {
+            rotation: wrap_angle(orientation.rotation + PI),
+            tilt: -orientation.tilt,
         };
-        let reversed: Vec<Freedom> = (all.iter().map(reversed))
-            .filter(|freedom| all.iter().all(|known| !is_same(known, freedom)))
+        let reversed: Vec<ToolOrientation> = (all.iter().map(reversed))
+            .filter(|orientation| all.iter().all(|known| !is_same(known, orientation)))
             .collect();
         all.extend(reversed);
     }
@@ -48,44 +52,44 @@ pub(super) fn freedoms(tool: &Tool, increment: f64) -> Vec<Freedom> {
     all
 }
 
-/// Freedoms in the order in which they are tried: by how far they are from the planned orientation, and how
+/// Orientations in the order in which they are tried: by how far they are from the planned one, and how
 /// far the tool turns on this edge beyond what is planned.
-pub(super) fn nearest_first(
-    freedoms: &[Freedom],
+pub(in crate::follow) fn nearest_first(
+    orientations: &[ToolOrientation],
     begin: &PlanarPose,
     from: &ToolPose,
     symmetric: bool,
-) -> Vec<Freedom> {
-    let mut order = freedoms.to_vec();
-    let cost = |freedom: &Freedom| deviation(freedom, begin, from, symmetric);
+) -> Vec<ToolOrientation> {
+    let mut order = orientations.to_vec();
+    let cost = |orientation: &ToolOrientation| deviation(orientation, begin, from, symmetric);
     order.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
     order
 }
 
 /// How far the tool is turned away from the plan at the end of an edge, and by how much more it turns on
 /// the way [rad].
-pub(super) fn deviation(
-    freedom: &Freedom,
+pub(in crate::follow) fn deviation(
+    orientation: &ToolOrientation,
     begin: &PlanarPose,
     from: &ToolPose,
     symmetric: bool,
 ) -> f64 {
-    rank(freedom, symmetric) + change(begin, freedom, from).abs()
+    rank(orientation, symmetric) + change(begin, orientation, from).abs()
 }
 
-/// How far a freedom is from the planned orientation [rad], in steps fine enough for comparison.
-pub(super) fn rank(freedom: &Freedom, symmetric: bool) -> f64 {
-    let turned = wrap_angle(freedom.rotation).abs();
+/// How far an orientation is from the planned one [rad], in steps fine enough for comparison.
+pub(in crate::follow) fn rank(orientation: &ToolOrientation, symmetric: bool) -> f64 {
+    let turned = wrap_angle(orientation.rotation).abs();
     let turned = if symmetric {
         turned.min(PI - turned)
     } else {
         turned
     };
-    ((turned + freedom.tilt.abs()) / SAME_ANGLE).round() * SAME_ANGLE
+    ((turned + orientation.tilt.abs()) / SAME_ANGLE).round() * SAME_ANGLE
 }
 
-/// Whether two values are the same, whole turns apart.
-fn is_same(a: &Freedom, b: &Freedom) -> bool {
+/// Whether two orientations are the same, whole turns apart.
+fn is_same(a: &ToolOrientation, b: &ToolOrientation) -> bool {
     wrap_angle(a.rotation - b.rotation).abs() < SAME_ANGLE && (a.tilt - b.tilt).abs() < SAME_ANGLE
 }
 
@@ -105,38 +109,46 @@ fn multiples(min: f64, max: f64, increment: f64, whole_turn: bool) -> Vec<f64> {
     values
 }
 
-/// A planned pose with a freedom's rotation and tilt, on the surface, as it is first reached: turned from
+/// A planned pose with another rotation and tilt of the tool, on the surface, as it is first reached: turned from
 /// `heading` by at most half a turn.
-pub(super) fn turned(planned: &PlanarPose, freedom: &Freedom, heading: f64) -> ToolPose {
-    let turn = wrap_angle(planned.heading + freedom.rotation - heading);
+pub(in crate::follow) fn turned(
+    planned: &PlanarPose,
+    orientation: &ToolOrientation,
+    heading: f64,
+) -> ToolPose {
+    let turn = wrap_angle(planned.heading + orientation.rotation - heading);
     ToolPose {
         surface_from_tool: PlanarPose::new(planned.position, heading + turn),
         height: 0.0,
-        tilt: freedom.tilt,
+        tilt: orientation.tilt,
     }
 }
 
 /// The end of an edge: the tool turns as planned, and by what its rotation against the plan changes.
 ///
 /// What a turning tool does to particles depends on which way round it turns, so that this way is kept.
-pub(super) fn turned_along(
+pub(in crate::follow) fn turned_along(
     planned: [&PlanarPose; 2],
-    freedom: &Freedom,
+    orientation: &ToolOrientation,
     from: &ToolPose,
 ) -> ToolPose {
     let [begin, end] = planned;
     let heading = from.surface_from_tool.heading;
-    let turn = end.heading - begin.heading + change(begin, freedom, from);
+    let turn = end.heading - begin.heading + change(begin, orientation, from);
     ToolPose {
         surface_from_tool: PlanarPose::new(end.position, heading + turn),
         height: 0.0,
-        tilt: freedom.tilt,
+        tilt: orientation.tilt,
     }
 }
 
 /// By how much the rotation against the plan changes on an edge [rad].
-pub(super) fn change(begin: &PlanarPose, freedom: &Freedom, from: &ToolPose) -> f64 {
-    wrap_angle(freedom.rotation - (from.surface_from_tool.heading - begin.heading))
+pub(in crate::follow) fn change(
+    begin: &PlanarPose,
+    orientation: &ToolOrientation,
+    from: &ToolPose,
+) -> f64 {
+    wrap_angle(orientation.rotation - (from.surface_from_tool.heading - begin.heading))
 }
 
 #[cfg(test)]
@@ -170,17 +182,17 @@ mod tests {
     #[test]
     fn a_symmetric_tool_may_be_reversed_leaning_the_other_way() {
         let blade = tool(Polygon::rectangle(Vector2::new(0.1, 0.3)), 0.5);
-        let all = freedoms(&blade, 0.2);
+        let all = orientations(&blade, 0.2);
         // Five rotations and three tilts, and the same about half a turn.
         assert_eq!(all.len(), 2 * 5 * 3);
-        for freedom in &all {
-            let away = wrap_angle(freedom.rotation - PI).abs();
+        for orientation in &all {
+            let away = wrap_angle(orientation.rotation - PI).abs();
             let is_reversed = away < 0.5;
-            assert!(is_reversed || freedom.rotation.abs() < 0.5);
+            assert!(is_reversed || orientation.rotation.abs() < 0.5);
             assert!(if is_reversed {
-                freedom.tilt <= 0.0
+                orientation.tilt <= 0.0
             } else {
-                freedom.tilt >= 0.0
+                orientation.tilt >= 0.0
             });
         }
         // As near as the planned one.
@@ -189,10 +201,10 @@ mod tests {
     }
 
     #[test]
-    fn a_tool_that_turns_all_round_has_each_freedom_once() {
+    fn a_tool_that_turns_all_round_has_each_orientation_once() {
         let mut sponge = tool(Polygon::rectangle(Vector2::new(0.1, 0.3)), PI);
         sponge.tilt = None;
-        assert_eq!(freedoms(&sponge, PI / 6.0).len(), 12);
+        assert_eq!(orientations(&sponge, PI / 6.0).len(), 12);
     }
 
     #[test]
@@ -200,6 +212,6 @@ mod tests {
         let corners = [[-0.05, -0.1], [0.05, -0.15], [0.05, 0.15], [-0.05, 0.1]];
         let corners = corners.map(|[x, y]| Point2::new(x, y)).to_vec();
         let scoop = tool(Polygon::new(corners, Vec::new()), 0.5);
-        assert_eq!(freedoms(&scoop, 0.2).len(), 5 * 3);
+        assert_eq!(orientations(&scoop, 0.2).len(), 5 * 3);
     }
 }

@@ -1,8 +1,8 @@
 //! A planar joint of a URDF as the three joints that it is: two slides and a turn.
 
-use super::chain::z_to;
 use super::urdf::{UrdfJoint, UrdfLimit, UrdfLink};
 use crate::geometry::{Pose, Vector3};
+use crate::robot::frame::z_to;
 
 /// How far a planar joint slides either way; a URDF gives it no range, and no floor is larger [m].
 const EXTENT: f64 = 100.0;
@@ -14,7 +14,7 @@ const PARTS: [&str; 3] = ["x", "y", "theta"];
 
 /// The joints that a joint consists of, and the links between them. A planar joint's axis is the normal of its
 /// plane; its velocity, acceleration and effort are those of every part [m and rad].
-pub(super) fn split(joint: UrdfJoint) -> (Vec<UrdfJoint>, Vec<UrdfLink>) {
+pub(in crate::robot) fn split(joint: UrdfJoint) -> (Vec<UrdfJoint>, Vec<UrdfLink>) {
     if joint.kind != "planar" || joint.axis.norm() < MIN_AXIS {
         return (vec![joint], Vec::new());
     }

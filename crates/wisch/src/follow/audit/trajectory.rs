@@ -4,7 +4,7 @@
 //! interpolation: if a joint obeys its limits at every time, then so do the divided differences of its
 //! recorded positions and velocities, whatever the sample period; those that do not are faults.
 
-use super::{JointLimits, JointPath, TrajectorySample};
+use crate::follow::{JointLimits, JointPath, TrajectorySample};
 use thiserror::Error;
 
 /// What counts as a fault.
@@ -41,7 +41,7 @@ pub enum End {
 /// A way in which a motion is wrong. Samples, waypoints and joints count from 0; values are in rad or m,
 /// rad/s or m/s, rad/s² or m/s², as the joint's.
 #[derive(Debug, Clone, PartialEq, Error)]
-pub enum Fault {
+pub enum TrajectoryFault {
     /// There is nothing to check.
     #[error("there are no samples")]
     Empty,
@@ -243,7 +243,7 @@ pub fn trajectory_faults(
     path: &JointPath,
     limits: &JointLimits,
     config: &CheckConfig,
-) -> Vec<Fault> {
+) -> Vec<TrajectoryFault> {
     let joints = path.joint_count();
     assert_eq!(limits.joints().len(), joints, "limits of another robot");
     let faults = shape_faults(samples, joints);
@@ -267,22 +267,22 @@ pub fn trajectory_faults(
 }
 
 /// Faults that leave nothing to compute with.
-fn shape_faults(samples: &[TrajectorySample], joints: usize) -> Vec<Fault> {
+fn shape_faults(samples: &[TrajectorySample], joints: usize) -> Vec<TrajectoryFault> {
     let mut faults = Vec::new();
     if samples.is_empty() {
-        faults.push(Fault::Empty);
+        faults.push(TrajectoryFault::Empty);
     }
     for (sample, state) in samples.iter().enumerate() {
         let rows = [&state.q, &state.qd, &state.qdd];
         if rows.iter().any(|row| row.len() != joints) {
-            faults.push(Fault::Shape { sample, joints });
+            faults.push(TrajectoryFault::Shape { sample, joints });
         }
         let numbers = rows.into_iter().flatten().chain([&state.time]);
         if numbers.into_iter().any(|number| !number.is_finite()) {
-            faults.push(Fault::NotFinite { sample });
+            faults.push(TrajectoryFault::NotFinite { sample });
         }
         if sample > 0 && state.time <= samples[sample - 1].time {
-            faults.push(Fault::TimeNotIncreasing {
+            faults.push(TrajectoryFault::TimeNotIncreasing {
                 sample,
                 time: state.time,
                 before: samples[sample - 1].time,
@@ -304,13 +304,13 @@ impl Check<'_> {
         value.abs() > limit * (1.0 + self.config.relative_tolerance) + uncertainty
     }
 
-    fn limits_at(&self, sample: usize, faults: &mut Vec<Fault>) {
+    fn limits_at(&self, sample: usize, faults: &mut Vec<TrajectoryFault>) {
         let state = &self.samples[sample];
         for (joint, limit) in self.limits.joints().iter().enumerate() {
             let (q, qd, qdd) = (state.q[joint], state.qd[joint], state.qdd[joint]);
             let slack = self.config.position_resolution;
             if q < limit.lower - slack || q > limit.upper + slack {
-                faults.push(Fault::Position {
+                faults.push(TrajectoryFault::Position {
                     sample,
                     joint,
                     value: q,
@@ -319,7 +319,7 @@ impl Check<'_> {
                 });
             }
             if self.exceeds(qd, limit.velocity, 0.0) {
-                faults.push(Fault::Velocity {
+                faults.push(TrajectoryFault::Velocity {
                     sample,
                     joint,
                     value: qd,
@@ -327,7 +327,7 @@ impl Check<'_> {
                 });
             }
             if self.exceeds(qdd, limit.acceleration, 0.0) {
-                faults.push(Fault::Acceleration {
+                faults.push(TrajectoryFault::Acceleration {
                     sample,
                     joint,
                     value: qdd,
@@ -338,7 +338,7 @@ impl Check<'_> {
     }
 
     /// Between a sample and the next, and over the one after that.
-    fn limits_after(&self, sample: usize, faults: &mut Vec<Fault>) {
+    fn limits_after(&self, sample: usize, faults: &mut Vec<TrajectoryFault>) {
         let Some(next) = self.samples.get(sample + 1) else {
             return;
         };
@@ -349,7 +349,7 @@ impl Check<'_> {
             let way = next.q[joint] - this.q[joint];
             let velocity = way / step;
             if self.exceeds(velocity, limit.velocity, resolution / step) {
-                faults.push(Fault::PositionStep {
+                faults.push(TrajectoryFault::PositionStep {
                     sample,
                     joint,
                     value: velocity,
@@ -358,7 +358,7 @@ impl Check<'_> {
             }
             let acceleration = (next.qd[joint] - this.qd[joint]) / step;
             if self.exceeds(acceleration, limit.acceleration, resolution / step) {
-                faults.push(Fault::VelocityStep {
+                faults.push(TrajectoryFault::VelocityStep {
                     sample,
                     joint,
                     value: acceleration,
@@ -369,7 +369,7 @@ impl Check<'_> {
             let trapezoid = 0.5 * step * (this.qd[joint] + next.qd[joint]);
             let error = 0.25 * limit.acceleration * step * step;
             if self.exceeds(trapezoid - way, error, resolution) {
-                faults.push(Fault::VelocityMismatch {
+                faults.push(TrajectoryFault::VelocityMismatch {
                     sample,
                     joint,
                     value: trapezoid,
@@ -383,7 +383,7 @@ impl Check<'_> {
                 let bend = (second - velocity) / mean_step;
                 let uncertainty = 2.0 * resolution / (mean_step * step.min(second_step));
                 if self.exceeds(bend, limit.acceleration, uncertainty) {
-                    faults.push(Fault::PositionBend {
+                    faults.push(TrajectoryFault::PositionBend {
                         sample: sample + 1,
                         joint,
                         value: bend,
@@ -394,7 +394,7 @@ impl Check<'_> {
         }
     }
 
-    fn ends(&self, faults: &mut Vec<Fault>) {
+    fn ends(&self, faults: &mut Vec<TrajectoryFault>) {
         let last = self.path.waypoint_count() - 1;
         let ends = [
             (End::Start, &self.samples[0], 0),
@@ -403,7 +403,7 @@ impl Check<'_> {
         for (end, state, waypoint) in ends {
             for (joint, &waypoint) in self.path.waypoint(waypoint).iter().enumerate() {
                 if state.qd[joint].abs() > self.config.relative_tolerance {
-                    faults.push(Fault::NotAtRest {
+                    faults.push(TrajectoryFault::NotAtRest {
                         end,
                         joint,
                         value: state.qd[joint],
@@ -411,7 +411,7 @@ impl Check<'_> {
                 }
                 let resolution = self.config.position_resolution * waypoint.abs().max(1.0);
                 if (state.q[joint] - waypoint).abs() > resolution {
-                    faults.push(Fault::WrongEnd {
+                    faults.push(TrajectoryFault::WrongEnd {
                         end,
                         joint,
                         value: state.q[joint],
@@ -423,7 +423,7 @@ impl Check<'_> {
     }
 
     /// Walks along samples and path together.
-    fn way(&self, faults: &mut Vec<Fault>) {
+    fn way(&self, faults: &mut Vec<TrajectoryFault>) {
         let bound = self.config.path_deviation;
         let last = self.path.waypoint_count() - 1;
         // The segments that the motion may be on: from `rear` to the one after waypoint `front`.
@@ -452,7 +452,7 @@ impl Check<'_> {
                     let last = (rear..=foremost).rev().find_map(on).unwrap_or(first);
                     self.segment_speeds(sample, self.round_corners(first, last), faults);
                 }
-                None => faults.push(Fault::OffPath {
+                None => faults.push(TrajectoryFault::OffPath {
                     sample,
                     waypoint: front,
                     bound,
@@ -461,7 +461,7 @@ impl Check<'_> {
             before = state;
         }
         if front < last {
-            faults.push(Fault::WaypointMissed {
+            faults.push(TrajectoryFault::WaypointMissed {
                 waypoint: front + 1,
                 bound,
             });
@@ -496,7 +496,7 @@ impl Check<'_> {
         &self,
         sample: usize,
         segments: impl Iterator<Item = usize>,
-        faults: &mut Vec<Fault>,
+        faults: &mut Vec<TrajectoryFault>,
     ) {
         let mut allowed = vec![0.0_f64; self.path.joint_count()];
         for segment in segments {
@@ -513,7 +513,7 @@ impl Check<'_> {
         }
         for (joint, (&value, &limit)) in self.samples[sample].qd.iter().zip(&allowed).enumerate() {
             if self.exceeds(value, limit, self.config.relative_tolerance) {
-                faults.push(Fault::SegmentTooFast {
+                faults.push(TrajectoryFault::SegmentTooFast {
                     sample,
                     joint,
                     value,

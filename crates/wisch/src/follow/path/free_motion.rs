@@ -1,8 +1,8 @@
 //! Free motion of the arm between two configurations: a bidirectional random tree in joint space
 //! (RRT-Connect; Kuffner and LaValle, 2000), shortened.
 
-use super::Touch;
-use super::arm::{Arm, between};
+use super::arm::{Arm, between, widest_step};
+use crate::follow::AllowedContact;
 use crate::robot::JointPositions;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -37,9 +37,9 @@ impl Tree {
     fn grow(&mut self, arm: &Arm, q: &JointPositions) -> Option<usize> {
         let parent = self.nearest(q);
         let from = self.nodes[parent].0;
-        let share = (BRANCH / widest(&from, q)).min(1.0);
+        let share = (BRANCH / widest_step(&from, q)).min(1.0);
         let to = arm.hold(&between(&from, q, share))?;
-        arm.way(&from, &to, Touch::Nothing).ok()?;
+        arm.way(&from, &to, AllowedContact::None).ok()?;
         self.nodes.push((to, parent));
         Some(self.nodes.len() - 1)
     }
@@ -56,16 +56,16 @@ impl Tree {
 
 /// A free way between two configurations, both ends included; `None` if none is found within the
 /// budget.
-pub(super) fn transfer(
+pub(in crate::follow) fn free_motion(
     arm: &Arm,
     from: &JointPositions,
     to: &JointPositions,
     seed: u64,
 ) -> Option<Vec<JointPositions>> {
-    if let Ok(way) = arm.way(from, to, Touch::Nothing) {
+    if let Ok(way) = arm.way(from, to, AllowedContact::None) {
         return Some([vec![*from], way].concat());
     }
-    if !(arm.is_free_at(from, Touch::Nothing) && arm.is_free_at(to, Touch::Nothing)) {
+    if !(arm.is_free_at(from, AllowedContact::None) && arm.is_free_at(to, AllowedContact::None)) {
         return None;
     }
     let mut random = ChaCha8Rng::seed_from_u64(seed);
@@ -116,7 +116,7 @@ fn shorten(arm: &Arm, path: &mut Vec<JointPositions>, random: &mut ChaCha8Rng) {
         let (a, b) = ((a, from_a), (b, from_b));
         let ((i, from), (k, to)) = if a.0 <= b.0 { (a, b) } else { (b, a) };
         let is_free =
-            |a: &JointPositions, b: &JointPositions| arm.way(a, b, Touch::Nothing).is_ok();
+            |a: &JointPositions, b: &JointPositions| arm.way(a, b, AllowedContact::None).is_ok();
         // With two hands on the tool the rest of a piece need not be as free as the whole.
         let is_rest = |a, b| arm.cell.second().is_none() || is_free(a, b);
         if i < k && is_free(&from, &to) && is_rest(&path[i], &from) && is_rest(&to, &path[k + 1]) {
@@ -129,16 +129,11 @@ fn shorten(arm: &Arm, path: &mut Vec<JointPositions>, random: &mut ChaCha8Rng) {
 fn whole(arm: &Arm, corners: &[JointPositions]) -> Option<Vec<JointPositions>> {
     let mut path = vec![corners[0]];
     for pair in corners.windows(2) {
-        path.extend(arm.way(&pair[0], &pair[1], Touch::Nothing).ok()?);
+        path.extend(arm.way(&pair[0], &pair[1], AllowedContact::None).ok()?);
     }
     Some(path)
 }
 
 fn distance(a: &JointPositions, b: &JointPositions) -> f64 {
     a.iter().zip(b.iter()).map(|(a, b)| (a - b) * (a - b)).sum()
-}
-
-fn widest(a: &JointPositions, b: &JointPositions) -> f64 {
-    let changes = a.iter().zip(b.iter()).map(|(a, b)| (a - b).abs());
-    changes.fold(f64::MIN_POSITIVE, f64::max)
 }

@@ -1,9 +1,9 @@
-//! What a check of a robot reports.
+//! Diagnostics of a robot's description: what a check reports, where and how severe.
 
 use crate::source_location::Place;
 use std::fmt;
 
-/// How much a finding matters.
+/// How much a diagnostic matters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
     /// Worth knowing; the robot works.
@@ -31,7 +31,7 @@ impl fmt::Display for Severity {
     }
 }
 
-/// What a finding is about.
+/// What a diagnostic is about.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Subject {
     /// The robot as a whole.
@@ -55,7 +55,7 @@ impl fmt::Display for Subject {
 /// What is missing or odd.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
-pub enum Fault {
+pub enum DiagnosticKind {
     /// Two links or two joints of one name.
     DuplicateName,
     /// A joint names a link, or a mimic a joint, that does not exist.
@@ -94,8 +94,8 @@ pub enum Fault {
     PackagePath,
 }
 
-impl Fault {
-    /// The fault as reports write it, such as "mesh-scale".
+impl DiagnosticKind {
+    /// The kind as reports write it, such as "mesh-scale".
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::DuplicateName => "duplicate-name",
@@ -122,7 +122,7 @@ impl Fault {
 
 /// One thing that is missing or odd in the description of a robot.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Finding {
+pub struct Diagnostic {
     /// How much it matters.
     pub severity: Severity,
     /// Where the text says it.
@@ -130,7 +130,7 @@ pub struct Finding {
     /// Whom it concerns.
     pub subject: Subject,
     /// What kind of thing it is.
-    pub fault: Fault,
+    pub kind: DiagnosticKind,
     /// What was found, with its unit.
     pub value: String,
     /// What it should be.
@@ -139,12 +139,63 @@ pub struct Finding {
     pub advice: String,
 }
 
-impl fmt::Display for Finding {
+impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
             "{}: {}: {}, expected {}; {}",
             self.at, self.subject, self.value, self.limit, self.advice
         )
+    }
+}
+
+/// Collects diagnostics with their places.
+pub(in crate::robot) struct Diagnostics<'a> {
+    pub file: &'a str,
+    pub text: &'a str,
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// What was found, what was expected, and what to do.
+pub(in crate::robot) struct Words {
+    pub value: String,
+    pub limit: String,
+    pub advice: String,
+}
+
+pub(in crate::robot) fn words(
+    value: impl Into<String>,
+    limit: impl Into<String>,
+    advice: impl Into<String>,
+) -> Words {
+    Words {
+        value: value.into(),
+        limit: limit.into(),
+        advice: advice.into(),
+    }
+}
+
+impl Diagnostics<'_> {
+    pub fn add(
+        &mut self,
+        severity: Severity,
+        kind: DiagnosticKind,
+        subject: Subject,
+        offset: usize,
+        words: Words,
+    ) {
+        self.diagnostics.push(Diagnostic {
+            severity,
+            at: Place::at_offset(self.file, self.text, offset),
+            subject,
+            kind,
+            value: words.value,
+            limit: words.limit,
+            advice: words.advice,
+        });
+    }
+
+    pub fn error(&mut self, kind: DiagnosticKind, subject: Subject, offset: usize, words: Words) {
+        self.add(Severity::Error, kind, subject, offset, words);
     }
 }

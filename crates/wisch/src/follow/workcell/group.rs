@@ -1,13 +1,13 @@
 //! Which part of a robot wipes, what carries it, and where it waits.
 
-use super::FollowError;
+use crate::follow::FollowError;
 use crate::geometry::Vector3;
 use crate::robot::{JointKind, LinkId, RobotModel, Srdf};
 use crate::source_location::UnknownName;
 
 /// Name of the SRDF's state in which the arm waits and travels. A state of this name with `_` and the tool's
 /// name after it goes before, for tools that need a posture of their own.
-pub(super) const READY_STATE: &str = "ready";
+pub(in crate::follow) const READY_STATE: &str = "ready";
 
 /// A base that moves over the floor: the variables of its position and heading in the root frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,7 +22,7 @@ pub struct PlanarBase {
 
 /// The part of a robot that wipes.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Group {
+pub struct PlanningGroup {
     /// The link that its chain begins at.
     pub base: LinkId,
     /// The link that holds the tool.
@@ -32,7 +32,7 @@ pub struct Group {
     pub ready: Vec<f64>,
 }
 
-impl Group {
+impl PlanningGroup {
     /// The group of a name, or the SRDF's first, or without an SRDF the longest chain.
     ///
     /// # Errors
@@ -79,19 +79,13 @@ fn longest_chain(robot: &RobotModel) -> (LinkId, LinkId) {
 }
 
 /// The planar base that carries a link: x, y and heading, if that is all that moves it.
-pub(super) fn planar_base(
+pub(in crate::follow) fn planar_base(
     robot: &RobotModel,
     link: LinkId,
 ) -> Result<Option<PlanarBase>, FollowError> {
-    let mut moving = Vec::new();
-    let mut at = link;
-    while let Some(id) = robot.links()[at.index()].parent {
-        let joint = &robot.joints()[id.index()];
-        if joint.kind != JointKind::Fixed {
-            moving.push(joint);
-        }
-        at = joint.parent;
-    }
+    let mut moving: Vec<_> = (robot.joints_above(link))
+        .filter(|joint| joint.kind != JointKind::Fixed)
+        .collect();
     moving.reverse();
     let variable = |at: usize| match moving[at].drive.terms[..] {
         [(variable, 1.0)] => Some(variable),
@@ -130,7 +124,7 @@ fn ready(robot: &RobotModel, srdf: Option<&Srdf>) -> Vec<f64> {
 }
 
 /// Puts in the positions of the SRDF's states of a name.
-pub(super) fn put_in(q: &mut [f64], srdf: Option<&Srdf>, state: &str) {
+pub(in crate::follow) fn put_in(q: &mut [f64], srdf: Option<&Srdf>, state: &str) {
     let states = srdf.map_or(&[][..], |srdf| &srdf.states);
     for state in states.iter().filter(|known| known.name == state) {
         for &(variable, position) in &state.positions {
@@ -140,12 +134,10 @@ pub(super) fn put_in(q: &mut [f64], srdf: Option<&Srdf>, state: &str) {
 }
 
 /// A hand and the next link with shapes that holds it.
-pub(super) fn hand_and_holder(robot: &RobotModel, tip: LinkId) -> Vec<String> {
-    let above = std::iter::successors(Some(tip), |at| {
-        let joint = robot.links()[at.index()].parent?;
-        Some(robot.joints()[joint.index()].parent)
-    });
-    above
+pub(in crate::follow) fn hand_and_holder(robot: &RobotModel, tip: LinkId) -> Vec<String> {
+    let above = robot.joints_above(tip).map(|joint| joint.parent);
+    std::iter::once(tip)
+        .chain(above)
         .map(|link| &robot.links()[link.index()])
         .filter(|link| !link.collision.is_empty())
         .take(2)
@@ -154,7 +146,7 @@ pub(super) fn hand_and_holder(robot: &RobotModel, tip: LinkId) -> Vec<String> {
 }
 
 /// The links with shapes that only the base moves, and that so stand on the floor.
-pub(super) fn standing_links(robot: &RobotModel, base: &PlanarBase) -> Vec<String> {
+pub(in crate::follow) fn standing_links(robot: &RobotModel, base: &PlanarBase) -> Vec<String> {
     let variables = [base.x, base.y, base.yaw];
     let mut stands = vec![true; robot.links().len()];
     for joint in robot.joints() {

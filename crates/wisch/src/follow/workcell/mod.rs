@@ -1,20 +1,20 @@
 //! Robot, tool and scene as one: what is to move, where it may move, and what is in the way.
 
-use super::group::{
-    Group, PlanarBase, READY_STATE, hand_and_holder, planar_base, put_in, standing_links,
-};
-use super::hold::{relaxed, tip_from_tool, without_rim};
-use super::second_arm::SecondArm;
-use super::{FollowError, JointLimit, JointLimits, ToolPose};
+mod grasp;
+mod group;
+pub(super) mod second_arm;
+
+pub use group::{PlanarBase, PlanningGroup};
+pub use second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE, SecondArm};
+
+use crate::follow::{FollowError, JointLimit, JointLimits, ToolPose};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::represent::{SceneObject, ScenePart, Task};
 use crate::robot::{CollisionModel, IkConfig, IkSolver, JointKind, LinkId, RobotModel, Srdf};
+use grasp::{relaxed, tip_from_tool, without_rim};
+use group::{READY_STATE, hand_and_holder, planar_base, put_in, standing_links};
 use nalgebra::{Translation3, UnitQuaternion};
 
-/// Velocity and acceleration of a joint whose URDF gives none; paper §3.4 [rad/s, rad/s²].
-const JOINT_RATES: [f64; 2] = [1.0, 10.0];
-/// Velocity and acceleration of a sliding joint whose URDF gives none; paper §3.4 [m/s, m/s²].
-const SLIDE_RATES: [f64; 2] = [0.5, 1.0];
 /// How far a base may stand off the plane of its floor before that is an error [m, rad].
 const FLOOR_TOLERANCE: f64 = 1e-6;
 /// Random starts from which the second hand is brought to its grip in the ready posture.
@@ -26,9 +26,9 @@ const TOOL_RIM: f64 = 2.8e-3;
 
 /// What the tool may touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Touch {
+pub enum AllowedContact {
     /// Nothing, as in free motion.
-    Nothing,
+    None,
     /// The object that carries the surface.
     Surface,
 }
@@ -101,11 +101,11 @@ impl Workcell {
         task: &Task,
         config: &WorkcellConfig,
     ) -> Result<Self, FollowError> {
-        let Group {
+        let PlanningGroup {
             base: base_link,
             tip,
             mut ready,
-        } = Group::choose(&robot, srdf, config.group.as_deref())?;
+        } = PlanningGroup::choose(&robot, srdf, config.group.as_deref())?;
         put_in(
             &mut ready,
             srdf,
@@ -138,7 +138,7 @@ impl Workcell {
                         tool: task.tool.name.clone(),
                         group: name.clone(),
                     })?;
-                let tip = Group::choose(&robot, srdf, Some(name))?.tip;
+                let tip = PlanningGroup::choose(&robot, srdf, Some(name))?.tip;
                 Some(SecondArm::new(
                     &robot,
                     &ik,
@@ -206,7 +206,7 @@ impl Workcell {
         let base_collisions = collisions.for_variables(&base_variables);
         let limits = limits(&robot)?;
         if let Some(second) = &second {
-            take_hold(&robot, second, &ik, &collisions, &mut ready)?;
+            grip_with_second_hand(&robot, second, &ik, &collisions, &mut ready)?;
         }
         Ok(Self {
             world_from_root,
@@ -280,23 +280,23 @@ impl Workcell {
     }
 
     /// What may not touch while the tool touches this.
-    pub const fn all_collisions(&self, touch: Touch) -> &CollisionModel {
-        match touch {
-            Touch::Nothing => &self.collisions,
-            Touch::Surface => &self.collisions_in_contact,
+    pub const fn all_collisions(&self, allowed: AllowedContact) -> &CollisionModel {
+        match allowed {
+            AllowedContact::None => &self.collisions,
+            AllowedContact::Surface => &self.collisions_in_contact,
         }
     }
 
     /// What may not touch, as far as the base's variables can change it.
-    pub(super) const fn base_collisions(&self) -> &CollisionModel {
+    pub(in crate::follow) const fn base_collisions(&self) -> &CollisionModel {
         &self.base_collisions
     }
 
     /// What may not touch, as far as the group's variables can change it.
-    pub const fn arm_collisions(&self, touch: Touch) -> &CollisionModel {
-        match touch {
-            Touch::Nothing => &self.arm_collisions,
-            Touch::Surface => &self.arm_collisions_in_contact,
+    pub const fn arm_collisions(&self, allowed: AllowedContact) -> &CollisionModel {
+        match allowed {
+            AllowedContact::None => &self.arm_collisions,
+            AllowedContact::Surface => &self.arm_collisions_in_contact,
         }
     }
 
@@ -306,7 +306,7 @@ impl Workcell {
     }
 
     /// Whether a name in a contact is one of the scene's objects.
-    pub(super) fn is_obstacle(&self, name: &str) -> bool {
+    pub(in crate::follow) fn is_obstacle(&self, name: &str) -> bool {
         self.obstacles.iter().any(|obstacle| obstacle == name)
     }
 
@@ -324,7 +324,7 @@ impl Workcell {
     }
 
     /// The variables with the base standing somewhere.
-    pub(super) fn standing(&self, q: &[f64], world_from_base: &PlanarPose) -> Vec<f64> {
+    pub(in crate::follow) fn standing(&self, q: &[f64], world_from_base: &PlanarPose) -> Vec<f64> {
         let mut q = q.to_vec();
         if let Some(base) = self.base {
             q[base.x] = world_from_base.position.x;
@@ -335,7 +335,7 @@ impl Workcell {
     }
 
     /// Where the base stands; the origin for a robot without one.
-    pub(super) fn base_pose(&self, q: &[f64]) -> PlanarPose {
+    pub(in crate::follow) fn base_pose(&self, q: &[f64]) -> PlanarPose {
         self.base
             .map_or(PlanarPose::new(Point2::origin(), 0.0), |base| {
                 PlanarPose::new(Point2::new(q[base.x], q[base.y]), q[base.yaw])
@@ -344,7 +344,7 @@ impl Workcell {
 }
 
 /// Brings the second hand to its grip in the ready posture: where it touches nothing, if there is such a way.
-fn take_hold(
+fn grip_with_second_hand(
     robot: &RobotModel,
     second: &SecondArm,
     ik: &IkSolver,
@@ -413,17 +413,21 @@ fn unlike(robot: &RobotModel, name: &str) -> String {
 fn limits(robot: &RobotModel) -> Result<JointLimits, FollowError> {
     let limit = |i: usize| {
         let joint = robot.variable(i);
-        let [velocity, acceleration] = match joint.kind {
-            JointKind::Prismatic => SLIDE_RATES,
-            _ => JOINT_RATES,
+        let (lower, upper) = (joint.limits.position)
+            .map_or((f64::NEG_INFINITY, f64::INFINITY), |range| {
+                (range.lower, range.upper)
+            });
+        // The paper's, where the URDF gives none.
+        let usual = match joint.kind {
+            JointKind::Prismatic => JointLimit::base(&joint.name),
+            _ => JointLimit::arm(&joint.name, lower, upper),
         };
-        let range = joint.limits.position;
         JointLimit {
-            name: joint.name.clone(),
-            lower: range.map_or(f64::NEG_INFINITY, |range| range.lower),
-            upper: range.map_or(f64::INFINITY, |range| range.upper),
-            velocity: joint.limits.velocity.unwrap_or(velocity),
-            acceleration: joint.limits.acceleration.unwrap_or(acceleration),
+            lower,
+            upper,
+            velocity: joint.limits.velocity.unwrap_or(usual.velocity),
+            acceleration: joint.limits.acceleration.unwrap_or(usual.acceleration),
+            ..usual
         }
     };
     Ok(JointLimits::new((0..robot.dof()).map(limit).collect())?)

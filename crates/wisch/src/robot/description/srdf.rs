@@ -1,7 +1,7 @@
 //! What a URDF does not say: groups of joints, named postures, links that may touch. MoveIt's format.
 
 use super::urdf::{Reader, elements};
-use super::{LinkId, RobotError, RobotModel};
+use crate::robot::{LinkId, RobotError, RobotModel};
 use crate::source_location::{Place, UnknownName};
 use roxmltree::Node;
 use std::collections::BTreeSet;

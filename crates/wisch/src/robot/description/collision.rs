@@ -1,9 +1,9 @@
 //! Shapes of links, for collision checks: what the URDF's `<collision>` elements become.
 
-use super::check::{Report, words};
+use super::diagnostics::{Diagnostics, words};
 use super::urdf::{Urdf, UrdfGeometry, UrdfShape};
-use super::{Fault, Severity, Subject};
 use crate::geometry::{Mesh, MeshFormat, Point3, Pose, Vector3};
+use crate::robot::{DiagnosticKind, Severity, Subject};
 use nalgebra::{Translation3, UnitQuaternion};
 
 /// Longest a mesh may be before it is taken for one in millimetres [m].
@@ -54,10 +54,10 @@ pub enum Shape {
 }
 
 /// The shapes of every link, in the order of the links; what cannot be had is reported.
-pub(super) fn load_shapes(
+pub(in crate::robot) fn load_shapes(
     urdf: &Urdf,
     meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
-    report: &mut Report,
+    report: &mut Diagnostics,
 ) -> Vec<Vec<Collision>> {
     for link in &urdf.links {
         for (at, file) in &link.visual_meshes {
@@ -73,7 +73,7 @@ pub(super) fn load_shapes(
         );
         report.add(
             Severity::Warning,
-            Fault::CollisionMissing,
+            DiagnosticKind::CollisionMissing,
             Subject::Robot,
             0,
             w,
@@ -89,7 +89,13 @@ pub(super) fn load_shapes(
                 "add a shape unless another link's covers it",
             );
             let subject = Subject::Link(link.name.clone());
-            report.add(Severity::Note, Fault::CollisionMissing, subject, link.at, w);
+            report.add(
+                Severity::Note,
+                DiagnosticKind::CollisionMissing,
+                subject,
+                link.at,
+                w,
+            );
         }
         let shapes = link
             .shapes
@@ -101,7 +107,7 @@ pub(super) fn load_shapes(
     all
 }
 
-fn package_path(link: &str, at: usize, file: &str, report: &mut Report) {
+fn package_path(link: &str, at: usize, file: &str, report: &mut Diagnostics) {
     let Some(rest) = file.strip_prefix("package://") else {
         return;
     };
@@ -112,14 +118,14 @@ fn package_path(link: &str, at: usize, file: &str, report: &mut Report) {
         format!("say where the package is (--package {package}=DIR)"),
     );
     let subject = Subject::Link(link.to_owned());
-    report.add(Severity::Note, Fault::PackagePath, subject, at, w);
+    report.add(Severity::Note, DiagnosticKind::PackagePath, subject, at, w);
 }
 
 fn load(
     link: &str,
     shape: &UrdfShape,
     meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
-    report: &mut Report,
+    report: &mut Diagnostics,
 ) -> Option<Collision> {
     let solid = match &shape.geometry {
         UrdfGeometry::Box(size) => Shape::Box { size: *size },
@@ -137,7 +143,13 @@ fn load(
                         "a readable STL, OBJ or COLLADA mesh",
                         "correct the path or the file",
                     );
-                    report.add(Severity::Error, Fault::Mesh, subject(), shape.at, w);
+                    report.add(
+                        Severity::Error,
+                        DiagnosticKind::Mesh,
+                        subject(),
+                        shape.at,
+                        w,
+                    );
                     return None;
                 }
             };
@@ -147,7 +159,13 @@ fn load(
                     format!("at most {MAX_MESH_EXTENT} m"),
                     "it is probably in millimetres: use scale=\"0.001 0.001 0.001\"",
                 );
-                report.add(Severity::Warning, Fault::MeshScale, subject(), shape.at, w);
+                report.add(
+                    Severity::Warning,
+                    DiagnosticKind::MeshScale,
+                    subject(),
+                    shape.at,
+                    w,
+                );
             }
             Shape::Mesh(mesh)
         }

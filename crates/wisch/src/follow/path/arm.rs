@@ -3,8 +3,8 @@
 //! Where a second hand holds the tool, a configuration has the variables of the leading arm, then those of
 //! the second, and every configuration keeps both hands on the tool.
 
-use super::second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE};
-use super::{FollowConfig, Obstruction, ToolPose, Touch, Workcell};
+use crate::follow::workcell::second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE};
+use crate::follow::{AllowedContact, FollowConfig, Obstruction, ToolPose, Workcell};
 use crate::geometry::{PlanarPose, Pose};
 use crate::represent::Task;
 use crate::robot::{Contact, IkConfig, IkOutcome, JointPositions, RobotError, RotationGoal};
@@ -22,7 +22,7 @@ const HELD_STEP: f64 = 0.1;
 const MAX_HALVINGS: u32 = 6;
 
 /// The group's variables where the base stands.
-pub(super) struct Arm<'a> {
+pub(in crate::follow) struct Arm<'a> {
     pub cell: &'a Workcell,
     pub task: &'a Task,
     pub config: &'a FollowConfig,
@@ -34,7 +34,7 @@ pub(super) struct Arm<'a> {
 
 /// Where a line broke off.
 #[derive(Debug, Clone)]
-pub(super) struct Broken {
+pub(in crate::follow) struct Broken {
     /// How far along the line, 0 to 1.
     pub progress: f64,
     pub obstruction: Obstruction,
@@ -192,15 +192,13 @@ impl<'a> Arm<'a> {
         &self,
         from: &JointPositions,
         to: &JointPositions,
-        touch: Touch,
+        allowed: AllowedContact,
     ) -> Result<Vec<JointPositions>, Obstruction> {
         if self.cell.second().is_none() {
-            self.is_free(from, to, touch)?;
+            self.is_free(from, to, allowed)?;
             return Ok(vec![*to]);
         }
-        let changes = from.iter().zip(to.iter()).map(|(a, b)| (b - a).abs());
-        let widest = changes.fold(0.0, f64::max);
-        let count = ((widest / HELD_STEP).ceil() as usize).max(1);
+        let count = ((widest_step(from, to) / HELD_STEP).ceil() as usize).max(1);
         let mut way = Vec::with_capacity(count);
         let mut at = *from;
         for i in 1..=count {
@@ -211,7 +209,7 @@ impl<'a> Arm<'a> {
                 let (leading, second) = straight.split_at(self.leading());
                 self.held(leading, second)?
             };
-            self.halved(&at, &next, touch, &mut way, MAX_HALVINGS)?;
+            self.halved(&at, &next, allowed, &mut way, MAX_HALVINGS)?;
             at = next;
         }
         Ok(way)
@@ -221,13 +219,13 @@ impl<'a> Arm<'a> {
         &self,
         from: &JointPositions,
         to: &JointPositions,
-        touch: Touch,
+        allowed: AllowedContact,
         way: &mut Vec<JointPositions>,
         halvings: u32,
     ) -> Result<(), Obstruction> {
         let middle = between(from, to, 0.5);
         if !self.jumps(from, to) && self.keeps_grip(&middle) {
-            self.is_free(from, to, touch)?;
+            self.is_free(from, to, allowed)?;
             way.push(*to);
             return Ok(());
         }
@@ -236,8 +234,8 @@ impl<'a> Arm<'a> {
         }
         let (leading, second) = middle.split_at(self.leading());
         let middle = self.held(leading, second)?;
-        self.halved(from, &middle, touch, way, halvings - 1)?;
-        self.halved(&middle, to, touch, way, halvings - 1)
+        self.halved(from, &middle, allowed, way, halvings - 1)?;
+        self.halved(&middle, to, allowed, way, halvings - 1)
     }
 
     /// The same, touching nothing.
@@ -248,7 +246,7 @@ impl<'a> Arm<'a> {
         seed: u64,
     ) -> Result<JointPositions, Obstruction> {
         let q = self.reach_anyhow(pose, starts, seed, RESTARTS)?;
-        self.is_free(&q, &q, Touch::Nothing).map(|()| q)
+        self.is_free(&q, &q, AllowedContact::None).map(|()| q)
     }
 
     fn solved(
@@ -290,26 +288,26 @@ impl<'a> Arm<'a> {
         &self,
         from: &JointPositions,
         to: &JointPositions,
-        touch: Touch,
+        allowed: AllowedContact,
     ) -> Result<(), Obstruction> {
         let (from, to) = (self.to_robot(from), self.to_robot(to));
-        let model = self.cell.arm_collisions(touch);
+        let model = self.cell.arm_collisions(allowed);
         match model.segment_contact(&from, &to, self.config.margin) {
             Ok(None) => Ok(()),
-            Ok(Some(contact)) => Err(self.obstruction(&contact, touch)),
+            Ok(Some(contact)) => Err(self.obstruction(&contact, allowed)),
             Err(_) => Err(Obstruction::unreachable()),
         }
     }
 
     /// Whether a configuration is free.
-    pub fn is_free_at(&self, at: &JointPositions, touch: Touch) -> bool {
-        let model = self.cell.arm_collisions(touch);
+    pub fn is_free_at(&self, at: &JointPositions, allowed: AllowedContact) -> bool {
+        let model = self.cell.arm_collisions(allowed);
         let contact = model.collision(&self.to_robot(at), self.config.margin);
         matches!(contact, Ok(None))
     }
 
-    fn obstruction(&self, contact: &Contact, touch: Touch) -> Obstruction {
-        let model = self.cell.arm_collisions(touch);
+    fn obstruction(&self, contact: &Contact, allowed: AllowedContact) -> Obstruction {
+        let model = self.cell.arm_collisions(allowed);
         let (a, b) = (model.name(contact.a), model.name(contact.b));
         let distance = contact.distance;
         match (self.cell.is_obstacle(a), self.cell.is_obstacle(b)) {
@@ -339,9 +337,9 @@ impl<'a> Arm<'a> {
         start: &JointPositions,
         from: &ToolPose,
         to: &ToolPose,
-        touch: Touch,
+        allowed: AllowedContact,
     ) -> Result<Vec<JointPositions>, Broken> {
-        let count = from.steps_to(to, self.config);
+        let count = steps(from, to, self.config);
         let mut path = Vec::with_capacity(count);
         let mut at = *start;
         for i in 1..=count {
@@ -352,7 +350,7 @@ impl<'a> Arm<'a> {
                     obstruction,
                 })?;
         }
-        self.is_free_along(start, &path, touch)?;
+        self.is_free_along(start, &path, allowed)?;
         Ok(path)
     }
 
@@ -361,7 +359,7 @@ impl<'a> Arm<'a> {
         &self,
         start: &JointPositions,
         path: &[JointPositions],
-        touch: Touch,
+        allowed: AllowedContact,
     ) -> Result<(), Broken> {
         let broken = |i: usize, obstruction| Broken {
             progress: i as f64 / path.len() as f64,
@@ -369,12 +367,12 @@ impl<'a> Arm<'a> {
         };
         // A configuration is cheaper than the way between two.
         for i in [path.len() - 1, path.len() / 2] {
-            self.is_free(&path[i], &path[i], touch)
+            self.is_free(&path[i], &path[i], allowed)
                 .map_err(|obstruction| broken(i, obstruction))?;
         }
         let mut at = start;
         for (i, next) in path.iter().enumerate() {
-            self.is_free(at, next, touch)
+            self.is_free(at, next, allowed)
                 .map_err(|obstruction| broken(i, obstruction))?;
             at = next;
         }
@@ -409,9 +407,7 @@ impl<'a> Arm<'a> {
 
     /// Whether a joint moves further than it may between two neighbouring poses.
     pub fn jumps(&self, from: &JointPositions, to: &JointPositions) -> bool {
-        from.iter()
-            .zip(to.iter())
-            .any(|(a, b)| (b - a).abs() > self.config.max_joint_step)
+        widest_step(from, to) > self.config.max_joint_step
     }
 
     fn jump(&self, from: &JointPositions, to: &JointPositions) -> Obstruction {
@@ -459,7 +455,7 @@ fn both(leading: &[f64], second: &[f64]) -> JointPositions {
 }
 
 /// Between two configurations, `b` itself at 1.
-pub(super) fn between(a: &JointPositions, b: &JointPositions, s: f64) -> JointPositions {
+pub(in crate::follow) fn between(a: &JointPositions, b: &JointPositions, s: f64) -> JointPositions {
     if s >= 1.0 {
         return *b;
     }
@@ -469,36 +465,16 @@ pub(super) fn between(a: &JointPositions, b: &JointPositions, s: f64) -> JointPo
         .collect()
 }
 
-impl ToolPose {
-    /// Between this pose (0) and another (1).
-    pub fn towards(&self, to: &Self, s: f64) -> Self {
-        let between = |a: f64, b: f64| a + s * (b - a);
-        let (a, b) = (&self.surface_from_tool, &to.surface_from_tool);
-        Self {
-            surface_from_tool: PlanarPose::new(
-                a.position + (b.position - a.position) * s,
-                between(a.heading, b.heading),
-            ),
-            height: between(self.height, to.height),
-            tilt: between(self.tilt, to.tilt),
-        }
-    }
+/// The widest step of a joint between two configurations [rad or m].
+pub(in crate::follow) fn widest_step(from: &JointPositions, to: &JointPositions) -> f64 {
+    let steps = from.iter().zip(to.iter()).map(|(a, b)| (b - a).abs());
+    steps.fold(0.0, f64::max)
+}
 
-    /// The same, lifted.
-    pub fn lifted(&self, height: f64) -> Self {
-        Self { height, ..*self }
-    }
-
-    /// Way of the tool centre point to another pose [m].
-    pub fn distance(&self, to: &Self) -> f64 {
-        let flat = (to.surface_from_tool.position - self.surface_from_tool.position).norm();
-        flat.hypot(to.height - self.height)
-    }
-
-    fn steps_to(&self, to: &Self, config: &FollowConfig) -> usize {
-        let turn = (to.surface_from_tool.heading - self.surface_from_tool.heading).abs();
-        let lean = (to.tilt - self.tilt).abs();
-        let steps = (self.distance(to) / config.step).max(turn.max(lean) / config.turn);
-        (steps.ceil() as usize).max(1)
-    }
+/// Into how many steps the line between two poses of the tool is cut.
+fn steps(from: &ToolPose, to: &ToolPose, config: &FollowConfig) -> usize {
+    let turn = (to.surface_from_tool.heading - from.surface_from_tool.heading).abs();
+    let lean = (to.tilt - from.tilt).abs();
+    let steps = (from.distance(to) / config.step).max(turn.max(lean) / config.turn);
+    (steps.ceil() as usize).max(1)
 }
