@@ -9,8 +9,6 @@ mod failure;
 mod output;
 mod progress;
 mod records;
-mod report;
-mod svg;
 mod terminal;
 mod workplace;
 

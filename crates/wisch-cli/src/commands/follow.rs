@@ -5,9 +5,6 @@ use super::words::percent;
 use crate::args::{RobotArgs, TaskArgs};
 use crate::failure::Failure;
 use crate::records::FollowingSummary;
-use crate::report::{
-    Contact, Frames, MotionInput, ParticleFrame, Phase as ShownPhase, Placement, RatedPlace,
-};
 use wisch::follow::{
     AbandonedNode, Audit, FollowConfig, FollowError, Followed, Phase, TrajectorySample, Workcell,
     WorkcellConfig, follow,
@@ -17,6 +14,9 @@ use wisch::represent::{Fate, Task};
 use wisch::robot::CapabilityMap;
 use wisch::run::Session;
 use wisch_io::{Robot, RobotDescription, RobotRecord};
+use wisch_report::{
+    Contact, EffectFrames, MotionInput, ParticleFrame, Phase as ShownPhase, Placement, RatedPlace,
+};
 
 /// What `--robot` says to leave the robot out.
 const NO_ROBOT: &str = "none";
@@ -302,7 +302,7 @@ impl Following {
     }
 
     /// What the report shows of it.
-    pub fn shown(&self, frames: &Frames) -> Shown {
+    pub fn shown(&self, frames: &EffectFrames) -> Shown {
         let count = (self.followed.duration() / SHOWN_PERIOD).ceil() as usize;
         let samples = (0..=count)
             .filter_map(|i| {
@@ -349,7 +349,7 @@ impl Following {
 
     /// The particles of a prediction's frames at the times at which the tool has come about that far:
     /// as if it wiped each stroke at one speed.
-    fn particles(&self, frames: &Frames) -> Vec<ParticleFrame> {
+    fn particles(&self, frames: &EffectFrames) -> Vec<ParticleFrame> {
         let mut before = vec![0.0];
         for stroke in &self.followed.strokes {
             before.push(before.last().unwrap_or(&0.0) + stroke.length());

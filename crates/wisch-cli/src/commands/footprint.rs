@@ -2,12 +2,12 @@
 
 use crate::args::{FootprintArgs, GlobalArgs};
 use crate::failure::Failure;
-use crate::svg::footprint_drawing;
 use crate::terminal::{Outcome, print};
 use std::path::Path;
 use wisch::geometry::{Mesh, MeshFormat, Polygon, Region, Vector2, footprint as mesh_footprint};
 use wisch::represent::{AngleRange, AreaOfEffect, KnowledgeBase, Tool, ToolEntry};
 use wisch_io::{KnowledgeSource, read};
+use wisch_report::footprint_drawing;
 
 /// A tool longer than this is probably given in millimetres [m].
 const SUSPICIOUS_LENGTH: f64 = 5.0;

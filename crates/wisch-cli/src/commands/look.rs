@@ -4,13 +4,13 @@ use super::prepare::Prepared;
 use crate::args::TaskArgs;
 use crate::failure::Failure;
 use crate::output::OutputFile;
-use crate::report::{AnswersInput, answers_page};
 use serde::Deserialize;
 use std::path::Path;
 use wisch::represent::{ScenePart, Task};
 use wisch_memory::ask::Answers;
 use wisch_memory::view::{Surroundings, gather};
 use wisch_memory::{Catalogue, Episode, Memory};
+use wisch_report::{AnswersInput, answers_page};
 
 /// What an episode keeps of the command line, as far as it changes the task.
 #[derive(Debug, Default, Deserialize)]

@@ -13,10 +13,10 @@ use crate::output::{
     TCP_PATH_FILE, TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE,
 };
 use crate::records::RoundSummary;
-use crate::report::{self, Frames, ReportInput};
 use std::path::{Path, PathBuf};
 use wisch::plan::{Plan, Prediction};
 use wisch_io::{FollowedRecord, PlanRecord, RobotTrajectory, particles_to_csv, tcp_path_csv};
+use wisch_report::{self as report, EffectFrames, ReportInput};
 
 /// Pixels per unit of a picture's own size.
 const PNG_SCALE: f32 = 2.0;
@@ -109,7 +109,7 @@ fn write_report(
     prepared: &Prepared,
     results: &Results,
     prediction: &Prediction,
-    frames: &Frames,
+    frames: &EffectFrames,
 ) -> Result<(), Failure> {
     let title = title(prepared);
     let following = results.following.as_ref();

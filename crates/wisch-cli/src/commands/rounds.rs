@@ -12,7 +12,6 @@ use crate::failure::Failure;
 use crate::output::OutputFolder;
 use crate::progress::Progress;
 use crate::records::{RoundSummary, RoundTimes};
-use crate::report::{Frames, RoundView, RoundsInput};
 use crate::terminal::remark;
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -27,6 +26,7 @@ use wisch::run::{
     Ending, Executor, PlannedRound, Recording, Round, RunConfig, RunEvent, Stage, TelemetrySample,
 };
 use wisch_io::{EventRecorder, ProcessExecutor};
+use wisch_report::{EffectFrames, RoundView, RoundsInput};
 use wisch_sim::{GroundTruth, World};
 use wisch_telemetry::{BagHead, BagWriter, WriteError};
 
@@ -282,7 +282,7 @@ pub struct Watch<'a> {
     task: &'a Task,
     progress: &'a Progress,
     failure: Option<Failure>,
-    frames: Option<Frames>,
+    frames: Option<EffectFrames>,
     times: Vec<RoundTimes>,
     since: Instant,
 }
@@ -311,7 +311,7 @@ impl<'a> Watch<'a> {
     }
 
     /// What the first round was predicted to do, over time.
-    pub fn take_frames(&mut self) -> Result<Frames, Failure> {
+    pub fn take_frames(&mut self) -> Result<EffectFrames, Failure> {
         let frames = self.frames.take();
         frames.ok_or_else(|| internal("no effect was predicted"))
     }
@@ -338,7 +338,7 @@ impl<'a> Watch<'a> {
                 progress,
             } => {
                 let frames = self.frames.take();
-                let mut frames = frames.unwrap_or_else(|| Frames::new(self.task, wiped));
+                let mut frames = frames.unwrap_or_else(|| EffectFrames::new(self.task, wiped));
                 frames.watch(progress);
                 self.frames = Some(frames);
             }

@@ -13,7 +13,6 @@ use crate::args::{
 use crate::failure::Failure;
 use crate::output::OutputFolder;
 use crate::progress::Progress;
-use crate::report::Frames;
 use crate::terminal::{Outcome, print, remark};
 use crate::workplace::{Found, Leftover};
 use std::path::Path;
@@ -22,6 +21,7 @@ use wisch::plan::{Plan, Prediction, predict};
 use wisch::recover::Verdict;
 use wisch::run::{NoExecutor, Pace, RunConfig, RunError, RunEvent, Session, Stage};
 use wisch_io::{PlanRecord, Robot, read_text};
+use wisch_report::EffectFrames;
 
 /// Rounds of a single stroke that stand for one of a whole plan.
 const GREEDY_ROUNDS: usize = 10;
@@ -74,7 +74,7 @@ pub(super) struct Results {
     /// `None` where a plan was given.
     pub planning_time_s: Option<f64>,
     pub following: Option<Following>,
-    pub predicted: Option<(Prediction, Frames)>,
+    pub predicted: Option<(Prediction, EffectFrames)>,
     /// What was executed.
     pub rounds: Vec<Done>,
 }
@@ -251,7 +251,7 @@ fn simulate_effect(
         (_, None) => {
             let strokes = counted(plan.strokes.len(), "stroke");
             job.progress.say(format!("predicting {strokes}"));
-            let mut frames = Frames::new(task, plan);
+            let mut frames = EffectFrames::new(task, plan);
             Some((predict(task, plan, |p| frames.watch(p)), frames))
         }
     };

@@ -14,7 +14,6 @@ use mcap::write::NoSeek;
 use mcap::{Compression, WriteOptions, Writer};
 use serde::Serialize;
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 use std::fs::File;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
@@ -130,7 +129,6 @@ pub struct BagWriter {
     particles: Vec<Vector3>,
     particles_wait: bool,
     message: Vec<u8>,
-    text: String,
 }
 
 impl BagWriter {
@@ -189,7 +187,6 @@ impl BagWriter {
             particles: Vec::new(),
             particles_wait: false,
             message: Vec::new(),
-            text: String::new(),
         })
     }
 
@@ -215,29 +212,15 @@ impl BagWriter {
             (Topic::Commanded, &sample.world_from_commanded),
             (Topic::Measured, &sample.world_from_tool),
         ] {
-            let pose = pose.into();
-            self.put(
-                topic,
-                time,
-                &PoseStamped {
-                    header: in_world(time),
-                    pose,
-                },
-            )?;
+            let (header, pose) = (in_world(time), pose.into());
+            self.put(topic, time, &PoseStamped { header, pose })?;
         }
         for (topic, wrench) in [
             (Topic::Controller, &sample.controller),
             (Topic::External, &sample.external),
         ] {
-            let wrench = wrench.into();
-            self.put(
-                topic,
-                time,
-                &WrenchStamped {
-                    header: in_world(time),
-                    wrench,
-                },
-            )?;
+            let (header, wrench) = (in_world(time), wrench.into());
+            self.put(topic, time, &WrenchStamped { header, wrench })?;
         }
         if is_due(self.last_transforms, time, TF_PERIOD) {
             self.last_transforms = Some(time);
@@ -348,43 +331,32 @@ impl BagWriter {
         time: u64,
         sample: &TelemetrySample<'_>,
     ) -> Result<(), WriteError> {
-        let header = in_world(time);
-        let transforms = [
-            TransformStamped {
-                header,
-                child_frame_id: FRAME_TOOL,
-                transform: (&sample.world_from_tool).into(),
-            },
-            TransformStamped {
-                header,
-                child_frame_id: FRAME_SURFACE,
-                transform: (&self.head.world_from_surface).into(),
-            },
+        let transform = |child_frame_id, pose: &Pose| TransformStamped {
+            header: in_world(time),
+            child_frame_id,
+            transform: pose.into(),
+        };
+        let transforms = &[
+            transform(FRAME_TOOL, &sample.world_from_tool),
+            transform(FRAME_SURFACE, &self.head.world_from_surface),
         ];
-        self.put(
-            Topic::Transforms,
-            time,
-            &TfMessage {
-                transforms: &transforms,
-            },
-        )
+        self.put(Topic::Transforms, time, &TfMessage { transforms })
     }
 
     fn write_phase(&mut self, time: u64, phase: Phase) -> Result<(), WriteError> {
-        let mut text = std::mem::take(&mut self.text);
-        text.clear();
-        // Writing to a text cannot fail.
-        let _ = match phase {
-            Phase::Drive => write!(text, "drive"),
-            Phase::FreeMotion => write!(text, "transfer"),
-            Phase::Lifted => write!(text, "lifted"),
-            Phase::Lower => write!(text, "lower"),
-            Phase::Wipe(stroke) => write!(text, "wipe {stroke}"),
-            Phase::Lift => write!(text, "lift"),
+        let wipe;
+        let data = match phase {
+            Phase::Drive => "drive",
+            Phase::FreeMotion => "transfer",
+            Phase::Lifted => "lifted",
+            Phase::Lower => "lower",
+            Phase::Wipe(stroke) => {
+                wipe = format!("wipe {stroke}");
+                &wipe
+            }
+            Phase::Lift => "lift",
         };
-        let written = self.put(Topic::Phase, time, &Text { data: &text });
-        self.text = text;
-        written
+        self.put(Topic::Phase, time, &Text { data })
     }
 
     fn write_waiting_particles(&mut self, time: u64) -> Result<(), WriteError> {

@@ -1,0 +1,36 @@
+//! Numbers below and beside a plot.
+
+use super::numbers::px;
+use maud::{Markup, html};
+
+/// Marks that hang from a line at `y`, each with its number `drop` below it.
+pub(crate) fn below(ticks: impl IntoIterator<Item = (f64, String)>, y: f64, drop: f64) -> Markup {
+    html! {
+        @for (x, number) in ticks {
+            path class="axis" d=(format!("M{} {}v5", px(x), px(y))) {}
+            text class="text small quiet middle" x=(px(x)) y=(px(y + drop)) { (number) }
+        }
+    }
+}
+
+/// Rules from `left` to `right`, each with its number `gap` before it.
+pub(crate) fn beside(
+    ticks: impl IntoIterator<Item = (f64, String)>,
+    [left, right]: [f64; 2],
+    gap: f64,
+) -> Markup {
+    html! {
+        @for (y, number) in ticks {
+            path class="rule" d=(format!("M{} {}H{}", px(left), px(y), px(right))) {}
+            text class="text small quiet end" x=(px(left - gap)) y=(px(y + 4.0)) { (number) }
+        }
+    }
+}
+
+/// Shares of 1 by quarters, where `down` puts them.
+pub(crate) fn quarters(down: impl Fn(f64) -> f64) -> impl Iterator<Item = (f64, String)> {
+    (0..=4).map(move |quarter| {
+        let y = down(f64::from(quarter) / 4.0);
+        (y, format!("{} %", 25 * quarter))
+    })
+}

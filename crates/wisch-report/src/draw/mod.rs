@@ -1,0 +1,23 @@
+//! What all pictures are drawn with: views, panels, legends, colours and marks on a surface.
+
+pub(crate) mod axes;
+mod contour;
+mod figure;
+mod hull;
+pub(crate) mod legend;
+mod numbers;
+mod palette;
+mod panel;
+mod png;
+pub(crate) mod surface;
+mod view;
+
+pub(crate) use contour::Contours;
+pub(crate) use figure::Figure;
+pub(crate) use hull::{hull, outline};
+pub(crate) use legend::Entry;
+pub(crate) use numbers::{decimals, grouped, metres, percent, px, range, tick_step};
+pub(crate) use palette::{BANDS, page_rules};
+pub(crate) use panel::{GAP, Panel, WIDTH, inset, short};
+pub use png::{PictureError, rasterize};
+pub(crate) use view::{Pen, View};

@@ -1,0 +1,74 @@
+//! Something drawn, and how it becomes part of a page or a file.
+
+use super::numbers::px;
+use super::palette::standalone_rules;
+use super::view::View;
+use maud::{Markup, PreEscaped, html};
+
+/// Width of a picture.
+pub(crate) const WIDTH: f64 = 760.0;
+/// Between the parts of a picture, and round them.
+pub(crate) const GAP: f64 = 24.0;
+/// Room for the headline of a picture that stands alone.
+const HEADLINE: f64 = 44.0;
+
+/// Something drawn, with its size.
+pub(crate) struct Panel {
+    pub(crate) width: f64,
+    pub(crate) height: f64,
+    pub(crate) body: Markup,
+}
+
+impl Panel {
+    /// Nothing.
+    pub(crate) fn empty() -> Self {
+        Self {
+            width: WIDTH,
+            height: 0.0,
+            body: html! {},
+        }
+    }
+
+    /// As part of a page, which brings colours.
+    pub(crate) fn inline(&self, label: &str) -> Markup {
+        html! {
+            svg viewBox=(format!("0 0 {} {}", px(self.width), px(self.height))) role="img" aria-label=(label) {
+                (self.body)
+            }
+        }
+    }
+
+    /// As a file of its own, with light colours and a headline.
+    pub(crate) fn standalone(&self, title: &str, what: &str) -> String {
+        let height = self.height + HEADLINE;
+        html! {
+            svg xmlns="http://www.w3.org/2000/svg" width=(px(self.width)) height=(px(height))
+                viewBox=(format!("0 0 {} {}", px(self.width), px(height))) {
+                style { (PreEscaped(standalone_rules())) }
+                rect class="ground" width=(px(self.width)) height=(px(height)) {}
+                text class="text strong" x="12" y="20" { (short(title, 70)) }
+                text class="text small quiet" x="12" y="36" { (what) }
+                g transform=(format!("translate(0 {HEADLINE})")) { (self.body) }
+            }
+        }
+        .into_string()
+    }
+}
+
+/// Shows only what lies within the view.
+pub(crate) fn inset(view: &View, body: Markup) -> Markup {
+    let frame = [view.left(), view.top(), view.width(), view.height()].map(px);
+    let [x, y, width, height] = &frame;
+    html! {
+        svg x=(x) y=(y) width=(width) height=(height) viewBox=(frame.join(" ")) { (body) }
+    }
+}
+
+/// At most `most` characters, the rest as an ellipsis.
+pub(crate) fn short(text: &str, most: usize) -> String {
+    if text.chars().count() <= most {
+        text.to_owned()
+    } else {
+        text.chars().take(most - 1).chain(['…']).collect()
+    }
+}

@@ -1,0 +1,115 @@
+//! The surface from above, what stands on it, and particles.
+
+use super::contour::rings;
+use super::numbers::px;
+use super::view::{Pen, View};
+use maud::{Markup, html};
+use wisch::geometry::{Bounds2, Point2};
+use wisch::plan::FreeSpace;
+use wisch::represent::{Fate, GoalState, Surface, Task};
+
+/// A particle in a picture: where, and what became of it.
+pub(crate) type Particle = (Point2, Fate);
+
+/// What becomes of a particle, as a colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Outcome {
+    Left,
+    Done,
+    Lost,
+    Gone,
+}
+
+/// Corners of the box round a surface, in its frame [m].
+pub(crate) fn extent(surface: &Surface) -> Bounds2 {
+    Bounds2::of(surface.outline.outer().iter().copied()).unwrap_or(Bounds2 {
+        min: Point2::new(-0.5, -0.5),
+        max: Point2::new(0.5, 0.5),
+    })
+}
+
+/// What stands on the surface, as rings in its frame [m].
+pub(crate) fn obstacle_rings(task: &Task, collision_radius: f64) -> Vec<Vec<Point2>> {
+    let scene: Vec<_> = task.obstacles_in_surface().collect();
+    // A scene that the collision library refuses has no plan and never comes here.
+    FreeSpace::new(&task.surface, &scene, collision_radius)
+        .map(|space| {
+            let sections = space.occupied().sections().iter();
+            sections.flat_map(|edges| rings(edges)).collect()
+        })
+        .unwrap_or_default()
+}
+
+/// What a particle's fate is worth for the goal.
+pub(crate) fn outcome(goal: &GoalState, surface: &Surface, particle: Particle) -> Outcome {
+    let (position, fate) = particle;
+    match fate {
+        Fate::Absorbed => Outcome::Gone,
+        _ if goal.is_met_by(position, fate, surface) => Outcome::Done,
+        Fate::OffSurface { .. } => Outcome::Lost,
+        Fate::OnSurface => Outcome::Left,
+    }
+}
+
+/// What the performance counts, in two or three words.
+pub(crate) fn achieved(goal: &GoalState) -> &'static str {
+    match goal {
+        GoalState::Absorbed => "taken up",
+        GoalState::Collected { .. } => "at the goal",
+        GoalState::Skimmed => "over the allowed edge",
+    }
+}
+
+/// Radius of a particle that leaves room between `count` of them.
+pub(crate) fn dot_radius(view: &View, count: usize) -> f64 {
+    let room = view.width() * view.height() / count.max(1) as f64;
+    (0.07 * room.sqrt()).clamp(0.9, 3.2)
+}
+
+/// The surface, its edges and the goal.
+pub(crate) fn ground(view: &View, surface: &Surface, goal: &GoalState) -> Markup {
+    let outline = view.rings(surface.outline.rings());
+    let edges: Vec<_> = surface.outline.edges().collect();
+    let skim = surface.skim_edges.iter().filter_map(|&i| edges.get(i));
+    let reach = match *goal {
+        GoalState::Collected { center, radius } => Some((view.at(center), radius)),
+        GoalState::Absorbed | GoalState::Skimmed => None,
+    };
+    html! {
+        path class="surface" fill-rule="evenodd" d=(outline) {}
+        path class="outline" d=(outline) {}
+        @if *goal == GoalState::Skimmed {
+            @for edge in skim {
+                @let line = view.line([edge.start, edge.end]);
+                path class="skim-edge" d=(line) {}
+                path class="skim-core" d=(line) {}
+            }
+        }
+        @if let Some(((x, y), radius)) = reach {
+            circle class="goal-reach" cx=(px(x)) cy=(px(y)) r=(px(radius * view.scale)) {}
+        }
+    }
+}
+
+/// Particles, filled, by what became of them.
+pub(crate) fn particles(
+    view: &View,
+    particles: impl IntoIterator<Item = (Point2, Outcome)>,
+    radius: f64,
+) -> Markup {
+    let (mut left, mut done, mut lost) = (Pen::default(), Pen::default(), Pen::default());
+    for (position, outcome) in particles {
+        let at = view.at(position);
+        match outcome {
+            Outcome::Left => left.dot(at),
+            Outcome::Done => done.dot(at),
+            Outcome::Lost => lost.cross(at, radius),
+            Outcome::Gone => {}
+        }
+    }
+    html! {
+        path class="dots-left" stroke-width=(px(2.0 * radius)) d=(left.path()) {}
+        path class="dots-done" stroke-width=(px(2.0 * radius)) d=(done.path()) {}
+        path class="mark-lost" d=(lost.path()) {}
+    }
+}

@@ -1,0 +1,59 @@
+//! Pictures and pages of robotic wiping: what a plan is predicted to do, how a robot moves, what touch told of
+//! it round by round, and what the memory answers.
+//!
+//! | drawn | from | by |
+//! |---|---|---|
+//! | one HTML page that needs nothing but itself | [`ReportInput`] | [`page`] |
+//! | the same pictures as files, in SVG | [`ReportInput`] | [`pictures`] |
+//! | the effect over the distance wiped | a running prediction | [`EffectFrames`], part of [`ReportInput`] |
+//! | a robot in motion: 3-D view, joints, base placements | [`MotionInput`] | part of [`ReportInput`], or [`joint_plots`], [`placements_plan`] |
+//! | rounds: force, path, chance of an effect, residue | [`RoundsInput`] | part of [`ReportInput`] |
+//! | answers of the memory, in space and over time | [`AnswersInput`] | [`answers_page`] |
+//! | a tool's footprint | [`wisch::represent::Tool`] | [`footprint_drawing`] |
+//! | any of the SVG as PNG | its text | [`rasterize`] |
+//!
+//! Everything is drawn in memory, with fonts of its own: no file is read, and no page asks anything of the network.
+//!
+//! ```
+//! use wisch::geometry::{Mesh, Polygon, Region, Vector2, Vector3};
+//! use wisch::represent::{AngleRange, Tool};
+//!
+//! let size = Vector2::new(0.07, 0.11);
+//! let sponge = Tool {
+//!     name: "sponge".to_owned(),
+//!     mesh: Mesh::cuboid(Vector3::new(size.x, size.y, 0.05))?,
+//!     footprint: Region::new(vec![Polygon::rectangle(size)]),
+//!     area_of_effect: size,
+//!     rotation_about_normal: AngleRange::FULL,
+//!     tilt: None,
+//!     grip: None,
+//!     second_grip: None,
+//! };
+//! let svg = wisch_report::footprint_drawing(&sponge);
+//! let png = wisch_report::rasterize(&svg, 1.0)?;
+//! assert!(png.starts_with(b"\x89PNG"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod draw;
+mod footprint;
+mod input;
+mod memory;
+mod motion;
+mod page;
+mod prediction;
+mod rounds;
+mod scene;
+#[cfg(test)]
+mod tests;
+
+pub use draw::{PictureError, rasterize};
+pub use footprint::footprint_drawing;
+pub use input::ReportInput;
+pub use memory::{AnswersInput, answers_page};
+pub use motion::{
+    Contact, MotionInput, ParticleFrame, Phase, Placement, RatedPlace, joint_plots, placements_plan,
+};
+pub use page::{page, pictures};
+pub use prediction::frames::{EffectFrames, Frame};
+pub use rounds::{RoundView, RoundsInput};

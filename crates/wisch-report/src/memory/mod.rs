@@ -1,0 +1,174 @@
+//! What a query found, to look at: its answers, what it shows in space and over time, and its diagrams.
+
+mod names;
+mod plots;
+mod space;
+#[cfg(test)]
+mod tests;
+mod times;
+
+use crate::page::document::document;
+use crate::scene::json;
+use maud::{Markup, PreEscaped, html};
+use names::local;
+use space::Space;
+use wisch_memory::ask::{Answers, Term};
+use wisch_memory::view::View;
+
+const STYLE: &str = include_str!("memory.css");
+const SCRIPT: &str = include_str!("space.js");
+/// Most rows of the table.
+const MAX_ROWS: usize = 200;
+
+/// Most letters of a cell, and those that are left of a longer one.
+const LONG_CELL: usize = 90;
+const SHORT_CELL: usize = 36;
+
+/// What the page is made of.
+#[derive(Debug, Clone, Copy)]
+pub struct AnswersInput<'a> {
+    /// What was asked.
+    pub query: &'a str,
+    /// What was answered.
+    pub answers: &'a Answers,
+    /// What is to be looked at.
+    pub view: &'a View,
+}
+
+/// One HTML file that asks nothing of the network.
+pub fn answers_page(input: &AnswersInput) -> String {
+    let view = input.view;
+    let space = Space::new(view);
+    let main = html! {
+        h1 { "What the memory answers" }
+        pre class="query" { (input.query) }
+        (table(input.answers))
+        @if !space.is_empty() { (in_space(&space)) }
+        @if view.left_out > 0 {
+            p class="note" { "The picture is full: " (view.left_out) " more of what the query shows is left out." }
+        }
+        @if !view.plots.is_empty() {
+            h2 { "In numbers" }
+            div class="plots" {
+                @for plot in &view.plots { (plots::plot(plot)) }
+            }
+        }
+        @if !view.episodes.is_empty() {
+            h2 { "Over time" }
+            @for episode in &view.episodes {
+                h3 { (episode.task) " · " (episode.id) }
+                (times::timeline(episode))
+            }
+        }
+        footer class="note" {
+            "Answered by wisch from its episodic memory: where things were follows from the joints that were recorded, "
+            "what was felt from poses and forces."
+        }
+    };
+    document("What the memory answers", STYLE, &main)
+}
+
+fn table(answers: &Answers) -> Markup {
+    let count = answers.rows.len();
+    // What is never bound says nothing.
+    let columns: Vec<usize> = (0..answers.names.len())
+        .filter(|&column| {
+            let mut cells = answers.rows.iter().filter_map(|row| row.get(column));
+            cells.any(|cell| !matches!(cell, Term::Variable(_)))
+        })
+        .collect();
+    html! {
+        @if count == 0 {
+            p class="verdict" { "false: nothing in the memory fits." }
+        } @else if columns.is_empty() {
+            p class="verdict" { "true" }
+        } @else {
+            p class="lead" {
+                b { (count) } @if count == 1 { " answer" } @else { " answers" }
+                @if answers.is_cut { ", and there are more" }
+            }
+            div class="scroll" {
+                table class="answers" {
+                    thead { tr { @for &column in &columns { th scope="col" { (answers.names[column]) } } } }
+                    tbody {
+                        @for row in answers.rows.iter().take(MAX_ROWS) {
+                            tr { @for &column in &columns { td { (folded(&cell(row.get(column)))) } } }
+                        }
+                    }
+                }
+            }
+            @if count > MAX_ROWS {
+                p class="note" { "The first " (MAX_ROWS) " are listed." }
+            }
+        }
+    }
+}
+
+/// Long texts are folded up, for the table to stay one.
+fn folded(text: &str) -> Markup {
+    let letters = text.chars().count();
+    let start: String = text.chars().take(SHORT_CELL).collect();
+    html! {
+        @if letters <= LONG_CELL { (text) } @else {
+            details { summary { (start) "…" } (text) }
+        }
+    }
+}
+
+fn cell(term: Option<&Term>) -> String {
+    match term {
+        None | Some(Term::Variable(_)) => String::new(),
+        Some(Term::Atom(name)) => local(name).to_owned(),
+        Some(Term::Float(value)) => short(*value),
+        Some(other) => other.to_string(),
+    }
+}
+
+/// A number to a thousandth, or to four digits if it is small.
+fn short(value: f64) -> String {
+    if value == 0.0 || value.abs() >= 0.1 {
+        format!("{value:.3}")
+    } else {
+        format!("{value:.3e}")
+    }
+}
+
+fn in_space(space: &Space) -> Markup {
+    html! {
+        h2 { "In space" }
+        section class="motion" {
+            p id="space-none" class="note" hidden { "This browser draws nothing in 3-D, so the picture is left out." }
+            noscript { p class="note" { "Without scripts there is no picture in 3-D." } }
+            div class="stage" id="space-stage" hidden {
+                canvas id="space" tabindex="0" role="img" aria-label="What the query shows, in 3-D: drag to turn, shift and drag to move, arrow keys to turn" {}
+                div class="views" {
+                    @if space.shines() { button type="button" data-look="near" { "Near" } }
+                    button type="button" data-look="asked" { "What is asked" }
+                    button type="button" data-look="all" { "All" }
+                    button type="button" data-look="above" { "From above" }
+                }
+            }
+            ul class="legend items" {
+                @for (place, item) in space.items.iter().enumerate() {
+                    li {
+                        label class=[(!item.asked).then_some("quiet-item")] {
+                            input type="checkbox" checked data-item=(place);
+                            i style=(swatch(&item.colour)) {}
+                            (item.name)
+                        }
+                    }
+                }
+            }
+            script type="application/json" id="space-data" { (PreEscaped(json(space))) }
+            script { (PreEscaped(SCRIPT)) }
+        }
+    }
+}
+
+fn swatch(colour: &str) -> String {
+    if colour.starts_with('#') {
+        format!("background:{colour}")
+    } else {
+        format!("background:var(--{colour})")
+    }
+}

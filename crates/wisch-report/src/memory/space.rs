@@ -1,0 +1,334 @@
+//! What a query shows in space, as the page's script reads it.
+
+use super::names::local;
+use crate::scene::{Meshes, Solid, tenths, vector};
+use serde::Serialize;
+use wisch::geometry::{Bounds2, Point3, Polygon, Pose};
+use wisch_memory::view::{
+    Body, Colour, Dirt, DirtState, Emphasis, Figure, Part, ShownRound, Track, View,
+};
+
+/// Most triangles of one mesh.
+const MAX_TRIANGLES: usize = 3000;
+/// Most particles that are drawn; more are drawn as every so many.
+const MAX_PARTICLES: usize = 3000;
+/// Radius of a line that is asked for, as a share of the surface's diagonal.
+const LINE: f64 = 0.011;
+/// The diagonal of a surface that is not known, as a share of how far the tool went, its way there included.
+const FAR_SHARE: f64 = 0.5;
+/// Radius of particles, as a share of that of lines.
+const PARTICLE: f64 = 0.7;
+/// Limits of that radius [m].
+const LINE_LIMITS: [f64; 2] = [0.0025, 0.02];
+/// What lies on the surface is drawn so much above it [m].
+const ABOVE: f64 = 0.0015;
+/// How solid a robot is drawn beside the first one.
+const GHOST: f64 = 0.28;
+
+/// What the script reads, written as in [`crate::scene`].
+#[derive(Debug, Serialize)]
+pub(crate) struct Space {
+    meshes: Meshes,
+    pub(crate) items: Vec<Item>,
+    /// Where the robots stand and where they wipe, to look from the right side [m].
+    robot: Option<[f64; 3]>,
+    surface: Option<[f64; 3]>,
+}
+
+/// Something that can be shown and hidden.
+#[derive(Debug, Serialize)]
+pub(crate) struct Item {
+    /// For people.
+    pub(crate) name: String,
+    /// Name of a colour of the page, or `#rrggbb`.
+    pub(crate) colour: String,
+    /// 1 is solid.
+    alpha: f64,
+    /// Whether it is what the query asked for, and not what stands round it.
+    pub(crate) asked: bool,
+    /// Whether it is seen through what stands before it.
+    shines: bool,
+    solids: Vec<Solid>,
+    lines: Vec<Line>,
+    dots: Vec<Line>,
+}
+
+#[derive(Debug, Serialize)]
+struct Line {
+    radius: f64,
+    points: Vec<i64>,
+}
+
+impl Space {
+    /// What a view has in space.
+    pub(crate) fn new(view: &View) -> Self {
+        let mut space = Self {
+            meshes: Meshes::new(MAX_TRIANGLES),
+            items: Vec::new(),
+            robot: None,
+            surface: None,
+        };
+        for (place, round) in view.rounds.iter().enumerate() {
+            // Rounds of an episode share what stands there.
+            let before = &view.rounds[..place];
+            let is_new = !before.iter().any(|other| stands_alike(other, round));
+            if is_new {
+                space.surroundings(round);
+            }
+            space.way(view, round);
+        }
+        let mut robots = 0;
+        for body in &view.bodies {
+            space.body(view, body, robots);
+            robots += usize::from(matches!(body.figure, Figure::Robot { .. }));
+        }
+        for track in &view.tracks {
+            space.track(view, track);
+        }
+        for dirt in &view.particles {
+            space.dirt(view, dirt);
+        }
+        space
+    }
+
+    /// Whether there is nothing.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.items.is_empty()
+    }
+
+    /// Whether something shines that can be looked at from near.
+    pub(crate) fn shines(&self) -> bool {
+        self.items.iter().any(|item| item.shines)
+    }
+
+    fn surroundings(&mut self, round: &ShownRound) {
+        let [_, _, name] = &round.names;
+        self.surface = Some(vector(&round.world_from_surface.translation.vector));
+        if let Some(outline) = &round.outline {
+            let mut item = Item::new(name, "outline");
+            item.lines = rings(round, outline, &round.world_from_surface);
+            self.items.push(item);
+        }
+        if !round.objects.is_empty() {
+            let mut item = Item::new("what stands there", "obstacle");
+            item.alpha = 0.5;
+            for (world_from_object, mesh) in &round.objects {
+                (item.solids).push(self.meshes.solid(world_from_object, mesh));
+            }
+            self.items.push(item);
+        }
+    }
+
+    /// All of a round's way, thin, for what is looked at to be seen in it.
+    fn way(&mut self, view: &View, round: &ShownRound) {
+        let episode = &view.episodes[round.episode].id;
+        let [_, tool, _] = &round.names;
+        let name = format!(
+            "all of the {tool}'s way, round {} of {episode}",
+            round.number
+        );
+        let mut item = Item::new(&name, "quiet");
+        let points = round.tool_path.iter().copied();
+        item.lines = vec![Line::new(line_radius(round) / 4.0, points)];
+        self.items.push(item);
+    }
+
+    fn body(&mut self, view: &View, body: &Body, robots: usize) {
+        let round = &view.rounds[body.round];
+        let at = moment(view, body.round, body.time);
+        let name = format!("{} {at}", named(round, &body.thing));
+        let mut item = Item::new(
+            &name,
+            &tint(body.emphasis, body.colour, usual(&body.figure)),
+        );
+        item.asked = true;
+        match &body.figure {
+            Figure::Robot {
+                parts,
+                world_from_tool,
+            } => {
+                if robots > 0 {
+                    item.alpha = GHOST;
+                }
+                let mut held = Item::new(&format!("{} {at}", round.names[1]), "tool");
+                held.alpha = item.alpha;
+                held.asked = true;
+                held.solids.push(self.tool(round, world_from_tool));
+                item.solids = self.parts(parts);
+                self.items.extend([item, held]);
+                return;
+            }
+            Figure::Tool(world_from_tool) => item.solids.push(self.tool(round, world_from_tool)),
+            Figure::Surface(world_from_surface) => match &round.outline {
+                Some(outline) => item.lines = rings(round, outline, world_from_surface),
+                None => item.dots.push(mark(round, world_from_surface)),
+            },
+            Figure::Frame(world_from_frame) => item.dots.push(mark(round, world_from_frame)),
+        }
+        self.items.push(item);
+    }
+
+    fn parts(&mut self, parts: &[Part]) -> Vec<Solid> {
+        if let Some(base) = parts.first() {
+            let at = vector(&base.world_from_shape.translation.vector);
+            self.robot.get_or_insert(at);
+        }
+        let solids =
+            (parts.iter()).map(|part| self.meshes.shape(&part.world_from_shape, &part.shape));
+        solids.collect()
+    }
+
+    /// The tool; a ball where its mesh is not known.
+    fn tool(&mut self, round: &ShownRound, world_from_tool: &Pose) -> Solid {
+        match &round.tool_mesh {
+            Some(mesh) => self.meshes.solid(world_from_tool, mesh),
+            None => Solid::ball(world_from_tool, 4.0 * line_radius(round)),
+        }
+    }
+
+    fn track(&mut self, view: &View, track: &Track) {
+        let round = &view.rounds[track.round];
+        let [from, to] = track.interval;
+        let name = format!(
+            "{}'s way {} to {}",
+            named(round, &track.thing),
+            moment(view, track.round, from),
+            since(view, track.round, to)
+        );
+        let mut item = Item::new(&name, &tint(track.emphasis, track.colour, "contact"));
+        item.asked = true;
+        item.shines = true;
+        let radius = line_radius(round);
+        item.lines = vec![Line::new(radius, track.path.iter().copied())];
+        let samples = track.samples.iter().map(|(_, place)| *place);
+        item.dots = vec![Line::new(2.2 * radius, samples)];
+        self.items.push(item);
+    }
+
+    fn dirt(&mut self, view: &View, dirt: &Dirt) {
+        let round = &view.rounds[dirt.round];
+        let when = match dirt.state {
+            DirtState::Before => "before",
+            DirtState::Estimated => "after",
+        };
+        let episode = &view.episodes[round.episode].id;
+        let name = format!("particles {when} round {} of {episode}", round.number);
+        let mut item = Item::new(&name, &tint(Emphasis::Plain, dirt.colour, "left"));
+        item.asked = true;
+        let step = dirt.positions.len().div_ceil(MAX_PARTICLES).max(1);
+        let places = dirt.positions.iter().step_by(step);
+        let places = places.map(|p| round.world_from_surface * Point3::new(p.x, p.y, ABOVE));
+        item.dots = vec![Line::new(PARTICLE * line_radius(round), places)];
+        self.items.push(item);
+    }
+}
+
+impl Item {
+    fn new(name: &str, colour: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            colour: colour.to_owned(),
+            alpha: 1.0,
+            asked: false,
+            shines: false,
+            solids: Vec::new(),
+            lines: Vec::new(),
+            dots: Vec::new(),
+        }
+    }
+}
+
+impl Line {
+    fn new(radius: f64, points: impl Iterator<Item = Point3>) -> Self {
+        Self {
+            radius: (radius * 1e5).round() / 1e5,
+            points: tenths(points),
+        }
+    }
+}
+
+/// The rings of an outline, a little above the surface.
+fn rings(round: &ShownRound, outline: &Polygon, world_from_surface: &Pose) -> Vec<Line> {
+    let rings = outline.rings().map(|ring| {
+        let closed = ring.iter().chain(ring.first());
+        let points = closed.map(|p| world_from_surface * Point3::new(p.x, p.y, ABOVE));
+        Line::new(line_radius(round) / 3.0, points)
+    });
+    rings.collect()
+}
+
+/// The colour of what a query gives none.
+const fn usual(figure: &Figure) -> &'static str {
+    match figure {
+        Figure::Robot { .. } => "robot-arm",
+        Figure::Tool(_) => "tool",
+        Figure::Surface(_) => "surface-3d",
+        Figure::Frame(_) => "plane",
+    }
+}
+
+fn mark(round: &ShownRound, world_from_frame: &Pose) -> Line {
+    let place = Point3::from(world_from_frame.translation.vector);
+    Line::new(3.0 * line_radius(round), [place].into_iter())
+}
+
+/// Whether the same stands in the same place.
+fn stands_alike(a: &ShownRound, b: &ShownRound) -> bool {
+    let near = (a.world_from_surface.translation.vector - b.world_from_surface.translation.vector)
+        .norm()
+        < 1e-6;
+    near && a.names == b.names && a.objects.len() == b.objects.len()
+}
+
+/// Thick enough to be seen, thin enough to be told apart.
+fn line_radius(round: &ShownRound) -> f64 {
+    let corners = round.outline.iter().flat_map(Polygon::outer).copied();
+    let extent = match Bounds2::of(corners) {
+        Some(bounds) => bounds.size().norm(),
+        None => FAR_SHARE * reach(&round.tool_path),
+    };
+    (LINE * extent).clamp(LINE_LIMITS[0], LINE_LIMITS[1])
+}
+
+/// How far a way leads from where it begins [m].
+fn reach(path: &[Point3]) -> f64 {
+    path.first().map_or(0.0, |first| {
+        let reach = path.iter().map(|place| (place - first).norm());
+        reach.fold(0.0, f64::max)
+    })
+}
+
+fn tint(emphasis: Emphasis, colour: Option<Colour>, usual: &str) -> String {
+    match (colour, emphasis) {
+        (Some(Colour([r, g, b])), _) => format!("#{r:02x}{g:02x}{b:02x}"),
+        (None, Emphasis::Strong) => "limit".to_owned(),
+        (None, Emphasis::Plain) => usual.to_owned(),
+    }
+}
+
+/// A time, for people: in which round of which episode, and since it began.
+fn moment(view: &View, round: usize, time: f64) -> String {
+    let shown = &view.rounds[round];
+    let episode = &view.episodes[shown.episode];
+    let of = if view.episodes.len() > 1 {
+        format!(" of {}", episode.id)
+    } else {
+        String::new()
+    };
+    let at = since(view, round, time);
+    format!("in round {}{of}, {at}", shown.number)
+}
+
+/// A time since its episode began.
+fn since(view: &View, round: usize, time: f64) -> String {
+    let began = view.episodes[view.rounds[round].episode].interval[0];
+    format!("{:.1} s", time - began)
+}
+
+/// What people call a thing.
+fn named<'a>(round: &'a ShownRound, thing: &'a str) -> &'a str {
+    match local(thing) {
+        "tool" | "tcp" => &round.names[1],
+        name => name,
+    }
+}

@@ -1,0 +1,154 @@
+//! A robot's motion on the page: in 3-D, over time, and where its base stands.
+
+mod above;
+#[cfg(test)]
+mod demo;
+mod input;
+mod joints;
+mod sampled;
+#[cfg(test)]
+mod tests;
+mod viewer;
+
+pub use input::{Contact, MotionInput, ParticleFrame, Phase, Placement, RatedPlace};
+
+use crate::draw::{Entry, Panel, legend};
+use crate::scene::json;
+use maud::{Markup, PreEscaped, html};
+use sampled::SampledMotion;
+use viewer::ViewerRecord;
+
+const STYLE: &str = include_str!("motion.css");
+/// Built from the scripts beside it, see the note there.
+const VIEWER: &str = include_str!("../../viewer/viewer.js");
+
+/// The part of a page that shows the motion: in 3-D with a player, from above, and joint by joint.
+pub(crate) fn motion_section(input: &MotionInput) -> Markup {
+    let frames = SampledMotion::new(input);
+    if frames.is_empty() {
+        return html! {
+            h2 { "The robot in motion" }
+            p { "The motion has no samples, so there is nothing to play." }
+        };
+    }
+    let above = above::panel(input, &frames);
+    let joints = joints::panel(input);
+    html! {
+        style { (PreEscaped(STYLE)) }
+        section class="motion" {
+            h2 { "The robot in motion" }
+            (viewer(input, &frames))
+            @if let Some(above) = above {
+                h2 { "Where the base stands" }
+                figure class="scroll" { (above.inline("Base placements, seen from above")) }
+            }
+            h2 { "Joints over time" }
+            figure class="scroll wide" { (joints.inline("Position and velocity of every joint over time")) }
+        }
+    }
+}
+
+/// Position and velocity of every moving joint over time, as SVG with light colours.
+pub fn joint_plots(input: &MotionInput) -> String {
+    let what = "Positions within their limits, velocities as a share of theirs";
+    alone(input, &joints::panel(input), what)
+}
+
+/// Base positions, rated and chosen, with the scene round them from above, as SVG with light colours.
+/// For a robot whose base stands still it shows where it stands.
+pub fn placements_plan(input: &MotionInput) -> String {
+    let panel = above::panel(input, &SampledMotion::new(input)).unwrap_or_else(Panel::empty);
+    alone(input, &panel, "Where the base stands, seen from above")
+}
+
+fn alone(input: &MotionInput, panel: &Panel, what: &str) -> String {
+    let title = format!("{}: {}", input.task.name, input.robot.name());
+    panel.standalone(&title, what)
+}
+
+/// The 3-D view with its controls.
+fn viewer(input: &MotionInput, frames: &SampledMotion) -> Markup {
+    let (record, cuts) = ViewerRecord::new(input, frames);
+    html! {
+        noscript { p class="note" { "The moving picture needs scripts; the pictures below do not." } }
+        p id="motion-none" class="note" hidden {
+            "This browser shows no WebGL, which the moving picture needs; the pictures below do without."
+        }
+        div id="motion-view" hidden {
+            div class="stage" {
+                canvas id="motion-canvas" tabindex="0" role="img" aria-label="The robot in 3-D. Space plays and pauses, arrow keys move in time." {}
+                div class="views" {
+                    button id="motion-robot" type="button" { "Robot" }
+                    button id="motion-surface" type="button" { "Surface" }
+                    button id="motion-above" type="button" { "Above" }
+                }
+            }
+            div class="controls" {
+                button id="motion-play" type="button" { "▶ Play" }
+                div class="timeline" {
+                    input id="motion-slider" type="range" min="0" max="10000" value="0" aria-label="Time";
+                    (strip(input, frames))
+                }
+                label class="speed" {
+                    "speed "
+                    select id="motion-speed" {
+                        @for (value, label) in [("0.5", "× 0.5"), ("1", "× 1"), ("2", "× 2"), ("4", "× 4")] {
+                            option value=(value) selected[value == "1"] { (label) }
+                        }
+                    }
+                }
+                output id="motion-words" {}
+            }
+            (legend(input))
+        }
+        @for cut in &cuts { p class="note" { (cut) } }
+        script type="application/json" id="motion-data" { (PreEscaped(json(&record))) }
+        script { (PreEscaped(VIEWER)) }
+    }
+}
+
+/// Below the slider: when the tool wipes, and when it is lifted.
+fn strip(input: &MotionInput, frames: &SampledMotion) -> Markup {
+    let share = |time: f64| frames.share(time);
+    html! {
+        svg class="strip" viewBox="0 0 1000 6" preserveAspectRatio="none" aria-hidden="true" {
+            @for phase in input.phases {
+                @let (from, to) = (1000.0 * share(phase.start), 1000.0 * share(phase.end));
+                rect class=(phase.contact.class()) x=(format!("{from:.1}")) width=(format!("{:.1}", (to - from).max(0.0))) height="6" {
+                    title { (phase.name) }
+                }
+            }
+        }
+    }
+}
+
+fn legend(input: &MotionInput) -> Markup {
+    let has = |contact| input.phases.iter().any(|phase| phase.contact == contact);
+    let entries = [
+        (has(Contact::Wiping), "phase-contact", "tool path, wiping"),
+        (true, "phase-lifted", "tool path, lifted"),
+        (true, "robot-arm", "arm with the tool"),
+        (true, "robot-body", "rest of the robot"),
+        (true, "obstacle", "scene"),
+    ];
+    let mut entries: Vec<Entry> = (entries.into_iter())
+        .filter(|(shown, ..)| *shown)
+        .map(|(_, class, label)| Entry {
+            label: label.to_owned(),
+            sample: html! { rect class=(class) x="3" y="-5" width="18" height="10" rx="2" {} },
+        })
+        .collect();
+    if !input.particles.is_empty() {
+        entries.push(legend::dot("dots-left", "particle"));
+    }
+    html! {
+        ul class="legend" {
+            (legend::items(&entries))
+            li { span class="axis-x" { "x" } span class="axis-y" { "y" } span class="axis-z" { "z" } "world, 0.4 m long" }
+        }
+        p class="note" {
+            "Drag to turn, two fingers or the right button to move, pinch or wheel to zoom (after a click). "
+            "Space plays and pauses, ← and → move half a second. The grid on the floor is 0.5 m wide."
+        }
+    }
+}

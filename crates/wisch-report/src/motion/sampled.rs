@@ -1,0 +1,117 @@
+//! A motion as frames at even times, few enough for a page.
+
+use super::input::MotionInput;
+use wisch::follow::TrajectorySample;
+use wisch::geometry::{Point3, Pose};
+use wisch::robot::LinkId;
+
+/// Most frames per second, and in all.
+const RATE: f64 = 40.0;
+const MAX_FRAMES: usize = 4_000;
+
+/// Positions of all variables at 0, p, 2p, … since the first sample.
+pub(crate) struct SampledMotion {
+    /// When the first frame is [s].
+    pub(crate) start: f64,
+    /// Time between frames, p [s].
+    pub(crate) period: f64,
+    /// Per frame n positions [rad or m].
+    pub(crate) q: Vec<Vec<f64>>,
+}
+
+impl SampledMotion {
+    /// Linear between the samples.
+    pub(crate) fn new(input: &MotionInput) -> Self {
+        let samples = usable(input);
+        let (Some(first), Some(last)) = (samples.first(), samples.last()) else {
+            return Self {
+                start: 0.0,
+                period: 1.0,
+                q: Vec::new(),
+            };
+        };
+        let duration = last.time - first.time;
+        // More than MAX_FRAMES seconds are nothing unusual for a page that is read, so this saturates.
+        let intervals = ((duration * RATE).ceil() as usize).clamp(1, MAX_FRAMES - 1);
+        let period = duration / intervals as f64;
+        let frame = |k: usize| at(&samples, first.time + k as f64 * period);
+        let count = if duration > 0.0 { intervals + 1 } else { 1 };
+        Self {
+            start: first.time,
+            period: if duration > 0.0 { period } else { 1.0 },
+            q: (0..count).map(frame).collect(),
+        }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.q.is_empty()
+    }
+
+    /// Time from the first frame to the last [s].
+    pub(crate) fn duration(&self) -> f64 {
+        self.period * self.q.len().saturating_sub(1) as f64
+    }
+
+    /// Which part of the motion lies before a time, from 0 to 1.
+    pub(crate) fn share(&self, time: f64) -> f64 {
+        let duration = self.duration();
+        if duration > 0.0 {
+            ((time - self.start) / duration).clamp(0.0, 1.0)
+        } else {
+            0.0
+        }
+    }
+
+    /// When a frame is [s].
+    pub(crate) fn time(&self, frame: usize) -> f64 {
+        self.start + frame as f64 * self.period
+    }
+
+    /// Where a point of a link is in the world, in every frame [m].
+    pub(crate) fn path(&self, input: &MotionInput, link: LinkId, in_link: Point3) -> Vec<Point3> {
+        let poses = self
+            .q
+            .iter()
+            .filter_map(|q| world_from_link(input, q, link));
+        poses
+            .map(|world_from_link| world_from_link * in_link)
+            .collect()
+    }
+}
+
+/// The samples that can be shown: of the robot's variables, finite, later than the one before.
+pub(crate) fn usable<'a>(input: &MotionInput<'a>) -> Vec<&'a TrajectorySample> {
+    let n = input.robot.dof();
+    let mut usable: Vec<&TrajectorySample> = Vec::with_capacity(input.samples.len());
+    for sample in input.samples {
+        let finite = |values: &[f64]| values.len() == n && values.iter().all(|v| v.is_finite());
+        let later = usable.last().is_none_or(|before| sample.time > before.time);
+        if sample.time.is_finite() && later && finite(&sample.q) && finite(&sample.qd) {
+            usable.push(sample);
+        }
+    }
+    usable
+}
+
+/// Positions at a time, linear between samples; those at the ends before and after.
+fn at(samples: &[&TrajectorySample], time: f64) -> Vec<f64> {
+    let next = samples.partition_point(|sample| sample.time <= time);
+    let (from, to) = (
+        samples[next.saturating_sub(1)],
+        samples[next.min(samples.len() - 1)],
+    );
+    let span = to.time - from.time;
+    let share = if span > 0.0 {
+        ((time - from.time) / span).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    let pairs = from.q.iter().zip(&to.q);
+    pairs.map(|(a, b)| a + share * (b - a)).collect()
+}
+
+/// Where a link is in the world at these positions.
+pub(crate) fn world_from_link(input: &MotionInput, q: &[f64], link: LinkId) -> Option<Pose> {
+    let kinematics = input.robot.forward_kinematics(q).ok()?;
+    Some(input.world_from_root * kinematics.world_from_link(link))
+}

@@ -1,0 +1,318 @@
+//! What is drawn on the surface, layer by layer.
+
+use super::frames::{MAX_DRAWN, thinning};
+use crate::draw::{
+    BANDS, Contours, Pen, View, WIDTH, px,
+    surface::{self, Outcome, Particle},
+};
+use crate::input::ReportInput;
+use maud::{Markup, html};
+use wisch::geometry::{Bounds2, Point2, Vector2};
+use wisch::plan::{DensityMap, NodeRole, data_bandwidth};
+
+/// Most height of the surface in a picture.
+pub(crate) const HEIGHT: f64 = 560.0;
+
+/// Everything of a run that is drawn, found once.
+pub(crate) struct Drawing<'a> {
+    pub(crate) input: &'a ReportInput<'a>,
+    /// What is shown [m].
+    pub(crate) bounds: Bounds2,
+    /// What is shown where the tool's start does not matter [m].
+    pub(crate) close: Bounds2,
+    obstacles: Vec<Vec<Point2>>,
+    before: Vec<Point2>,
+    unreachable: Vec<Point2>,
+    after: Vec<Particle>,
+    /// Every how many-th particle is drawn.
+    pub(crate) thinning: usize,
+}
+
+impl<'a> Drawing<'a> {
+    pub(crate) fn new(input: &'a ReportInput<'a>) -> Self {
+        let task = input.task;
+        let radius = input.plan.collision_radius;
+        let obstacles = surface::obstacle_rings(task, radius);
+        let thinning = thinning(task.particles.len(), MAX_DRAWN);
+        let before: Vec<Point2> = task
+            .particles
+            .iter()
+            .step_by(thinning)
+            .map(|(p, _)| p)
+            .collect();
+        let unreachable = if input.plan.unreachable_share > 0.0 {
+            let graph = &input.plan.graph;
+            before
+                .iter()
+                .copied()
+                .filter(|&p| !graph.reaches(p, radius))
+                .collect()
+        } else {
+            Vec::new()
+        };
+        Self {
+            input,
+            bounds: bounds(input, Some(input.plan.tool_start)),
+            close: bounds(input, None),
+            obstacles,
+            before,
+            unreachable,
+            after: input
+                .prediction
+                .particles
+                .iter()
+                .step_by(thinning)
+                .collect(),
+            thinning,
+        }
+    }
+
+    pub(crate) fn outcome(&self, particle: Particle) -> Outcome {
+        let (goal, surface) = (&self.input.plan.graph.goal, &self.input.task.surface);
+        surface::outcome(goal, surface, particle)
+    }
+
+    /// What the performance counts, in two or three words.
+    pub(crate) fn achieved(&self) -> &'static str {
+        surface::achieved(&self.input.plan.graph.goal)
+    }
+
+    /// The surface, its edges, the goal and what stands on it.
+    pub(crate) fn ground(&self, view: &View) -> Markup {
+        let (surface, goal) = (&self.input.task.surface, &self.input.plan.graph.goal);
+        surface::ground(view, surface, goal)
+    }
+
+    pub(crate) fn obstacles(&self, view: &View) -> Markup {
+        html! {
+            @if !self.obstacles.is_empty() {
+                path class="obstacle" d=(view.rings(self.obstacles.iter().map(Vec::as_slice))) {}
+            }
+        }
+    }
+
+    pub(crate) fn has_obstacles(&self) -> bool {
+        !self.obstacles.is_empty()
+    }
+
+    pub(crate) fn has_unreachable(&self) -> bool {
+        !self.unreachable.is_empty()
+    }
+
+    /// The particles before: hollow; struck through where no node or edge comes near.
+    pub(crate) fn before(&self, view: &View) -> Markup {
+        let radius = surface::dot_radius(view, self.before.len());
+        let (mut hollow, mut struck) = (Pen::default(), Pen::default());
+        for &p in &self.before {
+            hollow.ring(view.at(p), radius);
+        }
+        for &p in &self.unreachable {
+            struck.slash(view.at(p), radius + 2.0);
+        }
+        html! {
+            path class="before" d=(hollow.path()) {}
+            path class="mark-lost" d=(struck.path()) {}
+        }
+    }
+
+    /// The particles after.
+    pub(crate) fn after(&self, view: &View) -> Markup {
+        let radius = surface::dot_radius(view, self.after.len());
+        self.particles(view, &self.after, radius)
+    }
+
+    /// Particles as they lie at one moment: filled, by outcome.
+    pub(crate) fn particles(&self, view: &View, particles: &[Particle], radius: f64) -> Markup {
+        let outcomes = particles.iter().map(|&p| (p.0, self.outcome(p)));
+        surface::particles(view, outcomes, radius)
+    }
+
+    /// Directed edges, an arrow on each.
+    pub(crate) fn edges(&self, view: &View) -> Markup {
+        let graph = &self.input.plan.graph;
+        let size = (0.13 * self.input.plan.collision_radius * view.scale).clamp(2.5, 7.0);
+        let (mut lines, mut arrows) = (Pen::default(), Pen::default());
+        for &(from, to) in &graph.edges {
+            let (a, b) = (view.at(graph.position(from)), view.at(graph.position(to)));
+            lines.line([a, b]);
+            let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+            let length = dx.hypot(dy);
+            if length < 2.5 * size {
+                continue;
+            }
+            let (ux, uy) = (dx / length, dy / length);
+            let tip = 0.5 * length + size;
+            let point = |along: f64, across: f64| {
+                (
+                    a.0 + ux * along - uy * across,
+                    a.1 + uy * along + ux * across,
+                )
+            };
+            arrows.line([
+                point(tip, 0.0),
+                point(tip - 2.0 * size, 0.75 * size),
+                point(tip - 1.5 * size, 0.0),
+                point(tip - 2.0 * size, -0.75 * size),
+            ]);
+            arrows.close();
+        }
+        html! {
+            path class="edge" style=[self.thin(view, "stroke-width:1")] d=(lines.path()) {}
+            path class="arrow" d=(arrows.path()) {}
+        }
+    }
+
+    /// Nodes: red where they cover, yellow where they are goals, hollow where nothing leads.
+    pub(crate) fn nodes(&self, view: &View) -> Markup {
+        let graph = &self.input.plan.graph;
+        let radius = self.node_radius(view);
+        html! {
+            @for (i, node) in graph.nodes.iter().enumerate() {
+                @let (x, y) = view.at(node.position);
+                @let class = match (graph.unreachable.contains(&i), node.role) {
+                    (true, _) => "node-cut",
+                    (false, NodeRole::Coverage) => "node",
+                    (false, NodeRole::Goal) => "goal",
+                };
+                @let r = if node.role == NodeRole::Goal { 1.4 * radius } else { radius };
+                circle class=(class) cx=(px(x)) cy=(px(y)) r=(px(r)) {}
+            }
+        }
+    }
+
+    fn node_radius(&self, view: &View) -> f64 {
+        (0.1 * self.input.plan.collision_radius * view.scale).clamp(1.6, 5.0)
+    }
+
+    /// Whether there is room for the strokes' numbers.
+    fn numbers_fit(&self, view: &View) -> bool {
+        self.input.plan.collision_radius * view.scale >= 22.0
+    }
+
+    /// Where the map of the surface lies in its picture.
+    pub(crate) fn map_view(&self) -> View {
+        View::with_axes(self.bounds, Vector2::new(WIDTH, HEIGHT))
+    }
+
+    /// Whether the map has room for the strokes' numbers.
+    pub(crate) fn map_has_numbers(&self) -> bool {
+        self.numbers_fit(&self.map_view())
+    }
+
+    /// A lighter hand where the tool is small beside the surface and lines lie close.
+    fn thin(&self, view: &View, style: &'static str) -> Option<&'static str> {
+        (!self.numbers_fit(view)).then_some(style)
+    }
+
+    /// Lifted moves, and the number of each stroke where it begins.
+    pub(crate) fn order(&self, view: &View) -> Markup {
+        let plan = self.input.plan;
+        let mut lifted = Pen::default();
+        let mut tool = plan.tool_start;
+        for stroke in &plan.strokes {
+            if let (Some(first), Some(last)) = (stroke.poses.first(), stroke.poses.last()) {
+                lifted.line([view.at(tool), view.at(first.position)]);
+                tool = last.position;
+            }
+        }
+        let radius = 2.0 * self.node_radius(view);
+        html! {
+            path class="lifted" style=[self.thin(view, "stroke-width:.6;stroke-opacity:.7")] d=(lifted.path()) {}
+            @if self.numbers_fit(view) {
+                @for (i, stroke) in plan.strokes.iter().enumerate() {
+                    @if let Some(first) = stroke.poses.first() {
+                        @let (x, y) = view.at(first.position);
+                        @let size = if i < 99 { 1.2 * radius } else { 0.95 * radius };
+                        circle class="node" cx=(px(x)) cy=(px(y)) r=(px(radius)) {}
+                        text class="number" font-size=(px(size)) x=(px(x)) y=(px(y + 0.37 * size)) { (i + 1) }
+                    }
+                }
+            }
+        }
+    }
+
+    /// The tool at scale where it waits, on the robot's side.
+    pub(crate) fn tool_at_start(&self, view: &View) -> Markup {
+        let Some(start) = self.input.frames.all().first() else {
+            return html! {};
+        };
+        let pose = start.surface_from_tool;
+        if !self.shows(pose.position) {
+            return html! {};
+        }
+        let (x, y) = view.at(pose.position);
+        let reach = self.input.plan.collision_radius * view.scale;
+        html! {
+            path class="tool" d=(view.footprint(&self.input.task.tool.footprint, &pose)) {}
+            circle class="start" cx=(px(x)) cy=(px(y)) r="3" {}
+            @if x + reach + 130.0 < view.left() + view.width() {
+                text class="text small" x=(px(x + reach)) y=(px(y - 1.0)) { "tool start" }
+                text class="text small quiet" x=(px(x + reach)) y=(px(y + 12.0)) { "robot's side" }
+            } @else {
+                text class="text small end" x=(px(x - reach)) y=(px(y - 1.0)) { "tool start" }
+                text class="text small quiet end" x=(px(x - reach)) y=(px(y + 12.0)) { "robot's side" }
+            }
+        }
+    }
+
+    fn shows(&self, p: Point2) -> bool {
+        let b = &self.bounds;
+        (b.min.x..=b.max.x).contains(&p.x) && (b.min.y..=b.max.y).contains(&p.y)
+    }
+
+    /// Filled bands of the density (2), each a fixed share of the peak.
+    pub(crate) fn density(&self, view: &View) -> Markup {
+        let outline = &self.input.task.surface.outline;
+        let particles: Vec<Point2> = self.input.task.particles.remaining().collect();
+        let Some(bounds) = Bounds2::of(outline.outer().iter().copied()) else {
+            return html! {};
+        };
+        let map = DensityMap::new(&particles, bounds, self.bandwidth());
+        let contours = Contours::new(&map);
+        html! {
+            clipPath id="on-surface" { path clip-rule="evenodd" d=(view.rings(outline.rings())) {} }
+            g clip-path="url(#on-surface)" {
+                @if contours.peak > 0.0 {
+                    @for band in 1..=BANDS {
+                        @let level = contours.peak * band as f64 / (BANDS + 1) as f64;
+                        @let rings = contours.rings(level);
+                        path class=(format!("contour band-{band}")) d=(view.rings(rings.iter().map(Vec::as_slice))) {}
+                    }
+                }
+            }
+        }
+    }
+
+    /// Bandwidth h of the density [m]: the one the plan was asked for, or that of the data.
+    pub(crate) fn bandwidth(&self) -> f64 {
+        self.input.bandwidth.unwrap_or_else(|| {
+            let particles: Vec<Point2> = self.input.task.particles.remaining().collect();
+            data_bandwidth(&particles, self.input.plan.collision_radius)
+        })
+    }
+}
+
+/// The surface with the nodes, what was pushed off, and the tool's start if it is asked for and near.
+fn bounds(input: &ReportInput, tool_start: Option<Point2>) -> Bounds2 {
+    let outline = input.task.surface.outline.outer().iter().copied();
+    let surface = surface::extent(&input.task.surface);
+    let radius = input.plan.collision_radius;
+    let room = surface.size().norm().max(4.0 * radius);
+    let near = |p: &Point2| {
+        let beyond = (p - surface.center()).abs() - surface.size() / 2.0;
+        beyond.x.max(beyond.y) < 0.6 * room
+    };
+    let around = |p: Point2, reach: f64| {
+        let reach = Vector2::new(reach, reach);
+        [p - reach, p + reach]
+    };
+    let nodes = input.plan.graph.nodes.iter().map(|n| n.position);
+    let moved = input.prediction.particles.iter().map(|(p, _)| p);
+    let shown = nodes
+        .chain(tool_start)
+        .filter(near)
+        .flat_map(|p| around(p, radius))
+        .chain(moved.filter(near).flat_map(|p| around(p, 0.2 * radius)))
+        .chain(outline.flat_map(|p| around(p, 0.35 * radius)));
+    Bounds2::of(shown).unwrap_or(surface)
+}

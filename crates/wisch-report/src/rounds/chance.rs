@@ -1,0 +1,241 @@
+//! How likely contact of some force has its effect, and how strong contact was; paper Fig. 11.
+
+use super::input::{RoundView, RoundsInput};
+use super::{reduce, words};
+use crate::draw::{Figure, GAP, Panel, Pen, axes, decimals, metres, percent, px, tick_step};
+use maud::{Markup, html};
+use wisch::interpret::{PathPiece, Touch};
+use wisch::represent::LogNormal;
+
+const WIDTH: f64 = 430.0;
+const LEFT: f64 = 52.0;
+const RIGHT: f64 = WIDTH - 16.0;
+const TOP: f64 = 28.0;
+/// Where the curve ends below, and the bars.
+const CURVE: f64 = 190.0;
+const BARS: f64 = 258.0;
+const HEIGHT: f64 = BARS + 42.0;
+/// Bars of the histogram.
+const BINS: usize = 20;
+/// Curves are drawn at this many quantiles, from −Z to Z standard deviations of ln x.
+const POINTS: usize = 160;
+const Z: f64 = 4.0;
+/// Longest axis of the density: beyond, a contact of full force has no effect anyhow.
+const MOST_X: f64 = 3.0;
+
+/// Time in contact by f'.
+struct Histogram {
+    /// Share of the time in contact, per twentieth of f'.
+    shares: [f64; BINS],
+    /// Time in contact [s].
+    total: f64,
+    /// Mean of P(X ≤ f') over the time in contact.
+    chance: f64,
+}
+
+impl Histogram {
+    fn new(path: &[PathPiece], likelihood: &LogNormal) -> Self {
+        let mut histogram = Self {
+            shares: [0.0; BINS],
+            total: 0.0,
+            chance: 0.0,
+        };
+        let contact = path
+            .iter()
+            .filter(|piece| matches!(piece.touch, Touch::Weak | Touch::Confident));
+        for piece in contact {
+            let duration = piece.time[1] - piece.time[0];
+            let bin = (BINS as f64 * piece.normalized_force) as usize;
+            histogram.shares[bin.min(BINS - 1)] += duration;
+            histogram.total += duration;
+            histogram.chance += duration * likelihood.probability(piece.normalized_force);
+        }
+        if histogram.total > 0.0 {
+            let total = histogram.total;
+            histogram.shares = histogram.shares.map(|time| time / total);
+            histogram.chance /= total;
+        }
+        histogram
+    }
+}
+
+/// Both plots for the page, with what they say.
+pub(crate) fn section(input: &RoundsInput, round: &RoundView) -> Markup {
+    let [curve, density] = panels(input, round);
+    let histogram = histogram(input, round);
+    html! {
+        @let sentence = sentence(&input.task.interaction.likelihood, &histogram);
+        p { (words::unbroken(&sentence)) }
+        div class="pair" {
+            figure { (curve.inline("Chance of an effect over the normalised force, and how long contact had which force")) }
+            figure { (density.inline("Density of the least force that has an effect")) }
+        }
+    }
+}
+
+/// Both beside each other.
+pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
+    let [curve, density] = panels(input, round);
+    Figure {
+        panel: Panel {
+            width: 2.0 * WIDTH + GAP,
+            height: HEIGHT,
+            body: html! {
+                (curve.body)
+                g transform=(format!("translate({} 0)", px(WIDTH + GAP))) { (density.body) }
+            },
+        },
+        entries: Vec::new(),
+        what: "The chance of an effect, and the force of contact in this round".to_owned(),
+    }
+}
+
+fn histogram(input: &RoundsInput, round: &RoundView) -> Histogram {
+    let path = reduce::usable(&round.interpretation.path);
+    Histogram::new(&path, &input.task.interaction.likelihood)
+}
+
+fn sentence(likelihood: &LogNormal, histogram: &Histogram) -> String {
+    let full = percent(likelihood.probability(1.0));
+    let median = metres(likelihood.mu.exp(), 2);
+    let round = if histogram.total > 0.0 {
+        format!(
+            "Over the {} s in contact the chance was {} on average.",
+            metres(histogram.total, 1),
+            percent(histogram.chance)
+        )
+    } else {
+        "The tool was not in contact.".to_owned()
+    };
+    format!(
+        "Contact of full force affects {full} of the particles under the tool, and half of them from f' = {median} on. {round}"
+    )
+}
+
+fn panels(input: &RoundsInput, round: &RoundView) -> [Panel; 2] {
+    let likelihood = &input.task.interaction.likelihood;
+    let bodies = [
+        chance(likelihood, &histogram(input, round)),
+        density(likelihood),
+    ];
+    bodies.map(|body| Panel {
+        width: WIDTH,
+        height: HEIGHT,
+        body,
+    })
+}
+
+fn across(x: f64, most: f64) -> f64 {
+    LEFT + (RIGHT - LEFT) * (x / most).clamp(0.0, 1.0)
+}
+
+fn down(share: f64, bottom: f64, top: f64) -> f64 {
+    bottom - share.clamp(0.0, 1.0) * (bottom - top)
+}
+
+/// Forces at which the curves are drawn, dense where they bend.
+fn forces(likelihood: &LogNormal, most: f64) -> Vec<f64> {
+    let quantile = |i: usize| {
+        let z = Z * (2.0 * i as f64 / POINTS as f64 - 1.0);
+        (likelihood.mu + likelihood.sigma * z).exp()
+    };
+    let inner = (0..=POINTS).map(quantile);
+    let inner = inner.filter(|&x| x > 0.0 && x < most);
+    [0.0].into_iter().chain(inner).chain([most]).collect()
+}
+
+/// P(X ≤ f') with the histogram below.
+fn chance(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
+    let mut curve = Pen::default();
+    let places = forces(likelihood, 1.0).into_iter().map(|f| {
+        let share = likelihood.probability(f);
+        (across(f, 1.0), down(share, CURVE, TOP))
+    });
+    curve.line(places);
+    let most = histogram.shares.iter().copied().fold(0.0, f64::max);
+    let bar = |i: usize| {
+        let share = if most > 0.0 {
+            histogram.shares[i] / most
+        } else {
+            0.0
+        };
+        let (left, right) = (
+            across(i as f64 / BINS as f64, 1.0),
+            across((i + 1) as f64 / BINS as f64, 1.0),
+        );
+        (left, right - left, down(share, BARS, CURVE + 26.0))
+    };
+    html! {
+        text class="text small quiet" x="8" y="14" { "P(X ≤ f'), the chance of an effect" }
+        (axes::beside(axes::quarters(|share| down(share, CURVE, TOP)), [LEFT, RIGHT], 6.0))
+        @if (0.0..1.0).contains(&likelihood.mu.exp()) {
+            @let median = across(likelihood.mu.exp(), 1.0);
+            path class="lifted" d=(format!("M{} {}V{}", px(median), px(CURVE), px(down(0.5, CURVE, TOP)))) {}
+        }
+        path class="curve" d=(curve.path()) {}
+        text class="text small quiet" x="8" y=(px(CURVE + 18.0)) {
+            @if most > 0.0 { "share of the time in contact, at most " (percent(most)) } @else { "no time in contact" }
+        }
+        @for (left, width, top) in (0..BINS).map(bar) {
+            @if BARS - top > 0.05 {
+                rect class="contact-time" x=(px(left + 0.5)) y=(px(top)) width=(px(width - 1.0)) height=(px(BARS - top)) {}
+            }
+        }
+        (force_axis(1.0, BARS, "normalised contact force f'"))
+    }
+}
+
+/// p(x) with the part that full force covers.
+fn density(likelihood: &LogNormal) -> Markup {
+    let LogNormal { mu, sigma } = *likelihood;
+    let most = (mu + 2.6 * sigma).exp().clamp(1.2, MOST_X);
+    let p = |x: f64| {
+        let score = (x.ln() - mu) / sigma;
+        let value = (-0.5 * score * score).exp() / (x * sigma * std::f64::consts::TAU.sqrt());
+        if value.is_finite() { value } else { 0.0 }
+    };
+    let forces = forces(likelihood, most);
+    let peak = forces.iter().map(|&x| p(x)).fold(0.0, f64::max);
+    let step = tick_step(peak / 4.0);
+    let top = if peak > 0.0 { 1.05 * peak } else { 1.0 };
+    let place = |x: f64| (across(x, most), down(p(x) / top, BARS, TOP));
+    let (mut curve, mut under) = (Pen::default(), Pen::default());
+    curve.line(forces.iter().map(|&x| place(x)));
+    let covered = forces.iter().copied().filter(|&x| x < 1.0).chain([1.0]);
+    let foot = |x: f64| (across(x, most), BARS);
+    under.line(
+        [foot(0.0)]
+            .into_iter()
+            .chain(covered.map(place))
+            .chain([foot(1.0)]),
+    );
+    under.close();
+    let full = across(1.0, most);
+    let ticks = (0..=(top / step) as i64).map(|tick| {
+        let value = tick as f64 * step;
+        (down(value / top, BARS, TOP), metres(value, decimals(step)))
+    });
+    html! {
+        text class="text small quiet" x="8" y="14" { "p(x), density of the least force that has an effect" }
+        (axes::beside(ticks, [LEFT, RIGHT], 6.0))
+        path class="under" d=(under.path()) {}
+        path class="curve" d=(curve.path()) {}
+        path class="lifted" d=(format!("M{} {}V{}", px(full), px(BARS), px(TOP))) {}
+        text class="text small end" x=(px(full - 6.0)) y=(px(TOP + 12.0)) { "full force" }
+        text class="text small quiet end" x=(px(full - 6.0)) y=(px(TOP + 26.0)) { (percent(likelihood.probability(1.0))) " below" }
+        (force_axis(most, BARS, "normalised force x"))
+    }
+}
+
+fn force_axis(most: f64, y: f64, label: &str) -> Markup {
+    let step = tick_step(most / 6.0);
+    let ticks = (0..=(most / step + 1e-9) as i64).map(|tick| {
+        let value = tick as f64 * step;
+        (across(value, most), metres(value, decimals(step)))
+    });
+    html! {
+        path class="axis" d=(format!("M{} {}H{}", px(LEFT), px(y), px(RIGHT))) {}
+        (axes::below(ticks, y, 18.0))
+        text class="text small quiet end" x=(px(RIGHT)) y=(px(y + 34.0)) { (label) " [1]" }
+    }
+}

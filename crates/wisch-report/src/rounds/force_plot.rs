@@ -1,0 +1,336 @@
+//! Force and height over time, with what happened below; paper Fig. 9, 16 and 18.
+
+use super::input::{RoundView, RoundsInput};
+use super::reduce::{self, Dot};
+use super::words;
+use crate::draw::{
+    Entry, Figure, Panel, Pen, WIDTH, axes, decimals, legend, metres, px, range, tick_step,
+};
+use maud::{Markup, html};
+use wisch::interpret::{Event, EventKind, PathPiece, Touch};
+
+/// Where the curves lie across the picture.
+const LEFT: f64 = 92.0;
+const RIGHT: f64 = WIDTH - 22.0;
+const TOP: f64 = 30.0;
+const HEIGHT: f64 = 170.0;
+/// Between the two plots: room for the lower one's caption.
+const BETWEEN: f64 = 34.0;
+const LANE: f64 = 17.0;
+/// Confident contact (10): f' from, to.
+const CONFIDENT: [f64; 2] = [0.9, 1.0];
+/// How much of a lifted move is shown above what is felt of the surface, and at least [m].
+const LIFT_SHOWN: f64 = 0.012;
+/// Least extent of the axis of heights [m].
+const LEAST_HEIGHT: f64 = 0.004;
+/// Most events that are drawn in a lane.
+const MAX_SPANS: usize = 400;
+
+const MILLIMETRES: f64 = 1e3;
+
+/// One of the two plots.
+struct Plot {
+    top: f64,
+    low: f64,
+    high: f64,
+}
+
+impl Plot {
+    fn down(&self, value: f64) -> f64 {
+        let share = (value - self.low) / (self.high - self.low);
+        self.top + HEIGHT * (1.0 - share.clamp(0.0, 1.0))
+    }
+}
+
+/// The axis of time.
+struct Times {
+    first: f64,
+    last: f64,
+}
+
+impl Times {
+    fn new(path: &[PathPiece]) -> Self {
+        Self {
+            first: path.first().map_or(0.0, |piece| piece.time[0]),
+            last: path.last().map_or(0.0, |piece| piece.time[1]),
+        }
+    }
+
+    fn duration(&self) -> f64 {
+        self.last - self.first
+    }
+
+    fn across(&self, time: f64) -> f64 {
+        let share = if self.duration() > 0.0 {
+            (time - self.first) / self.duration()
+        } else {
+            0.5
+        };
+        LEFT + share.clamp(0.0, 1.0) * (RIGHT - LEFT)
+    }
+
+    /// Left and width of a span, wide enough to be seen; `None` if it lies outside.
+    fn place(&self, [from, to]: [f64; 2]) -> Option<(f64, f64)> {
+        let inside = from <= self.last && to >= self.first && from <= to;
+        inside.then(|| {
+            let (left, right) = (self.across(from), self.across(to));
+            (left, (right - left).max(1.5))
+        })
+    }
+}
+
+pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
+    let found = round.interpretation;
+    let path = reduce::drawable(found);
+    let times = Times::new(&path);
+    let press = input.task.interaction.press_force_n;
+    let forces = force_plot(&path, press);
+    let heights = height_plot(&path, forces.top + HEIGHT + BETWEEN);
+    let bottom = heights.top + HEIGHT;
+    let pushes: Vec<_> = (round.pushes.iter())
+        .filter_map(|&push| times.place(push))
+        .collect();
+    let (lanes, below) = lanes(&found.events, &pushes, &times, bottom + 12.0);
+    // A unit of the picture in seconds: pushes that close look like one.
+    let gap = times.duration() / (RIGHT - LEFT);
+    let collisions: Vec<_> = (reduce::spans(&path, Touch::FalsePositive, gap).into_iter())
+        .filter_map(|span| times.place(span))
+        .collect();
+    let losses: Vec<_> = (found.events.iter())
+        .filter(|event| event.kind == EventKind::ContactLoss)
+        .take(MAX_SPANS)
+        .filter_map(|event| times.place([event.start, event.end]))
+        .collect();
+    let above = if found.plane.is_some() {
+        "the fitted plane"
+    } else {
+        "the believed surface"
+    };
+    let body = html! {
+        @for plot in [&forces, &heights] {
+            (bands(plot, &pushes, "true-push"))
+            (bands(plot, &losses, "contact-lost"))
+            (bands(plot, &collisions, "collision"))
+        }
+        text class="text small quiet" x=(px(LEFT)) y="14" { "normal force on the surface [N], negative where the tool presses" }
+        (intended(&forces, press))
+        (scale(&forces, 1.0))
+        (curves(&path, &times, &forces, |piece| piece.normal_force))
+        text class="text small quiet" x=(px(LEFT)) y=(px(heights.top - 8.0)) { "height over " (above) " [mm]" (cut_note(&path, &heights)) }
+        (scale(&heights, MILLIMETRES))
+        (curves(&path, &times, &heights, |piece| piece.height))
+        (lanes)
+        (time_axis(&times, bottom + 12.0 + below))
+        @if path.is_empty() {
+            text class="text middle" x=(px((LEFT + RIGHT) / 2.0)) y=(px(forces.top + HEIGHT / 2.0)) { "The log is empty." }
+        }
+    };
+    Figure {
+        panel: Panel {
+            width: WIDTH,
+            height: bottom + below + 54.0,
+            body,
+        },
+        entries: entries(&path, &losses, &pushes),
+        what: format!("Normal force and height over {above}, over time"),
+    }
+}
+
+fn force_plot(path: &[PathPiece], press: f64) -> Plot {
+    let (low, high) = range(path.iter().map(|piece| piece.normal_force));
+    Plot {
+        top: TOP,
+        low: low.min(-1.25 * press) - 0.04 * press,
+        high: high.max(0.15 * press) + 0.04 * press,
+    }
+}
+
+/// Round what is felt of the surface; lifted moves are cut off.
+fn height_plot(path: &[PathPiece], top: f64) -> Plot {
+    let felt = path.iter().filter(|piece| piece.touch != Touch::Free);
+    let (low, felt) = range(felt.map(|piece| piece.height));
+    let (lowest, highest) = range(path.iter().map(|piece| piece.height));
+    let high = highest.min(felt + LIFT_SHOWN);
+    let low = lowest.max(low.min(0.0) - LIFT_SHOWN).min(0.0);
+    let room = 0.06 * (high - low).max(LEAST_HEIGHT);
+    Plot {
+        top,
+        low: low.min(-0.3 * LEAST_HEIGHT) - room,
+        high: high.max(LEAST_HEIGHT) + room,
+    }
+}
+
+fn cut_note(path: &[PathPiece], heights: &Plot) -> Markup {
+    let cut = path.iter().any(|piece| piece.height > heights.high);
+    html! { @if cut { "; lifted moves go on above the plot" } }
+}
+
+/// Spans over the whole height of a plot.
+fn bands(plot: &Plot, places: &[(f64, f64)], class: &str) -> Markup {
+    html! {
+        @for (left, width) in places {
+            rect class=(class) x=(px(*left)) y=(px(plot.top)) width=(px(*width)) height=(px(HEIGHT)) {}
+        }
+    }
+}
+
+/// The force that is wanted, and the band in which contact is certain.
+fn intended(plot: &Plot, press: f64) -> Markup {
+    let [weak, full] = CONFIDENT.map(|share| plot.down(-share * press));
+    html! {
+        rect class="confident-band" x=(px(LEFT)) y=(px(weak)) width=(px(RIGHT - LEFT)) height=(px(full - weak)) {}
+        path class="limit" d=(format!("M{} {}H{}", px(LEFT), px(full), px(RIGHT))) {}
+        text class="text small quiet end halo" x=(px(RIGHT - 4.0)) y=(px(full + 13.0)) {
+            "f_min = " (metres(-press, decimals(press))) " N"
+        }
+    }
+}
+
+/// Numbers at the side; `unit` is how many of the axis' units one of the values has.
+fn scale(plot: &Plot, unit: f64) -> Markup {
+    let step = tick_step(unit * (plot.high - plot.low) / 5.0);
+    let ticks = (unit * plot.low / step).ceil() as i64..=(unit * plot.high / step).floor() as i64;
+    html! {
+        @for tick in ticks {
+            @let value = tick as f64 * step;
+            @let y = plot.down(value / unit);
+            path class=(if tick == 0 { "axis" } else { "rule" }) d=(format!("M{} {}H{}", px(LEFT), px(y), px(RIGHT))) {}
+            text class="text small quiet end" x=(px(LEFT - 6.0)) y=(px(y + 4.0)) { (metres(value, decimals(step))) }
+        }
+        rect class="axis" x=(px(LEFT)) y=(px(plot.top)) width=(px(RIGHT - LEFT)) height=(px(HEIGHT)) {}
+    }
+}
+
+fn curves(
+    path: &[PathPiece],
+    times: &Times,
+    plot: &Plot,
+    value: impl Fn(&PathPiece) -> f64,
+) -> Markup {
+    let dots: Vec<Dot> = (path.iter())
+        .map(|piece| Dot {
+            x: times.across(0.5 * (piece.time[0] + piece.time[1])),
+            y: plot.down(value(piece)),
+            touch: piece.touch,
+        })
+        .collect();
+    let runs = reduce::runs(&reduce::peaks(&dots));
+    let drawn = |touch: Touch| {
+        let (mut lines, mut alone) = (Pen::default(), Pen::default());
+        for run in runs.iter().filter(|run| run.touch == touch) {
+            match run.points.as_slice() {
+                [only] => alone.dot(*only),
+                points => lines.line(points.iter().copied()),
+            }
+        }
+        [(lines.path(), None), (alone.path(), Some("stroke-width:6"))]
+    };
+    html! {
+        @for touch in [Touch::Free, Touch::Weak, Touch::Confident, Touch::FalsePositive] {
+            @for (path, style) in drawn(touch) {
+                @if !path.is_empty() { path class=(class(touch)) style=[style] d=(path) {} }
+            }
+        }
+    }
+}
+
+/// Class of a line that was judged so.
+const fn class(touch: Touch) -> &'static str {
+    match touch {
+        Touch::Free => "felt-free",
+        Touch::Weak => "felt-weak",
+        Touch::Confident => "felt-confident",
+        Touch::FalsePositive => "felt-false",
+    }
+}
+
+/// A row of spans for each kind of event that occurs, and one for what truly happened; gives their height too.
+fn lanes(events: &[Event], pushes: &[(f64, f64)], times: &Times, top: f64) -> (Markup, f64) {
+    let spans = |kind: EventKind| -> Vec<(f64, f64)> {
+        let of_kind = events.iter().filter(|event| event.kind == kind);
+        of_kind
+            .take(MAX_SPANS)
+            .filter_map(|event| times.place([event.start, event.end]))
+            .collect()
+    };
+    let felt = words::KINDS.map(|kind| (words::kind(kind), event_class(kind), spans(kind)));
+    let truth = ("pushed (truth)", "event-push", pushes.to_vec());
+    let lanes: Vec<_> = (felt.into_iter().chain([truth]))
+        .filter(|(_, _, spans)| !spans.is_empty())
+        .collect();
+    let body = html! {
+        @for (i, (name, class, spans)) in lanes.iter().enumerate() {
+            @let y = top + LANE * i as f64;
+            text class="text small quiet end" x=(px(LEFT - 6.0)) y=(px(y + 10.0)) { (name) }
+            rect class="lane" x=(px(LEFT)) y=(px(y)) width=(px(RIGHT - LEFT)) height=(px(LANE - 4.0)) {}
+            @for (left, width) in spans {
+                rect class=(class) x=(px(*left)) y=(px(y)) width=(px(*width)) height=(px(LANE - 4.0)) {}
+            }
+        }
+    };
+    (body, LANE * lanes.len() as f64)
+}
+
+const fn event_class(kind: EventKind) -> &'static str {
+    match kind {
+        EventKind::Contact => "event-contact",
+        EventKind::ContactLoss => "event-loss",
+        EventKind::Collision => "event-collision",
+        EventKind::StickSlip => "event-stick",
+        EventKind::Approach | EventKind::Stroke | EventKind::Lift | EventKind::Retreat => "",
+    }
+}
+
+fn time_axis(times: &Times, top: f64) -> Markup {
+    let step = tick_step(times.duration() / 7.0);
+    let moments = (times.first / step).ceil() as i64..=(times.last / step).floor() as i64;
+    let moments = moments.filter(|_| times.duration() > 0.0);
+    let ticks = moments.map(|tick| {
+        let time = tick as f64 * step;
+        (times.across(time), metres(time, decimals(step)))
+    });
+    html! {
+        path class="axis" d=(format!("M{} {}H{}", px(LEFT), px(top), px(RIGHT))) {}
+        (axes::below(ticks, top, 18.0))
+        @if times.duration() <= 0.0 {
+            text class="text small quiet middle" x=(px((LEFT + RIGHT) / 2.0)) y=(px(top + 18.0)) { (metres(times.first, 3)) }
+        }
+        text class="text small quiet end" x=(px(RIGHT)) y=(px(top + 34.0)) { "time [s]" }
+    }
+}
+
+fn entries(path: &[PathPiece], losses: &[(f64, f64)], pushes: &[(f64, f64)]) -> Vec<Entry> {
+    let has = |touch| path.iter().any(|piece| piece.touch == touch);
+    let felt = [
+        (Touch::Confident, "confident contact"),
+        (Touch::Weak, "weak contact"),
+        (Touch::Free, "no contact"),
+    ];
+    let mut entries: Vec<Entry> = (felt.into_iter())
+        .filter(|(touch, _)| has(*touch))
+        .map(|(touch, label)| legend::line(class(touch), label))
+        .collect();
+    entries.push(legend::area(
+        "confident-band",
+        "confident force, 0.9 ≤ f' ≤ 1",
+    ));
+    if has(Touch::FalsePositive) {
+        entries.push(Entry {
+            label: "false positive: force away from the plane".to_owned(),
+            sample: html! {
+                rect class="collision" x="3" y="-7" width="18" height="14" {}
+                path class="felt-false" d="M3 0h18" {}
+            },
+        });
+    }
+    if !losses.is_empty() {
+        entries.push(legend::area("contact-lost", "contact lost"));
+    }
+    if !pushes.is_empty() {
+        entries.push(legend::area(
+            "true-push",
+            "truly pushed, which the robot does not know",
+        ));
+    }
+    entries
+}

@@ -1,0 +1,232 @@
+//! All rounds at once: predicted, estimated and true performance, and what was felt.
+
+use super::input::{RoundView, RoundsInput};
+use super::words;
+use crate::draw::{Entry, Figure, Panel, axes, legend, metres, percent, px};
+use maud::{Markup, html};
+use wisch::interpret::{Event, EventKind};
+
+/// Narrower than the surface, so that its numbers can be read on a phone.
+const WIDTH: f64 = 520.0;
+const LEFT: f64 = 52.0;
+const RIGHT: f64 = WIDTH - 60.0;
+const TOP: f64 = 34.0;
+const BOTTOM: f64 = 214.0;
+const HEIGHT: f64 = BOTTOM + 44.0;
+/// Widest bar.
+const WIDEST: f64 = 40.0;
+/// Bars that are at least so wide have their numbers on top.
+const NUMBERED: f64 = 22.0;
+/// Most events that are listed.
+const MAX_LISTED: usize = 200;
+
+fn down(share: f64) -> f64 {
+    BOTTOM - share.clamp(0.0, 1.0) * (BOTTOM - TOP)
+}
+
+/// What a bar stands for.
+struct Bar {
+    class: &'static str,
+    share: f64,
+    /// From and to of a whisker.
+    range: Option<[f64; 2]>,
+}
+
+fn bars_of(round: &RoundView) -> Vec<Bar> {
+    let estimate = round.interpretation.performance;
+    let bar = |class, share| Bar {
+        class,
+        share,
+        range: None,
+    };
+    let mut bars = vec![
+        bar("bar-predicted", round.predicted),
+        Bar {
+            range: (estimate.low < estimate.high).then_some([estimate.low, estimate.high]),
+            ..bar("bar-estimated", estimate.mean)
+        },
+    ];
+    bars.extend(round.truth.map(|(_, share)| bar("bar-true", share)));
+    bars
+}
+
+/// Three bars a round, and the target.
+pub(crate) fn bars(input: &RoundsInput) -> Figure {
+    let groups: Vec<Vec<Bar>> = input.rounds.iter().map(bars_of).collect();
+    let each = (RIGHT - LEFT) / groups.len().max(1) as f64;
+    let most = groups.iter().map(Vec::len).max().unwrap_or(1) as f64;
+    let width = (0.8 * each / most).min(WIDEST);
+    let numbered = width >= NUMBERED;
+    // Numbers of rounds must not run into each other.
+    let every = (24.0 / each).ceil().max(1.0) as usize;
+    let target = down(input.target);
+    let middle = |i: usize| LEFT + each * (i as f64 + 0.5);
+    let placed: Vec<(&Bar, f64)> = (groups.iter().enumerate())
+        .flat_map(|(i, group)| {
+            let left = middle(i) - 0.5 * width * group.len() as f64;
+            let places = (0..group.len()).map(move |k| left + width * k as f64);
+            group.iter().zip(places)
+        })
+        .collect();
+    let body = html! {
+        text class="text small quiet" x="12" y="14" { "performance" }
+        (axes::beside(axes::quarters(down), [LEFT, RIGHT], 8.0))
+        @for (bar, left) in &placed { (draw(bar, *left, width)) }
+        @for (i, round) in input.rounds.iter().enumerate().step_by(every) {
+            text class="text small quiet middle" x=(px(middle(i))) y=(px(BOTTOM + 18.0)) { (round.number) }
+        }
+        path class="axis" d=(format!("M{} {}H{}", px(LEFT), px(BOTTOM), px(RIGHT))) {}
+        path class="limit" d=(format!("M{} {}H{}", px(LEFT), px(target), px(RIGHT))) {}
+        @if numbered {
+            @for (bar, left) in &placed { (number(bar, left + 0.5 * width)) }
+        }
+        text class="text small" x=(px(RIGHT + 6.0)) y=(px(target + 1.0)) { "target" }
+        text class="text small quiet" x=(px(RIGHT + 6.0)) y=(px(target + 14.0)) { (percent(input.target)) }
+        text class="text small quiet end" x=(px(RIGHT)) y=(px(BOTTOM + 36.0)) { "round" }
+    };
+    Figure {
+        panel: Panel {
+            width: WIDTH,
+            height: HEIGHT,
+            body,
+        },
+        entries: entries(input),
+        what: "Predicted, estimated and true performance by round".to_owned(),
+    }
+}
+
+fn draw(bar: &Bar, left: f64, width: f64) -> Markup {
+    let (top, middle) = (down(bar.share), left + 0.5 * width);
+    let room = (0.08 * width).min(2.0);
+    html! {
+        rect class=(bar.class) x=(px(left + room)) y=(px(top)) width=(px(width - 2.0 * room)) height=(px(BOTTOM - top)) {}
+        @if let Some([low, high]) = bar.range {
+            @let arm = (0.2 * width).min(6.0);
+            path class="whisker" d=(format!(
+                "M{0} {1}h{2}M{3} {1}V{4}M{0} {4}h{2}",
+                px(middle - arm), px(down(high)), px(2.0 * arm), px(middle), px(down(low))
+            )) {}
+        }
+    }
+}
+
+/// The number over a bar and its whisker.
+fn number(bar: &Bar, middle: f64) -> Markup {
+    let top = down(bar.range.map_or(bar.share, |[_, high]| high.max(bar.share)));
+    html! {
+        text class="text small middle halo" x=(px(middle)) y=(px(top - 5.0)) { (format!("{:.0}", 100.0 * bar.share)) }
+    }
+}
+
+fn entries(input: &RoundsInput) -> Vec<Entry> {
+    let mut entries = vec![
+        legend::area("bar-predicted", "predicted by the plan"),
+        legend::area(
+            "bar-estimated",
+            "estimated by touch, with its 90 % interval",
+        ),
+    ];
+    if input.rounds.iter().any(|round| round.truth.is_some()) {
+        entries.push(legend::area("bar-true", "in truth"));
+    }
+    entries.push(legend::line("limit", "target"));
+    entries
+}
+
+/// The rounds in numbers.
+pub(crate) fn table(input: &RoundsInput) -> Markup {
+    let truth = input.rounds.iter().any(|round| round.truth.is_some());
+    html! {
+        div class="wide-table" tabindex="0" role="region" aria-label="Rounds in numbers" {
+            table {
+                thead {
+                    tr {
+                        th scope="col" { "round" }
+                        th scope="col" { "predicted" }
+                        th scope="col" { "estimated (90\u{a0}%)" }
+                        @if truth { th scope="col" { "true" } }
+                        th scope="col" { "in contact" }
+                        th scope="col" { "collisions" }
+                        th scope="col" { "tilt" }
+                        th scope="col" { "offset" }
+                        th scope="col" { "surface" }
+                    }
+                }
+                tbody {
+                    @for round in input.rounds {
+                        (row(round, truth))
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn row(round: &RoundView, truth: bool) -> Markup {
+    let found = round.interpretation;
+    let estimate = found.performance;
+    let plane = found.plane.map(|plane| {
+        (
+            words::degrees(plane.tilt),
+            format!("{} mm", metres(1e3 * plane.offset, 1)),
+        )
+    });
+    let (tilt, offset) = plane.unwrap_or(("–".to_owned(), "–".to_owned()));
+    html! {
+        tr {
+            th scope="row" { (round.number) }
+            td { (percent(round.predicted)) }
+            td { (percent(estimate.mean)) br; small { (format!("{:.1} to {:.1} %", 100.0 * estimate.low, 100.0 * estimate.high)) } }
+            @if truth {
+                td { @if let Some((_, share)) = round.truth { (percent(share)) } @else { "–" } }
+            }
+            td { (percent(found.contact_share)) }
+            td { (words::count(&found.events, EventKind::Collision)) }
+            td { (tilt) }
+            td { (offset) }
+            td { (words::verdict(found.diagnosis)) }
+        }
+    }
+}
+
+/// What happened, to be unfolded.
+pub(crate) fn events(events: &[Event]) -> Markup {
+    let events: Vec<Event> = (events.iter())
+        .filter(|event| !event.kind.is_phase())
+        .copied()
+        .collect();
+    html! {
+        @if events.is_empty() {
+            p class="note" { "Nothing happened that could be felt." }
+        } @else {
+            details {
+                summary { "Events: " (words::tally(&events)) }
+                div class="wide-table" tabindex="0" role="region" aria-label="Events" {
+                    table {
+                        thead {
+                            tr {
+                                th scope="col" { "event" }
+                                th scope="col" { "from" }
+                                th scope="col" { "to" }
+                                th scope="col" { "evidence" }
+                            }
+                        }
+                        tbody {
+                            @for event in events.iter().take(MAX_LISTED) {
+                                tr {
+                                    th scope="row" { (words::kind(event.kind)) }
+                                    td { (metres(event.start, 2)) " s" }
+                                    td { (metres(event.end, 2)) " s" }
+                                    td { (words::evidence(event)) }
+                                }
+                            }
+                        }
+                    }
+                }
+                @if events.len() > MAX_LISTED {
+                    p class="note" { "The first " (MAX_LISTED) " of " (events.len()) " events are listed." }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,324 @@
+//! The path over the surface in space, coloured by what the tool felt; paper Fig. 10 and 17.
+
+use super::input::{RoundView, RoundsInput};
+use super::reduce::{self, Stretch};
+use crate::draw::{Entry, Figure, Panel, Pen, legend, metres, px, surface, tick_step};
+use maud::{Markup, html};
+use wisch::geometry::{Bounds2, Point2, Point3};
+use wisch::interpret::{FittedPlane, Touch};
+
+/// From where one looks: turned from the front to the right, and up [rad].
+const AZIMUTH: f64 = 0.5;
+const ELEVATION: f64 = 0.56;
+/// Narrower than the surface from above, so that a phone shows it whole.
+const WIDTH: f64 = 620.0;
+const SIZE: [f64; 2] = [WIDTH - 2.0 * MARGIN, 400.0];
+const MARGIN: f64 = 20.0;
+/// Room below, where the lower left corner shows how long things are.
+const BELOW: f64 = 44.0;
+/// A stretch of the path is about this long [units of the picture].
+const STRETCH: f64 = 2.0;
+/// How far round the surface the path is shown, as a share of its size.
+const AROUND: f64 = 0.15;
+/// What heights are stretched by, and which share of the surface's extent they may take then.
+const STRETCHING: [f64; 6] = [1.0, 2.0, 3.0, 5.0, 10.0, 20.0];
+const HEIGHT_SHARE: f64 = 0.35;
+/// Least half thickness of the fitted plane's box [m]: else it would not be seen.
+const LEAST_HALF: f64 = 0.5e-3;
+/// Half the box, in root mean square distances of the inliers: nearly all of them are in it.
+const HALF_IN_RMS: f64 = 3.0;
+/// Classes of contact by f', from weak to full.
+const LEVELS: [&str; 5] = ["felt-1", "felt-2", "felt-3", "felt-4", "felt-5"];
+
+/// Parallel projection; places are in the frame of the believed surface [m].
+struct Projection {
+    /// Heights are drawn this many times as large.
+    stretching: f64,
+    /// Units of the picture per metre.
+    scale: f64,
+    origin: (f64, f64),
+}
+
+impl Projection {
+    /// What is right and up on the screen of a place, at one unit per metre.
+    fn flat(stretching: f64, p: Point3) -> (f64, f64) {
+        let (sin, cos) = AZIMUTH.sin_cos();
+        let (rise, level) = ELEVATION.sin_cos();
+        let away = cos * p.y - sin * p.x;
+        (
+            cos * p.x + sin * p.y,
+            rise * away + level * stretching * p.z,
+        )
+    }
+
+    /// Fits these places into the picture.
+    fn new(stretching: f64, places: impl Iterator<Item = Point3>) -> Self {
+        let bounds = Bounds2::of(places.map(|p| {
+            let (x, y) = Self::flat(stretching, p);
+            Point2::new(x, y)
+        }));
+        let bounds = bounds.unwrap_or(Bounds2 {
+            min: Point2::origin(),
+            max: Point2::new(1.0, 1.0),
+        });
+        let extent = bounds.size();
+        let scale = (SIZE[0] / extent.x).min(SIZE[1] / extent.y);
+        let scale = if scale.is_finite() { scale } else { 1.0 };
+        Self {
+            stretching,
+            scale,
+            origin: (
+                MARGIN + 0.5 * (SIZE[0] - scale * extent.x) - scale * bounds.min.x,
+                MARGIN + scale * bounds.max.y,
+            ),
+        }
+    }
+
+    fn at(&self, p: Point3) -> (f64, f64) {
+        let (x, y) = Self::flat(self.stretching, p);
+        (
+            self.origin.0 + self.scale * x,
+            self.origin.1 - self.scale * y,
+        )
+    }
+
+    fn ring(&self, places: &[Point3]) -> String {
+        self.line(places) + "z"
+    }
+
+    fn line(&self, places: &[Point3]) -> String {
+        let mut pen = Pen::default();
+        pen.line(places.iter().map(|&p| self.at(p)));
+        pen.path()
+    }
+}
+
+pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
+    let found = round.interpretation;
+    let outline = &input.task.surface.outline;
+    let bounds = surface::extent(&input.task.surface);
+    let corners = corners(&bounds);
+    let plane = (found.plane.as_ref()).and_then(|plane| PlaneBox::new(plane, &corners));
+    let path = reduce::drawable(found);
+    let reach = AROUND * bounds.size().norm();
+    let near = |p: &Point3| {
+        let beyond = (p.xy() - bounds.center()).abs() - 0.5 * bounds.size();
+        beyond.x.max(beyond.y) < reach && p.z.abs() < reach
+    };
+    let felt: Vec<Point3> = (path.iter().map(|piece| piece.position))
+        .filter(near)
+        .collect();
+    let shown: Vec<Point3> = (corners.iter().copied())
+        .chain(plane.iter().flat_map(PlaneBox::corners))
+        .chain(felt)
+        .collect();
+    let stretching = stretching(&shown, bounds.size().norm());
+    let projection = Projection::new(stretching, shown.iter().copied());
+    let stretches = reduce::stretches(&path, STRETCH / projection.scale);
+    let base: Vec<Vec<Point3>> = (outline.rings())
+        .map(|ring| ring.iter().map(|p| Point3::new(p.x, p.y, 0.0)).collect())
+        .collect();
+    let lowest = shown.iter().map(|&p| projection.at(p).1);
+    let height = lowest.fold(0.0, f64::max) + BELOW;
+    let base: String = base.iter().map(|ring| projection.ring(ring)).collect();
+    let body = html! {
+        svg x="0" y="0" width=(px(WIDTH)) height=(px(height)) viewBox=(format!("0 0 {} {}", px(WIDTH), px(height))) {
+            path class="believed-surface" d=(base) {}
+            @if let Some(plane) = &plane { (plane.draw(&projection)) }
+            (way(&projection, path.first().map(|piece| piece.position), &stretches))
+            (lengths(&projection, height, &shown))
+        }
+    };
+    Figure {
+        panel: Panel {
+            width: WIDTH,
+            height,
+            body,
+        },
+        entries: entries(&stretches, plane.as_ref(), stretching),
+        what: format!(
+            "The tool's path over the surface, by what it felt; {}",
+            stretched(stretching)
+        ),
+    }
+}
+
+/// How heights are drawn, in words.
+fn stretched(stretching: f64) -> String {
+    if stretching > 1.0 {
+        format!("heights drawn {stretching} times as large")
+    } else {
+        "heights to scale".to_owned()
+    }
+}
+
+/// Anticlockwise from the lower left.
+fn corners(bounds: &Bounds2) -> [Point3; 4] {
+    let (low, high) = (bounds.min, bounds.max);
+    [
+        (low.x, low.y),
+        (high.x, low.y),
+        (high.x, high.y),
+        (low.x, high.y),
+    ]
+    .map(|(x, y)| Point3::new(x, y, 0.0))
+}
+
+/// As much as leaves heights a share of the picture.
+fn stretching(shown: &[Point3], extent: f64) -> f64 {
+    let (low, high) = (shown.iter()).fold((0.0, 0.0), |(low, high): (f64, f64), p| {
+        (low.min(p.z), high.max(p.z))
+    });
+    let fits = |factor: &&f64| **factor * (high - low) <= HEIGHT_SHARE * extent;
+    STRETCHING.iter().rev().find(fits).copied().unwrap_or(1.0)
+}
+
+/// The fitted plane over the surface, as thick as what it was fitted to is spread.
+struct PlaneBox {
+    top: [Point3; 4],
+    bottom: [Point3; 4],
+    half: f64,
+}
+
+impl PlaneBox {
+    /// `None` for a plane that stands upright.
+    fn new(plane: &FittedPlane, corners: &[Point3; 4]) -> Option<Self> {
+        const STEEPEST: f64 = 0.2;
+        let (n, p) = (plane.normal, plane.point);
+        if !(n.z > STEEPEST && p.coords.iter().chain(n.iter()).all(|v| v.is_finite())) {
+            return None;
+        }
+        let half = (HALF_IN_RMS * plane.rms).max(LEAST_HALF);
+        let lifted = |by: f64| {
+            corners.map(|c| {
+                let fall = n.x * (c.x - p.x) + n.y * (c.y - p.y);
+                Point3::new(c.x, c.y, p.z - fall / n.z + by)
+            })
+        };
+        Some(Self {
+            top: lifted(half),
+            bottom: lifted(-half),
+            half,
+        })
+    }
+
+    fn corners(&self) -> impl Iterator<Item = Point3> {
+        self.top.into_iter().chain(self.bottom)
+    }
+
+    /// Its two sides that are seen, and its top.
+    fn draw(&self, projection: &Projection) -> Markup {
+        let side = |i: usize| {
+            let j = (i + 1) % 4;
+            [self.bottom[i], self.bottom[j], self.top[j], self.top[i]]
+        };
+        html! {
+            @for face in [side(0), side(1), self.top] {
+                path class="fitted-plane" d=(projection.ring(&face)) {}
+            }
+        }
+    }
+}
+
+/// The path in the order in which it was travelled, with free motion below contact and pushes on top.
+fn way(projection: &Projection, start: Option<Point3>, stretches: &[Stretch]) -> Markup {
+    let mut lines: Vec<(&str, Vec<Point3>)> = Vec::new();
+    let mut before = start;
+    for stretch in stretches {
+        let class = class(stretch);
+        match lines.last_mut() {
+            Some((of, places)) if *of == class => places.push(stretch.end),
+            _ => lines.push((class, before.into_iter().chain([stretch.end]).collect())),
+        }
+        before = Some(stretch.end);
+    }
+    let of = |class: &str| -> String {
+        let same = lines.iter().filter(|(other, _)| *other == class);
+        same.map(|(_, places)| projection.line(places)).collect()
+    };
+    html! {
+        @for class in ["felt-free"].into_iter().chain(LEVELS).chain(["felt-false"]) {
+            @let line = of(class);
+            @if !line.is_empty() { path class=(class) d=(line) {} }
+        }
+    }
+}
+
+fn class(stretch: &Stretch) -> &'static str {
+    match stretch.touch {
+        Touch::Free => "felt-free",
+        Touch::FalsePositive => "felt-false",
+        Touch::Weak | Touch::Confident => LEVELS[level(stretch.normalized_force)],
+    }
+}
+
+/// Which fifth of full force.
+fn level(normalized_force: f64) -> usize {
+    ((5.0 * normalized_force).ceil() as usize).clamp(1, 5) - 1
+}
+
+/// A round length along each axis, in the lower left.
+fn lengths(projection: &Projection, height: f64, shown: &[Point3]) -> Markup {
+    /// About how long the lines are [units of the picture].
+    const LONG: f64 = 50.0;
+    let origin = (MARGIN + 4.0, height - 34.0);
+    let high = shown.iter().fold(0.0, |high: f64, p| high.max(p.z.abs()));
+    let upright = projection.scale * projection.stretching * ELEVATION.cos();
+    let flat = tick_step(0.5 * LONG / projection.scale);
+    let up = tick_step((0.3 * high).clamp(12.0 / upright, LONG / upright) / 2.0);
+    let end = |p: Point3| {
+        let (x, y) = Projection::flat(projection.stretching, p);
+        let scale = projection.scale;
+        (origin.0 + scale * x, origin.1 - scale * y)
+    };
+    let (x, y, z) = (
+        end(Point3::new(flat, 0.0, 0.0)),
+        end(Point3::new(0.0, flat, 0.0)),
+        end(Point3::new(0.0, 0.0, up)),
+    );
+    let mut lines = Pen::default();
+    for tip in [x, y, z] {
+        lines.line([origin, tip]);
+    }
+    let centimetres = metres(100.0 * flat, usize::from(flat < 0.0095));
+    html! {
+        path class="axis" d=(lines.path()) {}
+        text class="text small" x=(px(x.0 + 4.0)) y=(px(x.1 + 8.0)) { "x, " (centimetres) " cm" }
+        text class="text small" x=(px(y.0 + 4.0)) y=(px(y.1 + 9.0)) { "y, " (centimetres) " cm" }
+        text class="text small" x=(px(z.0 - 4.0)) y=(px(z.1.min(y.1) - 6.0)) { "z, " (metres(1e3 * up, usize::from(up < 0.9e-3))) " mm" }
+    }
+}
+
+fn entries(stretches: &[Stretch], plane: Option<&PlaneBox>, stretching: f64) -> Vec<Entry> {
+    let has = |wanted: &str| stretches.iter().any(|stretch| class(stretch) == wanted);
+    let mut entries = Vec::new();
+    for (i, level) in LEVELS.iter().enumerate().filter(|(_, level)| has(level)) {
+        let label = format!(
+            "contact, f' {:.1} to {:.1}",
+            0.2 * i as f64,
+            0.2 * (i + 1) as f64
+        );
+        entries.push(legend::line(level, label));
+    }
+    if has("felt-free") {
+        entries.push(legend::line("felt-free", "no contact"));
+    }
+    if has("felt-false") {
+        entries.push(legend::line(
+            "felt-false",
+            "false positive: force away from the plane",
+        ));
+    }
+    if let Some(plane) = plane {
+        let half = metres(1e3 * plane.half, 1);
+        entries.push(legend::area(
+            "fitted-plane",
+            format!("fitted plane, ± {half} mm"),
+        ));
+    }
+    entries.push(legend::area(
+        "believed-surface",
+        format!("believed surface ({})", stretched(stretching)),
+    ));
+    entries
+}

@@ -1,0 +1,200 @@
+//! Minutes of a log at 1 kHz as few enough points for a picture, without losing what stands out.
+
+use wisch::geometry::Point3;
+use wisch::interpret::{EventKind, Interpretation, PathPiece, Touch};
+
+/// Most points that a curve is drawn with.
+const MAX_POINTS: usize = 2_600;
+/// Most stretches that a path in space is drawn with.
+const MAX_STRETCHES: usize = 5_000;
+const TOUCHES: [Touch; 4] = [
+    Touch::Free,
+    Touch::Weak,
+    Touch::Confident,
+    Touch::FalsePositive,
+];
+
+/// A point of a curve: where it is drawn, and how its piece of the path was judged.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Dot {
+    pub(crate) x: f64,
+    pub(crate) y: f64,
+    pub(crate) touch: Touch,
+}
+
+/// Consecutive points of one judgement.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Run {
+    pub(crate) touch: Touch,
+    pub(crate) points: Vec<(f64, f64)>,
+}
+
+/// A stretch of the path in space: where it ends, and how it was judged as a whole.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Stretch {
+    pub(crate) end: Point3,
+    pub(crate) touch: Touch,
+    /// Mean f′ of its pieces in contact.
+    pub(crate) normalized_force: f64,
+}
+
+/// The lowest and the highest point of each judgement in every column of the picture, in their order. Columns
+/// are a unit wide, or wider where even that is too much to draw.
+pub(crate) fn peaks(curve: &[Dot]) -> Vec<Dot> {
+    let mut width = 1.0;
+    loop {
+        let kept = peaks_by(curve, width);
+        if kept.len() <= MAX_POINTS {
+            return kept;
+        }
+        width *= 2.0;
+    }
+}
+
+fn peaks_by(curve: &[Dot], width: f64) -> Vec<Dot> {
+    let column = |dot: &Dot| (dot.x / width).floor();
+    let mut kept = Vec::new();
+    for group in curve.chunk_by(|a, b| column(a) == column(b)) {
+        let mut chosen: Vec<usize> = Vec::with_capacity(2 * TOUCHES.len());
+        for touch in TOUCHES {
+            let of_touch = || (0..group.len()).filter(|&i| group[i].touch == touch);
+            let by_height = |a: &usize, b: &usize| group[*a].y.total_cmp(&group[*b].y);
+            chosen.extend(of_touch().min_by(by_height));
+            chosen.extend(of_touch().max_by(by_height));
+        }
+        chosen.sort_unstable();
+        chosen.dedup();
+        kept.extend(chosen.into_iter().map(|i| group[i]));
+    }
+    kept
+}
+
+/// A curve in runs of one judgement each; a run begins where the one before ends.
+pub(crate) fn runs(curve: &[Dot]) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    let mut before: Option<(f64, f64)> = None;
+    for dot in curve {
+        let here = (dot.x, dot.y);
+        match runs.last_mut() {
+            Some(run) if run.touch == dot.touch => run.points.push(here),
+            _ => runs.push(Run {
+                touch: dot.touch,
+                points: before.into_iter().chain([here]).collect(),
+            }),
+        }
+        before = Some(here);
+    }
+    runs
+}
+
+/// From and to [s] of the consecutive pieces that were judged so. Those closer than `gap` [s] are one.
+pub(crate) fn spans(path: &[PathPiece], touch: Touch, gap: f64) -> Vec<[f64; 2]> {
+    let mut spans: Vec<[f64; 2]> = Vec::new();
+    for piece in path.iter().filter(|piece| piece.touch == touch) {
+        match spans.last_mut() {
+            Some(last) if piece.time[0] - last[1] <= gap => last[1] = last[1].max(piece.time[1]),
+            _ => spans.push(piece.time),
+        }
+    }
+    spans
+}
+
+/// The pieces that can be shown: finite, and not earlier than the one before.
+pub(crate) fn usable(path: &[PathPiece]) -> Vec<PathPiece> {
+    let mut usable: Vec<PathPiece> = Vec::with_capacity(path.len());
+    for piece in path {
+        let [from, to] = piece.time;
+        let position = piece.position;
+        let values = [
+            from,
+            to,
+            position.x,
+            position.y,
+            position.z,
+            piece.normal_force,
+            piece.normalized_force,
+            piece.height,
+        ];
+        let later = usable.last().is_none_or(|before| from >= before.time[0]);
+        if values.iter().all(|value| value.is_finite()) && to >= from && later {
+            usable.push(*piece);
+        }
+    }
+    usable
+}
+
+/// The path in stretches of about `length` [m], longer where there are too many.
+pub(crate) fn stretches(path: &[PathPiece], length: f64) -> Vec<Stretch> {
+    let mut length = length;
+    loop {
+        let stretches = stretches_by(path, length);
+        if stretches.len() <= MAX_STRETCHES || !length.is_finite() {
+            return stretches;
+        }
+        length *= 2.0;
+    }
+}
+
+fn stretches_by(path: &[PathPiece], length: f64) -> Vec<Stretch> {
+    let mut stretches = Vec::new();
+    let mut from = 0;
+    for (i, piece) in path.iter().enumerate() {
+        // As the crow flies: a tool that stands still trembles over any distance.
+        let moved = (piece.position - path[from].position).norm();
+        // A push should not spread over a whole stretch of good contact.
+        let turns = (piece.touch == Touch::FalsePositive)
+            != path
+                .get(i + 1)
+                .is_some_and(|next| next.touch == Touch::FalsePositive);
+        if moved >= length || (turns && moved >= length / 8.0) || i + 1 == path.len() {
+            stretches.push(Stretch::of(&path[from..=i], piece.position));
+            from = i + 1;
+        }
+    }
+    stretches
+}
+
+impl Stretch {
+    fn of(group: &[PathPiece], end: Point3) -> Self {
+        let duration = |piece: &PathPiece| (piece.time[1] - piece.time[0]).max(1e-9);
+        let total = |wanted: &dyn Fn(Touch) -> bool| -> f64 {
+            let pieces = group.iter().filter(|piece| wanted(piece.touch));
+            pieces.map(duration).sum()
+        };
+        let in_contact = |touch| matches!(touch, Touch::Weak | Touch::Confident);
+        let contact = total(&in_contact);
+        let force = group.iter().filter(|piece| in_contact(piece.touch));
+        let force: f64 = force.map(|p| p.normalized_force * duration(p)).sum();
+        let touch = if group.iter().any(|p| p.touch == Touch::FalsePositive) {
+            Touch::FalsePositive
+        } else if contact < total(&|touch| touch == Touch::Free) {
+            Touch::Free
+        } else if 2.0 * total(&|touch| touch == Touch::Confident) >= contact {
+            Touch::Confident
+        } else {
+            Touch::Weak
+        };
+        Self {
+            end,
+            touch,
+            normalized_force: if contact > 0.0 { force / contact } else { 0.0 },
+        }
+    }
+}
+
+/// The path to be drawn: force off the plane counts as false only where it makes a collision. As the tool
+/// lands, force and height are off each other for a moment as well.
+pub(crate) fn drawable(told: &Interpretation) -> Vec<PathPiece> {
+    let mut path = usable(&told.path);
+    let spans: Vec<[f64; 2]> = (told.events.iter())
+        .filter(|event| event.kind == EventKind::Collision)
+        .map(|event| [event.start, event.end])
+        .collect();
+    for piece in &mut path {
+        let is_in = |span: &[f64; 2]| piece.time[1] >= span[0] && piece.time[0] <= span[1];
+        if piece.touch == Touch::FalsePositive && !spans.iter().any(is_in) {
+            piece.touch = Touch::Weak;
+        }
+    }
+    path
+}

@@ -1,0 +1,396 @@
+//! What is left: as planned on, as estimated and in truth, and how sure the estimate is of each place.
+
+use super::input::{RoundView, RoundsInput};
+use super::words;
+use crate::draw::{
+    BANDS, Entry, Figure, GAP, Panel, Pen, View, inset, legend, metres, percent, px, short,
+    surface::{self, Outcome, achieved, dot_radius, extent, ground, obstacle_rings, outcome},
+    tick_step,
+};
+use maud::{Markup, html};
+use wisch::geometry::{Bounds2, Point2, Vector2};
+use wisch::represent::{Fate, GoalState, ParticleDistribution, Surface};
+
+/// Width of a view on the page, and its most height as a share of that.
+const VIEW: f64 = 306.0;
+const MAP: f64 = 450.0;
+const TALLEST: f64 = 1.1;
+/// Room for the name above, and for the scale of the map below.
+const NAME: f64 = 24.0;
+const RAMP: f64 = 46.0;
+/// Most cells along the longer side of the surface, about.
+const MOST_CELLS: f64 = 20.0;
+/// Least width of views side by side.
+const NARROWEST: f64 = 600.0;
+/// Most particles that are drawn.
+const MAX_DRAWN: usize = 3_000;
+
+/// The particles that are still to be wiped, counted in square cells.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Cells {
+    pub(crate) low: Point2,
+    /// Side of a cell [m].
+    pub(crate) side: f64,
+    pub(crate) columns: usize,
+    /// Row by row: mean over the replays, and standard deviation.
+    pub(crate) mean: Vec<f64>,
+    pub(crate) deviation: Vec<f64>,
+}
+
+impl Cells {
+    /// Counts what lies on the surface and not at the goal, replay by replay.
+    pub(crate) fn new(
+        replays: &[ParticleDistribution],
+        goal: &GoalState,
+        surface: &Surface,
+    ) -> Self {
+        let bounds = extent(surface);
+        let side = cell_side(
+            &bounds,
+            replays.first().map_or(0, ParticleDistribution::len),
+        );
+        let count = bounds
+            .size()
+            .map(|length| (length / side - 1e-9).ceil().max(1.0) as usize);
+        let (columns, rows) = (count.x, count.y);
+        let mut sum = vec![0.0; columns * rows];
+        let mut squares = sum.clone();
+        for replay in replays {
+            let mut counts = vec![0.0; columns * rows];
+            let left = replay
+                .iter()
+                .filter(|&(p, fate)| fate == Fate::OnSurface && !goal.is_met_by(p, fate, surface));
+            for (p, _) in left {
+                let place = (p - bounds.min) / side;
+                let column = (place.x.max(0.0) as usize).min(columns - 1);
+                let row = (place.y.max(0.0) as usize).min(rows - 1);
+                counts[row * columns + column] += 1.0;
+            }
+            for (cell, count) in counts.into_iter().enumerate() {
+                sum[cell] += count;
+                squares[cell] += count * count;
+            }
+        }
+        let replays = replays.len().max(1) as f64;
+        let mean: Vec<f64> = sum.iter().map(|sum| sum / replays).collect();
+        let variance = squares.iter().zip(&mean).map(|(s, m)| s / replays - m * m);
+        Self {
+            low: bounds.min,
+            side,
+            columns,
+            deviation: variance.map(|v| v.max(0.0).sqrt()).collect(),
+            mean,
+        }
+    }
+
+    /// Filled cells, an eighth of the peak a band, as far as they lie on the surface. `id` is this drawing's
+    /// alone on the page.
+    fn draw(&self, view: &View, surface: &Surface, id: &str, values: &[f64]) -> Markup {
+        let peak = peak(values);
+        let mut bands: [Pen; BANDS] = Default::default();
+        for (cell, value) in values.iter().enumerate() {
+            let Some(band) = band(*value, peak) else {
+                continue;
+            };
+            let corner = Vector2::new((cell % self.columns) as f64, (cell / self.columns) as f64);
+            let corner = self.low + self.side * corner;
+            let (low, high) = (
+                view.at(corner),
+                view.at(corner + Vector2::repeat(self.side)),
+            );
+            bands[band].line([low, (high.0, low.1), high, (low.0, high.1)]);
+            bands[band].close();
+        }
+        html! {
+            clipPath id=(id) { path clip-rule="evenodd" d=(view.rings(surface.outline.rings())) {} }
+            g clip-path=(format!("url(#{id})")) {
+                @for (i, band) in bands.into_iter().enumerate() {
+                    path class=(format!("cell band-{}", i + 1)) d=(band.path()) {}
+                }
+            }
+        }
+    }
+}
+
+/// A round length [m], so large that particles evenly spread leave about one in a cell: where every cell holds
+/// one or none, colours say nothing.
+pub(crate) fn cell_side(bounds: &Bounds2, particles: usize) -> f64 {
+    let size = bounds.size();
+    let room = (size.x * size.y / particles.max(1) as f64).sqrt();
+    let longest = size.max();
+    tick_step(room.clamp(longest / MOST_CELLS, longest))
+}
+
+fn peak(values: &[f64]) -> f64 {
+    values.iter().copied().fold(0.0, f64::max)
+}
+
+/// Which eighth of the peak; `None` for nothing.
+fn band(value: f64, peak: f64) -> Option<usize> {
+    let some = value > 0.0 && peak > 0.0;
+    some.then(|| ((value / peak * BANDS as f64).ceil() as usize).clamp(1, BANDS) - 1)
+}
+
+/// The surface and what fell beside it.
+fn shown(surface: &Surface) -> Bounds2 {
+    let mut bounds = extent(surface);
+    let room = Vector2::repeat(0.06 * bounds.size().max());
+    bounds.min -= room;
+    bounds.max += room;
+    bounds
+}
+
+/// Views and maps for the page.
+pub(crate) fn section(input: &RoundsInput, round: &RoundView) -> Markup {
+    let cells = Cells::new(round.replays(), input.goal, &input.task.surface);
+    let views = views(input, round, &cells);
+    let [mean, deviation] = maps(input, round, &cells);
+    html! {
+        p { (words::unbroken(&sentence(input, round))) }
+        div class="trio" {
+            @for (panel, what) in &views { figure { (panel.inline(what)) } }
+        }
+        (legend::list(&particle_entries(input, round)))
+        div class="pair" {
+            figure { (mean.inline("Mean number of particles still to be wiped, by cell")) }
+            figure { (deviation.inline("Standard deviation of that number over the replays, by cell")) }
+        }
+        @if round.replays().len() < 2 {
+            p class="note" { "There is one replay only, so nothing is known of how sure the estimate is." }
+        }
+    }
+}
+
+pub(crate) fn particles_figure(input: &RoundsInput, round: &RoundView) -> Figure {
+    let cells = Cells::new(round.replays(), input.goal, &input.task.surface);
+    let views = views(input, round, &cells);
+    let panels = views.into_iter().map(|(panel, _)| panel).collect();
+    Figure {
+        panel: beside(panels),
+        entries: particle_entries(input, round),
+        what: "What was planned on, what is estimated to be left, and what is left in truth"
+            .to_owned(),
+    }
+}
+
+pub(crate) fn density_figure(input: &RoundsInput, round: &RoundView) -> Figure {
+    let cells = Cells::new(round.replays(), input.goal, &input.task.surface);
+    Figure {
+        panel: beside(maps(input, round, &cells).into()),
+        entries: Vec::new(),
+        what: match round.replays().len() {
+            1 => "Particles still to be wiped, by the one replay".to_owned(),
+            many => format!("Particles still to be wiped, over {many} replays"),
+        },
+    }
+}
+
+/// Panels in a row.
+fn beside(panels: Vec<Panel>) -> Panel {
+    let width = panels.iter().map(|panel| panel.width + GAP).sum::<f64>() + GAP;
+    let height = panels.iter().map(|panel| panel.height).fold(0.0, f64::max) + 8.0;
+    let mut left = GAP;
+    let placed: Vec<(f64, Panel)> = (panels.into_iter())
+        .map(|panel| {
+            let at = left;
+            left += panel.width + GAP;
+            (at, panel)
+        })
+        .collect();
+    let width = width.max(NARROWEST);
+    Panel {
+        width,
+        height,
+        body: html! {
+            @for (left, panel) in &placed {
+                g transform=(format!("translate({} 0)", px(*left))) { (panel.body) }
+            }
+        },
+    }
+}
+
+/// The views side by side, each with what it shows.
+fn views(input: &RoundsInput, round: &RoundView, cells: &Cells) -> Vec<(Panel, String)> {
+    let view = view(input, VIEW);
+    let typical = round.typical(input);
+    let performance = round.interpretation.performance;
+    let planned = html! {
+        (particles(input, &view, round.believed))
+        (strokes(round, &view))
+    };
+    let id = format!("round-{}-estimated", round.number);
+    let estimated = html! {
+        g class="under-particles" { (cells.draw(&view, &input.task.surface, &id, &cells.mean)) }
+        (particles(input, &view, typical))
+    };
+    let mut views = vec![
+        framed(input, &view, "believed before, and the plan", planned),
+        framed(
+            input,
+            &view,
+            &format!("estimated: {}", percent(performance.mean)),
+            estimated,
+        ),
+    ];
+    if let Some((truth, share)) = round.truth {
+        let name = format!("in truth: {}", percent(share));
+        views.push(framed(input, &view, &name, particles(input, &view, truth)));
+    }
+    views
+}
+
+fn sentence(input: &RoundsInput, round: &RoundView) -> String {
+    let estimate = words::interval(round.interpretation.performance);
+    let what = achieved(input.goal);
+    let truth = round.truth.map_or_else(String::new, |(_, share)| {
+        format!(", in truth {}", percent(share))
+    });
+    let replays = match round.replays().len() {
+        1 => "The one replay is drawn".to_owned(),
+        many => format!("Drawn is the one of {many} replays that comes nearest to the mean"),
+    };
+    format!(
+        "Predicted were {} {what}; estimated are {estimate}{truth}. {replays}, over the mean of all.",
+        percent(round.predicted)
+    )
+}
+
+fn view(input: &RoundsInput, width: f64) -> View {
+    let size = Vector2::new(width, TALLEST * width);
+    View::fit(shown(&input.task.surface), 0.0, NAME, size)
+}
+
+/// Name, ground, `layers`, obstacles and frame.
+fn framed(input: &RoundsInput, view: &View, name: &str, layers: Markup) -> (Panel, String) {
+    let radius = input.task.tool.collision_radius();
+    let obstacles = obstacle_rings(input.task, radius);
+    let inner = html! {
+        (ground(view, &input.task.surface, input.goal))
+        (layers)
+        path class="outline" d=(view.rings(input.task.surface.outline.rings())) {}
+        @if !obstacles.is_empty() {
+            path class="obstacle" d=(view.rings(obstacles.iter().map(Vec::as_slice))) {}
+        }
+    };
+    let panel = Panel {
+        width: view.width(),
+        height: NAME + view.height() + 1.0,
+        body: html! {
+            text class="text strong" x="0" y="15" { (short(name, 44)) }
+            (inset(view, inner))
+            rect class="rule" x="0.5" y=(px(NAME)) width=(px(view.width() - 1.0)) height=(px(view.height())) {}
+        },
+    };
+    (panel, format!("Particles {name}"))
+}
+
+fn particles(input: &RoundsInput, view: &View, particles: &ParticleDistribution) -> Markup {
+    let step = particles.len().div_ceil(MAX_DRAWN).max(1);
+    let drawn: Vec<(Point2, Outcome)> = (particles.iter().step_by(step))
+        .map(|particle| {
+            (
+                particle.0,
+                outcome(input.goal, &input.task.surface, particle),
+            )
+        })
+        .collect();
+    let radius = dot_radius(view, drawn.len()).clamp(0.8, 2.4);
+    let mut rims = Pen::default();
+    for (position, outcome) in &drawn {
+        if matches!(outcome, Outcome::Left | Outcome::Done) {
+            rims.dot(view.at(*position));
+        }
+    }
+    html! {
+        path class="dot-rim" stroke-width=(px(2.0 * radius + 1.8)) d=(rims.path()) {}
+        (surface::particles(view, drawn, radius))
+    }
+}
+
+/// The planned strokes.
+fn strokes(round: &RoundView, view: &View) -> Markup {
+    let strokes = round.plan.strokes.iter();
+    let lines: String = strokes
+        .map(|stroke| view.line(stroke.poses.iter().map(|pose| pose.position)))
+        .collect();
+    html! { path class="trail" d=(lines) {} }
+}
+
+fn particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
+    let seen = [round.believed, round.typical(input)]
+        .into_iter()
+        .chain(round.truth.map(|(particles, _)| particles));
+    let outcomes: Vec<Outcome> = seen
+        .flat_map(ParticleDistribution::iter)
+        .map(|particle| outcome(input.goal, &input.task.surface, particle))
+        .collect();
+    let has = |outcome| outcomes.contains(&outcome);
+    let mut entries = Vec::new();
+    if has(Outcome::Left) {
+        entries.push(legend::dot("dots-left", "still to be wiped"));
+    }
+    if has(Outcome::Done) {
+        entries.push(legend::dot("dots-done", achieved(input.goal)));
+    }
+    if has(Outcome::Lost) {
+        entries.push(Entry {
+            label: "lost over a wrong edge".to_owned(),
+            sample: html! { path class="mark-lost" d="M8.5-3.5l7 7m0-7l-7 7" {} },
+        });
+    }
+    if !round.plan.strokes.is_empty() {
+        entries.push(legend::line("trail", "planned stroke"));
+    }
+    entries.push(legend::area("band-4", "where more is believed to be left"));
+    entries
+}
+
+/// Mean and standard deviation by cell.
+fn maps(input: &RoundsInput, round: &RoundView, cells: &Cells) -> [Panel; 2] {
+    let view = view(input, MAP);
+    [
+        (
+            "mean",
+            "mean of the particles still to be wiped",
+            &cells.mean,
+        ),
+        (
+            "deviation",
+            "standard deviation over the replays",
+            &cells.deviation,
+        ),
+    ]
+    .map(|(stem, name, values)| {
+        let id = format!("round-{}-{stem}", round.number);
+        let drawn = cells.draw(&view, &input.task.surface, &id, values);
+        let (panel, _) = framed(input, &view, name, drawn);
+        Panel {
+            height: panel.height + RAMP,
+            body: html! { (panel.body) (ramp(panel.height + 10.0, values, cells.side)) },
+            ..panel
+        }
+    })
+}
+
+/// What the colours of a map mean.
+fn ramp(top: f64, values: &[f64], side: f64) -> Markup {
+    const CELL: f64 = 24.0;
+    let peak = peak(values);
+    let unit = format!(
+        "per cell of {} cm",
+        metres(100.0 * side, usize::from(side < 0.01))
+    );
+    html! {
+        @if peak > 0.0 {
+            @for band in 1..=BANDS {
+                rect class=(format!("band-{band}")) x=(px(CELL * (band - 1) as f64)) y=(px(top)) width=(px(CELL)) height="12" {}
+            }
+            @for (share, class) in [(0.0, "text small quiet"), (0.5, "text small quiet middle"), (1.0, "text small quiet end")] {
+                text class=(class) x=(px(share * CELL * BANDS as f64)) y=(px(top + 25.0)) { (metres(share * peak, 2)) }
+            }
+            text class="text small quiet" x=(px(CELL * BANDS as f64 + 12.0)) y=(px(top + 10.0)) { (unit) }
+        } @else {
+            text class="text small quiet" x="0" y=(px(top + 10.0)) { "0 everywhere" }
+        }
+    }
+}
