@@ -14,10 +14,9 @@ pub use error::TaskError;
 pub use resolve::ReadFile;
 
 use crate::particles::ParticleSource;
+use wisch::follow::WorkcellConfig;
 use wisch::geometry::{Point2, Polygon, Pose, Vector3};
-#[cfg(doc)]
-use wisch::represent::Task;
-use wisch::represent::{Action, FrictionChange, Push};
+use wisch::represent::{Action, FrictionChange, Push, Task};
 use wisch::source_location::Place;
 
 /// What a task file asks for.
@@ -70,15 +69,23 @@ pub struct RobotRecord {
     pub world_from_robot: Option<Pose>,
 }
 
+impl RobotRecord {
+    /// Which part of the robot wipes, and where the robot stands: where the file says, or else where the task's
+    /// scene shows it, facing the surface.
+    pub fn workcell_config(&self, task: &Task) -> WorkcellConfig {
+        WorkcellConfig {
+            group: self.group.clone(),
+            second_group: self.second_group.clone(),
+            world_from_robot: (self.world_from_robot).or_else(|| task.robot_before_surface()),
+            ..WorkcellConfig::default()
+        }
+    }
+}
+
 /// A task file as typed: every key known, every number within its range, every value consistent.
 /// What it refers to, knowledge and other files, is looked up by [`TaskFile::resolve`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct TaskFile {
-    contents: Contents,
-}
-
-#[derive(Debug, Clone, PartialEq)]
-struct Contents {
     name: String,
     seed: u64,
     intent: Intent,
@@ -201,69 +208,66 @@ impl TaskFile {
     /// # Ok::<(), wisch_io::TaskError>(())
     /// ```
     pub fn parse(name: &str, text: &str, settings: &[(String, String)]) -> Result<Self, TaskError> {
-        let source = tree::Source::new(name, text, settings);
-        Ok(Self {
-            contents: record::read(&source)?,
-        })
+        record::read(&tree::Source::new(name, text, settings))
     }
 
     /// What is asked for.
     pub fn intent(&self) -> &Intent {
-        &self.contents.intent
+        &self.intent
     }
 
     /// The robot that is to do it, if the file names one.
     pub fn robot(&self) -> Option<&RobotRecord> {
-        self.contents.robot.as_ref()
+        self.robot.as_ref()
     }
 
     /// Name of the task.
     pub fn name(&self) -> &str {
-        &self.contents.name
+        &self.name
     }
 
     /// Seed of everything random in the task; 0 unless given.
     pub fn seed(&self) -> u64 {
-        self.contents.seed
+        self.seed
     }
 
     /// Name of the coverage strategy, as typed; `None` leaves it to the program.
     pub fn strategy(&self) -> Option<&str> {
-        self.contents.strategy.as_deref()
+        self.strategy.as_deref()
     }
 
     /// Name of the target surface in the knowledge base.
     pub fn surface(&self) -> &str {
-        &self.contents.surface.name
+        &self.surface.name
     }
 
     /// Bandwidth h of the density estimate [m]; `None` takes it from the particles.
     pub fn bandwidth_m(&self) -> Option<f64> {
-        self.contents.bandwidth
+        self.bandwidth
     }
 
     /// How high the tool is lifted between strokes [m].
     pub fn lift_height_m(&self) -> f64 {
-        self.contents.lift_height
+        self.lift_height
     }
 
     /// What a simulated execution is to take for real.
     pub fn execution(&self) -> &ExecutionRecord {
-        &self.contents.execution
+        &self.execution
     }
 
     /// How many rounds there may be, `execution.max_rounds`.
     pub fn max_rounds(&self) -> usize {
-        self.contents.max_rounds
+        self.max_rounds
     }
 
     /// How many plans the prediction chooses from.
     pub fn plan_variants(&self) -> usize {
-        self.contents.variants
+        self.variants
     }
 
     /// The performance at which the task counts as done, in [0, 1].
     pub fn target_performance(&self) -> f64 {
-        self.contents.target_performance
+        self.target_performance
     }
 }

@@ -4,8 +4,8 @@ use super::outline::Outline;
 use super::reader::{Field, Section};
 use super::tree::Source;
 use super::{
-    Contents, Frame, Intent, ObjectRecord, RobotDescription, RobotRecord, Role, Shape,
-    SurfaceRecord, TaskError, ToolRecord,
+    Frame, Intent, ObjectRecord, RobotDescription, RobotRecord, Role, Shape, SurfaceRecord,
+    TaskError, TaskFile, ToolRecord,
 };
 use crate::particles::{MaskSource, ParticleSource};
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
@@ -164,7 +164,7 @@ pub(super) const ALL_KEYS: [&[&str]; 16] = [
     PLAN_KEYS,
 ];
 
-pub(super) fn read(source: &Source<'_>) -> Result<Contents, TaskError> {
+pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
     let tree = source.tree()?;
     let root = Field::root(source, &tree);
     // Another schema may well have other keys, so it is looked at first.
@@ -217,7 +217,7 @@ pub(super) fn read(source: &Source<'_>) -> Result<Contents, TaskError> {
     };
     let particles = root.require("particles")?;
     let (execution, max_rounds) = super::execution::execution(root.get("execution").as_ref())?;
-    Ok(Contents {
+    Ok(TaskFile {
         name: root.require("name")?.name()?,
         seed: match root.get("seed") {
             Some(field) => field.integer(0..=u64::MAX)?,

@@ -48,12 +48,11 @@ impl TaskFile {
         assets: &mut ReadFile<'_>,
         knowledge_assets: &mut ReadFile<'_>,
     ) -> Result<Task, TaskError> {
-        let contents = &self.contents;
         let surface = Surface {
-            name: contents.surface.name.clone(),
-            outline: contents.surface.outline.clone(),
-            world_from_surface: contents.surface.world_from_surface,
-            skim_edges: contents.surface.skim_edges.clone(),
+            name: self.surface.name.clone(),
+            outline: self.surface.outline.clone(),
+            world_from_surface: self.surface.world_from_surface,
+            skim_edges: self.surface.skim_edges.clone(),
         };
         let known_at = |place: &Place| {
             let at = place.clone();
@@ -62,11 +61,11 @@ impl TaskFile {
                 error: Box::new(error),
             }
         };
-        (knowledge.surface(&surface.name)).map_err(known_at(&contents.surface.at))?;
+        (knowledge.surface(&surface.name)).map_err(known_at(&self.surface.at))?;
         knowledge
             .medium(medium)
-            .map_err(known_at(&contents.medium_at))?;
-        let tool_at = &contents.tool.at;
+            .map_err(known_at(&self.medium_at))?;
+        let tool_at = &self.tool.at;
         let entry = knowledge.tool(tool).map_err(known_at(tool_at))?;
         let interaction = knowledge
             .interaction(tool, medium, &surface.name)
@@ -85,7 +84,7 @@ impl TaskFile {
         }
         if action == Action::Skim && surface.skim_edges.is_empty() {
             return Err(TaskError::Missing {
-                at: contents.surface.at.clone(),
+                at: self.surface.at.clone(),
                 table: "surface".to_owned(),
                 key: "skim_edges",
             });
@@ -93,9 +92,9 @@ impl TaskFile {
         let tool = resolved_tool(entry, interaction, tool_at, knowledge_assets)?;
         let scene = self.scene(assets)?;
         let mut task = Task {
-            name: contents.name.clone(),
+            name: self.name.clone(),
             action,
-            tool_start: contents
+            tool_start: self
                 .tool
                 .start
                 .unwrap_or_else(|| start_before(&surface.outline)),
@@ -105,7 +104,7 @@ impl TaskFile {
             medium: medium.to_owned(),
             interaction: interaction.clone(),
             particles: ParticleDistribution::default(),
-            collect_goal: contents.collect_goal,
+            collect_goal: self.collect_goal,
             seed,
         };
         let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
@@ -119,8 +118,8 @@ impl TaskFile {
 
     /// The objects of the scene with what each is to the task.
     fn scene(&self, assets: &mut ReadFile<'_>) -> Result<Vec<SceneObject>, TaskError> {
-        let surface = &self.contents.surface;
-        (self.contents.scene.iter().enumerate())
+        let surface = &self.surface;
+        (self.scene.iter().enumerate())
             .map(|(i, object)| {
                 Ok(SceneObject {
                     name: object.name.clone(),
@@ -146,8 +145,8 @@ impl TaskFile {
         seed: u64,
         assets: &mut ReadFile<'_>,
     ) -> Result<ParticleDistribution, TaskError> {
-        let at = &self.contents.particles_at;
-        let particles = match &self.contents.particles {
+        let at = &self.particles_at;
+        let particles = match &self.particles {
             ParticleSource::Uniform { count } => {
                 uniform_particles(area, *count, seed).map_err(Into::into)
             }
