@@ -15,8 +15,8 @@ pub use resolve::ReadFile;
 
 use crate::particles::ParticleSource;
 use wisch::follow::WorkcellConfig;
-use wisch::geometry::{Point2, Polygon, Pose, Vector3};
-use wisch::represent::{Action, FrictionChange, Push, Task};
+use wisch::geometry::{Point2, Pose, Vector3};
+use wisch::represent::{Action, FrictionChange, Push, ScenePart, Surface, Task};
 use wisch::source_location::Place;
 
 /// What a task file asks for.
@@ -91,7 +91,8 @@ pub struct TaskFile {
     intent: Intent,
     strategy: Option<String>,
     target_performance: f64,
-    tool: ToolRecord,
+    tool_at: Place,
+    tool_start: Option<Point2>,
     medium_at: Place,
     surface: SurfaceRecord,
     robot: Option<RobotRecord>,
@@ -107,18 +108,9 @@ pub struct TaskFile {
 }
 
 #[derive(Debug, Clone, PartialEq)]
-struct ToolRecord {
-    at: Place,
-    start: Option<Point2>,
-}
-
-#[derive(Debug, Clone, PartialEq)]
 struct SurfaceRecord {
     at: Place,
-    name: String,
-    outline: Polygon,
-    world_from_surface: Pose,
-    skim_edges: Vec<usize>,
+    surface: Surface,
     /// Index of the scene object whose face the surface is.
     carried_by: Option<usize>,
 }
@@ -130,7 +122,7 @@ struct ObjectRecord {
     shape: Shape,
     frame: Frame,
     frame_from_object: Pose,
-    role: Role,
+    part: ScenePart,
 }
 
 /// The table `[execution]`: what a simulated execution is to take for real, and neither the plan nor the
@@ -162,14 +154,6 @@ pub struct ExecutionRecord {
 enum Frame {
     World,
     Surface,
-}
-
-/// What an object is to the collision sphere.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Role {
-    Obstacle,
-    Robot,
-    Tool,
 }
 
 /// The form of an object about its own origin [m].
@@ -238,7 +222,7 @@ impl TaskFile {
 
     /// Name of the target surface in the knowledge base.
     pub fn surface(&self) -> &str {
-        &self.surface.name
+        &self.surface.surface.name
     }
 
     /// Bandwidth h of the density estimate [m]; `None` takes it from the particles.

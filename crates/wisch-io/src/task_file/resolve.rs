@@ -1,14 +1,14 @@
 //! From what was typed to what is meant: knowledge looked up, files read, particles drawn.
 
-use super::{Frame, ObjectRecord, Role, Shape, TaskError, TaskFile};
+use super::{Frame, ObjectRecord, Shape, TaskError, TaskFile};
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
 use wisch::geometry::{
     Bounds2, Mesh, MeshFormat, Point2, Point3, Polygon, Region, Vector2, footprint,
 };
 use wisch::represent::{
     Action, DirtArea, Interaction, KnowledgeBase, KnowledgeError, OccupiedArea,
-    ParticleDistribution, SceneObject, ScenePart, Surface, Task, Tool, ToolEntry,
-    cluster_particles, uniform_particles,
+    ParticleDistribution, SceneObject, ScenePart, Task, Tool, ToolEntry, cluster_particles,
+    uniform_particles,
 };
 use wisch::source_location::Place;
 
@@ -48,12 +48,7 @@ impl TaskFile {
         assets: &mut ReadFile<'_>,
         knowledge_assets: &mut ReadFile<'_>,
     ) -> Result<Task, TaskError> {
-        let surface = Surface {
-            name: self.surface.name.clone(),
-            outline: self.surface.outline.clone(),
-            world_from_surface: self.surface.world_from_surface,
-            skim_edges: self.surface.skim_edges.clone(),
-        };
+        let surface = self.surface.surface.clone();
         let known_at = |place: &Place| {
             let at = place.clone();
             move |error: KnowledgeError| TaskError::Knowledge {
@@ -65,7 +60,7 @@ impl TaskFile {
         knowledge
             .medium(medium)
             .map_err(known_at(&self.medium_at))?;
-        let tool_at = &self.tool.at;
+        let tool_at = &self.tool_at;
         let entry = knowledge.tool(tool).map_err(known_at(tool_at))?;
         let interaction = knowledge
             .interaction(tool, medium, &surface.name)
@@ -94,10 +89,7 @@ impl TaskFile {
         let mut task = Task {
             name: self.name.clone(),
             action,
-            tool_start: self
-                .tool
-                .start
-                .unwrap_or_else(|| start_before(&surface.outline)),
+            tool_start: (self.tool_start).unwrap_or_else(|| start_before(&surface.outline)),
             surface,
             scene,
             tool,
@@ -118,21 +110,19 @@ impl TaskFile {
 
     /// The objects of the scene with what each is to the task.
     fn scene(&self, assets: &mut ReadFile<'_>) -> Result<Vec<SceneObject>, TaskError> {
-        let surface = &self.surface;
+        let world_from_surface = self.surface.surface.world_from_surface;
         (self.scene.iter().enumerate())
             .map(|(i, object)| {
                 Ok(SceneObject {
                     name: object.name.clone(),
-                    part: match object.role {
-                        _ if surface.carried_by == Some(i) => ScenePart::Carrier,
-                        Role::Obstacle => ScenePart::Obstacle,
-                        Role::Robot => ScenePart::Robot,
-                        Role::Tool => ScenePart::Tool,
+                    part: match self.surface.carried_by {
+                        Some(carrier) if carrier == i => ScenePart::Carrier,
+                        _ => object.part,
                     },
                     mesh: object.mesh(assets)?,
                     world_from_object: match object.frame {
                         Frame::World => object.frame_from_object,
-                        Frame::Surface => surface.world_from_surface * object.frame_from_object,
+                        Frame::Surface => world_from_surface * object.frame_from_object,
                     },
                 })
             })
