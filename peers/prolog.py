@@ -1,6 +1,6 @@
 """Both Prolog engines on the same memory: how long queries take, and whether they give as many answers.
 
-    cargo build --release --workspace --examples
+    cargo build --release --workspace --bins --examples
     target/release/examples/synthetic --episodes 10000 --out /tmp/memory
     python3 peers/prolog.py /tmp/memory
 

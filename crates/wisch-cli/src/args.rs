@@ -5,7 +5,7 @@ mod log;
 mod memory;
 mod robot;
 
-pub use ask::{AskArgs, EngineArgs, EngineChoice};
+pub use ask::{AskArgs, EngineChoice};
 pub use log::{InterpretArgs, LogArgs, LoggedArgs};
 pub use memory::{
     EpisodeArgs, ExportArgs, ImportArgs, KeepArgs, MemoryArgs, MemoryCommand, MemoryListArgs,
@@ -136,9 +136,6 @@ Examples:
 
 Exit codes: 0 there is an answer, 1 there is none, 2 an error.")]
     Ask(AskArgs),
-    /// The Prolog engine of `ask`, begun by it.
-    #[command(hide = true)]
-    PrologEngine(EngineArgs),
     /// Plan a task, without predicting what the plan does
     #[command(after_help = "\
 Examples:

@@ -6,7 +6,6 @@
 
 mod assets;
 mod error;
-mod execution;
 mod knowledge;
 mod load;
 mod particles;
@@ -16,7 +15,6 @@ mod task_file;
 
 pub use assets::{KnowledgeSource, beside, read, read_text};
 pub use error::Error;
-pub use execution::reality;
 pub use knowledge::{KnowledgeFileError, parse_knowledge};
 pub use load::{Derivation, LoadOptions, LoadedTask, load_task};
 pub use particles::{
@@ -31,5 +29,6 @@ pub use records::{
 };
 pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, shipped_robots};
 pub use task_file::{
-    ExecutionRecord, Intent, ReadFile, RobotDescription, RobotRecord, TaskError, TaskFile,
+    ExecutionRecord, FrictionChange, Intent, Push, ReadFile, RobotDescription, RobotRecord,
+    TaskError, TaskFile,
 };

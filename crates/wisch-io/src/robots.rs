@@ -6,6 +6,7 @@ use crate::task_file::RobotDescription;
 use include_dir::{Dir, include_dir};
 use std::path::{Path, PathBuf};
 use wisch::robot::{CapabilityMap, RobotHash, RobotModel, Srdf};
+use wisch::run::Performer;
 use wisch::source_location::UnknownName;
 
 /// The robots folder as it was when the program was built.
@@ -38,6 +39,15 @@ pub struct RobotFiles {
 }
 
 impl Robot {
+    /// The robot as a session takes it.
+    pub const fn performer(&self) -> Performer<'_> {
+        Performer {
+            robot: &self.model,
+            srdf: self.srdf.as_ref(),
+            map: self.map.as_ref(),
+        }
+    }
+
     /// Reads a robot. `task_file` is what paths of the description count from; `map_file` is the
     /// user's capability map.
     ///

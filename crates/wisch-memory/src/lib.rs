@@ -22,7 +22,7 @@ pub use frames::{FrameError, Frames, PoseAt, RoundScene, Sampling, StoredPose};
 pub use id::{date_and_time, episode_id};
 pub use ontology::Ontology;
 pub use record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, RecordFault, Value};
-pub use remember::{Occasion, RoundLog, remember, remember_log};
+pub use remember::{EpisodeHeader, EpisodeRound, RoundLog, remember, remember_log};
 pub use robot::RobotText;
 pub use store::{Episode, EpisodeWriter, Fault, Memory, MemoryError};
 pub use telemetry::{Mark, Series, Telemetry, TelemetryError, TelemetryHead, TelemetryWriter};

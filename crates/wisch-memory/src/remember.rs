@@ -9,16 +9,15 @@ pub use logged::remember_log;
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
 use log::Span;
 use std::collections::BTreeMap;
-use wisch::execute::Ending;
 use wisch::geometry::{Point2, Polygon};
 use wisch::interpret::{Diagnosis, Event, EventKind, Interpretation, PathPiece, Touch};
 use wisch::recover::Verdict;
 use wisch::represent::{Action, GoalState, Task};
-use wisch::run::Round;
+use wisch::run::{Ending, PlannedRound};
 
 /// What an episode is besides its rounds.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Occasion {
+pub struct EpisodeHeader {
     /// Its name, as [`episode_id`](crate::episode_id) makes them.
     pub id: String,
     /// When it began [s since 1970].
@@ -31,50 +30,66 @@ pub struct Occasion {
     pub program: String,
 }
 
+/// What an episode holds of a round.
+#[derive(Debug, Clone)]
+pub struct EpisodeRound<'a> {
+    /// What was to be done: task, plan and motion.
+    pub motion: &'a PlannedRound,
+    /// Which motions were when, as seen while they were executed.
+    pub log: &'a RoundLog,
+    /// How long the execution took, in the robot's time [s].
+    pub duration: f64,
+    /// How it ended.
+    pub ending: &'a Ending,
+    /// What was inferred from touch.
+    pub interpretation: &'a Interpretation,
+    /// What follows from it.
+    pub verdict: Verdict,
+    /// Performance as a simulated world knows it; `None` of a real one.
+    pub simulated_performance: Option<f64>,
+}
+
 /// The record of an episode: what was done in each round, what was felt, and how well it went.
 ///
 /// One round follows the other without a pause: their times are those of the robot, not of who computes.
-///
-/// `logs` are what was seen of each round while it was executed, in the same order.
-pub fn remember(occasion: &Occasion, rounds: &[(&Round, &RoundLog)]) -> EpisodeRecord {
-    let mut memory = Remembering {
+pub fn remember(header: &EpisodeHeader, rounds: &[EpisodeRound<'_>]) -> EpisodeRecord {
+    let mut record = RecordBuilder {
         individuals: Vec::new(),
-        time: occasion.start,
+        time: header.start,
         starts: Vec::new(),
     };
-    let task = rounds.first().map(|(round, _)| &round.motion.task);
+    let task = rounds.first().map(|round| &round.motion.task);
     let name = task.map_or_else(String::new, |task| task.name.clone());
-    memory.add("semco:WipingEpisode", None);
-    if let (Some(task), Some((last, _))) = (task, rounds.last()) {
-        let action = memory.add("semco:WipingAction", Some(0));
-        memory.add(class_of(task.action), None);
-        for (round, log) in rounds {
-            memory.round(action, round, log);
+    record.add("semco:WipingEpisode", None);
+    if let (Some(first), Some(last)) = (rounds.first(), rounds.last()) {
+        let action = record.add("semco:WipingAction", Some(0));
+        record.add(class_of(first.motion.task.action), None);
+        for round in rounds {
+            record.round(action, round);
         }
-        let interval = [occasion.start, memory.time];
-        let first = rounds[0].0;
-        let individual = &mut memory.individuals[action];
+        let interval = [header.start, record.time];
+        let individual = &mut record.individuals[action];
         individual.interval = Some(interval);
-        individual.values = action_values(occasion, first, last, rounds.len());
+        individual.values = action_values(header, first, last, rounds.len());
         individual.relations = participants(first);
         individual.relate("dul:executesTask", "#2".to_owned());
         individual.relate("soma:hasExecutionState", state(last.verdict));
     }
-    let interval = [occasion.start, memory.time];
-    let episode = &mut memory.individuals[0];
+    let interval = [header.start, record.time];
+    let episode = &mut record.individuals[0];
     episode.interval = Some(interval);
-    episode.tell("semco:taskName", &name);
-    episode.set("semco:seed", occasion.seed as f64);
+    episode.set_text("semco:taskName", &name);
+    episode.set_number("semco:seed", header.seed as f64);
     EpisodeRecord {
         schema: EPISODE_SCHEMA,
-        id: occasion.id.clone(),
+        id: header.id.clone(),
         task: name,
         interval,
         origin: Origin::Simulated,
-        program: occasion.program.clone(),
-        seed: occasion.seed,
-        rounds: memory.starts,
-        individuals: memory.individuals,
+        program: header.program.clone(),
+        seed: header.seed,
+        rounds: record.starts,
+        individuals: record.individuals,
     }
 }
 
@@ -87,25 +102,25 @@ const fn class_of(action: Action) -> &'static str {
 }
 
 fn action_values(
-    occasion: &Occasion,
-    first: &Round,
-    last: &Round,
+    header: &EpisodeHeader,
+    first: &EpisodeRound<'_>,
+    last: &EpisodeRound<'_>,
     rounds: usize,
 ) -> BTreeMap<String, Value> {
     let mut about = Individual::new("semco:WipingAction", None);
-    about.estimate(&last.interpretation);
-    if let Some(truth) = last.true_performance {
-        about.set("semco:simulatedPerformance", truth);
+    about.estimate(last.interpretation);
+    if let Some(truth) = last.simulated_performance {
+        about.set_number("semco:simulatedPerformance", truth);
     }
-    about.set(
+    about.set_number(
         "semco:predictedPerformance",
         first.motion.prediction.performance.ratio(),
     );
-    about.set("semco:target", occasion.target);
-    about.set("semco:rounds", rounds as f64);
-    about.tell("semco:strategy", first.motion.plan.strategy.as_str());
+    about.set_number("semco:target", header.target);
+    about.set_number("semco:rounds", rounds as f64);
+    about.set_text("semco:strategy", first.motion.plan.strategy.as_str());
     let goal = &first.motion.plan.graph.goal;
-    about.tell("semco:goal", &goal_of(&first.motion.task, goal));
+    about.set_text("semco:goal", &goal_of(&first.motion.task, goal));
     about.values
 }
 
@@ -119,83 +134,60 @@ fn goal_of(task: &Task, goal: &GoalState) -> String {
     format!("({predicate} {} {})", task.medium, task.surface.name)
 }
 
-/// The graph in the making.
-struct Remembering {
+/// The record in the making.
+struct RecordBuilder {
     individuals: Vec<Individual>,
     /// The robot's time [s since 1970].
     time: f64,
     starts: Vec<f64>,
 }
 
-impl Remembering {
+impl RecordBuilder {
     fn add(&mut self, class: &str, parent: Option<usize>) -> usize {
         self.individuals.push(Individual::new(class, parent));
         self.individuals.len() - 1
     }
 
-    fn round(&mut self, action: usize, round: &Round, log: &RoundLog) {
+    fn round(&mut self, action: usize, round: &EpisodeRound<'_>) {
         let start = self.time;
-        let end = start + round.executed.duration;
+        let end = start + round.duration;
         self.starts.push(start);
         self.time = end;
         let number = self.add("semco:WipingRound", Some(action));
-        let told = &round.interpretation;
         let individual = &mut self.individuals[number];
         individual.interval = Some([start, end]);
         describe(individual, round);
-        let spans = log.spans();
-        let first = self.individuals.len();
-        for span in &spans {
-            let motion = self.add(span.class(), Some(number));
-            let individual = &mut self.individuals[motion];
-            // Rounding must not let a part outlast the whole.
-            individual.interval = Some([start + span.start, (start + span.end).min(end)]);
-            if let Some(stroke) = span.stroke {
-                describe_stroke(individual, stroke, span, told);
-            }
-        }
-        let parent_at =
-            |time: f64| first_during(&spans, time).map_or(number, |place| first + place);
-        for event in &told.events {
-            let individual = Happening {
-                task: &round.motion.task,
-                told,
-                robot: Some(round.motion.cell.robot().name()),
-                during: [start, end],
-            };
-            let parent = parent_at(event.start);
-            self.individuals.extend(individual.of(event, parent));
-        }
-        if let Ending::ProtectiveStop { time, .. } = round.executed.ending {
-            let parent = parent_at(time);
-            let stop = self.add("semco:ProtectiveStop", Some(parent));
-            let at = (start + time).min(end);
-            self.individuals[stop].interval = Some([at, at]);
-        }
-        if let Diagnosis::Relocalize { .. } = told.diagnosis {
-            let found = self.add("semco:Relocalization", Some(number));
-            self.individuals[found].interval = Some([end, end]);
-        }
+        let context = RoundContext {
+            task: &round.motion.task,
+            interpretation: round.interpretation,
+            robot: Some(round.motion.cell.robot().name()),
+            during: [start, end],
+            stopped: match round.ending {
+                Ending::ProtectiveStop { time, .. } => Some(*time),
+                Ending::Complete | Ending::Stopped => None,
+            },
+        };
+        context.add_parts(&mut self.individuals, number, &round.log.spans());
     }
 }
 
 /// What is said of a round.
-fn describe(individual: &mut Individual, round: &Round) {
+fn describe(individual: &mut Individual, round: &EpisodeRound<'_>) {
     let motion = &round.motion;
-    describe_felt(individual, &round.interpretation);
-    individual.set("semco:round", motion.number as f64);
-    individual.set("semco:strokes", motion.followed.strokes.len() as f64);
-    individual.set(
+    describe_touch(individual, round.interpretation);
+    individual.set_number("semco:round", motion.number as f64);
+    individual.set_number("semco:strokes", motion.followed.strokes.len() as f64);
+    individual.set_number(
         "semco:predictedPerformance",
         motion.prediction.performance.ratio(),
     );
-    if let Some(truth) = round.true_performance {
-        individual.set("semco:simulatedPerformance", truth);
+    if let Some(truth) = round.simulated_performance {
+        individual.set_number("semco:simulatedPerformance", truth);
     }
-    individual.tell("semco:verdict", round.verdict.as_str());
-    individual.tell(
+    individual.set_text("semco:verdict", round.verdict.as_str());
+    individual.set_text(
         "semco:ending",
-        match round.executed.ending {
+        match round.ending {
             Ending::Complete => "complete",
             Ending::Stopped => "stopped",
             Ending::ProtectiveStop { .. } => "protective stop",
@@ -206,21 +198,21 @@ fn describe(individual: &mut Individual, round: &Round) {
 }
 
 /// What the touch of a round tells.
-fn describe_felt(individual: &mut Individual, told: &Interpretation) {
-    individual.estimate(told);
-    individual.set("semco:contactShare", told.contact_share);
-    individual.set("semco:forceBias", told.force_bias);
-    let Felt { mean_force, .. } = Felt::of(told.path.iter());
+fn describe_touch(individual: &mut Individual, interpretation: &Interpretation) {
+    individual.estimate(interpretation);
+    individual.set_number("semco:contactShare", interpretation.contact_share);
+    individual.set_number("semco:forceBias", interpretation.force_bias);
+    let ContactStatistics { mean_force, .. } = ContactStatistics::of(interpretation.path.iter());
     if let Some(force) = mean_force {
-        individual.set("semco:meanNormalForce", force);
+        individual.set_number("semco:meanNormalForce", force);
     }
-    if let Some(plane) = &told.plane {
-        individual.set("semco:planeTilt", plane.tilt);
-        individual.set("semco:planeOffset", plane.offset);
+    if let Some(plane) = &interpretation.plane {
+        individual.set_number("semco:planeTilt", plane.tilt);
+        individual.set_number("semco:planeOffset", plane.offset);
     }
-    individual.tell(
+    individual.set_text(
         "semco:diagnosis",
-        match told.diagnosis {
+        match interpretation.diagnosis {
             Diagnosis::Localized => "localized",
             Diagnosis::Relocalize { .. } => "relocalize",
             Diagnosis::NoContact => "no contact",
@@ -228,37 +220,36 @@ fn describe_felt(individual: &mut Individual, told: &Interpretation) {
     );
 }
 
-/// The motion during which a time [s since the round began] lies.
-fn first_during(spans: &[Span], time: f64) -> Option<usize> {
-    let during = |span: &Span| span.start <= time && time < span.end;
-    spans.iter().position(during)
-}
-
-fn describe_stroke(individual: &mut Individual, stroke: usize, span: &Span, told: &Interpretation) {
-    let during = told.path.iter().filter(|piece| {
+fn describe_stroke(
+    individual: &mut Individual,
+    stroke: usize,
+    span: &Span,
+    interpretation: &Interpretation,
+) {
+    let during = interpretation.path.iter().filter(|piece| {
         let middle = 0.5 * (piece.time[0] + piece.time[1]);
         (span.start..span.end).contains(&middle)
     });
-    let felt = Felt::of(during);
-    individual.set("semco:stroke", stroke as f64);
-    individual.set("semco:peakForce", span.peak_force);
+    let felt = ContactStatistics::of(during);
+    individual.set_number("semco:stroke", stroke as f64);
+    individual.set_number("semco:peakForce", span.peak_force);
     if let Some(share) = felt.contact_share {
-        individual.set("semco:contactShare", share);
+        individual.set_number("semco:contactShare", share);
     }
     if let Some(force) = felt.mean_force {
-        individual.set("semco:meanNormalForce", force);
+        individual.set_number("semco:meanNormalForce", force);
     }
 }
 
 /// What was felt over some pieces of the path, each as long as it lasts.
-struct Felt {
+struct ContactStatistics {
     /// Share of the time in contact, if there is any time.
     contact_share: Option<f64>,
     /// Mean normal force over contact [N], if there is any.
     mean_force: Option<f64>,
 }
 
-impl Felt {
+impl ContactStatistics {
     fn of<'a>(pieces: impl Iterator<Item = &'a PathPiece>) -> Self {
         let [mut all, mut contact, mut impulse] = [0.0; 3];
         for piece in pieces {
@@ -276,17 +267,56 @@ impl Felt {
     }
 }
 
-/// What happened in a round, and who was there.
-struct Happening<'a> {
+/// What is to be known of a round to say what happened in it.
+struct RoundContext<'a> {
     task: &'a Task,
-    told: &'a Interpretation,
+    interpretation: &'a Interpretation,
     /// The robot's name, if it is known.
     robot: Option<&'a str>,
     /// When the round began and ended [s since 1970].
     during: [f64; 2],
+    /// When the robot stopped itself [s since the round began], if it did.
+    stopped: Option<f64>,
 }
 
-impl Happening<'_> {
+impl RoundContext<'_> {
+    /// Adds the parts of the round that stands at this place: its motions, and what happened during them.
+    fn add_parts(&self, individuals: &mut Vec<Individual>, round: usize, spans: &[Span]) {
+        let [start, end] = self.during;
+        let first = individuals.len();
+        for span in spans {
+            let mut motion = Individual::new(span.class(), Some(round));
+            // Rounding must not let a part outlast the whole.
+            motion.interval = Some([start + span.start, (start + span.end).min(end)]);
+            if let Some(stroke) = span.stroke {
+                describe_stroke(&mut motion, stroke, span, self.interpretation);
+            }
+            individuals.push(motion);
+        }
+        let parent_at = |time: f64| {
+            let during = |span: &Span| span.start <= time && time < span.end;
+            spans
+                .iter()
+                .position(during)
+                .map_or(round, |place| first + place)
+        };
+        for event in &self.interpretation.events {
+            individuals.extend(self.of(event, parent_at(event.start)));
+        }
+        let mut add_moment = |class, parent, at| {
+            let mut moment = Individual::new(class, Some(parent));
+            moment.interval = Some([at, at]);
+            individuals.push(moment);
+        };
+        if let Some(time) = self.stopped {
+            let at = (start + time).min(end);
+            add_moment("semco:ProtectiveStop", parent_at(time), at);
+        }
+        if let Diagnosis::Relocalize { .. } = self.interpretation.diagnosis {
+            add_moment("semco:Relocalization", round, end);
+        }
+    }
+
     /// `None` of what the robot itself was about, which its motions tell.
     fn of(&self, event: &Event, parent: usize) -> Option<Individual> {
         let class = match event.kind {
@@ -303,16 +333,16 @@ impl Happening<'_> {
         // Rounding must not let a part outlast the whole.
         let from = (start + event.start).min(end);
         individual.interval = Some([from, (start + event.end).min(end).max(from)]);
-        individual.set("semco:samples", event.samples as f64);
-        individual.set("semco:meanNormalForce", event.mean_normal_force);
-        individual.set("semco:peakForce", event.peak_force);
-        individual.set("semco:peakHeight", event.peak_height);
-        let path = &self.told.path;
+        individual.set_number("semco:samples", event.samples as f64);
+        individual.set_number("semco:meanNormalForce", event.mean_normal_force);
+        individual.set_number("semco:peakForce", event.peak_force);
+        individual.set_number("semco:peakHeight", event.peak_height);
+        let path = &self.interpretation.path;
         let at = path.partition_point(|piece| piece.time[1] < event.start);
         if let Some(piece) = path.get(at).or(path.last()) {
             let point = Point2::new(piece.position.x, piece.position.y);
             let outline = &self.task.surface.outline;
-            individual.set("semco:edgeDistance", edge_distance(outline, point));
+            individual.set_number("semco:edgeDistance", edge_distance(outline, point));
         }
         if event.kind == EventKind::Collision {
             individual.relate("dul:isClassifiedBy", "semco:collision_concept".to_owned());
@@ -331,7 +361,7 @@ fn edge_distance(outline: &Polygon, point: Point2) -> f64 {
     distances.fold(f64::INFINITY, f64::min)
 }
 
-fn participants(round: &Round) -> BTreeMap<String, Vec<String>> {
+fn participants(round: &EpisodeRound<'_>) -> BTreeMap<String, Vec<String>> {
     let robot = round.motion.cell.robot().name();
     let mut relations = things_of(&round.motion.task);
     relations.insert("soma:isPerformedBy".to_owned(), vec![shared(robot)]);
@@ -381,14 +411,14 @@ impl Individual {
     }
 
     /// A number; what is none is left out, as nothing can be asked about it.
-    fn set(&mut self, property: &str, value: f64) {
+    fn set_number(&mut self, property: &str, value: f64) {
         if value.is_finite() {
             self.values
                 .insert(property.to_owned(), Value::Number(value));
         }
     }
 
-    fn tell(&mut self, property: &str, text: &str) {
+    fn set_text(&mut self, property: &str, text: &str) {
         let text = Value::Text(text.to_owned());
         self.values.insert(property.to_owned(), text);
     }
@@ -398,10 +428,10 @@ impl Individual {
         objects.push(object);
     }
 
-    fn estimate(&mut self, told: &Interpretation) {
-        let estimate = &told.performance;
-        self.set("semco:performance", estimate.mean);
-        self.set("semco:performanceLow", estimate.low);
-        self.set("semco:performanceHigh", estimate.high);
+    fn estimate(&mut self, interpretation: &Interpretation) {
+        let estimate = &interpretation.performance;
+        self.set_number("semco:performance", estimate.mean);
+        self.set_number("semco:performanceLow", estimate.low);
+        self.set_number("semco:performanceHigh", estimate.high);
     }
 }

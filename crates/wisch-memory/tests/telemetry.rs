@@ -2,9 +2,9 @@
 
 use proptest::prelude::*;
 use std::path::Path;
-use wisch::execute::{TelemetrySample, Wrench};
 use wisch::follow::Phase;
 use wisch::geometry::{Pose, Vector3};
+use wisch::run::{TelemetrySample, Wrench};
 use wisch_memory::telemetry::PHASES;
 use wisch_memory::{Mark, Telemetry, TelemetryError, TelemetryHead, TelemetryWriter};
 
@@ -92,7 +92,7 @@ fn a_sample_is_read_back_part_by_part() {
 fn every_phase_has_its_place() {
     let phases = [
         Phase::Drive,
-        Phase::Transfer,
+        Phase::FreeMotion,
         Phase::Lifted,
         Phase::Lower,
         Phase::Wipe(0),

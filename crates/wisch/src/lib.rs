@@ -15,11 +15,12 @@
 //!
 //! Units are SI and radians; frames are named in the identifiers (`surface_from_tool`).
 
-pub mod execute;
+pub mod control;
 pub mod follow;
 pub mod geometry;
 pub mod interpret;
 pub mod plan;
+pub mod random;
 pub mod recover;
 pub mod represent;
 pub mod robot;

@@ -12,9 +12,10 @@ pub struct AskArgs {
     /// The memory to ask
     #[arg(long, value_name = "DIR", default_value = "episodes", value_hint = ValueHint::DirPath)]
     pub memory: PathBuf,
-    /// The Prolog system that answers: scryer is part of this program, swi has to be installed
-    #[arg(long, value_name = "NAME", default_value = "scryer")]
-    pub engine: EngineChoice,
+    /// The Prolog system that answers: scryer (the program wisch-prolog) or swi (SWI-Prolog); without it, the first
+    /// of them that is there
+    #[arg(long, value_name = "NAME")]
+    pub engine: Option<EngineChoice>,
     /// Print the answers as one JSON object
     #[arg(long, conflicts_with = "csv")]
     pub json: bool,
@@ -41,15 +42,8 @@ pub struct AskArgs {
 /// A Prolog system.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum EngineChoice {
-    /// Scryer Prolog, part of this program.
+    /// Scryer Prolog, the program wisch-prolog.
     Scryer,
     /// SWI-Prolog.
     Swi,
-}
-
-/// Arguments of the engine's process; the program begins it itself.
-#[derive(Debug, Args)]
-pub struct EngineArgs {
-    /// Memory that it may use [bytes].
-    pub memory: u64,
 }

@@ -1,7 +1,7 @@
 //! `wisch ask`: queries in Prolog to a memory, one or line by line.
 
-use super::look;
-use crate::args::{AskArgs, EngineArgs, EngineChoice, GlobalArgs};
+use super::{engine, look};
+use crate::args::{AskArgs, GlobalArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print, remark};
 use rustyline::completion::{Completer, Pair};
@@ -10,27 +10,19 @@ use rustyline::history::DefaultHistory;
 use rustyline::{Context, Editor, Helper, Highlighter, Hinter, Validator};
 use serde_json::{Map, Value, json};
 use std::io::IsTerminal;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 use wisch_memory::ask::{
-    Answers, AskError, Asker, EngineCommand, Limits, Predicate, Senses, Term, Told, predicates,
-    work,
+    Answers, AskError, Asker, Assertions, Limits, Predicate, QueryFault, TelemetryPredicates, Term,
+    predicates,
 };
 use wisch_memory::{Catalogue, Memory};
 
-/// The hidden command that the program begins itself with, as an engine.
-pub const ENGINE_COMMAND: &str = "prolog-engine";
 /// Version of what `--json` prints.
 const ANSWERS_SCHEMA: &str = "wisch.answers/1";
 /// Where the lines that were typed are kept, in the memory's folder.
 const HISTORY_FILE: &str = ".history";
-
-/// Works as an engine until its input ends.
-pub fn engine(args: &EngineArgs) -> Result<Outcome, Failure> {
-    work(args.memory).map_err(|error| Failure::new(format!("memory limit: {error}")))?;
-    Ok(Outcome::Done)
-}
 
 /// Asks.
 pub fn ask(args: &AskArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
@@ -38,7 +30,7 @@ pub fn ask(args: &AskArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
         print(&listing(&predicates()))?;
         return Ok(Outcome::Done);
     }
-    let mut asked = Asked::open(args)?;
+    let mut asked = Asked::open(args, global)?;
     match &args.query {
         Some(query) => answer(&mut asked, query, args, global),
         None if std::io::stdin().is_terminal() => interactive(&mut asked, args, global),
@@ -54,36 +46,36 @@ struct Asked {
 }
 
 impl Asked {
-    fn open(args: &AskArgs) -> Result<Self, Failure> {
+    fn open(args: &AskArgs, global: &GlobalArgs) -> Result<Self, Failure> {
         let memory = Memory::open(&args.memory).map_err(|error| {
             Failure::new(error).with_help("wisch run makes a memory; --memory names another one")
         })?;
         let catalogue = Arc::new(memory.catalogue().map_err(Failure::new)?);
         Ok(Self {
-            asker: asker(args, memory.clone(), Arc::clone(&catalogue))?,
+            asker: asker(args, global, memory.clone(), Arc::clone(&catalogue))?,
             memory,
             catalogue,
         })
     }
 }
 
-fn asker(args: &AskArgs, memory: Memory, catalogue: Arc<Catalogue>) -> Result<Asker, Failure> {
-    let command = match args.engine {
-        EngineChoice::Scryer => {
-            let program = std::env::current_exe()
-                .map_err(|error| Failure::new(format!("the program's own file: {error}")))?;
-            EngineCommand::Own(program, vec![ENGINE_COMMAND.to_owned()])
-        }
-        EngineChoice::Swi => EngineCommand::Swi(PathBuf::from("swipl")),
-    };
+fn asker(
+    args: &AskArgs,
+    global: &GlobalArgs,
+    memory: Memory,
+    catalogue: Arc<Catalogue>,
+) -> Result<Asker, Failure> {
+    let command = engine::find(args.engine, global)?;
     let limits = Limits {
         time: Duration::from_secs(args.timeout.into()),
         memory: u64::from(args.memory_limit) << 20,
         answers: args.limit as usize,
     };
-    let told = Told::read(&args.memory).map_err(Failure::new)?;
-    let senses = Senses::of(memory);
-    Ok(Asker::new(command, limits, catalogue, senses, told))
+    let assertions = Assertions::read(&args.memory).map_err(Failure::new)?;
+    let telemetry = TelemetryPredicates::of(memory);
+    Ok(Asker::new(
+        command, limits, catalogue, telemetry, assertions,
+    ))
 }
 
 /// One query; the goal is met if it holds.
@@ -94,7 +86,7 @@ fn answer(
     global: &GlobalArgs,
 ) -> Result<Outcome, Failure> {
     let page = args.view.as_deref().map(look::begin).transpose()?;
-    let answers = (asked.asker.ask(query)).map_err(|error| failure(&error, args))?;
+    let answers = asked.asker.ask(query).map_err(|error| failure(&error))?;
     if args.json {
         print(&format!("{}\n", in_json(query, &answers)))?;
     } else if args.csv {
@@ -114,16 +106,14 @@ fn answer(
     })
 }
 
-fn failure(error: &AskError, args: &AskArgs) -> Failure {
+fn failure(error: &AskError) -> Failure {
     let failure = Failure::new(error);
     match error {
-        AskError::Fault(wisch_memory::ask::Fault::Unknown { kind, .. }) if kind == "predicate" => {
+        AskError::Fault(QueryFault::Unknown { kind, .. }) if kind == "predicate" => {
             failure.with_help("wisch ask --list lists what queries may use")
         }
         AskError::Time(_) => failure.with_help("--timeout gives it more"),
         AskError::EngineEnded { .. } => failure.with_help("--memory-limit gives it more memory"),
-        AskError::CannotStart(_) if args.engine == EngineChoice::Swi => failure
-            .with_help("install SWI-Prolog, so that swipl can be found, or leave out --engine"),
         _ => failure,
     }
 }

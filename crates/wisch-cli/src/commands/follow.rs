@@ -4,19 +4,18 @@ use super::prepare::Prepared;
 use super::words::percent;
 use crate::args::{RobotArgs, TaskArgs};
 use crate::failure::Failure;
-use crate::progress::Progress;
 use crate::records::FollowingSummary;
 use crate::report::{
     Contact, Frames, MotionInput, ParticleFrame, Phase as ShownPhase, Placement, RatedPlace,
 };
-use std::time::Instant;
 use wisch::follow::{
     AbandonedNode, Audit, FollowConfig, FollowError, Followed, Phase, TrajectorySample, Workcell,
-    WorkcellConfig, audit, follow,
+    WorkcellConfig, follow,
 };
 use wisch::plan::Plan;
 use wisch::represent::{Fate, Task};
 use wisch::robot::CapabilityMap;
+use wisch::run::Session;
 use wisch_io::{Robot, RobotDescription, RobotRecord};
 
 /// What `--robot` says to leave the robot out.
@@ -34,7 +33,9 @@ pub struct Following {
     pub followed: Followed,
     /// What an independent check says of it.
     pub audit: Audit,
-    /// How long finding it took [s].
+    /// Share of the particles that abandoned nodes cost [1].
+    pub abandoned_share: f64,
+    /// How long finding and checking it took [s].
     pub time_s: f64,
 }
 
@@ -165,43 +166,6 @@ pub fn stand_in_words(cell: &Workcell) -> String {
     format!("{} holds the tool with {tip}; it {place}", robot.name())
 }
 
-/// Lets the robot follow the plan.
-pub fn follow_plan(
-    chosen: &Chosen<'_>,
-    task_args: &TaskArgs,
-    prepared: &Prepared,
-    plan: &Plan,
-    progress: &Progress,
-) -> Result<Following, Failure> {
-    let task = &prepared.task;
-    progress.say("reading the robot");
-    let (cell, map) = workcell(chosen, task_args, prepared)?;
-    let name = cell.robot().name().to_owned();
-    progress.say(format!("following with {name}"));
-    let start = Instant::now();
-    let config = FollowConfig {
-        seed: prepared.config.seed,
-        ..FollowConfig::default()
-    };
-    let nodes: usize = plan.strokes.iter().map(|stroke| stroke.nodes.len()).sum();
-    let mut say = |passed: usize| {
-        progress.say(format!("following with {name}: {passed} of {nodes} nodes"));
-    };
-    let followed = follow(task, plan, &cell, map.as_ref(), &config, &mut say)
-        .map_err(|error| cannot_follow(&error, &chosen.record, task_args, prepared))?;
-    let time_s = start.elapsed().as_secs_f64();
-    progress.say("checking the motion");
-    let audit = audit(&followed, &cell, task, &config)
-        .map_err(|error| prepared.failure(task_args, error))?;
-    Ok(Following {
-        robot: name,
-        cell,
-        followed,
-        audit,
-        time_s,
-    })
-}
-
 fn cannot_follow(
     error: &FollowError,
     record: &RobotRecord,
@@ -233,6 +197,19 @@ fn first_obstruction(abandoned: &AbandonedNode) -> String {
 }
 
 impl Following {
+    /// The first motion of a session; `None` if no robot followed a plan.
+    pub fn of(session: &Session<'_>, time_s: f64) -> Option<Self> {
+        let (planned, audit) = session.first()?;
+        Some(Self {
+            robot: planned.cell.robot().name().to_owned(),
+            cell: planned.cell.clone(),
+            followed: planned.followed.clone(),
+            audit: audit.clone(),
+            abandoned_share: planned.abandoned_share(),
+            time_s,
+        })
+    }
+
     /// The plan as the robot wipes it.
     pub fn plan(&self, plan: &Plan) -> Plan {
         Plan {
@@ -241,12 +218,12 @@ impl Following {
         }
     }
 
-    /// The summary; `lost` is the share of particles that abandoned nodes cost.
-    pub fn summary(&self, lost: f64) -> FollowingSummary {
+    /// The summary.
+    pub fn summary(&self) -> FollowingSummary {
         FollowingSummary {
             robot: self.robot.clone(),
             abandoned_nodes: self.followed.abandoned.len(),
-            abandoned_share: lost,
+            abandoned_share: self.abandoned_share,
             placements: (self.followed.placements.iter())
                 .map(|placement| {
                     let at = placement.world_from_base;
@@ -266,7 +243,7 @@ impl Following {
     }
 
     /// What it keeps to, for people.
-    pub fn facts(&self, lost: f64) -> Vec<(String, String)> {
+    pub fn facts(&self) -> Vec<(String, String)> {
         let followed = &self.followed;
         let mut facts = vec![
             ("Robot", self.robot.clone()),
@@ -275,7 +252,7 @@ impl Following {
                 format!(
                     "{} ({} of the particles)",
                     followed.abandoned.len(),
-                    percent(lost)
+                    percent(self.abandoned_share)
                 ),
             ),
             ("Execution time", format!("{:.1} s", followed.duration())),

@@ -1,8 +1,8 @@
 //! `wisch memory import`: a log of some robot as an episode.
 
+use super::episode::{PROGRAM, attach_task, begin, cannot_keep};
 use super::interpret::{goal, read_log, task_args, told};
 use super::prepare::Prepared;
-use super::remember::{PROGRAM, attach_task, begin, cannot_keep};
 use super::results::{internal, json};
 use super::words::{counted, percent};
 use crate::args::{GlobalArgs, ImportArgs};
@@ -12,7 +12,7 @@ use crate::progress::Progress;
 use crate::terminal::{Outcome, print};
 use wisch::follow::Phase;
 use wisch_memory::{
-    EpisodeWriter, Mark, Memory, MemoryError, Occasion, TelemetryHead, remember_log,
+    EpisodeHeader, EpisodeWriter, Mark, Memory, MemoryError, TelemetryHead, remember_log,
 };
 use wisch_telemetry::Log;
 
@@ -58,7 +58,7 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     let estimated = (told.belief.sample(prepared.task.seed)).map_err(internal)?;
     let name = format!("round-1/{PARTICLES_ESTIMATED_FILE}");
     attach(&name, wisch_io::particles_to_csv(&estimated).as_bytes())?;
-    let occasion = Occasion {
+    let header = EpisodeHeader {
         id: writer.id().to_owned(),
         start,
         target: prepared.file.target_performance(),
@@ -68,7 +68,7 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     let duration = log.samples.last().map_or(0.0, |sample| sample.time);
     let name = source.log.file_name().unwrap_or(source.log.as_os_str());
     let name = name.to_string_lossy();
-    let record = remember_log(&occasion, &name, duration, &prepared.task, &goal, &told);
+    let record = remember_log(&header, &name, duration, &prepared.task, &goal, &told);
     (writer.commit(&record)).map_err(|error| cannot_keep(&error))?;
     drop(progress);
 
@@ -92,7 +92,7 @@ fn write_telemetry(writer: &EpisodeWriter, log: &Log) -> Result<(), MemoryError>
     // Of a log nobody knows what the robot was about.
     let mark = Mark {
         motion: 0,
-        phase: Phase::Transfer,
+        phase: Phase::FreeMotion,
     };
     for sample in &log.samples {
         let p = sample.world_from_tool.translation.vector;

@@ -8,7 +8,7 @@ use crate::terminal::{Outcome, print};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use wisch::follow::Group;
+use wisch::follow::PlanningGroup;
 use wisch::geometry::Pose;
 use wisch::robot::{CapabilityMap, CollisionModel, MapConfig, MapStage, MapTool};
 use wisch_io::{MAP_EXTENSION, Robot, RobotDescription};
@@ -43,7 +43,7 @@ pub fn map(args: &RobotMapArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
     // A path on the command line counts from the working directory.
     let robot = Robot::read_without_map(&description, Path::new(""), &args.packages)?;
     let of_robot = |error| Failure::new(format!("{}: {error}", args.robot));
-    let group = Group::choose(&robot.model, robot.srdf.as_ref(), args.group.as_deref())
+    let group = PlanningGroup::choose(&robot.model, robot.srdf.as_ref(), args.group.as_deref())
         .map_err(of_robot)?;
     let collisions =
         CollisionModel::new(&robot.model, robot.srdf.as_ref()).map_err(Failure::new)?;

@@ -2,9 +2,7 @@
 
 use super::results::internal;
 use super::words::{counted, percent};
-use crate::args::{
-    EpisodeArgs, GlobalArgs, MemoryArgs, MemoryCommand, MemoryListArgs, MemoryVerifyArgs,
-};
+use crate::args::{EpisodeArgs, GlobalArgs, MemoryArgs, MemoryListArgs, MemoryVerifyArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
 use serde::Serialize;
@@ -14,18 +12,6 @@ use wisch_memory::{
     Catalogue, EpisodeRecord, Individual, IndividualId, Memory, MemoryError, Node, Value,
     date_and_time,
 };
-
-/// Does what the command line says.
-pub fn memory(command: &MemoryCommand, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    match command {
-        MemoryCommand::List(args) => list(args),
-        MemoryCommand::Show(args) => show(args),
-        MemoryCommand::Verify(args) => verify(args, global),
-        MemoryCommand::Forget(args) => forget(args, global),
-        MemoryCommand::Import(args) => super::import::import(args, global),
-        MemoryCommand::Export(args) => super::export::export(args, global),
-    }
-}
 
 /// What the list says of an episode.
 #[derive(Debug, Serialize)]
@@ -42,7 +28,8 @@ struct Listed<'a> {
     human_collisions: usize,
 }
 
-fn list(args: &MemoryListArgs) -> Result<Outcome, Failure> {
+/// Lists the episodes.
+pub fn list(args: &MemoryListArgs) -> Result<Outcome, Failure> {
     let catalogue = open(&args.memory)?.catalogue().map_err(broken)?;
     let actions = actions(&catalogue);
     let collisions = counts(&catalogue, "semco:HumanCollision");
@@ -139,7 +126,8 @@ fn table(listed: &[Listed<'_>]) -> String {
     text + &format!("{}\n", counted(listed.len(), "episode"))
 }
 
-fn show(args: &EpisodeArgs) -> Result<Outcome, Failure> {
+/// Shows an episode.
+pub fn show(args: &EpisodeArgs) -> Result<Outcome, Failure> {
     let episode = open(&args.memory)?.episode(&args.id).map_err(broken)?;
     let record = episode.record().map_err(broken)?;
     if args.json {
@@ -208,7 +196,8 @@ struct Verified {
     faults: Vec<String>,
 }
 
-fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+/// Looks for what is broken.
+pub fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let memory = open(&args.memory)?;
     let episodes = memory.episodes().map_err(broken)?.len();
     let faults = memory.verify().map_err(broken)?;
@@ -235,7 +224,8 @@ fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, Failu
     })
 }
 
-fn forget(args: &EpisodeArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+/// Removes an episode.
+pub fn forget(args: &EpisodeArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     open(&args.memory)?.forget(&args.id).map_err(broken)?;
     if args.json {
         let line = serde_json::json!({ "forgotten": args.id });

@@ -2,6 +2,10 @@
 
 mod ask;
 mod check;
+mod checkpoint;
+mod checkpoint_record;
+mod engine;
+mod episode;
 mod export;
 mod follow;
 mod footprint;
@@ -11,9 +15,7 @@ mod look;
 mod map;
 mod memory;
 mod new;
-mod past;
 mod prepare;
-mod remember;
 mod results;
 mod robot;
 mod rounds;
@@ -21,7 +23,7 @@ mod run;
 mod summary;
 mod words;
 
-use crate::args::{Cli, Command, RobotCommand};
+use crate::args::{Cli, Command, MemoryCommand, RobotCommand};
 use crate::failure::Failure;
 use crate::terminal::Outcome;
 
@@ -30,7 +32,6 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
     match &cli.command {
         Command::Run(args) => run::run(args, &cli.global),
         Command::Ask(args) => ask::ask(args, &cli.global),
-        Command::PrologEngine(args) => ask::engine(args),
         Command::Follow(args) => run::follow_only(args, &cli.global),
         Command::Plan(args) => run::plan_only(args, &cli.global),
         Command::Predict(args) => run::predict_only(args, &cli.global),
@@ -38,7 +39,12 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Footprint(args) => footprint::footprint(args, &cli.global),
         Command::New(args) => new::new(args, &cli.global),
         Command::Check(args) => check::check(args, &cli.global),
-        Command::Memory(command) => memory::memory(command, &cli.global),
+        Command::Memory(MemoryCommand::List(args)) => memory::list(args),
+        Command::Memory(MemoryCommand::Show(args)) => memory::show(args),
+        Command::Memory(MemoryCommand::Verify(args)) => memory::verify(args, &cli.global),
+        Command::Memory(MemoryCommand::Forget(args)) => memory::forget(args, &cli.global),
+        Command::Memory(MemoryCommand::Import(args)) => import::import(args, &cli.global),
+        Command::Memory(MemoryCommand::Export(args)) => export::export(args, &cli.global),
         Command::Robot(RobotCommand::Check(args)) => robot::check_robot(args, &cli.global),
         Command::Robot(RobotCommand::Map(args)) => map::map(args, &cli.global),
     }

@@ -3,8 +3,9 @@
 use crate::args::TaskArgs;
 use crate::failure::Failure;
 use wisch::plan::{CoverageStrategy, PlanConfig};
-use wisch::represent::{Reality, Task};
-use wisch_io::{Derivation, LoadOptions, LoadedTask, TaskFile, load_task, reality};
+use wisch::represent::Task;
+use wisch_io::{Derivation, LoadOptions, LoadedTask, TaskFile, load_task};
+use wisch_sim::SimulationSettings;
 
 /// A task with what the command line says about it.
 pub struct Prepared {
@@ -15,7 +16,7 @@ pub struct Prepared {
     /// How to plan it.
     pub config: PlanConfig,
     /// What a simulated execution takes for real.
-    pub reality: Reality,
+    pub reality: SimulationSettings,
     /// The goal and the steps that reach it, where the file states a goal and not an action.
     pub derived: Option<Derivation>,
 }
@@ -37,7 +38,7 @@ impl Prepared {
             derived,
             knowledge,
         } = load_task(&args.task, &options)?;
-        let reality = reality(file.execution(), &task, &knowledge)
+        let reality = SimulationSettings::of(file.execution(), &task, &knowledge)
             .map_err(|error| Failure::new(error).within(&args.task))?;
         Ok(Self {
             file,
@@ -46,6 +47,11 @@ impl Prepared {
             reality,
             derived,
         })
+    }
+
+    /// Most rounds.
+    pub fn max_rounds(&self) -> usize {
+        self.file.max_rounds()
     }
 
     /// How the nodes are placed.

@@ -5,7 +5,7 @@ use crate::args::{GlobalArgs, RobotCheckArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
 use serde::Serialize;
-use wisch::robot::{Finding, RobotModel, Severity, Subject, check};
+use wisch::robot::{Diagnostic, RobotModel, Severity, Subject, check};
 use wisch_io::{read_text, robot_meshes};
 
 /// The schema of the object that `--json` prints.
@@ -107,7 +107,7 @@ impl<'a> RobotRecord<'a> {
 }
 
 impl<'a> FindingRecord<'a> {
-    fn new(finding: &'a Finding) -> Self {
+    fn new(finding: &'a Diagnostic) -> Self {
         let (link, joint) = match &finding.subject {
             Subject::Link(name) => (Some(name.as_str()), None),
             Subject::Joint(name) => (None, Some(name.as_str())),
@@ -115,7 +115,7 @@ impl<'a> FindingRecord<'a> {
         };
         Self {
             severity: finding.severity.as_str(),
-            fault: finding.fault.as_str(),
+            fault: finding.kind.as_str(),
             line: finding.at.line,
             column: finding.at.column,
             link,
@@ -132,7 +132,7 @@ fn mass(robot: &RobotModel) -> f64 {
     bodies.fold(0.0, |sum, body| sum + body.mass)
 }
 
-fn report(name: &str, robot: Option<&RobotModel>, findings: &[Finding]) -> String {
+fn report(name: &str, robot: Option<&RobotModel>, findings: &[Diagnostic]) -> String {
     let mut text = match robot {
         Some(robot) => format!(
             "{}: {}, {}, {}, {:.1} kg\n",

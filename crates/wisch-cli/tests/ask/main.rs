@@ -1,502 +1,91 @@
-//! Questions to a memory whose answers can be told by looking at it, from both engines.
+//! `wisch ask`: where its Prolog engine comes from, and the page that it draws.
 
-mod memory;
-mod random;
+#[cfg(unix)]
+mod engine;
+mod view;
 
-use std::sync::Arc;
-use std::time::Duration;
-use wisch_memory::Catalogue;
-use wisch_memory::ask::{
-    Answers, AskError, Asker, EngineCommand, Fault, Limits, Senses, Told, predicates,
-};
+use assert_cmd::Command;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, Once, PoisonError};
+use tempfile::TempDir;
+use wisch_memory::{EPISODE_SCHEMA, EpisodeRecord, Individual, Memory, Origin};
 
-fn scryer() -> EngineCommand {
-    let program = env!("CARGO_BIN_EXE_wisch").into();
-    EngineCommand::Own(program, vec!["prolog-engine".to_owned()])
-}
+const ID: &str = "20261122-010000-abcd";
 
-/// SWI-Prolog, where it is installed; `.ci/run` installs it.
-fn swi() -> Option<EngineCommand> {
-    let found = std::process::Command::new("swipl")
-        .arg("--version")
-        .output();
-    found.ok().map(|_| EngineCommand::Swi("swipl".into()))
-}
-
-fn engines() -> Vec<EngineCommand> {
-    [Some(scryer()), swi()].into_iter().flatten().collect()
-}
-
-fn asker_with(command: EngineCommand, limits: Limits) -> Asker {
-    let catalogue = Arc::new(Catalogue::of(&memory::episodes()));
-    Asker::new(
-        command,
-        limits,
-        catalogue,
-        Senses::default(),
-        Told::default(),
-    )
-}
-
-fn asker(command: EngineCommand) -> Asker {
-    asker_with(command, Limits::default())
-}
-
-/// Answers as text, in order.
-fn shown(answers: &Answers) -> Vec<String> {
-    let mut rows: Vec<String> = answers
-        .rows
-        .iter()
-        .map(|row| {
-            row.iter()
-                .map(ToString::to_string)
-                .collect::<Vec<_>>()
-                .join(" ")
-        })
-        .collect();
-    rows.sort();
-    rows
-}
-
-/// Queries, and the answers that looking at the episodes gives. Names stand for `semco:'Class_episode-place'`.
-const BY_HAND: &[(&str, &[&str])] = &[
-    (
-        "low_performance(_A, P)",
-        &["0.6", "0.6", "0.6", "0.7", "0.7", "0.75"],
-    ),
-    (
-        "low_performance_round(R, P)",
-        &[
-            "semco:'WipingRound_e0-3' 0.75",
-            "semco:'WipingRound_e2-3' 0.7",
-            "semco:'WipingRound_e4-3' 0.6",
-            "semco:'WipingRound_e4-7' 0.6",
-        ],
-    ),
-    ("final_performance('WipingEpisode_e0-0', P)", &["0.96"]),
-    (
-        "goal_met(A)",
-        &[
-            "semco:'WipingAction_e0-1'",
-            "semco:'WipingAction_e1-1'",
-            "semco:'WipingAction_e3-1'",
-            "semco:'WipingAction_e5-1'",
-        ],
-    ),
-    (
-        "goal_missed(A, P)",
-        &[
-            "semco:'WipingAction_e2-1' 0.7",
-            "semco:'WipingAction_e4-1' 0.6",
-        ],
-    ),
-    ("rounds_needed('WipingAction_e0-1', N)", &["2"]),
-    ("wiping_time('WipingAction_e4-1', S)", &["60.0"]),
-    (
-        "performance_by_round('WipingAction_e0-1', N, P)",
-        &["1 0.75", "2 0.96"],
-    ),
-    (
-        "prediction_error('WipingRound_e2-3', E), E > 0.24, E < 0.26, X = yes, _ = E",
-        &["0.25 yes"],
-    ),
-    (
-        "overconfident_prediction(R, _E)",
-        &[
-            "semco:'WipingRound_e0-3'",
-            "semco:'WipingRound_e2-3'",
-            "semco:'WipingRound_e4-3'",
-            "semco:'WipingRound_e4-7'",
-        ],
-    ),
-    ("uncertain_estimate(R, _W)", &["semco:'WipingRound_e0-3'"]),
-    (
-        "estimate_missed_truth(R, E, T)",
-        &["semco:'WipingRound_e0-3' 0.75 0.45"],
-    ),
-    (
-        "human_collision(M, C, [S, E])",
-        &["semco:'Stroke_e0-5' semco:'HumanCollision_e0-7' 1010.0 1011.5"],
-    ),
-    (
-        "human_collision_in('WipingEpisode_e0-0', M, C, _)",
-        &["semco:'Stroke_e0-5' semco:'HumanCollision_e0-7'"],
-    ),
-    ("human_collision_in('WipingEpisode_e1-0', _, _, _)", &[]),
-    (
-        "collisions_of(E, N), N > 0",
-        &["semco:'WipingEpisode_e0-0' 1"],
-    ),
-    (
-        "peak_force_per_collision(C, F)",
-        &["semco:'HumanCollision_e0-7' 22.0"],
-    ),
-    (
-        "hardest_collision(C, F)",
-        &["semco:'HumanCollision_e0-7' 22.0"],
-    ),
-    (
-        "interrupted_stroke(S, C)",
-        &["semco:'Stroke_e0-5' semco:'HumanCollision_e0-7'"],
-    ),
-    (
-        "pushed_then_recovered(A, N)",
-        &["semco:'WipingAction_e0-1' 1"],
-    ),
-    (
-        "protective_stop(S, T, R)",
-        &["semco:'ProtectiveStop_e3-7' 4012.0 semco:'WipingRound_e3-3'"],
-    ),
-    ("poor_contact(R, S)", &["semco:'WipingRound_e2-3' 0.7"]),
-    ("contact_share('WipingRound_e1-3', S)", &["0.9"]),
-    (
-        "contact_loss_near_edge(L, D)",
-        &["semco:'ContactLoss_e2-7' 0.02"],
-    ),
-    ("mean_force_per_stroke('Stroke_e0-5', F)", &["-9.6"]),
-    ("weak_stroke(S, _F)", &["semco:'Stroke_e5-5'"]),
-    ("stroke_without_contact(S)", &["semco:'Stroke_e5-7'"]),
-    (
-        "longest_contact('WipingEpisode_e1-0', C, _S), _S > 15.5, _S < 15.7",
-        &["semco:'ToolContact_e1-6'"],
-    ),
-    ("contact_time('WipingRound_e0-3', S)", &["15.5"]),
-    (
-        "stick_slip(S, E)",
-        &["semco:'Stroke_e2-5' semco:'StickSlip_e2-9'"],
-    ),
-    (
-        "recovery_that_worked(A, R, B, P)",
-        &["semco:'WipingAction_e0-1' semco:'WipingRound_e0-8' 0.75 0.96"],
-    ),
-    (
-        "recovery_gain(R, _G), _G > 0.2, _G < 0.22",
-        &["semco:'WipingRound_e0-8'"],
-    ),
-    ("round_without_progress(R)", &["semco:'WipingRound_e4-7'"]),
-    (
-        "relocalized(R, T, O)",
-        &["semco:'WipingRound_e3-3' 0.05 0.004"],
-    ),
-    ("tilted_surface(R, T)", &["semco:'WipingRound_e3-3' 0.05"]),
-    ("contact_force_drift(S, _, _, _)", &["semco:chopping_board"]),
-    (
-        "contact_force_drift(semco:chopping_board, _D, _F, _L), \
-         A is round(100 * _D), B is round(100 * _F), C is round(100 * _L)",
-        &["-40 960 800"],
-    ),
-    ("localization_drift(S, _, _, _)", &[]),
-    (
-        "tool_performance(semco:broom, M, P, N)",
-        &["semco:sand 0.95 1"],
-    ),
-    ("strategy_performance(grid, P, N)", &["0.95 1"]),
-    ("surface_performance(semco:table, P, N)", &["0.95 1"]),
-    (
-        "episode_with_tool(E, broom)",
-        &["semco:'WipingEpisode_e5-0'"],
-    ),
-    (
-        "episode_on_surface(E, semco:table)",
-        &["semco:'WipingEpisode_e5-0'"],
-    ),
-    ("last_episode(E, T)", &["semco:'WipingEpisode_e5-0' 6030.0"]),
-    (
-        "episode_of('HumanCollision_e0-7', E)",
-        &["semco:'WipingEpisode_e0-0'"],
-    ),
-    (
-        "sure_failure(A, H)",
-        &[
-            "semco:'WipingAction_e2-1' 0.75",
-            "semco:'WipingAction_e4-1' 0.64",
-        ],
-    ),
-    // The paper's, and both dialects.
-    (
-        "owl_individual_of(C, semco:'Collision'), occurs(C, [S, E]), M is 0.5*(S+E)",
-        &["semco:'HumanCollision_e0-7' 1010.0 1011.5 1010.75"],
-    ),
-    (
-        "has_type(C, soma:'Collision'), occurs(C)",
-        &["semco:'HumanCollision_e0-7'"],
-    ),
-    (
-        "is_classified_by(C, X), instance_of(X, soma:'Collision')",
-        &["semco:'HumanCollision_e0-7' semco:collision_concept"],
-    ),
-    (
-        "rdfs_subclass_of(semco:'HumanCollision', dul:'Process')",
-        &[""],
-    ),
-    (
-        "occurs(C) during [1000, 1060], has_type(C, 'Collision')",
-        &["semco:'HumanCollision_e0-7'"],
-    ),
-    (
-        "occurs(C) since 6020, has_type(C, 'Stroke')",
-        &["semco:'Stroke_e5-7'"],
-    ),
-    (
-        "subAction('WipingAction_e0-1', R), has_type(R, 'WipingRound')",
-        &["semco:'WipingRound_e0-3'", "semco:'WipingRound_e0-8'"],
-    ),
-    (
-        "triple('HumanCollision_e0-7', transitive(dul:isConstituentOf), W)",
-        &[
-            "semco:'Stroke_e0-5'",
-            "semco:'WipingAction_e0-1'",
-            "semco:'WipingEpisode_e0-0'",
-            "semco:'WipingRound_e0-3'",
-        ],
-    ),
-    (
-        "holds('WipingAction_e5-1', dul:hasParticipant, X)",
-        &["semco:broom", "semco:humanoid", "semco:sand", "semco:table"],
-    ),
-    (
-        "executes_task('WipingAction_e0-1', T), is_task(T)",
-        &["semco:'Collecting_e0-2'"],
-    ),
-    (
-        "is_performed_by('WipingAction_e0-1', justin:'justin_robot1')",
-        &[""],
-    ),
-    (
-        "action_failed(A)",
-        &["semco:'WipingAction_e2-1'", "semco:'WipingAction_e4-1'"],
-    ),
-    (
-        "has_data_value(A, performance =< 0.65), is_action(A)",
-        &[
-            "semco:'WipingAction_e4-1'",
-            "semco:'WipingRound_e4-3'",
-            "semco:'WipingRound_e4-7'",
-        ],
-    ),
-    (
-        "interval_during('HumanCollision_e0-7', X), has_type(X, 'Motion')",
-        &["semco:'Stroke_e0-5'"],
-    ),
-    (
-        "interval_meets('Approach_e0-4', X)",
-        &["semco:'Stroke_e0-5'"],
-    ),
-    ("aggregate_all(count, has_type(_, 'Stroke'), N)", &["9"]),
-    (
-        "forall(goal_met(A), has_data_value(A, performance >= 0.9))",
-        &["_"],
-    ),
-    (
-        "setof(_T, _A^holds(_A, semco:usesTool, _T), L)",
-        &["[semco:broom, semco:sponge]"],
-    ),
-];
-
-#[test]
-fn both_engines_answer_what_can_be_seen_by_looking() {
-    for command in engines() {
-        let kind = command.kind();
-        let mut asker = asker(command);
-        let mut wrong = Vec::new();
-        for (query, expected) in BY_HAND {
-            let found = match asker.ask(query) {
-                Ok(answers) => shown(&answers),
-                Err(error) => vec![error.to_string()],
-            };
-            if found != *expected {
-                wrong.push(format!(
-                    "{query}\n  expected {expected:?}\n  found    {found:?}"
-                ));
-            }
-        }
-        assert!(wrong.is_empty(), "{kind:?}:\n{}", wrong.join("\n"));
-    }
-}
-
-#[test]
-fn every_listed_query_about_wiping_is_among_those_by_hand() {
-    let listed = predicates();
-    let from = listed
-        .iter()
-        .position(|p| p.name == "low_performance")
-        .unwrap();
-    let to = listed
-        .iter()
-        .position(|p| p.name == "sure_failure")
-        .unwrap();
-    assert!(to - from >= 30);
-    for predicate in &listed[from..=to] {
-        let call = format!("{}(", predicate.name);
-        assert!(
-            BY_HAND.iter().any(|(query, _)| query.contains(&call)),
-            "{call}"
-        );
-    }
-}
-
-#[test]
-fn what_is_not_listed_does_not_pass_however_it_is_called() {
-    let forbidden = [
-        "shell(ls)",
-        "open('/etc/passwd', read, S)",
-        "findall(S, open(a, read, S), L)",
-        "G = halt, call(G)",
-        "G = halt, G",
-        "maplist(consult, [a])",
-        "forall(member(X, [halt]), X)",
-        "call(call, halt)",
-        "X =.. [halt], X",
-        "setof(X, Y^open(X, read, Y), L)",
-        "once(ignore(\\+ assertz(a)))",
-        "lists:append([], [], X)",
-        "need(tell(a, b, c), X)",
-        "say(rows([row(1)]))",
-        "run(halt)",
-        "read(X)",
-        "(true -> halt ; true)",
-        "kb_call(halt)",
-        "occurs(X) during [1, 2], halt",
-        "halt during [1, 2]",
-        "aggregate_all(count, halt, N)",
-        "foldl(assertz, [1], 0, X)",
-    ];
-    for command in engines() {
-        let mut asker = asker(command);
-        for query in forbidden {
-            let error = asker.ask(query).expect_err(query);
-            let is_unknown = matches!(&error, AskError::Fault(Fault::Unknown { kind, .. }) if kind == "predicate");
-            assert!(is_unknown, "{query}: {error}");
-        }
-        assert!(asker.ask("true").unwrap().holds());
-    }
-}
-
-#[test]
-fn unknown_names_are_errors_with_the_nearest_known_one() {
-    let wrong = [
-        ("has_type(X, 'Colision')", "class", Some("'Collision'")),
-        (
-            "has_type(X, semco:'Colision')",
-            "class",
-            Some("'Collision'"),
-        ),
-        ("has_type(X, semko:'Collision')", "prefix", Some("semco")),
-        (
-            "owl_individul_of(X, 'Collision')",
-            "predicate",
-            Some("owl_individual_of/2"),
-        ),
-        ("has_type(X)", "predicate", Some("has_type/2")),
-        (
-            "has_data_value(A, performanse =< 0.8)",
-            "property",
-            Some("performance"),
-        ),
-        ("occurs('HumanColision_e0-7', I)", "thing", None),
-        ("show(trajectory(spoonge))", "thing", Some("sponge")),
-        ("occurs('HumanCollision_e0-8', I)", "thing", None),
-    ];
-    for command in engines() {
-        let mut asker = asker(command);
-        for (query, of, near) in wrong {
-            match asker.ask(query) {
-                Err(AskError::Fault(Fault::Unknown { kind, nearest, .. })) => {
-                    assert_eq!(kind, of, "{query}");
-                    if let Some(near) = near {
-                        let nearest = nearest.unwrap_or_default();
-                        assert!(nearest.contains(near), "{query}: {nearest}");
-                    }
-                }
-                other => panic!("{query}: {other:?}"),
-            }
-        }
-    }
-}
-
-#[test]
-fn a_runaway_ends_the_query_and_not_the_memory() {
-    for command in engines() {
-        let limits = Limits {
-            time: Duration::from_secs(5),
-            memory: 1 << 30,
-            answers: 5,
-        };
-        let mut asker = asker_with(command, limits);
-        let answers = asker.ask("between(1, 1000000, X)").unwrap();
-        assert_eq!((answers.rows.len(), answers.is_cut), (5, true));
-        let forever = asker.ask("forall(between(1, 1000000000000, X), X > 0)");
-        assert!(matches!(forever, Err(AskError::Time(_))), "{forever:?}");
-        let hog = asker.ask("length(L, 300000000)");
-        assert!(hog.is_err(), "{hog:?}");
-        assert_eq!(
-            shown(&asker.ask("peak_force_per_collision(_, F)").unwrap()),
-            ["22.0"]
-        );
-    }
-}
-
-#[test]
-fn what_is_no_prolog_is_an_error() {
-    for command in engines() {
-        let mut asker = asker(command);
-        for query in [
-            "foo(",
-            ")",
-            "",
-            "a b",
-            "has_type(X, 'C",
-            "X is foo + 1",
-            "has_type(X, Y",
-            "1",
-        ] {
-            let result = asker.ask(query);
-            assert!(
-                matches!(result, Err(AskError::Fault(_))),
-                "{query}: {result:?}"
-            );
-        }
-        assert!(asker.ask("true. ").unwrap().holds());
-    }
-}
-
-#[test]
-fn what_is_to_be_shown_is_told_in_its_order() {
-    for command in engines() {
-        let mut asker = asker(command);
-        let answers = asker
-            .ask(
-                "owl_individual_of(C, semco:'Collision'), occurs(C, [S, E]), M is 0.5*(S+E), \
-                 show(trajectory('sponge'), interval(S, E, dt(0.5))), show(justin:'justin_robot1', M)",
-            )
-            .unwrap();
-        let views: Vec<_> = answers.views.iter().map(ToString::to_string).collect();
-        assert_eq!(
-            views,
-            [
-                "show(trajectory(semco:sponge), interval(1010.0, 1011.5, dt(0.5)))",
-                "show(semco:humanoid, 1010.75)",
-            ]
-        );
-    }
-}
-
-#[test]
-fn both_engines_give_the_same_answers_to_random_queries() {
-    let Some(swi) = swi() else {
-        eprintln!("SWI-Prolog is not installed: nothing to compare with");
-        return;
+/// A memory of one episode with a push, without telemetry.
+fn memory() -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = Memory::create(&folder.path().join("episodes")).unwrap();
+    let individual = |class: &str, parent, interval| Individual {
+        class: format!("semco:{class}"),
+        interval: Some(interval),
+        parent,
+        relations: [].into(),
+        values: [].into(),
     };
-    let [mut scryer, mut swi] = [scryer(), swi].map(asker);
-    let mut answered = 0;
-    for seed in 0..200 {
-        let query = random::query(seed);
-        let [ours, theirs] = [&mut scryer, &mut swi].map(|asker| match asker.ask(&query) {
-            Ok(answers) => shown(&answers),
-            Err(error) => vec![format!("error: {error}")],
-        });
-        assert_eq!(ours, theirs, "{query}");
-        answered += usize::from(!ours.is_empty());
-    }
-    assert!(answered > 60, "only {answered} of 200 queries have answers");
+    let all = [1000.0, 1010.0];
+    let record = EpisodeRecord {
+        schema: EPISODE_SCHEMA,
+        id: ID.to_owned(),
+        task: "board".to_owned(),
+        interval: all,
+        origin: Origin::Simulated,
+        program: "test".to_owned(),
+        seed: 1,
+        rounds: vec![1000.0],
+        individuals: vec![
+            individual("WipingEpisode", None, all),
+            individual("WipingAction", Some(0), all),
+            individual("WipingRound", Some(1), all),
+            individual("HumanCollision", Some(2), [1003.0, 1004.5]),
+        ],
+    };
+    memory.begin(ID).unwrap().commit(&record).unwrap();
+    folder
+}
+
+fn program() -> PathBuf {
+    assert_cmd::cargo::cargo_bin!("wisch").to_path_buf()
+}
+
+/// The engine beside the program. Cargo builds it for the tests of its own package, so it is there when the whole
+/// workspace is tested; who tests this package alone has it built here, once.
+fn build_engine() {
+    static BUILT: Once = Once::new();
+    BUILT.call_once(|| {
+        let program = program();
+        if program.with_file_name("wisch-prolog").is_file() {
+            return;
+        }
+        let folder = program.parent().unwrap();
+        let mut cargo = std::process::Command::new(env!("CARGO"));
+        cargo.args(["build", "--locked", "--package", "wisch-prolog"]);
+        cargo.arg("--target-dir").arg(folder.parent().unwrap());
+        if folder.ends_with("release") {
+            cargo.arg("--release");
+        }
+        assert!(cargo.status().unwrap().success(), "the engine is built");
+    });
+}
+
+/// Exit code, standard output and standard error of the program with its engine.
+fn ask(folder: &Path, args: &[&str]) -> (i32, String, String) {
+    build_engine();
+    run(Command::new(program())
+        .current_dir(folder)
+        .arg("ask")
+        .args(args))
+}
+
+/// One at a time: a process that is just beginning holds open, for a moment, the scripts that another test writes.
+fn run(command: &mut Command) -> (i32, String, String) {
+    static ALONE: Mutex<()> = Mutex::new(());
+    let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
+    let output = command.output().unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (
+        output.status.code().unwrap(),
+        text(output.stdout),
+        text(output.stderr),
+    )
 }

@@ -1,11 +1,10 @@
 //! The table `[execution]`: what a simulated execution takes for real.
 
 use super::reader::{Field, Section};
-use super::{ExecutionRecord, TaskError};
+use super::{ExecutionRecord, FrictionChange, Push, TaskError};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::ops::RangeInclusive;
 use wisch::geometry::{Pose, Vector3};
-use wisch::represent::{FrictionChange, Push};
 
 pub(super) const EXECUTION_KEYS: &[&str] = &[
     "surface_tilt_rad",

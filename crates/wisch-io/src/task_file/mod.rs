@@ -1,5 +1,6 @@
 //! The task file: what the user writes, as typed and checked, and how it becomes a [`Task`].
 
+mod disturbance;
 mod error;
 mod execution;
 mod outline;
@@ -10,13 +11,14 @@ mod resolve;
 mod tests;
 mod tree;
 
+pub use disturbance::{FrictionChange, Push};
 pub use error::TaskError;
 pub use resolve::ReadFile;
 
 use crate::particles::ParticleSource;
 use wisch::follow::WorkcellConfig;
 use wisch::geometry::{Point2, Pose, Vector3};
-use wisch::represent::{Action, FrictionChange, Push, ScenePart, Surface, Task};
+use wisch::represent::{Action, ScenePart, Surface, Task};
 use wisch::source_location::Place;
 
 /// What a task file asks for.

@@ -1,38 +1,120 @@
 //! A Prolog engine in a process of its own, and the lines that go to and fro.
 
+use super::error::AskError;
 use super::term::Term;
-use super::{AskError, EngineKind, Limits};
+use std::env::consts::EXE_SUFFIX;
 use std::io::{BufRead, BufReader, Read, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
-use std::sync::{Arc, Mutex};
-use std::time::Instant;
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
 use tempfile::NamedTempFile;
 
 /// Lines that an engine may be ahead of the program.
 const LINES_AHEAD: usize = 1024;
-/// What is kept of what an engine says of its end [bytes].
-const LAST_WORDS: usize = 2000;
+/// What is read of an engine's standard error [bytes].
+const LONGEST_ERROR: u64 = 1 << 20;
 
-/// How an engine's process is begun.
+/// What differs between Prolog systems.
+const SCRYER: &str = include_str!("../../prolog/engine_scryer.pl");
+const SWI: &str = include_str!("../../prolog/engine_swi.pl");
+/// The predicates, the same for every engine.
+const PORTABLE: [&str; 9] = [
+    include_str!("../../prolog/host.pl"),
+    include_str!("../../prolog/guard.pl"),
+    include_str!("../../prolog/facts.pl"),
+    include_str!("../../prolog/intervals.pl"),
+    include_str!("../../prolog/knowrob.pl"),
+    include_str!("../../prolog/poses.pl"),
+    include_str!("../../prolog/views.pl"),
+    include_str!("../../prolog/queries.pl"),
+    include_str!("../../prolog/listing.pl"),
+];
+
+/// What a query may use.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Time for a query.
+    pub time: Duration,
+    /// Memory of the engine [bytes].
+    pub memory: u64,
+    /// Answers.
+    pub answers: usize,
+}
+
+impl Default for Limits {
+    /// A minute, 4 GiB and 10,000 answers.
+    fn default() -> Self {
+        Self {
+            time: Duration::from_secs(60),
+            memory: 4 << 30,
+            answers: 10_000,
+        }
+    }
+}
+
+/// A Prolog system, by its program.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum EngineCommand {
-    /// Scryer Prolog within this program: the program itself, begun with these arguments and the memory that it
-    /// may use [bytes].
-    Own(PathBuf, Vec<String>),
-    /// SWI-Prolog, by its command.
+    /// Scryer Prolog: `wisch-prolog`, the program of the crate of that name.
+    Scryer(PathBuf),
+    /// SWI-Prolog: `swipl`.
     Swi(PathBuf),
 }
 
 impl EngineCommand {
-    /// Which engine it is.
-    pub fn kind(&self) -> EngineKind {
+    /// Scryer Prolog, if `wisch-prolog` lies beside this program, in the folder above (as of cargo's examples), or in
+    /// `PATH`.
+    pub fn scryer() -> Option<Self> {
+        let program = std::env::current_exe().unwrap_or_default();
+        let folders = program.ancestors().skip(1).take(2).map(Path::to_path_buf);
+        find("wisch-prolog", folders.chain(search_path())).map(Self::Scryer)
+    }
+
+    /// SWI-Prolog, if `swipl` lies in `PATH`.
+    pub fn swi() -> Option<Self> {
+        find("swipl", search_path()).map(Self::Swi)
+    }
+
+    /// The process, as it is begun with the predicates in a file.
+    fn process(&self, predicates: &Path, limits: &Limits) -> Command {
         match self {
-            Self::Own(..) => EngineKind::Scryer,
-            Self::Swi(_) => EngineKind::Swi,
+            Self::Scryer(program) => {
+                let mut process = Command::new(program);
+                process.arg(limits.memory.to_string()).arg(predicates);
+                process
+            }
+            Self::Swi(program) => {
+                let mut process = Command::new(program);
+                process
+                    .arg(format!("--stack-limit={}", limits.memory))
+                    .args(["-q", "-f", "none", "-g", "main", "-t", "halt"])
+                    .arg(predicates);
+                process
+            }
         }
     }
+
+    /// The predicates, as this system reads them.
+    fn predicates(&self) -> String {
+        let dialect = match self {
+            Self::Scryer(_) => SCRYER,
+            Self::Swi(_) => SWI,
+        };
+        [&[dialect], PORTABLE.as_slice()].concat().join("\n")
+    }
+}
+
+fn find(name: &str, folders: impl IntoIterator<Item = PathBuf>) -> Option<PathBuf> {
+    let name = format!("{name}{EXE_SUFFIX}");
+    let programs = folders.into_iter().map(|folder| folder.join(&name));
+    programs.into_iter().find(|program| program.is_file())
+}
+
+fn search_path() -> Vec<PathBuf> {
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    std::env::split_paths(&path).collect()
 }
 
 /// A running engine. Dropped, it ends.
@@ -41,8 +123,9 @@ pub struct Engine {
     child: Child,
     input: ChildStdin,
     lines: Receiver<String>,
-    last_words: Arc<Mutex<String>>,
-    _program: Option<NamedTempFile>,
+    /// What it writes to its standard error until it ends.
+    errors: Option<JoinHandle<String>>,
+    _program: NamedTempFile,
 }
 
 impl Engine {
@@ -51,30 +134,15 @@ impl Engine {
     /// # Errors
     /// If it cannot be begun.
     pub fn start(command: &EngineCommand, limits: &Limits) -> Result<Self, AskError> {
-        let (mut process, program) = match command {
-            EngineCommand::Own(program, arguments) => {
-                let mut process = Command::new(program);
-                process.args(arguments).arg(limits.memory.to_string());
-                (process, None)
-            }
-            EngineCommand::Swi(program) => {
-                let mut file = NamedTempFile::with_suffix(".pl").map_err(AskError::cannot_start)?;
-                let text = super::worker::program(EngineKind::Swi);
-                file.write_all(text.as_bytes())
-                    .map_err(AskError::cannot_start)?;
-                let mut process = Command::new(program);
-                process
-                    .arg(format!("--stack-limit={}", limits.memory))
-                    .args(["-q", "-f", "none", "-g", "main", "-t", "halt"])
-                    .arg(file.path());
-                (process, Some(file))
-            }
-        };
+        let mut program = NamedTempFile::with_suffix(".pl").map_err(AskError::CannotStart)?;
+        let written = program.write_all(command.predicates().as_bytes());
+        written.map_err(AskError::CannotStart)?;
+        let mut process = command.process(program.path(), limits);
         process
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped());
-        let mut child = process.spawn().map_err(AskError::cannot_start)?;
+        let mut child = process.spawn().map_err(AskError::CannotStart)?;
         let (Some(input), Some(output), Some(errors)) =
             (child.stdin.take(), child.stdout.take(), child.stderr.take())
         else {
@@ -90,22 +158,16 @@ impl Engine {
                 }
             }
         });
-        let last_words = Arc::new(Mutex::new(String::new()));
-        let heard = Arc::clone(&last_words);
-        std::thread::spawn(move || {
+        let errors = std::thread::spawn(move || {
             let mut text = Vec::new();
-            let _ = errors.take(1 << 20).read_to_end(&mut text);
-            let text = String::from_utf8_lossy(&text);
-            let kept: String = text.chars().take(LAST_WORDS).collect();
-            if let Ok(mut words) = heard.lock() {
-                *words = kept;
-            }
+            let _ = errors.take(LONGEST_ERROR).read_to_end(&mut text);
+            String::from_utf8_lossy(&text).into_owned()
         });
         Ok(Self {
             child,
             input,
             lines,
-            last_words,
+            errors: Some(errors),
             _program: program,
         })
     }
@@ -123,11 +185,11 @@ impl Engine {
         sent.map_err(|_| self.ended())
     }
 
-    /// The next thing that it says; `None` if it says nothing until the deadline.
+    /// The next term that it writes; `None` if it writes nothing until the deadline.
     ///
     /// # Errors
     /// If the engine has ended.
-    pub fn hear(&mut self, deadline: Instant) -> Result<Option<Term>, AskError> {
+    pub fn receive(&mut self, deadline: Instant) -> Result<Option<Term>, AskError> {
         loop {
             let left = deadline.saturating_duration_since(Instant::now());
             match self.lines.recv_timeout(left) {
@@ -141,17 +203,15 @@ impl Engine {
 
     fn ended(&mut self) -> AskError {
         let status = self.child.wait().map(|status| status.to_string());
-        // The thread that listens has a moment to hear the last words.
-        std::thread::sleep(std::time::Duration::from_millis(20));
-        let words = self.last_words.lock().map(|words| words.clone());
-        let words = words.unwrap_or_default();
-        let told = words.lines().find(|line| !line.trim().is_empty());
+        let errors = self.errors.take().map(JoinHandle::join);
+        let words = errors.and_then(Result::ok).unwrap_or_default();
+        let first = words.lines().find(|line| !line.trim().is_empty());
         AskError::EngineEnded {
-            words: match (told, status) {
-                (Some(told), _) if words.contains("allocation") || words.contains("memory") => {
-                    format!("it ran out of memory ({})", told.trim())
+            words: match (first, status) {
+                (Some(first), _) if words.contains("allocation") || words.contains("memory") => {
+                    format!("it ran out of memory ({})", first.trim())
                 }
-                (Some(told), _) => told.trim().to_owned(),
+                (Some(first), _) => first.trim().to_owned(),
                 (None, Ok(status)) => status,
                 (None, Err(error)) => error.to_string(),
             },

@@ -1,6 +1,6 @@
 //! What a name in a query means: a class, a property, or a thing of the memory.
 
-use super::Fault;
+use super::error::QueryFault;
 use super::term::Term;
 use crate::catalogue::{Catalogue, IndividualId, Node};
 use crate::ontology::{Ontology, TermKind};
@@ -64,7 +64,7 @@ impl Names {
     }
 
     /// The full name of a class, property or thing.
-    pub(super) fn resolve(&self, kind: &str, term: &Term) -> Result<String, Fault> {
+    pub fn resolve(&self, kind: &str, term: &Term) -> Result<String, QueryFault> {
         let unknown = |error: &UnknownName| {
             // A prefix that is unknown is so whatever it stands before.
             let kind = if error.to_string().contains("prefix") {
@@ -72,14 +72,14 @@ impl Names {
             } else {
                 kind
             };
-            Fault::unknown(kind, term, error.nearest())
+            QueryFault::unknown(kind, term, error.nearest())
         };
         let found = match term {
             Term::Compound(colon, parts) if colon == ":" => match parts.as_slice() {
                 [Term::Atom(prefix), Term::Atom(local)] => self
                     .with_prefix(prefix, local)
                     .map_err(|error| unknown(&error))?,
-                _ => return Err(Fault::no_name(term)),
+                _ => return Err(QueryFault::no_name(term)),
             },
             Term::Atom(name) => match (self.ontology.compact(name), name.split_once(':')) {
                 (Some(name), _) => {
@@ -92,12 +92,12 @@ impl Names {
                     .map_err(|error| unknown(&error))?,
                 (None, None) => self.bare(kind, name).map_err(|error| unknown(&error))?,
             },
-            _ => return Err(Fault::no_name(term)),
+            _ => return Err(QueryFault::no_name(term)),
         };
         self.of_kind(kind, found, term)
     }
 
-    fn of_kind(&self, kind: &str, found: String, term: &Term) -> Result<String, Fault> {
+    fn of_kind(&self, kind: &str, found: String, term: &Term) -> Result<String, QueryFault> {
         let known = self.ontology.kind(&found);
         let fits = match kind {
             "class" => known == Some(TermKind::Class),
@@ -113,7 +113,7 @@ impl Names {
             .split_once(':')
             .map_or(found.as_str(), |(_, local)| local);
         let nearest = self.nearest(kind, local);
-        Err(Fault::unknown(kind, term, nearest.as_deref()))
+        Err(QueryFault::unknown(kind, term, nearest.as_deref()))
     }
 
     fn nearest(&self, kind: &str, local: &str) -> Option<String> {
@@ -163,12 +163,12 @@ impl Names {
     }
 
     /// The individual of this full name.
-    pub(super) fn individual(&self, name: &str) -> Option<IndividualId> {
+    pub fn individual(&self, name: &str) -> Option<IndividualId> {
         self.catalogue.find(name.strip_prefix("semco:")?)
     }
 
     /// What relations lead to, of this full name.
-    pub(super) fn node(&self, name: &str) -> Option<Node> {
+    pub fn node(&self, name: &str) -> Option<Node> {
         if let Some(id) = self.individual(name) {
             return Some(Node::Individual(id));
         }
@@ -181,17 +181,17 @@ impl Names {
     }
 
     /// The class of something that episodes share.
-    pub(super) fn class_of_shared(&self, name: &str) -> Option<String> {
+    pub fn class_of_shared(&self, name: &str) -> Option<String> {
         self.shared.get(name).cloned()
     }
 
     /// What episodes share of exactly this class.
-    pub(super) fn shared_of(&self, class: &str) -> Vec<String> {
+    pub fn shared_of(&self, class: &str) -> Vec<String> {
         let of_class = self.shared.iter().filter(|(_, of)| *of == class);
         of_class.map(|(name, _)| name.clone()).collect()
     }
 
-    pub(super) fn subclasses(&self, name: &str) -> Vec<Term> {
+    pub fn subclasses(&self, name: &str) -> Vec<Term> {
         let mut found = or_itself(name, self.ontology.subclasses(name));
         for (concept, class) in CLASSIFIED {
             if found.contains(&concept) {
@@ -201,17 +201,17 @@ impl Names {
         found.into_iter().map(Term::atom).collect()
     }
 
-    pub(super) fn superclasses(&self, name: &str) -> Vec<Term> {
+    pub fn superclasses(&self, name: &str) -> Vec<Term> {
         let found = or_itself(name, self.ontology.superclasses(name));
         found.into_iter().map(Term::atom).collect()
     }
 
-    pub(super) fn subproperties(&self, name: &str) -> Vec<Term> {
+    pub fn subproperties(&self, name: &str) -> Vec<Term> {
         let found = or_itself(name, self.ontology.subproperties(name));
         found.into_iter().map(Term::atom).collect()
     }
 
-    pub(super) fn superproperties(&self, name: &str) -> Vec<Term> {
+    pub fn superproperties(&self, name: &str) -> Vec<Term> {
         let found = or_itself(name, self.ontology.superproperties(name));
         found.into_iter().map(Term::atom).collect()
     }

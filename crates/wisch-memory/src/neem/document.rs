@@ -2,16 +2,18 @@
 //! class.
 
 use super::NeemError;
-use super::bson::{Bson, Document};
 use super::triples::{Object, TYPE, Triple, iri};
 use crate::ontology::{Ontology, TermKind};
+use bson::oid::ObjectId;
+use bson::raw::{CStr, RawArrayBuf, RawBsonRef, RawDocument, RawDocumentBuf, cstr};
+use bson::rawdoc;
 use std::collections::HashMap;
 
 /// The graph to which the triples belong. Readers wipe a graph called `user` when they start.
 pub const GRAPH: &str = "wiping";
 
 /// Says of a document whether its object is a thing or a literal, where the property does not tell.
-const OBJECT_IS: &str = "o_is";
+const OBJECT_IS: &CStr = cstr!("o_is");
 
 /// Closures of classes and properties, as IRIs.
 #[derive(Debug, Default)]
@@ -42,45 +44,41 @@ impl Closures {
         Ok(&self.known[term])
     }
 
-    fn array(&mut self, term: &str) -> Result<Bson, NeemError> {
-        let closure = self.of(term)?.iter();
-        Ok(Bson::Array(
-            closure.map(|iri| iri.as_str().into()).collect(),
-        ))
+    fn array(&mut self, term: &str) -> Result<RawArrayBuf, NeemError> {
+        Ok(self.of(term)?.iter().map(String::as_str).collect())
     }
 
     /// The document of a triple.
     pub(super) fn document(
         &mut self,
-        id: [u8; 12],
+        id: ObjectId,
         triple: &Triple,
-    ) -> Result<Document, NeemError> {
+    ) -> Result<RawDocumentBuf, NeemError> {
         let object = match &triple.object {
-            Object::Iri(object) => Bson::from(object.as_str()),
-            Object::Number(number) => Bson::Double(*number),
-            Object::Text(text) => Bson::from(text.as_str()),
+            Object::Iri(object) | Object::Text(object) => RawBsonRef::String(object),
+            Object::Number(number) => RawBsonRef::Double(*number),
         };
-        let mut document = Document::default()
-            .with("_id", Bson::ObjectId(id))
-            .with("graph", GRAPH)
-            .with("s", triple.subject.as_str())
-            .with("p", triple.predicate.as_str())
-            .with("o", object)
-            .with("p*", self.array(&triple.predicate)?);
+        let mut document = rawdoc! {
+            "_id": id,
+            "graph": GRAPH,
+            "s": triple.subject.as_str(),
+            "p": triple.predicate.as_str(),
+            "o": object,
+            "p*": self.array(&triple.predicate)?,
+        };
         if let Object::Iri(object) = &triple.object
             && names_a_term(&triple.predicate)
         {
-            document = document.with("o*", self.array(object)?);
+            document.append(cstr!("o*"), self.array(object)?);
         }
         match (&triple.object, literal_by_property(&triple.predicate)) {
-            (Object::Text(_), false) => document = document.with(OBJECT_IS, "literal"),
-            (Object::Iri(_), true) => document = document.with(OBJECT_IS, "iri"),
+            (Object::Text(_), false) => document.append(OBJECT_IS, "literal"),
+            (Object::Iri(_), true) => document.append(OBJECT_IS, "iri"),
             _ => {}
         }
-        let time = Document::default()
-            .with("since", triple.since)
-            .with("until", triple.until);
-        Ok(document.with("scope", Document::default().with("time", time)))
+        let time = rawdoc! { "since": triple.since, "until": triple.until };
+        document.append(cstr!("scope"), rawdoc! { "time": time });
+        Ok(document)
     }
 }
 
@@ -99,32 +97,38 @@ fn literal_by_property(predicate: &str) -> bool {
 }
 
 /// The triple of a document.
-pub(super) fn triple(document: &Document) -> Result<Triple, &'static str> {
-    let text = |field, what| document.text(field).map(str::to_owned).ok_or(what);
+pub(super) fn triple(document: &RawDocument) -> Result<Triple, &'static str> {
+    let text = |field, what| document.get_str(field).map(str::to_owned).map_err(|_| what);
     let predicate = text("p", "p is no text")?;
-    let literal = match document.text(OBJECT_IS) {
-        Some(is) => is == "literal",
-        None => literal_by_property(&predicate),
+    let literal = match document.get_str(OBJECT_IS.as_str()) {
+        Ok(is) => is == "literal",
+        Err(_) => literal_by_property(&predicate),
     };
     let object = match document.get("o") {
-        Some(Bson::Text(text)) if literal => Object::Text(text.clone()),
-        Some(Bson::Text(iri)) => Object::Iri(iri.clone()),
-        Some(_) => Object::Number(document.number("o").ok_or("o is no number or text")?),
-        None => return Err("it has no o"),
+        Ok(Some(RawBsonRef::String(text))) if literal => Object::Text(text.to_owned()),
+        Ok(Some(RawBsonRef::String(iri))) => Object::Iri(iri.to_owned()),
+        Ok(Some(_)) => Object::Number(number(document, "o").ok_or("o is no number or text")?),
+        Ok(None) => return Err("it has no o"),
+        Err(_) => return Err("it is no BSON"),
     };
-    let time = document
-        .document("scope")
-        .and_then(|scope| scope.document("time"));
-    let time = time.ok_or("it has no scope.time")?;
+    let scope = document.get_document("scope");
+    let time = scope.and_then(|scope| scope.get_document("time"));
+    let time = time.map_err(|_| "it has no scope.time")?;
     Ok(Triple {
         subject: text("s", "s is no text")?,
         predicate,
         object,
-        since: time
-            .number("since")
-            .ok_or("scope.time.since is no number")?,
-        until: time
-            .number("until")
-            .ok_or("scope.time.until is no number")?,
+        since: number(time, "since").ok_or("scope.time.since is no number")?,
+        until: number(time, "until").ok_or("scope.time.until is no number")?,
     })
+}
+
+/// The number of a field, if it is one.
+pub(super) fn number(document: &RawDocument, field: &str) -> Option<f64> {
+    match document.get(field).ok()?? {
+        RawBsonRef::Double(number) => Some(number),
+        RawBsonRef::Int32(number) => Some(number.into()),
+        RawBsonRef::Int64(number) => Some(number as f64),
+        _ => None,
+    }
 }

@@ -1,7 +1,7 @@
 //! Reading of a NEEM: its triples one by one, and the episodes that they tell of.
 
-use super::bson::Documents;
 use super::document::triple;
+use super::dump::Documents;
 use super::triples::{
     BEGIN, END, HAS_INTERVAL, NAMED, Object, RECORD, STEP_OF, TYPE, Triple, derived, individual,
     iri,
@@ -56,7 +56,7 @@ impl Iterator for Triples {
                 number,
                 what,
             }),
-            Err(error) => Err(NeemError::Bson {
+            Err(error) => Err(NeemError::Dump {
                 path: self.path.clone(),
                 error,
             }),

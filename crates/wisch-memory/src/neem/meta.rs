@@ -1,5 +1,7 @@
 //! What a NEEM says of itself.
 
+use crate::id::in_utc;
+use bson::oid::ObjectId;
 use serde_json::json;
 
 /// Version of the form of the triples.
@@ -32,11 +34,10 @@ pub struct NeemMeta {
 
 impl NeemMeta {
     /// Its text, in JSON.
-    pub(super) fn json(&self, id: [u8; 12]) -> String {
-        let id: String = id.iter().map(|byte| format!("{byte:02x}")).collect();
+    pub(super) fn json(&self, id: ObjectId) -> String {
         let [name, url] = &self.activity;
         let document = json!({
-            "_id": {"$oid": id},
+            "_id": {"$oid": id.to_hex()},
             "name": self.name,
             "description": self.description,
             "created_by": self.created_by,
@@ -62,20 +63,7 @@ impl NeemMeta {
 /// assert_eq!(utc(951_782_400.5), "2000-02-29T00:00:00+00:00");
 /// ```
 pub fn utc(time: f64) -> String {
-    let seconds = time.floor() as i64;
-    let (days, of_day) = (seconds.div_euclid(86_400), seconds.rem_euclid(86_400));
-    // Years that begin in March, in eras of 400 years (Howard Hinnant, "chrono-compatible low-level date
-    // algorithms").
-    let days = days + 719_468;
-    let (era, of_era) = (days.div_euclid(146_097), days.rem_euclid(146_097));
-    let year_of_era = (of_era - of_era / 1_460 + of_era / 36_524 - of_era / 146_096) / 365;
-    let of_year = of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
-    let month_from_march = (5 * of_year + 2) / 153;
-    let day = of_year - (153 * month_from_march + 2) / 5 + 1;
-    let month = (month_from_march + 2) % 12 + 1;
-    let year = year_of_era + era * 400 + i64::from(month <= 2);
-    let (hour, minute, second) = (of_day / 3_600, of_day / 60 % 60, of_day % 60);
-    format!("{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}+00:00")
+    in_utc(time, "%Y-%m-%dT%H:%M:%S+00:00")
 }
 
 #[cfg(test)]

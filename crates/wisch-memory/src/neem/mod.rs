@@ -14,8 +14,8 @@
 //!
 //! [`NeemWriter`] writes one document at a time, [`import`] reads the episodes back from the triples.
 
-pub mod bson;
 mod document;
+mod dump;
 mod import;
 mod meta;
 mod stored;
@@ -26,6 +26,7 @@ mod writer;
 mod tests;
 
 pub use document::GRAPH;
+pub use dump::DumpError;
 pub use import::{Triples, import, records};
 pub use meta::{NeemMeta, utc};
 pub use stored::PoseSource;
@@ -59,11 +60,11 @@ pub enum NeemError {
     },
     /// A document that is none.
     #[error("{path}: {error}", path = .path.display())]
-    Bson {
+    Dump {
         /// In which file.
         path: PathBuf,
         /// What is wrong with it.
-        error: bson::BsonError,
+        error: DumpError,
     },
     /// A document that is no triple.
     #[error("{path}: document {number} is no triple: {what}", path = .path.display())]

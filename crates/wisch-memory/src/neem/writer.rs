@@ -1,15 +1,18 @@
 //! Writing of a NEEM: document by document, and whole or not at all.
 
-use super::bson::{Bson, Document};
 use super::document::Closures;
+use super::dump::MAX_DOCUMENT;
 use super::meta::NeemMeta;
 use super::triples::{self, Triple, individual};
 use super::{NeemError, at, collection_file};
 use crate::ontology::{Ontology, SEMCO_OWL};
 use crate::record::{EpisodeRecord, Value};
+use bson::oid::ObjectId;
+use bson::raw::cstr;
+use bson::{DateTime, RawDocumentBuf, rawdoc};
 use std::collections::{HashMap, HashSet};
 use std::fs::{self, File};
-use std::io::{BufWriter, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
 
@@ -206,11 +209,12 @@ impl NeemWriter {
     }
 
     fn annotation(&mut self, name: &str, comment: &str) -> Result<(), NeemError> {
-        let document = Document::default()
-            .with("_id", Bson::ObjectId(self.annotations.ids.next()))
-            .with("s", triples::iri(name)?)
-            .with("p", triples::iri("rdfs:comment")?)
-            .with("v", comment);
+        let document = rawdoc! {
+            "_id": self.annotations.ids.next(),
+            "s": triples::iri(name)?,
+            "p": triples::iri("rdfs:comment")?,
+            "v": comment,
+        };
         self.annotations.write(&document)
     }
 
@@ -228,20 +232,17 @@ impl NeemWriter {
             return Ok(());
         };
         let [i, j, k, w] = rotation;
-        let header = Document::default()
-            .with("seq", Bson::Int(seq))
-            .with("stamp", date(sample.time))
-            .with("frame_id", sample.parent);
-        let transform = Document::default()
-            .with("translation", xyz([x, y, z]))
-            .with("rotation", xyz([i, j, k]).with("w", w));
-        let document = Document::default()
-            .with("_id", Bson::ObjectId(self.poses.ids.next()))
-            .with("header", header)
-            .with("child_frame_id", sample.frame)
-            .with("transform", transform)
-            .with("__recorded", date(sample.time))
-            .with("__topic", "tf");
+        let document = rawdoc! {
+            "_id": self.poses.ids.next(),
+            "header": { "seq": seq, "stamp": date(sample.time), "frame_id": sample.parent },
+            "child_frame_id": sample.frame,
+            "transform": {
+                "translation": xyz([x, y, z]),
+                "rotation": { "x": i, "y": j, "z": k, "w": w },
+            },
+            "__recorded": date(sample.time),
+            "__topic": "tf",
+        };
         self.poses.write(&document)
     }
 
@@ -279,21 +280,22 @@ impl NeemWriter {
         let torque = sample.torque.into_iter().flatten();
         let numbers = sample.force.into_iter().chain(torque);
         check_finite(sample.frame, sample.time, numbers.chain([sample.time]))?;
-        let header = Document::default()
-            .with("stamp", date(sample.time))
-            // Dates end at milliseconds; telemetry does not.
-            .with("time", sample.time)
-            .with("frame_id", sample.frame);
-        let mut wrench = Document::default().with("force", xyz(sample.force));
+        let mut wrench = rawdoc! { "force": xyz(sample.force) };
         if let Some(torque) = sample.torque {
-            wrench = wrench.with("torque", xyz(torque));
+            wrench.append(cstr!("torque"), xyz(torque));
         }
-        let document = Document::default()
-            .with("_id", Bson::ObjectId(self.wrenches.ids.next()))
-            .with("header", header)
-            .with("wrench", wrench)
-            .with("__recorded", date(sample.time))
-            .with("__topic", sample.topic);
+        let document = rawdoc! {
+            "_id": self.wrenches.ids.next(),
+            "header": {
+                "stamp": date(sample.time),
+                // Dates end at milliseconds; telemetry does not.
+                "time": sample.time,
+                "frame_id": sample.frame,
+            },
+            "wrench": wrench,
+            "__recorded": date(sample.time),
+            "__topic": sample.topic,
+        };
         self.wrenches.write(&document)
     }
 
@@ -361,8 +363,15 @@ impl Collection {
         })
     }
 
-    fn write(&mut self, document: &Document) -> Result<(), NeemError> {
-        document.write(&mut self.file).map_err(at(&self.path))?;
+    fn write(&mut self, document: &RawDocumentBuf) -> Result<(), NeemError> {
+        let bytes = document.as_bytes();
+        let written = if bytes.len() > MAX_DOCUMENT {
+            let message = format!("a document of {} bytes is too long", bytes.len());
+            Err(io::Error::new(io::ErrorKind::InvalidInput, message))
+        } else {
+            self.file.write_all(bytes)
+        };
+        written.map_err(at(&self.path))?;
         self.written += 1;
         Ok(())
     }
@@ -394,12 +403,12 @@ impl ObjectIds {
         }
     }
 
-    fn next(&mut self) -> [u8; 12] {
+    fn next(&mut self) -> ObjectId {
         let mut id = [0; 12];
         id[..7].copy_from_slice(&self.head);
         id[7..].copy_from_slice(&self.next.to_be_bytes()[3..]);
         self.next += 1;
-        id
+        ObjectId::from_bytes(id)
     }
 }
 
@@ -419,12 +428,12 @@ fn in_words(record: &EpisodeRecord) -> String {
     text + "."
 }
 
-fn xyz([x, y, z]: [f64; 3]) -> Document {
-    Document::default().with("x", x).with("y", y).with("z", z)
+fn xyz([x, y, z]: [f64; 3]) -> RawDocumentBuf {
+    rawdoc! { "x": x, "y": y, "z": z }
 }
 
-fn date(time: f64) -> Bson {
-    Bson::Date((1e3 * time).round() as i64)
+fn date(time: f64) -> DateTime {
+    DateTime::from_millis((1e3 * time).round() as i64)
 }
 
 fn check_finite(

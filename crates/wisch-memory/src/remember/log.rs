@@ -1,8 +1,8 @@
 //! What is noted of a round while it is executed: which motion was when.
 
-use wisch::execute::TelemetrySample;
 use wisch::follow::Phase;
 use wisch::interpret::{Event, EventKind};
+use wisch::run::TelemetrySample;
 
 /// Which motions a round was made of, noted sample by sample.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -91,7 +91,7 @@ impl RoundLog {
     pub fn push(&mut self, sample: &TelemetrySample<'_>) {
         let kind = match sample.phase {
             Phase::Drive => Kind::Drive,
-            Phase::Transfer | Phase::Lifted | Phase::Lower | Phase::Lift => Kind::Lifted,
+            Phase::FreeMotion | Phase::Lifted | Phase::Lower | Phase::Lift => Kind::Lifted,
             Phase::Wipe(stroke) => Kind::Stroke(stroke),
         };
         let force = sample.external.force.norm();
@@ -144,14 +144,14 @@ impl RoundLog {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use wisch::execute::Wrench;
     use wisch::geometry::{Pose, Vector3};
+    use wisch::run::Wrench;
 
     #[test]
     fn lifted_motions_are_told_apart_by_the_strokes_round_them() {
         let phases = [
             Phase::Drive,
-            Phase::Transfer,
+            Phase::FreeMotion,
             Phase::Lower,
             Phase::Wipe(0),
             Phase::Wipe(0),
@@ -182,7 +182,7 @@ mod tests {
             });
         }
         let spans = log.spans();
-        let told: Vec<_> = (spans.iter())
+        let found: Vec<_> = (spans.iter())
             .map(|span| (&span.class()[6..], span.start, span.end, span.stroke))
             .collect();
         let expected = [
@@ -195,7 +195,7 @@ mod tests {
             ("Retreat", 10.0, 11.0, None),
             ("Drive", 11.0, 11.0, None),
         ];
-        assert_eq!(told, expected);
+        assert_eq!(found, expected);
         assert_eq!(spans[2].peak_force, 5.0);
     }
 }

@@ -1,12 +1,9 @@
 //! From the log of some other robot to the record of an episode.
 
 use super::log::Span;
-use super::{
-    Happening, Occasion, class_of, describe_felt, describe_stroke, first_during, goal_of, state,
-    things_of,
-};
+use super::{EpisodeHeader, RoundContext, class_of, describe_touch, goal_of, state, things_of};
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin};
-use wisch::interpret::{Diagnosis, Interpretation};
+use wisch::interpret::Interpretation;
 use wisch::recover::Verdict;
 use wisch::represent::{GoalState, Task};
 
@@ -17,34 +14,34 @@ const ROUND: usize = 3;
 ///
 /// `name` is that of the log, `duration` how long it is [s].
 pub fn remember_log(
-    occasion: &Occasion,
+    header: &EpisodeHeader,
     name: &str,
     duration: f64,
     task: &Task,
     goal: &GoalState,
-    told: &Interpretation,
+    interpretation: &Interpretation,
 ) -> EpisodeRecord {
-    let during = [occasion.start, occasion.start + duration];
-    let is_met = told.plane.is_some() && told.performance.mean >= occasion.target;
+    let during = [header.start, header.start + duration];
+    let is_met = interpretation.plane.is_some() && interpretation.performance.mean >= header.target;
     let verdict = if is_met {
         Verdict::GoalMet
     } else {
         Verdict::Again
     };
     let mut episode = Individual::new("semco:WipingEpisode", None);
-    episode.tell("semco:taskName", &task.name);
-    episode.set("semco:seed", occasion.seed as f64);
+    episode.set_text("semco:taskName", &task.name);
+    episode.set_number("semco:seed", header.seed as f64);
     let mut action = Individual::new("semco:WipingAction", Some(0));
-    action.estimate(told);
-    action.set("semco:target", occasion.target);
-    action.set("semco:rounds", 1.0);
-    action.tell("semco:goal", &goal_of(task, goal));
+    action.estimate(interpretation);
+    action.set_number("semco:target", header.target);
+    action.set_number("semco:rounds", 1.0);
+    action.set_text("semco:goal", &goal_of(task, goal));
     action.relations = things_of(task);
     action.relate("dul:executesTask", "#2".to_owned());
     action.relate("soma:hasExecutionState", state(verdict));
     let mut round = Individual::new("semco:WipingRound", Some(1));
-    describe_felt(&mut round, told);
-    round.set("semco:round", 1.0);
+    describe_touch(&mut round, interpretation);
+    round.set_number("semco:round", 1.0);
     round.relations = things_of(task);
     round.relate("soma:hasExecutionState", state(verdict));
     let mut individuals = vec![
@@ -56,52 +53,32 @@ pub fn remember_log(
     for place in [0, 1, ROUND] {
         individuals[place].interval = Some(during);
     }
-    let happening = Happening {
+    let context = RoundContext {
         task,
-        told,
+        interpretation,
         robot: None,
         during,
+        stopped: None,
     };
-    let spans = phases(told);
-    let first = individuals.len();
-    for span in &spans {
-        let mut motion = Individual::new(span.class(), Some(ROUND));
-        motion.interval = Some([
-            during[0] + span.start,
-            (during[0] + span.end).min(during[1]),
-        ]);
-        if let Some(stroke) = span.stroke {
-            describe_stroke(&mut motion, stroke, span, told);
-        }
-        individuals.push(motion);
-    }
-    for event in &told.events {
-        let parent = first_during(&spans, event.start).map_or(ROUND, |place| first + place);
-        individuals.extend(happening.of(event, parent));
-    }
-    if let Diagnosis::Relocalize { .. } = told.diagnosis {
-        let mut found = Individual::new("semco:Relocalization", Some(ROUND));
-        found.interval = Some([during[1]; 2]);
-        individuals.push(found);
-    }
+    context.add_parts(&mut individuals, ROUND, &phases(interpretation));
     EpisodeRecord {
         schema: EPISODE_SCHEMA,
-        id: occasion.id.clone(),
+        id: header.id.clone(),
         task: task.name.clone(),
         interval: during,
         origin: Origin::Imported(name.to_owned()),
-        program: occasion.program.clone(),
-        seed: occasion.seed,
-        rounds: vec![occasion.start],
+        program: header.program.clone(),
+        seed: header.seed,
+        rounds: vec![header.start],
         individuals,
     }
 }
 
-/// The motions, as far as touch tells them.
-fn phases(told: &Interpretation) -> Vec<Span> {
+/// The motions, as far as touch shows them.
+fn phases(interpretation: &Interpretation) -> Vec<Span> {
     let mut strokes = 0;
     let mut spans = Vec::new();
-    for event in &told.events {
+    for event in &interpretation.events {
         let span = Span::of_phase(event, strokes);
         strokes += usize::from(span.as_ref().is_some_and(|span| span.stroke.is_some()));
         spans.extend(span);

@@ -8,7 +8,6 @@ mod knowledge;
 mod metrics;
 mod motion;
 mod particles;
-mod reality;
 mod scene;
 mod section;
 mod sources;
@@ -27,7 +26,6 @@ pub use knowledge::{
 pub use metrics::{GoalState, Performance};
 pub use motion::ToolMotion;
 pub use particles::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError, ParticleTally};
-pub use reality::{FrictionChange, Push, Reality};
 pub use scene::{SceneObject, ScenePart};
 pub use section::{OccupiedArea, SURFACE_SKIN};
 pub use sources::{

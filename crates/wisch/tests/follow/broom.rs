@@ -4,8 +4,8 @@ use crate::board::{self, board, cell};
 use crate::humanoid::{planned, shipped};
 use crate::problems::robots;
 use wisch::follow::{
-    FollowConfig, FollowError, Followed, GRIP_TOLERANCE, LEAN_TOLERANCE, MotionFault, Phase, Touch,
-    Workcell, WorkcellConfig, audit, follow,
+    AllowedContact, FollowConfig, FollowError, Followed, GRIP_TOLERANCE, LEAN_TOLERANCE,
+    MotionFault, Phase, Workcell, WorkcellConfig, audit, follow,
 };
 use wisch::geometry::{Point3, Vector3};
 use wisch::represent::{Action, Task};
@@ -121,8 +121,8 @@ fn bristles_that_nothing_presses_hang_below_the_tool_centre_point() {
         let model = cell.all_collisions(touch);
         model.collision(&lifting, 1e-3).unwrap()
     };
-    assert_eq!(touching(Touch::Surface), None);
-    assert!(touching(Touch::Nothing).is_some());
+    assert_eq!(touching(AllowedContact::Surface), None);
+    assert!(touching(AllowedContact::None).is_some());
 }
 
 #[test]

@@ -110,7 +110,7 @@ proptest! {
     fn records_and_triples_are_each_other_turned_round(record in episodes()) {
         prop_assume!(record.check().is_ok());
         let through_documents = |triple: &Triple| {
-            let document = document::Closures::default().document([0; 12], triple).unwrap();
+            let document = document::Closures::default().document(bson::oid::ObjectId::from_bytes([0; 12]), triple).unwrap();
             document::triple(&document).unwrap()
         };
         let there = triples::triples(&record).unwrap();

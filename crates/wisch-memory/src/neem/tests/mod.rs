@@ -3,9 +3,10 @@
 mod laws;
 mod stored;
 
-use super::bson::{Bson, Document, Documents};
+use super::dump::Documents;
 use super::*;
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
+use bson::{DateTime, RawDocumentBuf};
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::BufReader;
@@ -110,22 +111,17 @@ fn meta() -> NeemMeta {
 const SEMCO: &str = "https://wisch-project.org/ont/semco.owl#";
 const DUL: &str = "http://www.ontologydesignpatterns.org/ont/dul/DUL.owl#";
 
-fn documents(neem: &std::path::Path, collection: &str) -> Vec<Document> {
+fn documents(neem: &std::path::Path, collection: &str) -> Vec<RawDocumentBuf> {
     let file = File::open(collection_file(neem, collection)).unwrap();
     Documents::new(BufReader::new(file))
         .collect::<Result<_, _>>()
         .unwrap()
 }
 
-fn texts(document: &Document, field: &str) -> Vec<String> {
-    let Some(Bson::Array(values)) = document.get(field) else {
-        return Vec::new();
-    };
-    let text = |value: &Bson| match value {
-        Bson::Text(text) => text.clone(),
-        other => panic!("{other:?}"),
-    };
-    values.iter().map(text).collect()
+fn texts(document: &RawDocumentBuf, field: &str) -> Vec<String> {
+    let values = document.get_array(field).into_iter().flatten();
+    let texts = values.map(|value| value.unwrap().as_str().unwrap().to_owned());
+    texts.collect()
 }
 
 #[test]
@@ -156,9 +152,10 @@ fn documents_carry_the_closures_that_readers_match() {
     writer.finish().unwrap();
     let all = documents(&neem, "triples");
     let event = format!("{SEMCO}HumanCollision_20260101-crumbs-5");
-    let said = |predicate: &str| -> Vec<&Document> {
-        let of_event = |document: &&Document| {
-            document.text("s") == Some(&event) && document.text("p") == Some(predicate)
+    let said = |predicate: &str| -> Vec<&RawDocumentBuf> {
+        let of_event = |document: &&RawDocumentBuf| {
+            document.get_str("s").ok() == Some(&event)
+                && document.get_str("p").ok() == Some(predicate)
         };
         all.iter().filter(of_event).collect()
     };
@@ -174,39 +171,43 @@ fn documents_carry_the_closures_that_readers_match() {
         ["isClassifiedBy", "associatedWith"].map(|local| format!("{DUL}{local}"))
     );
     assert_eq!(texts(classified[0], "o*"), Vec::<String>::new());
-    let time = classified[0].document("scope").unwrap();
-    let time = time.document("time").unwrap();
-    assert_eq!(time.number("since"), Some(1_767_225_603.25));
-    assert_eq!(time.number("until"), Some(f64::INFINITY));
+    let time = classified[0].get_document("scope").unwrap();
+    let time = time.get_document("time").unwrap();
+    assert_eq!(time.get_f64("since").ok(), Some(1_767_225_603.25));
+    assert_eq!(time.get_f64("until").ok(), Some(f64::INFINITY));
     assert!(
         all.iter()
-            .all(|document| document.text("graph") == Some(GRAPH))
+            .all(|document| document.get_str("graph").ok() == Some(GRAPH))
     );
 
     // Its force as a region, and the whole that has it.
     let force = &said(&format!("{SEMCO}hasPeakForce"))[0];
-    let region = force.text("o").unwrap();
+    let region = force.get_str("o").unwrap();
     let value = all.iter().find(|document| {
-        document.text("s") == Some(region)
-            && document.text("p") == Some("http://www.ease-crc.org/ont/SOMA.owl#hasForceValue")
+        document.get_str("s").ok() == Some(region)
+            && document.get_str("p").ok()
+                == Some("http://www.ease-crc.org/ont/SOMA.owl#hasForceValue")
     });
-    assert_eq!(value.unwrap().number("o"), Some(31.5));
+    assert_eq!(value.unwrap().get_f64("o").ok(), Some(31.5));
     let whole = all
         .iter()
-        .find(|document| document.text("o") == Some(&event))
+        .find(|document| document.get_str("o").ok() == Some(&event))
         .unwrap();
-    assert_eq!(whole.text("p"), Some(&*format!("{DUL}hasConstituent")));
     assert_eq!(
-        whole.text("s"),
+        whole.get_str("p").ok(),
+        Some(&*format!("{DUL}hasConstituent"))
+    );
+    assert_eq!(
+        whole.get_str("s").ok(),
         Some(&*format!("{SEMCO}Stroke_20260101-crumbs-4"))
     );
 
     // A timeline shows only tasks with exactly one underscore.
     let task = all
         .iter()
-        .find(|document| document.text("p") == Some(&*format!("{DUL}executesTask")))
+        .find(|document| document.get_str("p").ok() == Some(&*format!("{DUL}executesTask")))
         .unwrap();
-    assert_eq!(task.text("o").unwrap().matches('_').count(), 1);
+    assert_eq!(task.get_str("o").unwrap().matches('_').count(), 1);
 }
 
 #[test]
@@ -240,29 +241,79 @@ fn poses_are_thinned_frame_by_frame() {
     let poses = documents(&neem, "tf");
     let sponge = poses
         .iter()
-        .filter(|pose| pose.text("child_frame_id") == Some("sponge"));
+        .filter(|pose| pose.get_str("child_frame_id").ok() == Some("sponge"));
     for (number, pose) in sponge.enumerate() {
-        let header = pose.document("header").unwrap();
+        let header = pose.get_document("header").unwrap();
         let stamp = 1_767_225_600_000 + 100 * number as i64;
-        assert_eq!(header.get("stamp"), Some(&Bson::Date(stamp)));
-        assert_eq!(header.text("frame_id"), Some("world"));
-        let transform = pose.document("transform").unwrap();
-        let translation = transform.document("translation").unwrap();
-        assert_eq!(translation.number("z"), Some(100.0 * number as f64));
         assert_eq!(
-            transform.document("rotation").unwrap().number("w"),
+            header.get_datetime("stamp").unwrap(),
+            DateTime::from_millis(stamp)
+        );
+        assert_eq!(header.get_str("frame_id").ok(), Some("world"));
+        let transform = pose.get_document("transform").unwrap();
+        let translation = transform.get_document("translation").unwrap();
+        assert_eq!(translation.get_f64("z").ok(), Some(100.0 * number as f64));
+        assert_eq!(
+            transform
+                .get_document("rotation")
+                .unwrap()
+                .get_f64("w")
+                .ok(),
             Some(1.0)
         );
     }
     let wrench = &documents(&neem, "wrench")[0];
-    let header = wrench.document("header").unwrap();
-    assert_eq!(header.number("time"), Some(1_767_225_600.062_5));
+    let header = wrench.get_document("header").unwrap();
+    assert_eq!(header.get_f64("time").ok(), Some(1_767_225_600.062_5));
     let force = wrench
-        .document("wrench")
+        .get_document("wrench")
         .unwrap()
-        .document("force")
+        .get_document("force")
         .unwrap();
-    assert_eq!(force.number("z"), Some(-10.0));
+    assert_eq!(force.get_f64("z").ok(), Some(-10.0));
+}
+
+/// Checksums of the files of an export, recorded when its BSON was still written by hand.
+const RECORDED: [(&str, u32); 5] = [
+    ("triples", 988_573_591),
+    ("annotations", 3_329_090_993),
+    ("inferred", 0),
+    ("tf", 2_541_484_127),
+    ("wrench", 3_300_141_627),
+];
+
+#[test]
+fn an_export_has_the_bytes_of_the_recorded_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let neem = folder.path().join("neem");
+    let mut writer = NeemWriter::create(&neem, &meta(), &NeemConfig::default()).unwrap();
+    writer.episode(&bumped()).unwrap();
+    let start = bumped().interval[0];
+    for step in 0..20 {
+        let time = start + 0.1 * f64::from(step);
+        let angle = 0.05 * f64::from(step);
+        let frame = FrameSample {
+            time,
+            frame: "sponge",
+            parent: "world",
+            parent_from_frame: Pose::translation(0.1, -angle, 0.75),
+        };
+        writer.frame(&frame).unwrap();
+        let wrench = WrenchSample {
+            time,
+            frame: "sponge",
+            topic: "wrench/external",
+            force: [angle, 0.5, -10.0],
+            torque: (step % 2 == 0).then_some([0.25, angle, 0.0]),
+        };
+        writer.wrench(&wrench).unwrap();
+    }
+    writer.finish().unwrap();
+    let written = RECORDED.map(|(collection, _)| {
+        let bytes = std::fs::read(collection_file(&neem, collection)).unwrap();
+        (collection, crc32fast::hash(&bytes))
+    });
+    assert_eq!(written, RECORDED);
 }
 
 #[test]

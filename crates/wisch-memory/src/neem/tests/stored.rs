@@ -1,10 +1,10 @@
 //! Episodes of the store.
 
-use super::super::bson::{Bson, Document};
 use super::super::{NeemConfig, NeemError, NeemWriter, PoseSource, import};
 use super::{bumped, documents, meta};
 use crate::store::Memory;
 use crate::telemetry::{Mark, TelemetryHead};
+use bson::{DateTime, RawDocumentBuf};
 use wisch::follow::Phase;
 use wisch::geometry::{Pose, Vector3};
 use wisch::robot::RobotModel;
@@ -38,7 +38,7 @@ fn stored(folder: &std::path::Path, robot: &RobotModel) -> Memory {
     let mut log = writer.telemetry_with_columns(1, head, &columns).unwrap();
     let mark = Mark {
         motion: 0,
-        phase: Phase::Transfer,
+        phase: Phase::FreeMotion,
     };
     for step in 0..1000 {
         let time = 1e-3 * f64::from(step);
@@ -79,16 +79,20 @@ fn a_stored_episode_brings_its_poses_and_wrenches() {
     for neem in [&by_tool, &by_robot] {
         assert_eq!(import(neem).unwrap(), [bumped()]);
     }
-    let sponge = |neem| -> Vec<Document> {
+    let sponge = |neem| -> Vec<RawDocumentBuf> {
         let mut poses = documents(neem, "tf");
-        poses.retain(|pose| pose.text("child_frame_id") == Some("sponge"));
+        poses.retain(|pose| pose.get_str("child_frame_id").ok() == Some("sponge"));
         poses
     };
-    let position = |pose: &Document| {
-        let translation = pose.document("transform").unwrap().document("translation");
-        ["x", "y", "z"].map(|axis| translation.unwrap().number(axis).unwrap())
+    let position = |pose: &RawDocumentBuf| {
+        let transform = pose.get_document("transform").unwrap();
+        let translation = transform.get_document("translation").unwrap();
+        ["x", "y", "z"].map(|axis| translation.get_f64(axis).unwrap())
     };
-    let stamp = |pose: &Document| pose.document("header").unwrap().get("stamp").cloned();
+    let stamp = |pose: &RawDocumentBuf| {
+        let header = pose.get_document("header").unwrap();
+        header.get_datetime("stamp").unwrap()
+    };
     for (number, pose) in sponge(&by_tool).iter().enumerate() {
         let [x, y, z] = position(pose);
         assert_eq!([x, y], [0.5, 0.25]);
@@ -104,7 +108,7 @@ fn a_stored_episode_brings_its_poses_and_wrenches() {
         let error = Vector3::from(position(pose)) - expected.translation.vector;
         assert!(error.norm() < 1e-6, "{error}");
         let milliseconds = 1_767_225_600_000 + 100 * number as i64;
-        assert_eq!(stamp(pose), Some(Bson::Date(milliseconds)));
+        assert_eq!(stamp(pose), DateTime::from_millis(milliseconds));
     }
 }
 

@@ -5,7 +5,8 @@ mod tests;
 
 use super::{MAX_PARTICLES, OccupiedArea, ParticleDistribution, ParticleError};
 use crate::geometry::{Bounds2, Point2, Polygon, Vector2};
-use rand::{Rng, RngExt};
+use crate::random::normal_pair;
+use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
 /// Stream of the task's seed that places particles; stream 0 is the planner's.
@@ -125,7 +126,7 @@ pub fn cluster_particles(
             share -= cluster.weight;
             share < 0.0
         });
-        let offset = standard_normal_pair(random);
+        let offset = normal_pair(random);
         match chosen.or(clusters.last()) {
             Some(cluster) => cluster.center + offset * cluster.sigma,
             None => Point2::new(f64::NAN, f64::NAN),
@@ -175,11 +176,4 @@ impl SourceError {
             Err(Self::Count { count })
         }
     }
-}
-
-/// Two independent draws from N(0, 1) (Box and Muller), alike on every platform.
-fn standard_normal_pair(random: &mut impl Rng) -> Vector2 {
-    let radius = (-2.0 * libm::log(1.0 - random.random::<f64>())).sqrt();
-    let angle = std::f64::consts::TAU * random.random::<f64>();
-    Vector2::new(libm::cos(angle), libm::sin(angle)) * radius
 }

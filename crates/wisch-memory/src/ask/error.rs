@@ -1,0 +1,181 @@
+//! Why there is no answer.
+
+use super::listing::Predicate;
+use super::term::{Term, TermError};
+use std::fmt::Display;
+use std::time::Duration;
+use wisch::source_location::UnknownName;
+
+/// What is wrong with a query.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum QueryFault {
+    /// A name that is not known.
+    #[error("unknown {kind} {name}{}", nearest.as_ref().map_or_else(String::new, |n| format!("; did you mean {n}?")))]
+    Unknown {
+        /// class, property, thing, prefix or predicate.
+        kind: String,
+        /// The name.
+        name: String,
+        /// The nearest that is known.
+        nearest: Option<String>,
+    },
+    /// Something that cannot be a name.
+    #[error("{term} is no name of anything")]
+    NoName {
+        /// What stands there.
+        term: String,
+    },
+    /// There is no such telemetry.
+    #[error("{what}")]
+    Telemetry {
+        /// Why.
+        what: String,
+    },
+    /// What the engine says of it.
+    #[error("{what}")]
+    Prolog {
+        /// In words.
+        what: String,
+    },
+}
+
+impl QueryFault {
+    pub(super) fn unknown(kind: &str, term: &Term, nearest: Option<&str>) -> Self {
+        let nearest = nearest.map(|name| Term::atom(name).to_string());
+        Self::Unknown {
+            kind: kind.to_owned(),
+            name: term.to_string(),
+            nearest,
+        }
+    }
+
+    pub(super) fn no_name(term: &Term) -> Self {
+        Self::NoName {
+            term: term.to_string(),
+        }
+    }
+
+    /// As the engine throws it.
+    pub(super) fn to_term(&self) -> Term {
+        match self {
+            Self::Unknown {
+                kind,
+                name,
+                nearest,
+            } => {
+                let nearest = nearest.as_deref().unwrap_or_default();
+                Term::compound("unknown", [kind, name, nearest].map(Term::atom))
+            }
+            Self::NoName { term } => Term::compound("no_name", [Term::atom(term)]),
+            Self::Telemetry { what } => Term::compound("telemetry", [Term::atom(what)]),
+            Self::Prolog { what } => Term::compound("prolog", [Term::atom(what)]),
+        }
+    }
+
+    /// From what the engine threw.
+    pub(super) fn of(error: &Term, predicates: &[Predicate]) -> Self {
+        let text = |term: &Term| {
+            term.as_atom()
+                .map_or_else(|| term.to_string(), str::to_owned)
+        };
+        match error.parts() {
+            Some(("unknown", [kind, name, nearest])) => Self::Unknown {
+                kind: text(kind),
+                name: text(name),
+                nearest: Some(text(nearest)).filter(|nearest| !nearest.is_empty()),
+            },
+            Some(("no_name", [term])) => Self::NoName { term: text(term) },
+            Some(("telemetry", [what])) => Self::Telemetry { what: text(what) },
+            Some(("unknown_predicate", [Term::Atom(name), Term::Integer(arity)])) => {
+                Self::unknown_predicate(name, *arity, predicates)
+            }
+            Some(("error", [what, _])) => Self::Prolog {
+                what: in_words(what),
+            },
+            _ => Self::Prolog {
+                what: error.to_string(),
+            },
+        }
+    }
+
+    fn unknown_predicate(name: &str, arity: i64, predicates: &[Predicate]) -> Self {
+        let same = predicates.iter().find(|predicate| predicate.name == name);
+        let nearest = same.or_else(|| {
+            let names = predicates.iter().map(|predicate| predicate.name.as_str());
+            let error = UnknownName::new("predicate", name, names);
+            let nearest = error.nearest()?;
+            predicates
+                .iter()
+                .find(|predicate| predicate.name == nearest)
+        });
+        Self::Unknown {
+            kind: "predicate".to_owned(),
+            name: format!("{name}/{arity}"),
+            nearest: nearest.map(|predicate| format!("{}/{}", predicate.name, predicate.arity)),
+        }
+    }
+}
+
+/// A standard error of Prolog.
+fn in_words(error: &Term) -> String {
+    match error.parts() {
+        Some(("syntax_error", [what])) => {
+            let what = what.to_string().replace('_', " ");
+            format!("the query is no Prolog: {what}")
+        }
+        Some(("instantiation_error", [])) => {
+            "something has to be known here that is not: put the goal that finds it before"
+                .to_owned()
+        }
+        Some(("type_error", [kind, culprit])) => format!("{culprit} should be of type {kind}"),
+        Some(("domain_error", [domain, culprit])) => format!("{culprit} is no {domain}"),
+        Some(("evaluation_error", [what])) => format!("arithmetic: {what}").replace('_', " "),
+        Some(("resource_error", [what])) => format!("out of {what}"),
+        _ => error.to_string(),
+    }
+}
+
+/// Why there is no answer.
+#[derive(Debug, thiserror::Error)]
+pub enum AskError {
+    /// The query is at fault.
+    #[error(transparent)]
+    Fault(#[from] QueryFault),
+    /// It took too long.
+    #[error("the query took longer than {0:?}")]
+    Time(Duration),
+    /// The engine cannot be begun.
+    #[error("the Prolog engine cannot be begun: {0}")]
+    CannotStart(std::io::Error),
+    /// The engine ended: it used more memory than it may, or it is broken.
+    #[error("the Prolog engine ended: {words}")]
+    EngineEnded {
+        /// Its last words.
+        words: String,
+    },
+    /// The engine said something that is no term.
+    #[error(transparent)]
+    Term(#[from] TermError),
+    /// The engine said something that is not expected.
+    #[error("the Prolog engine said something unexpected: {line}")]
+    Protocol {
+        /// What.
+        line: String,
+    },
+    /// What people added to this memory cannot be read or written.
+    #[error("{file}: {what}")]
+    Assertions {
+        /// Its file.
+        file: String,
+        /// Why.
+        what: String,
+    },
+}
+
+impl AskError {
+    pub(super) fn unexpected(line: impl Display) -> Self {
+        Self::Protocol {
+            line: line.to_string(),
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! The predicates that queries may call.
+
+use super::term::Term;
+
+/// A predicate that queries may call.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Predicate {
+    /// Its name.
+    pub name: String,
+    /// How many arguments it takes.
+    pub arity: usize,
+    /// How it is called, and what it says.
+    pub meaning: String,
+}
+
+/// The predicates of this memory, in the order of its manual; Prolog's own are not among them.
+pub fn predicates() -> Vec<Predicate> {
+    let text = include_str!("../../prolog/listing.pl");
+    let facts = text.lines().filter(|line| line.starts_with("predicate("));
+    let parsed = facts.filter_map(|line| Term::parse(line).ok());
+    let predicates = parsed.filter_map(|fact| match fact.parts()? {
+        (_, [Term::Atom(name), Term::Integer(arity), Term::Atom(meaning)]) => Some(Predicate {
+            name: name.clone(),
+            arity: usize::try_from(*arity).ok()?,
+            meaning: meaning.clone(),
+        }),
+        _ => None,
+    });
+    predicates.collect()
+}

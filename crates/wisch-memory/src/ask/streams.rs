@@ -1,0 +1,150 @@
+//! Answers that are made while the engine reads them: what joins or goes over much of the catalogue.
+
+use super::assertions::Assertions;
+use super::intervals::{IntervalIndex, Relation};
+use super::names::Names;
+use super::reply::Rows;
+use super::rows::{individual_row, name_of, node_name, relation_row};
+use super::term::Term;
+use crate::catalogue::{Catalogue, IndividualId, Node, entries};
+use std::sync::Arc;
+
+/// What answers are made of: the episodes, and what people added to them.
+pub struct Knowledge {
+    /// The episodes.
+    pub catalogue: Arc<Catalogue>,
+    /// What names mean.
+    pub names: Names,
+    /// What people added.
+    pub assertions: Assertions,
+}
+
+impl Knowledge {
+    /// All individuals.
+    pub fn individuals(&self) -> Rows {
+        let catalogue = Arc::clone(&self.catalogue);
+        let ids = 0..u32::try_from(catalogue.len()).unwrap_or(u32::MAX);
+        Box::new(ids.map(move |id| individual_row(&catalogue, id)))
+    }
+
+    /// Values of a property, each with its thing.
+    pub fn column(&self, property: &str) -> Rows {
+        let catalogue = Arc::clone(&self.catalogue);
+        let property = property.to_owned();
+        let asserted = self.assertions.values(&property);
+        let (numbers, texts) = (
+            catalogue.numbers(&property).len(),
+            catalogue.texts(&property).len(),
+        );
+        let rows = (0..numbers + texts).map(move |place| {
+            let (id, value) = if place < numbers {
+                let (id, value) = catalogue.numbers(&property)[place];
+                (id, Term::Float(value))
+            } else {
+                let (id, text) = &catalogue.texts(&property)[place - numbers];
+                (*id, Term::atom(text))
+            };
+            Term::compound("-", [value, name_of(&catalogue, id)])
+        });
+        Box::new(rows.chain(asserted))
+    }
+
+    /// All values, by property.
+    pub fn all_values(&self) -> Rows {
+        let properties = self.catalogue.properties().to_vec();
+        let columns: Vec<Rows> = properties.iter().map(|p| self.column(p)).collect();
+        let columns = properties.into_iter().zip(columns);
+        Box::new(columns.flat_map(|(property, column)| {
+            column.filter_map(move |pair| match pair {
+                Term::Compound(_, parts) => {
+                    let [value, name] = <[Term; 2]>::try_from(parts).ok()?;
+                    Some(Term::compound("v", [name, Term::atom(&property), value]))
+                }
+                _ => None,
+            })
+        }))
+    }
+
+    /// Relations, of one property or of all.
+    pub fn relations(&self, property: Option<&str>) -> Rows {
+        let properties = match property {
+            Some(property) => vec![property.to_owned()],
+            None => self.catalogue.properties().to_vec(),
+        };
+        let asserted = self.assertions.relations(property);
+        Box::new(self.relation_rows(properties, None).chain(asserted))
+    }
+
+    /// Relations that lead to a thing.
+    pub fn related_to(&self, object: &str) -> Rows {
+        let asserted = self.assertions.related_to(object);
+        let Some(wanted) = self.names.node(object) else {
+            return Box::new(asserted.into_iter());
+        };
+        let properties = self.catalogue.properties().to_vec();
+        Box::new(self.relation_rows(properties, Some(wanted)).chain(asserted))
+    }
+
+    /// Relations of the catalogue, of these properties; those that lead to `wanted`, if it is given.
+    fn relation_rows(
+        &self,
+        properties: Vec<String>,
+        wanted: Option<Node>,
+    ) -> impl Iterator<Item = Term> + Send + use<> {
+        let catalogue = Arc::clone(&self.catalogue);
+        properties.into_iter().flat_map(move |property| {
+            let catalogue = Arc::clone(&catalogue);
+            let len = catalogue.relations(&property).len();
+            (0..len).filter_map(move |place| {
+                let (id, node) = catalogue.relations(&property)[place];
+                let is_wanted = wanted.is_none_or(|wanted| node == wanted);
+                is_wanted.then(|| relation_row(&catalogue, id, &property, node))
+            })
+        })
+    }
+
+    /// The names of individuals.
+    pub fn named(&self, found: Vec<IndividualId>) -> Rows {
+        let catalogue = Arc::clone(&self.catalogue);
+        Box::new((found.into_iter()).map(move |id| name_of(&catalogue, id)))
+    }
+
+    /// The names of individuals, with their times.
+    pub fn timed(&self, found: Vec<IndividualId>) -> Rows {
+        let catalogue = Arc::clone(&self.catalogue);
+        Box::new(found.into_iter().map(move |id| {
+            let [start, end] = catalogue.interval(id).unwrap_or_default().map(Term::Float);
+            Term::compound("j", [name_of(&catalogue, id), start, end])
+        }))
+    }
+
+    /// Pairs of individuals of which the first stands in a relation of time to the second.
+    pub fn pairs(&self, index: Arc<IntervalIndex>, relation: Relation) -> Rows {
+        let catalogue = Arc::clone(&self.catalogue);
+        Box::new((0..index.len()).flat_map(move |place| {
+            let (to, second) = index.entry(place);
+            let firsts = index.related(relation, to).into_iter();
+            let catalogue = Arc::clone(&catalogue);
+            let others = firsts.filter(move |first| *first != second);
+            others.map(move |first| {
+                Term::compound("-", [first, second].map(|id| name_of(&catalogue, id)))
+            })
+        }))
+    }
+
+    /// Of the first round of each wiping: surface, start and a value.
+    pub fn first_rounds(&self, property: &str) -> Rows {
+        let catalogue = Arc::clone(&self.catalogue);
+        let property = property.to_owned();
+        let len = catalogue.numbers(&property).len();
+        Box::new((0..len).filter_map(move |place| {
+            let (id, value) = catalogue.numbers(&property)[place];
+            let round = entries(catalogue.numbers("semco:round"), id).first()?;
+            let [start, _] = catalogue.interval(id)?;
+            let surface = entries(catalogue.relations("semco:actsOnSurface"), id).first()?;
+            let surface = node_name(&catalogue, surface.1);
+            let is_first = round.1 < 1.5;
+            is_first.then(|| Term::compound("x", [surface, Term::Float(start), Term::Float(value)]))
+        }))
+    }
+}

@@ -1,0 +1,351 @@
+//! Where things were and what was felt, from the telemetry of episodes.
+
+use super::error::{AskError, QueryFault};
+use super::reply::Refusal;
+use super::term::Term;
+use crate::catalogue::{Catalogue, EpisodeRow};
+use crate::frames::{Frames, PoseAt, Sampling};
+use crate::store::Memory;
+use crate::telemetry::Telemetry;
+use std::collections::HashMap;
+use std::fmt::Display;
+use std::rc::Rc;
+use wisch::robot::RobotModel;
+
+/// The robot's description among an episode's files.
+const ROBOT_FILE: &str = "robot.urdf";
+/// Most poses of one trajectory that a query gets.
+const MAX_POSES: usize = 200_000;
+
+/// The telemetry of a memory's episodes; what was read once is kept.
+#[derive(Default)]
+pub struct TelemetryPredicates {
+    memory: Option<Memory>,
+    rounds: HashMap<(String, usize), Rc<Telemetry>>,
+    robots: HashMap<String, Rc<RobotModel>>,
+}
+
+/// A part of a round, in its own time [s].
+struct Span {
+    telemetry: Rc<Telemetry>,
+    robot: Option<Rc<RobotModel>>,
+    /// When the round began [s since 1970].
+    began: f64,
+    from: f64,
+    to: f64,
+}
+
+impl TelemetryPredicates {
+    /// Of the episodes of a memory.
+    pub fn of(memory: Memory) -> Self {
+        Self {
+            memory: Some(memory),
+            ..Self::default()
+        }
+    }
+
+    pub(super) fn rows(
+        &mut self,
+        catalogue: &Catalogue,
+        request: &Term,
+    ) -> Result<Vec<Term>, Refusal> {
+        let Some((name, arguments)) = request.parts() else {
+            return Err(AskError::unexpected(request).into());
+        };
+        let facts = match (name, arguments) {
+            ("pose", [Term::Atom(thing), time]) => {
+                let time = number(time)?;
+                let found = self.trajectory(catalogue, thing, [time, time], Sampling::Count(1))?;
+                found.into_iter().take(1).map(|(_, pose)| pose).collect()
+            }
+            ("last_pose", [Term::Atom(thing)]) => vec![self.last_pose(catalogue, thing)?],
+            ("trajectory", [Term::Atom(thing), from, to, sampling]) => {
+                let interval = [number(from)?, number(to)?];
+                let found = self.trajectory(catalogue, thing, interval, sampling_of(sampling)?)?;
+                let timed = found.into_iter();
+                timed
+                    .map(|(time, pose)| Term::compound("-", [Term::Float(time), pose]))
+                    .collect()
+            }
+            ("telemetry", [Term::Atom(channel), from, to, Term::Atom(statistic)]) => {
+                let interval = [number(from)?, number(to)?];
+                vec![Term::Float(
+                    self.statistic(catalogue, channel, interval, statistic)?,
+                )]
+            }
+            _ => return Err(AskError::unexpected(request).into()),
+        };
+        Ok(facts)
+    }
+
+    /// Times [s since 1970] and poses of a thing in the world.
+    fn trajectory(
+        &mut self,
+        catalogue: &Catalogue,
+        thing: &str,
+        interval: [f64; 2],
+        sampling: Sampling,
+    ) -> Result<Vec<(f64, Term)>, QueryFault> {
+        let mut found = Vec::new();
+        for span in self.spans(catalogue, interval)? {
+            let began = span.began;
+            let poses = poses(&span, thing, sampling)?;
+            found.extend(poses.iter().map(|at| (began + at.time, pose(at))));
+            if found.len() > MAX_POSES {
+                return Err(fault(format!(
+                    "the trajectory has more than {MAX_POSES} poses: ask for a longer dt"
+                )));
+            }
+        }
+        Ok(found)
+    }
+
+    fn last_pose(&mut self, catalogue: &Catalogue, thing: &str) -> Result<Term, QueryFault> {
+        let mut episodes: Vec<&EpisodeRow> = catalogue.episodes().iter().collect();
+        episodes.sort_by(|a, b| b.interval[1].total_cmp(&a.interval[1]));
+        for episode in episodes {
+            for round in (1..=episode.rounds.len()).rev() {
+                let Ok(span) = self.span(episode, round, [f64::NEG_INFINITY, f64::INFINITY]) else {
+                    continue;
+                };
+                if let Some(span) = span
+                    && let Some(last) = poses(
+                        &Span {
+                            from: span.to,
+                            ..span
+                        },
+                        thing,
+                        Sampling::Count(1),
+                    )?
+                    .first()
+                {
+                    return Ok(pose(last));
+                }
+            }
+        }
+        Err(fault("no episode has telemetry".to_owned()))
+    }
+
+    /// max, min, mean or root mean square of a channel.
+    fn statistic(
+        &mut self,
+        catalogue: &Catalogue,
+        channel: &str,
+        interval: [f64; 2],
+        statistic: &str,
+    ) -> Result<f64, QueryFault> {
+        let mut values = Vec::new();
+        for span in self.spans(catalogue, interval)? {
+            values.extend(channel_values(&span, channel)?);
+        }
+        if values.is_empty() {
+            return Err(fault("there is no sample in this time".to_owned()));
+        }
+        let count = values.len() as f64;
+        match statistic {
+            "max" => Ok(values.into_iter().fold(f64::NEG_INFINITY, f64::max)),
+            "min" => Ok(values.into_iter().fold(f64::INFINITY, f64::min)),
+            "mean" => Ok(values.iter().sum::<f64>() / count),
+            "rms" => Ok((values.iter().map(|v| v * v).sum::<f64>() / count).sqrt()),
+            other => Err(fault(format!(
+                "{other} is no statistic: there are max, min, mean and rms"
+            ))),
+        }
+    }
+
+    /// The parts of rounds within a time [s since 1970].
+    fn spans(
+        &mut self,
+        catalogue: &Catalogue,
+        [from, to]: [f64; 2],
+    ) -> Result<Vec<Span>, QueryFault> {
+        if self.memory.is_none() {
+            return Err(fault("this memory has no telemetry".to_owned()));
+        }
+        let mut spans = Vec::new();
+        for episode in catalogue.episodes() {
+            if episode.interval[0] > to || episode.interval[1] < from {
+                continue;
+            }
+            for round in 1..=episode.rounds.len() {
+                spans.extend(self.span(episode, round, [from, to])?);
+            }
+        }
+        if spans.is_empty() {
+            return Err(fault(format!(
+                "no telemetry was recorded between {from} and {to} s"
+            )));
+        }
+        Ok(spans)
+    }
+
+    fn span(
+        &mut self,
+        episode: &EpisodeRow,
+        round: usize,
+        [from, to]: [f64; 2],
+    ) -> Result<Option<Span>, QueryFault> {
+        let began = episode.rounds[round - 1];
+        // A round ends where the next begins: no need to open what lies outside.
+        let ends = episode
+            .rounds
+            .get(round)
+            .copied()
+            .unwrap_or(episode.interval[1]);
+        if began > to || ends < from {
+            return Ok(None);
+        }
+        let telemetry = self.telemetry(episode, round)?;
+        let Some([first, last]) = telemetry.interval() else {
+            return Ok(None);
+        };
+        let (from, to) = ((from - began).max(first), (to - began).min(last));
+        if from > to {
+            return Ok(None);
+        }
+        Ok(Some(Span {
+            robot: self.robot(&episode.id),
+            telemetry,
+            began,
+            from,
+            to,
+        }))
+    }
+
+    fn telemetry(
+        &mut self,
+        episode: &EpisodeRow,
+        round: usize,
+    ) -> Result<Rc<Telemetry>, QueryFault> {
+        let key = (episode.id.clone(), round);
+        if let Some(telemetry) = self.rounds.get(&key) {
+            return Ok(Rc::clone(telemetry));
+        }
+        let Some(memory) = &self.memory else {
+            return Err(fault("this memory has no telemetry".to_owned()));
+        };
+        let opened = memory.episode(&episode.id).map_err(fault)?;
+        let telemetry = Rc::new(opened.telemetry(round).map_err(fault)?);
+        self.rounds.insert(key, Rc::clone(&telemetry));
+        Ok(telemetry)
+    }
+
+    /// The robot of an episode; `None` of one that was imported without.
+    fn robot(&mut self, episode: &str) -> Option<Rc<RobotModel>> {
+        if let Some(robot) = self.robots.get(episode) {
+            return Some(Rc::clone(robot));
+        }
+        let opened = self.memory.as_ref()?.episode(episode).ok()?;
+        let text = String::from_utf8(opened.attachment(ROBOT_FILE).ok()?).ok()?;
+        let robot = Rc::new(
+            RobotModel::from_urdf(ROBOT_FILE, &text, &mut |mesh| {
+                // Frames need no meshes.
+                Err(format!("{mesh}: an episode keeps none"))
+            })
+            .ok()?,
+        );
+        self.robots.insert(episode.to_owned(), Rc::clone(&robot));
+        Some(robot)
+    }
+}
+
+fn fault(what: impl Display) -> QueryFault {
+    QueryFault::Telemetry {
+        what: what.to_string(),
+    }
+}
+
+fn number(term: &Term) -> Result<f64, QueryFault> {
+    term.as_number()
+        .filter(|number| number.is_finite())
+        .ok_or_else(|| fault(format!("{term} is no time")))
+}
+
+fn sampling_of(term: &Term) -> Result<Sampling, QueryFault> {
+    match term.parts() {
+        Some(("dt", [period])) if period.as_number().is_some_and(|period| period > 0.0) => {
+            Ok(Sampling::Every(period.as_number().unwrap_or_default()))
+        }
+        Some(("num_samples", [Term::Integer(count)])) if *count > 0 => Ok(Sampling::Count(
+            usize::try_from(*count).unwrap_or(usize::MAX),
+        )),
+        _ => Err(fault(format!(
+            "{term} is no way to sample: there are dt(Seconds) and num_samples(N), both positive"
+        ))),
+    }
+}
+
+/// Poses of a thing; of the tool also where the robot is not known.
+fn poses(span: &Span, thing: &str, sampling: Sampling) -> Result<Vec<PoseAt>, QueryFault> {
+    let Some(robot) = &span.robot else {
+        return Err(fault(format!(
+            "the episode has no {ROBOT_FILE}: where {thing} was cannot be computed"
+        )));
+    };
+    let local = thing.split_once(':').map_or(thing, |(_, local)| local);
+    let frames = Frames::new(robot, &span.telemetry).map_err(fault)?;
+    let interval = [span.from, span.to];
+    frames.trajectory(local, interval, sampling).map_err(fault)
+}
+
+/// [Frame, [X, Y, Z], [Qx, Qy, Qz, Qw]]
+fn pose(at: &PoseAt) -> Term {
+    let pose = &at.world_from_frame;
+    let numbers = |numbers: &[f64]| Term::List(numbers.iter().copied().map(Term::Float).collect());
+    Term::List(vec![
+        Term::atom("world"),
+        numbers(pose.translation.vector.as_slice()),
+        numbers(pose.rotation.coords.as_slice()),
+    ])
+}
+
+fn channel_values(span: &Span, channel: &str) -> Result<Vec<f64>, QueryFault> {
+    let telemetry = &span.telemetry;
+    let rows = telemetry
+        .rows_between([span.from, span.to])
+        .map_err(fault)?;
+    let column = |name: &str| telemetry.values(name, rows.clone()).map_err(fault);
+    let size = |columns: &[&str]| -> Result<Vec<f64>, QueryFault> {
+        let mut squares = vec![0.0; rows.len()];
+        for name in columns {
+            for (square, value) in squares.iter_mut().zip(column(name)?) {
+                *square += value * value;
+            }
+        }
+        Ok(squares.into_iter().map(f64::sqrt).collect())
+    };
+    match channel {
+        "force" => size(&["external/fx", "external/fy", "external/fz"]),
+        "vertical_force" => column("external/fz"),
+        "speed" => {
+            let times = telemetry.times(rows.clone()).map_err(fault)?;
+            let [x, y, z] = ["measured/x", "measured/y", "measured/z"].map(column);
+            let (x, y, z) = (x?, y?, z?);
+            let steps = (1..times.len()).map(|k| {
+                let distance = (x[k] - x[k - 1])
+                    .hypot(y[k] - y[k - 1])
+                    .hypot(z[k] - z[k - 1]);
+                distance / (times[k] - times[k - 1]).max(f64::MIN_POSITIVE)
+            });
+            Ok(steps.collect())
+        }
+        joint if telemetry.joints().iter().any(|known| known == joint) => {
+            column(&format!("position/{joint}"))
+        }
+        name => {
+            let columns = telemetry.columns();
+            if columns.contains(&name) {
+                return column(name);
+            }
+            let known = ["force", "vertical_force", "speed"]
+                .into_iter()
+                .chain(columns);
+            let error = wisch::source_location::UnknownName::new("channel", name, known);
+            Err(QueryFault::Unknown {
+                kind: "channel".to_owned(),
+                name: name.to_owned(),
+                nearest: error.nearest().map(str::to_owned),
+            })
+        }
+    }
+}

@@ -1,0 +1,208 @@
+//! Bags as they are written and read: whole, cut off, damaged, and of other writers.
+
+mod damage;
+mod foreign;
+#[path = "../../examples/demo_bag/wiping.rs"]
+mod wiping;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
+use wiping::Wiping;
+use wisch::follow::Phase;
+use wisch::geometry::{Point3, Pose, Vector3};
+use wisch::run::{TelemetrySample, Wrench};
+use wisch_telemetry::{
+    Axes, AxesSource, BagHead, BagWriter, LogOptions, TopicChoice, active_path, read,
+};
+
+fn surface() -> Pose {
+    Pose::new(Vector3::new(0.6, 0.1, 0.75), Vector3::new(0.0, 0.3, 0.0))
+}
+
+fn wipe(rate: f64) -> Wiping {
+    Wiping {
+        world_from_surface: surface(),
+        extent: [0.2, 0.1],
+        rows: 2,
+        speed: 0.1,
+        press: 10.0,
+        rate,
+    }
+}
+
+fn head(start: u64) -> BagHead {
+    BagHead {
+        joints: wiping::JOINTS.map(str::to_owned).to_vec(),
+        world_from_surface: surface(),
+        start,
+        notes: BTreeMap::new(),
+    }
+}
+
+/// Writes the made-up log; how many samples it has.
+fn write_bag(path: &Path, rate: f64, start: u64) -> usize {
+    let mut bag = BagWriter::create(path, head(start)).unwrap();
+    bag.write_particles(0.0, &[Point3::origin()]).unwrap();
+    let count = wipe(rate).write(&mut bag).unwrap();
+    bag.finish().unwrap();
+    count
+}
+
+fn in_folder() -> (TempDir, PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("wipe.mcap");
+    (folder, path)
+}
+
+fn refused(path: &Path, options: &LogOptions) -> String {
+    let shown = read(path, options).map(|log| log.samples.len());
+    let shown = shown.expect_err("the log should be refused").to_string();
+    let start = path.display().to_string();
+    assert!(shown.starts_with(&start), "{shown} names the file {start}");
+    shown[start.len()..].to_owned()
+}
+
+fn named(pose: &str, wrench: &str) -> LogOptions {
+    LogOptions {
+        pose_topic: TopicChoice::Named(pose.to_owned()),
+        wrench_topic: TopicChoice::Named(wrench.to_owned()),
+        ..LogOptions::default()
+    }
+}
+
+#[test]
+fn what_is_written_is_read() {
+    let (_folder, path) = in_folder();
+    let count = write_bag(&path, 200.0, 5_000_000_000);
+    let log = read(&path, &LogOptions::default()).unwrap();
+    assert_eq!(log.samples.len(), count);
+    assert_eq!(
+        (log.pose_name.as_str(), log.wrench_name.as_str()),
+        ("/tcp/measured", "/wrench/external")
+    );
+    assert_eq!(
+        (log.axes, log.axes_source),
+        (Axes::World, AxesSource::Logged)
+    );
+    assert_eq!(
+        (log.start, log.repeated, log.unpaired),
+        (5_000_000_000, 0, 0)
+    );
+    assert!(!log.is_unfinished && !active_path(&path).exists());
+    let wiped: Vec<_> = log
+        .samples
+        .iter()
+        .filter(|s| s.force.norm() > 0.0)
+        .collect();
+    for (index, sample) in log.samples.iter().enumerate() {
+        assert!((sample.time - index as f64 / 200.0).abs() < 1e-9);
+        assert!(
+            sample
+                .world_from_tool
+                .rotation
+                .angle_to(&surface().rotation)
+                < 1e-9
+        );
+    }
+    for sample in &wiped {
+        let tip_in_surface = surface().inverse() * sample.world_from_tool;
+        assert!(tip_in_surface.translation.z.abs() < 1e-9);
+        assert!(((surface().rotation.inverse() * sample.force).z - 10.0).abs() < 1e-9);
+    }
+    assert!(wiped.len() > count / 4);
+}
+
+#[test]
+fn the_same_samples_give_the_same_bytes() {
+    let (_folder, path) = in_folder();
+    write_bag(&path, 100.0, 0);
+    let first = fs::read(&path).unwrap();
+    write_bag(&path, 100.0, 0);
+    assert_eq!(first, fs::read(&path).unwrap());
+}
+
+#[test]
+fn samples_that_do_not_fit_are_refused() {
+    let (_folder, path) = in_folder();
+    let mut bag = BagWriter::create(&path, head(0)).unwrap();
+    let sample = |time, joints: &'static [f64]| TelemetrySample {
+        time,
+        positions: joints,
+        velocities: &[0.0; 3],
+        efforts: &[0.0; 3],
+        world_from_commanded: Pose::identity(),
+        world_from_tool: Pose::identity(),
+        controller: Wrench::default(),
+        external: Wrench::default(),
+        motion: 0,
+        phase: Phase::Drive,
+    };
+    let three = &[0.0; 3];
+    bag.write(&sample(0.5, three)).unwrap();
+    let mut refused = |sample: TelemetrySample<'_>| bag.write(&sample).unwrap_err().to_string();
+    assert_eq!(
+        refused(sample(0.5, three)),
+        "a sample's time of 0.5 s is not after that of the sample before, 0.5 s"
+    );
+    assert_eq!(
+        refused(sample(f64::NAN, three)),
+        "a sample's time of NaN s is not within 0 to 1000000000 s"
+    );
+    assert_eq!(
+        refused(sample(0.6, &[0.0])),
+        "a sample has 1 positions, but the bag has 3 joints"
+    );
+}
+
+#[test]
+fn topics_are_chosen_by_name_and_refused_by_name() {
+    let (_folder, path) = in_folder();
+    write_bag(&path, 20.0, 0);
+    let log = read(&path, &named("/tf:tool", "/wrench/controller")).unwrap();
+    assert_eq!(
+        (log.pose_name.as_str(), log.wrench_name.as_str()),
+        ("/tf:tool", "/wrench/controller")
+    );
+    let standing = read(&path, &named("/tf:surface", "/wrench/external")).unwrap();
+    for sample in &standing.samples {
+        assert!((sample.world_from_tool.to_matrix() - surface().to_matrix()).norm() < 1e-9);
+    }
+    let cases = [
+        (
+            "/tcp/mesured",
+            "/wrench/external",
+            ": unknown topic \"/tcp/mesured\"; nearest: /tcp/measured; known: ",
+        ),
+        (
+            "/tf",
+            "/wrench/external",
+            ": 2 topics hold a pose, and one has to be chosen: /tf:tool, /tf:surface",
+        ),
+        (
+            "/tf:tol",
+            "/wrench/external",
+            ": unknown child frame \"tol\"; nearest: tool; known: tool, surface",
+        ),
+        (
+            "/phase",
+            "/wrench/external",
+            ": topic /phase of type std_msgs/msg/String: there is no pose in it",
+        ),
+        (
+            "/tcp/measured:pos",
+            "/wrench/external",
+            ": topic /tcp/measured of type geometry_msgs/msg/PoseStamped: there is no pose in \"pos\"",
+        ),
+        (
+            "/tcp/measured",
+            "/tf",
+            ": topic /tf of type tf2_msgs/msg/TFMessage: there is no wrench in it",
+        ),
+    ];
+    for (pose, wrench, expected) in cases {
+        let shown = refused(&path, &named(pose, wrench));
+        assert!(shown.starts_with(expected), "{shown}");
+    }
+}
