@@ -49,13 +49,13 @@ pub enum Error {
     Asset(String),
     /// A knowledge file that is refused.
     #[error(transparent)]
-    Knowledge(#[from] KnowledgeFileError),
+    Knowledge(Box<KnowledgeFileError>),
     /// A PDDL domain that is refused.
     #[error(transparent)]
-    Domain(#[from] GoalError),
+    Domain(Box<GoalError>),
     /// A task file that is refused.
     #[error(transparent)]
-    Task(#[from] TaskError),
+    Task(Box<TaskError>),
     /// A goal that leads to no action.
     #[error("{file}: goal {literal:?}: {error}")]
     Goal {
@@ -65,7 +65,7 @@ pub enum Error {
         literal: String,
         /// Why.
         #[source]
-        error: GoalError,
+        error: Box<GoalError>,
     },
     /// An action that was asked for and does not reach the goal.
     #[error("{file}: --action {asked} contradicts the goal {literal}, which takes {needed}")]
@@ -97,15 +97,33 @@ pub enum Error {
         file: String,
         /// Why.
         #[source]
-        error: RobotError,
+        error: Box<RobotError>,
     },
     /// A shipped robot or an SRDF that is refused.
     #[error(transparent)]
-    Robot(#[from] RobotError),
+    Robot(Box<RobotError>),
     /// A capability map that is refused.
     #[error(transparent)]
-    Map(#[from] MapError),
+    Map(Box<MapError>),
 }
+
+macro_rules! boxed {
+    ($($variant:ident($error:ty)),*) => {
+        $(impl From<$error> for Error {
+            fn from(error: $error) -> Self {
+                Self::$variant(Box::new(error))
+            }
+        })*
+    };
+}
+
+boxed!(
+    Knowledge(KnowledgeFileError),
+    Domain(GoalError),
+    Task(TaskError),
+    Robot(RobotError),
+    Map(MapError)
+);
 
 impl Error {
     pub(crate) fn unusable(path: &Path, problem: impl ToString) -> Self {

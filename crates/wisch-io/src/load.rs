@@ -145,7 +145,7 @@ fn choose(
             let in_file = |error| Error::Goal {
                 file: shown.to_owned(),
                 literal: literal.clone(),
-                error,
+                error: Box::new(error),
             };
             let goal = GoalLiteral::parse(literal).map_err(in_file)?;
             let tools: Vec<&str> = available_tools.iter().map(String::as_str).collect();

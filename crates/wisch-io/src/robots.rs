@@ -38,12 +38,6 @@ pub struct RobotFiles {
     pub meshes: Vec<(String, Vec<u8>)>,
 }
 
-/// The text of one file, with the name under which messages speak of it.
-struct Named<T> {
-    name: String,
-    contents: T,
-}
-
 impl Robot {
     /// The robot as a session takes it.
     pub const fn performer(&self) -> Performer<'_> {
@@ -136,28 +130,14 @@ pub fn shipped_robots() -> impl Iterator<Item = &'static str> {
 fn built_in(name: &str) -> Result<Robot, Error> {
     let text = |extension: &str| {
         let file = BUILT_IN.get_file(format!("{name}.{extension}"))?;
-        Some(Named {
-            name: format!("built-in {name}.{extension}"),
-            contents: file.contents_utf8()?,
-        })
+        let text = file.contents_utf8()?.to_owned();
+        Some((format!("built-in {name}.{extension}"), text))
     };
-    let urdf = text("urdf")
+    let (urdf_name, urdf) = text("urdf")
         .ok_or_else(|| Error::UnknownRobot(UnknownName::new("robot", name, shipped_robots())))?;
     let mut no_meshes = |file: &str| Err(format!("{file}: built-in robots have no meshes"));
-    let model = RobotModel::from_urdf(&urdf.name, urdf.contents, &mut no_meshes)?;
-    let srdf = (text("srdf"))
-        .map(|srdf| Srdf::parse(&srdf.name, srdf.contents, &model))
-        .transpose()?;
-    Ok(Robot {
-        model,
-        srdf,
-        map: None,
-        files: RobotFiles {
-            urdf: urdf.contents.to_owned(),
-            srdf: text("srdf").map(|srdf| srdf.contents.to_owned()),
-            meshes: Vec::new(),
-        },
-    })
+    let model = RobotModel::from_urdf(&urdf_name, &urdf, &mut no_meshes)?;
+    robot(model, urdf, text("srdf"), Vec::new())
 }
 
 fn files(urdf: &Path, srdf: Option<&Path>, packages: &[(String, PathBuf)]) -> Result<Robot, Error> {
@@ -171,26 +151,34 @@ fn files(urdf: &Path, srdf: Option<&Path>, packages: &[(String, PathBuf)]) -> Re
         Ok(bytes)
     };
     let model = RobotModel::from_urdf(&name, &text, &mut keep).map_err(|error| Error::Urdf {
-        file: name.clone(),
-        error,
+        file: name,
+        error: Box::new(error),
     })?;
     let beside_urdf = urdf.with_extension("srdf");
     let srdf = match srdf {
         Some(path) => Some(path),
         None => beside_urdf.is_file().then_some(beside_urdf.as_path()),
     };
-    let srdf_text = srdf.map(read_text).transpose()?;
-    let srdf = (srdf.zip(srdf_text.as_deref()))
-        .map(|(path, text)| Srdf::parse(&path.display().to_string(), text, &model))
-        .transpose()?;
+    let srdf = srdf.map(|path| Ok::<_, Error>((path.display().to_string(), read_text(path)?)));
+    robot(model, text, srdf.transpose()?, found)
+}
+
+/// A robot without a map; `srdf` is the name and the text of its SRDF.
+fn robot(
+    model: RobotModel,
+    urdf: String,
+    srdf: Option<(String, String)>,
+    meshes: Vec<(String, Vec<u8>)>,
+) -> Result<Robot, Error> {
+    let parsed = (srdf.as_ref()).map(|(name, text)| Srdf::parse(name, text, &model));
     Ok(Robot {
+        srdf: parsed.transpose()?,
         model,
-        srdf,
         map: None,
         files: RobotFiles {
-            urdf: text,
-            srdf: srdf_text,
-            meshes: found,
+            urdf,
+            srdf: srdf.map(|(_, text)| text),
+            meshes,
         },
     })
 }

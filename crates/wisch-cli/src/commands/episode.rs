@@ -223,7 +223,7 @@ fn attach_round(done: &Done, attach: &Attach<'_>) -> Result<(), Failure> {
     if let Some(truth) = &done.truth {
         attach(
             &name(PARTICLES_TRUE_FILE),
-            particles_to_csv(&truth).as_bytes(),
+            particles_to_csv(truth).as_bytes(),
         )?;
     }
     Ok(())

@@ -112,14 +112,7 @@ pub fn performer(chosen: &Chosen<'_>, task_args: &TaskArgs) -> Result<Robot, Fai
 
 /// Which part of the robot wipes, and where the robot stands.
 pub fn workcell_config(chosen: &Chosen<'_>, prepared: &Prepared) -> WorkcellConfig {
-    let record = &chosen.record;
-    WorkcellConfig {
-        group: record.group.clone(),
-        second_group: record.second_group.clone(),
-        world_from_robot: (record.world_from_robot)
-            .or_else(|| prepared.task.robot_before_surface()),
-        ..WorkcellConfig::default()
-    }
+    chosen.record.workcell_config(&prepared.task)
 }
 
 /// Robot, tool and scene, and what is known of the robot's reach.

@@ -75,7 +75,7 @@ pub(super) fn write(
         let estimated = told.belief.sample(prepared.task.seed).map_err(internal)?;
         folder.write(PARTICLES_ESTIMATED_FILE, particles_to_csv(&estimated))?;
         if let Some(truth) = &last.truth {
-            folder.write(PARTICLES_TRUE_FILE, particles_to_csv(&truth))?;
+            folder.write(PARTICLES_TRUE_FILE, particles_to_csv(truth))?;
         }
         let summaries = results.rounds.iter().map(summary_of_round);
         let rounds: Vec<_> = summaries.map(RoundSummary::without_timing).collect();

@@ -79,7 +79,7 @@ pub enum KnowledgeFileError {
         at: Place,
         /// The name and those near it.
         #[source]
-        error: KnowledgeError,
+        error: Box<KnowledgeError>,
     },
     /// A number outside its limits.
     #[error("{at}: {field} = {value} is outside its limits: {limits}")]

@@ -192,7 +192,7 @@ impl Source<'_> {
     ) -> Result<T, KnowledgeFileError> {
         found.map_err(|error| KnowledgeFileError::UnknownReference {
             at: self.place(name),
-            error,
+            error: Box::new(error),
         })
     }
 

@@ -4,6 +4,7 @@
 //! depends on the clock or the machine, so the same task and seed give the same bytes.
 
 use serde::{Deserialize, Serialize};
+use std::ops::RangeInclusive;
 use wisch::geometry::{PlanarPose, Point2, Pose};
 use wisch::plan::{Node, NodeRole, Plan, SemanticDirectedGraph, Stroke, TcpWaypoint};
 use wisch::represent::{GoalState, Task, UnknownName};
@@ -408,31 +409,27 @@ impl PlanRecord {
 
     fn check_numbers(&self) -> Result<(), PlanRecordError> {
         let length =
-            |place: &str, value: f64| within(place, value, 0.0, MAX_COORDINATE, "0 to 10000 m");
-        let point = |place: &str, [x, y]: [f64; 2]| {
-            let limits = "-10000 to 10000 m";
-            within(
-                &format!("{place}: x"),
-                x,
-                -MAX_COORDINATE,
-                MAX_COORDINATE,
-                limits,
-            )?;
-            within(
-                &format!("{place}: y"),
-                y,
-                -MAX_COORDINATE,
-                MAX_COORDINATE,
-                limits,
-            )
+            |place: &str, value| within(place, value, 0.0..=MAX_COORDINATE, "0 to 10000 m");
+        let point = |place: &str, point: [f64; 2]| {
+            ["x", "y"]
+                .into_iter()
+                .zip(point)
+                .try_for_each(|(axis, value)| {
+                    let limits = -MAX_COORDINATE..=MAX_COORDINATE;
+                    within(
+                        &format!("{place}: {axis}"),
+                        value,
+                        limits,
+                        "-10000 to 10000 m",
+                    )
+                })
         };
         length("collision_radius_m", self.collision_radius_m)?;
         length("lift_height_m", self.lift_height_m)?;
         within(
             "unreachable_share",
             self.unreachable_share,
-            0.0,
-            1.0,
+            0.0..=1.0,
             "0 to 1",
         )?;
         point("tool_start_in_surface_m", self.tool_start_in_surface_m)?;
@@ -451,13 +448,8 @@ impl PlanRecord {
             for (j, pose) in stroke.surface_from_tool.iter().enumerate() {
                 let place = format!("strokes[{i}].surface_from_tool[{j}]");
                 point(&place, [pose.x_m, pose.y_m])?;
-                within(
-                    &format!("{place}.heading_rad"),
-                    pose.heading_rad,
-                    -MAX_HEADING,
-                    MAX_HEADING,
-                    "-1e6 to 1e6 rad",
-                )?;
+                let (place, turns) = (format!("{place}.heading_rad"), -MAX_HEADING..=MAX_HEADING);
+                within(&place, pose.heading_rad, turns, "-1e6 to 1e6 rad")?;
             }
         }
         Ok(())
@@ -467,12 +459,11 @@ impl PlanRecord {
 fn within(
     place: &str,
     value: f64,
-    least: f64,
-    most: f64,
+    range: RangeInclusive<f64>,
     limits: &'static str,
 ) -> Result<(), PlanRecordError> {
     // NaN is not within anything.
-    if (least..=most).contains(&value) {
+    if range.contains(&value) {
         return Ok(());
     }
     Err(PlanRecordError::OutOfRange {

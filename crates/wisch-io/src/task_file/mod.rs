@@ -16,10 +16,9 @@ pub use error::TaskError;
 pub use resolve::ReadFile;
 
 use crate::particles::ParticleSource;
-use wisch::geometry::{Point2, Polygon, Pose, Vector3};
-use wisch::represent::Action;
-#[cfg(doc)]
-use wisch::represent::Task;
+use wisch::follow::WorkcellConfig;
+use wisch::geometry::{Point2, Pose, Vector3};
+use wisch::represent::{Action, ScenePart, Surface, Task};
 use wisch::source_location::Place;
 
 /// What a task file asks for.
@@ -72,21 +71,30 @@ pub struct RobotRecord {
     pub world_from_robot: Option<Pose>,
 }
 
+impl RobotRecord {
+    /// Which part of the robot wipes, and where the robot stands: where the file says, or else where the task's
+    /// scene shows it, facing the surface.
+    pub fn workcell_config(&self, task: &Task) -> WorkcellConfig {
+        WorkcellConfig {
+            group: self.group.clone(),
+            second_group: self.second_group.clone(),
+            world_from_robot: (self.world_from_robot).or_else(|| task.robot_before_surface()),
+            ..WorkcellConfig::default()
+        }
+    }
+}
+
 /// A task file as typed: every key known, every number within its range, every value consistent.
 /// What it refers to, knowledge and other files, is looked up by [`TaskFile::resolve`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct TaskFile {
-    contents: Contents,
-}
-
-#[derive(Debug, Clone, PartialEq)]
-struct Contents {
     name: String,
     seed: u64,
     intent: Intent,
     strategy: Option<String>,
     target_performance: f64,
-    tool: ToolRecord,
+    tool_at: Place,
+    tool_start: Option<Point2>,
     medium_at: Place,
     surface: SurfaceRecord,
     robot: Option<RobotRecord>,
@@ -102,18 +110,9 @@ struct Contents {
 }
 
 #[derive(Debug, Clone, PartialEq)]
-struct ToolRecord {
-    at: Place,
-    start: Option<Point2>,
-}
-
-#[derive(Debug, Clone, PartialEq)]
 struct SurfaceRecord {
     at: Place,
-    name: String,
-    outline: Polygon,
-    world_from_surface: Pose,
-    skim_edges: Vec<usize>,
+    surface: Surface,
     /// Index of the scene object whose face the surface is.
     carried_by: Option<usize>,
 }
@@ -125,7 +124,7 @@ struct ObjectRecord {
     shape: Shape,
     frame: Frame,
     frame_from_object: Pose,
-    role: Role,
+    part: ScenePart,
 }
 
 /// The table `[execution]`: what a simulated execution is to take for real, and neither the plan nor the
@@ -157,14 +156,6 @@ pub struct ExecutionRecord {
 enum Frame {
     World,
     Surface,
-}
-
-/// What an object is to the collision sphere.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Role {
-    Obstacle,
-    Robot,
-    Tool,
 }
 
 /// The form of an object about its own origin [m].
@@ -203,69 +194,66 @@ impl TaskFile {
     /// # Ok::<(), wisch_io::TaskError>(())
     /// ```
     pub fn parse(name: &str, text: &str, settings: &[(String, String)]) -> Result<Self, TaskError> {
-        let source = tree::Source::new(name, text, settings);
-        Ok(Self {
-            contents: record::read(&source)?,
-        })
+        record::read(&tree::Source::new(name, text, settings))
     }
 
     /// What is asked for.
     pub fn intent(&self) -> &Intent {
-        &self.contents.intent
+        &self.intent
     }
 
     /// The robot that is to do it, if the file names one.
     pub fn robot(&self) -> Option<&RobotRecord> {
-        self.contents.robot.as_ref()
+        self.robot.as_ref()
     }
 
     /// Name of the task.
     pub fn name(&self) -> &str {
-        &self.contents.name
+        &self.name
     }
 
     /// Seed of everything random in the task; 0 unless given.
     pub fn seed(&self) -> u64 {
-        self.contents.seed
+        self.seed
     }
 
     /// Name of the coverage strategy, as typed; `None` leaves it to the program.
     pub fn strategy(&self) -> Option<&str> {
-        self.contents.strategy.as_deref()
+        self.strategy.as_deref()
     }
 
     /// Name of the target surface in the knowledge base.
     pub fn surface(&self) -> &str {
-        &self.contents.surface.name
+        &self.surface.surface.name
     }
 
     /// Bandwidth h of the density estimate [m]; `None` takes it from the particles.
     pub fn bandwidth_m(&self) -> Option<f64> {
-        self.contents.bandwidth
+        self.bandwidth
     }
 
     /// How high the tool is lifted between strokes [m].
     pub fn lift_height_m(&self) -> f64 {
-        self.contents.lift_height
+        self.lift_height
     }
 
     /// What a simulated execution is to take for real.
     pub fn execution(&self) -> &ExecutionRecord {
-        &self.contents.execution
+        &self.execution
     }
 
     /// How many rounds there may be, `execution.max_rounds`.
     pub fn max_rounds(&self) -> usize {
-        self.contents.max_rounds
+        self.max_rounds
     }
 
     /// How many plans the prediction chooses from.
     pub fn plan_variants(&self) -> usize {
-        self.contents.variants
+        self.variants
     }
 
     /// The performance at which the task counts as done, in [0, 1].
     pub fn target_performance(&self) -> f64 {
-        self.contents.target_performance
+        self.target_performance
     }
 }

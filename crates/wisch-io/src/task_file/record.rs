@@ -4,15 +4,15 @@ use super::outline::Outline;
 use super::reader::{Field, Section};
 use super::tree::Source;
 use super::{
-    Contents, Frame, Intent, ObjectRecord, RobotDescription, RobotRecord, Role, Shape,
-    SurfaceRecord, TaskError, ToolRecord,
+    Frame, Intent, ObjectRecord, RobotDescription, RobotRecord, Shape, SurfaceRecord, TaskError,
+    TaskFile,
 };
 use crate::particles::{MaskSource, ParticleSource};
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 use wisch::geometry::{Point2, Pose, Vector2, Vector3};
-use wisch::represent::{Action, Cluster, MAX_PARTICLES};
+use wisch::represent::{Action, Cluster, MAX_PARTICLES, ScenePart, Surface};
 use wisch::source_location::{Place, UnknownName};
 
 /// The schema that this version reads.
@@ -164,7 +164,7 @@ pub(super) const ALL_KEYS: [&[&str]; 16] = [
     PLAN_KEYS,
 ];
 
-pub(super) fn read(source: &Source<'_>) -> Result<Contents, TaskError> {
+pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
     let tree = source.tree()?;
     let root = Field::root(source, &tree);
     // Another schema may well have other keys, so it is looked at first.
@@ -217,7 +217,7 @@ pub(super) fn read(source: &Source<'_>) -> Result<Contents, TaskError> {
     };
     let particles = root.require("particles")?;
     let (execution, max_rounds) = super::execution::execution(root.get("execution").as_ref())?;
-    Ok(Contents {
+    Ok(TaskFile {
         name: root.require("name")?.name()?,
         seed: match root.get("seed") {
             Some(field) => field.integer(0..=u64::MAX)?,
@@ -229,13 +229,10 @@ pub(super) fn read(source: &Source<'_>) -> Result<Contents, TaskError> {
             &SHARE,
             TARGET_PERFORMANCE_DEFAULT,
         )?,
-        tool: ToolRecord {
-            at: named(tool),
-            start: match tool.and_then(|tool| tool.get("start_m")) {
-                Some(field) => Some(field.point(&POSITION_M)?),
-                None => None,
-            },
-        },
+        tool_at: named(tool),
+        tool_start: (tool.and_then(|tool| tool.get("start_m")))
+            .map(|field| field.point(&POSITION_M))
+            .transpose()?,
         medium_at: named(medium),
         surface: surface(&root.require("surface")?, &scene)?,
         robot: root.get("robot").map(|f| robot(&f)).transpose()?,
@@ -364,10 +361,12 @@ fn surface(field: &Field<'_>, scene: &[ObjectRecord]) -> Result<SurfaceRecord, T
     };
     Ok(SurfaceRecord {
         at: name.place(),
-        name: name.name()?,
-        outline: outline.polygon,
-        world_from_surface: pose(section)?,
-        skim_edges,
+        surface: Surface {
+            name: name.name()?,
+            outline: outline.polygon,
+            world_from_surface: pose(section)?,
+            skim_edges,
+        },
         carried_by,
     })
 }
@@ -446,9 +445,9 @@ fn scene(field: &Field<'_>) -> Result<Vec<ObjectRecord>, TaskError> {
         }
         let frames = [("world", Frame::World), ("surface", Frame::Surface)];
         let roles = [
-            ("obstacle", Role::Obstacle),
-            ("robot", Role::Robot),
-            ("tool", Role::Tool),
+            ("obstacle", ScenePart::Obstacle),
+            ("robot", ScenePart::Robot),
+            ("tool", ScenePart::Tool),
         ];
         objects.push(ObjectRecord {
             at: name_field.place(),
@@ -459,9 +458,9 @@ fn scene(field: &Field<'_>) -> Result<Vec<ObjectRecord>, TaskError> {
                 None => Frame::World,
             },
             frame_from_object: pose(section)?,
-            role: match section.get("role") {
+            part: match section.get("role") {
                 Some(field) => known(&field, "role", &roles)?,
-                None => Role::Obstacle,
+                None => ScenePart::Obstacle,
             },
         });
     }

@@ -1,14 +1,14 @@
 //! From what was typed to what is meant: knowledge looked up, files read, particles drawn.
 
-use super::{Frame, ObjectRecord, Role, Shape, TaskError, TaskFile};
+use super::{Frame, ObjectRecord, Shape, TaskError, TaskFile};
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
 use wisch::geometry::{
     Bounds2, Mesh, MeshFormat, Point2, Point3, Polygon, Region, Vector2, footprint,
 };
 use wisch::represent::{
     Action, DirtArea, Interaction, KnowledgeBase, KnowledgeError, OccupiedArea,
-    ParticleDistribution, SceneObject, ScenePart, Surface, Task, Tool, ToolEntry,
-    cluster_particles, uniform_particles,
+    ParticleDistribution, SceneObject, ScenePart, Task, Tool, ToolEntry, cluster_particles,
+    uniform_particles,
 };
 use wisch::source_location::Place;
 
@@ -48,13 +48,7 @@ impl TaskFile {
         assets: &mut ReadFile<'_>,
         knowledge_assets: &mut ReadFile<'_>,
     ) -> Result<Task, TaskError> {
-        let contents = &self.contents;
-        let surface = Surface {
-            name: contents.surface.name.clone(),
-            outline: contents.surface.outline.clone(),
-            world_from_surface: contents.surface.world_from_surface,
-            skim_edges: contents.surface.skim_edges.clone(),
-        };
+        let surface = self.surface.surface.clone();
         let known_at = |place: &Place| {
             let at = place.clone();
             move |error: KnowledgeError| TaskError::Knowledge {
@@ -62,11 +56,11 @@ impl TaskFile {
                 error: Box::new(error),
             }
         };
-        (knowledge.surface(&surface.name)).map_err(known_at(&contents.surface.at))?;
+        (knowledge.surface(&surface.name)).map_err(known_at(&self.surface.at))?;
         knowledge
             .medium(medium)
-            .map_err(known_at(&contents.medium_at))?;
-        let tool_at = &contents.tool.at;
+            .map_err(known_at(&self.medium_at))?;
+        let tool_at = &self.tool_at;
         let entry = knowledge.tool(tool).map_err(known_at(tool_at))?;
         let interaction = knowledge
             .interaction(tool, medium, &surface.name)
@@ -85,7 +79,7 @@ impl TaskFile {
         }
         if action == Action::Skim && surface.skim_edges.is_empty() {
             return Err(TaskError::Missing {
-                at: contents.surface.at.clone(),
+                at: self.surface.at.clone(),
                 table: "surface".to_owned(),
                 key: "skim_edges",
             });
@@ -93,19 +87,16 @@ impl TaskFile {
         let tool = resolved_tool(entry, interaction, tool_at, knowledge_assets)?;
         let scene = self.scene(assets)?;
         let mut task = Task {
-            name: contents.name.clone(),
+            name: self.name.clone(),
             action,
-            tool_start: contents
-                .tool
-                .start
-                .unwrap_or_else(|| start_before(&surface.outline)),
+            tool_start: (self.tool_start).unwrap_or_else(|| start_before(&surface.outline)),
             surface,
             scene,
             tool,
             medium: medium.to_owned(),
             interaction: interaction.clone(),
             particles: ParticleDistribution::default(),
-            collect_goal: contents.collect_goal,
+            collect_goal: self.collect_goal,
             seed,
         };
         let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
@@ -119,21 +110,19 @@ impl TaskFile {
 
     /// The objects of the scene with what each is to the task.
     fn scene(&self, assets: &mut ReadFile<'_>) -> Result<Vec<SceneObject>, TaskError> {
-        let surface = &self.contents.surface;
-        (self.contents.scene.iter().enumerate())
+        let world_from_surface = self.surface.surface.world_from_surface;
+        (self.scene.iter().enumerate())
             .map(|(i, object)| {
                 Ok(SceneObject {
                     name: object.name.clone(),
-                    part: match object.role {
-                        _ if surface.carried_by == Some(i) => ScenePart::Carrier,
-                        Role::Obstacle => ScenePart::Obstacle,
-                        Role::Robot => ScenePart::Robot,
-                        Role::Tool => ScenePart::Tool,
+                    part: match self.surface.carried_by {
+                        Some(carrier) if carrier == i => ScenePart::Carrier,
+                        _ => object.part,
                     },
                     mesh: object.mesh(assets)?,
                     world_from_object: match object.frame {
                         Frame::World => object.frame_from_object,
-                        Frame::Surface => surface.world_from_surface * object.frame_from_object,
+                        Frame::Surface => world_from_surface * object.frame_from_object,
                     },
                 })
             })
@@ -146,8 +135,8 @@ impl TaskFile {
         seed: u64,
         assets: &mut ReadFile<'_>,
     ) -> Result<ParticleDistribution, TaskError> {
-        let at = &self.contents.particles_at;
-        let particles = match &self.contents.particles {
+        let at = &self.particles_at;
+        let particles = match &self.particles {
             ParticleSource::Uniform { count } => {
                 uniform_particles(area, *count, seed).map_err(Into::into)
             }

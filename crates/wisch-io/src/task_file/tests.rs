@@ -368,7 +368,7 @@ proptest! {
         let text = format!("outline_m = {points:?}").replace('(', "[").replace(')', "]");
         let text = small_with(&[("size_m = [0.5, 0.4]", &text), ("[\"y_min\"]", "[0]")]);
         if let Ok(file) = parsed(&text) {
-            prop_assert!(file.contents.surface.outline.area() >= 1e-6);
+            prop_assert!(file.surface.surface.outline.area() >= 1e-6);
         }
     }
 }
