@@ -2,9 +2,9 @@
 
 use divan::Bencher;
 use std::path::Path;
-use wisch::execute::{TelemetrySample, Wrench};
 use wisch::follow::Phase;
 use wisch::geometry::{Pose, Vector3};
+use wisch::run::{TelemetrySample, Wrench};
 use wisch_telemetry::{BagHead, BagWriter, LogOptions, read};
 
 const SAMPLES: usize = 1000;

@@ -6,6 +6,7 @@ use include_dir::{Dir, include_dir};
 use std::path::{Path, PathBuf};
 use wisch::represent::{RobotDescription, UnknownName};
 use wisch::robot::{CapabilityMap, RobotHash, RobotModel, Srdf};
+use wisch::run::Performer;
 
 /// The robots folder as it was when the program was built.
 static BUILT_IN: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../robots");
@@ -43,6 +44,15 @@ struct Named<T> {
 }
 
 impl Robot {
+    /// The robot as a session takes it.
+    pub const fn performer(&self) -> Performer<'_> {
+        Performer {
+            robot: &self.model,
+            srdf: self.srdf.as_ref(),
+            map: self.map.as_ref(),
+        }
+    }
+
     /// Reads a robot. `task_file` is what paths of the description count from; `map_file` is the
     /// user's capability map.
     ///

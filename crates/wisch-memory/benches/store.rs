@@ -10,7 +10,7 @@ use divan::counter::{BytesCount, ItemsCount};
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use tempfile::TempDir;
-use wisch::execute::TelemetrySample;
+use wisch::run::TelemetrySample;
 use wisch_memory::{
     Catalogue, EpisodeRecord, Frames, Memory, RoundScene, Sampling, Telemetry, TelemetryWriter,
 };

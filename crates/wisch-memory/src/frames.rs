@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use wisch::geometry::Pose;
 use wisch::robot::{LinkId, RobotError, RobotModel};
-use wisch::run::Motion;
+use wisch::run::PlannedRound;
 
 /// Version of [`RoundScene`].
 pub const SCENE_SCHEMA: u32 = 1;
@@ -73,7 +73,7 @@ impl From<StoredPose> for Pose {
 
 impl RoundScene {
     /// The scene of a round.
-    pub fn of(motion: &Motion) -> Self {
+    pub fn of(motion: &PlannedRound) -> Self {
         let cell = &motion.cell;
         let robot = cell.robot();
         Self {

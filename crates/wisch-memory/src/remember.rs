@@ -9,12 +9,11 @@ pub use logged::remember_log;
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
 use log::Span;
 use std::collections::BTreeMap;
-use wisch::execute::Ending;
 use wisch::geometry::{Point2, Polygon};
 use wisch::interpret::{Diagnosis, Event, EventKind, Interpretation, PathPiece, Touch};
 use wisch::recover::Verdict;
 use wisch::represent::{Action, GoalState, Task};
-use wisch::run::Motion;
+use wisch::run::{Ending, PlannedRound};
 
 /// What an episode is besides its rounds.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,7 +34,7 @@ pub struct EpisodeHeader {
 #[derive(Debug, Clone)]
 pub struct EpisodeRound<'a> {
     /// What was to be done: task, plan and motion.
-    pub motion: &'a Motion,
+    pub motion: &'a PlannedRound,
     /// Which motions were when, as seen while they were executed.
     pub log: &'a RoundLog,
     /// How long the execution took, in the robot's time [s].

@@ -2,10 +2,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
-use wisch::execute::{TelemetrySample, Wrench};
 use wisch::follow::Phase;
 use wisch::geometry::Pose;
 use wisch::robot::RobotModel;
+use wisch::run::{TelemetrySample, Wrench};
 use wisch_memory::{
     Frames, RoundScene, Sampling, StoredPose, Telemetry, TelemetryHead, TelemetryWriter,
 };

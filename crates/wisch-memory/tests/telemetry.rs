@@ -2,9 +2,9 @@
 
 use proptest::prelude::*;
 use std::path::Path;
-use wisch::execute::{TelemetrySample, Wrench};
 use wisch::follow::Phase;
 use wisch::geometry::{Pose, Vector3};
+use wisch::run::{TelemetrySample, Wrench};
 use wisch_memory::telemetry::PHASES;
 use wisch_memory::{Mark, Telemetry, TelemetryError, TelemetryHead, TelemetryWriter};
 

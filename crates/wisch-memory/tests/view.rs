@@ -2,9 +2,9 @@
 
 use std::path::Path;
 use tempfile::TempDir;
-use wisch::execute::{TelemetrySample, Wrench};
 use wisch::follow::Phase;
 use wisch::geometry::{Polygon, Pose, Vector2, Vector3};
+use wisch::run::{TelemetrySample, Wrench};
 use wisch_memory::ask::Term;
 use wisch_memory::view::{
     Colour, DirtState, Emphasis, Figure, MAX_POSES, Surroundings, View, ViewError, gather,

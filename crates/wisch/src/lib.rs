@@ -15,7 +15,7 @@
 //!
 //! Units are SI and radians; frames are named in the identifiers (`surface_from_tool`).
 
-pub mod execute;
+pub mod control;
 pub mod follow;
 pub mod geometry;
 pub mod interpret;

@@ -1,23 +1,15 @@
 //! The control loop allocates nothing once it runs: a robot must not wait for an allocator. The engine that
 //! stands in for the world does allocate, so the loop's parts are watched alone, from their own source.
 
-#[path = "../src/execute/controller.rs"]
-#[allow(dead_code, reason = "some of it is for tests of its own")]
-mod controller;
-#[path = "../src/execute/observer.rs"]
-mod observer;
-
-use controller::{Desired, ImpedanceController, Measured, Posture};
 use nalgebra::{Matrix6xX, Vector6};
-use observer::MomentumObserver;
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region as Watched, StatsAlloc};
 use std::alloc::System;
-use wisch::execute::{ExecuteConfig, Wrench};
+use wisch::control::{
+    ControlConfig, Desired, ImpedanceController, Measured, MomentumObserver, Posture, Wrench,
+};
 use wisch::geometry::{Point3, Pose, Vector3};
 use wisch::represent::{Action, Interaction, LogNormal, SurfaceScope};
 use wisch::robot::{Articulation, RobotModel};
-// What the watched sources import, under the names that they know it by.
-use wisch::{geometry, represent, robot};
 
 #[global_allocator]
 static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
@@ -56,7 +48,7 @@ fn a_period_of_control_allocates_nothing() {
     let moving = Articulation::new(&robot, &Pose::identity(), &q, &vec![true; count], &[]).unwrap();
     let (carrier, _) = moving.carrier(robot.link("right_tcp").unwrap());
     let carrier = carrier.unwrap();
-    let config = ExecuteConfig::default();
+    let config = ControlConfig::default();
     let ranges = all.iter().map(|&i| robot.variable(i).limits.position);
     let mut controller = ImpedanceController::new(
         all.clone(),

@@ -1,8 +1,8 @@
 //! A made-up log: a tool that wipes a surface in rows.
 
-use wisch::execute::{TelemetrySample, Wrench};
 use wisch::follow::Phase;
 use wisch::geometry::{Pose, Vector3};
+use wisch::run::{TelemetrySample, Wrench};
 use wisch_telemetry::{BagWriter, WriteError};
 
 /// How the made-up tool wipes.

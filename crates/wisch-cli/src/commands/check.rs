@@ -2,14 +2,17 @@
 
 use super::follow::{Chosen, can_start, stand_in_words, workcell};
 use super::prepare::Prepared;
+use super::results::internal;
 use super::words::{counted, percent};
 use crate::args::{CheckArgs, GlobalArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print};
+use std::ops::ControlFlow;
 use wisch::geometry::{Bounds2, Point2};
-use wisch::plan::{FreeSpace, NodeRole, Plan, plan};
+use wisch::plan::{FreeSpace, NodeRole, Plan};
 use wisch::represent::{GoalState, Task};
+use wisch::run::{NoExecutor, RunConfig, RunEvent, Session, Stage};
 
 /// Points along the longer side of the surface at which free space is looked up.
 const RASTER: usize = 120;
@@ -25,19 +28,28 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     progress.say("looking for free space");
     let room = Room::of(&prepared.task).map_err(failure)?;
     progress.say(format!("planning ({})", prepared.strategy()));
-    let plan = plan(&prepared.task, &prepared.config).map_err(failure)?;
+    let config = RunConfig {
+        plan: prepared.config.clone(),
+        variants: prepared.file.plan_variants(),
+        ..RunConfig::default()
+    };
+    let mut session = Session::new(&prepared.task, config);
+    let unwatched = &mut |_: &RunEvent<'_>| ControlFlow::Continue(());
+    (session.run_until(Stage::Planned, &mut NoExecutor, unwatched))
+        .map_err(|error| prepared.failure(&args.task, error))?;
+    let plan = (session.plan()).ok_or_else(|| internal("no plan was made"))?;
     progress.say("reading the robot");
     let robot = match Chosen::new(&args.robot, &prepared)? {
         Some(chosen) => {
             let (cell, _) = workcell(&chosen, &args.task, &prepared)?;
-            can_start(&cell, &chosen, &args.task, &prepared, &plan)?;
+            can_start(&cell, &chosen, &args.task, &prepared, plan)?;
             stand_in_words(&cell)
         }
         None => "none; the plan can be predicted, but not followed".to_owned(),
     };
     drop(progress);
     if !global.quiet {
-        print(&explanation(&prepared, &room, &plan, robot))?;
+        print(&explanation(&prepared, &room, plan, robot))?;
     }
     Ok(Outcome::Done)
 }

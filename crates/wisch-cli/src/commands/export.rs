@@ -1,7 +1,7 @@
 //! `wisch memory export`: episodes in the form in which openEASE and KnowRob keep theirs.
 
+use super::episode::{PROGRAM, now};
 use super::memory::{broken, open};
-use super::remember::{PROGRAM, now};
 use super::words::counted;
 use crate::args::{ExportArgs, GlobalArgs};
 use crate::failure::Failure;

@@ -4,21 +4,20 @@ use super::prepare::Prepared;
 use super::words::percent;
 use crate::args::{RobotArgs, TaskArgs};
 use crate::failure::Failure;
-use crate::progress::Progress;
 use crate::records::FollowingSummary;
 use crate::report::{
     Contact, Frames, MotionInput, ParticleFrame, Phase as ShownPhase, Placement, RatedPlace,
 };
 use crate::robots::Robot;
-use std::time::Instant;
 use wisch::follow::{
     AbandonedNode, Audit, FollowConfig, FollowError, Followed, Phase, TrajectorySample, Workcell,
-    WorkcellConfig, audit, follow,
+    WorkcellConfig, follow,
 };
 use wisch::geometry::{Pose, Vector3};
 use wisch::plan::Plan;
 use wisch::represent::{Fate, RobotDescription, RobotRecord, ScenePart, Task};
 use wisch::robot::CapabilityMap;
+use wisch::run::Session;
 
 /// What `--robot` says to leave the robot out.
 const NO_ROBOT: &str = "none";
@@ -35,7 +34,9 @@ pub struct Following {
     pub followed: Followed,
     /// What an independent check says of it.
     pub audit: Audit,
-    /// How long finding it took [s].
+    /// Share of the particles that abandoned nodes cost [1].
+    pub abandoned_share: f64,
+    /// How long finding and checking it took [s].
     pub time_s: f64,
 }
 
@@ -172,43 +173,6 @@ pub fn stand_in_words(cell: &Workcell) -> String {
     format!("{} holds the tool with {tip}; it {place}", robot.name())
 }
 
-/// Lets the robot follow the plan.
-pub fn follow_plan(
-    chosen: &Chosen<'_>,
-    task_args: &TaskArgs,
-    prepared: &Prepared,
-    plan: &Plan,
-    progress: &Progress,
-) -> Result<Following, Failure> {
-    let task = &prepared.task;
-    progress.say("reading the robot");
-    let (cell, map) = workcell(chosen, task_args, prepared)?;
-    let name = cell.robot().name().to_owned();
-    progress.say(format!("following with {name}"));
-    let start = Instant::now();
-    let config = FollowConfig {
-        seed: prepared.config.seed,
-        ..FollowConfig::default()
-    };
-    let nodes: usize = plan.strokes.iter().map(|stroke| stroke.nodes.len()).sum();
-    let mut say = |passed: usize| {
-        progress.say(format!("following with {name}: {passed} of {nodes} nodes"));
-    };
-    let followed = follow(task, plan, &cell, map.as_ref(), &config, &mut say)
-        .map_err(|error| cannot_follow(&error, &chosen.record, task_args, prepared))?;
-    let time_s = start.elapsed().as_secs_f64();
-    progress.say("checking the motion");
-    let audit = audit(&followed, &cell, task, &config)
-        .map_err(|error| prepared.failure(task_args, error))?;
-    Ok(Following {
-        robot: name,
-        cell,
-        followed,
-        audit,
-        time_s,
-    })
-}
-
 fn cannot_follow(
     error: &FollowError,
     record: &RobotRecord,
@@ -254,6 +218,19 @@ fn before_surface(task: &Task) -> Option<Pose> {
 }
 
 impl Following {
+    /// The first motion of a session; `None` if no robot followed a plan.
+    pub fn of(session: &Session<'_>, time_s: f64) -> Option<Self> {
+        let (planned, audit) = session.first()?;
+        Some(Self {
+            robot: planned.cell.robot().name().to_owned(),
+            cell: planned.cell.clone(),
+            followed: planned.followed.clone(),
+            audit: audit.clone(),
+            abandoned_share: planned.abandoned_share(),
+            time_s,
+        })
+    }
+
     /// The plan as the robot wipes it.
     pub fn plan(&self, plan: &Plan) -> Plan {
         Plan {
@@ -262,12 +239,12 @@ impl Following {
         }
     }
 
-    /// The summary; `lost` is the share of particles that abandoned nodes cost.
-    pub fn summary(&self, lost: f64) -> FollowingSummary {
+    /// The summary.
+    pub fn summary(&self) -> FollowingSummary {
         FollowingSummary {
             robot: self.robot.clone(),
             abandoned_nodes: self.followed.abandoned.len(),
-            abandoned_share: lost,
+            abandoned_share: self.abandoned_share,
             placements: (self.followed.placements.iter())
                 .map(|placement| {
                     let at = placement.world_from_base;
@@ -287,7 +264,7 @@ impl Following {
     }
 
     /// What it keeps to, for people.
-    pub fn facts(&self, lost: f64) -> Vec<(String, String)> {
+    pub fn facts(&self) -> Vec<(String, String)> {
         let followed = &self.followed;
         let mut facts = vec![
             ("Robot", self.robot.clone()),
@@ -296,7 +273,7 @@ impl Following {
                 format!(
                     "{} ({} of the particles)",
                     followed.abandoned.len(),
-                    percent(lost)
+                    percent(self.abandoned_share)
                 ),
             ),
             ("Execution time", format!("{:.1} s", followed.duration())),

@@ -1,8 +1,8 @@
 //! `wisch memory import`: a log of some robot as an episode.
 
+use super::episode::{PROGRAM, attach_task, begin, cannot_keep};
 use super::interpret::{goal, read_log, task_args, told};
 use super::prepare::Prepared;
-use super::remember::{PROGRAM, attach_task, begin, cannot_keep};
 use super::results::{internal, json};
 use super::words::{counted, percent};
 use crate::args::{GlobalArgs, ImportArgs};

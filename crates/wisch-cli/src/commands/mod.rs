@@ -2,7 +2,10 @@
 
 mod ask;
 mod check;
+mod checkpoint;
+mod checkpoint_record;
 mod engine;
+mod episode;
 mod export;
 mod follow;
 mod footprint;
@@ -12,9 +15,7 @@ mod look;
 mod map;
 mod memory;
 mod new;
-mod past;
 mod prepare;
-mod remember;
 mod results;
 mod robot;
 mod rounds;

@@ -81,6 +81,11 @@ impl Prepared {
         })
     }
 
+    /// Most rounds.
+    pub fn max_rounds(&self) -> usize {
+        self.reality.max_rounds
+    }
+
     /// How the nodes are placed.
     pub fn strategy(&self) -> CoverageStrategy {
         self.config.strategy

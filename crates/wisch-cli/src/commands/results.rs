@@ -108,11 +108,7 @@ fn write_report(
     let following = results.following.as_ref();
     let wiped = following.map_or_else(|| results.plan.clone(), |f| f.plan(&results.plan));
     let mut facts = facts(prepared, &wiped, prediction);
-    facts.extend(
-        following
-            .iter()
-            .flat_map(|f| f.facts(results.abandoned_share)),
-    );
+    facts.extend(following.iter().flat_map(|following| following.facts()));
     let shown = following.map(|following| (following, following.shown(frames)));
     let motion = (shown.as_ref()).map(|(following, shown)| shown.input(following, &prepared.task));
     let views = views(&results.rounds);

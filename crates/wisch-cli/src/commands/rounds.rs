@@ -1,35 +1,34 @@
 //! The closed loop of `wisch run`: rounds of planning, wiping and interpreting, with a bag of each.
 
-use super::follow::{Chosen, Following, performer, workcell_config};
-use super::past::{self, Keeper};
+use super::checkpoint::{self, Checkpoints};
+use super::episode::EpisodeRecorder;
+use super::follow::Following;
 use super::prepare::Prepared;
-use super::remember::Remembering;
+use super::results::internal;
+use super::run::{Job, Results};
 use super::words::{counted, percent};
-use crate::args::{LoopArgs, TaskArgs};
+use crate::args::LoopArgs;
 use crate::failure::Failure;
 use crate::output::OutputFolder;
 use crate::progress::Progress;
 use crate::records::{RoundSummary, RoundTimes};
-use crate::report::{RoundView, RoundsInput};
+use crate::report::{Frames, RoundView, RoundsInput};
 use crate::terminal::remark;
-use std::cell::RefCell;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
-use wisch::execute::{Ending, ExecuteConfig, TelemetrySample};
-use wisch::follow::{FollowConfig, audit};
 use wisch::geometry::Point3;
 use wisch::interpret::EventKind;
-use wisch::recover::{Pace, Verdict};
-use wisch::represent::{ParticleDistribution, Task};
-use wisch::run::{Motion, News, Performer, Round, RunConfig, RunError, resume};
+use wisch::plan::Plan;
+use wisch::represent::{ParticleDistribution, ParticleError, Task};
+use wisch::run::{
+    Ending, PlannedRound, Recording, Round, RunConfig, RunEvent, Stage, TelemetrySample,
+};
+use wisch_sim::{GroundTruth, World};
 use wisch_telemetry::{BagHead, BagWriter, WriteError};
 
 /// Between two updates of the progress [samples].
 const SAY_EVERY: usize = 200;
-
-/// Rounds of a single stroke that stand for one of a whole plan.
-const GREEDY_ROUNDS: usize = 10;
 
 /// A round with how long its parts took.
 pub struct Done {
@@ -39,6 +38,8 @@ pub struct Done {
     pub times: RoundTimes,
     /// Where the dirt really lies after it; `None` where none was simulated.
     pub truth: Option<ParticleDistribution>,
+    /// The true performance [1]; `None` where no dirt was simulated.
+    pub true_performance: Option<f64>,
     /// When somebody pushed [s].
     pub pushes: Vec<[f64; 2]>,
 }
@@ -49,237 +50,285 @@ pub fn bag_name(number: usize) -> String {
 }
 
 /// Wipes until the goal is met, or no more can be done; says where the episode is kept, if it is.
-#[allow(clippy::too_many_arguments, reason = "what a run is made of")]
-pub fn wipe(
-    chosen: &Chosen<'_>,
+pub fn execute(
+    job: &Job<'_>,
     args: &LoopArgs,
-    task_args: &TaskArgs,
-    prepared: &Prepared,
-    given: Option<wisch::plan::Plan>,
-    folder: &OutputFolder,
-    progress: &Progress,
-) -> Result<(Vec<Done>, Option<PathBuf>), Failure> {
-    progress.say("reading the robot");
-    let robot = performer(chosen, task_args)?;
-    let mut episode = Remembering::begin(&args.memory)?;
-    let reality = &prepared.reality;
-    let (pace, usual_rounds) = if args.greedy {
-        (Pace::Greedy, GREEDY_ROUNDS * reality.max_rounds)
-    } else {
-        (Pace::Whole, reality.max_rounds)
-    };
-    let config = RunConfig {
-        plan: prepared.config.clone(),
-        variants: prepared.file.plan_variants(),
-        workcell: workcell_config(chosen, prepared),
-        follow: FollowConfig {
-            seed: prepared.config.seed,
-            ..FollowConfig::default()
-        },
-        execute: ExecuteConfig::default(),
-        target: prepared.file.target_performance(),
-        max_rounds: args.rounds.map_or(usual_rounds, usize::from),
-        pace,
-    };
-    let performer = Performer {
-        robot: &robot.model,
-        srdf: robot.srdf.as_ref(),
-        map: robot.map.as_ref(),
-    };
+    given: Option<Plan>,
+) -> Result<(Results, Option<PathBuf>), Failure> {
+    let Job {
+        task_args,
+        prepared,
+        folder,
+        progress,
+        ..
+    } = *job;
+    let (_, robot) = job.robot.ok_or_else(|| internal("there is no robot"))?;
+    let mut episode = EpisodeRecorder::begin(&args.memory)?;
+    let config = job.config(Some(args));
+    let is_given = given.is_some();
     let fingerprint = {
         // More or fewer rounds are no other run.
         let config = RunConfig {
             max_rounds: 0,
             ..config.clone()
         };
-        let pushed: [&dyn std::fmt::Debug; 5] =
-            [&prepared.task, reality, &performer, &given, &config];
-        past::fingerprint(&pushed)
+        let (task, reality) = (&prepared.task, &prepared.reality);
+        let performer = robot.performer();
+        let pushed: [&dyn std::fmt::Debug; 5] = [task, reality, &performer, &given, &config];
+        checkpoint::fingerprint(&pushed)
     };
-    let past = match folder.found().is_taken_over {
-        true => past::read(folder, fingerprint)?,
+    let kept = match folder.found().is_taken_over {
+        true => checkpoint::read(folder, fingerprint)?,
         false => Vec::new(),
     };
     if args.resume && folder.found().is_taken_over {
-        let kept = counted(past.len(), "round");
-        progress.aside(|| remark(&format!("{kept} of the killed run taken over")));
+        let rounds = counted(kept.len(), "round");
+        progress.aside(|| remark(&format!("{rounds} of the killed run taken over")));
     }
-    let (past, executing_s) = past.into_iter().map(|p| (p.past, p.executing_s)).unzip();
-    let keeper = Keeper::new(folder, fingerprint);
-    let watch = Watch::new(folder, progress, keeper, executing_s, args.realtime);
-    let watch = RefCell::new(watch);
-    let rounds = resume(
-        &prepared.task,
-        &performer,
-        reality,
-        given,
-        past,
-        &config,
-        &mut |news| {
-            episode.see(&news)?;
-            watch.borrow_mut().see(&news)
-        },
-    );
+    let executed_s: Vec<f64> = kept.iter().map(|round| round.executing_s).collect();
+    let (recorded, truth) = kept.into_iter().map(|r| (r.recorded, r.truth)).unzip();
+    let world = World::new(&prepared.task, prepared.reality.clone()).after(truth);
+    let mut executor = Recording::new(recorded, world);
+
+    let mut watch = Watch::new(job);
+    let mut recorder = Recorder {
+        folder,
+        progress,
+        checkpoints: Checkpoints::new(folder, fingerprint),
+        taken_over: executed_s.len(),
+        is_realtime: args.realtime,
+        bag: None,
+        samples: 0,
+        round: 0,
+        begin: Instant::now(),
+        duration: 0.0,
+    };
+    let mut session = job.session(config, given);
+    let result = loop {
+        let finished = session.rounds().len();
+        let stage = session.step(&mut executor, &mut |event| {
+            watch.see(event)?;
+            recorder.round_of(event);
+            if recorder.is_taken_over() {
+                return ControlFlow::Continue(());
+            }
+            episode.see(event)?;
+            let seen = recorder.see(event);
+            watch.flow(seen)
+        });
+        if let [.., round] = &session.rounds()[finished..] {
+            let number = round.motion.number;
+            if let Some(seconds) = executed_s.get(finished) {
+                watch.times_mut(number).executing_s = *seconds;
+            } else if let (None, Some(truth)) = (&watch.failure, executor.inner().truth().last()) {
+                let seconds = watch.times(number).executing_s;
+                recorder.checkpoints.keep(round, truth, seconds)?;
+            }
+        }
+        match stage {
+            Ok(Stage::Ended) => break Ok(()),
+            Ok(_) => {}
+            Err(error) => break Err(error),
+        }
+    };
     episode.check()?;
-    let watch = watch.into_inner();
     if let Some(failure) = watch.failure {
         return Err(failure);
     }
-    let rounds = rounds.map_err(|error| match error {
-        RunError::Follow(error) => chosen.cannot_follow(&error, task_args, prepared),
-        error => prepared.failure(task_args, error),
-    })?;
-    let done = rounds.into_iter().zip(watch.times);
-    let done = done.map(|(round, times)| {
-        let dirt = &round.executed.truth.dirt;
-        let truth = (!dirt.grains().is_empty()).then(|| dirt.particles());
-        let number = round.motion.number;
-        let pushes = reality.pushes.iter().filter(|push| push.round == number);
-        Ok(Done {
-            truth: truth
-                .transpose()
-                .map_err(|error| prepared.failure(task_args, error))?,
+    result.map_err(|error| job.failed(error))?;
+    let following = Following::of(&session, watch.times(1).following_s);
+    let (planned, _) = (session.first()).ok_or_else(|| internal("no round was planned"))?;
+    let (plan, prediction) = (planned.plan.clone(), planned.prediction.clone());
+    let planning_s = watch.times(1).planning_s;
+    let predicted = Some((prediction, watch.take_frames()?));
+    let done = (session.into_rounds().into_iter())
+        .zip(executor.inner().truth())
+        .map(|(round, truth)| {
+            let times = *watch.times_mut(round.motion.number);
+            Done::new(round, truth, times, prepared)
+                .map_err(|error| prepared.failure(task_args, error))
+        });
+    let rounds: Vec<Done> = done.collect::<Result<_, Failure>>()?;
+    let kept = episode.commit(&rounds, prepared, task_args, &robot.files)?;
+    let results = Results {
+        plan,
+        planning_time_s: (!is_given).then_some(planning_s),
+        following,
+        predicted,
+        rounds,
+    };
+    Ok((results, kept))
+}
+
+impl Done {
+    fn new(
+        round: Round,
+        truth: &GroundTruth,
+        times: RoundTimes,
+        prepared: &Prepared,
+    ) -> Result<Self, ParticleError> {
+        let PlannedRound {
+            number, task, plan, ..
+        } = &round.motion;
+        let pushes = prepared.reality.pushes.iter();
+        let pushes = pushes.filter(|push| push.round == *number);
+        Ok(Self {
+            truth: truth.particles()?,
+            true_performance: truth.performance(&plan.graph.goal, &task.surface)?,
             pushes: pushes
                 .map(|push| [push.start, push.start + push.duration])
                 .collect(),
             round,
             times,
         })
-    });
-    let done: Vec<Done> = done.collect::<Result<_, Failure>>()?;
-    let kept = episode.commit(&done, prepared, task_args, &robot.files)?;
-    Ok((done, kept))
+    }
 }
 
-/// Looks on while the loop runs: says where it is, writes bags, and takes the time.
-struct Watch<'a> {
-    folder: &'a OutputFolder,
+/// Looks on while a session goes on: says where it is, takes the time, and keeps the first round's predicted effect.
+pub struct Watch<'a> {
+    task: &'a Task,
     progress: &'a Progress,
-    realtime: bool,
-    bag: Option<BagWriter>,
     failure: Option<Failure>,
-    keeper: Keeper,
-    /// How long the executions of an earlier run took [s].
-    past_s: Vec<f64>,
+    frames: Option<Frames>,
     times: Vec<RoundTimes>,
     since: Instant,
-    samples: usize,
-    /// Whether the round is planned.
-    follows: bool,
-    /// The round, and how long its motion takes [s].
-    round: usize,
-    duration: f64,
 }
 
 impl<'a> Watch<'a> {
-    fn new(
-        folder: &'a OutputFolder,
-        progress: &'a Progress,
-        keeper: Keeper,
-        past_s: Vec<f64>,
-        realtime: bool,
-    ) -> Self {
+    pub fn new(job: &Job<'a>) -> Self {
         Self {
-            keeper,
-            past_s,
-            folder,
-            progress,
-            realtime,
-            bag: None,
+            task: &job.prepared.task,
+            progress: job.progress,
             failure: None,
+            frames: None,
             times: Vec::new(),
             since: Instant::now(),
-            samples: 0,
-            follows: false,
-            round: 0,
-            duration: 0.0,
         }
     }
 
-    fn see(&mut self, news: &News<'_>) -> ControlFlow<()> {
-        let result = match news {
-            News::Planning(round) => {
-                self.round = *round;
-                self.progress.say(format!("round {round}: planning"));
-                self.since = Instant::now();
-                self.follows = false;
-                self.times.push(RoundTimes::default());
-                Ok(())
-            }
-            News::Following { passed, nodes } => {
-                if !self.follows {
-                    self.take(|times| &mut times.planning_s);
-                    self.follows = true;
-                }
-                let round = self.round;
-                self.progress.say(format!(
-                    "round {round}: following, {passed} of {nodes} nodes"
-                ));
-                Ok(())
-            }
-            News::Executing(motion) => {
-                self.take(|times| &mut times.following_s);
-                self.begin(motion)
-            }
-            News::Sample(sample) => self.sample(sample),
-            News::Recalling(motion) => {
-                self.take(|times| &mut times.following_s);
-                let executing_s = self.past_s.get(motion.number - 1).copied();
-                if let Some(times) = self.times.last_mut() {
-                    times.executing_s = executing_s.unwrap_or_default();
-                }
-                Ok(())
-            }
-            News::Interpreting => {
-                self.take(|times| &mut times.executing_s);
-                self.progress
-                    .say(format!("round {}: interpreting", self.round));
-                self.bag.take().map_or(Ok(()), BagWriter::finish)
-            }
-            News::Over(round) => {
-                self.take(|times| &mut times.interpreting_s);
-                return self.flow(self.keep(round));
-            }
-        };
-        self.flow(
-            result
-                .map_err(|error| Failure::new(error).with_help("choose another folder with --out")),
-        )
+    /// How long the stages of a round took.
+    pub fn times(&self, round: usize) -> RoundTimes {
+        self.times.get(round - 1).copied().unwrap_or_default()
     }
 
-    fn flow(&mut self, result: Result<(), Failure>) -> ControlFlow<()> {
+    fn times_mut(&mut self, round: usize) -> &mut RoundTimes {
+        self.times
+            .resize(self.times.len().max(round), RoundTimes::default());
+        &mut self.times[round - 1]
+    }
+
+    /// What the first round was predicted to do, over time.
+    pub fn take_frames(&mut self) -> Result<Frames, Failure> {
+        let frames = self.frames.take();
+        frames.ok_or_else(|| internal("no effect was predicted"))
+    }
+
+    pub fn see(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
+        match event {
+            RunEvent::Planning { round } => {
+                self.progress.say(format!("round {round}: planning"));
+                self.since = Instant::now();
+            }
+            RunEvent::Planned { round, .. } => {
+                self.take(*round, |times| &mut times.planning_s);
+            }
+            RunEvent::Following {
+                round,
+                passed,
+                nodes,
+            } => self.progress.say(format!(
+                "round {round}: following, {passed} of {nodes} nodes"
+            )),
+            RunEvent::Predicting {
+                round: 1,
+                wiped,
+                progress,
+            } => {
+                let frames = self.frames.take();
+                let mut frames = frames.unwrap_or_else(|| Frames::new(self.task, wiped));
+                frames.watch(progress);
+                self.frames = Some(frames);
+            }
+            RunEvent::Audited { round, .. } => {
+                self.take(*round, |times| &mut times.following_s);
+            }
+            RunEvent::Interpreting { round } => {
+                self.take(*round, |times| &mut times.executing_s);
+                self.progress.say(format!("round {round}: interpreting"));
+            }
+            RunEvent::Judged(round) => {
+                self.take(round.motion.number, |times| &mut times.interpreting_s);
+            }
+            RunEvent::Predicting { .. }
+            | RunEvent::Executing(_)
+            | RunEvent::Sample(_)
+            | RunEvent::Ended(_) => {}
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Books the time since the last booking.
+    fn take(&mut self, round: usize, part: impl Fn(&mut RoundTimes) -> &mut f64) {
+        let seconds = self.since.elapsed().as_secs_f64();
+        *part(self.times_mut(round)) += seconds;
+        self.since = Instant::now();
+    }
+
+    fn flow(&mut self, result: Result<(), WriteError>) -> ControlFlow<()> {
         match result {
             Ok(()) => ControlFlow::Continue(()),
-            Err(failure) => {
+            Err(error) => {
+                let failure = Failure::new(error).with_help("choose another folder with --out");
                 self.failure.get_or_insert(failure);
                 ControlFlow::Break(())
             }
         }
     }
+}
 
-    /// Keeps a round, unless it was taken over, or the run is about to fail.
-    fn keep(&self, round: &Round) -> Result<(), Failure> {
-        let executing_s = self.times.last().map_or(0.0, |times| times.executing_s);
-        if round.motion.number <= self.past_s.len() || self.failure.is_some() {
-            return Ok(());
+/// Writes what is measured: a bag of each round, and what a killed run can be resumed with.
+struct Recorder<'a> {
+    folder: &'a OutputFolder,
+    progress: &'a Progress,
+    checkpoints: Checkpoints,
+    /// Rounds that an earlier run executed and recorded.
+    taken_over: usize,
+    is_realtime: bool,
+    bag: Option<BagWriter>,
+    samples: usize,
+    round: usize,
+    begin: Instant,
+    /// How long the round's motion takes [s].
+    duration: f64,
+}
+
+impl Recorder<'_> {
+    fn round_of(&mut self, event: &RunEvent<'_>) {
+        if let RunEvent::Executing(planned) = event {
+            self.round = planned.number;
         }
-        self.keeper.keep(round, executing_s)
     }
 
-    /// Books the time since the last booking.
-    fn take(&mut self, part: impl Fn(&mut RoundTimes) -> &mut f64) {
-        if let Some(times) = self.times.last_mut() {
-            *part(times) += self.since.elapsed().as_secs_f64();
-        }
-        self.since = Instant::now();
+    const fn is_taken_over(&self) -> bool {
+        self.round <= self.taken_over
     }
 
-    fn begin(&mut self, motion: &Motion) -> Result<(), WriteError> {
-        let robot = motion.cell.robot();
-        self.duration = motion.followed.duration();
+    fn see(&mut self, event: &RunEvent<'_>) -> Result<(), WriteError> {
+        match event {
+            RunEvent::Executing(planned) => self.begin(planned),
+            RunEvent::Sample(sample) => self.sample(sample),
+            RunEvent::Interpreting { .. } => self.bag.take().map_or(Ok(()), BagWriter::finish),
+            _ => Ok(()),
+        }
+    }
+
+    fn begin(&mut self, planned: &PlannedRound) -> Result<(), WriteError> {
+        let robot = planned.cell.robot();
+        self.duration = planned.followed.duration();
         self.samples = 0;
-        self.keeper.begin();
-        let task = &motion.task;
+        self.begin = Instant::now();
+        self.checkpoints.begin();
+        let task = &planned.task;
         let head = BagHead {
             joints: (0..robot.dof())
                 .map(|i| robot.variable(i).name.clone())
@@ -288,13 +337,13 @@ impl<'a> Watch<'a> {
             start: 0,
             notes: [
                 ("task", task.name.clone()),
-                ("round", motion.number.to_string()),
+                ("round", planned.number.to_string()),
                 ("seed", task.seed.to_string()),
             ]
             .map(|(key, value)| (key.to_owned(), value))
             .into(),
         };
-        let path = self.folder.place(&bag_name(motion.number));
+        let path = self.folder.place(&bag_name(planned.number));
         let mut bag = BagWriter::create(&path, head)?;
         bag.write_particles(0.0, &in_world(task))?;
         self.bag = Some(bag);
@@ -309,10 +358,10 @@ impl<'a> Watch<'a> {
             ));
         }
         self.samples += 1;
-        self.keeper.sample(sample);
-        if self.realtime {
+        self.checkpoints.sample(sample);
+        if self.is_realtime {
             let ahead = Duration::try_from_secs_f64(sample.time).unwrap_or_default();
-            std::thread::sleep(ahead.saturating_sub(self.since.elapsed()));
+            std::thread::sleep(ahead.saturating_sub(self.begin.elapsed()));
         }
         self.bag.as_mut().map_or(Ok(()), |bag| bag.write(sample))
     }
@@ -326,28 +375,9 @@ fn in_world(task: &Task) -> Vec<Point3> {
         .collect()
 }
 
-/// The first round's motion, as a following.
-pub fn first_following(
-    done: &Done,
-    task_args: &TaskArgs,
-    prepared: &Prepared,
-) -> Result<Following, Failure> {
-    let motion = &done.round.motion;
-    let config = FollowConfig::default();
-    let audit = audit(&motion.followed, &motion.cell, &motion.task, &config)
-        .map_err(|error| prepared.failure(task_args, error))?;
-    Ok(Following {
-        robot: motion.cell.robot().name().to_owned(),
-        cell: motion.cell.clone(),
-        followed: motion.followed.clone(),
-        audit,
-        time_s: done.times.following_s,
-    })
-}
-
 /// What `--json` says of a round.
 pub fn summary(done: &Done) -> RoundSummary {
-    RoundSummary::new(&done.round, &done.times)
+    RoundSummary::new(&done.round, &done.times, done.true_performance)
 }
 
 /// What the report shows of the rounds.
@@ -359,7 +389,7 @@ pub fn views(done: &[Done]) -> Vec<RoundView<'_>> {
             believed: &done.round.motion.task.particles,
             predicted: done.round.motion.prediction.performance.ratio(),
             interpretation: &done.round.interpretation,
-            truth: done.truth.as_ref().zip(done.round.true_performance),
+            truth: done.truth.as_ref().zip(done.true_performance),
             pushes: &done.pushes,
         })
         .collect()
@@ -393,7 +423,7 @@ pub fn rounds_in_words(done: &[Done]) -> Vec<(&'static str, String)> {
                 percent(estimate.low),
                 percent(estimate.high)
             );
-            if let Some(truth) = round.true_performance {
+            if let Some(truth) = done.true_performance {
                 text += &format!(", true {}", percent(truth));
             }
             let collisions = (told.events.iter())
@@ -411,7 +441,7 @@ pub fn rounds_in_words(done: &[Done]) -> Vec<(&'static str, String)> {
                     1e3 * plane.offset
                 );
             }
-            if let Ending::ProtectiveStop { time, cause } = &round.executed.ending {
+            if let Ending::ProtectiveStop { time, cause } = &round.execution.ending {
                 text += &format!(", stopped at {time:.1} s: {cause}");
             }
             text += &format!(": {}", round.verdict.as_str());
@@ -422,9 +452,4 @@ pub fn rounds_in_words(done: &[Done]) -> Vec<(&'static str, String)> {
             )
         })
         .collect()
-}
-
-/// Whether the last round met the goal.
-pub fn goal_met(done: &[Done]) -> bool {
-    (done.last()).is_some_and(|done| done.round.verdict == Verdict::GoalMet)
 }

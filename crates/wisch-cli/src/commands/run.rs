@@ -1,9 +1,9 @@
 //! `wisch run`, `wisch plan`, `wisch predict` and `wisch follow`: the stages, and the folder with their results.
 
-use super::follow::{Chosen, Following, follow_plan};
+use super::follow::{Chosen, Following, performer, workcell_config};
 use super::prepare::Prepared;
 use super::results::{internal, out_folder, write};
-use super::rounds::{Done, first_following, wipe};
+use super::rounds::{Done, Watch, execute};
 use super::summary::{in_words, summary};
 use super::words::counted;
 use crate::args::{
@@ -14,13 +14,19 @@ use crate::assets::read_text;
 use crate::failure::Failure;
 use crate::output::OutputFolder;
 use crate::progress::Progress;
-use crate::records::{PlanRecord, PredictionSummary};
+use crate::records::PlanRecord;
 use crate::report::Frames;
+use crate::robots::Robot;
 use crate::terminal::{Outcome, print, remark};
 use crate::workplace::{Found, Leftover};
 use std::path::Path;
-use std::time::Instant;
-use wisch::plan::{Plan, Prediction, plan, predict};
+use wisch::follow::WorkcellConfig;
+use wisch::plan::{Plan, Prediction, predict};
+use wisch::recover::Verdict;
+use wisch::run::{NoExecutor, Pace, RunConfig, RunError, RunEvent, Session, Stage};
+
+/// Rounds of a single stroke that stand for one of a whole plan.
+const GREEDY_ROUNDS: usize = 10;
 
 /// How far to go.
 #[derive(Debug, Clone, Copy)]
@@ -70,11 +76,21 @@ pub(super) struct Results {
     /// `None` where a plan was given.
     pub planning_time_s: Option<f64>,
     pub following: Option<Following>,
-    /// Share of the particles that abandoned nodes cost.
-    pub abandoned_share: f64,
     pub predicted: Option<(Prediction, Frames)>,
     /// What was executed.
     pub rounds: Vec<Done>,
+}
+
+impl Results {
+    /// Whether the goal is met: by the estimate of the last round, or where no robot was to do it by the prediction.
+    pub fn is_goal_met(&self, target: f64) -> bool {
+        match (self.rounds.last(), &self.following, &self.predicted) {
+            (Some(last), ..) => last.round.verdict == Verdict::GoalMet,
+            (None, Some(following), _) if !following.audit.faults.is_empty() => false,
+            (None, _, Some((prediction, _))) => prediction.performance.ratio() >= target,
+            (None, _, None) => true,
+        }
+    }
 }
 
 fn work(
@@ -87,7 +103,7 @@ fn work(
     let progress = Progress::start(global);
     progress.say("reading the task");
     let mut prepared = Prepared::read(task_args)?;
-    let robot = match extent {
+    let chosen = match extent {
         Extent::Plan | Extent::Predict => None,
         Extent::Run(args, _) => Chosen::new(args, &prepared)?,
         Extent::Follow(args) => Some(Chosen::new(args, &prepared)?.ok_or_else(|| {
@@ -110,24 +126,22 @@ fn work(
         progress.aside(|| say_what_was_found(folder.found(), leftover));
     }
 
-    let mut episode = None;
-    let results_of = match (extent, &robot) {
-        (Extent::Run(_, rounds), Some(robot)) => {
-            let (done, kept) = wipe(
-                robot, rounds, task_args, &prepared, given, &folder, &progress,
-            )?;
-            episode = kept;
-            progress.say("checking the motion");
-            executed(done, task_args, &prepared)?
-        }
-        _ => stages(
-            task_args,
-            &prepared,
-            given,
-            extent,
-            robot.as_ref(),
-            &progress,
-        )?,
+    let robot = (chosen.as_ref())
+        .map(|chosen| {
+            progress.say("reading the robot");
+            Ok::<_, Failure>((chosen, performer(chosen, task_args)?))
+        })
+        .transpose()?;
+    let job = Job {
+        task_args,
+        prepared: &prepared,
+        robot: robot.as_ref().map(|(chosen, robot)| (*chosen, robot)),
+        folder: &folder,
+        progress: &progress,
+    };
+    let (results_of, episode) = match (extent, &robot) {
+        (Extent::Run(_, rounds), Some(_)) => execute(&job, rounds, given)?,
+        _ => (simulate_effect(&job, extent, given)?, None),
     };
     progress.say("writing the results");
     write(&folder, &prepared, &results_of)?;
@@ -146,11 +160,11 @@ fn work(
             print(&format!("  {:<18} {}\n", "episode", place.display()))?;
         }
     }
-    Ok(match summary.prediction {
-        Some(PredictionSummary {
-            goal_met: false, ..
-        }) => Outcome::GoalNotMet,
-        _ => Outcome::Done,
+    let is_met = results_of.is_goal_met(prepared.file.target_performance());
+    Ok(if is_met {
+        Outcome::Done
+    } else {
+        Outcome::GoalNotMet
     })
 }
 
@@ -165,81 +179,91 @@ fn say_what_was_found(found: &Found, leftover: Leftover) {
     }
 }
 
-/// Plan, follow, predict what is followed.
-fn stages(
-    task_args: &TaskArgs,
-    prepared: &Prepared,
-    given: Option<Plan>,
-    extent: Extent<'_>,
-    robot: Option<&Chosen<'_>>,
-    progress: &Progress,
-) -> Result<Results, Failure> {
-    let task = &prepared.task;
-    let (plan, planning_time_s) = match given {
-        Some(plan) => (plan, None),
-        None => {
-            progress.say(format!("planning ({})", prepared.strategy()));
-            let start = Instant::now();
-            let plan =
-                plan(task, &prepared.config).map_err(|error| prepared.failure(task_args, error))?;
-            (plan, Some(start.elapsed().as_secs_f64()))
-        }
-    };
-    let following = robot
-        .map(|robot| follow_plan(robot, task_args, prepared, &plan, progress))
-        .transpose()?;
-    let mut abandoned_share = 0.0;
-    let predicted = match extent {
-        Extent::Plan => None,
-        Extent::Predict | Extent::Run(..) | Extent::Follow(_) => {
-            let wiped = (following.as_ref()).map_or_else(|| plan.clone(), |f| f.plan(&plan));
-            progress.say(format!(
-                "predicting {}",
-                counted(wiped.strokes.len(), "stroke")
-            ));
-            let mut frames = Frames::new(task, &wiped);
-            let prediction = predict(task, &wiped, |p| frames.watch(p));
-            if following
-                .as_ref()
-                .is_some_and(|f| !f.followed.abandoned.is_empty())
-            {
-                let hoped = predict(task, &plan, |_| ()).performance.ratio();
-                abandoned_share = (hoped - prediction.performance.ratio()).max(0.0);
-            }
-            Some((prediction, frames))
-        }
-    };
-    Ok(Results {
-        plan,
-        planning_time_s,
-        following,
-        abandoned_share,
-        predicted,
-        rounds: Vec::new(),
-    })
+/// What all commands work with that go through a session.
+pub(super) struct Job<'a> {
+    pub task_args: &'a TaskArgs,
+    pub prepared: &'a Prepared,
+    pub robot: Option<(&'a Chosen<'a>, &'a Robot)>,
+    pub folder: &'a OutputFolder,
+    pub progress: &'a Progress,
 }
 
-/// The outcome of rounds: plan, motion and prediction are those of the first.
-fn executed(
-    rounds: Vec<Done>,
-    task_args: &TaskArgs,
-    prepared: &Prepared,
+impl Job<'_> {
+    /// How the stages work, and when to stop.
+    pub fn config(&self, args: Option<&LoopArgs>) -> RunConfig {
+        let (pace, usual_rounds) = if args.is_some_and(|args| args.greedy) {
+            (Pace::Greedy, GREEDY_ROUNDS * self.prepared.max_rounds())
+        } else {
+            (Pace::Whole, self.prepared.max_rounds())
+        };
+        let rounds = args.and_then(|args| args.rounds);
+        RunConfig {
+            plan: self.prepared.config.clone(),
+            variants: self.prepared.file.plan_variants(),
+            workcell: (self.robot.as_ref()).map_or_else(WorkcellConfig::default, |(chosen, _)| {
+                workcell_config(chosen, self.prepared)
+            }),
+            target: self.prepared.file.target_performance(),
+            max_rounds: rounds.map_or(usual_rounds, usize::from),
+            pace,
+            ..RunConfig::default()
+        }
+    }
+
+    /// A session for the task that begins with this plan, if one is given.
+    pub fn session(&self, config: RunConfig, given: Option<Plan>) -> Session<'_> {
+        let session = Session::new(&self.prepared.task, config).with_plan(given);
+        match self.robot {
+            Some((_, robot)) => session.with_robot(robot.performer()),
+            None => session,
+        }
+    }
+
+    /// A failure of the session.
+    pub fn failed(&self, error: RunError) -> Failure {
+        match (error, &self.robot) {
+            (RunError::Follow(error), Some((chosen, _))) => {
+                chosen.cannot_follow(&error, self.task_args, self.prepared)
+            }
+            (error, _) => self.prepared.failure(self.task_args, error),
+        }
+    }
+}
+
+/// Plans, follows if there is a robot, and predicts; executes nothing.
+fn simulate_effect(
+    job: &Job<'_>,
+    extent: Extent<'_>,
+    given: Option<Plan>,
 ) -> Result<Results, Failure> {
-    let first = rounds.first().ok_or_else(|| internal("no round was run"))?;
-    let following = first_following(first, task_args, prepared)?;
-    let plan = first.round.motion.plan.clone();
-    let task = &prepared.task;
-    let wiped = following.plan(&plan);
-    let mut frames = Frames::new(task, &wiped);
-    let prediction = predict(task, &wiped, |p| frames.watch(p));
-    let hoped = predict(task, &plan, |_| ()).performance.ratio();
+    let is_given = given.is_some();
+    let mut session = job.session(job.config(None), given);
+    let mut watch = Watch::new(job);
+    let until = match job.robot {
+        Some(_) => Stage::Audited,
+        None => Stage::Planned,
+    };
+    let mut look = |event: &RunEvent<'_>| watch.see(event);
+    (session.run_until(until, &mut NoExecutor, &mut look)).map_err(|error| job.failed(error))?;
+    let plan = session.plan().ok_or_else(|| internal("no plan was made"))?;
+    let task = &job.prepared.task;
+    let predicted = match (extent, session.planned()) {
+        (Extent::Plan, _) => None,
+        (_, Some(planned)) => Some((planned.prediction.clone(), watch.take_frames()?)),
+        (_, None) => {
+            let strokes = counted(plan.strokes.len(), "stroke");
+            job.progress.say(format!("predicting {strokes}"));
+            let mut frames = Frames::new(task, plan);
+            Some((predict(task, plan, |p| frames.watch(p)), frames))
+        }
+    };
+    let times = watch.times(1);
     Ok(Results {
-        planning_time_s: Some(first.times.planning_s),
-        abandoned_share: (hoped - prediction.performance.ratio()).max(0.0),
-        following: Some(following),
-        predicted: Some((prediction, frames)),
-        plan,
-        rounds,
+        plan: plan.clone(),
+        planning_time_s: (!is_given).then_some(times.planning_s),
+        following: Following::of(&session, times.following_s),
+        predicted,
+        rounds: Vec::new(),
     })
 }
 

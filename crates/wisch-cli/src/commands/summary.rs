@@ -1,7 +1,8 @@
 //! What a command says in the end: one record, and its words for people.
 
+use super::follow::Following;
 use super::prepare::Prepared;
-use super::rounds::{Done, goal_met, rounds_in_words, summary as summary_of_round};
+use super::rounds::{Done, rounds_in_words, summary as summary_of_round};
 use super::run::Results;
 use super::words::{counted, percent};
 use crate::output::{FOLLOWING_FILE, PLAN_FILE, REPORT_FILE};
@@ -31,18 +32,14 @@ pub(super) fn summary(prepared: &Prepared, results: &Results, out: &Path) -> Sum
         distance_in_contact_m: plan.contact_distance(),
         distance_total_m: plan.total_distance(),
         planning_time_s: results.planning_time_s,
-        following: (results.following.as_ref())
-            .map(|following| following.summary(results.abandoned_share)),
+        following: (results.following.as_ref()).map(Following::summary),
         prediction: prediction.map(|prediction| {
             let performance = prediction.performance;
             let predicted_performance = performance.ratio();
             PredictionSummary {
                 predicted_performance,
                 target_performance,
-                goal_met: match results.rounds.is_empty() {
-                    true => predicted_performance >= target_performance,
-                    false => goal_met(&results.rounds),
-                },
+                goal_met: results.is_goal_met(target_performance),
                 lost_share: performance.lost as f64 / performance.initial.max(1) as f64,
             }
         }),

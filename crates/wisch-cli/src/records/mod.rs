@@ -3,7 +3,6 @@
 
 mod followed;
 mod interpretation;
-mod past;
 mod plan;
 mod rounds;
 mod summary;
@@ -11,7 +10,6 @@ mod trajectory;
 
 pub use followed::FollowedRecord;
 pub use interpretation::{INTERPRETATION_FORMAT, InterpretationRecord, LogRecord};
-pub use past::{PAST_SCHEMA, PastRecord};
 pub use plan::{PLAN_FORMAT, PlanRecord};
 pub use rounds::{LoopSummary, RoundSummary, RoundTimes};
 pub use summary::{FollowingSummary, PredictionSummary, SUMMARY_SCHEMA, Summary};

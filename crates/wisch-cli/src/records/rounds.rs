@@ -1,9 +1,8 @@
 //! What `--json` says of the rounds of a run.
 
 use serde::Serialize;
-use wisch::execute::Ending;
 use wisch::interpret::{Diagnosis, EventKind};
-use wisch::run::Round;
+use wisch::run::{Ending, Round};
 
 /// How long the parts of a round took.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -72,8 +71,8 @@ pub struct RoundTiming {
 }
 
 impl RoundSummary {
-    /// The summary of a round.
-    pub fn new(round: &Round, times: &RoundTimes) -> Self {
+    /// The summary of a round; its true performance is what a simulated world knows of it.
+    pub fn new(round: &Round, times: &RoundTimes, true_performance: Option<f64>) -> Self {
         let told = &round.interpretation;
         let collisions = (told.events.iter()).filter(|e| e.kind == EventKind::Collision);
         let collision_times_s: Vec<[f64; 2]> =
@@ -85,7 +84,7 @@ impl RoundSummary {
             estimated: told.performance.mean,
             estimated_low: told.performance.low,
             estimated_high: told.performance.high,
-            true_performance: round.true_performance,
+            true_performance,
             contact_share: told.contact_share,
             collisions: collision_times_s.len(),
             collision_times_s,
@@ -97,14 +96,15 @@ impl RoundSummary {
                 Diagnosis::NoContact => "no contact",
             },
             verdict: round.verdict.as_str(),
-            ending: match &round.executed.ending {
+            ending: match &round.execution.ending {
                 Ending::Complete => "complete".to_owned(),
                 Ending::Stopped => "stopped".to_owned(),
                 Ending::ProtectiveStop { time, cause } => format!("at {time:.3} s: {cause}"),
             },
-            execution_time_s: round.executed.duration,
+            execution_time_s: round.execution.duration,
             timing: Some(RoundTiming {
-                realtime_factor: round.executed.duration / times.executing_s.max(f64::MIN_POSITIVE),
+                realtime_factor: round.execution.duration
+                    / times.executing_s.max(f64::MIN_POSITIVE),
                 planning_time_s: times.planning_s,
                 following_time_s: times.following_s,
                 interpretation_time_s: times.interpreting_s,

@@ -1,7 +1,7 @@
 //! The ROS 2 messages that a bag is written with, as CDR lays them out: field order is that of the definitions.
 
 use serde::Serialize;
-use wisch::execute;
+use wisch::control;
 use wisch::geometry::{self, Vector3 as Vector};
 
 /// `builtin_interfaces/Time`, also used for a duration.
@@ -107,8 +107,8 @@ pub(super) struct Wrench {
     pub torque: Vector3,
 }
 
-impl From<&execute::Wrench> for Wrench {
-    fn from(wrench: &execute::Wrench) -> Self {
+impl From<&control::Wrench> for Wrench {
+    fn from(wrench: &control::Wrench) -> Self {
         Self {
             force: wrench.force.into(),
             torque: wrench.moment.into(),

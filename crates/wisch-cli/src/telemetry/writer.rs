@@ -19,9 +19,9 @@ use std::fmt::Write as _;
 use std::fs::File;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
-use wisch::execute::TelemetrySample;
 use wisch::follow::Phase;
 use wisch::geometry::{Point3, Pose};
+use wisch::run::TelemetrySample;
 
 /// What a killed program loses at most [ns]: a chunk is written when it holds that much.
 const CHUNK_TIME: u64 = NANOSECONDS_PER_SECOND;
@@ -70,7 +70,7 @@ pub struct BagHead {
 /// | `/phase` | `std_msgs/String` | when it changes |
 ///
 /// ```
-/// use wisch::execute::{TelemetrySample, Wrench};
+/// use wisch::run::{TelemetrySample, Wrench};
 /// use wisch::follow::Phase;
 /// use wisch::geometry::{Pose, Vector3};
 /// use wisch_telemetry::{BagHead, BagWriter, LogOptions, read};

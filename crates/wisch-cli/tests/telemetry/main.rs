@@ -10,9 +10,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 use wiping::Wiping;
-use wisch::execute::{TelemetrySample, Wrench};
 use wisch::follow::Phase;
 use wisch::geometry::{Point3, Pose, Vector3};
+use wisch::run::{TelemetrySample, Wrench};
 use wisch_telemetry::{
     Axes, AxesSource, BagHead, BagWriter, LogOptions, TopicChoice, active_path, read,
 };

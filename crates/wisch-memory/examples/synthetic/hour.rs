@@ -4,9 +4,9 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
-use wisch::execute::{TelemetrySample, Wrench};
 use wisch::follow::Phase;
 use wisch::geometry::{Pose, Vector3};
+use wisch::run::{TelemetrySample, Wrench};
 
 /// Samples of an hour.
 pub const SAMPLES: usize = 3_600_000;

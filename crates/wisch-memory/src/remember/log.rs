@@ -1,8 +1,8 @@
 //! What is noted of a round while it is executed: which motion was when.
 
-use wisch::execute::TelemetrySample;
 use wisch::follow::Phase;
 use wisch::interpret::{Event, EventKind};
+use wisch::run::TelemetrySample;
 
 /// Which motions a round was made of, noted sample by sample.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -144,8 +144,8 @@ impl RoundLog {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use wisch::execute::Wrench;
     use wisch::geometry::{Pose, Vector3};
+    use wisch::run::Wrench;
 
     #[test]
     fn lifted_motions_are_told_apart_by_the_strokes_round_them() {

@@ -16,9 +16,9 @@ use std::fs::{self, File};
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use wisch::execute::{TelemetrySample, Wrench};
 use wisch::follow::Phase;
 use wisch::geometry::Pose;
+use wisch::run::{TelemetrySample, Wrench};
 
 /// What a row group holds [ns]: who asks for a second decodes ten.
 const GROUP_TIME: i64 = 10 * NANOSECONDS_PER_SECOND as i64;
@@ -51,7 +51,7 @@ pub struct Mark {
 /// whole. Memory holds what has come in since the last row group, at most ten seconds.
 ///
 /// ```
-/// use wisch::execute::{TelemetrySample, Wrench};
+/// use wisch::run::{TelemetrySample, Wrench};
 /// use wisch::follow::Phase;
 /// use wisch::geometry::{Pose, Vector3};
 /// use wisch_memory::{Telemetry, TelemetryHead, TelemetryWriter};

@@ -32,6 +32,8 @@ pub enum Verdict {
     NothingToGain,
     /// The robot cannot wipe again: no plan or no motion was found for the surface where it was felt.
     NoWay,
+    /// The motion that was found for the next round fails its audit, and is not executed.
+    UnsafeMotion,
     /// The surface was not felt, and nobody was in the way: nothing is known of the effect.
     NoContact,
 }
@@ -45,6 +47,7 @@ impl Verdict {
             Self::NoProgress => "no progress",
             Self::NoWay => "no way to wipe again",
             Self::NothingToGain => "nothing to gain",
+            Self::UnsafeMotion => "unsafe motion",
             Self::NoContact => "no contact",
         }
     }

@@ -1,0 +1,220 @@
+//! Rounds on the disk while a run goes on, so that it can be resumed should it be killed.
+//!
+//! What a round began with and what followed from it is computed anew, which gives the same; what is kept is
+//! what takes long to compute or cannot be seen in a bag: how the execution went, and what was felt.
+
+use super::checkpoint_record::{CHECKPOINT_SCHEMA, CheckpointRecord};
+use super::results::internal;
+use super::rounds::bag_name;
+use crate::failure::Failure;
+use crate::output::OutputFolder;
+use std::fmt::{self, Write};
+use std::fs;
+use std::path::{Path, PathBuf};
+use wisch::geometry::{Pose, Vector3};
+use wisch::interpret::TouchSample;
+use wisch::run::{RecordedRound, Round, TelemetrySample};
+use wisch_sim::GroundTruth;
+
+/// Numbers of a sample: time, position, quaternion x, y, z, w, force.
+const NUMBERS: usize = 11;
+/// Bytes of a number.
+const BYTES: usize = size_of::<f64>();
+
+/// A round of an earlier run, and how long executing it took.
+pub struct KeptRound {
+    /// What was measured, and how it went.
+    pub recorded: RecordedRound,
+    /// What the simulated world knows of it.
+    pub truth: GroundTruth,
+    /// How long simulating took [s].
+    pub executing_s: f64,
+}
+
+/// Takes down what is felt, and puts it on the disk after every round.
+pub struct Checkpoints {
+    folder: PathBuf,
+    fingerprint: u64,
+    touches: Vec<u8>,
+}
+
+impl Checkpoints {
+    /// One for a run with this [`fingerprint`].
+    pub fn new(folder: &OutputFolder, fingerprint: u64) -> Self {
+        Self {
+            folder: folder.state(),
+            fingerprint,
+            touches: Vec::new(),
+        }
+    }
+
+    /// Begins a round.
+    pub fn begin(&mut self) {
+        self.touches.clear();
+    }
+
+    /// Takes down a sample.
+    pub fn sample(&mut self, sample: &TelemetrySample<'_>) {
+        let pose = &sample.world_from_tool;
+        let (p, q) = (pose.translation.vector, pose.rotation.coords);
+        let f = sample.external.force;
+        let numbers: [f64; NUMBERS] = [
+            sample.time,
+            p.x,
+            p.y,
+            p.z,
+            q.x,
+            q.y,
+            q.z,
+            q.w,
+            f.x,
+            f.y,
+            f.z,
+        ];
+        self.touches
+            .extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
+    }
+
+    /// Puts a round on the disk.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn keep(
+        &self,
+        round: &Round,
+        truth: &GroundTruth,
+        executing_s: f64,
+    ) -> Result<(), Failure> {
+        let samples = self.touches.len() / (NUMBERS * BYTES);
+        let record = CheckpointRecord::new(
+            &round.execution,
+            truth,
+            self.fingerprint,
+            samples,
+            executing_s,
+        );
+        let text = serde_json::to_string(&record).map_err(internal)?;
+        let number = round.motion.number;
+        // The record, which says that all is there, comes last, and whole or not at all.
+        let unfinished = self.folder.join("record");
+        let written = fs::write(touches_path(&self.folder, number), &self.touches)
+            .and_then(|()| fs::write(&unfinished, text))
+            .and_then(|()| fs::rename(&unfinished, record_path(&self.folder, number)));
+        written.map_err(|error| {
+            let place = self.folder.display();
+            Failure::new(format!("{place}: cannot write there: {error}"))
+                .with_help("choose another folder with --out")
+        })
+    }
+}
+
+/// The rounds that a killed run left in a folder, as far as they are of this very run; what else it left is
+/// removed.
+///
+/// # Errors
+/// What the system says.
+pub fn read(folder: &OutputFolder, fingerprint: u64) -> Result<Vec<KeptRound>, Failure> {
+    let state = folder.state();
+    let rounds: Vec<KeptRound> = (1..)
+        .map_while(|number| {
+            let kept = read_round(&state, number, fingerprint)?;
+            folder.place(&bag_name(number)).is_file().then_some(kept)
+        })
+        .collect();
+    let bags: Vec<String> = (1..=rounds.len()).map(bag_name).collect();
+    folder.keep_only(&bags)?;
+    Ok(rounds)
+}
+
+fn read_round(state: &Path, number: usize, fingerprint: u64) -> Option<KeptRound> {
+    let text = fs::read(record_path(state, number)).ok()?;
+    let record: CheckpointRecord = serde_json::from_slice(&text).ok()?;
+    if record.schema != CHECKPOINT_SCHEMA || record.fingerprint != fingerprint {
+        return None;
+    }
+    let bytes = fs::read(touches_path(state, number)).ok()?;
+    let touches: Vec<TouchSample> = bytes.chunks_exact(NUMBERS * BYTES).map(touch).collect();
+    (touches.len() == record.samples).then(|| {
+        let executing_s = record.executing_s;
+        let (execution, truth) = record.executed();
+        KeptRound {
+            executing_s,
+            recorded: RecordedRound { touches, execution },
+            truth,
+        }
+    })
+}
+
+fn touch(bytes: &[u8]) -> TouchSample {
+    let mut numbers = [0.0; NUMBERS];
+    for (number, bytes) in numbers.iter_mut().zip(bytes.chunks_exact(BYTES)) {
+        let mut eight = [0; BYTES];
+        eight.copy_from_slice(bytes);
+        *number = f64::from_le_bytes(eight);
+    }
+    let [time, x, y, z, qx, qy, qz, qw, fx, fy, fz] = numbers;
+    let rotation = nalgebra::Quaternion::new(qw, qx, qy, qz);
+    TouchSample {
+        time,
+        // As it was, to the last bit: no normalisation.
+        world_from_tool: Pose::from_parts(
+            nalgebra::Translation3::new(x, y, z),
+            nalgebra::UnitQuaternion::new_unchecked(rotation),
+        ),
+        force: Vector3::new(fx, fy, fz),
+    }
+}
+
+fn record_path(state: &Path, number: usize) -> PathBuf {
+    state.join(format!("round-{number}.json"))
+}
+
+fn touches_path(state: &Path, number: usize) -> PathBuf {
+    state.join(format!("round-{number}.felt"))
+}
+
+/// What tells one run from another: a digest (FNV-1a, 64 bits) of everything that it is made of, as Rust
+/// shows it for debugging, in which every number stands with all its digits.
+pub fn fingerprint(parts: &[&dyn fmt::Debug]) -> u64 {
+    struct Digest(u64);
+    impl Write for Digest {
+        fn write_str(&mut self, text: &str) -> fmt::Result {
+            for byte in text.bytes() {
+                self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+            }
+            Ok(())
+        }
+    }
+    let mut digest = Digest(0xcbf2_9ce4_8422_2325);
+    // Writing into a digest cannot fail.
+    let _ = write!(digest, "{}", env!("CARGO_PKG_VERSION"));
+    for part in parts {
+        let _ = write!(digest, "|{part:?}");
+    }
+    digest.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fingerprint_tells_runs_apart() {
+        let one = fingerprint(&[&1.0, &"board"]);
+        assert_eq!(one, fingerprint(&[&1.0, &"board"]));
+        assert_ne!(one, fingerprint(&[&(1.0 + f64::EPSILON), &"board"]));
+        assert_ne!(one, fingerprint(&[&1.0, &"table"]));
+    }
+
+    #[test]
+    fn what_was_felt_comes_back_to_the_last_bit() {
+        let numbers = [0.001, 1.0, -2.0, 0.1, 0.1, 0.2, 0.3, 0.4, 1e-300, -0.0, 9.9];
+        let bytes: Vec<u8> = numbers.iter().flat_map(|n: &f64| n.to_le_bytes()).collect();
+        let touch = touch(&bytes);
+        let q = touch.world_from_tool.rotation.coords;
+        assert_eq!([q.x, q.y, q.z, q.w], [0.1, 0.2, 0.3, 0.4], "not normalised");
+        assert_eq!(touch.time, 0.001);
+        assert_eq!(touch.world_from_tool.translation.vector.z, 0.1);
+        assert_eq!(touch.force, Vector3::new(1e-300, -0.0, 9.9));
+    }
+}

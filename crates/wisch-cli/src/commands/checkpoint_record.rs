@@ -1,0 +1,309 @@
+//! A round that was executed: what a run goes on with that was killed after it.
+
+use serde::{Deserialize, Serialize};
+use wisch::geometry::Point2;
+use wisch::represent::Fate;
+use wisch::robot::Range;
+use wisch::run::{Ending, Execution, StopCause};
+use wisch_sim::{Dirt, Grain, GroundTruth, Spread};
+
+/// Version of the record.
+pub const CHECKPOINT_SCHEMA: u32 = 2;
+
+/// What was executed in a round.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CheckpointRecord {
+    /// [`CHECKPOINT_SCHEMA`].
+    pub schema: u32,
+    /// Of all that the run was made of: task, reality, robot, plan and configuration.
+    pub fingerprint: u64,
+    /// Number of the samples that were felt.
+    pub samples: usize,
+    /// How long simulating took.
+    pub executing_s: f64,
+    duration_s: f64,
+    ending: EndingRecord,
+    positions: Vec<f64>,
+    grains: Vec<GrainRecord>,
+    contact_force: SpreadRecord,
+    max_plane_distance_m: f64,
+    max_controller_force_n: f64,
+    lost_share: f64,
+    max_lateral_error_m: f64,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum EndingRecord {
+    Complete,
+    Stopped,
+    ProtectiveStop { time_s: f64, cause: CauseRecord },
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum CauseRecord {
+    Astray {
+        distance_m: f64,
+        limit_m: f64,
+    },
+    Overspeed {
+        joint: String,
+        velocity: f64,
+        limit: f64,
+    },
+    Overshoot {
+        joint: String,
+        position: f64,
+        lower: f64,
+        upper: f64,
+    },
+    Reported {
+        reason: String,
+    },
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct GrainRecord {
+    position_m: [f64; 2],
+    fate: FateRecord,
+    radius_m: f64,
+    threshold: f64,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum FateRecord {
+    OnSurface,
+    Absorbed,
+    OffSurface(u16),
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct SpreadRecord {
+    count: usize,
+    mean: f64,
+    squares: f64,
+}
+
+impl CheckpointRecord {
+    /// The record of a round.
+    pub fn new(
+        execution: &Execution,
+        truth: &GroundTruth,
+        fingerprint: u64,
+        samples: usize,
+        executing_s: f64,
+    ) -> Self {
+        let force = &truth.contact_force;
+        Self {
+            schema: CHECKPOINT_SCHEMA,
+            fingerprint,
+            samples,
+            executing_s,
+            duration_s: execution.duration,
+            ending: EndingRecord::from(&execution.ending),
+            positions: execution.positions.clone(),
+            grains: truth.dirt.grains().iter().map(GrainRecord::from).collect(),
+            contact_force: SpreadRecord {
+                count: force.count(),
+                mean: force.mean(),
+                squares: force.squares(),
+            },
+            max_plane_distance_m: truth.max_plane_distance,
+            max_controller_force_n: truth.max_controller_force,
+            lost_share: truth.lost_share,
+            max_lateral_error_m: truth.max_lateral_error,
+        }
+    }
+
+    /// What was executed, to the last bit.
+    pub fn executed(self) -> (Execution, GroundTruth) {
+        let force = &self.contact_force;
+        let execution = Execution {
+            duration: self.duration_s,
+            ending: self.ending.into(),
+            positions: self.positions,
+        };
+        let truth = GroundTruth {
+            dirt: Dirt::of(self.grains.into_iter().map(Grain::from).collect()),
+            contact_force: Spread::of(force.count, force.mean, force.squares),
+            max_plane_distance: self.max_plane_distance_m,
+            max_controller_force: self.max_controller_force_n,
+            lost_share: self.lost_share,
+            max_lateral_error: self.max_lateral_error_m,
+        };
+        (execution, truth)
+    }
+}
+
+impl From<&Grain> for GrainRecord {
+    fn from(grain: &Grain) -> Self {
+        Self {
+            position_m: [grain.position.x, grain.position.y],
+            fate: match grain.fate {
+                Fate::OnSurface => FateRecord::OnSurface,
+                Fate::Absorbed => FateRecord::Absorbed,
+                Fate::OffSurface { edge } => FateRecord::OffSurface(edge),
+            },
+            radius_m: grain.radius,
+            threshold: grain.threshold,
+        }
+    }
+}
+
+impl From<GrainRecord> for Grain {
+    fn from(record: GrainRecord) -> Self {
+        let [x, y] = record.position_m;
+        Self {
+            position: Point2::new(x, y),
+            fate: match record.fate {
+                FateRecord::OnSurface => Fate::OnSurface,
+                FateRecord::Absorbed => Fate::Absorbed,
+                FateRecord::OffSurface(edge) => Fate::OffSurface { edge },
+            },
+            radius: record.radius_m,
+            threshold: record.threshold,
+        }
+    }
+}
+
+impl From<&Ending> for EndingRecord {
+    fn from(ending: &Ending) -> Self {
+        let (time, cause) = match ending {
+            Ending::Complete => return Self::Complete,
+            Ending::Stopped => return Self::Stopped,
+            Ending::ProtectiveStop { time, cause } => (time, cause.clone()),
+        };
+        Self::ProtectiveStop {
+            time_s: *time,
+            cause: match cause {
+                StopCause::Astray { distance, limit } => CauseRecord::Astray {
+                    distance_m: distance,
+                    limit_m: limit,
+                },
+                StopCause::Overspeed {
+                    joint,
+                    velocity,
+                    limit,
+                } => CauseRecord::Overspeed {
+                    joint,
+                    velocity,
+                    limit,
+                },
+                StopCause::Overshoot {
+                    joint,
+                    position,
+                    limits,
+                } => CauseRecord::Overshoot {
+                    joint,
+                    position,
+                    lower: limits.lower,
+                    upper: limits.upper,
+                },
+                StopCause::Reported { reason } => CauseRecord::Reported { reason },
+            },
+        }
+    }
+}
+
+impl From<EndingRecord> for Ending {
+    fn from(record: EndingRecord) -> Self {
+        let (time, cause) = match record {
+            EndingRecord::Complete => return Self::Complete,
+            EndingRecord::Stopped => return Self::Stopped,
+            EndingRecord::ProtectiveStop { time_s, cause } => (time_s, cause),
+        };
+        Self::ProtectiveStop {
+            time,
+            cause: match cause {
+                CauseRecord::Astray {
+                    distance_m,
+                    limit_m,
+                } => StopCause::Astray {
+                    distance: distance_m,
+                    limit: limit_m,
+                },
+                CauseRecord::Overspeed {
+                    joint,
+                    velocity,
+                    limit,
+                } => StopCause::Overspeed {
+                    joint,
+                    velocity,
+                    limit,
+                },
+                CauseRecord::Overshoot {
+                    joint,
+                    position,
+                    lower,
+                    upper,
+                } => StopCause::Overshoot {
+                    joint,
+                    position,
+                    limits: Range { lower, upper },
+                },
+                CauseRecord::Reported { reason } => StopCause::Reported { reason },
+            },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_executed_comes_back_to_the_last_bit() {
+        let grain = |fate| Grain {
+            position: Point2::new(0.1 + 0.2, -1.0 / 3.0),
+            fate,
+            radius: 1e-3 / 3.0,
+            threshold: 0.7_f64.exp(),
+        };
+        let causes = [
+            StopCause::Astray {
+                distance: 0.6,
+                limit: 0.5,
+            },
+            StopCause::Overspeed {
+                joint: "elbow".to_owned(),
+                velocity: 4.5,
+                limit: 4.0,
+            },
+            StopCause::Overshoot {
+                joint: "elbow".to_owned(),
+                position: 3.0,
+                limits: Range {
+                    lower: -2.0,
+                    upper: 2.0,
+                },
+            },
+        ];
+        let stops = causes.map(|cause| Ending::ProtectiveStop { time: 0.1, cause });
+        for ending in [Ending::Complete, Ending::Stopped].into_iter().chain(stops) {
+            let execution = Execution {
+                duration: 12.345,
+                ending,
+                positions: vec![std::f64::consts::PI, -0.0, 1e-300],
+            };
+            let truth = GroundTruth {
+                dirt: Dirt::of(vec![
+                    grain(Fate::OnSurface),
+                    grain(Fate::Absorbed),
+                    grain(Fate::OffSurface { edge: 3 }),
+                ]),
+                contact_force: Spread::of(7, 9.9, 1.0 / 7.0),
+                max_plane_distance: 0.001,
+                max_controller_force: 10.0,
+                lost_share: 0.1,
+                max_lateral_error: 0.002,
+            };
+            let record = CheckpointRecord::new(&execution, &truth, u64::MAX, 3, 1.5);
+            let text = serde_json::to_string(&record).expect("text");
+            let read: CheckpointRecord = serde_json::from_str(&text).expect("a record");
+            assert_eq!(read, record);
+            assert_eq!(read.executed(), (execution, truth));
+        }
+    }
+}

@@ -1,0 +1,252 @@
+//! A run kept as an episode: telemetry while it is executed, the rest when it is over.
+
+use super::prepare::Prepared;
+use super::results::{internal, json};
+use super::rounds::Done;
+use crate::args::{KeepArgs, TaskArgs};
+use crate::assets::read_text;
+use crate::failure::Failure;
+use crate::output::{
+    PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE,
+};
+use crate::records::PlanRecord;
+use crate::robots::RobotFiles;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::time::{SystemTime, UNIX_EPOCH};
+use wisch::run::{PlannedRound, RunEvent};
+use wisch_memory::{
+    EpisodeHeader, EpisodeRound, EpisodeWriter, Memory, MemoryError, RobotText, RoundLog,
+    RoundScene, TelemetryWriter, episode_id, remember,
+};
+
+/// What wrote an episode.
+pub(super) const PROGRAM: &str = concat!("wisch ", env!("CARGO_PKG_VERSION"));
+/// Least time between the episodes of a memory [s].
+const PAUSE: f64 = 1.0;
+/// How often another name is tried where one is taken.
+const NAMES_TRIED: u16 = 100;
+
+/// Adds a file to an episode: its name and contents.
+pub(super) type Attach<'a> = dyn Fn(&str, &[u8]) -> Result<(), Failure> + 'a;
+
+/// An episode that is being written, or none.
+pub struct EpisodeRecorder {
+    kept: Option<Kept>,
+}
+
+struct Kept {
+    place: PathBuf,
+    start: f64,
+    writer: EpisodeWriter,
+    telemetry: Option<TelemetryWriter>,
+    /// By number of the round.
+    logs: BTreeMap<usize, RoundLog>,
+    round: usize,
+    failure: Option<MemoryError>,
+}
+
+/// How a run was asked for, beside its task file.
+#[derive(Serialize)]
+struct Options<'a> {
+    task_file: String,
+    settings: &'a [(String, String)],
+    strategy: String,
+    seed: u64,
+}
+
+/// When the last episode of a memory is over [s since 1970]: simulations are faster than the time that they simulate,
+/// and one robot does one thing at a time.
+fn after_the_last(memory: &Memory) -> f64 {
+    let names = memory.episodes().unwrap_or_default();
+    let last = names.iter().max().map(|name| memory.episode(name));
+    // One that cannot be read does not keep others from being written.
+    let record = last.and_then(Result::ok).map(|last| last.record());
+    record
+        .and_then(Result::ok)
+        .map_or(0.0, |record| record.interval[1] + PAUSE)
+}
+
+impl EpisodeRecorder {
+    /// Begins an episode, unless none is wanted.
+    pub fn begin(args: &KeepArgs) -> Result<Self, Failure> {
+        if args.no_memory {
+            return Ok(Self { kept: None });
+        }
+        let memory = Memory::create(&args.memory).map_err(|error| cannot_keep(&error))?;
+        let start = now().max(after_the_last(&memory));
+        let writer = begin(&memory, start).map_err(|error| cannot_keep(&error))?;
+        let kept = Kept {
+            place: args.memory.join(writer.id()),
+            start,
+            writer,
+            telemetry: None,
+            logs: BTreeMap::new(),
+            round: 0,
+            failure: None,
+        };
+        Ok(Self { kept: Some(kept) })
+    }
+
+    /// Looks on while the loop runs; stops it where nothing more can be written.
+    pub fn see(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
+        let Some(kept) = &mut self.kept else {
+            return ControlFlow::Continue(());
+        };
+        match kept.see(event) {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(error) => {
+                kept.failure.get_or_insert(error);
+                ControlFlow::Break(())
+            }
+        }
+    }
+
+    /// Whether all could be written so far.
+    pub fn check(&self) -> Result<(), Failure> {
+        let failure = self.kept.as_ref().and_then(|kept| kept.failure.as_ref());
+        failure.map_or(Ok(()), |error| Err(cannot_keep(error)))
+    }
+
+    /// Puts the episode into the memory; says where.
+    pub fn commit(
+        self,
+        done: &[Done],
+        prepared: &Prepared,
+        task_args: &TaskArgs,
+        robot: &RobotFiles,
+    ) -> Result<Option<PathBuf>, Failure> {
+        let Some(kept) = self.kept else {
+            return Ok(None);
+        };
+        let attach = |name: &str, contents: &[u8]| {
+            let attached = kept.writer.attach(name, contents);
+            attached.map_err(|error| cannot_keep(&error))
+        };
+        attach_task(task_args, prepared, &attach)?;
+        let robot = RobotText {
+            urdf: robot.urdf.clone(),
+            srdf: robot.srdf.clone(),
+            meshes: robot.meshes.clone(),
+        };
+        (robot.attach_to(&kept.writer)).map_err(|error| cannot_keep(&error))?;
+        for done in done {
+            attach_round(done, &attach)?;
+        }
+        let header = EpisodeHeader {
+            id: kept.writer.id().to_owned(),
+            start: kept.start,
+            target: prepared.file.target_performance(),
+            seed: prepared.config.seed,
+            program: PROGRAM.to_owned(),
+        };
+        // A round that was taken over from a killed run was not seen.
+        let unseen = RoundLog::default();
+        let rounds: Vec<_> = done
+            .iter()
+            .map(|done| {
+                let round = &done.round;
+                EpisodeRound {
+                    motion: &round.motion,
+                    log: kept.logs.get(&round.motion.number).unwrap_or(&unseen),
+                    duration: round.execution.duration,
+                    ending: &round.execution.ending,
+                    interpretation: &round.interpretation,
+                    verdict: round.verdict,
+                    simulated_performance: done.true_performance,
+                }
+            })
+            .collect();
+        let record = remember(&header, &rounds);
+        (kept.writer.commit(&record)).map_err(|error| cannot_keep(&error))?;
+        Ok(Some(kept.place))
+    }
+}
+
+impl Kept {
+    fn see(&mut self, event: &RunEvent<'_>) -> Result<(), MemoryError> {
+        match event {
+            RunEvent::Executing(motion) => self.execute(motion),
+            RunEvent::Sample(sample) => {
+                self.logs.entry(self.round).or_default().push(sample);
+                let writing = self.telemetry.as_mut();
+                Ok(writing.map_or(Ok(()), |telemetry| telemetry.write(sample))?)
+            }
+            RunEvent::Interpreting { .. } => {
+                let written = self.telemetry.take();
+                Ok(written.map_or(Ok(()), TelemetryWriter::finish)?)
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn execute(&mut self, motion: &PlannedRound) -> Result<(), MemoryError> {
+        let robot = motion.cell.robot();
+        let joints = (0..robot.dof()).map(|i| robot.variable(i).name.clone());
+        let head = RoundScene::of(motion).head(joints.collect());
+        self.round = motion.number;
+        self.telemetry = Some(self.writer.telemetry(motion.number, head)?);
+        Ok(())
+    }
+}
+
+/// Attaches the task file, and what the command line said of it.
+pub(super) fn attach_task(
+    args: &TaskArgs,
+    prepared: &Prepared,
+    attach: &Attach<'_>,
+) -> Result<(), Failure> {
+    attach("task.toml", read_text(&args.task)?.as_bytes())?;
+    let options = Options {
+        task_file: args.task.display().to_string(),
+        settings: &args.settings,
+        strategy: prepared.strategy().to_string(),
+        seed: prepared.config.seed,
+    };
+    attach("options.json", json(&options)?.as_bytes())
+}
+
+fn attach_round(done: &Done, attach: &Attach<'_>) -> Result<(), Failure> {
+    let round = &done.round;
+    let motion = &round.motion;
+    let name = |file: &str| format!("round-{}/{file}", motion.number);
+    let plan = PlanRecord::new(&motion.task, &motion.plan, motion.task.seed);
+    attach(&name(PLAN_FILE), json(&plan)?.as_bytes())?;
+    let before = motion.task.particles.to_csv();
+    attach(&name(PARTICLES_BEFORE_FILE), before.as_bytes())?;
+    let belief = &round.interpretation.belief;
+    let estimated = belief.sample(motion.task.seed).map_err(internal)?;
+    attach(
+        &name(PARTICLES_ESTIMATED_FILE),
+        estimated.to_csv().as_bytes(),
+    )?;
+    if let Some(truth) = &done.truth {
+        attach(&name(PARTICLES_TRUE_FILE), truth.to_csv().as_bytes())?;
+    }
+    Ok(())
+}
+
+/// Begins an episode under the first name that is free.
+pub(super) fn begin(memory: &Memory, start: f64) -> Result<EpisodeWriter, MemoryError> {
+    // Programs that begin in the same second seldom share the process number's last digits as well.
+    let first = std::process::id() as u16;
+    for salt in 0..NAMES_TRIED {
+        match memory.begin(&episode_id(start, first.wrapping_add(salt))) {
+            Err(MemoryError::Exists { .. }) => {}
+            begun => return begun,
+        }
+    }
+    memory.begin(&episode_id(start, first))
+}
+
+/// Seconds since 1970.
+pub(super) fn now() -> f64 {
+    let since = SystemTime::now().duration_since(UNIX_EPOCH);
+    since.unwrap_or_default().as_secs_f64()
+}
+
+pub(super) fn cannot_keep(error: &MemoryError) -> Failure {
+    Failure::new(error).with_help("--memory DIR keeps the episode elsewhere, --no-memory nowhere")
+}

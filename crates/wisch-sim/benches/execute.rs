@@ -1,0 +1,140 @@
+//! The first ten seconds of wiping in the simulated world: arm of seven joints and humanoid, on a clean
+//! board and with 80 breadcrumbs on it. Items are periods of 1 ms: 10 kitem/s are ten times real time.
+
+#[path = "../../wisch/examples/shipped/robot.rs"]
+#[allow(dead_code, reason = "the arm has its own files")]
+mod robot;
+#[path = "../../wisch/examples/shipped/mod.rs"]
+mod shipped;
+
+use divan::counter::ItemsCount;
+use divan::{Bencher, black_box};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use wisch::control::ControlConfig;
+use wisch::follow::{FollowConfig, Followed, Workcell, WorkcellConfig, follow};
+use wisch::geometry::Point2;
+use wisch::plan::{CoverageStrategy, PlanConfig, plan};
+use wisch::represent::{Action, ParticleDistribution, Task};
+use wisch::robot::{CapabilityMap, RobotModel, Srdf};
+use wisch::run::{Execution, MotionOrder};
+use wisch_sim::{Dirt, SimulationSettings, execute};
+
+fn main() {
+    divan::main();
+}
+
+/// How long is wiped, from the first contact on [s].
+const WIPED: f64 = 10.0;
+const GRAINS: [usize; 2] = [0, 80];
+
+struct Wiping {
+    task: Task,
+    cell: Workcell,
+    followed: Followed,
+    reality: SimulationSettings,
+    dirt: Dirt,
+    config: ControlConfig,
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// A shipped scenario with so many grains.
+fn wiping(
+    name: &str,
+    grains: usize,
+    robot: &RobotModel,
+    srdf: &Srdf,
+    map: Option<&CapabilityMap>,
+) -> Wiping {
+    let file = shipped::scenario(&root().join(format!("scenarios/{name}.toml"))).unwrap();
+    let knowledge = shipped::knowledge(&root().join("knowledge")).unwrap();
+    let task = shipped::task(&file, Action::Collect, 1, &knowledge, &root()).unwrap();
+    let reality = file.reality(&task, &knowledge).unwrap();
+    let config = PlanConfig {
+        strategy: CoverageStrategy::Kde,
+        seed: 1,
+        bandwidth: file.bandwidth_m(),
+        lift_height: file.lift_height_m(),
+    };
+    let plan = plan(&task, &config).unwrap();
+    let config = WorkcellConfig {
+        world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
+        ..WorkcellConfig::default()
+    };
+    let cell = Workcell::new(robot.clone(), Some(srdf), &task, &config).unwrap();
+    let config = FollowConfig::default();
+    let mut followed = follow(&task, &plan, &cell, map, &config, &mut |_| ()).unwrap();
+    let first = followed.motions.iter().position(|m| m.phase.is_contact());
+    let end = followed.motions[first.unwrap()].start + WIPED;
+    followed.motions.retain(|motion| motion.start < end);
+    // The scenario's own dirt, over and over where it is too little.
+    let own: Vec<Point2> = (task.particles.iter())
+        .map(|(position, _)| position)
+        .collect();
+    let places: Vec<Point2> = own.into_iter().cycle().take(grains).collect();
+    let dirt = Dirt::scatter(&ParticleDistribution::new(&places).unwrap(), &reality, 1);
+    Wiping {
+        task,
+        cell,
+        followed,
+        reality,
+        dirt,
+        config: ControlConfig::default(),
+    }
+}
+
+impl Wiping {
+    fn execute(&self) -> Execution {
+        let order = MotionOrder {
+            round: 1,
+            seed: 0,
+            task: &self.task,
+            cell: &self.cell,
+            followed: &self.followed,
+        };
+        let executed = execute(
+            &order,
+            &self.reality,
+            &self.dirt,
+            &self.config,
+            &mut |sample| {
+                black_box(sample);
+                ControlFlow::Continue(())
+            },
+        );
+        executed.unwrap().0
+    }
+
+    fn bench(&self, bencher: Bencher) {
+        let periods = (self.followed.duration() / self.config.period) as usize;
+        bencher
+            .counter(ItemsCount::new(periods))
+            .bench_local(|| self.execute());
+    }
+}
+
+#[divan::bench(args = GRAINS, sample_count = 5, sample_size = 1)]
+fn arm7(bencher: Bencher, grains: usize) {
+    let urdf = include_str!("../../../robots/arm7.urdf");
+    let robot = RobotModel::from_urdf("arm7", urdf, &mut |_| Err(String::new())).unwrap();
+    let srdf = include_str!("../../../robots/arm7.srdf");
+    let srdf = Srdf::parse("arm7", srdf, &robot).unwrap();
+    wiping("arm-board", grains, &robot, &srdf, None).bench(bencher);
+}
+
+#[divan::bench(args = GRAINS, sample_count = 5, sample_size = 1)]
+fn humanoid(bencher: Bencher, grains: usize) {
+    let humanoid = robot::humanoid(&root().join("robots")).unwrap();
+    let map = humanoid.map.as_ref();
+    wiping(
+        "chopping-board",
+        grains,
+        &humanoid.model,
+        &humanoid.srdf,
+        map,
+    )
+    .bench(bencher);
+}

@@ -1,0 +1,79 @@
+//! Real dirt: grains with a size and a will of their own.
+
+use crate::SimulationSettings;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use wisch::geometry::Point2;
+use wisch::represent::{Fate, ParticleDistribution, ParticleError};
+
+/// One grain as it really is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grain {
+    /// Where it is, or went, in the frame of the real surface [m].
+    pub position: Point2,
+    /// What became of it.
+    pub fate: Fate,
+    /// Half its diameter [m].
+    pub radius: f64,
+    /// Pressure under the tool over the nominal one from which on the tool takes it along [1].
+    pub threshold: f64,
+}
+
+/// The truth about the dirt, which only the simulated world knows.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Dirt {
+    pub(super) grains: Vec<Grain>,
+}
+
+impl Dirt {
+    /// Grains where the particles lie, with sizes and thresholds drawn from settings.
+    pub fn scatter(
+        particles: &ParticleDistribution,
+        settings: &SimulationSettings,
+        seed: u64,
+    ) -> Self {
+        let grain = |(i, (position, fate)): (usize, (Point2, Fate))| {
+            // Each grain has a stream of its own, so that its nature does not depend on the others.
+            let mut random = ChaCha8Rng::seed_from_u64(seed);
+            random.set_stream(i as u64);
+            let size = settings.grain_size;
+            let diameter = size.min_m + (size.max_m - size.min_m) * random.random::<f64>();
+            Grain {
+                position,
+                fate,
+                radius: diameter / 2.0,
+                threshold: libm::exp(
+                    settings.likelihood.mu + settings.likelihood.sigma * normal(&mut random),
+                ),
+            }
+        };
+        Self {
+            grains: particles.iter().enumerate().map(grain).collect(),
+        }
+    }
+
+    /// Dirt of these grains.
+    pub const fn of(grains: Vec<Grain>) -> Self {
+        Self { grains }
+    }
+
+    /// The grains.
+    pub fn grains(&self) -> &[Grain] {
+        &self.grains
+    }
+
+    /// Where they lie, as particles in the frame of the real surface.
+    ///
+    /// # Errors
+    /// If a grain went where no number leads, which would be a fault of the simulation.
+    pub fn particles(&self) -> Result<ParticleDistribution, ParticleError> {
+        let grains = self.grains.iter().map(|grain| (grain.position, grain.fate));
+        ParticleDistribution::with_fates(&grains.collect::<Vec<_>>())
+    }
+}
+
+/// A standard normal number by Box and Muller.
+pub(super) fn normal(random: &mut ChaCha8Rng) -> f64 {
+    let (u, v) = (1.0 - random.random::<f64>(), random.random::<f64>());
+    (-2.0 * libm::log(u)).sqrt() * libm::cos(std::f64::consts::TAU * v)
+}

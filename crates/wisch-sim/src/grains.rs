@@ -1,0 +1,238 @@
+//! Real dirt in the world: grains that lie, are gripped by the tool's underside, and fall off edges.
+//!
+//! Assumptions of this stand-in for settings: the underside of a tool closes round a grain instead of
+//! riding on it, so that grains do not lift the tool; where the tool's pressure at a grain's place
+//! exceeds the grain's own threshold, the grain is taken up (absorb) or moved (push): one that the tool's
+//! side meets is pushed ahead of it, one that the tool was set down on is held under it. Grains do not
+//! roll. Pressure is that of the tool's compliance, uneven where the tool is tilted.
+
+use super::Dirt;
+use super::plant::{Plant, groups_of_grains, vector};
+use crate::SimulationSettings;
+use rapier3d_f64::dynamics::{CoefficientCombineRule, RigidBodyBuilder, RigidBodyHandle};
+use rapier3d_f64::geometry::ColliderBuilder;
+use wisch::geometry::{Point2, Point3, Pose, Vector2, Vector3};
+use wisch::represent::{Effect, Fate, MediumKind, Task};
+
+/// Density of grains [kg/m³].
+const DENSITY: f64 = 600.0;
+/// Friction of grains on the surface: what lies on a slope stays there [1].
+const FRICTION: f64 = 0.8;
+const WET_FRICTION: f64 = 1.5;
+/// Friction of grains on the side of a tool: foam and bristles hold them [1].
+const SIDE_FRICTION: f64 = 1.0;
+/// Stiffness of the tool's grip on a grain, as a natural frequency [rad/s]; critically damped.
+const GRIP_RATE: f64 = 200.0;
+/// A grain that is this far below the surface has fallen off it [m].
+const FALLEN: f64 = 0.004;
+
+/// Deeper than this under the tool a grain is no longer pushed by its side [m].
+const SIDE: f64 = 4e-3;
+
+/// A grain's body, and how the tool has it.
+#[derive(Debug, Clone, Copy)]
+struct GrainBody {
+    body: RigidBodyHandle,
+    grip: Grip,
+}
+
+/// How the tool has a grain.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Grip {
+    /// Not at all; the grain lies beside the tool.
+    Beside,
+    /// Not at all; the grain lies under the tool, which does not reach down to it or slips over it.
+    Below,
+    /// The side of the tool pushes it, and holds it by friction at a place in the underside's frame.
+    Side(Point3),
+    /// The underside holds it at a place in its frame.
+    Held(Point3),
+}
+
+/// The bodies of some dirt.
+pub(super) struct GrainBodies {
+    bodies: Vec<Option<GrainBody>>,
+    world_from_real: Pose,
+    effect: Effect,
+    /// Stiffness of the tool's compliance [N/m], and what it has at the nominal force [m].
+    nominal_depth: f64,
+    reach: f64,
+    /// How far off the surface's outline a grain has left it.
+    tallest: f64,
+}
+
+impl GrainBodies {
+    /// Puts the grains that lie on the surface into the world.
+    pub fn new(plant: &mut Plant, dirt: &Dirt, task: &Task, settings: &SimulationSettings) -> Self {
+        let world_from_real = task.surface.world_from_surface * settings.believed_from_real;
+        let friction = match settings.kind {
+            MediumKind::Liquid => WET_FRICTION,
+            MediumKind::Solid | MediumKind::Powder => FRICTION,
+        };
+        let put = |grain: &super::Grain| {
+            if grain.fate != Fate::OnSurface {
+                return None;
+            }
+            let place = Point3::new(grain.position.x, grain.position.y, grain.radius);
+            let at = world_from_real * place;
+            let body = plant.world.insert_body(
+                RigidBodyBuilder::dynamic()
+                    .translation(vector(&at.coords))
+                    .lock_rotations(),
+            );
+            let collider = ColliderBuilder::ball(grain.radius)
+                .density(DENSITY)
+                .friction(friction)
+                .friction_combine_rule(CoefficientCombineRule::Max)
+                .collision_groups(groups_of_grains());
+            plant.world.insert_collider(collider, Some(body));
+            Some(GrainBody {
+                body,
+                grip: Grip::Beside,
+            })
+        };
+        let bodies = dirt.grains.iter().map(put).collect();
+        let corners = task.tool.footprint.edges();
+        let radii = dirt.grains.iter().map(|grain| grain.radius);
+        Self {
+            bodies,
+            world_from_real,
+            effect: task.action.effect(),
+            nominal_depth: task.interaction.compression_depth_m,
+            reach: corners
+                .map(|edge| edge.start.coords.norm())
+                .fold(0.0, f64::max),
+            tallest: 2.0 * radii.fold(0.0, f64::max),
+        }
+    }
+
+    /// Lets the tool act on the grains under it, for the next period.
+    pub fn act(&mut self, plant: &mut Plant, dirt: &mut Dirt, task: &Task) {
+        let plate = plant.world_from_plate();
+        let to_plate = plate.inverse();
+        let compression = plant.compression();
+        let near = self.reach + self.tallest;
+        let normal = self.world_from_real.rotation * Vector3::z();
+        for (grain, slot) in dirt.grains.iter_mut().zip(&mut self.bodies) {
+            let Some(held) = slot else {
+                continue;
+            };
+            let at = plant.world.bodies[held.body].translation();
+            let at = Point3::new(at.x, at.y, at.z);
+            if (at.coords - plate.translation.vector).norm_squared() > near * near {
+                held.grip = Grip::Beside;
+                continue;
+            }
+            let in_plate = to_plate * at;
+            let under = Point2::new(in_plate.x, in_plate.y);
+            if !task.tool.footprint.contains(under) {
+                held.grip = Grip::Beside;
+                continue;
+            }
+            let is_reached = in_plate.z + grain.radius > 0.0
+                && in_plate.z < grain.radius + self.nominal_depth
+                && compression.pressure(under, self.nominal_depth) >= grain.threshold;
+            if !is_reached {
+                held.grip = Grip::Below;
+                continue;
+            }
+            if self.effect == Effect::Absorb {
+                grain.fate = Fate::Absorbed;
+                grain.position = on_surface(&self.world_from_real, &at);
+                plant.world.remove_body(held.body);
+                *slot = None;
+                continue;
+            }
+            let (depth, outward) = nearest_side(task, under);
+            held.grip = match held.grip {
+                Grip::Beside => Grip::Side(in_plate),
+                Grip::Side(_) if depth > SIDE => Grip::Held(in_plate),
+                Grip::Below => Grip::Held(in_plate),
+                kept => kept,
+            };
+            let goal = match held.grip {
+                Grip::Held(place) | Grip::Side(place) => plate * place,
+                Grip::Beside | Grip::Below => at,
+            };
+            let velocity = plant.plate_velocity(&goal);
+            let Some(body) = plant.world.bodies.get_mut(held.body) else {
+                continue;
+            };
+            let (v, mass) = (body.linvel(), body.mass());
+            let slip = velocity - Vector3::new(v.x, v.y, v.z);
+            let hold = mass * (GRIP_RATE * GRIP_RATE * (goal - at) + 2.0 * GRIP_RATE * slip);
+            let force = if let Grip::Held(_) = held.grip {
+                hold
+            } else {
+                let outward = plate * Vector3::new(outward.x, outward.y, 0.0);
+                let push = GRIP_RATE * GRIP_RATE * depth + 2.0 * GRIP_RATE * slip.dot(&outward);
+                let push = (mass * push).max(0.0);
+                let sideways = normal.cross(&outward);
+                let held_back = hold.dot(&sideways);
+                if held_back.abs() > SIDE_FRICTION * push {
+                    held.grip = Grip::Side(in_plate);
+                }
+                let friction = held_back.clamp(-SIDE_FRICTION * push, SIDE_FRICTION * push);
+                push * outward + friction * sideways
+            };
+            // It acts along the surface; upwards the tool gives way.
+            let along = force - normal * normal.dot(&force);
+            body.reset_forces(true);
+            body.add_force(vector(&along), true);
+        }
+    }
+
+    /// Forgets the tool's grip on grains it left, and takes off the surface what fell from it.
+    pub fn settle(&mut self, plant: &mut Plant, dirt: &mut Dirt, task: &Task) {
+        for (grain, slot) in dirt.grains.iter_mut().zip(&mut self.bodies) {
+            let Some(held) = slot else {
+                continue;
+            };
+            let Some(body) = plant.world.bodies.get_mut(held.body) else {
+                continue;
+            };
+            if matches!(held.grip, Grip::Beside | Grip::Below) {
+                if body.is_sleeping() {
+                    continue;
+                }
+                body.reset_forces(false);
+            }
+            let at = body.translation();
+            let in_real = self.world_from_real.inverse() * Point3::new(at.x, at.y, at.z);
+            let now = Point2::new(in_real.x, in_real.y);
+            if !(now.x.is_finite() && now.y.is_finite()) {
+                continue;
+            }
+            let has_left = in_real.z < grain.radius - FALLEN || !task.surface.outline.contains(now);
+            let edge = task.surface.exit_edge(grain.position, now);
+            if let (true, Some(edge)) = (has_left, edge) {
+                grain.fate = Fate::OffSurface {
+                    edge: u16::try_from(edge).unwrap_or(u16::MAX),
+                };
+                plant.world.remove_body(held.body);
+                *slot = None;
+            }
+            if task.surface.outline.contains(now) || grain.fate != Fate::OnSurface {
+                grain.position = now;
+            }
+        }
+    }
+}
+
+/// How far a place under the tool is inside the nearest side, and which way is out of it.
+fn nearest_side(task: &Task, under: Point2) -> (f64, Vector2) {
+    let mut nearest = (f64::INFINITY, Vector2::zeros());
+    for edge in task.tool.footprint.edges() {
+        let distance = edge.distance(under);
+        if distance < nearest.0 {
+            let along = (edge.end - edge.start).normalize();
+            nearest = (distance, Vector2::new(along.y, -along.x));
+        }
+    }
+    nearest
+}
+
+fn on_surface(world_from_real: &Pose, at: &Point3) -> Point2 {
+    let in_real = world_from_real.inverse() * at;
+    Point2::new(in_real.x, in_real.y)
+}

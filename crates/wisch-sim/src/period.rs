@@ -1,0 +1,514 @@
+//! The loop of control, simulation and telemetry.
+
+use crate::dirt::normal;
+use crate::grains::GrainBodies;
+use crate::plant::{GRAVITY, Plant, tool_load};
+use crate::{Dirt, GroundTruth, SimulationError, SimulationSettings, Spread};
+use nalgebra::{Matrix6xX, Translation3, Vector6};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use std::ops::ControlFlow;
+use wisch::control::{
+    ControlConfig, Desired, ImpedanceController, Measured, MomentumObserver, Posture,
+};
+use wisch::follow::{Followed, Motion, Phase, TrajectorySample, Workcell};
+use wisch::geometry::{Point3, Pose, Vector3};
+use wisch::represent::{FrictionChange, Push, Task};
+use wisch::robot::{Articulation, ArticulationState, Range};
+use wisch::run::{Ending, Execution, MotionOrder, SampleSink, StopCause, TelemetrySample, Wrench};
+
+/// Faster than this no robot moves [rad/s or m/s].
+const MAX_VELOCITY: f64 = 100.0;
+/// How fast the commanded tool slides at least for its force to count as that of sliding [m/s].
+const SLIDING: f64 = 0.01;
+/// After the commanded speed rose above that, and after a push, this long passes before forces count [s].
+const SETTLING: f64 = 0.3;
+/// Streams of random numbers.
+const NOISE_STREAM: u64 = 0x6e6f_6973;
+
+/// Further off than this from where it is told to be, the tool is caught or led astray [m].
+const MAX_ASTRAY: f64 = 0.5;
+/// Faster than this over its limit a joint moves only when something is wrong [1].
+const MAX_OVERSPEED: f64 = 4.0;
+/// Beyond its limit by more than this a joint moves only when something is wrong [rad or m].
+const MAX_OVERSHOOT: f64 = 0.1;
+
+/// Executes a motion on some dirt.
+///
+/// `sink` gets what is measured, once per period, and may stop the execution. Disturbances are those that the
+/// settings have for the order's round. `dirt` is where the dirt really is at the start; without grains, none is
+/// simulated.
+///
+/// # Errors
+/// If the robot has no dynamics, or the simulation comes apart.
+pub fn execute(
+    order: &MotionOrder<'_>,
+    settings: &SimulationSettings,
+    dirt: &Dirt,
+    control: &ControlConfig,
+    sink: &mut SampleSink<'_>,
+) -> Result<(Execution, GroundTruth), SimulationError> {
+    let mut simulation = Simulation::new(order, settings, dirt, control)?;
+    let periods = (order.followed.duration() / control.period).ceil() as usize;
+    for k in 0..=periods {
+        if let Some(ending) = simulation.period(k as f64 * control.period, sink)? {
+            return Ok(simulation.finish(ending));
+        }
+    }
+    Ok(simulation.finish(Ending::Complete))
+}
+
+/// Everything that one execution needs, allocated once.
+struct Simulation<'a> {
+    task: &'a Task,
+    cell: &'a Workcell,
+    followed: &'a Followed,
+    config: &'a ControlConfig,
+    settings: &'a SimulationSettings,
+    pushes: Vec<Push>,
+    friction_changes: Vec<FrictionChange>,
+    plant: Plant,
+    grains: GrainBodies,
+    dirt: Dirt,
+    articulation: Articulation,
+    state: ArticulationState,
+    planned: ArticulationState,
+    controller: ImpedanceController,
+    observer: MomentumObserver,
+    /// The moving joint that carries the tool, and the tool in its frame.
+    carrier: usize,
+    joint_from_tool: Pose,
+    jacobian: Matrix6xX<f64>,
+    /// All of the robot's variables, as planned.
+    planned_sample: TrajectorySample,
+    /// The articulation's variables: as planned, and as they are.
+    planned_q: [Vec<f64>; 3],
+    q: Vec<f64>,
+    qd: Vec<f64>,
+    joint_efforts: Vec<f64>,
+    /// All of the robot's variables, as they are.
+    robot_q: Vec<f64>,
+    robot_qd: Vec<f64>,
+    robot_efforts: Vec<f64>,
+    random: ChaCha8Rng,
+    /// Index of the motion that runs.
+    motion: usize,
+    sliding_since: Option<f64>,
+    time: f64,
+    sliding_time: f64,
+    lost_time: f64,
+    truth: GroundTruth,
+}
+
+impl<'a> Simulation<'a> {
+    fn new(
+        order: &MotionOrder<'a>,
+        settings: &'a SimulationSettings,
+        dirt: &Dirt,
+        config: &'a ControlConfig,
+    ) -> Result<Self, SimulationError> {
+        let MotionOrder {
+            round,
+            seed,
+            task,
+            cell,
+            followed,
+        } = *order;
+        let robot = cell.robot();
+        let start = (followed.sample(0.0)).map_or_else(|| cell.ready().to_vec(), |s| s.q);
+        let chain = cell.ik().chain().variables();
+        let base = cell
+            .base()
+            .map_or(vec![], |base| vec![base.x, base.y, base.yaw]);
+        let moving: Vec<bool> = (0..robot.dof())
+            .map(|i| chain.contains(&i) || base.contains(&i) || varies(followed, i, start[i]))
+            .collect();
+        let load = tool_load(cell, task);
+        let articulation = Articulation::new(
+            robot,
+            cell.world_from_root(),
+            &start,
+            &moving,
+            &[(cell.tip(), load)],
+        )?;
+        let compliant: Vec<usize> = (0..articulation.dof())
+            .filter(|&i| {
+                let variable = articulation.variables()[i];
+                chain.contains(&variable) && !base.contains(&variable)
+            })
+            .collect();
+        let (Some(carrier), joint_from_tip) = articulation.carrier(cell.tip()) else {
+            return Err(SimulationError::NothingMoves {
+                robot: robot.name().to_owned(),
+            });
+        };
+        let joint_from_tool = joint_from_tip * cell.tip_from_tool();
+        let q: Vec<f64> = articulation.variables().iter().map(|&i| start[i]).collect();
+        let mut plant = Plant::new(cell, task, settings, &articulation, &compliant, &q, config)?;
+        let grains = GrainBodies::new(&mut plant, dirt, task, settings);
+        let (state, planned) = (articulation.state(), articulation.state());
+        let observer = MomentumObserver::new(&compliant, articulation.dof(), config.observer_gain);
+        let surface = &task.surface.world_from_surface;
+        let range = |k: &usize| robot.variable(articulation.variables()[*k]).limits.position;
+        let ranges = compliant.iter().map(range).collect();
+        let interaction = &task.interaction;
+        let controller = ImpedanceController::new(compliant, ranges, interaction, surface, config);
+        let count = articulation.dof();
+        let mut friction_changes = settings.friction_changes.clone();
+        friction_changes.retain(|change| change.round == round);
+        friction_changes.sort_by(|a, b| b.time.total_cmp(&a.time));
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        random.set_stream(NOISE_STREAM ^ round as u64);
+        Ok(Self {
+            task,
+            cell,
+            followed,
+            config,
+            settings,
+            pushes: (settings.pushes.iter())
+                .filter(|push| push.round == round)
+                .copied()
+                .collect(),
+            friction_changes,
+            plant,
+            grains,
+            dirt: dirt.clone(),
+            state,
+            planned,
+            controller,
+            observer,
+            carrier,
+            joint_from_tool,
+            jacobian: Matrix6xX::zeros(count),
+            planned_sample: TrajectorySample::at_rest(&start),
+            planned_q: [q.clone(), vec![0.0; count], vec![0.0; count]],
+            qd: vec![0.0; count],
+            q,
+            joint_efforts: vec![0.0; articulation.joints().len()],
+            robot_qd: vec![0.0; start.len()],
+            robot_efforts: vec![0.0; start.len()],
+            robot_q: start,
+            random,
+            motion: 0,
+            sliding_since: None,
+            time: 0.0,
+            sliding_time: 0.0,
+            lost_time: 0.0,
+            truth: GroundTruth {
+                dirt: Dirt::default(),
+                contact_force: Spread::default(),
+                max_plane_distance: 0.0,
+                max_controller_force: 0.0,
+                lost_share: 0.0,
+                max_lateral_error: 0.0,
+            },
+            articulation,
+        })
+    }
+
+    /// One period: measure, command, record, let time pass.
+    fn period(
+        &mut self,
+        time: f64,
+        sample: &mut SampleSink<'_>,
+    ) -> Result<Option<Ending>, SimulationError> {
+        self.time = time;
+        self.plant.read(&mut self.q, &mut self.qd);
+        self.check()?;
+        self.articulation
+            .evaluate(&mut self.state, &self.q, &self.qd, GRAVITY);
+        let desired = self.desired(time);
+        let world_from_tool = self.state.pose(self.carrier) * self.joint_from_tool;
+        let tool = world_from_tool.translation.vector.into();
+        let (state, carrier) = (&self.state, self.carrier);
+        self.articulation
+            .jacobian(state, carrier, tool, &mut self.jacobian);
+        let external = self.observer.update(
+            &self.state,
+            &self.qd,
+            self.controller.efforts(),
+            self.config.period,
+        );
+        let measured = Measured {
+            q: &self.q,
+            qd: &self.qd,
+            world_from_tool,
+            jacobian: &self.jacobian,
+        };
+        let [q, qd, qdd] = &self.planned_q;
+        let posture = Posture { q, qd, qdd };
+        let command = self
+            .controller
+            .command(&self.state, &measured, &desired, &posture);
+        let wrench = command.ok_or(SimulationError::NoInertia { time })?;
+        let felt = self.controller.external_wrench(external);
+        if let Some(cause) = self.stop_cause(&desired, &world_from_tool) {
+            return Ok(Some(Ending::ProtectiveStop { time, cause }));
+        }
+        let flow = self.record(time, &desired, world_from_tool, wrench, felt, sample);
+
+        // What joints that follow others will need, the planned acceleration included.
+        let [_, _, qdd] = &self.planned_q;
+        self.articulation
+            .inverse_dynamics(&mut self.state, &self.qd, qdd, GRAVITY);
+        self.plant.drive(
+            &self.state,
+            self.controller.compliant(),
+            self.controller.efforts(),
+            &self.planned_q[0],
+            &self.planned_q[1],
+            &mut self.joint_efforts,
+        );
+        let is_pushed = self.disturb(time, &tool);
+        self.grains.act(&mut self.plant, &mut self.dirt, self.task);
+        self.plant.step();
+        self.grains
+            .settle(&mut self.plant, &mut self.dirt, self.task);
+        self.observe_truth(time, &desired, &world_from_tool, is_pushed, &wrench);
+        Ok(flow.is_break().then_some(Ending::Stopped))
+    }
+
+    /// Whether the robot has to stop itself.
+    fn stop_cause(&self, desired: &Desired, world_from_tool: &Pose) -> Option<StopCause> {
+        let told = desired.world_from_tool.translation.vector;
+        let distance = (told - world_from_tool.translation.vector).norm();
+        if distance > MAX_ASTRAY {
+            let limit = MAX_ASTRAY;
+            return Some(StopCause::Astray { distance, limit });
+        }
+        let limits = self.cell.limits().joints();
+        for &k in self.controller.compliant() {
+            let i = self.articulation.variables()[k];
+            let joint = self.cell.robot().variable(i);
+            let limit = MAX_OVERSPEED * limits[i].velocity;
+            if self.qd[k].abs() > limit {
+                return Some(StopCause::Overspeed {
+                    joint: joint.name.clone(),
+                    velocity: self.qd[k],
+                    limit,
+                });
+            }
+            let range = joint.limits.position;
+            let beyond = |range: &Range| {
+                !(range.lower - MAX_OVERSHOOT..=range.upper + MAX_OVERSHOOT).contains(&self.q[k])
+            };
+            if let Some(limits) = range.filter(beyond) {
+                return Some(StopCause::Overshoot {
+                    joint: joint.name.clone(),
+                    position: self.q[k],
+                    limits,
+                });
+            }
+        }
+        None
+    }
+
+    /// Whether the simulated robot is still one.
+    fn check(&self) -> Result<(), SimulationError> {
+        for (i, &velocity) in self.qd.iter().enumerate() {
+            if velocity.abs() > MAX_VELOCITY || !velocity.is_finite() || !self.q[i].is_finite() {
+                let variable = self.articulation.variables()[i];
+                return Err(SimulationError::Diverged {
+                    time: self.time,
+                    joint: self.cell.robot().variable(variable).name.clone(),
+                    velocity,
+                    limit: MAX_VELOCITY,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Where the tool shall be at a time, the press into the surface included.
+    fn desired(&mut self, time: f64) -> Desired {
+        let motions: &[Motion] = &self.followed.motions;
+        while motions
+            .get(self.motion + 1)
+            .is_some_and(|next| next.start <= time)
+        {
+            self.motion += 1;
+        }
+        if let Some(motion) = motions.get(self.motion) {
+            let since = time - motion.start;
+            motion
+                .trajectory
+                .sample_into(since, &mut self.planned_sample);
+        }
+        let planned = &self.planned_sample;
+        for (k, &i) in self.articulation.variables().iter().enumerate() {
+            self.planned_q[0][k] = planned.q[i];
+            self.planned_q[1][k] = planned.qd[i];
+            self.planned_q[2][k] = planned.qdd[i];
+        }
+        self.articulation
+            .locate(&mut self.planned, &self.planned_q[0]);
+        let mut world_from_tool = self.planned.pose(self.carrier) * self.joint_from_tool;
+        let tool: Point3 = world_from_tool.translation.vector.into();
+        let (state, carrier) = (&self.planned, self.carrier);
+        self.articulation
+            .jacobian(state, carrier, tool, &mut self.jacobian);
+        let mut velocity = Vector6::zeros();
+        for (k, &i) in (0..).zip(&self.planned_q[1]) {
+            velocity += self.jacobian.column(k) * i;
+        }
+        let surface = &self.task.surface.world_from_surface;
+        let height = (surface.inverse() * tool).z;
+        let normal = surface * Vector3::z();
+        let interaction = &self.task.interaction;
+        let depth =
+            self.config.press_margin * interaction.press_force_n / interaction.stiffness_n_per_m;
+        let presses = motions.get(self.motion).is_some_and(|motion| {
+            matches!(motion.phase, Phase::Lower | Phase::Wipe(_) | Phase::Lift)
+        });
+        let share = if presses {
+            (1.0 - height / self.config.approach_height).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        world_from_tool = Translation3::from(-normal * (depth * share)) * world_from_tool;
+        Desired {
+            world_from_tool,
+            velocity,
+        }
+    }
+
+    /// Hands out what is measured.
+    fn record(
+        &mut self,
+        time: f64,
+        desired: &Desired,
+        world_from_tool: Pose,
+        controller: Wrench,
+        mut external: Wrench,
+        sample: &mut SampleSink<'_>,
+    ) -> ControlFlow<()> {
+        let Some(motion) = self.followed.motions.get(self.motion) else {
+            return ControlFlow::Break(());
+        };
+        for axis in 0..3 {
+            external.force[axis] += self.settings.force_bias[axis]
+                + self.settings.force_noise * normal(&mut self.random);
+        }
+        for (k, &i) in self.articulation.variables().iter().enumerate() {
+            self.robot_q[i] = self.q[k];
+            self.robot_qd[i] = self.qd[k];
+            self.robot_efforts[i] = self.state.bias()[k];
+        }
+        let compliant = self.controller.compliant().iter();
+        for (&k, effort) in compliant.zip(self.controller.efforts()) {
+            self.robot_efforts[self.articulation.variables()[k]] = *effort;
+        }
+        sample(&TelemetrySample {
+            time,
+            positions: &self.robot_q,
+            velocities: &self.robot_qd,
+            efforts: &self.robot_efforts,
+            world_from_commanded: desired.world_from_tool,
+            world_from_tool,
+            controller,
+            external,
+            motion: self.motion,
+            phase: motion.phase,
+        })
+    }
+
+    /// Pushes and changes of friction; whether somebody pushes.
+    fn disturb(&mut self, time: f64, tool: &Point3) -> bool {
+        while self
+            .friction_changes
+            .last()
+            .is_some_and(|change| change.time <= time)
+        {
+            if let Some(change) = self.friction_changes.pop() {
+                self.plant.set_friction(change.friction);
+            }
+        }
+        let mut is_pushed = false;
+        for push in &self.pushes {
+            if !(push.start..push.start + push.duration + SETTLING).contains(&time) {
+                continue;
+            }
+            is_pushed = true;
+            if time >= push.start + push.duration {
+                continue;
+            }
+            let size = push.force.norm();
+            if size == 0.0 {
+                continue;
+            }
+            let direction = push.force / size;
+            let mut yielding = 0.0;
+            for (column, qd) in self.jacobian.column_iter().zip(&self.qd) {
+                let moved = Vector3::new(column[0], column[1], column[2]);
+                yielding += qd * moved.dot(&direction);
+            }
+            let share = (1.0 - yielding / push.hand_speed).clamp(0.0, 1.0);
+            self.plant.push(&(push.force * share), tool);
+        }
+        is_pushed
+    }
+
+    fn is_wiping(&self) -> bool {
+        let motion = self.followed.motions.get(self.motion);
+        motion.is_some_and(|motion| motion.phase.is_contact())
+    }
+
+    /// What really happened in this period.
+    fn observe_truth(
+        &mut self,
+        time: f64,
+        desired: &Desired,
+        world_from_tool: &Pose,
+        is_pushed: bool,
+        wrench: &Wrench,
+    ) {
+        let is_wiping = self.is_wiping();
+        let truth = &mut self.truth;
+        truth.max_controller_force = truth.max_controller_force.max(wrench.force.norm());
+        let speed = desired.velocity.fixed_rows::<3>(0).norm();
+        let slides = is_wiping && speed > SLIDING && !is_pushed;
+        if !slides {
+            self.sliding_since = None;
+            return;
+        }
+        let since = *self.sliding_since.get_or_insert(time);
+        if time - since < SETTLING {
+            return;
+        }
+        let force = self.plant.contact_force();
+        self.sliding_time += self.config.period;
+        if force <= 0.0 {
+            self.lost_time += self.config.period;
+        }
+        truth.contact_force.add(force);
+        let world_from_real =
+            self.task.surface.world_from_surface * self.settings.believed_from_real;
+        let in_real = world_from_real.inverse() * Point3::from(world_from_tool.translation.vector);
+        truth.max_plane_distance = truth.max_plane_distance.max(in_real.z.abs());
+        let error = desired.world_from_tool.translation.vector - world_from_tool.translation.vector;
+        let normal = self.plant.normal();
+        let lateral = error - normal * normal.dot(&error);
+        truth.max_lateral_error = truth.max_lateral_error.max(lateral.norm());
+    }
+
+    fn finish(mut self, ending: Ending) -> (Execution, GroundTruth) {
+        self.truth.lost_share = self.lost_time / self.sliding_time.max(self.config.period);
+        self.truth.dirt = self.dirt;
+        let execution = Execution {
+            duration: self.time,
+            ending,
+            positions: self.robot_q,
+        };
+        (execution, self.truth)
+    }
+}
+
+/// Whether a variable of the robot moves at all.
+fn varies(followed: &Followed, variable: usize, start: f64) -> bool {
+    let ends = followed.motions.iter().flat_map(|motion| {
+        let duration = motion.trajectory.duration();
+        [0.25, 0.5, 0.75, 1.0].map(|share| motion.trajectory.sample(share * duration))
+    });
+    ends.into_iter()
+        .any(|sample| (sample.q[variable] - start).abs() > 1e-9)
+}

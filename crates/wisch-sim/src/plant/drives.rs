@@ -1,0 +1,306 @@
+//! The robot's bodies and what moves them: efforts, drives that hold, joints that follow others.
+
+use super::compliance::foam_springs;
+use super::{GRAVITY, Plant, to_engine, vector};
+use crate::SimulationError;
+use nalgebra::{DMatrix, DVector};
+use rapier3d_f64::dynamics::{
+    GenericJoint, MassProperties, PrismaticJointBuilder, RevoluteJointBuilder, RigidBodyBuilder,
+    RigidBodyHandle,
+};
+use rapier3d_f64::math as engine;
+use rapier3d_f64::pipeline::PhysicsWorld;
+use wisch::represent::Task;
+use wisch::robot::{ArticulatedJoint, Articulation, ArticulationState, Body};
+
+/// Natural frequency of joints that follow others and of drives that hold a position [rad/s].
+const COUPLING_RATE: f64 = 250.0;
+const SERVO_RATE: f64 = 100.0;
+
+/// A moving joint in the engine.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Link {
+    pub(super) body: RigidBodyHandle,
+    pub(super) joint: usize,
+    /// Position of its velocity in the multibody's.
+    pub(super) at: usize,
+    /// The body that it turns against, unless that stands in the world.
+    pub(super) parent: Option<RigidBodyHandle>,
+    pub(super) slides: bool,
+}
+
+/// A joint that follows others, held to them by a stiff spring.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Coupling {
+    pub(super) link: usize,
+    pub(super) stiffness: f64,
+    pub(super) damping: f64,
+}
+
+/// The bodies of all joints, linked as the articulation has them; `None` if nothing moves.
+pub(super) fn add_bodies(
+    world: &mut PhysicsWorld,
+    articulation: &Articulation,
+) -> Option<Vec<RigidBodyHandle>> {
+    let ground = world.insert_body(RigidBodyBuilder::fixed());
+    let mut bodies: Vec<RigidBodyHandle> = Vec::new();
+    let mut last = None;
+    for joint in articulation.joints() {
+        let body = world.insert_body(
+            RigidBodyBuilder::dynamic()
+                .additional_mass_properties(mass_properties(&joint.body))
+                .gyroscopic_forces_enabled(true)
+                .can_sleep(false),
+        );
+        let parent = joint.parent.map_or(ground, |p| bodies[p]);
+        let mut data: GenericJoint = if joint.slides {
+            PrismaticJointBuilder::new(engine::Vector::Z).build().into()
+        } else {
+            RevoluteJointBuilder::new(engine::Vector::Z).build().into()
+        };
+        // Both builders turn their frames so that the joint's axis is the engine's x.
+        data.local_frame1 = to_engine(&joint.parent_from_joint) * data.local_frame1;
+        last = world.insert_multibody_joint(parent, body, data);
+        bodies.push(body);
+    }
+    last.map(|_| bodies)
+}
+
+impl Plant {
+    /// Brings the multibody to its start, and remembers where its joints are kept.
+    pub(super) fn place(
+        &mut self,
+        bodies: &[RigidBodyHandle],
+        foam: &[RigidBodyHandle; 3],
+        q: &[f64],
+    ) -> Result<(), SimulationError> {
+        let Some((multibody, _)) = self.world.multibody_joints.get_mut(self.multibody) else {
+            return Err(SimulationError::NoSurface);
+        };
+        // The first pass tells the engine that the root is fixed, which takes its six degrees away.
+        multibody.forward_kinematics(&self.world.bodies, false);
+        let mut displacement = vec![0.0; multibody.ndofs()];
+        for (joint, body) in bodies.iter().enumerate() {
+            let found = multibody
+                .links()
+                .find(|link| link.rigid_body_handle() == *body);
+            if let Some(link) = found {
+                let at = link.assembly_id();
+                displacement[at] = self.articulation.joints()[joint].position(q);
+                self.links.push(Link {
+                    body: *body,
+                    joint: link.link_id(),
+                    at,
+                    parent: self.articulation.joints()[joint].parent.map(|p| bodies[p]),
+                    slides: self.articulation.joints()[joint].slides,
+                });
+            }
+        }
+        for (at, body) in self.foam.iter_mut().zip(foam) {
+            let found = multibody
+                .links()
+                .find(|link| link.rigid_body_handle() == *body);
+            *at = found.map_or(0, |link| link.link_id());
+        }
+        multibody.damping_mut().fill(0.0);
+        multibody.apply_displacements(&displacement);
+        multibody.forward_kinematics(&self.world.bodies, false);
+        multibody.update_rigid_bodies(&mut self.world.bodies, true);
+        Ok(())
+    }
+
+    /// Springs: of the tool, of the drives that hold, of the joints that follow others.
+    pub(super) fn set_drives(&mut self, compliant: &[usize], q: &[f64], task: &Task) {
+        let mut state = self.articulation.state();
+        let still = vec![0.0; self.articulation.dof()];
+        self.articulation.evaluate(&mut state, q, &still, GRAVITY);
+        let joints = self.articulation.joint_mass_matrix(&state);
+        let Some((multibody, _)) = self.world.multibody_joints.get_mut(self.multibody) else {
+            return;
+        };
+        for (i, joint) in self.articulation.joints().iter().enumerate() {
+            if joint.is_variable() {
+                let variable = joint.terms[0].0;
+                if compliant.contains(&variable) {
+                    continue;
+                }
+                let inertia = state.mass_matrix()[(variable, variable)];
+                let stiffness = inertia * SERVO_RATE * SERVO_RATE;
+                let damping = 2.0 * inertia * SERVO_RATE;
+                self.servos[variable] = Some([stiffness, damping]);
+                multibody.damping_mut()[self.links[i].at] = damping;
+            } else {
+                let inertia = coupled_inertia(&self.articulation, &joints, i);
+                self.couplings.push(Coupling {
+                    link: i,
+                    stiffness: inertia * COUPLING_RATE * COUPLING_RATE,
+                    damping: 2.0 * inertia * COUPLING_RATE,
+                });
+            }
+        }
+        let springs = foam_springs(task);
+        for (at, [stiffness, damping]) in self.foam.into_iter().zip(springs) {
+            let Some(link) = multibody.link_mut(at) else {
+                continue;
+            };
+            let axis = free_axis(link.joint.data.locked_axes.bits());
+            link.joint.set_spring(axis, stiffness, 0.0);
+            let dof = link.assembly_id();
+            multibody.damping_mut()[dof] = damping;
+        }
+    }
+
+    /// Positions and velocities of the articulation's variables.
+    pub fn read(&self, q: &mut [f64], qd: &mut [f64]) {
+        let Some((multibody, _)) = self.world.multibody_joints.get(self.multibody) else {
+            return;
+        };
+        let velocities = multibody.generalized_velocity();
+        for (link, joint) in self.links.iter().zip(self.articulation.joints()) {
+            if !joint.is_variable() {
+                continue;
+            }
+            let variable = joint.terms[0].0;
+            q[variable] = self.coordinate(link);
+            qd[variable] = velocities[link.at];
+        }
+    }
+
+    pub(super) fn coordinate(&self, link: &Link) -> f64 {
+        let multibody = self.world.multibody_joints.get(self.multibody);
+        let found = multibody.and_then(|(multibody, _)| multibody.link(link.joint));
+        found.map_or(0.0, |found| {
+            found.joint.coords()[free_axis(found.joint.data.locked_axes.bits())]
+        })
+    }
+
+    /// Lets efforts act on the compliant variables and moves on the targets of the others, over one period.
+    pub fn drive(
+        &mut self,
+        state: &ArticulationState,
+        compliant: &[usize],
+        efforts: &[f64],
+        target_q: &[f64],
+        target_qd: &[f64],
+        joint_efforts: &mut [f64],
+    ) {
+        for link in &self.links {
+            let body = &mut self.world.bodies[link.body];
+            body.reset_forces(false);
+            body.reset_torques(false);
+        }
+        self.couple(state, joint_efforts);
+        for (i, joint) in self.articulation.joints().iter().enumerate() {
+            if joint.is_variable() {
+                let variable = joint.terms[0].0;
+                joint_efforts[i] += match compliant.iter().position(|&c| c == variable) {
+                    Some(k) => efforts[k],
+                    // What holds against gravity; the spring does the rest.
+                    None => state.bias()[variable],
+                };
+            }
+        }
+        for (i, link) in self.links.iter().enumerate() {
+            let axis = vector(&(state.axis(i) * joint_efforts[i]));
+            let origin = state.origin(i);
+            if link.slides {
+                let at = vector(&origin);
+                self.world.bodies[link.body].add_force_at_point(axis, at, true);
+                if let Some(parent) = link.parent {
+                    self.world.bodies[parent].add_force_at_point(-axis, at, true);
+                }
+            } else {
+                self.world.bodies[link.body].add_torque(axis, true);
+                if let Some(parent) = link.parent {
+                    self.world.bodies[parent].add_torque(-axis, true);
+                }
+            }
+        }
+        let Some((multibody, _)) = self.world.multibody_joints.get_mut(self.multibody) else {
+            return;
+        };
+        for (link, joint) in self.links.iter().zip(self.articulation.joints()) {
+            if !joint.is_variable() {
+                continue;
+            }
+            let variable = joint.terms[0].0;
+            let (Some([stiffness, damping]), Some(found)) =
+                (self.servos[variable], multibody.link_mut(link.joint))
+            else {
+                continue;
+            };
+            // The damper brakes against standing still: the spring's rest runs ahead by what that takes.
+            let ahead = target_qd[variable] * damping / stiffness;
+            let axis = free_axis(found.joint.data.locked_axes.bits());
+            found
+                .joint
+                .set_spring(axis, stiffness, target_q[variable] + ahead);
+        }
+    }
+
+    /// Efforts that hold following joints to those that they follow, and what these feel of it.
+    fn couple(&self, state: &ArticulationState, joint_efforts: &mut [f64]) {
+        joint_efforts.fill(0.0);
+        let Some((multibody, _)) = self.world.multibody_joints.get(self.multibody) else {
+            return;
+        };
+        let velocities = multibody.generalized_velocity();
+        for coupling in &self.couplings {
+            let joint = &self.articulation.joints()[coupling.link];
+            let mut error = self.coordinate(&self.links[coupling.link]) - joint.offset;
+            let mut rate = velocities[self.links[coupling.link].at];
+            for &(variable, factor) in &joint.terms {
+                if let Some(k) = self.link_of(variable) {
+                    error -= factor * self.coordinate(&self.links[k]);
+                    rate -= factor * velocities[self.links[k].at];
+                }
+            }
+            let effort = state.joint_efforts()[coupling.link]
+                - coupling.stiffness * error
+                - coupling.damping * rate;
+            joint_efforts[coupling.link] += effort;
+            for &(variable, factor) in &joint.terms {
+                if let Some(k) = self.link_of(variable) {
+                    joint_efforts[k] -= factor * effort;
+                }
+            }
+        }
+    }
+
+    fn link_of(&self, variable: usize) -> Option<usize> {
+        let joints = self.articulation.joints().iter();
+        joints
+            .enumerate()
+            .find(|(_, joint)| joint.is_variable() && joint.terms[0].0 == variable)
+            .map(|(i, _)| i)
+    }
+}
+
+/// The inertia that stands against closing the gap between a following joint and those that it follows.
+fn coupled_inertia(articulation: &Articulation, mass: &DMatrix<f64>, follower: usize) -> f64 {
+    let mut gap = DVector::zeros(mass.nrows());
+    gap[follower] = 1.0;
+    for &(variable, factor) in &articulation.joints()[follower].terms {
+        let leads = |j: &ArticulatedJoint| j.is_variable() && j.terms[0].0 == variable;
+        if let Some(leader) = articulation.joints().iter().position(leads) {
+            gap[leader] -= factor;
+        }
+    }
+    let accelerations = mass.clone().cholesky().map(|mass| mass.solve(&gap));
+    accelerations.map_or(0.0, |a| 1.0 / gap.dot(&a).max(f64::MIN_POSITIVE))
+}
+
+/// The one free axis of a joint, in the engine's order: linear, then angular.
+pub(super) fn free_axis(locked: u8) -> usize {
+    (!locked).trailing_zeros() as usize
+}
+
+fn mass_properties(body: &Body) -> MassProperties {
+    let m = &body.inertia_about_center;
+    let column = |i: usize| engine::Vector::new(m[(0, i)], m[(1, i)], m[(2, i)]);
+    MassProperties::with_inertia_matrix(
+        vector(&body.center_in_link.coords),
+        body.mass,
+        engine::Matrix::from_cols(column(0), column(1), column(2)),
+    )
+}

@@ -1,0 +1,219 @@
+//! The simulated world: the robot as a multibody, its compliant tool, the real surface and the scene.
+//!
+//! Here it is put together and stepped; `drives` has the robot's bodies and what moves them, `compliance`
+//! the tool and its plate, `shapes` what can be touched.
+
+mod compliance;
+mod drives;
+mod shapes;
+
+pub(super) use compliance::tool_load;
+
+use self::compliance::{compliance, foam_springs, plate_thickness};
+use self::drives::{Coupling, Link, add_bodies};
+use self::shapes::{add_scene, add_shapes, prism};
+use crate::{SimulationError, SimulationSettings};
+use rapier3d_f64::dynamics::{MultibodyJointHandle, RigidBodyHandle, SpringCoefficients};
+use rapier3d_f64::geometry::{
+    ColliderBuilder, ColliderHandle, Group, InteractionGroups, InteractionTestMode,
+};
+use rapier3d_f64::math as engine;
+use rapier3d_f64::pipeline::PhysicsWorld;
+use wisch::control::ControlConfig;
+use wisch::follow::Workcell;
+use wisch::geometry::{Point3, Pose, Vector3};
+use wisch::represent::Task;
+use wisch::robot::Articulation;
+
+/// Acceleration of free fall [m/s²].
+pub(super) const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
+
+/// A length that is small in this world [m]: that of grains. With the engine's usual metre, its broad
+/// phase would pair everything with everything.
+const LENGTH_UNIT: f64 = 0.01;
+/// Distance from which on contacts are prepared [m].
+const PREDICTION: f64 = 2e-3;
+/// How far bodies may sink into each other [m].
+const ALLOWED_ERROR: f64 = 1e-4;
+/// How fast the engine may push bodies apart [m/s].
+const CORRECTION: f64 = 0.5;
+/// Stiffness and damping of contacts: natural frequency [Hz] and damping ratio [1].
+const CONTACT: [f64; 2] = [240.0, 10.0];
+const SOLVER_ITERATIONS: usize = 1;
+const CONTACT_ITERATIONS: usize = 4;
+/// Thickness of the surface [m]: so much that the tool is never pushed out on the far side.
+const SURFACE_THICKNESS: f64 = 0.1;
+
+const ROBOT: Group = Group::GROUP_1;
+const SCENE: Group = Group::GROUP_2;
+const SURFACE: Group = Group::GROUP_3;
+const PLATE: Group = Group::GROUP_4;
+const TOOL: Group = Group::GROUP_5;
+const GRAIN: Group = Group::GROUP_6;
+
+/// The world of one execution.
+pub(super) struct Plant {
+    pub world: PhysicsWorld,
+    articulation: Articulation,
+    multibody: MultibodyJointHandle,
+    links: Vec<Link>,
+    /// Links of the tool's compliance in the multibody: depth, rocking about x, about y.
+    foam: [usize; 3],
+    /// Stiffness and damping of its depth.
+    foam_spring: [f64; 2],
+    plate: RigidBodyHandle,
+    hand: RigidBodyHandle,
+    plate_collider: ColliderHandle,
+    surface_collider: ColliderHandle,
+    normal: Vector3,
+    /// Of each own variable: stiffness and damping of the drive that holds it, if it is none of the
+    /// compliant ones.
+    servos: Vec<Option<[f64; 2]>>,
+    couplings: Vec<Coupling>,
+}
+
+pub(super) fn to_engine(pose: &Pose) -> engine::Pose {
+    (*pose).into()
+}
+
+pub(super) fn vector(v: &Vector3) -> engine::Vector {
+    engine::Vector::new(v.x, v.y, v.z)
+}
+
+/// Grains meet the surface and each other; what the tool does to them is a force of its own.
+pub(super) fn groups_of_grains() -> InteractionGroups {
+    groups(GRAIN, SURFACE | GRAIN)
+}
+
+fn groups(memberships: Group, filter: Group) -> InteractionGroups {
+    InteractionGroups::new(memberships, filter, InteractionTestMode::And)
+}
+
+/// A world without anything in it, stepped as `config` says.
+fn empty_world(config: &ControlConfig) -> PhysicsWorld {
+    let mut world = PhysicsWorld::new();
+    world.gravity = vector(&GRAVITY);
+    let parameters = &mut world.integration_parameters;
+    parameters.dt = config.period;
+    parameters.length_unit = LENGTH_UNIT;
+    parameters.normalized_prediction_distance = PREDICTION / LENGTH_UNIT;
+    parameters.normalized_allowed_linear_error = ALLOWED_ERROR / LENGTH_UNIT;
+    parameters.normalized_max_corrective_velocity = CORRECTION / LENGTH_UNIT;
+    // Each further iteration computes the robot's mass matrix anew; contacts are few and light.
+    parameters.num_solver_iterations = SOLVER_ITERATIONS;
+    parameters.num_internal_pgs_iterations = CONTACT_ITERATIONS;
+    let [frequency, ratio] = CONTACT;
+    parameters.static_contact_softness = SpringCoefficients::new(frequency, ratio);
+    parameters.contact_softness = SpringCoefficients::new(frequency / 2.0, ratio);
+    world
+}
+
+impl Plant {
+    /// The world in which `articulation` stands at `q`, its variables `compliant` driven by efforts and
+    /// the others by drives that hold them.
+    pub fn new(
+        cell: &Workcell,
+        task: &Task,
+        settings: &SimulationSettings,
+        articulation: &Articulation,
+        compliant: &[usize],
+        q: &[f64],
+        config: &ControlConfig,
+    ) -> Result<Self, SimulationError> {
+        let mut world = empty_world(config);
+        let bodies = add_bodies(&mut world, articulation);
+        let (carrier, joint_from_tip) = articulation.carrier(cell.tip());
+        let (Some(carrier), Some(bodies)) = (carrier, bodies) else {
+            return Err(SimulationError::NothingMoves {
+                robot: cell.robot().name().to_owned(),
+            });
+        };
+        let joint_from_tool = joint_from_tip * cell.tip_from_tool();
+        let hand = bodies[carrier];
+        let (plate, foam_bodies, multibody) = compliance(&mut world, hand, &joint_from_tool, task)?;
+
+        let plate_shape = prism(
+            task.tool.footprint.edges().map(|edge| edge.start),
+            0.0,
+            plate_thickness(task),
+        );
+        let plate_shape = plate_shape.ok_or(SimulationError::NoFootprint)?;
+        let plate_collider = world.insert_collider(
+            ColliderBuilder::new(plate_shape)
+                .density(0.0)
+                .friction(settings.friction)
+                .collision_groups(groups(PLATE, SURFACE)),
+            Some(plate),
+        );
+        let world_from_real = task.surface.world_from_surface * settings.believed_from_real;
+        let slab = prism(
+            task.surface.outline.outer().iter().copied(),
+            -SURFACE_THICKNESS,
+            0.0,
+        );
+        let surface_collider = world.insert_collider(
+            ColliderBuilder::new(slab.ok_or(SimulationError::NoSurface)?)
+                .position(to_engine(&world_from_real))
+                .friction(settings.friction)
+                .collision_groups(groups(SURFACE, PLATE | GRAIN)),
+            None,
+        );
+        add_scene(&mut world, task, settings);
+        add_shapes(&mut world, cell, task, articulation, compliant, &bodies);
+
+        let mut plant = Self {
+            links: Vec::new(),
+            foam: [0; 3],
+            foam_spring: foam_springs(task)[0],
+            plate,
+            hand,
+            plate_collider,
+            surface_collider,
+            normal: world_from_real * Vector3::z(),
+            servos: vec![None; articulation.dof()],
+            couplings: Vec::new(),
+            articulation: articulation.clone(),
+            multibody,
+            world,
+        };
+        plant.place(&bodies, &foam_bodies, q)?;
+        plant.set_drives(compliant, q, task);
+        Ok(plant)
+    }
+
+    /// Pushes the hand at a point in the world during the next period.
+    pub fn push(&mut self, force: &Vector3, at: &Point3) {
+        let body = &mut self.world.bodies[self.hand];
+        body.add_force_at_point(vector(force), vector(&at.coords), true);
+    }
+
+    /// Lets one period pass.
+    pub fn step(&mut self) {
+        self.world.step();
+    }
+
+    /// Sets the friction between tool and surface.
+    pub fn set_friction(&mut self, friction: f64) {
+        for handle in [self.plate_collider, self.surface_collider] {
+            if let Some(collider) = self.world.colliders.get_mut(handle) {
+                collider.set_friction(friction);
+            }
+        }
+    }
+
+    /// The underside of the tool in the world.
+    pub fn world_from_plate(&self) -> Pose {
+        (*self.world.bodies[self.plate].position()).into()
+    }
+
+    /// Velocity of a point of the tool's underside in the world [m/s].
+    pub fn plate_velocity(&self, at: &Point3) -> Vector3 {
+        let v = self.world.bodies[self.plate].velocity_at_point(vector(&at.coords));
+        Vector3::new(v.x, v.y, v.z)
+    }
+
+    /// Outward normal of the real surface in the world.
+    pub const fn normal(&self) -> Vector3 {
+        self.normal
+    }
+}

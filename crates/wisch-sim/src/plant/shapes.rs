@@ -1,0 +1,179 @@
+//! What can be touched: the shapes of surface, scene, robot and tool.
+
+use super::{ROBOT, SCENE, TOOL, groups, to_engine, vector};
+use crate::SimulationSettings;
+use petgraph::unionfind::UnionFind;
+use rapier3d_f64::dynamics::RigidBodyHandle;
+use rapier3d_f64::geometry::{ColliderBuilder, SharedShape};
+use rapier3d_f64::math as engine;
+use rapier3d_f64::pipeline::PhysicsWorld;
+use std::collections::BTreeMap;
+use wisch::follow::Workcell;
+use wisch::geometry::{Mesh, Point2, Point3};
+use wisch::represent::{ScenePart, Task};
+use wisch::robot::{Articulation, Collision, Shape};
+
+/// Up to this many times its compression depth a tool gives way.
+const YIELDING: f64 = 2.0;
+
+/// The convex hull of points in a plane, extruded along z.
+pub(super) fn prism(
+    points: impl Iterator<Item = Point2>,
+    from: f64,
+    to: f64,
+) -> Option<SharedShape> {
+    let corners: Vec<engine::Vector> = points
+        .flat_map(|p| [from, to].map(|z| engine::Vector::new(p.x, p.y, z)))
+        .collect();
+    SharedShape::convex_hull(&corners)
+}
+
+pub(super) fn add_scene(world: &mut PhysicsWorld, task: &Task, settings: &SimulationSettings) {
+    // What is mislocated is the robot before the scene: everything is off by the same.
+    let world_from_surface = task.surface.world_from_surface;
+    let moved = world_from_surface * settings.believed_from_real * world_from_surface.inverse();
+    for object in &task.scene {
+        let filter = match object.part {
+            ScenePart::Robot | ScenePart::Tool => continue,
+            ScenePart::Carrier => ROBOT,
+            ScenePart::Obstacle => ROBOT | TOOL,
+        };
+        if let Some(shape) = trimesh(&object.mesh) {
+            let collider = ColliderBuilder::new(shape)
+                .position(to_engine(&(moved * object.world_from_object)))
+                .collision_groups(groups(SCENE, filter));
+            world.insert_collider(collider, None);
+        }
+    }
+}
+
+fn trimesh(mesh: &Mesh) -> Option<SharedShape> {
+    let vertices = mesh.vertices().iter().map(|p| vector(&p.coords)).collect();
+    SharedShape::trimesh(vertices, mesh.triangles().to_vec()).ok()
+}
+
+fn hull(mesh: &Mesh) -> Option<SharedShape> {
+    let points: Vec<_> = mesh.vertices().iter().map(|p| vector(&p.coords)).collect();
+    SharedShape::convex_hull(&points)
+}
+
+/// The robot's shapes on its bodies, and the tool's mesh in its hand.
+pub(super) fn add_shapes(
+    world: &mut PhysicsWorld,
+    cell: &Workcell,
+    task: &Task,
+    articulation: &Articulation,
+    compliant: &[usize],
+    bodies: &[RigidBodyHandle],
+) {
+    let robot = cell.robot();
+    for (link, at) in robot.links().iter().zip(0..) {
+        let Ok(id) = robot.link(&robot.links()[at].name) else {
+            continue;
+        };
+        let (Some(joint), joint_from_link) = articulation.carrier(id) else {
+            continue;
+        };
+        // What stands on the floor is held by drives, and wheels are not simulated.
+        if !is_compliant(articulation, compliant, joint) {
+            continue;
+        }
+        for Collision {
+            link_from_shape,
+            shape,
+        } in &link.collision
+        {
+            let Some(shape) = engine_shape(shape) else {
+                continue;
+            };
+            let collider = ColliderBuilder::new(shape)
+                .position(to_engine(&(joint_from_link * link_from_shape)))
+                .density(0.0)
+                .collision_groups(groups(ROBOT, SCENE));
+            world.insert_collider(collider, Some(bodies[joint]));
+        }
+    }
+    let (Some(joint), joint_from_tip) = articulation.carrier(cell.tip()) else {
+        return;
+    };
+    // The part that gives way is the plate's.
+    let yielding = YIELDING * task.interaction.compression_depth_m;
+    for part in parts(&task.tool.mesh) {
+        let firm = part
+            .iter()
+            .map(|p| engine::Vector::new(p.x, p.y, p.z.max(yielding)));
+        let Some(shape) = SharedShape::convex_hull(&firm.collect::<Vec<_>>()) else {
+            continue;
+        };
+        let collider = ColliderBuilder::new(shape)
+            .position(to_engine(&(joint_from_tip * cell.tip_from_tool())))
+            .density(0.0)
+            .collision_groups(groups(TOOL, SCENE));
+        world.insert_collider(collider, Some(bodies[joint]));
+    }
+}
+
+/// Whether a joint, or one that it hangs on, is driven by the controller.
+fn is_compliant(articulation: &Articulation, compliant: &[usize], joint: usize) -> bool {
+    let mut at = Some(joint);
+    while let Some(i) = at {
+        let joint = &articulation.joints()[i];
+        if joint
+            .terms
+            .iter()
+            .any(|(variable, _)| compliant.contains(variable))
+        {
+            return true;
+        }
+        at = joint.parent;
+    }
+    false
+}
+
+/// The vertices of each connected part of a mesh: a stick does not make a cone of its broom.
+fn parts(mesh: &Mesh) -> Vec<Vec<Point3>> {
+    let key = |p: &Point3| [p.x, p.y, p.z].map(f64::to_bits);
+    let mut places: BTreeMap<[u64; 3], usize> = BTreeMap::new();
+    let at: Vec<usize> = (mesh.vertices().iter())
+        .map(|p| {
+            let next = places.len();
+            *places.entry(key(p)).or_insert(next)
+        })
+        .collect();
+    let mut sets = UnionFind::new(places.len());
+    for [a, b, c] in mesh.triangles() {
+        sets.union(at[*a as usize], at[*b as usize]);
+        sets.union(at[*a as usize], at[*c as usize]);
+    }
+    let mut parts: BTreeMap<usize, Vec<Point3>> = BTreeMap::new();
+    for (place, vertex) in at.iter().zip(mesh.vertices()) {
+        parts.entry(sets.find(*place)).or_default().push(*vertex);
+    }
+    parts.into_values().collect()
+}
+
+fn engine_shape(shape: &Shape) -> Option<SharedShape> {
+    Some(match shape {
+        Shape::Box { size } => SharedShape::cuboid(size.x / 2.0, size.y / 2.0, size.z / 2.0),
+        Shape::Cylinder { radius, length } => {
+            let half = length / 2.0;
+            // The engine's cylinders stand along y.
+            return cylinder_hull(*radius, half);
+        }
+        Shape::Capsule { radius, length } => {
+            let end = engine::Vector::new(0.0, 0.0, length / 2.0);
+            SharedShape::capsule(-end, end, *radius)
+        }
+        Shape::Sphere { radius } => SharedShape::ball(*radius),
+        Shape::Mesh(mesh) => return hull(mesh),
+    })
+}
+
+fn cylinder_hull(radius: f64, half: f64) -> Option<SharedShape> {
+    const SIDES: usize = 24;
+    let corner = |i: usize| {
+        let angle = std::f64::consts::TAU * i as f64 / SIDES as f64;
+        Point2::new(radius * angle.cos(), radius * angle.sin())
+    };
+    prism((0..SIDES).map(corner), -half, half)
+}

@@ -1,0 +1,101 @@
+//! The simulated world over the rounds of a session.
+
+use crate::{Dirt, GroundTruth, SimulationSettings, execute};
+use wisch::control::ControlConfig;
+use wisch::geometry::Pose;
+use wisch::represent::{
+    GoalState, ParticleDistribution, ParticleError, Performance, Surface, Task,
+};
+use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink};
+
+/// A world with a surface, dirt and people of its own, that outlasts the rounds of a session.
+///
+/// It executes every motion on the dirt that the one before left.
+#[derive(Debug, Clone)]
+pub struct World {
+    settings: SimulationSettings,
+    control: ControlConfig,
+    world_from_real: Pose,
+    /// The dirt before the first round.
+    dirt: Dirt,
+    truth: Vec<GroundTruth>,
+}
+
+impl World {
+    /// A world in which the dirt lies where the task believes it to lie, as far as there is no more of it than
+    /// the settings allow to be simulated; otherwise none is.
+    pub fn new(task: &Task, settings: SimulationSettings) -> Self {
+        let dirt = if task.particles.len() > settings.max_bodies {
+            Dirt::default()
+        } else {
+            Dirt::scatter(&task.particles, &settings, task.seed)
+        };
+        Self {
+            world_from_real: task.surface.world_from_surface * settings.believed_from_real,
+            control: ControlConfig::default(),
+            settings,
+            dirt,
+            truth: Vec::new(),
+        }
+    }
+
+    /// The same world with a robot that is controlled otherwise.
+    #[must_use]
+    pub fn with_control(self, control: ControlConfig) -> Self {
+        Self { control, ..self }
+    }
+
+    /// The same world after rounds that took place before, of which this is the truth.
+    #[must_use]
+    pub fn after(self, truth: Vec<GroundTruth>) -> Self {
+        Self { truth, ..self }
+    }
+
+    /// What really happened, round by round. For evaluations and reports: a robot has no such thing.
+    pub fn truth(&self) -> &[GroundTruth] {
+        &self.truth
+    }
+}
+
+impl Executor for World {
+    fn execute(
+        &mut self,
+        order: &MotionOrder<'_>,
+        sink: &mut SampleSink<'_>,
+    ) -> Result<Execution, ExecutorError> {
+        let believed = order.task.surface.world_from_surface;
+        let settings = SimulationSettings {
+            believed_from_real: believed.inverse() * self.world_from_real,
+            ..self.settings.clone()
+        };
+        let dirt = self.truth.last().map_or(&self.dirt, |truth| &truth.dirt);
+        let (execution, truth) =
+            execute(order, &settings, dirt, &self.control, sink).map_err(ExecutorError::new)?;
+        self.truth.push(truth);
+        Ok(execution)
+    }
+}
+
+impl GroundTruth {
+    /// Where the dirt lies afterwards; `None` where none was simulated.
+    ///
+    /// # Errors
+    /// If a grain went where no number leads, which would be a fault of the simulation.
+    pub fn particles(&self) -> Result<Option<ParticleDistribution>, ParticleError> {
+        let is_clean = self.dirt.grains().is_empty();
+        (!is_clean).then(|| self.dirt.particles()).transpose()
+    }
+
+    /// The true performance afterwards [1]; `None` where no dirt was simulated.
+    ///
+    /// # Errors
+    /// Those of [`Self::particles`].
+    pub fn performance(
+        &self,
+        goal: &GoalState,
+        surface: &Surface,
+    ) -> Result<Option<f64>, ParticleError> {
+        let particles = self.particles()?;
+        Ok(particles.map(|particles| Performance::of(&particles, goal, surface).ratio()))
+    }
+}

@@ -1,0 +1,147 @@
+//! Execution in the simulated world: what a wipe does by itself, under disturbances, and to real dirt.
+
+#[path = "../../wisch/tests/follow/board.rs"]
+#[allow(dead_code, reason = "following tests more of a board than execution")]
+mod board;
+#[path = "../../wisch/examples/random_problems/problems.rs"]
+#[allow(dead_code, reason = "only its robots and its sponge are used")]
+mod problems;
+
+#[path = "execute/disturbances.rs"]
+mod disturbances;
+#[path = "execute/grains.rs"]
+mod grains;
+#[path = "execute/humanoid.rs"]
+mod humanoid;
+#[path = "execute/wiping.rs"]
+mod wiping;
+
+use wiping::{FORCE, Wiping, faults};
+use wisch::control::ControlConfig;
+use wisch::geometry::Vector3;
+use wisch::represent::Action;
+use wisch::run::Ending;
+
+#[test]
+fn an_undisturbed_wipe_presses_as_told_and_stays_in_its_plane() {
+    let wiping = Wiping::of_one_stroke(Action::Absorb);
+    let log = wiping.execute();
+    assert_eq!(faults(&log), [] as [String; 0]);
+    assert_eq!(log.executed.ending, Ending::Complete);
+    assert!((log.executed.duration - wiping.followed.duration()).abs() < 2e-3);
+    // The wipe lasts long enough for its means to mean something.
+    assert!(log.truth.contact_force.count() > 200);
+}
+
+#[test]
+fn each_fault_of_a_wipe_is_noticed() {
+    let sound = Wiping::of_one_stroke(Action::Absorb);
+    let found = |wiping: &Wiping, fault: &str| {
+        let faults = faults(&wiping.execute());
+        assert!(faults.iter().any(|f| f.contains(fault)), "{faults:?}");
+    };
+    let mut soft = sound.clone();
+    soft.config.press_margin = 0.5;
+    found(&soft, "mean contact force");
+
+    let mut hard = sound.clone();
+    hard.task.interaction.press_force_n = 1.5 * FORCE;
+    found(&hard, "controller");
+
+    let mut deep = sound.clone();
+    deep.settings.believed_from_real.translation.z = -0.05;
+    found(&deep, "contact is lost");
+
+    let mut tall = sound.clone();
+    tall.settings.believed_from_real.translation.z = 0.004;
+    tall.task.interaction.compression_depth_m = 0.02;
+    found(&tall, "from the plane");
+}
+
+#[test]
+fn what_is_measured_is_where_the_joints_put_the_tool_once_per_period() {
+    let wiping = Wiping::of_one_stroke(Action::Absorb);
+    let log = wiping.execute();
+    let robot = wiping.cell.robot();
+    for (k, row) in log.rows.iter().enumerate() {
+        assert!((row.time - k as f64 * wiping.config.period).abs() < 1e-9);
+        if k % 100 != 0 {
+            continue;
+        }
+        let kinematics = robot.forward_kinematics(&row.positions).unwrap();
+        let root_from_tip = kinematics.world_from_link(wiping.cell.tip());
+        let world_from_tool =
+            wiping.cell.world_from_root() * root_from_tip * wiping.cell.tip_from_tool();
+        let apart = world_from_tool.inverse() * row.world_from_tool;
+        assert!(apart.translation.vector.norm() < 1e-9 && apart.rotation.angle() < 1e-7);
+    }
+}
+
+#[test]
+fn the_force_that_is_felt_is_that_of_pressing_and_of_friction() {
+    // Along the surface Coulomb's friction stands against the motion. The controller's force is cut to its
+    // limit F as a whole: what overcomes friction is missing across the surface, N² + (μ N)² = F².
+    let mut wiping = Wiping::of_one_stroke(Action::Absorb);
+    for friction in [0.2, 0.6] {
+        wiping.settings.friction = friction;
+        let log = wiping.execute();
+        let normal: Vec<f64> = log.sliding().map(|row| row.external.z).collect();
+        let along = log.sliding().map(|row| row.external.xy().norm()).collect();
+        // Where the line turns back the tool sticks for a moment: most of the time it slides.
+        let (normal, along) = (median(normal), median(along));
+        let expected = FORCE / 1_f64.hypot(friction);
+        assert!((normal - expected).abs() < 0.5, "{normal} N");
+        assert!(
+            (along - friction * expected).abs() < 0.5,
+            "{along} N at {friction}"
+        );
+    }
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+#[test]
+fn the_same_seed_gives_the_same_bytes_and_another_one_other_noise() {
+    let mut wiping = Wiping::of_one_stroke(Action::Skim);
+    wiping.settings.force_noise = 0.3;
+    let first = wiping.execute();
+    assert_eq!(first.bytes(), wiping.execute().bytes());
+    wiping.seed += 1;
+    let other = wiping.execute();
+    assert_ne!(first.bytes(), other.bytes());
+    // Noise is what is measured of the world, not in it.
+    assert_eq!(first.executed, other.executed);
+    assert_eq!(first.truth, other.truth);
+}
+
+#[test]
+fn bias_and_noise_of_the_force_are_those_of_reality() {
+    let mut wiping = Wiping::of_one_stroke(Action::Absorb);
+    let clean = wiping.execute();
+    wiping.settings.force_bias = Vector3::new(0.5, -1.0, 2.0);
+    wiping.settings.force_noise = 0.4;
+    let log = wiping.execute();
+    let count = log.rows.len() as f64;
+    let errors = || (log.rows.iter().zip(&clean.rows)).map(|(a, b)| a.external - b.external);
+    let mean = errors().sum::<Vector3>() / count;
+    // Five standard errors of a mean.
+    let bound = 5.0 * wiping.settings.force_noise / count.sqrt();
+    for axis in 0..3 {
+        let bias = wiping.settings.force_bias[axis];
+        assert!((mean[axis] - bias).abs() < bound);
+        let squares: f64 = errors().map(|e| (e[axis] - mean[axis]).powi(2)).sum();
+        let deviation = (squares / count).sqrt();
+        assert!((deviation / wiping.settings.force_noise - 1.0).abs() < 0.1);
+    }
+}
+
+#[test]
+fn who_takes_the_samples_may_stop_it() {
+    let wiping = Wiping::of_one_stroke(Action::Absorb);
+    let log = wiping.execute_until(0.5);
+    assert_eq!(log.executed.ending, Ending::Stopped);
+    assert!((log.executed.duration - 0.5).abs() < 2.0 * ControlConfig::default().period);
+}

@@ -1,0 +1,329 @@
+//! The whole-body impedance controller (8): a saturated spring and damper at the tool, the weight
+//! carried, and a posture held in the null space.
+
+use super::{ControlConfig, Wrench};
+use crate::geometry::{Pose, Vector3};
+use crate::represent::Interaction;
+use crate::robot::{ArticulationState, Range};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix3, Matrix6, Matrix6xX, Vector6};
+
+/// After how many periods the damping is designed anew; the inertia changes slowly.
+const DESIGN_EVERY: usize = 10;
+/// Inertia at the tool that damping is designed for: at least [kg, kg m²], and at most, shifting [kg] and
+/// turning [kg m²]. Where a wrist is singular the inertia about one direction is without bounds; damping for
+/// it would, a moment later and beside the singularity, throw the wrist.
+const LEAST_INERTIA: f64 = 1e-3;
+const MOST_INERTIA: [f64; 2] = [50.0, 0.5];
+/// Least mobility of the tool that is reckoned with [1/kg, 1/(kg m²)], and as shares of that in all three
+/// directions in which it shifts, and about which it turns [1]. Turning, directions differ more.
+const LEAST_MOBILITY: f64 = 1e-6;
+const LEAST_SHIFT: f64 = 1e-5;
+const LEAST_TURN: f64 = 1e-7;
+/// Damping ratio of the posture task [1].
+const POSTURE_DAMPING: f64 = 0.7;
+/// Natural frequency of a joint's end stop, critically damped [rad/s]: stiff enough for a hand to lean on,
+/// slow against the period of control.
+const END_STOP_RATE: f64 = 200.0;
+
+/// Where the tool shall be, and how fast it shall move there.
+#[derive(Debug, Clone, Copy)]
+pub struct Desired {
+    /// Where the tool shall be, the press into the surface included.
+    pub world_from_tool: Pose,
+    /// Linear first, in the axes of the world [m/s, rad/s].
+    pub velocity: Vector6<f64>,
+}
+
+/// The joints' share of what is desired, one entry per variable of the articulation.
+#[derive(Debug, Clone, Copy)]
+pub struct Posture<'a> {
+    /// Positions [rad or m].
+    pub q: &'a [f64],
+    /// Velocities [rad/s or m/s].
+    pub qd: &'a [f64],
+    /// Accelerations [rad/s² or m/s²].
+    pub qdd: &'a [f64],
+}
+
+/// Where the robot is.
+#[derive(Debug, Clone, Copy)]
+pub struct Measured<'a> {
+    /// Positions of the articulation's variables [rad or m].
+    pub q: &'a [f64],
+    /// Their velocities [rad/s or m/s].
+    pub qd: &'a [f64],
+    /// Where the tool is, by the positions.
+    pub world_from_tool: Pose,
+    /// Of the tool centre point, 6 × n.
+    pub jacobian: &'a Matrix6xX<f64>,
+}
+
+/// Computes efforts for the compliant ones among the variables of an articulation. All room it needs is
+/// taken at the start: a control loop must not wait for an allocator.
+#[derive(Debug, Clone)]
+pub struct ImpedanceController {
+    compliant: Vec<usize>,
+    /// Where each of them ends.
+    ranges: Vec<Option<Range>>,
+    stiffness: Matrix6<f64>,
+    damping_ratio: f64,
+    force_limit: f64,
+    moment_limit: f64,
+    posture_stiffness: f64,
+    damping: Matrix6<f64>,
+    periods: usize,
+    mass: Option<Cholesky<f64, Dyn>>,
+    spare: Option<DMatrix<f64>>,
+    jacobian: Matrix6xX<f64>,
+    /// M⁻¹ Jᵀ.
+    carried: DMatrix<f64>,
+    posture: DVector<f64>,
+    efforts: DVector<f64>,
+    tool_inertia: Matrix6<f64>,
+}
+
+impl ImpedanceController {
+    /// A controller that moves the variables `compliant` of an articulation within their ranges, stiff along
+    /// the surface and as the knowledge base says across it.
+    pub fn new(
+        compliant: Vec<usize>,
+        ranges: Vec<Option<Range>>,
+        interaction: &Interaction,
+        world_from_surface: &Pose,
+        config: &ControlConfig,
+    ) -> Self {
+        let count = compliant.len();
+        let turned = world_from_surface.rotation.to_rotation_matrix();
+        let lateral = config.lateral_stiffness;
+        let along_axes = Matrix3::from_diagonal(&Vector3::new(
+            lateral,
+            lateral,
+            interaction.stiffness_n_per_m,
+        ));
+        let mut stiffness = Matrix6::from_diagonal_element(config.rotational_stiffness);
+        let linear = turned * along_axes * turned.inverse();
+        stiffness.fixed_view_mut::<3, 3>(0, 0).copy_from(&linear);
+        Self {
+            stiffness,
+            damping_ratio: interaction.damping_ratio,
+            force_limit: interaction.press_force_n,
+            moment_limit: config.moment_limit,
+            posture_stiffness: config.posture_stiffness * interaction.nullspace_posture_weight,
+            damping: Matrix6::zeros(),
+            periods: 0,
+            mass: None,
+            spare: Some(DMatrix::zeros(count, count)),
+            jacobian: Matrix6xX::zeros(count),
+            carried: DMatrix::zeros(count, 6),
+            posture: DVector::zeros(count),
+            efforts: DVector::zeros(count),
+            tool_inertia: Matrix6::zeros(),
+            compliant,
+            ranges,
+        }
+    }
+
+    /// The variables of the articulation that are compliant.
+    pub fn compliant(&self) -> &[usize] {
+        &self.compliant
+    }
+
+    /// Efforts of the compliant variables after [`Self::command`] [Nm or N].
+    pub fn efforts(&self) -> &[f64] {
+        self.efforts.as_slice()
+    }
+
+    /// Computes the efforts and returns f_c. `None` if the mass matrix is none, which a robot without
+    /// inertia would have.
+    pub fn command(
+        &mut self,
+        state: &ArticulationState,
+        measured: &Measured<'_>,
+        desired: &Desired,
+        posture: &Posture<'_>,
+    ) -> Option<Wrench> {
+        self.factorize(state, measured)?;
+        let wrench = self.spring_and_damper(measured, desired);
+        let mass = self.mass.as_ref()?;
+
+        for (k, &i) in self.compliant.iter().enumerate() {
+            let stiffness = self.posture_stiffness;
+            let inertia = state.mass_matrix()[(i, i)];
+            let damping = 2.0 * POSTURE_DAMPING * (stiffness * inertia).sqrt();
+            self.posture[k] = stiffness * (posture.q[i] - measured.q[i])
+                + damping * (posture.qd[i] - measured.qd[i]);
+        }
+        // The posture's efforts, less those of them that the tool would feel (dynamically consistent).
+        self.efforts.copy_from(&self.posture);
+        mass.solve_mut(&mut self.posture);
+        let mut felt = Vector6::zeros();
+        for (k, column) in self.jacobian.column_iter().enumerate() {
+            felt += column * self.posture[k];
+        }
+        let felt = self.tool_inertia * felt;
+        let force = Vector6::new(
+            wrench.force.x,
+            wrench.force.y,
+            wrench.force.z,
+            wrench.moment.x,
+            wrench.moment.y,
+            wrench.moment.z,
+        ) - felt;
+        for (k, &i) in self.compliant.iter().enumerate() {
+            let row = state.mass_matrix().row(i);
+            let ahead: f64 = row.iter().zip(posture.qdd).map(|(m, a)| m * a).sum();
+            self.efforts[k] += self.jacobian.column(k).dot(&force) + state.bias()[i] + ahead;
+        }
+        self.stop_at_ends(measured);
+        Some(wrench)
+    }
+
+    /// Holds the joints in their ranges, whoever pushes the arm.
+    fn stop_at_ends(&mut self, measured: &Measured<'_>) {
+        let Some(mass) = self.mass.as_ref() else {
+            return;
+        };
+        for (k, &i) in self.compliant.iter().enumerate() {
+            let (position, velocity) = (measured.q[i], measured.qd[i]);
+            let Some(beyond) = self.ranges[k].and_then(|range| beyond(&range, position)) else {
+                continue;
+            };
+            // The inertia of this joint while the others are free: that of a wrist is small where another
+            // axis comes to lie along it, and a stop that is too stiff for it would hammer.
+            self.posture.fill(0.0);
+            self.posture[k] = 1.0;
+            mass.solve_mut(&mut self.posture);
+            let inertia = 1.0 / self.posture[k];
+            self.efforts[k] += end_stop(beyond, velocity, inertia);
+        }
+    }
+
+    /// Mass matrix and inertia at the tool, and from time to time the damping.
+    fn factorize(&mut self, state: &ArticulationState, measured: &Measured<'_>) -> Option<()> {
+        let used = self.mass.take().map(Cholesky::unpack_dirty);
+        let mut mass = used.or_else(|| self.spare.take())?;
+        for (row, &i) in self.compliant.iter().enumerate() {
+            self.jacobian.set_column(row, &measured.jacobian.column(i));
+            for (column, &j) in self.compliant.iter().enumerate() {
+                mass[(row, column)] = state.mass_matrix()[(i, j)];
+            }
+        }
+        let mass = Cholesky::new(mass)?;
+        self.jacobian.transpose_to(&mut self.carried);
+        mass.solve_mut(&mut self.carried);
+        let mut mobility = Matrix6::<f64>::zeros();
+        for row in 0..6 {
+            for column in 0..6 {
+                let products = (0..self.compliant.len())
+                    .map(|k| self.jacobian[(row, k)] * self.carried[(k, column)]);
+                mobility[(row, column)] = products.sum();
+            }
+        }
+        // Directions in which the tool cannot be moved have no finite inertia: bounded from above, each by
+        // its own kind, as the tool turns far more easily than it shifts.
+        for (first, share) in [(0, LEAST_SHIFT), (3, LEAST_TURN)] {
+            let trace: f64 = (first..first + 3).map(|i| mobility[(i, i)]).sum();
+            for i in first..first + 3 {
+                mobility[(i, i)] += LEAST_MOBILITY + share * trace;
+            }
+        }
+        self.tool_inertia = mobility.try_inverse().unwrap_or_else(Matrix6::zeros);
+        self.mass = Some(mass);
+        if self.periods.is_multiple_of(DESIGN_EVERY) {
+            self.design_damping(mobility);
+        }
+        self.periods += 1;
+        Some(())
+    }
+
+    /// D with the wanted damping ratio in every mode of stiffness and inertia: with Λ = Q Qᵀ and
+    /// K = Q K₀ Qᵀ, D = 2 ζ Q √K₀ Qᵀ (Albu-Schäffer, Ott, Frese, Hirzinger 2003).
+    fn design_damping(&mut self, mut mobility: Matrix6<f64>) {
+        for i in 0..6 {
+            mobility[(i, i)] += 1.0 / MOST_INERTIA[i / 3];
+        }
+        let Some(inertia) = mobility.try_inverse() else {
+            return;
+        };
+        let symmetric = (inertia + inertia.transpose()) * 0.5;
+        let safe = symmetric + Matrix6::from_diagonal_element(LEAST_INERTIA);
+        let Some(root) = safe.cholesky().map(|c| c.l()) else {
+            return;
+        };
+        let Some(inverse) = root.try_inverse() else {
+            return;
+        };
+        let modes = (inverse * self.stiffness * inverse.transpose()).symmetric_eigen();
+        let q = root * modes.eigenvectors;
+        let roots = modes.eigenvalues.map(|k| k.max(0.0).sqrt());
+        self.damping =
+            2.0 * self.damping_ratio * q * Matrix6::from_diagonal(&roots) * q.transpose();
+    }
+
+    /// f_c: spring and damper at the tool, saturated in norm with their direction kept.
+    fn spring_and_damper(&self, measured: &Measured<'_>, desired: &Desired) -> Wrench {
+        let linear = desired.world_from_tool.translation.vector
+            - measured.world_from_tool.translation.vector;
+        let turn = turn_between(&measured.world_from_tool, &desired.world_from_tool);
+        let error = Vector6::new(linear.x, linear.y, linear.z, turn.x, turn.y, turn.z);
+        let mut velocity = desired.velocity;
+        for &i in &self.compliant {
+            velocity -= measured.jacobian.column(i) * measured.qd[i];
+        }
+        let wrench = self.stiffness * error + self.damping * velocity;
+        Wrench {
+            force: saturated(wrench.fixed_rows::<3>(0).into(), self.force_limit),
+            moment: saturated(wrench.fixed_rows::<3>(3).into(), self.moment_limit),
+        }
+    }
+
+    /// The external force that external efforts of the compliant variables come from.
+    pub fn external_wrench(&self, external_efforts: &[f64]) -> Wrench {
+        let mut moved = Vector6::zeros();
+        for (k, effort) in external_efforts.iter().enumerate() {
+            for row in 0..6 {
+                moved[row] += self.carried[(k, row)] * effort;
+            }
+        }
+        let wrench = self.tool_inertia * moved;
+        Wrench {
+            force: wrench.fixed_rows::<3>(0).into(),
+            moment: wrench.fixed_rows::<3>(3).into(),
+        }
+    }
+}
+
+/// How far a position is beyond the nearer end of a range, with its sign.
+pub fn beyond(range: &Range, position: f64) -> Option<f64> {
+    let over = (position - range.upper).max(0.0) + (position - range.lower).min(0.0);
+    (over != 0.0).then_some(over)
+}
+
+/// A spring back to the end of a joint's range, and a damper as long as the joint goes further beyond.
+pub fn end_stop(beyond: f64, velocity: f64, inertia: f64) -> f64 {
+    let outwards = (velocity * beyond.signum()).max(0.0) * beyond.signum();
+    -inertia * (END_STOP_RATE * END_STOP_RATE * beyond + 2.0 * END_STOP_RATE * outwards)
+}
+
+/// S: no longer than the limit, the direction kept.
+pub fn saturated(vector: Vector3, limit: f64) -> Vector3 {
+    let norm = vector.norm();
+    if norm > limit {
+        vector * (limit / norm)
+    } else {
+        vector
+    }
+}
+
+/// The rotation vector that turns one frame into the other, in the axes of the world [rad]. By atan2,
+/// which keeps its digits near 0 and π.
+pub fn turn_between(from: &Pose, to: &Pose) -> Vector3 {
+    let between = to.rotation * from.rotation.inverse();
+    let (scalar, vector) = (between.w, between.imag());
+    let sine = vector.norm();
+    if sine < 1e-12 {
+        return 2.0 * vector * scalar.signum();
+    }
+    let angle = 2.0 * sine.atan2(scalar.abs());
+    vector * (angle * scalar.signum() / sine)
+}

@@ -1,0 +1,61 @@
+//! The external-torque observer: what the joints feel beyond what the model explains.
+
+use crate::robot::ArticulationState;
+use nalgebra::DMatrix;
+
+/// A generalised-momentum observer (De Luca, Albu-Schäffer, Haddadin, Hirzinger 2006): first-order
+/// filtered external efforts, without accelerations.
+#[derive(Debug, Clone)]
+pub struct MomentumObserver {
+    gain: f64,
+    variables: Vec<usize>,
+    residual: Vec<f64>,
+    explained: Vec<f64>,
+    mass: DMatrix<f64>,
+    bias: Vec<f64>,
+    has_begun: bool,
+}
+
+impl MomentumObserver {
+    /// An observer of these variables of an articulation of `n`, of a bandwidth [1/s].
+    pub fn new(variables: &[usize], n: usize, gain: f64) -> Self {
+        Self {
+            gain,
+            residual: vec![0.0; variables.len()],
+            explained: vec![0.0; variables.len()],
+            variables: variables.to_vec(),
+            mass: DMatrix::zeros(n, n),
+            bias: vec![0.0; n],
+            has_begun: false,
+        }
+    }
+
+    /// Takes in the present state, and the efforts that the observed variables had since the one before;
+    /// returns the external efforts [Nm or N].
+    pub fn update(
+        &mut self,
+        state: &ArticulationState,
+        qd: &[f64],
+        efforts_since: &[f64],
+        period: f64,
+    ) -> &[f64] {
+        let present = state.mass_matrix();
+        for (k, &i) in self.variables.iter().enumerate() {
+            let momentum: f64 = (0..qd.len()).map(|j| present[(i, j)] * qd[j]).sum();
+            if self.has_begun {
+                let change: f64 = (0..qd.len())
+                    .map(|j| (present[(i, j)] - self.mass[(i, j)]) * qd[j])
+                    .sum();
+                self.explained[k] +=
+                    period * (efforts_since[k] - self.bias[i] + self.residual[k]) + change;
+                self.residual[k] = self.gain * (momentum - self.explained[k]);
+            } else {
+                self.explained[k] = momentum;
+            }
+        }
+        self.mass.copy_from(present);
+        self.bias.copy_from_slice(state.bias());
+        self.has_begun = true;
+        &self.residual
+    }
+}

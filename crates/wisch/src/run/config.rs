@@ -1,0 +1,63 @@
+//! Who wipes, how each stage works, and when to stop.
+
+use crate::follow::{FollowConfig, WorkcellConfig};
+use crate::plan::{CoverageStrategy, PlanConfig};
+use crate::robot::{CapabilityMap, RobotModel, Srdf};
+
+pub use crate::recover::Pace;
+
+/// The robot that does it.
+#[derive(Debug, Clone, Copy)]
+pub struct Performer<'a> {
+    /// Its description.
+    pub robot: &'a RobotModel,
+    /// Its groups, states and pairs that may touch.
+    pub srdf: Option<&'a Srdf>,
+    /// What it reaches.
+    pub map: Option<&'a CapabilityMap>,
+}
+
+/// How each stage works, and when to stop. Seeds are those of the task.
+///
+/// ```
+/// use wisch::run::RunConfig;
+/// let config = RunConfig { target: 0.9, max_rounds: 2, ..RunConfig::default() };
+/// assert_eq!(config.variants, 1);
+/// ```
+#[derive(Debug, Clone)]
+pub struct RunConfig {
+    /// Of the plans.
+    pub plan: PlanConfig,
+    /// How many candidate plans the prediction chooses from in the first round.
+    pub variants: usize,
+    /// Of robot and tool.
+    pub workcell: WorkcellConfig,
+    /// Of the motions.
+    pub follow: FollowConfig,
+    /// Estimated performance at which the goal is met [1].
+    pub target: f64,
+    /// Most rounds.
+    pub max_rounds: usize,
+    /// How far a round goes.
+    pub pace: Pace,
+}
+
+impl Default for RunConfig {
+    /// One plan by grid, until 95 % are reached or four rounds are over.
+    fn default() -> Self {
+        Self {
+            plan: PlanConfig {
+                strategy: CoverageStrategy::Grid,
+                seed: 0,
+                bandwidth: None,
+                lift_height: 0.05,
+            },
+            variants: 1,
+            workcell: WorkcellConfig::default(),
+            follow: FollowConfig::default(),
+            target: 0.95,
+            max_rounds: 4,
+            pace: Pace::Whole,
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! What a session says while it goes on.
+
+use super::{PlannedRound, Round, TelemetrySample};
+use crate::follow::Audit;
+use crate::plan::{Plan, Progress};
+use crate::recover::Verdict;
+use std::ops::ControlFlow;
+
+/// What a session is at.
+#[derive(Debug, Clone, Copy)]
+pub enum RunEvent<'a> {
+    /// A round is being planned.
+    Planning {
+        /// The round, from 1.
+        round: usize,
+    },
+    /// A round is planned.
+    Planned {
+        /// The round, from 1.
+        round: usize,
+        /// Its plan.
+        plan: &'a Plan,
+    },
+    /// The plan is being followed.
+    Following {
+        /// The round, from 1.
+        round: usize,
+        /// Nodes passed.
+        passed: usize,
+        /// Of so many.
+        nodes: usize,
+    },
+    /// The effect of the followed plan is being predicted.
+    Predicting {
+        /// The round, from 1.
+        round: usize,
+        /// The plan as the robot wipes it.
+        wiped: &'a Plan,
+        /// How far it has come.
+        progress: Progress<'a>,
+    },
+    /// The motion was checked.
+    Audited {
+        /// The round, from 1.
+        round: usize,
+        /// What the check says.
+        audit: &'a Audit,
+    },
+    /// An execution begins.
+    Executing(&'a PlannedRound),
+    /// One sample of it.
+    Sample(&'a TelemetrySample<'a>),
+    /// The log is being interpreted.
+    Interpreting {
+        /// The round, from 1.
+        round: usize,
+    },
+    /// A round is over.
+    Judged(&'a Round),
+    /// The session is over, for this reason; `None` if an observer stopped it.
+    Ended(Option<Verdict>),
+}
+
+/// Looks on while a session goes on, and may stop it: an execution that is stopped is interpreted as far as it went.
+pub type Observer<'a> = dyn FnMut(&RunEvent<'_>) -> ControlFlow<()> + 'a;

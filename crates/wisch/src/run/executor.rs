@@ -1,0 +1,204 @@
+//! The seam between the method and a world: what executes a motion, be it a simulator, a robot or a recording.
+
+use super::{Execution, TelemetrySample, Wrench};
+use crate::follow::{Followed, Workcell};
+use crate::interpret::TouchSample;
+use crate::represent::{ParticleDistribution, Task};
+use std::collections::VecDeque;
+use std::fmt::Display;
+use std::ops::ControlFlow;
+
+/// A motion that is to be executed, with all that a robot's driver needs of it.
+#[derive(Debug, Clone, Copy)]
+pub struct MotionOrder<'a> {
+    /// The round, from 1.
+    pub round: usize,
+    /// Seed for what is random in a simulated world; a real one has no use for it.
+    pub seed: u64,
+    /// Surface, scene and tool as they are believed to be; its interaction has the press force [N], the stiffness
+    /// along the normal [N/m] and the damping ratio that the controller is to keep.
+    pub task: &'a Task,
+    /// The robot with the tool in its hand.
+    pub cell: &'a Workcell,
+    /// Joint trajectories, the tool's path and the phases, one motion after the other.
+    pub followed: &'a Followed,
+}
+
+/// Takes what is measured, sample by sample in the order of time, and may stop the execution.
+pub type SampleSink<'a> = dyn FnMut(&TelemetrySample<'_>) -> ControlFlow<()> + 'a;
+
+/// The only door to a world.
+///
+/// Nothing here tells the truth about the world: an executor hands out what a robot measures. A simulator opens its
+/// truth elsewhere, for evaluations.
+///
+/// ```
+/// use std::ops::ControlFlow;
+/// use wisch::run::{Ending, Execution, Executor, ExecutorError, MotionOrder, SampleSink};
+///
+/// /// A robot that stays where it is.
+/// struct Idle;
+///
+/// impl Executor for Idle {
+///     fn execute(
+///         &mut self,
+///         order: &MotionOrder<'_>,
+///         _: &mut SampleSink<'_>,
+///     ) -> Result<Execution, ExecutorError> {
+///         let start = order.followed.sample(0.0);
+///         let positions = start.map_or_else(|| order.cell.ready().to_vec(), |sample| sample.q);
+///         Ok(Execution { duration: 0.0, ending: Ending::Complete, positions })
+///     }
+/// }
+/// ```
+pub trait Executor {
+    /// Executes a motion and hands every sample to the sink; ends early, as [`Stopped`](super::Ending::Stopped), when
+    /// the sink says so.
+    ///
+    /// # Errors
+    /// The world cannot execute it. That the robot stopped itself is no error but an [`Ending`](super::Ending).
+    fn execute(
+        &mut self,
+        order: &MotionOrder<'_>,
+        sink: &mut SampleSink<'_>,
+    ) -> Result<Execution, ExecutorError>;
+
+    /// Looks at the surface and tells where dirt is seen, in the frame of the believed surface [m]; `None` where
+    /// nothing can look.
+    ///
+    /// # Errors
+    /// There is a camera, and it fails.
+    fn observe(&mut self, _task: &Task) -> Result<Option<ParticleDistribution>, ExecutorError> {
+        Ok(None)
+    }
+}
+
+impl<E: Executor + ?Sized> Executor for &mut E {
+    fn execute(
+        &mut self,
+        order: &MotionOrder<'_>,
+        sink: &mut SampleSink<'_>,
+    ) -> Result<Execution, ExecutorError> {
+        (**self).execute(order, sink)
+    }
+
+    fn observe(&mut self, task: &Task) -> Result<Option<ParticleDistribution>, ExecutorError> {
+        (**self).observe(task)
+    }
+}
+
+/// Why a world could not execute a motion, in its own words.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{message}")]
+pub struct ExecutorError {
+    message: String,
+}
+
+impl ExecutorError {
+    /// An error that says what the world says.
+    pub fn new(cause: impl Display) -> Self {
+        Self {
+            message: cause.to_string(),
+        }
+    }
+}
+
+/// A round that was executed before: what was measured, and how it went.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RecordedRound {
+    /// What the interpretation was given, in the order of time.
+    pub touches: Vec<TouchSample>,
+    /// How it went.
+    pub execution: Execution,
+}
+
+/// Plays rounds that were executed before, then goes on with another executor.
+///
+/// A session that is killed and begun again computes the same motions; what was executed of them need not be
+/// executed again. A recording has no joints: their arrays are empty in its samples.
+#[derive(Debug, Clone)]
+pub struct Recording<E> {
+    rounds: VecDeque<RecordedRound>,
+    then: E,
+}
+
+impl<E> Recording<E> {
+    /// Plays these rounds in their order, then hands the motions on.
+    pub fn new(rounds: Vec<RecordedRound>, then: E) -> Self {
+        Self {
+            rounds: rounds.into(),
+            then,
+        }
+    }
+
+    /// The executor of the rounds after the recorded ones.
+    pub const fn inner(&self) -> &E {
+        &self.then
+    }
+}
+
+impl<E: Executor> Executor for Recording<E> {
+    fn execute(
+        &mut self,
+        order: &MotionOrder<'_>,
+        sink: &mut SampleSink<'_>,
+    ) -> Result<Execution, ExecutorError> {
+        let Some(round) = self.rounds.pop_front() else {
+            return self.then.execute(order, sink);
+        };
+        let mut motion = 0;
+        for sample in &round.touches {
+            let motions = &order.followed.motions;
+            while (motions.get(motion + 1)).is_some_and(|next| next.start <= sample.time) {
+                motion += 1;
+            }
+            let Some(running) = motions.get(motion) else {
+                break;
+            };
+            let flow = sink(&TelemetrySample {
+                time: sample.time,
+                positions: &[],
+                velocities: &[],
+                efforts: &[],
+                world_from_commanded: sample.world_from_tool,
+                world_from_tool: sample.world_from_tool,
+                controller: Wrench::default(),
+                external: Wrench {
+                    force: sample.force,
+                    ..Wrench::default()
+                },
+                motion,
+                phase: running.phase,
+            });
+            if flow.is_break() {
+                break;
+            }
+        }
+        Ok(round.execution)
+    }
+
+    fn observe(&mut self, task: &Task) -> Result<Option<ParticleDistribution>, ExecutorError> {
+        if self.rounds.is_empty() {
+            self.then.observe(task)
+        } else {
+            Ok(None)
+        }
+    }
+}
+
+/// No world at all, for sessions that end before anything is executed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct NoExecutor;
+
+impl Executor for NoExecutor {
+    fn execute(
+        &mut self,
+        order: &MotionOrder<'_>,
+        _: &mut SampleSink<'_>,
+    ) -> Result<Execution, ExecutorError> {
+        let round = order.round;
+        Err(ExecutorError::new(format!(
+            "round {round}: there is no executor for this motion"
+        )))
+    }
+}

@@ -1,0 +1,26 @@
+//! The whole loop: plan, follow, audit, execute, interpret, judge, and again until the goal is met; paper §4.
+//!
+//! A [`Session`] is the only thing here with state. It goes on one stage at a time, says what happens by [`RunEvent`]s,
+//! and reaches the world through an [`Executor`] alone.
+
+mod config;
+mod error;
+mod event;
+mod execution;
+mod executor;
+mod round;
+mod session;
+mod telemetry;
+
+pub use config::{Pace, Performer, RunConfig};
+pub use error::RunError;
+pub use event::{Observer, RunEvent};
+pub use execution::{Ending, Execution, StopCause};
+pub use executor::{
+    Executor, ExecutorError, MotionOrder, NoExecutor, RecordedRound, Recording, SampleSink,
+};
+pub use round::{PlannedRound, Round};
+pub use session::{Session, Stage};
+pub use telemetry::TelemetrySample;
+
+pub use crate::control::Wrench;

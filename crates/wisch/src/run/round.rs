@@ -1,0 +1,61 @@
+//! One round of a session: what is about to be executed, and what came of it.
+
+use super::Execution;
+use crate::follow::{Audit, Followed, Workcell};
+use crate::interpret::{Belief, Interpretation};
+use crate::plan::{Plan, Prediction, predict};
+use crate::recover::Verdict;
+use crate::represent::Task;
+
+/// What is about to be executed.
+#[derive(Debug, Clone)]
+pub struct PlannedRound {
+    /// The round, from 1.
+    pub number: usize,
+    /// The task as it was believed.
+    pub task: Task,
+    /// Where the dirt was believed to lie.
+    pub believed: Belief,
+    /// The plan.
+    pub plan: Plan,
+    /// Robot, tool and scene.
+    pub cell: Workcell,
+    /// The joint motion.
+    pub followed: Followed,
+    /// What it is predicted to do.
+    pub prediction: Prediction,
+}
+
+impl PlannedRound {
+    /// The plan as the robot wipes it: without what had to be given up.
+    pub fn wiped(&self) -> Plan {
+        Plan {
+            strokes: self.followed.strokes.clone(),
+            ..self.plan.clone()
+        }
+    }
+
+    /// Share of the particles that abandoned nodes are predicted to cost [1].
+    pub fn abandoned_share(&self) -> f64 {
+        if self.followed.abandoned.is_empty() {
+            return 0.0;
+        }
+        let planned = predict(&self.task, &self.plan, |_| ());
+        (planned.performance.ratio() - self.prediction.performance.ratio()).max(0.0)
+    }
+}
+
+/// One round.
+#[derive(Debug, Clone)]
+pub struct Round {
+    /// What was planned.
+    pub motion: PlannedRound,
+    /// What an independent check says of its motion; one with faults is never executed.
+    pub audit: Audit,
+    /// What was executed.
+    pub execution: Execution,
+    /// What the robot makes of it.
+    pub interpretation: Interpretation,
+    /// What follows.
+    pub verdict: Verdict,
+}

@@ -1,0 +1,568 @@
+//! The loop itself: one session, one stage at a time.
+
+use super::{
+    Ending, Execution, Executor, MotionOrder, Observer, Performer, PlannedRound, Round, RunConfig,
+    RunError, RunEvent,
+};
+use crate::follow::{Audit, Workcell, WorkcellConfig, audit, follow};
+use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
+use crate::interpret::{
+    Belief, EventKind, InterpretConfig, Interpretation, Interpreter, TouchSample,
+};
+use crate::plan::{
+    CoverageStrategy, Plan, PlanConfig, best_plan, best_segment, best_segment_of_variants, predict,
+};
+use crate::recover::{
+    Circumstances, LEAST_PROGRESS, Pace, Verdict, believed_performance, decide, judge, next_task,
+    unfinished,
+};
+use crate::represent::{GoalState, ParticleDistribution, ParticleError, Task};
+use nalgebra::{Translation3, UnitQuaternion};
+use std::ops::ControlFlow;
+
+/// Plans that are tried for what is left over, at most and at least; there the density is that of a few
+/// scattered grains, and the prediction tells best what becomes of them.
+const RECOVERY_VARIANTS: [usize; 2] = [50, 3];
+/// Predicting takes time by the edges of the tool's footprint: a brush of a thousand tufts tries few plans.
+const RECOVERY_EDGES: usize = 2000;
+
+/// Draws from the belief that plans of later rounds are made on, and where their seeds differ [bits].
+const DRAWS: u64 = 8;
+const DRAW_SHIFT: u32 = 32;
+/// After so many strokes in a row that brought nothing, the next one is not expected to.
+const STALLED_STROKES: usize = 4;
+
+/// After a push, how far the lower end of the estimate may lie below the target for it to be claimed; half of what a
+/// claim may be wrong by.
+const DOUBT_TOLERATED: f64 = 0.05;
+
+/// Where a session has come to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stage {
+    /// Strokes are chosen.
+    Planned,
+    /// There is a joint motion, and its effect is predicted.
+    Followed,
+    /// The motion was checked.
+    Audited,
+    /// It was executed.
+    Executed,
+    /// What was felt is interpreted.
+    Interpreted,
+    /// It is known what follows.
+    Judged,
+    /// Nothing follows.
+    Ended,
+}
+
+/// A wiping task from its first plan to its last verdict.
+///
+/// ```
+/// use wisch::run::{NoExecutor, Session, Stage};
+/// # use wisch::represent::Task;
+/// # fn plan_only(task: &Task) -> Result<(), Box<dyn std::error::Error>> {
+/// let mut session = Session::new(task, Default::default());
+/// session.run_until(Stage::Planned, &mut NoExecutor, &mut |_| std::ops::ControlFlow::Continue(()))?;
+/// let metres = session.plan().map(|plan| plan.contact_distance());
+/// # Ok(()) }
+/// ```
+#[derive(Debug)]
+pub struct Session<'a> {
+    performer: Option<Performer<'a>>,
+    config: RunConfig,
+    task: Task,
+    belief: Belief,
+    workcell: WorkcellConfig,
+    given: Option<Plan>,
+    goal: Option<GoalState>,
+    stalled: usize,
+    state: State,
+    rounds: Vec<Round>,
+    is_stopped: bool,
+}
+
+/// What there is of the round at hand.
+#[derive(Debug)]
+enum State {
+    Begin,
+    Planned(Plan),
+    Followed(Box<PlannedRound>),
+    Audited(Box<PlannedRound>, Audit),
+    Executed(Box<PlannedRound>, Audit, Execution, Box<Interpreter>),
+    Interpreted(Box<PlannedRound>, Audit, Execution, Box<Interpretation>),
+    /// With the motion that was not executed because of its faults, if that is why.
+    Ended(Option<Box<(PlannedRound, Audit)>>),
+}
+
+impl<'a> Session<'a> {
+    /// A session that has not planned yet. Every seed derives from the task's.
+    pub fn new(task: &Task, mut config: RunConfig) -> Self {
+        config.plan.seed = task.seed;
+        config.follow.seed = task.seed;
+        Self {
+            performer: None,
+            belief: Belief::certain(task.particles.clone()),
+            task: task.clone(),
+            workcell: config.workcell.clone(),
+            given: None,
+            goal: None,
+            stalled: 0,
+            state: State::Begin,
+            rounds: Vec::new(),
+            is_stopped: false,
+            config,
+        }
+    }
+
+    /// The same session with a robot that follows its plans.
+    #[must_use]
+    pub fn with_robot(self, performer: Performer<'a>) -> Self {
+        let performer = Some(performer);
+        Self { performer, ..self }
+    }
+
+    /// The same session with a plan for the first round; `None` plans it.
+    #[must_use]
+    pub fn with_plan(self, given: Option<Plan>) -> Self {
+        Self { given, ..self }
+    }
+
+    /// The plan of the round at hand, or of the last one.
+    pub fn plan(&self) -> Option<&Plan> {
+        match &self.state {
+            State::Planned(plan) => Some(plan),
+            _ => self.planned().map(|planned| &planned.plan),
+        }
+    }
+
+    /// The motion of the round at hand, or of the last one.
+    pub fn planned(&self) -> Option<&PlannedRound> {
+        match &self.state {
+            State::Followed(planned)
+            | State::Audited(planned, _)
+            | State::Executed(planned, ..)
+            | State::Interpreted(planned, ..) => Some(planned),
+            State::Ended(Some(refused)) => Some(&refused.0),
+            State::Begin | State::Planned(_) | State::Ended(None) => {
+                self.rounds.last().map(|round| &round.motion)
+            }
+        }
+    }
+
+    /// What the check says of that motion; `None` before it was checked.
+    pub fn audit(&self) -> Option<&Audit> {
+        match &self.state {
+            State::Audited(_, audit)
+            | State::Executed(_, audit, ..)
+            | State::Interpreted(_, audit, ..) => Some(audit),
+            State::Ended(Some(refused)) => Some(&refused.1),
+            State::Planned(_) | State::Followed(_) => None,
+            State::Begin | State::Ended(None) => self.rounds.last().map(|round| &round.audit),
+        }
+    }
+
+    /// The first round's motion with what the check says of it; `None` before it was checked.
+    pub fn first(&self) -> Option<(&PlannedRound, &Audit)> {
+        match self.rounds.first() {
+            Some(round) => Some((&round.motion, &round.audit)),
+            None => self.planned().zip(self.audit()),
+        }
+    }
+
+    /// The rounds that are over.
+    pub fn rounds(&self) -> &[Round] {
+        &self.rounds
+    }
+
+    /// The rounds that are over.
+    pub fn into_rounds(self) -> Vec<Round> {
+        self.rounds
+    }
+
+    /// Goes on to the end.
+    ///
+    /// # Errors
+    /// Those of the stages.
+    pub fn run(
+        &mut self,
+        executor: &mut dyn Executor,
+        observer: &mut Observer<'_>,
+    ) -> Result<(), RunError> {
+        self.run_until(Stage::Ended, executor, observer)
+    }
+
+    /// Goes on until a stage is reached, or the end.
+    ///
+    /// # Errors
+    /// Those of the stages.
+    pub fn run_until(
+        &mut self,
+        stage: Stage,
+        executor: &mut dyn Executor,
+        observer: &mut Observer<'_>,
+    ) -> Result<(), RunError> {
+        loop {
+            let reached = self.step(executor, observer)?;
+            if reached == stage || reached == Stage::Ended {
+                return Ok(());
+            }
+        }
+    }
+
+    /// Goes on by one stage.
+    ///
+    /// # Errors
+    /// Those of the stage, in the first round; in later ones, that no plan or no motion is found is a verdict.
+    pub fn step(
+        &mut self,
+        executor: &mut dyn Executor,
+        observer: &mut Observer<'_>,
+    ) -> Result<Stage, RunError> {
+        if self.is_stopped {
+            return Ok(self.end(None, observer));
+        }
+        let mut is_stopped = false;
+        let mut watch = |event: &RunEvent<'_>| {
+            let flow = observer(event);
+            is_stopped |= flow.is_break();
+            flow
+        };
+        let stage = match std::mem::replace(&mut self.state, State::Ended(None)) {
+            State::Begin => self.plan_round(&mut watch),
+            State::Planned(plan) => self.follow_round(plan, &mut watch),
+            State::Followed(planned) => self.audit_round(planned, &mut watch),
+            State::Audited(planned, audit) => {
+                self.execute_round(planned, audit, executor, &mut watch)
+            }
+            State::Executed(planned, audit, execution, interpreter) => {
+                self.interpret_round(planned, audit, execution, *interpreter, &mut watch)
+            }
+            State::Interpreted(planned, audit, execution, interpretation) => {
+                self.judge_round(*planned, audit, execution, *interpretation, &mut watch)
+            }
+            State::Ended(refused) => {
+                self.state = State::Ended(refused);
+                Ok(Stage::Ended)
+            }
+        }?;
+        // An execution that was stopped is yet interpreted and judged.
+        self.is_stopped = is_stopped && !matches!(stage, Stage::Executed | Stage::Interpreted);
+        Ok(stage)
+    }
+
+    /// The goal of the first plan, which is that of all rounds.
+    fn goal_of(&self, plan: &Plan) -> GoalState {
+        self.goal.unwrap_or(plan.graph.goal)
+    }
+
+    fn number(&self) -> usize {
+        self.rounds.len() + 1
+    }
+
+    /// Ends the session, and says so; a verdict that is given is that of the last round.
+    fn end(&mut self, verdict: Option<Verdict>, observer: &mut Observer<'_>) -> Stage {
+        if let (Some(last), Some(verdict)) = (self.rounds.last_mut(), verdict) {
+            last.verdict = verdict;
+        }
+        self.is_stopped = false;
+        self.state = State::Ended(None);
+        let _ = observer(&RunEvent::Ended(verdict));
+        Stage::Ended
+    }
+
+    fn plan_round(&mut self, observer: &mut Observer<'_>) -> Result<Stage, RunError> {
+        let round = self.number();
+        if round > self.config.max_rounds {
+            return Ok(self.end(None, observer));
+        }
+        let _ = observer(&RunEvent::Planning { round });
+        let plan = match self.next_plan() {
+            Ok(plan) if plan.strokes.is_empty() && round > 1 => {
+                return Ok(self.end(Some(Verdict::NothingToGain), observer));
+            }
+            Err(_) if round > 1 => return Ok(self.end(Some(Verdict::NoWay), observer)),
+            plan => plan?,
+        };
+        self.goal.get_or_insert(plan.graph.goal);
+        let _ = observer(&RunEvent::Planned { round, plan: &plan });
+        self.state = State::Planned(plan);
+        Ok(Stage::Planned)
+    }
+
+    /// A plan for what is not yet done.
+    fn next_plan(&mut self) -> Result<Plan, RunError> {
+        let (task, config) = (&self.task, &self.config);
+        let whole = match (self.given.take(), self.goal.as_ref()) {
+            (Some(plan), _) => plan,
+            (None, None) => best_plan(task, &task.particles, &config.plan, config.variants)?,
+            (None, Some(goal)) => {
+                let task = &drawn(task, &self.belief)?;
+                let open = unfinished(task, goal)?;
+                let kde = PlanConfig {
+                    strategy: CoverageStrategy::Kde,
+                    seed: task.seed,
+                    ..config.plan.clone()
+                };
+                let count = recovery_variants(task);
+                return Ok(match config.pace {
+                    Pace::Whole => best_plan(task, &open, &kde, count)?,
+                    Pace::Greedy => best_segment_of_variants(task, &open, &kde, count)?,
+                });
+            }
+        };
+        Ok(match config.pace {
+            Pace::Whole => whole,
+            Pace::Greedy => best_segment(task, &whole)?,
+        })
+    }
+
+    fn follow_round(&mut self, plan: Plan, observer: &mut Observer<'_>) -> Result<Stage, RunError> {
+        match self.followed(plan, observer) {
+            Ok(planned) => {
+                self.state = State::Followed(Box::new(planned));
+                Ok(Stage::Followed)
+            }
+            Err(_) if self.number() > 1 => Ok(self.end(Some(Verdict::NoWay), observer)),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The joint motion of a plan, and what it is predicted to do.
+    fn followed(&self, plan: Plan, observer: &mut Observer<'_>) -> Result<PlannedRound, RunError> {
+        let performer = self.performer.ok_or(RunError::NoRobot)?;
+        let (task, round) = (&self.task, self.number());
+        let cell = Workcell::new(
+            performer.robot.clone(),
+            performer.srdf,
+            task,
+            &self.workcell,
+        )?;
+        let nodes = plan.strokes.iter().map(|stroke| stroke.nodes.len()).sum();
+        let followed = follow(
+            task,
+            &plan,
+            &cell,
+            performer.map,
+            &self.config.follow,
+            &mut |passed| {
+                let _ = observer(&RunEvent::Following {
+                    round,
+                    passed,
+                    nodes,
+                });
+            },
+        )?;
+        let wiped = Plan {
+            strokes: followed.strokes.clone(),
+            ..plan.clone()
+        };
+        let prediction = predict(task, &wiped, |progress| {
+            let _ = observer(&RunEvent::Predicting {
+                round,
+                wiped: &wiped,
+                progress: *progress,
+            });
+        });
+        Ok(PlannedRound {
+            number: round,
+            task: task.clone(),
+            believed: self.belief.clone(),
+            plan,
+            cell,
+            followed,
+            prediction,
+        })
+    }
+
+    fn audit_round(
+        &mut self,
+        planned: Box<PlannedRound>,
+        observer: &mut Observer<'_>,
+    ) -> Result<Stage, RunError> {
+        let PlannedRound {
+            number,
+            task,
+            cell,
+            followed,
+            ..
+        } = &*planned;
+        let audit = audit(followed, cell, task, &self.config.follow)?;
+        let _ = observer(&RunEvent::Audited {
+            round: *number,
+            audit: &audit,
+        });
+        if audit.faults.is_empty() {
+            self.state = State::Audited(planned, audit);
+            return Ok(Stage::Audited);
+        }
+        let ended = self.end(Some(Verdict::UnsafeMotion), observer);
+        self.state = State::Ended(Some(Box::new((*planned, audit))));
+        Ok(ended)
+    }
+
+    fn execute_round(
+        &mut self,
+        planned: Box<PlannedRound>,
+        audit: Audit,
+        executor: &mut dyn Executor,
+        observer: &mut Observer<'_>,
+    ) -> Result<Stage, RunError> {
+        let _ = observer(&RunEvent::Executing(&planned));
+        let mut interpreter = Interpreter::new(&planned.task, &InterpretConfig::of(&planned.task))?;
+        let order = MotionOrder {
+            round: planned.number,
+            seed: planned.task.seed,
+            task: &planned.task,
+            cell: &planned.cell,
+            followed: &planned.followed,
+        };
+        let mut refused = None;
+        let execution = executor.execute(&order, &mut |sample| {
+            let touch = TouchSample {
+                time: sample.time,
+                world_from_tool: sample.world_from_tool,
+                force: sample.external.force,
+            };
+            if let Err(error) = interpreter.push(&touch) {
+                refused = Some(error);
+                return ControlFlow::Break(());
+            }
+            observer(&RunEvent::Sample(sample))
+        })?;
+        if let Some(error) = refused {
+            return Err(error.into());
+        }
+        let (found, expected) = (execution.positions.len(), planned.cell.robot().dof());
+        if found != expected {
+            let round = planned.number;
+            return Err(RunError::Positions {
+                round,
+                found,
+                expected,
+            });
+        }
+        self.state = State::Executed(planned, audit, execution, Box::new(interpreter));
+        Ok(Stage::Executed)
+    }
+
+    fn interpret_round(
+        &mut self,
+        planned: Box<PlannedRound>,
+        audit: Audit,
+        execution: Execution,
+        interpreter: Interpreter,
+        observer: &mut Observer<'_>,
+    ) -> Result<Stage, RunError> {
+        let round = planned.number;
+        let _ = observer(&RunEvent::Interpreting { round });
+        let goal = self.goal_of(&planned.plan);
+        let interpretation = interpreter.conclude(&planned.believed, &goal)?;
+        self.state = State::Interpreted(planned, audit, execution, Box::new(interpretation));
+        Ok(Stage::Interpreted)
+    }
+
+    fn judge_round(
+        &mut self,
+        planned: PlannedRound,
+        audit: Audit,
+        execution: Execution,
+        interpretation: Interpretation,
+        observer: &mut Observer<'_>,
+    ) -> Result<Stage, RunError> {
+        let (task, goal) = (&self.task, self.goal_of(&planned.plan));
+        let before = believed_performance(&self.belief, &goal, &task.surface);
+        let next = next_task(task, &goal, &interpretation, task.seed.wrapping_add(1))?;
+        let doubted = drawn(&next, &interpretation.belief)?;
+        let judged = judge(&interpretation, before, self.config.target);
+        self.stalled = if judged == Verdict::NoProgress {
+            self.stalled + 1
+        } else {
+            0
+        };
+        let circumstances = Circumstances {
+            is_done: unfinished(&doubted, &goal)?.is_empty(),
+            is_disturbed: was_disturbed(&execution, &interpretation),
+            is_doubtful: was_pushed(&self.rounds) && is_doubtful(&interpretation, &self.config),
+            is_rising: interpretation.performance.mean >= before + LEAST_PROGRESS,
+            // A single stroke says little: the next best one is another.
+            is_patient: self.config.pace == Pace::Greedy && self.stalled < STALLED_STROKES,
+        };
+        let verdict = decide(judged, &circumstances);
+        let was_stopped = execution.ending == Ending::Stopped;
+        self.belief = interpretation.belief.clone();
+        self.workcell.world_from_robot = Some(standing(&planned.cell, &execution, &self.config));
+        self.task = next;
+        let round = Round {
+            motion: planned,
+            audit,
+            execution,
+            interpretation,
+            verdict,
+        };
+        let _ = observer(&RunEvent::Judged(&round));
+        self.rounds.push(round);
+        let is_last = was_stopped || self.rounds.len() >= self.config.max_rounds;
+        if verdict != Verdict::Again || is_last {
+            return Ok(self.end(Some(verdict), observer));
+        }
+        self.state = State::Begin;
+        Ok(Stage::Judged)
+    }
+}
+
+/// The task with all that the dirt may be like: several draws from the belief, one on top of the other.
+///
+/// A single draw has dirt where there is none and none where there is some; plans are to be good on average.
+fn drawn(task: &Task, belief: &Belief) -> Result<Task, ParticleError> {
+    let mut particles = Vec::new();
+    for draw in 0..DRAWS {
+        let seed = task.seed.wrapping_add(draw << DRAW_SHIFT);
+        particles.extend(belief.sample(seed)?.iter());
+    }
+    Ok(Task {
+        particles: ParticleDistribution::with_fates(&particles)?,
+        ..task.clone()
+    })
+}
+
+/// How many plans are tried for what is left over.
+fn recovery_variants(task: &Task) -> usize {
+    let [most, least] = RECOVERY_VARIANTS;
+    let edges = task.tool.footprint.edges().count().max(1);
+    (RECOVERY_EDGES / edges).clamp(least, most)
+}
+
+/// Whether the robot was pushed, or stopped itself.
+fn was_disturbed(execution: &Execution, interpretation: &Interpretation) -> bool {
+    let mut events = interpretation.events.iter();
+    matches!(execution.ending, Ending::ProtectiveStop { .. })
+        || events.any(|event| event.kind == EventKind::Collision)
+}
+
+/// Whether an earlier round was disturbed.
+fn was_pushed(rounds: &[Round]) -> bool {
+    let mut rounds = rounds.iter();
+    rounds.any(|round| was_disturbed(&round.execution, &round.interpretation))
+}
+
+/// Whether the lower end of the estimate is too far below the target to claim it.
+fn is_doubtful(interpretation: &Interpretation, config: &RunConfig) -> bool {
+    interpretation.performance.low < config.target - DOUBT_TOLERATED
+}
+
+/// Where the robot stands after an execution.
+fn standing(cell: &Workcell, execution: &Execution, config: &RunConfig) -> Pose {
+    let Some(base) = cell.base() else {
+        return *cell.world_from_root();
+    };
+    let q = &execution.positions;
+    let at = PlanarPose::new(Point2::new(q[base.x], q[base.y]), q[base.yaw]);
+    let start = config
+        .workcell
+        .world_from_robot
+        .unwrap_or_else(Pose::identity);
+    Pose::from_parts(
+        Translation3::new(at.position.x, at.position.y, start.translation.z),
+        UnitQuaternion::from_axis_angle(&Vector3::z_axis(), at.heading),
+    )
+}

@@ -1,0 +1,31 @@
+//! What a robot measures while it wipes.
+
+use crate::control::Wrench;
+use crate::follow::Phase;
+use crate::geometry::Pose;
+
+/// What is measured at one instant; arrays have one entry per variable of the robot, in its order,
+/// or none where the executor does not measure them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TelemetrySample<'a> {
+    /// Time since the start [s].
+    pub time: f64,
+    /// Positions [rad or m].
+    pub positions: &'a [f64],
+    /// Velocities [rad/s or m/s].
+    pub velocities: &'a [f64],
+    /// Efforts of the drives [Nm or N].
+    pub efforts: &'a [f64],
+    /// Where the tool was told to be, the press into the surface included.
+    pub world_from_commanded: Pose,
+    /// Where the tool is, by the joints' positions.
+    pub world_from_tool: Pose,
+    /// f_c: what the controller asks of the tool, saturated (8).
+    pub controller: Wrench,
+    /// f_ext: what the surroundings do to the tool, as estimated from the drives' efforts.
+    pub external: Wrench,
+    /// Index of the motion in [`Followed::motions`](crate::follow::Followed).
+    pub motion: usize,
+    /// What that motion is for.
+    pub phase: Phase,
+}
