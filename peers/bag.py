@@ -4,7 +4,7 @@
     python peers/bag.py /tmp/demo.mcap
 
 With --write FILE it writes a small bag as another robot's recorder would (Zstandard, other topics, a stamp
-that is not the time of recording); crates/wisch-cli/tests/data/foreign.mcap is that file.
+that is not the time of recording); crates/wisch-telemetry/tests/data/foreign.mcap is that file.
 
 Also takes a bag that a killed program left (NAME.mcap.active): then it is read from its beginning, without
 the index that such a bag lacks.

@@ -3,7 +3,8 @@
 
 use libfuzzer_sys::fuzz_target;
 use wisch::geometry::{Point2, Polygon, Vector2};
-use wisch::represent::{DirtArea, MaskSource, OccupiedArea, mask_particles};
+use wisch::represent::{DirtArea, OccupiedArea};
+use wisch_io::{MaskSource, mask_particles};
 
 fuzz_target!(|bytes: &[u8]| {
     let outline = Polygon::rectangle(Vector2::new(0.4, 0.28));

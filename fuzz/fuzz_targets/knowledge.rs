@@ -2,8 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use wisch::represent::KnowledgeBase;
 
 fuzz_target!(|text: &str| {
-    let _ = KnowledgeBase::from_toml(&[("fuzz.toml", text)]);
+    let _ = wisch_io::parse_knowledge(&[("fuzz.toml", text)]);
 });

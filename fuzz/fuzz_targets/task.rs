@@ -2,7 +2,8 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use wisch::represent::{Action, KnowledgeBase, TaskFile};
+use wisch::represent::{Action, KnowledgeBase};
+use wisch_io::TaskFile;
 
 fuzz_target!(|text: &str| {
     if let Ok(file) = TaskFile::parse("fuzz.toml", text, &[]) {

@@ -37,3 +37,12 @@ impl Failure {
         }
     }
 }
+
+impl From<wisch_io::Error> for Failure {
+    fn from(error: wisch_io::Error) -> Self {
+        Self {
+            sentence: error.to_string(),
+            help: error.help(),
+        }
+    }
+}

@@ -1,17 +1,15 @@
 //! The program `wisch`: plan, predict and report robotic wiping from the command line.
 //!
-//! `args` is what the user may type; each command has its file in `commands`; `assets` reads files
-//! and the built-in knowledge; `records` are the files' contents; `output` puts them on the disk.
+//! `args` is what the user may type; each command has its file in `commands`; the crate `wisch_io` reads
+//! and writes files; `records` is what `--json` prints; `output` puts results on the disk.
 
 mod args;
-mod assets;
 mod commands;
 mod failure;
 mod output;
 mod progress;
 mod records;
 mod report;
-mod robots;
 mod svg;
 mod terminal;
 mod workplace;

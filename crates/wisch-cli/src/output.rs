@@ -1,12 +1,12 @@
 //! The folder with the results: written beside its place and moved there whole.
 
 use crate::failure::Failure;
-use crate::records::{INTERPRETATION_FORMAT, PLAN_FORMAT};
 use crate::workplace::{Found, Leftover, Workplace};
 use serde::Deserialize;
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
+use wisch_io::{INTERPRETATION_FORMAT, PLAN_FORMAT};
 
 /// The plan. By this file, or by the next, a folder of results is known.
 pub const PLAN_FILE: &str = "plan.json";

@@ -1,6 +1,6 @@
 //! `wisch interpret` in a real temporary directory.
 
-#[path = "../examples/demo_bag/wiping.rs"]
+#[path = "../../wisch-telemetry/examples/demo_bag/wiping.rs"]
 mod wiping;
 
 use assert_cmd::Command;

@@ -50,7 +50,7 @@ fn telemetry(path: &Path, head: TelemetryHead) -> Telemetry {
             controller: Wrench::default(),
             external: Wrench::default(),
             motion: 0,
-            phase: Phase::Transfer,
+            phase: Phase::FreeMotion,
         };
         writer.write(&sample).expect("a sample");
     }

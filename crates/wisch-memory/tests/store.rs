@@ -28,7 +28,7 @@ fn store(memory: &Memory, record: &EpisodeRecord) -> Result<(), MemoryError> {
     let mut log = writer.telemetry_with_columns(1, TelemetryHead::default(), &columns)?;
     let mark = Mark {
         motion: 0,
-        phase: Phase::Transfer,
+        phase: Phase::FreeMotion,
     };
     for step in 0..100 {
         log.push(f64::from(step) * 0.2, mark, [f64::from(step)])?;

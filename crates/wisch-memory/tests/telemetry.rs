@@ -92,7 +92,7 @@ fn a_sample_is_read_back_part_by_part() {
 fn every_phase_has_its_place() {
     let phases = [
         Phase::Drive,
-        Phase::Transfer,
+        Phase::FreeMotion,
         Phase::Lifted,
         Phase::Lower,
         Phase::Wipe(0),

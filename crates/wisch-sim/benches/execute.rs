@@ -52,7 +52,7 @@ fn wiping(
     let file = shipped::scenario(&root().join(format!("scenarios/{name}.toml"))).unwrap();
     let knowledge = shipped::knowledge(&root().join("knowledge")).unwrap();
     let task = shipped::task(&file, Action::Collect, 1, &knowledge, &root()).unwrap();
-    let reality = file.reality(&task, &knowledge).unwrap();
+    let reality = SimulationSettings::of(file.execution(), &task, &knowledge).unwrap();
     let config = PlanConfig {
         strategy: CoverageStrategy::Kde,
         seed: 1,

@@ -4,6 +4,7 @@ use crate::SimulationSettings;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use wisch::geometry::Point2;
+use wisch::random::normal;
 use wisch::represent::{Fate, ParticleDistribution, ParticleError};
 
 /// One grain as it really is.
@@ -70,10 +71,4 @@ impl Dirt {
         let grains = self.grains.iter().map(|grain| (grain.position, grain.fate));
         ParticleDistribution::with_fates(&grains.collect::<Vec<_>>())
     }
-}
-
-/// A standard normal number by Box and Muller.
-pub(super) fn normal(random: &mut ChaCha8Rng) -> f64 {
-    let (u, v) = (1.0 - random.random::<f64>(), random.random::<f64>());
-    (-2.0 * libm::log(u)).sqrt() * libm::cos(std::f64::consts::TAU * v)
 }

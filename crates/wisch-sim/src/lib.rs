@@ -13,12 +13,13 @@ mod error;
 mod grains;
 mod period;
 mod plant;
+mod settings;
 mod truth;
 mod world;
 
 pub use dirt::{Dirt, Grain};
 pub use error::SimulationError;
 pub use period::execute;
+pub use settings::SimulationSettings;
 pub use truth::{GroundTruth, Spread};
-pub use wisch::represent::Reality as SimulationSettings;
 pub use world::World;

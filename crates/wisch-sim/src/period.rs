@@ -1,6 +1,5 @@
 //! The loop of control, simulation and telemetry.
 
-use crate::dirt::normal;
 use crate::grains::GrainBodies;
 use crate::plant::{GRAVITY, Plant, tool_load};
 use crate::{Dirt, GroundTruth, SimulationError, SimulationSettings, Spread};
@@ -13,9 +12,11 @@ use wisch::control::{
 };
 use wisch::follow::{Followed, Motion, Phase, TrajectorySample, Workcell};
 use wisch::geometry::{Point3, Pose, Vector3};
-use wisch::represent::{FrictionChange, Push, Task};
+use wisch::random::normal;
+use wisch::represent::Task;
 use wisch::robot::{Articulation, ArticulationState, Range};
 use wisch::run::{Ending, Execution, MotionOrder, SampleSink, StopCause, TelemetrySample, Wrench};
+use wisch_io::{FrictionChange, Push};
 
 /// Faster than this no robot moves [rad/s or m/s].
 const MAX_VELOCITY: f64 = 100.0;

@@ -14,7 +14,8 @@ use shipped::{AnyError, SCENARIOS, knowledge, scenario, task};
 use std::path::Path;
 use std::time::Instant;
 use wisch::plan::{CoverageStrategy, PlanConfig, plan, predict};
-use wisch::represent::{Action, Task, TaskFile};
+use wisch::represent::{Action, Task};
+use wisch_io::TaskFile;
 
 /// Table 1, performance [%]: action × scenario × (grid, rrt, kde).
 const PAPER_PERFORMANCE: [[[f64; 3]; 3]; 3] = [

@@ -7,8 +7,8 @@
 //!     └────► robot ───────────────┘
 //! ```
 //!
-//! Nothing here reads a clock, a file or the network. Files reach the library as bytes through
-//! [`represent::ReadFile`]; randomness comes in as a seed.
+//! Nothing here reads a clock, a file or the network: task files, knowledge and robots are read by the crate
+//! `wisch-io`; randomness comes in as a seed.
 //!
 //! Method: Leidner, Bartels, Bejjani, Albu-Schäffer, Beetz, *Cognition-enabled robotic wiping*,
 //! Robotics and Autonomous Systems 114 (2019). `PAPER.md` maps its sections and equations to items.
@@ -20,11 +20,12 @@ pub mod follow;
 pub mod geometry;
 pub mod interpret;
 pub mod plan;
+pub mod random;
 pub mod recover;
 pub mod represent;
 pub mod robot;
 pub mod run;
-pub mod text;
+pub mod source_location;
 
 /// The README's example runs.
 #[cfg(doctest)]

@@ -4,7 +4,8 @@ use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 use wisch::geometry::{PlanarPose, Point2, Polygon, Pose, Region, Vector2};
 use wisch::represent::{
-    Effect, EffectModel, Fate, ParticleDistribution, ParticleField, Surface, ToolMotion,
+    Effect, EffectModel, Fate, MotionEffect, ParticleDistribution, ParticleField, Surface,
+    ToolMotion,
 };
 
 /// How far two computations of the same motion may lie apart [m].
@@ -264,6 +265,55 @@ fn particles_that_do_not_respond_stay_and_the_others_do_what_they_did() {
             }
         }
     }
+}
+
+/// What becomes of a heap of this depth that is pushed along x to 1 cm before the edge at x = 0.2.
+fn heap_pushed_near_the_edge(depth: f64) -> (MotionEffect, ParticleDistribution) {
+    let crumbs = ParticleDistribution::new(&[Point2::new(0.1, 0.0); 400]).unwrap();
+    let mut field = ParticleField::new(&crumbs);
+    let mut model = EffectModel::new(&sponge(), Effect::Push).with_heap(depth, 1);
+    let motion = ToolMotion {
+        from: pose(0.0, 0.0, 0.0),
+        to: pose(0.155, 0.0, 0.0),
+    };
+    let effect = model.apply(&mut field, &board(0.2), &motion);
+    model.lift_off(&mut field, &board(0.2));
+    (effect, field.distribution())
+}
+
+#[test]
+fn what_has_no_room_before_the_edge_falls_and_the_rest_lies_apart() {
+    // Twice as deep as there is room: half of it.
+    let (effect, deep) = heap_pushed_near_the_edge(0.02);
+    let count = |fate| deep.iter().filter(|(_, one)| *one == fate).count();
+    assert!((150..250).contains(&effect.off_surface), "{effect:?}");
+    assert_eq!(count(Fate::OffSurface { edge: 1 }), effect.off_surface);
+    assert_eq!(count(Fate::OnSurface), effect.pushed);
+    let left: Vec<Point2> = deep.remaining().collect();
+    assert!(left.iter().all(|place| (0.19..0.2).contains(&place.x)));
+    assert!(left.iter().any(|place| place.y < -0.008));
+    assert!(left.iter().any(|place| place.y > 0.008));
+    let (effect, _) = heap_pushed_near_the_edge(0.009);
+    assert_eq!([effect.pushed, effect.off_surface], [400, 0]);
+    // Without depth it is as if there were no heap.
+    let (_, flat) = heap_pushed_near_the_edge(0.0);
+    let line = flat.remaining().next().unwrap();
+    assert!((line.x - 0.19).abs() < SAME && line.y == 0.0, "{line}");
+    assert!(flat.remaining().all(|place| place == line));
+}
+
+#[test]
+fn a_heap_that_is_taken_up_needs_no_room() {
+    let crumbs = ParticleDistribution::new(&[Point2::new(0.19, 0.0); 50]).unwrap();
+    let mut field = ParticleField::new(&crumbs);
+    let mut model = EffectModel::new(&sponge(), Effect::Absorb).with_heap(0.1, 1);
+    let motion = ToolMotion {
+        from: pose(0.0, 0.0, 0.0),
+        to: pose(0.16, 0.0, 0.0),
+    };
+    let effect = model.apply(&mut field, &board(0.2), &motion);
+    model.lift_off(&mut field, &board(0.2));
+    assert_eq!([effect.absorbed, effect.off_surface], [50, 0]);
 }
 
 fn any_motion() -> impl Strategy<Value = ToolMotion> {

@@ -16,7 +16,7 @@ use board::{arm7, block, board, cell, planned};
 use problems::{Outcome, Problem, robots};
 use rayon::prelude::*;
 use wisch::follow::{
-    Effort, FollowConfig, FollowError, Followed, Obstruction, WorkcellConfig, audit, follow,
+    FollowConfig, FollowError, Followed, Obstruction, SearchScope, WorkcellConfig, audit, follow,
 };
 use wisch::represent::Action;
 
@@ -122,7 +122,9 @@ fn a_configuration_without_sense_is_refused_by_the_name_of_its_field() {
     let fields: [Field; 8] = [
         ("step", |config| &mut config.step),
         ("turn", |config| &mut config.turn),
-        ("freedom_increment", |config| &mut config.freedom_increment),
+        ("orientation_increment", |config| {
+            &mut config.orientation_increment
+        }),
         ("margin", |config| &mut config.margin),
         ("max_joint_step", |config| &mut config.max_joint_step),
         ("line_tolerance", |config| &mut config.line_tolerance),
@@ -193,9 +195,9 @@ const ONLY_GLOBALLY: u64 = 93;
 fn the_global_method_finds_a_way_where_the_local_one_finds_none() {
     let robots = robots().unwrap();
     let problem = Problem::random(ONLY_GLOBALLY).unwrap();
-    let with = |effort| {
+    let with = |search| {
         let config = FollowConfig {
-            effort,
+            search,
             ..FollowConfig::default()
         };
         let tried = problem.followed_with(&robots[problem.robot], &config);
@@ -203,10 +205,10 @@ fn the_global_method_finds_a_way_where_the_local_one_finds_none() {
         assert_eq!(tried.faults, [] as [String; 0]);
         tried.motion
     };
-    let local = with(Effort::Local);
+    let local = with(SearchScope::Local);
     assert_eq!(local.abandoned.len(), 4);
     assert!(local.abandoned.iter().all(|node| !node.attempts.is_empty()));
-    assert_eq!(with(Effort::Global).abandoned, []);
+    assert_eq!(with(SearchScope::Global).abandoned, []);
 }
 
 /// Seeds of the example that have been wrong once, each with what was wrong.

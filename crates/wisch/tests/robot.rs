@@ -47,7 +47,7 @@ fn the_shipped_robots_have_nothing_that_matters_to_report() {
         let robot = robot(file);
         assert_eq!(robot.dof(), dof);
         let matter: Vec<_> = robot
-            .findings()
+            .diagnostics()
             .iter()
             .filter(|f| f.severity > Severity::Note)
             .collect();

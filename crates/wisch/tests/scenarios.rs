@@ -8,7 +8,8 @@ use wisch::plan::{
     best_segment_of_variants, plan, predict,
 };
 use wisch::recover::unfinished;
-use wisch::represent::{Action, Intent, KnowledgeBase, OccupiedArea, Task, TaskFile};
+use wisch::represent::{Action, OccupiedArea, Task};
+use wisch_io::{LoadOptions, LoadedTask, TaskFile, load_task};
 
 /// Name, particles, and the distance in contact of Table 1 for grid and absorb [m].
 const SCENARIOS: [(&str, usize, f64); 3] = [
@@ -21,75 +22,20 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// A scenario of Table 1 with another action, the sponge and breadcrumbs.
+/// A scenario of Table 1 with another action.
 fn task(name: &str, action: Action, seed: u64) -> Task {
-    let (_, task) = resolved(name, seed, |_| Use {
+    loaded(name, Some(action), seed).task
+}
+
+/// A scenario with another seed, and another action if one is given.
+fn loaded(name: &str, action: Option<Action>, seed: u64) -> LoadedTask {
+    let options = LoadOptions {
         action,
-        tool: "sponge".into(),
-        medium: "breadcrumbs".into(),
-    });
-    task
-}
-
-/// What is done with what.
-struct Use {
-    action: Action,
-    tool: String,
-    medium: String,
-}
-
-/// As the file says.
-fn as_written(file: &TaskFile) -> Use {
-    match file.intent() {
-        Intent::Action {
-            action,
-            tool,
-            medium,
-        } => Use {
-            action: *action,
-            tool: tool.clone(),
-            medium: medium.clone(),
-        },
-        Intent::Goal { .. } => panic!("the scenarios name an action"),
-    }
-}
-
-fn resolved(name: &str, seed: u64, used: impl Fn(&TaskFile) -> Use) -> (TaskFile, Task) {
-    let names = [
-        "tools.toml",
-        "media.toml",
-        "surfaces.toml",
-        "interactions.toml",
-    ];
-    let text = |path: String| std::fs::read_to_string(root().join(path)).expect("it is shipped");
-    let texts = names.map(|name| text(format!("knowledge/{name}")));
-    let files: Vec<(&str, &str)> = names
-        .into_iter()
-        .zip(texts.iter().map(String::as_str))
-        .collect();
-    let knowledge = KnowledgeBase::from_toml(&files).expect("shipped knowledge is sound");
-    let path = format!("scenarios/{name}.toml");
-    let file = TaskFile::parse(&path, &text(path.clone()), &[]).unwrap_or_else(|e| panic!("{e}"));
-    let read = |folder: &str| {
-        let folder = root().join(folder);
-        move |path: &str| std::fs::read(folder.join(path)).map_err(|error| error.to_string())
+        seed: Some(seed),
+        ..LoadOptions::default()
     };
-    let (mut assets, mut meshes) = (read("scenarios"), read("knowledge"));
-    let Use {
-        action,
-        tool,
-        medium,
-    } = used(&file);
-    let task = file.resolve(
-        action,
-        &tool,
-        &medium,
-        seed,
-        &knowledge,
-        &mut assets,
-        &mut meshes,
-    );
-    (file, task.unwrap_or_else(|error| panic!("{error}")))
+    let path = root().join(format!("scenarios/{name}.toml"));
+    load_task(&path, &options).unwrap_or_else(|error| panic!("{error}"))
 }
 
 #[test]
@@ -150,7 +96,7 @@ fn dirt_lies_on_the_surface_and_not_where_things_stand() {
 
 /// What is planned for a scenario as its file has it, and the performance predicted for that.
 fn as_planned(name: &str) -> (TaskFile, Task, Plan, f64) {
-    let (file, task) = resolved(name, 1, as_written);
+    let LoadedTask { file, task, .. } = loaded(name, None, 1);
     let config = PlanConfig {
         strategy: CoverageStrategy::Kde,
         seed: 1,

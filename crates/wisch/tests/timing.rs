@@ -2,8 +2,8 @@
 
 use proptest::prelude::*;
 use wisch::follow::{
-    CheckConfig, Fault, JointLimit, JointLimits, JointPath, SAMPLE_PERIOD, TimingConfig,
-    TimingError, Trajectory, TrajectorySample, time_path, trajectory_faults,
+    CheckConfig, JointLimit, JointLimits, JointPath, SAMPLE_PERIOD, TimingConfig, TimingError,
+    Trajectory, TrajectoryFault, TrajectorySample, time_path, trajectory_faults,
 };
 
 fn limits(joints: &[(f64, f64)]) -> JointLimits {
@@ -35,7 +35,7 @@ fn faults(
     period: f64,
     path: &JointPath,
     limits: &JointLimits,
-) -> Vec<Fault> {
+) -> Vec<TrajectoryFault> {
     let samples: Vec<_> = trajectory.samples(period).collect();
     trajectory_faults(&samples, path, limits, &CheckConfig::default())
 }
@@ -327,23 +327,27 @@ fn sound() -> (Vec<TrajectorySample>, JointPath, JointLimits) {
 #[test]
 fn every_planted_fault_is_found() {
     type Plant = fn(&mut Vec<TrajectorySample>);
-    type Sign = fn(&Fault) -> bool;
+    type Sign = fn(&TrajectoryFault) -> bool;
     let planted: [(&str, Plant, Sign); 18] = [
-        ("nothing", |s| s.clear(), |f| matches!(f, Fault::Empty)),
+        (
+            "nothing",
+            |s| s.clear(),
+            |f| matches!(f, TrajectoryFault::Empty),
+        ),
         (
             "shape",
             |s| s[3].qd.truncate(1),
-            |f| matches!(f, Fault::Shape { sample: 3, .. }),
+            |f| matches!(f, TrajectoryFault::Shape { sample: 3, .. }),
         ),
         (
             "not a number",
             |s| s[3].qdd[1] = f64::NAN,
-            |f| matches!(f, Fault::NotFinite { sample: 3 }),
+            |f| matches!(f, TrajectoryFault::NotFinite { sample: 3 }),
         ),
         (
             "time stands still",
             |s| s[5].time = s[4].time,
-            |f| matches!(f, Fault::TimeNotIncreasing { sample: 5, .. }),
+            |f| matches!(f, TrajectoryFault::TimeNotIncreasing { sample: 5, .. }),
         ),
         (
             "position",
@@ -351,7 +355,7 @@ fn every_planted_fault_is_found() {
             |f| {
                 matches!(
                     f,
-                    Fault::Position {
+                    TrajectoryFault::Position {
                         sample: 200,
                         joint: 0,
                         ..
@@ -365,7 +369,7 @@ fn every_planted_fault_is_found() {
             |f| {
                 matches!(
                     f,
-                    Fault::Velocity {
+                    TrajectoryFault::Velocity {
                         sample: 200,
                         joint: 0,
                         ..
@@ -379,7 +383,7 @@ fn every_planted_fault_is_found() {
             |f| {
                 matches!(
                     f,
-                    Fault::Acceleration {
+                    TrajectoryFault::Acceleration {
                         sample: 200,
                         joint: 1,
                         ..
@@ -391,7 +395,7 @@ fn every_planted_fault_is_found() {
         (
             "position jumps",
             |s| s[200].q[0] += 1e-4,
-            |f| matches!(f, Fault::PositionStep { sample: 199, .. }),
+            |f| matches!(f, TrajectoryFault::PositionStep { sample: 199, .. }),
         ),
         (
             "all later positions jump",
@@ -399,14 +403,15 @@ fn every_planted_fault_is_found() {
             |f| {
                 matches!(
                     f,
-                    Fault::VelocityMismatch { joint: 1, .. } | Fault::PositionBend { joint: 1, .. }
+                    TrajectoryFault::VelocityMismatch { joint: 1, .. }
+                        | TrajectoryFault::PositionBend { joint: 1, .. }
                 )
             },
         ),
         (
             "positions bend",
             |s| s[200].q[0] -= 1e-5,
-            |f| matches!(f, Fault::PositionBend { sample: 200, .. }),
+            |f| matches!(f, TrajectoryFault::PositionBend { sample: 200, .. }),
         ),
         (
             "velocity jumps",
@@ -414,7 +419,7 @@ fn every_planted_fault_is_found() {
             |f| {
                 matches!(
                     f,
-                    Fault::VelocityStep {
+                    TrajectoryFault::VelocityStep {
                         sample: 199,
                         joint: 0,
                         ..
@@ -425,37 +430,37 @@ fn every_planted_fault_is_found() {
         (
             "velocities of another motion",
             |s| s.iter_mut().for_each(|s| s.qd[0] *= 0.9),
-            |f| matches!(f, Fault::VelocityMismatch { joint: 0, .. }),
+            |f| matches!(f, TrajectoryFault::VelocityMismatch { joint: 0, .. }),
         ),
         (
             "starts in motion",
             |s| drop(s.drain(..100)),
-            |f| matches!(f, Fault::NotAtRest { .. }),
+            |f| matches!(f, TrajectoryFault::NotAtRest { .. }),
         ),
         (
             "ends elsewhere",
             |s| s.truncate(400),
-            |f| matches!(f, Fault::WrongEnd { .. }),
+            |f| matches!(f, TrajectoryFault::WrongEnd { .. }),
         ),
         (
             "cut short",
             |s| s.truncate(400),
-            |f| matches!(f, Fault::WaypointMissed { waypoint: 1, .. }),
+            |f| matches!(f, TrajectoryFault::WaypointMissed { waypoint: 1, .. }),
         ),
         (
             "off the path",
             |s| s[200].q[1] = 0.003,
-            |f| matches!(f, Fault::OffPath { sample: 200, .. }),
+            |f| matches!(f, TrajectoryFault::OffPath { sample: 200, .. }),
         ),
         (
             "everything off the path",
             |s| s.iter_mut().for_each(|s| s.q[1] += 0.0021),
-            |f| matches!(f, Fault::OffPath { .. }),
+            |f| matches!(f, TrajectoryFault::OffPath { .. }),
         ),
         (
             "segment too fast",
             |s| s.iter_mut().for_each(|s| s.qd[1] *= 1.01),
-            |f| matches!(f, Fault::SegmentTooFast { joint: 1, .. }),
+            |f| matches!(f, TrajectoryFault::SegmentTooFast { joint: 1, .. }),
         ),
     ];
     let (samples, path, limits) = sound();
@@ -500,11 +505,15 @@ fn a_path_the_other_way_round_or_with_a_detour_is_not_followed() {
     assert!(
         faults
             .iter()
-            .any(|f| matches!(f, Fault::WaypointMissed { waypoint: 2, .. }))
+            .any(|f| matches!(f, TrajectoryFault::WaypointMissed { waypoint: 2, .. }))
     );
     let reverse = JointPath::new(&[[0.5, 0.4], [0.5, 0.0], [0.0, 0.0]]).unwrap();
     let faults = trajectory_faults(&samples, &reverse, &limits, &CheckConfig::default());
-    assert!(faults.iter().any(|f| matches!(f, Fault::WrongEnd { .. })));
+    assert!(
+        faults
+            .iter()
+            .any(|f| matches!(f, TrajectoryFault::WrongEnd { .. }))
+    );
 }
 
 #[test]

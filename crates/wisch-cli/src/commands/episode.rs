@@ -4,19 +4,17 @@ use super::prepare::Prepared;
 use super::results::{internal, json};
 use super::rounds::Done;
 use crate::args::{KeepArgs, TaskArgs};
-use crate::assets::read_text;
 use crate::failure::Failure;
 use crate::output::{
     PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE,
 };
-use crate::records::PlanRecord;
-use crate::robots::RobotFiles;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::{SystemTime, UNIX_EPOCH};
 use wisch::run::{PlannedRound, RunEvent};
+use wisch_io::{PlanRecord, RobotFiles, particles_to_csv, read_text};
 use wisch_memory::{
     EpisodeHeader, EpisodeRound, EpisodeWriter, Memory, MemoryError, RobotText, RoundLog,
     RoundScene, TelemetryWriter, episode_id, remember,
@@ -214,16 +212,19 @@ fn attach_round(done: &Done, attach: &Attach<'_>) -> Result<(), Failure> {
     let name = |file: &str| format!("round-{}/{file}", motion.number);
     let plan = PlanRecord::new(&motion.task, &motion.plan, motion.task.seed);
     attach(&name(PLAN_FILE), json(&plan)?.as_bytes())?;
-    let before = motion.task.particles.to_csv();
+    let before = particles_to_csv(&motion.task.particles);
     attach(&name(PARTICLES_BEFORE_FILE), before.as_bytes())?;
     let belief = &round.interpretation.belief;
     let estimated = belief.sample(motion.task.seed).map_err(internal)?;
     attach(
         &name(PARTICLES_ESTIMATED_FILE),
-        estimated.to_csv().as_bytes(),
+        particles_to_csv(&estimated).as_bytes(),
     )?;
     if let Some(truth) = &done.truth {
-        attach(&name(PARTICLES_TRUE_FILE), truth.to_csv().as_bytes())?;
+        attach(
+            &name(PARTICLES_TRUE_FILE),
+            particles_to_csv(&truth).as_bytes(),
+        )?;
     }
     Ok(())
 }

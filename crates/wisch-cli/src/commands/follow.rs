@@ -8,16 +8,15 @@ use crate::records::FollowingSummary;
 use crate::report::{
     Contact, Frames, MotionInput, ParticleFrame, Phase as ShownPhase, Placement, RatedPlace,
 };
-use crate::robots::Robot;
 use wisch::follow::{
     AbandonedNode, Audit, FollowConfig, FollowError, Followed, Phase, TrajectorySample, Workcell,
     WorkcellConfig, follow,
 };
-use wisch::geometry::{Pose, Vector3};
 use wisch::plan::Plan;
-use wisch::represent::{Fate, RobotDescription, RobotRecord, ScenePart, Task};
+use wisch::represent::{Fate, Task};
 use wisch::robot::CapabilityMap;
 use wisch::run::Session;
+use wisch_io::{Robot, RobotDescription, RobotRecord};
 
 /// What `--robot` says to leave the robot out.
 const NO_ROBOT: &str = "none";
@@ -105,9 +104,9 @@ pub fn performer(chosen: &Chosen<'_>, task_args: &TaskArgs) -> Result<Robot, Fai
         args.map.as_deref(),
         &args.packages,
     )
-    .map_err(|failure| match args.robot {
-        Some(_) => failure,
-        None => failure.within(task_file),
+    .map_err(|error| match args.robot {
+        Some(_) => Failure::from(error),
+        None => Failure::from(error).within(task_file),
     })
 }
 
@@ -117,7 +116,8 @@ pub fn workcell_config(chosen: &Chosen<'_>, prepared: &Prepared) -> WorkcellConf
     WorkcellConfig {
         group: record.group.clone(),
         second_group: record.second_group.clone(),
-        world_from_robot: (record.world_from_robot).or_else(|| before_surface(&prepared.task)),
+        world_from_robot: (record.world_from_robot)
+            .or_else(|| prepared.task.robot_before_surface()),
         ..WorkcellConfig::default()
     }
 }
@@ -201,20 +201,6 @@ fn first_obstruction(abandoned: &AbandonedNode) -> String {
         None => "no place for the base leads there".to_owned(),
     };
     format!("node {}: {why}", abandoned.node)
-}
-
-/// Where the scene shows the robot, facing the surface; on the floor.
-fn before_surface(task: &Task) -> Option<Pose> {
-    let stands = task
-        .scene
-        .iter()
-        .find(|object| object.part == ScenePart::Robot)?;
-    let at = stands.world_from_object.translation.vector;
-    let towards = task.surface.world_from_surface.translation.vector - at;
-    Some(Pose::new(
-        Vector3::new(at.x, at.y, 0.0),
-        Vector3::z() * towards.y.atan2(towards.x),
-    ))
 }
 
 impl Following {

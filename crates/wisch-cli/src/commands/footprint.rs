@@ -1,13 +1,13 @@
 //! `wisch footprint`: where a tool touches the surface.
 
 use crate::args::{FootprintArgs, GlobalArgs};
-use crate::assets::{KnowledgeSource, read};
 use crate::failure::Failure;
 use crate::svg::footprint_drawing;
 use crate::terminal::{Outcome, print};
 use std::path::Path;
 use wisch::geometry::{Mesh, MeshFormat, Polygon, Region, Vector2, footprint as mesh_footprint};
 use wisch::represent::{AngleRange, AreaOfEffect, KnowledgeBase, Tool, ToolEntry};
+use wisch_io::{KnowledgeSource, read};
 
 /// A tool longer than this is probably given in millimetres [m].
 const SUSPICIOUS_LENGTH: f64 = 5.0;

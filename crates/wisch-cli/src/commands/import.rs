@@ -57,7 +57,7 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     attach_task(&task_args, &prepared, &attach)?;
     let estimated = (told.belief.sample(prepared.task.seed)).map_err(internal)?;
     let name = format!("round-1/{PARTICLES_ESTIMATED_FILE}");
-    attach(&name, estimated.to_csv().as_bytes())?;
+    attach(&name, wisch_io::particles_to_csv(&estimated).as_bytes())?;
     let header = EpisodeHeader {
         id: writer.id().to_owned(),
         start,
@@ -92,7 +92,7 @@ fn write_telemetry(writer: &EpisodeWriter, log: &Log) -> Result<(), MemoryError>
     // Of a log nobody knows what the robot was about.
     let mark = Mark {
         motion: 0,
-        phase: Phase::Transfer,
+        phase: Phase::FreeMotion,
     };
     for sample in &log.samples {
         let p = sample.world_from_tool.translation.vector;

@@ -8,7 +8,6 @@ use crate::args::{GlobalArgs, InterpretArgs, LogArgs, LoggedArgs, TaskArgs};
 use crate::failure::Failure;
 use crate::output::{INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE};
 use crate::progress::Progress;
-use crate::records::{InterpretationRecord, LogRecord};
 use crate::terminal::{Outcome, print};
 use crate::workplace::Leftover;
 use nalgebra::{Translation3, UnitQuaternion};
@@ -16,7 +15,8 @@ use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
 use wisch::interpret::{Belief, InterpretConfig, Interpretation, interpret as conclude};
 use wisch::represent::{Action, GoalState};
-use wisch_telemetry::{AxesChoice, Log, LogOptions, ReadFault, TopicChoice, read};
+use wisch_io::{InterpretationRecord, LogRecord, particles_to_csv};
+use wisch_telemetry::{AxesChoice, AxesSource, Log, LogOptions, ReadFault, TopicChoice, read};
 
 /// Reads the log, interprets it, and writes what it says.
 pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
@@ -41,11 +41,11 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
         &prepared.task,
         &told,
         prepared.file.target_performance(),
-        LogRecord::new(&args.source.log, &log),
+        log_record(&args.source.log, &log),
     );
     let particles = (told.belief.sample(prepared.task.seed)).map_err(internal)?;
     folder.write(INTERPRETATION_FILE, json(&record)?)?;
-    folder.write(PARTICLES_ESTIMATED_FILE, particles.to_csv())?;
+    folder.write(PARTICLES_ESTIMATED_FILE, particles_to_csv(&particles))?;
     folder.finish()?;
     drop(progress);
 
@@ -60,6 +60,25 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
     } else {
         Outcome::GoalNotMet
     })
+}
+
+/// What is written of a log that was read from a file.
+fn log_record(file: &Path, log: &Log) -> LogRecord {
+    let times = [log.samples.first(), log.samples.last()]
+        .map(|sample| sample.map_or(0.0, |sample| sample.time));
+    LogRecord {
+        file: file.display().to_string(),
+        pose: log.pose_name.clone(),
+        wrench: log.wrench_name.clone(),
+        wrench_frame: log.axes.as_str(),
+        wrench_frame_assumed: log.axes_source == AxesSource::Assumed,
+        samples: log.samples.len(),
+        duration_s: times[1] - times[0],
+        start_ns: log.start,
+        repeated: log.repeated,
+        unpaired: log.unpaired,
+        unfinished: log.is_unfinished,
+    }
 }
 
 /// The part of the arguments that says which task it was.

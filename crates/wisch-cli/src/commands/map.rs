@@ -4,15 +4,14 @@ use crate::args::{GlobalArgs, RobotMapArgs};
 use crate::failure::Failure;
 use crate::output::OutputFile;
 use crate::progress::Progress;
-use crate::robots::{MAP_EXTENSION, Robot};
 use crate::terminal::{Outcome, print};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use wisch::follow::Group;
+use wisch::follow::PlanningGroup;
 use wisch::geometry::Pose;
-use wisch::represent::RobotDescription;
 use wisch::robot::{CapabilityMap, CollisionModel, MapConfig, MapStage, MapTool};
+use wisch_io::{MAP_EXTENSION, Robot, RobotDescription};
 
 /// The schema of the object that `--json` prints.
 const SCHEMA: u32 = 1;
@@ -44,7 +43,7 @@ pub fn map(args: &RobotMapArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
     // A path on the command line counts from the working directory.
     let robot = Robot::read_without_map(&description, Path::new(""), &args.packages)?;
     let of_robot = |error| Failure::new(format!("{}: {error}", args.robot));
-    let group = Group::choose(&robot.model, robot.srdf.as_ref(), args.group.as_deref())
+    let group = PlanningGroup::choose(&robot.model, robot.srdf.as_ref(), args.group.as_deref())
         .map_err(of_robot)?;
     let collisions =
         CollisionModel::new(&robot.model, robot.srdf.as_ref()).map_err(Failure::new)?;

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
 use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
-use wisch::represent::TaskFile;
+use wisch_io::TaskFile;
 
 /// Writes the template.
 pub fn new(args: &NewArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {

@@ -12,10 +12,11 @@ use crate::output::{
     PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE, REPORT_FILE, ROUNDS_FILE,
     TCP_PATH_FILE, TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE,
 };
-use crate::records::{FollowedRecord, PlanRecord, RobotTrajectory, RoundSummary, tcp_path_csv};
+use crate::records::RoundSummary;
 use crate::report::{self, Frames, ReportInput};
 use std::path::{Path, PathBuf};
 use wisch::plan::{Plan, Prediction};
+use wisch_io::{FollowedRecord, PlanRecord, RobotTrajectory, particles_to_csv, tcp_path_csv};
 
 /// Pixels per unit of a picture's own size.
 const PNG_SCALE: f32 = 2.0;
@@ -55,20 +56,26 @@ pub(super) fn write(
 ) -> Result<(), Failure> {
     let record = PlanRecord::new(&prepared.task, &results.plan, prepared.config.seed);
     folder.write(PLAN_FILE, json(&record)?)?;
-    folder.write(PARTICLES_BEFORE_FILE, prepared.task.particles.to_csv())?;
+    folder.write(
+        PARTICLES_BEFORE_FILE,
+        particles_to_csv(&prepared.task.particles),
+    )?;
     if let Some(following) = &results.following {
         write_motion(folder, prepared, following)?;
     }
     if let Some((prediction, frames)) = &results.predicted {
-        folder.write(PARTICLES_AFTER_FILE, prediction.particles.to_csv())?;
+        folder.write(
+            PARTICLES_AFTER_FILE,
+            particles_to_csv(&prediction.particles),
+        )?;
         write_report(folder, prepared, results, prediction, frames)?;
     }
     if let Some(last) = results.rounds.last() {
         let told = &last.round.interpretation;
         let estimated = told.belief.sample(prepared.task.seed).map_err(internal)?;
-        folder.write(PARTICLES_ESTIMATED_FILE, estimated.to_csv())?;
+        folder.write(PARTICLES_ESTIMATED_FILE, particles_to_csv(&estimated))?;
         if let Some(truth) = &last.truth {
-            folder.write(PARTICLES_TRUE_FILE, truth.to_csv())?;
+            folder.write(PARTICLES_TRUE_FILE, particles_to_csv(&truth))?;
         }
         let summaries = results.rounds.iter().map(summary_of_round);
         let rounds: Vec<_> = summaries.map(RoundSummary::without_timing).collect();

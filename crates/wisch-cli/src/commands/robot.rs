@@ -2,12 +2,11 @@
 
 use super::words::counted;
 use crate::args::{GlobalArgs, RobotCheckArgs};
-use crate::assets;
 use crate::failure::Failure;
-use crate::robots::meshes;
 use crate::terminal::{Outcome, print};
 use serde::Serialize;
-use wisch::robot::{Finding, RobotModel, Severity, Subject, check};
+use wisch::robot::{Diagnostic, RobotModel, Severity, Subject, check};
+use wisch_io::{read_text, robot_meshes};
 
 /// The schema of the object that `--json` prints.
 const SCHEMA: u32 = 1;
@@ -51,9 +50,9 @@ struct FindingRecord<'a> {
 
 /// Reads the URDF and reports on it.
 pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    let text = assets::read_text(&args.file)?;
+    let text = read_text(&args.file)?;
     let name = args.file.display().to_string();
-    let mut meshes = meshes(&args.file, &args.packages);
+    let mut meshes = robot_meshes(&args.file, &args.packages);
     let findings = check(&name, &text, &mut meshes).map_err(|error| {
         Failure::new(error)
             .with_help("xacro files are to be expanded first: xacro robot.xacro > robot.urdf")
@@ -108,7 +107,7 @@ impl<'a> RobotRecord<'a> {
 }
 
 impl<'a> FindingRecord<'a> {
-    fn new(finding: &'a Finding) -> Self {
+    fn new(finding: &'a Diagnostic) -> Self {
         let (link, joint) = match &finding.subject {
             Subject::Link(name) => (Some(name.as_str()), None),
             Subject::Joint(name) => (None, Some(name.as_str())),
@@ -116,7 +115,7 @@ impl<'a> FindingRecord<'a> {
         };
         Self {
             severity: finding.severity.as_str(),
-            fault: finding.fault.as_str(),
+            fault: finding.kind.as_str(),
             line: finding.at.line,
             column: finding.at.column,
             link,
@@ -133,7 +132,7 @@ fn mass(robot: &RobotModel) -> f64 {
     bodies.fold(0.0, |sum, body| sum + body.mass)
 }
 
-fn report(name: &str, robot: Option<&RobotModel>, findings: &[Finding]) -> String {
+fn report(name: &str, robot: Option<&RobotModel>, findings: &[Diagnostic]) -> String {
     let mut text = match robot {
         Some(robot) => format!(
             "{}: {}, {}, {}, {:.1} kg\n",

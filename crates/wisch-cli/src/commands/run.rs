@@ -10,13 +10,10 @@ use crate::args::{
     FollowArgs, GlobalArgs, LoopArgs, PredictArgs, ResultArgs, RobotArgs, RunArgs, TaskArgs,
     WipeArgs,
 };
-use crate::assets::read_text;
 use crate::failure::Failure;
 use crate::output::OutputFolder;
 use crate::progress::Progress;
-use crate::records::PlanRecord;
 use crate::report::Frames;
-use crate::robots::Robot;
 use crate::terminal::{Outcome, print, remark};
 use crate::workplace::{Found, Leftover};
 use std::path::Path;
@@ -24,6 +21,7 @@ use wisch::follow::WorkcellConfig;
 use wisch::plan::{Plan, Prediction, predict};
 use wisch::recover::Verdict;
 use wisch::run::{NoExecutor, Pace, RunConfig, RunError, RunEvent, Session, Stage};
+use wisch_io::{PlanRecord, Robot, read_text};
 
 /// Rounds of a single stroke that stand for one of a whole plan.
 const GREEDY_ROUNDS: usize = 10;

@@ -6,8 +6,7 @@ use std::path::PathBuf;
 use wisch::geometry::{Mesh, Point2, Polygon, Pose, Region, Vector2, Vector3};
 use wisch::plan::{CoverageStrategy, FreeSpace, PlanConfig, plan, predict};
 use wisch::represent::{
-    Action, AngleRange, Interaction, KnowledgeBase, ParticleDistribution, SceneObject, ScenePart,
-    Surface, Tool,
+    Action, AngleRange, Interaction, ParticleDistribution, SceneObject, ScenePart, Surface, Tool,
 };
 
 /// Set to a folder, the reports of these tests are kept there to be looked at.
@@ -69,19 +68,9 @@ impl Run {
 
 /// What is known of a sponge on crumbs.
 fn interaction() -> Interaction {
-    let knowledge = concat!(env!("CARGO_MANIFEST_DIR"), "/../../knowledge/");
-    let texts = [
-        "tools.toml",
-        "media.toml",
-        "surfaces.toml",
-        "interactions.toml",
-    ]
-    .map(|name| {
-        let text = std::fs::read_to_string(format!("{knowledge}{name}")).expect("a file");
-        (name, text)
-    });
-    let texts = texts.each_ref().map(|(name, text)| (*name, text.as_str()));
-    let knowledge = KnowledgeBase::from_toml(&texts).expect("the shipped knowledge");
+    let knowledge = wisch_io::KnowledgeSource::BuiltIn
+        .base()
+        .expect("what is shipped");
     let known = knowledge.interaction("sponge", "breadcrumbs", "table");
     known.expect("the sponge on the table").clone()
 }

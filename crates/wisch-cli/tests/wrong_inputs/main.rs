@@ -620,7 +620,7 @@ fn fault_of(case: &Case) -> Option<String> {
     ] {
         fs::copy(shipped.join(name), beside("knowledge").join(name)).expect("a copy");
     }
-    let mut text = wisch::represent::TaskFile::TEMPLATE.to_owned();
+    let mut text = wisch_io::TaskFile::TEMPLATE.to_owned();
     for (from, to) in &case.edits {
         if !text.contains(from) {
             return Some(format!("the template holds no {from:?}"));

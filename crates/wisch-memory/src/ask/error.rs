@@ -4,7 +4,7 @@ use super::listing::Predicate;
 use super::term::{Term, TermError};
 use std::fmt::Display;
 use std::time::Duration;
-use wisch::text::UnknownName;
+use wisch::source_location::UnknownName;
 
 /// What is wrong with a query.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -6,7 +6,7 @@ use crate::catalogue::{Catalogue, IndividualId, Node};
 use crate::ontology::{Ontology, TermKind};
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use wisch::text::UnknownName;
+use wisch::source_location::UnknownName;
 
 /// Events that a concept classifies, by class: SOMA's `Collision` is a concept, ours is the event, and both find it.
 const CLASSIFIED: [(&str, &str); 1] = [("soma:Collision", "semco:Collision")];

@@ -340,7 +340,7 @@ fn channel_values(span: &Span, channel: &str) -> Result<Vec<f64>, QueryFault> {
             let known = ["force", "vertical_force", "speed"]
                 .into_iter()
                 .chain(columns);
-            let error = wisch::text::UnknownName::new("channel", name, known);
+            let error = wisch::source_location::UnknownName::new("channel", name, known);
             Err(QueryFault::Unknown {
                 kind: "channel".to_owned(),
                 name: name.to_owned(),

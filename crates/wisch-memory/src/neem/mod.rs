@@ -39,7 +39,7 @@ use crate::store::MemoryError;
 use crate::telemetry::TelemetryError;
 use std::io;
 use std::path::{Path, PathBuf};
-use wisch::text::UnknownName;
+use wisch::source_location::UnknownName;
 
 /// Why a NEEM cannot be written or read.
 #[derive(Debug, thiserror::Error)]

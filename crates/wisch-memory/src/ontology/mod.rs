@@ -10,7 +10,7 @@ mod tests;
 pub use read::OntologyError;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
-use wisch::text::UnknownName;
+use wisch::source_location::UnknownName;
 
 /// Prefixes and the namespaces that they stand for. A bare name is looked for in this order.
 const PREFIXES: [(&str, &str); 8] = [
@@ -92,7 +92,7 @@ pub struct Term {
 ///     ontology.resolve("semco", "Colision").unwrap_err().nearest(),
 ///     Some("semco:Collision")
 /// );
-/// # Ok::<(), wisch::text::UnknownName>(())
+/// # Ok::<(), wisch::source_location::UnknownName>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ontology {

@@ -91,7 +91,7 @@ impl RoundLog {
     pub fn push(&mut self, sample: &TelemetrySample<'_>) {
         let kind = match sample.phase {
             Phase::Drive => Kind::Drive,
-            Phase::Transfer | Phase::Lifted | Phase::Lower | Phase::Lift => Kind::Lifted,
+            Phase::FreeMotion | Phase::Lifted | Phase::Lower | Phase::Lift => Kind::Lifted,
             Phase::Wipe(stroke) => Kind::Stroke(stroke),
         };
         let force = sample.external.force.norm();
@@ -151,7 +151,7 @@ mod tests {
     fn lifted_motions_are_told_apart_by_the_strokes_round_them() {
         let phases = [
             Phase::Drive,
-            Phase::Transfer,
+            Phase::FreeMotion,
             Phase::Lower,
             Phase::Wipe(0),
             Phase::Wipe(0),

@@ -3,7 +3,7 @@
 use super::ViewError;
 use super::command::text_of;
 use crate::ask::Term;
-use wisch::text::UnknownName;
+use wisch::source_location::UnknownName;
 
 /// Names that queries may use.
 const NAMED: [(&str, [u8; 3]); 14] = [

@@ -18,9 +18,10 @@ use std::path::Path;
 use std::time::Instant;
 use whole::run_config;
 use wisch::interpret::EventKind;
-use wisch::represent::{Intent, KnowledgeBase};
+use wisch::represent::KnowledgeBase;
 use wisch::run::{Performer, PlannedRound, Round, RunEvent, Session};
-use wisch_sim::{GroundTruth, World};
+use wisch_io::Intent;
+use wisch_sim::{GroundTruth, SimulationSettings, World};
 
 const SCENARIOS: [&str; 3] = [
     "chopping-board",
@@ -96,8 +97,8 @@ fn trial(
         return Err(format!("{name} names no action").into());
     };
     let task = task(&file, *action, seed, knowledge, root)?;
-    let reality = file.reality(&task, knowledge)?;
-    let config = run_config(&file, &reality, seed);
+    let reality = SimulationSettings::of(file.execution(), &task, knowledge)?;
+    let config = run_config(&file, seed);
     let performer = Performer {
         robot: &robot.model,
         srdf: Some(&robot.srdf),

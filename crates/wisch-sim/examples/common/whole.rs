@@ -2,12 +2,11 @@
 
 use wisch::follow::WorkcellConfig;
 use wisch::plan::{CoverageStrategy, PlanConfig};
-use wisch::represent::TaskFile;
 use wisch::run::RunConfig;
-use wisch_sim::SimulationSettings;
+use wisch_io::TaskFile;
 
 /// As `wisch run` does it, with plans by density.
-pub fn run_config(file: &TaskFile, settings: &SimulationSettings, seed: u64) -> RunConfig {
+pub fn run_config(file: &TaskFile, seed: u64) -> RunConfig {
     let robot = file.robot();
     RunConfig {
         plan: PlanConfig {
@@ -24,7 +23,7 @@ pub fn run_config(file: &TaskFile, settings: &SimulationSettings, seed: u64) -> 
             ..WorkcellConfig::default()
         },
         target: file.target_performance(),
-        max_rounds: settings.max_rounds,
+        max_rounds: file.max_rounds(),
         ..RunConfig::default()
     }
 }

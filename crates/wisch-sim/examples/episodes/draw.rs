@@ -5,7 +5,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::{PI, TAU};
 use wisch::geometry::{Pose, Vector3};
-use wisch::represent::Push;
+use wisch_io::Push;
 use wisch_sim::SimulationSettings;
 
 /// Tilt of the real surface about its x and y, at most [rad].

@@ -28,8 +28,9 @@ use std::process::ExitCode;
 use summary::{Episode, Fate, Pass, Summary};
 use whole::run_config;
 use wisch::interpret::EventKind;
-use wisch::represent::{Intent, KnowledgeBase, ParticleError, TaskFile};
+use wisch::represent::{KnowledgeBase, ParticleError};
 use wisch::run::{Performer, PlannedRound, Round, RunEvent, Session, TelemetrySample};
+use wisch_io::{Intent, TaskFile};
 use wisch_sim::{GroundTruth, SimulationSettings, World};
 
 /// What every episode has in common.
@@ -125,9 +126,12 @@ impl Stage<'_> {
             return Err(format!("{} names no action", file.name()).into());
         };
         let task = task(file, *action, seed, &self.knowledge, self.root)?;
-        let reality = disturbed(&file.reality(&task, &self.knowledge)?, seed);
+        let reality = disturbed(
+            &SimulationSettings::of(file.execution(), &task, &self.knowledge)?,
+            seed,
+        );
         *disturbances = Some(reality.clone());
-        let config = run_config(file, &reality, seed);
+        let config = run_config(file, seed);
         let performer = Performer {
             robot: &self.robot.model,
             srdf: Some(&self.robot.srdf),

@@ -22,8 +22,9 @@ use wisch::interpret::{
     Belief, EventKind, InterpretConfig, Interpretation, TouchSample, interpret,
 };
 use wisch::plan::{CoverageStrategy, PlanConfig, plan};
-use wisch::represent::{Action, GoalState, Intent, Push, Task};
+use wisch::represent::{Action, GoalState, Task};
 use wisch::run::MotionOrder;
+use wisch_io::{Intent, Push};
 use wisch_sim::{Dirt, SimulationSettings, execute};
 
 /// Force [N] and duration [s] of the pushes.
@@ -68,20 +69,20 @@ impl Trial<'_> {
         let begin = Instant::now();
         let believed = Belief::certain(self.task.particles.clone());
         let config = InterpretConfig::of(self.task);
-        let told = interpret(&samples, self.task, &believed, self.goal, &config)?;
+        let interpretation = interpret(&samples, self.task, &believed, self.goal, &config)?;
         let milliseconds = begin.elapsed().as_secs_f64() * 1e3;
         println!(
             "{name:12} true {:5.1} %, believed {:5.1} % ({:.1} to {:.1}), {:.1} s of log in {milliseconds:.0} ms, contact {:.1} %, bias {:+.2} N",
             100.0 * truth,
-            100.0 * told.performance.mean,
-            100.0 * told.performance.low,
-            100.0 * told.performance.high,
+            100.0 * interpretation.performance.mean,
+            100.0 * interpretation.performance.low,
+            100.0 * interpretation.performance.high,
             executed.duration,
-            100.0 * told.contact_share,
-            told.force_bias,
+            100.0 * interpretation.contact_share,
+            interpretation.force_bias,
         );
-        print_plane(&told);
-        print_events(&told, &reality.pushes);
+        print_plane(&interpretation);
+        print_events(&interpretation, &reality.pushes);
         Ok(())
     }
 
@@ -96,8 +97,8 @@ impl Trial<'_> {
     }
 }
 
-fn print_plane(told: &Interpretation) {
-    if let Some(plane) = &told.plane {
+fn print_plane(interpretation: &Interpretation) {
+    if let Some(plane) = &interpretation.plane {
         println!(
             "    plane tilted {:.2} deg, off {:+.2} mm, {} of {} contacts on it, {:.2} mm apart",
             plane.tilt.to_degrees(),
@@ -109,7 +110,7 @@ fn print_plane(told: &Interpretation) {
     }
 }
 
-fn print_events(told: &Interpretation, pushes: &[Push]) {
+fn print_events(interpretation: &Interpretation, pushes: &[Push]) {
     for push in pushes {
         println!(
             "    pushed {:.3} to {:.3} s",
@@ -117,7 +118,7 @@ fn print_events(told: &Interpretation, pushes: &[Push]) {
             push.start + push.duration
         );
     }
-    for event in told
+    for event in interpretation
         .events
         .iter()
         .filter(|event| event.kind != EventKind::Contact)
@@ -180,7 +181,7 @@ fn main() -> Result<(), AnyError> {
         seed,
     };
 
-    let real = file.reality(&task, &knowledge)?;
+    let real = SimulationSettings::of(file.execution(), &task, &knowledge)?;
     let calm = SimulationSettings {
         pushes: vec![],
         ..real.clone()

@@ -4,8 +4,9 @@ use crate::board::block;
 use crate::wiping::{FORCE, Wiping, controller_faults};
 use nalgebra::UnitQuaternion;
 use wisch::geometry::Vector3;
-use wisch::represent::{Action, FrictionChange, Push, ScenePart};
+use wisch::represent::{Action, ScenePart};
 use wisch::run::{Ending, StopCause};
+use wisch_io::{FrictionChange, Push};
 
 /// What a person who pushes with 40 N may meet at most [N].
 const RESISTANCE: f64 = 13.0;

@@ -221,7 +221,6 @@ pub fn as_believed() -> SimulationSettings {
         },
         kind: MediumKind::Solid,
         max_bodies: 400,
-        max_rounds: 3,
     }
 }
 

@@ -18,7 +18,8 @@ use std::path::Path;
 use std::time::Instant;
 use wisch::follow::{FollowConfig, Workcell, WorkcellConfig, audit, follow};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan, predict};
-use wisch::represent::{Action, Task, TaskFile};
+use wisch::represent::{Action, Task};
+use wisch_io::TaskFile;
 
 /// Table 1, KDE: action × scenario × (performance [%], execution time [s], computation time [s]).
 const PAPER: [[[f64; 3]; 3]; 3] = [

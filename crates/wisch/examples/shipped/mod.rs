@@ -1,8 +1,9 @@
 //! The scenarios and the knowledge of the repository, for the examples.
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
-use wisch::represent::{Action, Intent, KnowledgeBase, Task, TaskFile};
+use std::path::Path;
+use wisch::represent::{Action, KnowledgeBase, Task};
+use wisch_io::{Intent, KnowledgeSource, TaskFile, beside};
 
 /// What can go wrong in an example.
 pub type AnyError = Box<dyn Error + Send + Sync>;
@@ -22,17 +23,16 @@ pub fn task(
     let Intent::Action { tool, medium, .. } = scenario.intent() else {
         return Err(format!("{} names no tool", scenario.name()).into());
     };
-    let read = |folder: PathBuf| {
-        move |path: &str| std::fs::read(folder.join(path)).map_err(|error| error.to_string())
-    };
+    let path = root.join("scenarios/any.toml");
+    let source = KnowledgeSource::BuiltIn;
     Ok(scenario.resolve(
         action,
         tool,
         medium,
         seed,
         knowledge,
-        &mut read(root.join("scenarios")),
-        &mut read(root.join("knowledge")),
+        &mut beside(&path),
+        &mut |path| source.asset(path),
     )?)
 }
 
@@ -44,21 +44,7 @@ pub fn scenario(path: &Path) -> Result<TaskFile, AnyError> {
 
 /// The knowledge in a folder.
 pub fn knowledge(folder: &Path) -> Result<KnowledgeBase, AnyError> {
-    let names = [
-        "tools.toml",
-        "media.toml",
-        "surfaces.toml",
-        "interactions.toml",
-    ];
-    let texts = names
-        .iter()
-        .map(|name| text(&folder.join(name)))
-        .collect::<Result<Vec<String>, _>>()?;
-    let files: Vec<(&str, &str)> = names
-        .into_iter()
-        .zip(texts.iter().map(String::as_str))
-        .collect();
-    Ok(KnowledgeBase::from_toml(&files)?)
+    Ok(KnowledgeSource::new(Some(folder)).base()?)
 }
 
 /// A file as text.

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 /// How hard a way along an edge is looked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Effort {
+pub enum SearchScope {
     /// Step by step only.
     Local,
     /// Where that fails, by a search over the discretised null space, complete within its discretisation.
@@ -20,7 +20,7 @@ pub struct FollowConfig {
     /// Largest turn between two poses that are solved [rad].
     pub turn: f64,
     /// δ of Algorithm 1: increment of the tool's free rotation and tilt [rad].
-    pub freedom_increment: f64,
+    pub orientation_increment: f64,
     /// Clearance that every pair of bodies keeps [m].
     pub margin: f64,
     /// Largest change of a joint over one step; more is a jump [rad or m].
@@ -34,7 +34,7 @@ pub struct FollowConfig {
     /// Fastest the tool comes down to the surface [m/s].
     pub approach_speed: f64,
     /// How hard a way along an edge is looked for.
-    pub effort: Effort,
+    pub search: SearchScope,
     /// How many configurations are tried at the begin of a stroke.
     pub start_configurations: usize,
     /// How many placements of the base are tried for the same piece of the path.
@@ -50,14 +50,14 @@ impl Default for FollowConfig {
         Self {
             step: 0.01,
             turn: 2.0_f64.to_radians(),
-            freedom_increment: 10.0_f64.to_radians(),
+            orientation_increment: 10.0_f64.to_radians(),
             margin: 5e-3,
             max_joint_step: 0.2,
             line_tolerance: 1e-3,
             turn_tolerance: 0.5_f64.to_radians(),
             contact_speed: 0.25,
             approach_speed: 0.1,
-            effort: Effort::Global,
+            search: SearchScope::Global,
             start_configurations: 10,
             placements: 4,
             seed: 0,
@@ -75,8 +75,8 @@ impl FollowConfig {
             ("step", self.step, 1e-4, 1.0, "0.0001 to 1 m"),
             ("turn", self.turn, 1e-3, 1.0, "0.001 to 1 rad"),
             (
-                "freedom_increment",
-                self.freedom_increment,
+                "orientation_increment",
+                self.orientation_increment,
                 1e-2,
                 PI,
                 "0.01 to pi rad",

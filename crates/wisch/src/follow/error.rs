@@ -3,7 +3,7 @@
 use super::TimingError;
 use crate::geometry::MeshError;
 use crate::robot::RobotError;
-use crate::text::UnknownName;
+use crate::source_location::UnknownName;
 
 /// Why a plan cannot be followed at all.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -1,13 +1,13 @@
 //! From a plan to joint motion: placements, strokes, times.
 
-use super::arm::Arm;
-use super::freedom::{Freedom, freedoms};
-use super::placement::{Candidate, Reachability, best};
-use super::stroke_run::{Now, Piece, PieceKind, Run, run};
-use super::transfer::transfer;
+use super::path::arm::Arm;
+use super::path::free_motion::free_motion;
+use super::path::stroke_run::{Now, Run, UntimedMotion, UntimedPhase, run};
+use super::path::tool_redundancy::{ToolOrientation, orientations};
+use super::placement::{Candidate, Reachability, best, drive::drive};
 use super::{
     AbandonedNode, Attempt, FollowConfig, FollowError, Followed, Motion, Phase, Placement,
-    RatedPlace, ToolPose, Workcell, drive, schedule,
+    RatedPlace, ToolPose, Workcell, schedule,
 };
 use crate::geometry::{PlanarPose, wrap_angle};
 use crate::plan::{Plan, predict};
@@ -96,7 +96,7 @@ pub fn follow(
         cell,
         config,
         map,
-        freedoms: freedoms(&task.tool, config.freedom_increment),
+        orientations: orientations(&task.tool, config.orientation_increment),
         planned: predict(task, plan, |_| ()).performance.achieved,
     };
     follower.follow(progress)
@@ -124,7 +124,7 @@ struct Follower<'a> {
     cell: &'a Workcell,
     config: &'a FollowConfig,
     map: Option<&'a CapabilityMap>,
-    freedoms: Vec<Freedom>,
+    orientations: Vec<ToolOrientation>,
     /// Particles where the action wants them if the plan is followed exactly.
     planned: usize,
 }
@@ -170,7 +170,7 @@ impl Follower<'_> {
         let mut stopped = Vec::new();
         for some in places.chunks(AT_ONCE) {
             let stays = some.par_iter().map(|place| {
-                let way = drive::drive(self.cell, at, &place.world_from_base, self.config);
+                let way = drive(self.cell, at, &place.world_from_base, self.config);
                 way.map(|way| {
                     let stay = self.work(way.last().unwrap_or(at), open)?;
                     Ok((way, Placement::from(place), stay))
@@ -301,7 +301,7 @@ impl Follower<'_> {
                 &now,
                 &planned,
                 self.plan.lift_height,
-                &self.freedoms,
+                &self.orientations,
                 seed,
             ) {
                 Ok(run) => run,
@@ -328,7 +328,7 @@ impl Follower<'_> {
         if !stay.runs.is_empty() {
             let ready = arm.ready();
             let back = (0..WAYS_BACK)
-                .find_map(|i| transfer(&arm, &now.q, &ready, self.config.seed.wrapping_add(i)));
+                .find_map(|i| free_motion(&arm, &now.q, &ready, self.config.seed.wrapping_add(i)));
             match back {
                 Some(path) => stay.back = path,
                 // Without a way back the base could not move on.
@@ -366,10 +366,10 @@ impl Follower<'_> {
             for (nodes, run) in stay.runs {
                 let stroke = followed.strokes.len();
                 let wiped = run.stroke(&nodes);
-                for Piece { phase, path, line } in run.pieces {
+                for UntimedMotion { phase, path, line } in run.pieces {
                     let phase = match phase {
-                        PieceKind::Plain(phase) => phase,
-                        PieceKind::Wipe => Phase::Wipe(stroke),
+                        UntimedPhase::Plain(phase) => phase,
+                        UntimedPhase::Wipe => Phase::Wipe(stroke),
                     };
                     let path: Vec<Vec<f64>> = path.iter().map(|q| arm.to_robot(q)).collect();
                     self.append(&mut followed, phase, &path, line)?;
@@ -377,7 +377,7 @@ impl Follower<'_> {
                 followed.strokes.push(wiped);
             }
             let back: Vec<Vec<f64>> = stay.back.iter().map(|q| arm.to_robot(q)).collect();
-            self.append(&mut followed, Phase::Transfer, &back, Vec::new())?;
+            self.append(&mut followed, Phase::FreeMotion, &back, Vec::new())?;
         }
         Ok(followed)
     }

@@ -2,42 +2,33 @@
 //! each joint is where, within its limits; paper §3.3, §3.4.
 //!
 //! [`follow`] turns the strokes of a [`Plan`](crate::plan::Plan) into joint motion of a [`Workcell`], a
-//! robot with a tool in its hand before a scene. [`audit`] proves that a motion keeps what it should; it
-//! shares no code with what found it.
+//! robot with a tool in its hand before a scene. [`audit`] shows what a motion keeps to by code of its own: what
+//! accepts a motion here and what audits it share the robot model, the collision model and no other code.
 
-mod arm;
 mod audit;
-mod checker;
 mod config;
-mod drive;
-mod edge;
 mod error;
 mod follower;
-mod freedom;
-mod global;
-mod group;
-mod hold;
 mod motion;
+mod path;
 mod placement;
 mod schedule;
-mod second_arm;
-mod stroke_run;
 mod timing;
-mod transfer;
 mod workcell;
 
-pub use audit::{Audit, LineDeviation, MotionFault, audit};
-pub use checker::{CheckConfig, End, Fault, trajectory_faults};
-pub use config::{Effort, FollowConfig};
+pub use audit::{Audit, CheckConfig, End, MotionFault, TrajectoryFault, audit, trajectory_faults};
+pub use config::{FollowConfig, SearchScope};
 pub use error::FollowError;
 pub use follower::follow;
-pub use group::{Group, PlanarBase};
 pub use motion::{
-    AbandonedNode, Attempt, Followed, Motion, Obstruction, Phase, Placement, RatedPlace, ToolPose,
+    AbandonedNode, Attempt, Followed, GripDeviation, LineDeviation, Motion, Obstruction, Phase,
+    Placement, RatedPlace, ToolPose,
 };
-pub use second_arm::{GRIP_TOLERANCE, GripDeviation, LEAN_TOLERANCE, SecondArm};
 pub use timing::{
     JointLimit, JointLimits, JointPath, MAX_GRID_INTERVALS, MAX_WAYPOINTS, MIN_BLEND_TOLERANCE,
     SAMPLE_PERIOD, TimingConfig, TimingError, Trajectory, TrajectorySample, time_path,
 };
-pub use workcell::{Touch, Workcell, WorkcellConfig};
+pub use workcell::{
+    AllowedContact, GRIP_TOLERANCE, LEAN_TOLERANCE, PlanarBase, PlanningGroup, SecondArm, Workcell,
+    WorkcellConfig,
+};

@@ -11,7 +11,7 @@ pub enum Phase {
     /// The base moves to another placement, the arm holds still.
     Drive,
     /// The arm moves freely, the tool clear of the surface.
-    Transfer,
+    FreeMotion,
     /// The tool moves over the surface at the height to which it is lifted between strokes.
     Lifted,
     /// The tool comes down to the surface.
@@ -40,7 +40,7 @@ impl Phase {
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Drive => "drive",
-            Self::Transfer => "transfer",
+            Self::FreeMotion => "transfer",
             Self::Lifted => "lifted",
             Self::Lower => "lower",
             Self::Wipe(_) => "wipe",
@@ -58,6 +58,51 @@ pub struct ToolPose {
     pub height: f64,
     /// How far it leans about its tilt axis [rad]; 0 for tools that have none.
     pub tilt: f64,
+}
+
+impl ToolPose {
+    /// Between this pose (0) and another (1).
+    pub fn towards(&self, to: &Self, s: f64) -> Self {
+        let between = |a: f64, b: f64| a + s * (b - a);
+        let (a, b) = (&self.surface_from_tool, &to.surface_from_tool);
+        Self {
+            surface_from_tool: PlanarPose::new(
+                a.position + (b.position - a.position) * s,
+                between(a.heading, b.heading),
+            ),
+            height: between(self.height, to.height),
+            tilt: between(self.tilt, to.tilt),
+        }
+    }
+
+    /// The same, lifted.
+    pub fn lifted(&self, height: f64) -> Self {
+        Self { height, ..*self }
+    }
+
+    /// Way of the tool centre point to another pose [m].
+    pub fn distance(&self, to: &Self) -> f64 {
+        let flat = (to.surface_from_tool.position - self.surface_from_tool.position).norm();
+        flat.hypot(to.height - self.height)
+    }
+}
+
+/// How far the tool leaves its line.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct LineDeviation {
+    /// Largest distance of the tool centre point [m].
+    pub position: f64,
+    /// Largest angle to the orientation that the line has there [rad].
+    pub rotation: f64,
+}
+
+/// How far the second hand is from where the tool wants it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct GripDeviation {
+    /// Distance of the hand's outermost point from the grip [m].
+    pub position: f64,
+    /// How much further than allowed the hand leans on the bar [rad].
+    pub lean: f64,
 }
 
 /// One motion from rest to rest.

@@ -1,6 +1,7 @@
 //! Settings of the interpretation, with where their defaults come from.
 
-use super::{InterpretError, PlaneConfig, Uncertainty};
+use super::error::{InterpretError, within};
+use super::uncertainty::Uncertainty;
 use crate::represent::{LogNormal, Task};
 
 /// Settings of the interpretation. [`InterpretConfig::of`] takes from a task what depends on it.
@@ -22,7 +23,7 @@ pub struct InterpretConfig {
     pub likelihood: LogNormal,
     /// What is not known exactly.
     pub uncertainty: Uncertainty,
-    /// Replays of the log, each with chances of its own.
+    /// Replays of the log, each with random numbers of its own.
     pub replays: usize,
     /// ℓ: after this travel in contact a particle's threshold is drawn again [m]; r_s of the tool.
     pub redraw_length_m: f64,
@@ -56,6 +57,39 @@ pub enum ToolCompliance {
         /// By which share of itself a computed compression may be wrong [1].
         uncertainty: f64,
     },
+}
+
+/// How a plane is found among points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlaneConfig {
+    /// ε of (11): farthest that an inlier may be from the plane [m].
+    pub inlier_distance_m: f64,
+    /// How far the normal may lean from the believed one [rad].
+    pub cone: f64,
+    /// With this probability at least one hypothesis is drawn from inliers alone [1].
+    pub confidence: f64,
+    /// Most hypotheses.
+    pub max_iterations: usize,
+    /// Fewest inliers.
+    pub min_points: usize,
+    /// Least share of the points that are inliers: scattered points lie on no plane [1].
+    pub min_share: f64,
+    /// Standard deviation of the points along a direction from which on they tell the slope there [m].
+    pub min_spread_m: f64,
+}
+
+impl Default for PlaneConfig {
+    fn default() -> Self {
+        Self {
+            inlier_distance_m: 1e-3,
+            cone: 10.0_f64.to_radians(),
+            confidence: 0.9999,
+            max_iterations: 1000,
+            min_points: 10,
+            min_share: 0.2,
+            min_spread_m: 0.02,
+        }
+    }
 }
 
 /// When an event is one. Forces are those of pieces of the log, the bias taken off.
@@ -161,147 +195,56 @@ impl InterpretConfig {
     /// The first field that does not.
     pub(super) fn checked(&self) -> Result<(), InterpretError> {
         self.uncertainty.checked()?;
-        let plane = &self.plane;
-        let events = &self.events;
-        let cone = plane.cone;
-        let positive = "1e-6 to 1e6";
-        let share = "0 to 1";
+        let (plane, events, likelihood) = (&self.plane, &self.events, &self.likelihood);
+        let [metres, seconds] = [(0.0, 1e6, "0 to 1e6 m"), (0.0, 1e6, "0 to 1e6 s")];
+        let positive = (1e-6, 1e6, "1e-6 to 1e6");
+        let share = (0.0, 1.0, "0 to 1");
+        let any_force = (-1e6, 1e6, "-1e6 to 1e6 N");
+        let press_force = (1e-3, 1e6, "-1e6 to -1e-3 N, its size");
+        let noise = (0.0, 1e6, "0 to 1e6 N");
+        let near = (1e-9, 1.0, "1e-9 to 1 m");
+        let mu = (-1e3, 1e3, "-1000 to 1000");
+        let sigma = (1e-9, 1e3, "1e-9 to 1000");
+        let (tilt, cone) = ((0.0, 4.0, "0 to 4 rad"), (0.0, 1.5, "0 to 1.5 rad"));
+        let (some, many) = ((1.0, 1e5, "1 to 100000"), (1.0, 1e8, "1 to 1e8"));
+        let (pieces, points) = ((16.0, 1e8, "16 to 1e8"), (3.0, 1e8, "3 to 1e8"));
+        let [max_pieces, min_points] = [self.max_pieces, plane.min_points].map(|n| n as f64);
+        let max_iterations = plane.max_iterations as f64;
         let fields = [
-            (
-                "max_normal_force_n",
-                self.max_normal_force_n,
-                -1e6,
-                1e6,
-                "-1e6 to 1e6 N",
-            ),
-            (
-                "min_normal_force_n",
-                -self.min_normal_force_n,
-                1e-3,
-                1e6,
-                "-1e6 to -1e-3 N, its size",
-            ),
-            ("confident_share", self.confident_share, 0.0, 1.0, share),
-            ("force_noise_n", self.force_noise_n, 0.0, 1e6, "0 to 1e6 N"),
-            (
-                "likelihood.mu",
-                self.likelihood.mu,
-                -1e3,
-                1e3,
-                "-1000 to 1000",
-            ),
-            (
-                "likelihood.sigma",
-                self.likelihood.sigma,
-                1e-9,
-                1e3,
-                "1e-9 to 1000",
-            ),
-            ("redraw_length_m", self.redraw_length_m, 1e-6, 1e6, positive),
-            (
-                "relocalize_tilt",
-                self.relocalize_tilt,
-                0.0,
-                4.0,
-                "0 to 4 rad",
-            ),
-            (
-                "relocalize_offset_m",
-                self.relocalize_offset_m,
-                0.0,
-                1e6,
-                "0 to 1e6 m",
-            ),
-            ("free_height_m", self.free_height_m, 0.0, 1e6, "0 to 1e6 m"),
-            (
-                "search_height_m",
-                self.search_height_m,
-                0.0,
-                1e6,
-                "0 to 1e6 m",
-            ),
-            (
-                "plane.inlier_distance_m",
-                plane.inlier_distance_m,
-                1e-9,
-                1.0,
-                "1e-9 to 1 m",
-            ),
-            ("plane.cone", cone, 0.0, 1.5, "0 to 1.5 rad"),
-            ("plane.confidence", plane.confidence, 0.0, 1.0, share),
-            ("plane.min_share", plane.min_share, 0.0, 1.0, share),
-            (
-                "plane.min_spread_m",
-                plane.min_spread_m,
-                1e-6,
-                1e6,
-                positive,
-            ),
-            (
-                "events.min_duration_s",
-                events.min_duration_s,
-                0.0,
-                1e6,
-                "0 to 1e6 s",
-            ),
-            ("events.bridge_s", events.bridge_s, 0.0, 1e6, "0 to 1e6 s"),
-            (
-                "events.free_bridge_s",
-                events.free_bridge_s,
-                0.0,
-                1e6,
-                "0 to 1e6 s",
-            ),
-            (
-                "events.push_gap_s",
-                events.push_gap_s,
-                0.0,
-                1e6,
-                "0 to 1e6 s",
-            ),
-            ("events.landing_s", events.landing_s, 0.0, 1e6, "0 to 1e6 s"),
-            (
-                "events.near_height_m",
-                events.near_height_m,
-                0.0,
-                1e6,
-                "0 to 1e6 m",
-            ),
+            ("max_normal_force_n", self.max_normal_force_n, any_force),
+            ("min_normal_force_n", -self.min_normal_force_n, press_force),
+            ("confident_share", self.confident_share, share),
+            ("force_noise_n", self.force_noise_n, noise),
+            ("likelihood.mu", likelihood.mu, mu),
+            ("likelihood.sigma", likelihood.sigma, sigma),
+            ("redraw_length_m", self.redraw_length_m, positive),
+            ("relocalize_tilt", self.relocalize_tilt, tilt),
+            ("relocalize_offset_m", self.relocalize_offset_m, metres),
+            ("free_height_m", self.free_height_m, metres),
+            ("search_height_m", self.search_height_m, metres),
+            ("plane.inlier_distance_m", plane.inlier_distance_m, near),
+            ("plane.cone", plane.cone, cone),
+            ("plane.confidence", plane.confidence, share),
+            ("plane.min_share", plane.min_share, share),
+            ("plane.min_spread_m", plane.min_spread_m, positive),
+            ("events.min_duration_s", events.min_duration_s, seconds),
+            ("events.bridge_s", events.bridge_s, seconds),
+            ("events.free_bridge_s", events.free_bridge_s, seconds),
+            ("events.push_gap_s", events.push_gap_s, seconds),
+            ("events.landing_s", events.landing_s, seconds),
+            ("events.near_height_m", events.near_height_m, metres),
+            ("replays", self.replays as f64, some),
+            ("max_pieces", max_pieces, pieces),
+            ("plane.min_points", min_points, points),
+            ("plane.max_iterations", max_iterations, many),
         ];
-        let count =
-            |name, count: usize, least, most, expected| (name, count as f64, least, most, expected);
-        let counts = [
-            count("replays", self.replays, 1.0, 1e5, "1 to 100000"),
-            count("max_pieces", self.max_pieces, 16.0, 1e8, "16 to 1e8"),
-            count("plane.min_points", plane.min_points, 3.0, 1e8, "3 to 1e8"),
-            count(
-                "plane.max_iterations",
-                plane.max_iterations,
-                1.0,
-                1e8,
-                "1 to 1e8",
-            ),
-        ];
-        let spring = match self.compliance {
-            ToolCompliance::Rigid => None,
-            ToolCompliance::Spring {
-                stiffness_n_per_m, ..
-            } => Some((
-                "compliance.stiffness_n_per_m",
-                stiffness_n_per_m,
-                1e-3,
-                1e12,
-                "0.001 to 1e12 N/m",
-            )),
-        };
-        for (name, value, least, most, expected) in fields.into_iter().chain(counts).chain(spring) {
-            if !(value >= least && value <= most) {
-                return Err(InterpretError::Config {
-                    name,
-                    value,
-                    expected,
-                });
-            }
+        fields.into_iter().try_for_each(within)?;
+        if let ToolCompliance::Spring {
+            stiffness_n_per_m, ..
+        } = self.compliance
+        {
+            let range = (1e-3, 1e12, "0.001 to 1e12 N/m");
+            within(("compliance.stiffness_n_per_m", stiffness_n_per_m, range))?;
         }
         if self.max_normal_force_n <= self.min_normal_force_n {
             return Err(InterpretError::Config {

@@ -61,3 +61,24 @@ pub enum InterpretError {
         limit: usize,
     },
 }
+
+/// Least and largest value, and both in words.
+pub(super) type Range = (f64, f64, &'static str);
+
+/// Whether a setting is within its range; what is no number is in none.
+///
+/// # Errors
+/// The setting, if it is not.
+pub(super) fn within(
+    (name, value, range): (&'static str, f64, Range),
+) -> Result<(), InterpretError> {
+    let (least, most, expected) = range;
+    if (least..=most).contains(&value) {
+        return Ok(());
+    }
+    Err(InterpretError::Config {
+        name,
+        value,
+        expected,
+    })
+}

@@ -1,20 +1,18 @@
 //! From samples to what was wiped.
 
-use super::contact::{Judge, Judged, middle};
-use super::doubt::Witness;
-use super::events::Evidence;
-use super::pieces::Recorder;
-use super::plane::PlaneFit;
-use super::replay::Replay;
-use super::{
-    Belief, Diagnosis, Event, FittedPlane, InterpretConfig, InterpretError, Interpretation,
-    TouchSample,
+use super::belief::{Belief, ContactEvidence, Replay};
+use super::config::InterpretConfig;
+use super::contact::{
+    ClassifiedPath, ContactClassifier, Downsampler, FittedPlane, PlaneFit, TouchSample, middle,
 };
+use super::error::InterpretError;
+use super::events::{Event, EventDetector};
+use super::interpretation::{Diagnosis, Interpretation};
 use crate::geometry::{Pose, Region, Vector3};
 use crate::represent::{GoalState, Surface, Task};
 use nalgebra::{Translation3, UnitQuaternion};
 
-/// Takes a log sample by sample, in bounded memory, and says at any time what it tells.
+/// Takes a log sample by sample, in bounded memory, and interprets at any time what it has so far.
 ///
 /// ```
 /// use wisch::geometry::{Pose, Vector3};
@@ -70,9 +68,9 @@ use nalgebra::{Translation3, UnitQuaternion};
 ///     })?;
 /// }
 /// let believed = Belief::certain(task.particles.clone());
-/// let told = interpreter.conclude(&believed, &GoalState::Absorbed)?;
-/// assert_eq!(told.diagnosis, Diagnosis::Localized);
-/// assert_eq!(told.performance.mean, 0.5);
+/// let interpretation = interpreter.conclude(&believed, &GoalState::Absorbed)?;
+/// assert_eq!(interpretation.diagnosis, Diagnosis::Localized);
+/// assert_eq!(interpretation.performance.mean, 0.5);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
@@ -80,7 +78,7 @@ pub struct Interpreter {
     surface: Surface,
     footprint: Region,
     config: InterpretConfig,
-    recorder: Recorder,
+    downsampler: Downsampler,
 }
 
 impl Interpreter {
@@ -93,7 +91,7 @@ impl Interpreter {
         Ok(Self {
             surface: task.surface.clone(),
             footprint: task.tool.footprint.clone(),
-            recorder: Recorder::new(&task.surface.world_from_surface, config.max_pieces),
+            downsampler: Downsampler::new(&task.surface.world_from_surface, config.max_pieces),
             config: config.clone(),
         })
     }
@@ -103,7 +101,7 @@ impl Interpreter {
     /// # Errors
     /// A time not after that of the sample before, a number that is none, or one that no robot measures.
     pub fn push(&mut self, sample: &TouchSample) -> Result<(), InterpretError> {
-        self.recorder.push(sample)
+        self.downsampler.push(sample)
     }
 
     /// What the samples so far tell, and where the dirt lies after them if it lay as `believed` before the
@@ -133,26 +131,30 @@ impl Interpreter {
                 });
             }
         }
-        let pieces = self.recorder.pieces();
-        let judge = Judge {
+        let pieces = self.downsampler.pieces();
+        let classifier = ContactClassifier {
             surface: &self.surface,
             reach: self.reach(),
             config: &self.config,
         };
-        let judged = judge.judge(pieces);
-        let believed_from_real = judged
+        let classified = classifier.classify(pieces);
+        let believed_from_real = classified
             .plane
             .as_ref()
             .map_or_else(Pose::identity, |(fit, _)| {
                 believed_from_real(fit, &self.surface)
             });
-        let evidence = Evidence::new(pieces, &judged, &self.surface, &self.config);
-        let (events, contact_share) = (evidence.events(), evidence.contact_share());
-        // Without a plane, nothing tells contact but the force.
-        let told: &[Event] = if judged.plane.is_some() { &events } else { &[] };
-        let witness = Witness::new(
-            &judged.path,
-            told,
+        let detector = EventDetector::new(pieces, &classified, &self.surface, &self.config);
+        let (events, contact_share) = (detector.events(), detector.contact_share());
+        // Without a plane, nothing speaks for contact but the force.
+        let trusted: &[Event] = if classified.plane.is_some() {
+            &events
+        } else {
+            &[]
+        };
+        let evidence = ContactEvidence::new(
+            &classified.path,
+            trusted,
             self.footprint.bounds(),
             believed_from_real.inverse(),
             &self.config,
@@ -163,9 +165,9 @@ impl Interpreter {
             surface: &self.surface,
             config: &self.config,
         };
-        let belief = replay.run(believed, &witness);
+        let belief = replay.run(believed, &evidence);
         // Without a touch, what was certain stays certain.
-        let is_untouched = witness.is_untouched() && believed.replays().len() == 1;
+        let is_untouched = evidence.is_untouched() && believed.replays().len() == 1;
         let margin = if is_untouched {
             0.0
         } else {
@@ -175,12 +177,12 @@ impl Interpreter {
         Ok(Interpretation {
             events,
             contact_share,
-            diagnosis: self.diagnosis(&judged, &believed_from_real),
-            force_bias: -judged.bias.z,
+            diagnosis: self.diagnosis(&classified, &believed_from_real),
+            force_bias: -classified.bias.z,
             performance,
             belief,
-            plane: judged.plane.map(|(_, described)| described),
-            path: judged.path,
+            plane: classified.plane.map(|(_, described)| described),
+            path: classified.path,
         })
     }
 
@@ -190,12 +192,12 @@ impl Interpreter {
         corners.fold(0.0, f64::max)
     }
 
-    fn diagnosis(&self, judged: &Judged, believed_from_real: &Pose) -> Diagnosis {
+    fn diagnosis(&self, classified: &ClassifiedPath, believed_from_real: &Pose) -> Diagnosis {
         let is_here = |plane: &FittedPlane| {
             plane.tilt < self.config.relocalize_tilt
                 && plane.offset.abs() < self.config.relocalize_offset_m
         };
-        match &judged.plane {
+        match &classified.plane {
             None => Diagnosis::NoContact,
             Some((_, plane)) if is_here(plane) => Diagnosis::Localized,
             Some(_) => Diagnosis::Relocalize {

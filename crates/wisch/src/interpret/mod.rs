@@ -1,39 +1,25 @@
 //! Inference by touch: from where the tool was and what it felt to what was wiped; paper §4.2, §4.3.
 //!
 //! ```text
-//! samples → pieces → bias, f′ (9), confident contacts (10) → plane (11) → contact → replays (12) → belief
-//!                                                                            └───→ events
+//! contact: samples → pooled samples → bias, f′ (9), confident contacts (10) → plane (11) → contact motions
+//! events:  contacts, losses, pushes, stick-slip, phases
+//! belief:  what is uncertain → replays of the contact motions (12) → where the dirt lies
 //! ```
 
 mod belief;
-mod chances;
-mod collisions;
 mod config;
 mod contact;
-mod density;
-mod doubt;
 mod error;
 mod events;
-mod heap;
+mod interpretation;
 mod interpreter;
-mod motions;
-mod outcome;
-mod phases;
-mod pieces;
-mod plane;
-mod replay;
-mod stick_slip;
-mod uneven;
-mod variation;
+mod uncertainty;
 
-pub use belief::Belief;
-pub use config::{EventConfig, InterpretConfig, ToolCompliance};
-pub use density::DensityMap;
+pub use belief::{Belief, DensityMap, Estimate};
+pub use config::{EventConfig, InterpretConfig, PlaneConfig, ToolCompliance};
+pub use contact::{FittedPlane, PathPiece, PlaneFit, Touch, TouchSample, fit_plane};
 pub use error::InterpretError;
+pub use events::{Event, EventKind};
+pub use interpretation::{Diagnosis, Interpretation};
 pub use interpreter::{Interpreter, interpret};
-pub use outcome::{
-    Diagnosis, Estimate, Event, EventKind, FittedPlane, Interpretation, PathPiece, Touch,
-    TouchSample,
-};
-pub use plane::{PlaneConfig, PlaneFit, fit_plane};
-pub use variation::Uncertainty;
+pub use uncertainty::Uncertainty;

@@ -11,6 +11,7 @@
 
 use super::chords::ChordTable;
 use super::field::{ParticleField, Slot};
+use super::heap::Heap;
 use super::motion::{CLEARANCE, ToolMotion};
 use super::turning::Turning;
 use super::{Effect, Fate, Surface};
@@ -68,6 +69,7 @@ pub struct EffectModel {
     chords: ChordTable,
     near: Vec<Slot>,
     outcomes: Vec<Option<Outcome>>,
+    heap: Option<Heap>,
 }
 
 /// What a motion does to one particle that it touches.
@@ -93,6 +95,52 @@ impl EffectModel {
             reach,
             near: Vec::new(),
             outcomes: Vec::new(),
+            heap: None,
+        }
+    }
+
+    /// The same with room for what is carried together, as deep as `depth_of_all` [m] where it is all of the
+    /// particles; see [`heap_depth`](super::heap_depth).
+    ///
+    /// At the end of each motion, what lies so far ahead of the tool that it is beyond an edge has fallen; at
+    /// [`EffectModel::lift_off`] the rest stays spread as it lay. Where in the heap a particle lies follows from
+    /// the seed, the particle and the contact alone.
+    ///
+    /// ```
+    /// # use wisch::geometry::*;
+    /// # use wisch::represent::*;
+    /// # let sponge = Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))]);
+    /// # let board = Surface {
+    /// #     name: "board".into(),
+    /// #     outline: Polygon::rectangle(Vector2::new(0.4, 0.28)),
+    /// #     world_from_surface: Pose::identity(),
+    /// #     skim_edges: vec![],
+    /// # };
+    /// let crumbs = ParticleDistribution::new(&[Point2::new(0.05, 0.0); 100])?;
+    /// let mut field = ParticleField::new(&crumbs);
+    /// // Pushed to 1 cm before the edge, a heap 2 cm deep has lost about half of itself.
+    /// let stroke = ToolMotion {
+    ///     from: PlanarPose::new(Point2::new(0.0, 0.0), 0.0),
+    ///     to: PlanarPose::new(Point2::new(0.155, 0.0), 0.0),
+    /// };
+    /// let mut model = EffectModel::new(&sponge, Effect::Push).with_heap(0.02, 1);
+    /// let effect = model.apply(&mut field, &board, &stroke);
+    /// assert!((30..70).contains(&effect.off_surface));
+    /// # Ok::<(), ParticleError>(())
+    /// ```
+    #[must_use]
+    pub fn with_heap(self, depth_of_all: f64, seed: u64) -> Self {
+        Self {
+            heap: Some(Heap::new(depth_of_all, seed)),
+            ..self
+        }
+    }
+
+    /// The tool lifts off, and what it carried since the last motion began comes to rest: spread over the room
+    /// of its heap, or exactly where the motion left it without one.
+    pub fn lift_off(&mut self, field: &mut ParticleField, surface: &Surface) {
+        if let Some(heap) = &mut self.heap {
+            heap.come_to_rest(field, surface);
         }
     }
 
@@ -136,6 +184,31 @@ impl EffectModel {
     /// # Ok::<(), ParticleError>(())
     /// ```
     pub fn apply_where(
+        &mut self,
+        field: &mut ParticleField,
+        surface: &Surface,
+        motion: &ToolMotion,
+        mut responds: impl FnMut(usize, Point2) -> bool,
+    ) -> MotionEffect {
+        let Some(mut heap) = self.heap.take() else {
+            return self.sweep(field, surface, motion, responds);
+        };
+        heap.begin(motion);
+        let mut effect = self.sweep(field, surface, motion, |particle, position| {
+            let is_carried = responds(particle, position);
+            if is_carried {
+                heap.carry(particle);
+            }
+            is_carried
+        });
+        let fallen = heap.spill(field, surface);
+        effect.pushed -= fallen;
+        effect.off_surface += fallen;
+        self.heap = Some(heap);
+        effect
+    }
+
+    fn sweep(
         &mut self,
         field: &mut ParticleField,
         surface: &Surface,

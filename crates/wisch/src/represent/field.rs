@@ -102,26 +102,38 @@ impl ParticleField {
         particles
     }
 
-    /// Moves particle `index` of the distribution as far as told, or off the surface if an edge is in the way;
-    /// unless `stays`, a particle that does not fall remains where it is. What is off the surface is left alone.
-    pub(crate) fn shove(&mut self, index: usize, surface: &Surface, by: Vector2, stays: bool) {
+    /// Moves particle `index` of the distribution by a vector, or off the surface if an edge is in the way. What
+    /// is off the surface is left alone.
+    pub(super) fn displace(&mut self, index: usize, surface: &Surface, by: Vector2) {
         let slot = self.slot[index];
-        if self.fate[slot as usize] != Fate::OnSurface {
-            return;
-        }
-        let from = self.position(slot);
-        match surface.exit_edge(from, from + by) {
-            Some(edge) => {
-                let edge = u16::try_from(edge).unwrap_or(u16::MAX);
-                self.remove(slot, from + by, Fate::OffSurface { edge });
-            }
-            None if stays => self.relocate(slot, from + by),
-            None => {}
+        let is_here = self.fate[slot as usize] == Fate::OnSurface;
+        if is_here && !self.drop_beyond_edge(index, surface, by) {
+            self.relocate(slot, self.position(slot) + by);
         }
     }
 
+    /// Takes particle `index` off the surface if a move by a vector leads over an edge, and says so.
+    pub(super) fn drop_beyond_edge(
+        &mut self,
+        index: usize,
+        surface: &Surface,
+        by: Vector2,
+    ) -> bool {
+        let slot = self.slot[index];
+        if self.fate[slot as usize] != Fate::OnSurface {
+            return false;
+        }
+        let from = self.position(slot);
+        let edge = surface.exit_edge(from, from + by);
+        if let Some(edge) = edge {
+            let edge = u16::try_from(edge).unwrap_or(u16::MAX);
+            self.remove(slot, from + by, Fate::OffSurface { edge });
+        }
+        edge.is_some()
+    }
+
     /// How many particles there were at the beginning.
-    pub(crate) fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.index.len()
     }
 

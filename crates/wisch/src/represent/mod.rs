@@ -8,13 +8,11 @@ mod knowledge;
 mod metrics;
 mod motion;
 mod particles;
-mod reality;
 mod scene;
 mod section;
 mod sources;
 mod surface;
 mod task;
-mod task_file;
 mod turning;
 
 pub use effect::{EffectModel, MotionEffect};
@@ -28,13 +26,10 @@ pub use knowledge::{
 pub use metrics::{GoalState, Performance};
 pub use motion::ToolMotion;
 pub use particles::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError, ParticleTally};
-pub use reality::{FrictionChange, Push, Reality};
 pub use scene::{SceneObject, ScenePart};
 pub use section::{OccupiedArea, SURFACE_SKIN};
 pub use sources::{
-    Cluster, DirtArea, MaskSource, ParticleSource, SourceError, cluster_particles, csv_particles,
-    mask_particles, uniform_particles,
+    Cluster, DirtArea, SourceError, cluster_particles, particle_generator, uniform_particles,
 };
 pub use surface::Surface;
 pub use task::{Task, Tool};
-pub use task_file::{Intent, ReadFile, RobotDescription, RobotRecord, TaskError, TaskFile};

@@ -4,7 +4,7 @@ use super::{
     Action, AngleRange, Grip, Interaction, ParticleDistribution, SceneObject, ScenePart,
     SecondGrip, Surface, TiltFreedom,
 };
-use crate::geometry::{Mesh, Point2, Region, Vector2};
+use crate::geometry::{Mesh, Point2, Pose, Region, Vector2, Vector3};
 
 /// A tool as the planner sees it.
 #[derive(Debug, Clone, PartialEq)]
@@ -81,6 +81,19 @@ impl Task {
     /// What stands round the surface: without robot, tool and the object that carries the surface.
     pub fn obstacles(&self) -> impl Iterator<Item = &SceneObject> {
         (self.scene.iter()).filter(|object| object.part == ScenePart::Obstacle)
+    }
+
+    /// Where the scene shows the robot, facing the surface, on the floor: the pose of its root in the world [m].
+    /// `None` if the scene shows none.
+    pub fn robot_before_surface(&self) -> Option<Pose> {
+        let mut scene = self.scene.iter();
+        let stands = scene.find(|object| object.part == ScenePart::Robot)?;
+        let at = stands.world_from_object.translation.vector;
+        let towards = self.surface.world_from_surface.translation.vector - at;
+        Some(Pose::new(
+            Vector3::new(at.x, at.y, 0.0),
+            Vector3::z() * towards.y.atan2(towards.x),
+        ))
     }
 
     /// The obstacles' meshes in the surface frame.

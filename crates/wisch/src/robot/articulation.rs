@@ -1,6 +1,6 @@
 //! Kinematics and dynamics of a robot's moving part without allocation, for control loops.
 
-use super::chain::{Frame, z_to};
+use super::frame::{Frame, z_to};
 use super::model::motion;
 use super::{Body, JointId, JointKind, LinkId, RobotError, RobotModel};
 use crate::geometry::{Pose, Vector3};

@@ -1,7 +1,7 @@
 //! Why a text is no robot, or numbers are no configuration of it.
 
-use super::Finding;
-use crate::text::{Place, UnknownName};
+use super::Diagnostic;
+use crate::source_location::{Place, UnknownName};
 
 /// What can be wrong with a robot or with what it is asked.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -42,12 +42,12 @@ pub enum RobotError {
         limit: usize,
     },
     /// The text is a URDF, but describes no tree of links that could move.
-    #[error("{file}: {}", first_of(findings))]
+    #[error("{file}: {}", first_of(diagnostics))]
     Unusable {
         /// The name of the text.
         file: String,
         /// The faults, at least one, in the order of the text.
-        findings: Vec<Finding>,
+        diagnostics: Vec<Diagnostic>,
     },
     /// A link or joint that the robot does not have.
     #[error("robot {robot:?}: {unknown}")]
@@ -168,11 +168,11 @@ pub enum RobotError {
     },
 }
 
-fn first_of(findings: &[Finding]) -> String {
-    let first = findings
+fn first_of(diagnostics: &[Diagnostic]) -> String {
+    let first = diagnostics
         .first()
-        .map_or_else(String::new, Finding::to_string);
-    match findings.len() {
+        .map_or_else(String::new, Diagnostic::to_string);
+    match diagnostics.len() {
         0 | 1 => first,
         n => format!("{first} (and {} more)", n - 1),
     }

@@ -14,37 +14,33 @@
 mod articulation;
 mod capability;
 mod chain;
-mod check;
 mod clearance;
-mod collision;
+mod description;
 mod dynamics;
 mod error;
-mod findings;
+mod frame;
 mod ik;
 mod kinematics;
 mod model;
-mod planar;
-mod srdf;
 #[cfg(test)]
 mod tests;
-mod urdf;
 
 pub use articulation::{ArticulatedJoint, Articulation, ArticulationState};
 pub use capability::{
     CapabilityMap, MAX_MAP_BYTES, MapConfig, MapError, MapOrigin, MapStage, MapTool, RobotHash,
 };
 pub use chain::{Chain, ChainJacobian, ChainKinematics, MAX_CHAIN};
-pub use check::{MAX_DEPTH, check};
 pub use clearance::{BodyId, Clearance, CollisionModel, Contact, Reason, SEGMENT_RESOLUTION};
-pub use collision::{Collision, MAX_MESH_EXTENT, Shape};
+pub use description::{
+    Collision, Diagnostic, DiagnosticKind, DisabledPair, Group, GroupState, Ignored, MAX_DEPTH,
+    MAX_LINKS, MAX_MESH_EXTENT, MAX_SHAPES, MAX_URDF_BYTES, Severity, Shape, Srdf, Subject, check,
+};
 pub use dynamics::{Dynamics, MIN_INERTIA};
 pub use error::RobotError;
-pub use findings::{Fault, Finding, Severity, Subject};
+pub(crate) use frame::z_to;
 pub use ik::{IkConfig, IkOutcome, IkSolver, JointPositions, MAX_TARGET_DISTANCE, RotationGoal};
 pub use kinematics::Kinematics;
 pub use model::{
-    Body, Drive, Joint, JointId, JointKind, JointLimits, LimitFault, Link, LinkId, Range,
-    RobotModel,
+    Body, Drive, Joint, JointId, JointKind, LimitFault, Link, LinkId, Range, RobotModel,
+    SingleJointLimits,
 };
-pub use srdf::{DisabledPair, Group, GroupState, Ignored, Srdf};
-pub use urdf::{MAX_LINKS, MAX_SHAPES, MAX_URDF_BYTES};

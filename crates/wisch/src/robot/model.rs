@@ -1,10 +1,10 @@
 //! The constant part of a robot: its tree of links, joints, limits and bodies.
 
-use super::check::Checked;
-use super::urdf::{Urdf, UrdfInertial, UrdfJoint, UrdfMimic};
-use super::{Collision, Finding, RobotError, Severity};
+use super::description::check::Checked;
+use super::description::urdf::{Urdf, UrdfInertial, UrdfJoint, UrdfMimic};
+use super::{Collision, Diagnostic, RobotError, Severity};
 use crate::geometry::{Point3, Pose, Vector3};
-use crate::text::UnknownName;
+use crate::source_location::UnknownName;
 use nalgebra::{Matrix3, Unit, UnitQuaternion};
 use std::collections::BTreeMap;
 
@@ -97,7 +97,7 @@ pub struct Joint {
     /// What moves it.
     pub drive: Drive,
     /// Its limits; those of a joint that follows several others couple them.
-    pub limits: JointLimits,
+    pub limits: SingleJointLimits,
 }
 
 /// Where a joint is, as a linear function of the variables: `offset + Σ factor · q[variable]`.
@@ -140,7 +140,7 @@ pub struct Range {
 
 /// The limits of a joint; what is `None` is not limited.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct JointLimits {
+pub struct SingleJointLimits {
     /// Positions [rad or m].
     pub position: Option<Range>,
     /// Greatest velocity, either direction [rad/s or m/s].
@@ -189,7 +189,7 @@ pub struct RobotModel {
     links: Vec<Link>,
     joints: Vec<Joint>,
     variables: Vec<JointId>,
-    findings: Vec<Finding>,
+    diagnostics: Vec<Diagnostic>,
 }
 
 impl RobotModel {
@@ -206,13 +206,13 @@ impl RobotModel {
     ) -> Result<Self, RobotError> {
         let Checked {
             urdf,
-            mut findings,
+            mut diagnostics,
             mut collision,
         } = Checked::new(name, text, meshes)?;
-        if findings.iter().any(|f| f.severity == Severity::Error) {
-            findings.retain(|f| f.severity == Severity::Error);
+        if diagnostics.iter().any(|f| f.severity == Severity::Error) {
+            diagnostics.retain(|f| f.severity == Severity::Error);
             let file = name.to_owned();
-            return Err(RobotError::Unusable { file, findings });
+            return Err(RobotError::Unusable { file, diagnostics });
         }
         let (order, parents) = along_the_tree(&urdf);
         let mut links = Vec::with_capacity(order.len());
@@ -245,7 +245,7 @@ impl RobotModel {
             links,
             joints,
             variables,
-            findings,
+            diagnostics,
         })
     }
 
@@ -275,13 +275,22 @@ impl RobotModel {
     }
 
     /// What was missing or odd in the URDF, none of it an error.
-    pub fn findings(&self) -> &[Finding] {
-        &self.findings
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        &self.diagnostics
     }
 
     /// The root, whose frame is the world.
     pub const fn root(&self) -> LinkId {
         LinkId(0)
+    }
+
+    /// The joints from the one that holds a link up to the root's.
+    ///
+    /// # Panics
+    /// If the link is one of another, larger robot.
+    pub fn joints_above(&self, link: LinkId) -> impl Iterator<Item = &Joint> {
+        let holder = |link: LinkId| Some(&self.joints[self.links[link.0].parent?.0]);
+        std::iter::successors(holder(link), move |joint| holder(joint.parent))
     }
 
     /// The link of a name.
@@ -434,9 +443,9 @@ fn joint(joint: &UrdfJoint, id_of: &BTreeMap<&str, LinkId>) -> Joint {
             terms: Vec::new(),
         },
         limits: if kind == JointKind::Fixed {
-            JointLimits::default()
+            SingleJointLimits::default()
         } else {
-            JointLimits {
+            SingleJointLimits {
                 position,
                 velocity: limit.velocity,
                 acceleration: limit.acceleration,

@@ -30,12 +30,12 @@ fn two_links(between: &str) -> String {
 const HINGE: &str = r#"<joint name="j" type="revolute"><parent link="a"/><child link="b"/>
     <axis xyz="0 0 1"/><limit lower="-1" upper="1" velocity="1" effort="1" acceleration="1"/></joint>"#;
 
-fn found(text: &str) -> Vec<Finding> {
+fn found(text: &str) -> Vec<Diagnostic> {
     check("test.urdf", text, &mut no_meshes).unwrap()
 }
 
-fn faults(text: &str) -> Vec<(Severity, Fault)> {
-    found(text).iter().map(|f| (f.severity, f.fault)).collect()
+fn faults(text: &str) -> Vec<(Severity, DiagnosticKind)> {
+    found(text).iter().map(|f| (f.severity, f.kind)).collect()
 }
 
 #[test]
@@ -46,107 +46,142 @@ fn a_sound_robot_has_no_findings() {
 #[test]
 fn every_fault_is_found() {
     use Severity::{Error, Note, Warning};
-    let cases: &[(&str, &str, Severity, Fault)] = &[
-        (r#"xyz="0 0 1""#, r#"xyz="0 0 2""#, Warning, Fault::Axis),
-        (r#"xyz="0 0 1""#, r#"xyz="0 0 0""#, Error, Fault::Axis),
-        (r#"velocity="1""#, "", Warning, Fault::LimitMissing),
+    let cases: &[(&str, &str, Severity, DiagnosticKind)] = &[
+        (
+            r#"xyz="0 0 1""#,
+            r#"xyz="0 0 2""#,
+            Warning,
+            DiagnosticKind::Axis,
+        ),
+        (
+            r#"xyz="0 0 1""#,
+            r#"xyz="0 0 0""#,
+            Error,
+            DiagnosticKind::Axis,
+        ),
+        (r#"velocity="1""#, "", Warning, DiagnosticKind::LimitMissing),
         (
             r#"velocity="1""#,
             r#"velocity="inf""#,
             Warning,
-            Fault::LimitMissing,
+            DiagnosticKind::LimitMissing,
         ),
-        (r#"velocity="1""#, r#"velocity="0""#, Warning, Fault::Limit),
-        (r#"effort="1""#, r#"effort="-3""#, Warning, Fault::Limit),
-        (r#"acceleration="1""#, "", Note, Fault::LimitMissing),
-        (r#"lower="-1""#, r#"lower="2""#, Error, Fault::Limit),
-        (r#"lower="-1""#, r#"lower="1""#, Warning, Fault::Limit),
-        (r#"lower="-1""#, "", Warning, Fault::LimitMissing),
+        (
+            r#"velocity="1""#,
+            r#"velocity="0""#,
+            Warning,
+            DiagnosticKind::Limit,
+        ),
+        (
+            r#"effort="1""#,
+            r#"effort="-3""#,
+            Warning,
+            DiagnosticKind::Limit,
+        ),
+        (
+            r#"acceleration="1""#,
+            "",
+            Note,
+            DiagnosticKind::LimitMissing,
+        ),
+        (
+            r#"lower="-1""#,
+            r#"lower="2""#,
+            Error,
+            DiagnosticKind::Limit,
+        ),
+        (
+            r#"lower="-1""#,
+            r#"lower="1""#,
+            Warning,
+            DiagnosticKind::Limit,
+        ),
+        (r#"lower="-1""#, "", Warning, DiagnosticKind::LimitMissing),
         (
             r#"type="revolute""#,
             r#"type="floating""#,
             Error,
-            Fault::JointType,
+            DiagnosticKind::JointType,
         ),
         (
             r#"type="revolute""#,
             r#"type="hinge""#,
             Error,
-            Fault::JointType,
+            DiagnosticKind::JointType,
         ),
         (
             r#"parent link="a""#,
             r#"parent link="c""#,
             Error,
-            Fault::UnknownName,
+            DiagnosticKind::UnknownName,
         ),
         (
             r#"parent link="a""#,
             r#"parent link="b""#,
             Error,
-            Fault::Cycle,
+            DiagnosticKind::Cycle,
         ),
         (
             r#"link name="a""#,
             r#"link name="b""#,
             Error,
-            Fault::DuplicateName,
+            DiagnosticKind::DuplicateName,
         ),
         (
             "</robot>",
             r#"<link name="c"/></robot>"#,
             Error,
-            Fault::UnreferencedLink,
+            DiagnosticKind::UnreferencedLink,
         ),
         (
             "</joint>",
             r#"<mimic joint="k"/></joint>"#,
             Error,
-            Fault::UnknownName,
+            DiagnosticKind::UnknownName,
         ),
         (
             "</joint>",
             r#"<mimic joint="j"/></joint>"#,
             Error,
-            Fault::Mimic,
+            DiagnosticKind::Mimic,
         ),
         (
             "</robot>",
             r#"<wisch><mimic joint="j"/></wisch></robot>"#,
             Error,
-            Fault::Mimic,
+            DiagnosticKind::Mimic,
         ),
-        (r#"ixx="1""#, r#"ixx="3""#, Warning, Fault::Inertia),
-        (r#"ixx="1""#, r#"ixx="0""#, Warning, Fault::Inertia),
+        (r#"ixx="1""#, r#"ixx="3""#, Warning, DiagnosticKind::Inertia),
+        (r#"ixx="1""#, r#"ixx="0""#, Warning, DiagnosticKind::Inertia),
         (
             r#"mass value="1""#,
             r#"mass value="-1""#,
             Warning,
-            Fault::Inertia,
+            DiagnosticKind::Inertia,
         ),
         (
             r#"mass value="1""#,
             r#"mass value="0""#,
             Warning,
-            Fault::InertiaMissing,
+            DiagnosticKind::InertiaMissing,
         ),
         (
             r#"<sphere radius="0.1"/>"#,
             r#"<mesh filename="a.stl"/>"#,
             Error,
-            Fault::Mesh,
+            DiagnosticKind::Mesh,
         ),
         (
             r#"<sphere radius="0.1"/>"#,
             r#"<mesh filename="package://p/a.stl"/>"#,
             Note,
-            Fault::PackagePath,
+            DiagnosticKind::PackagePath,
         ),
         (
             r#"<collision><geometry><sphere radius="0.1"/></geometry></collision>"#,
             "",
             Warning,
-            Fault::CollisionMissing,
+            DiagnosticKind::CollisionMissing,
         ),
     ];
     let sound = two_links(HINGE);
@@ -170,10 +205,10 @@ fn two_trees_a_second_parent_and_a_deep_tree_are_found() {
     };
     let inside = |more: String| two_links(HINGE).replace("</robot>", &(more + "</robot>"));
     let two = inside(r#"<link name="c"/><link name="d"/>"#.to_owned() + &joint("k", "c", "d"));
-    assert!(faults(&two).contains(&(Severity::Error, Fault::SeveralRoots)));
+    assert!(faults(&two).contains(&(Severity::Error, DiagnosticKind::SeveralRoots)));
     let loops =
         inside(r#"<link name="c"/>"#.to_owned() + &joint("k", "a", "c") + &joint("l", "b", "c"));
-    assert!(faults(&loops).contains(&(Severity::Error, Fault::SeveralParents)));
+    assert!(faults(&loops).contains(&(Severity::Error, DiagnosticKind::SeveralParents)));
     let chain = |n: usize| {
         let links: String = (0..=n).map(|i| format!(r#"<link name="l{i}"/>"#)).collect();
         let joints: String = (0..n)
@@ -181,8 +216,8 @@ fn two_trees_a_second_parent_and_a_deep_tree_are_found() {
             .collect();
         format!(r#"<robot name="r">{links}{joints}</robot>"#)
     };
-    assert!(!faults(&chain(MAX_DEPTH)).contains(&(Severity::Error, Fault::Depth)));
-    assert!(faults(&chain(MAX_DEPTH + 1)).contains(&(Severity::Error, Fault::Depth)));
+    assert!(!faults(&chain(MAX_DEPTH)).contains(&(Severity::Error, DiagnosticKind::Depth)));
+    assert!(faults(&chain(MAX_DEPTH + 1)).contains(&(Severity::Error, DiagnosticKind::Depth)));
     let error = RobotModel::from_urdf("test.urdf", &chain(MAX_LINKS), &mut no_meshes).unwrap_err();
     assert_eq!(
         error.to_string(),
@@ -198,13 +233,13 @@ fn a_mesh_in_millimetres_is_noticed() {
     let mesh = crate::geometry::Mesh::cuboid(Vector3::new(300.0, 100.0, 50.0)).unwrap();
     let bytes = mesh.to_binary_stl();
     let text = two_links(HINGE).replace(r#"<sphere radius="0.1"/>"#, r#"<mesh filename="b.stl"/>"#);
-    let findings = check("test.urdf", &text, &mut |_| Ok(bytes.clone())).unwrap();
-    assert_eq!(findings.len(), 1);
-    assert_eq!(findings[0].fault, Fault::MeshScale);
-    assert_eq!(findings[0].value, "mesh \"b.stl\" is 300.0 m long");
+    let diagnostics = check("test.urdf", &text, &mut |_| Ok(bytes.clone())).unwrap();
+    assert_eq!(diagnostics.len(), 1);
+    assert_eq!(diagnostics[0].kind, DiagnosticKind::MeshScale);
+    assert_eq!(diagnostics[0].value, "mesh \"b.stl\" is 300.0 m long");
     let scaled = text.replace("b.stl\"", "b.stl\" scale=\"0.001 0.001 -0.001\"");
     let robot = RobotModel::from_urdf("test.urdf", &scaled, &mut |_| Ok(bytes.clone())).unwrap();
-    assert_eq!(robot.findings(), []);
+    assert_eq!(robot.diagnostics(), []);
     let Shape::Mesh(mesh) = &robot.links()[1].collision[0].shape else {
         panic!("not a mesh");
     };
@@ -525,6 +560,10 @@ fn a_planar_joint_is_two_slides_and_a_turn_in_its_plane() {
     assert!((way.norm() - 0.3_f64.hypot(0.7)).abs() < 1e-15);
     assert!((there.rotation.scaled_axis() - Vector3::x() * 0.4).norm() < 1e-12);
 
-    let findings = check("cart.urdf", &text("0 0 0"), &mut no_meshes).unwrap();
-    assert!(findings.iter().any(|finding| finding.fault == Fault::Axis));
+    let diagnostics = check("cart.urdf", &text("0 0 0"), &mut no_meshes).unwrap();
+    assert!(
+        diagnostics
+            .iter()
+            .any(|diagnostic| diagnostic.kind == DiagnosticKind::Axis)
+    );
 }

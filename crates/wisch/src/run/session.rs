@@ -6,35 +6,17 @@ use super::{
 };
 use crate::follow::{Audit, Workcell, WorkcellConfig, audit, follow};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
-use crate::interpret::{
-    Belief, EventKind, InterpretConfig, Interpretation, Interpreter, TouchSample,
-};
+use crate::interpret::{Belief, InterpretConfig, Interpretation, Interpreter, TouchSample};
 use crate::plan::{
     CoverageStrategy, Plan, PlanConfig, best_plan, best_segment, best_segment_of_variants, predict,
 };
 use crate::recover::{
-    Circumstances, LEAST_PROGRESS, Pace, Verdict, believed_performance, decide, judge, next_task,
-    unfinished,
+    PLANNING_DRAWS, Pace, RoundJudge, RoundOutcome, Verdict, believed_performance, is_done,
+    next_task, recovery_candidates, unfinished,
 };
-use crate::represent::{GoalState, ParticleDistribution, ParticleError, Task};
+use crate::represent::{GoalState, Task};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::ops::ControlFlow;
-
-/// Plans that are tried for what is left over, at most and at least; there the density is that of a few
-/// scattered grains, and the prediction tells best what becomes of them.
-const RECOVERY_VARIANTS: [usize; 2] = [50, 3];
-/// Predicting takes time by the edges of the tool's footprint: a brush of a thousand tufts tries few plans.
-const RECOVERY_EDGES: usize = 2000;
-
-/// Draws from the belief that plans of later rounds are made on, and where their seeds differ [bits].
-const DRAWS: u64 = 8;
-const DRAW_SHIFT: u32 = 32;
-/// After so many strokes in a row that brought nothing, the next one is not expected to.
-const STALLED_STROKES: usize = 4;
-
-/// After a push, how far the lower end of the estimate may lie below the target for it to be claimed; half of what a
-/// claim may be wrong by.
-const DOUBT_TOLERATED: f64 = 0.05;
 
 /// Where a session has come to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -75,7 +57,7 @@ pub struct Session<'a> {
     workcell: WorkcellConfig,
     given: Option<Plan>,
     goal: Option<GoalState>,
-    stalled: usize,
+    judge: RoundJudge,
     state: State,
     rounds: Vec<Round>,
     is_stopped: bool,
@@ -106,7 +88,7 @@ impl<'a> Session<'a> {
             workcell: config.workcell.clone(),
             given: None,
             goal: None,
-            stalled: 0,
+            judge: RoundJudge::new(config.target, config.pace),
             state: State::Begin,
             rounds: Vec::new(),
             is_stopped: false,
@@ -296,14 +278,17 @@ impl<'a> Session<'a> {
             (Some(plan), _) => plan,
             (None, None) => best_plan(task, &task.particles, &config.plan, config.variants)?,
             (None, Some(goal)) => {
-                let task = &drawn(task, &self.belief)?;
+                let task = &Task {
+                    particles: self.belief.draws(PLANNING_DRAWS, task.seed)?,
+                    ..task.clone()
+                };
                 let open = unfinished(task, goal)?;
                 let kde = PlanConfig {
                     strategy: CoverageStrategy::Kde,
                     seed: task.seed,
                     ..config.plan.clone()
                 };
-                let count = recovery_variants(task);
+                let count = recovery_candidates(&task.tool.footprint);
                 return Ok(match config.pace {
                     Pace::Whole => best_plan(task, &open, &kde, count)?,
                     Pace::Greedy => best_segment_of_variants(task, &open, &kde, count)?,
@@ -470,24 +455,13 @@ impl<'a> Session<'a> {
         observer: &mut Observer<'_>,
     ) -> Result<Stage, RunError> {
         let (task, goal) = (&self.task, self.goal_of(&planned.plan));
-        let before = believed_performance(&self.belief, &goal, &task.surface);
         let next = next_task(task, &goal, &interpretation, task.seed.wrapping_add(1))?;
-        let doubted = drawn(&next, &interpretation.belief)?;
-        let judged = judge(&interpretation, before, self.config.target);
-        self.stalled = if judged == Verdict::NoProgress {
-            self.stalled + 1
-        } else {
-            0
-        };
-        let circumstances = Circumstances {
-            is_done: unfinished(&doubted, &goal)?.is_empty(),
-            is_disturbed: was_disturbed(&execution, &interpretation),
-            is_doubtful: was_pushed(&self.rounds) && is_doubtful(&interpretation, &self.config),
-            is_rising: interpretation.performance.mean >= before + LEAST_PROGRESS,
-            // A single stroke says little: the next best one is another.
-            is_patient: self.config.pace == Pace::Greedy && self.stalled < STALLED_STROKES,
-        };
-        let verdict = decide(judged, &circumstances);
+        let verdict = self.judge.verdict(&RoundOutcome {
+            interpretation: &interpretation,
+            performance_before: believed_performance(&self.belief, &goal, &task.surface),
+            is_done: is_done(&interpretation.belief, &goal, &next.surface, next.seed)?,
+            is_protective_stop: matches!(execution.ending, Ending::ProtectiveStop { .. }),
+        });
         let was_stopped = execution.ending == Ending::Stopped;
         self.belief = interpretation.belief.clone();
         self.workcell.world_from_robot = Some(standing(&planned.cell, &execution, &self.config));
@@ -508,46 +482,6 @@ impl<'a> Session<'a> {
         self.state = State::Begin;
         Ok(Stage::Judged)
     }
-}
-
-/// The task with all that the dirt may be like: several draws from the belief, one on top of the other.
-///
-/// A single draw has dirt where there is none and none where there is some; plans are to be good on average.
-fn drawn(task: &Task, belief: &Belief) -> Result<Task, ParticleError> {
-    let mut particles = Vec::new();
-    for draw in 0..DRAWS {
-        let seed = task.seed.wrapping_add(draw << DRAW_SHIFT);
-        particles.extend(belief.sample(seed)?.iter());
-    }
-    Ok(Task {
-        particles: ParticleDistribution::with_fates(&particles)?,
-        ..task.clone()
-    })
-}
-
-/// How many plans are tried for what is left over.
-fn recovery_variants(task: &Task) -> usize {
-    let [most, least] = RECOVERY_VARIANTS;
-    let edges = task.tool.footprint.edges().count().max(1);
-    (RECOVERY_EDGES / edges).clamp(least, most)
-}
-
-/// Whether the robot was pushed, or stopped itself.
-fn was_disturbed(execution: &Execution, interpretation: &Interpretation) -> bool {
-    let mut events = interpretation.events.iter();
-    matches!(execution.ending, Ending::ProtectiveStop { .. })
-        || events.any(|event| event.kind == EventKind::Collision)
-}
-
-/// Whether an earlier round was disturbed.
-fn was_pushed(rounds: &[Round]) -> bool {
-    let mut rounds = rounds.iter();
-    rounds.any(|round| was_disturbed(&round.execution, &round.interpretation))
-}
-
-/// Whether the lower end of the estimate is too far below the target to claim it.
-fn is_doubtful(interpretation: &Interpretation, config: &RunConfig) -> bool {
-    interpretation.performance.low < config.target - DOUBT_TOLERATED
 }
 
 /// Where the robot stands after an execution.

@@ -218,7 +218,7 @@ fn a_torso_beyond_its_coupled_limit_is_a_fault_of_the_joint_that_follows() {
     // Each within its own range; their sum is beyond 135°.
     let bent = moved(
         &cell,
-        Phase::Transfer,
+        Phase::FreeMotion,
         &[("torso_2", 0.9), ("torso_3", 1.7)],
     );
     let faults = audit(&bent, &cell, &task, &FollowConfig::default())

@@ -4,11 +4,12 @@ use crate::board::{self, board, cell};
 use crate::humanoid::{planned, shipped};
 use crate::problems::robots;
 use wisch::follow::{
-    FollowConfig, FollowError, Followed, GRIP_TOLERANCE, LEAN_TOLERANCE, MotionFault, Phase, Touch,
-    Workcell, WorkcellConfig, audit, follow,
+    AllowedContact, FollowConfig, FollowError, Followed, GRIP_TOLERANCE, LEAN_TOLERANCE,
+    MotionFault, Phase, Workcell, WorkcellConfig, audit, follow,
 };
 use wisch::geometry::{Point3, Vector3};
-use wisch::represent::{Action, Task, TaskFile};
+use wisch::represent::{Action, Task};
+use wisch_io::TaskFile;
 
 /// How far the humanoid's hand reaches beyond its link's origin: a capsule of 0.12 m about 0.2 m [m].
 const HAND: f64 = 0.32;
@@ -120,8 +121,8 @@ fn bristles_that_nothing_presses_hang_below_the_tool_centre_point() {
         let model = cell.all_collisions(touch);
         model.collision(&lifting, 1e-3).unwrap()
     };
-    assert_eq!(touching(Touch::Surface), None);
-    assert!(touching(Touch::Nothing).is_some());
+    assert_eq!(touching(AllowedContact::Surface), None);
+    assert!(touching(AllowedContact::None).is_some());
 }
 
 #[test]

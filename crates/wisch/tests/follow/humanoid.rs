@@ -2,48 +2,26 @@
 
 use crate::board::faults;
 use crate::problems::robots;
-use std::fs;
 use std::path::{Path, PathBuf};
 use wisch::follow::{FollowConfig, Phase, Workcell, WorkcellConfig, follow};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan};
-use wisch::represent::{Action, Intent, KnowledgeBase, Task, TaskFile};
+use wisch::represent::{Action, Task};
+use wisch_io::{LoadOptions, TaskFile, load_task};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-fn knowledge() -> KnowledgeBase {
-    let names = ["tools", "media", "surfaces", "interactions"].map(|name| format!("{name}.toml"));
-    let texts = (names.iter()).map(|name| fs::read_to_string(root().join("knowledge").join(name)));
-    let texts: Vec<String> = texts.map(Result::unwrap).collect();
-    let files: Vec<(&str, &str)> = (names.iter().map(String::as_str))
-        .zip(texts.iter().map(String::as_str))
-        .collect();
-    KnowledgeBase::from_toml(&files).unwrap()
-}
-
 /// A scenario's file, and its task.
 pub fn shipped(scenario: &str, action: Action) -> (TaskFile, Task) {
-    let name = format!("{scenario}.toml");
-    let text = fs::read_to_string(root().join("scenarios").join(&name)).unwrap();
-    let file = TaskFile::parse(&name, &text, &[]).unwrap();
-    let Intent::Action { tool, medium, .. } = file.intent() else {
-        panic!("it names no tool");
+    let options = LoadOptions {
+        action: Some(action),
+        seed: Some(1),
+        ..LoadOptions::default()
     };
-    let read = |folder: &'static str| {
-        move |path: &str| fs::read(root().join(folder).join(path)).map_err(|e| e.to_string())
-    };
-    let task = file.resolve(
-        action,
-        tool,
-        medium,
-        1,
-        &knowledge(),
-        &mut read("scenarios"),
-        &mut read("knowledge"),
-    );
-    let task = task.unwrap();
-    (file, task)
+    let path = root().join(format!("scenarios/{scenario}.toml"));
+    let loaded = load_task(&path, &options).unwrap();
+    (loaded.file, loaded.task)
 }
 
 /// What the file's strategy plans.

@@ -1,7 +1,7 @@
 //! Collisions, losses of contact, stick-slip: their times, and silence where there are none.
 
 use super::log::{Hand, PRESS, STEEP, Script, task};
-use super::{assert_near_times, events, exact, told, told_with};
+use super::{assert_near_times, events, exact, interpreted, interpreted_with};
 use wisch::geometry::{Point2, Vector3};
 use wisch::interpret::{Diagnosis, EventKind, InterpretConfig, Touch, Uncertainty};
 use wisch::represent::Fate;
@@ -24,15 +24,16 @@ pub fn lifted() -> Script {
 #[test]
 fn a_hand_that_lifts_the_tool_is_a_collision_and_what_lies_under_it_stays() {
     let script = lifted();
-    let told = told(&script);
-    let collisions = events(&told, EventKind::Collision);
+    let interpretation = interpreted(&script);
+    let collisions = events(&interpretation, EventKind::Collision);
     let hand = script.hands[0];
     assert_eq!(collisions.len(), 1, "{collisions:?}");
     assert_near_times(&collisions[0], [hand.start, hand.end]);
     assert!((collisions[0].peak_height - 0.02).abs() < 2e-3);
-    assert_eq!(events(&told, EventKind::ContactLoss), []);
-    assert_eq!(events(&told, EventKind::Contact).len(), 4);
-    let false_positives = (told.path.iter()).filter(|piece| piece.touch == Touch::FalsePositive);
+    assert_eq!(events(&interpretation, EventKind::ContactLoss), []);
+    assert_eq!(events(&interpretation, EventKind::Contact).len(), 4);
+    let false_positives =
+        (interpretation.path.iter()).filter(|piece| piece.touch == Touch::FalsePositive);
     let times: Vec<f64> = false_positives.map(|piece| piece.time[1]).collect();
     assert!(times.len() > 70);
     assert!(
@@ -44,7 +45,7 @@ fn a_hand_that_lifts_the_tool_is_a_collision_and_what_lies_under_it_stays() {
     // The stroke runs from +0.16 at 0.1 m/s: lifted between 0.04 and -0.04, of which the sponge covers
     // from either side all but 1 cm. Nothing there is wiped.
     let task = task(2000, STEEP);
-    let told = told_with(&script.samples(&task), &task, &exact(&task));
+    let interpretation = interpreted_with(&script.samples(&task), &task, &exact(&task));
     let under: Vec<usize> = (0..task.particles.len())
         .filter(|&i| {
             let place = task.particles.position(i);
@@ -52,7 +53,7 @@ fn a_hand_that_lifts_the_tool_is_a_collision_and_what_lies_under_it_stays() {
         })
         .collect();
     assert!(under.len() > 2);
-    for replay in told.belief.replays() {
+    for replay in interpretation.belief.replays() {
         assert!(under.iter().all(|&i| replay.fate(i) == Fate::OnSurface));
     }
 }
@@ -84,11 +85,11 @@ fn pushes_from_every_side_are_collisions_with_start_and_end() {
             off,
             force,
         };
-        let told = told(&Script {
+        let interpretation = interpreted(&Script {
             hands: vec![hand],
             ..script.clone()
         });
-        let collisions = events(&told, EventKind::Collision);
+        let collisions = events(&interpretation, EventKind::Collision);
         assert_eq!(collisions.len(), 1, "{force}: {collisions:?}");
         assert_near_times(&collisions[0], [hand.start, hand.end]);
     }
@@ -106,25 +107,21 @@ fn a_gap_in_the_press_is_a_loss_of_contact() {
         },
         ..Script::default()
     };
-    let told = told(&script);
-    let losses = events(&told, EventKind::ContactLoss);
-    assert_eq!(losses.len(), 1, "{:?}", told.events);
+    let interpretation = interpreted(&script);
+    let losses = events(&interpretation, EventKind::ContactLoss);
+    assert_eq!(losses.len(), 1, "{:?}", interpretation.events);
     let [start, _] = script.contacts()[1];
     assert_near_times(&losses[0], [start + 1.3, start + 1.9]);
-    assert_eq!(events(&told, EventKind::Collision), []);
-    let whole = told_with(
-        &Script::default().samples(&task(80, STEEP)),
-        &task(80, STEEP),
-        &InterpretConfig::of(&task(80, STEEP)),
-    );
-    assert!(told.contact_share < whole.contact_share - 0.03);
+    assert_eq!(events(&interpretation, EventKind::Collision), []);
+    let whole = interpreted(&Script::default());
+    assert!(interpretation.contact_share < whole.contact_share - 0.03);
 }
 
 /// Forces estimated from drives lag; then the sponge seems to be pressed while it already lifts off.
 #[test]
 fn forces_that_lag_raise_no_alarm_and_hide_none() {
     for force_lag in [0.01, 0.02, 0.04] {
-        let calm = told(&Script {
+        let calm = interpreted(&Script {
             force_lag,
             ..Script::default()
         });
@@ -136,7 +133,7 @@ fn forces_that_lag_raise_no_alarm_and_hide_none() {
         force_lag: 0.02,
         ..lifted()
     };
-    let collisions = events(&told(&script), EventKind::Collision);
+    let collisions = events(&interpreted(&script), EventKind::Collision);
     assert_eq!(collisions.len(), 1);
     assert_near_times(&collisions[0], [script.hands[0].start, script.hands[0].end]);
 }
@@ -148,8 +145,8 @@ fn sticking_and_slipping_is_noticed() {
             stick_slip,
             ..Script::default()
         };
-        let told = told(&script);
-        let found = events(&told, EventKind::StickSlip);
+        let interpretation = interpreted(&script);
+        let found = events(&interpretation, EventKind::StickSlip);
         assert_eq!(found.len(), 3, "{found:?}");
         for (event, [start, end]) in found.iter().zip(script.contacts()) {
             assert!(
@@ -158,7 +155,7 @@ fn sticking_and_slipping_is_noticed() {
             );
             assert!(event.end < end + 0.05 && event.end > end - 0.5, "{event:?}");
         }
-        assert_eq!(events(&told, EventKind::Collision), []);
+        assert_eq!(events(&interpretation, EventKind::Collision), []);
     }
 }
 
@@ -182,9 +179,9 @@ fn a_tool_that_sinks_over_an_edge_is_still_in_contact() {
         },
         ..Script::default()
     };
-    let at_edge = told(&sunk(0.19));
+    let at_edge = interpreted(&sunk(0.19));
     assert_eq!(events(&at_edge, EventKind::Collision), []);
-    let inland = told(&sunk(0.05));
+    let inland = interpreted(&sunk(0.05));
     assert_eq!(events(&inland, EventKind::Collision).len(), 1);
 }
 
@@ -213,14 +210,14 @@ fn any_force_in_free_motion_is_somebody() {
         Vector3::new(0.0, 0.0, 8.0),
         Vector3::new(0.0, 0.0, -8.0),
     ] {
-        let told = told(&held(&[free], Vector3::new(0.0, 0.01, 0.0), force));
-        let collisions = events(&told, EventKind::Collision);
+        let interpretation = interpreted(&held(&[free], Vector3::new(0.0, 0.01, 0.0), force));
+        let collisions = events(&interpretation, EventKind::Collision);
         assert_eq!(collisions.len(), 1, "{force}: {collisions:?}");
         assert_near_times(&collisions[0], free);
     }
     // Inertia of the hand and noise are nobody.
     let faint = held(&[free], Vector3::zeros(), Vector3::new(0.0, 1.5, 0.0));
-    assert_eq!(events(&told(&faint), EventKind::Collision), []);
+    assert_eq!(events(&interpreted(&faint), EventKind::Collision), []);
 }
 
 #[test]
@@ -241,11 +238,14 @@ fn a_force_that_swings_is_nobody() {
         hands: (0..10).map(hand).collect(),
         ..Script::default()
     };
-    assert_eq!(events(&told(&swinging), EventKind::Collision), []);
+    assert_eq!(events(&interpreted(&swinging), EventKind::Collision), []);
     for hand in &mut swinging.hands {
         hand.force = Vector3::new(0.0, 0.0, 20.0);
     }
-    assert_eq!(events(&told(&swinging), EventKind::Collision).len(), 1);
+    assert_eq!(
+        events(&interpreted(&swinging), EventKind::Collision).len(),
+        1
+    );
 }
 
 #[test]
@@ -254,11 +254,11 @@ fn a_tool_that_comes_down_hard_has_not_been_pushed() {
     let blow = Vector3::new(0.0, 0.0, 25.0);
     let pressed = Vector3::new(0.0, 0.0, -0.0075);
     let landing = held(&[[start, start + 0.1]], pressed, blow);
-    assert_eq!(events(&told(&landing), EventKind::Collision), []);
+    assert_eq!(events(&interpreted(&landing), EventKind::Collision), []);
     let later = held(&[[start + 1.0, start + 1.1]], pressed, blow);
-    assert_eq!(events(&told(&later), EventKind::Collision).len(), 1);
+    assert_eq!(events(&interpreted(&later), EventKind::Collision).len(), 1);
     let long = held(&[[start, start + 0.8]], pressed, blow);
-    assert_eq!(events(&told(&long), EventKind::Collision).len(), 1);
+    assert_eq!(events(&interpreted(&long), EventKind::Collision).len(), 1);
 }
 
 #[test]
@@ -269,21 +269,21 @@ fn a_push_that_lasts_into_free_motion_is_one() {
     let whole = [end - 0.4, end + 1.2];
     let parts = [[whole[0], end + 0.4], [end + 0.55, whole[1]]];
     for times in [&[whole][..], &parts] {
-        let told = told(&held(times, up.0, up.1));
-        let collisions = events(&told, EventKind::Collision);
+        let interpretation = interpreted(&held(times, up.0, up.1));
+        let collisions = events(&interpretation, EventKind::Collision);
         assert_eq!(collisions.len(), 1, "{collisions:?}");
         assert_near_times(&collisions[0], whole);
     }
     // On the surface, two are two; but nobody pushes twice within a third of a second.
     let start = end - 2.0;
     let soon = [[start, start + 0.4], [start + 0.55, start + 1.0]];
-    let told_soon = told(&held(&soon, up.0, up.1));
-    let collisions = events(&told_soon, EventKind::Collision);
+    let soon_after = interpreted(&held(&soon, up.0, up.1));
+    let collisions = events(&soon_after, EventKind::Collision);
     assert_eq!(collisions.len(), 1, "{collisions:?}");
     assert_near_times(&collisions[0], [start, start + 1.0]);
     let pair = [[start, start + 0.4], [start + 0.85, start + 1.3]];
-    let told = told(&held(&pair, up.0, up.1));
-    let collisions = events(&told, EventKind::Collision);
+    let interpretation = interpreted(&held(&pair, up.0, up.1));
+    let collisions = events(&interpretation, EventKind::Collision);
     assert_eq!(collisions.len(), 2, "{collisions:?}");
     for (collision, times) in collisions.iter().zip(pair) {
         assert_near_times(collision, times);
@@ -291,7 +291,7 @@ fn a_push_that_lasts_into_free_motion_is_one() {
 }
 
 #[test]
-fn whether_a_pushed_tool_wiped_is_told_by_its_place_and_by_its_force() {
+fn contact_of_a_pushed_tool_is_judged_by_its_place_or_by_its_force() {
     let task = task(400, STEEP);
     let [start, end] = Script::default().contacts()[1];
     // A hand takes the weight off the tool that it shoves, but leaves it where it was.
@@ -308,7 +308,7 @@ fn whether_a_pushed_tool_wiped_is_told_by_its_place_and_by_its_force() {
             },
             ..InterpretConfig::of(&task)
         };
-        told_with(&script.samples(&task), &task, &config).performance
+        interpreted_with(&script.samples(&task), &task, &config).performance
     };
     let calm = share(&Script::default(), 1.0).mean;
     let by_force = share(&script, 1.0).mean;
@@ -341,7 +341,7 @@ fn a_pushed_tool_may_drag_its_load_along_as_long_as_it_is_near_the_surface() {
             },
             ..InterpretConfig::of(&task)
         };
-        told_with(&script.samples(&task), &task, &config)
+        interpreted_with(&script.samples(&task), &task, &config)
             .performance
             .mean
     };

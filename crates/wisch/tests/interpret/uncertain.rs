@@ -1,7 +1,7 @@
 //! Uneven pressure under a tool that stands inclined, and what nobody knows exactly.
 
 use super::log::{DEPTH, PRESS, STEEP, Script, task};
-use super::{exact, told_with};
+use super::{exact, interpreted_with};
 use wisch::geometry::{Point2, Pose, Vector3};
 use wisch::interpret::{
     Belief, InterpretConfig, InterpretError, Interpretation, TouchSample, Uncertainty, interpret,
@@ -54,9 +54,9 @@ fn taken(lean: f64) -> [f64; 5] {
         replays: 16,
         ..exact(&task)
     };
-    let told = told_with(&leaning(&task, lean), &task, &config);
+    let interpretation = interpreted_with(&leaning(&task, lean), &task, &config);
     let mut shares = [0.0; 5];
-    for replay in told.belief.replays() {
+    for replay in interpretation.belief.replays() {
         for i in 0..replay.len() {
             if replay.fate(i) == Fate::Absorbed {
                 shares[i / PER_COLUMN] += 1.0 / (PER_COLUMN * 16) as f64;
@@ -104,8 +104,8 @@ fn pushed(task: &Task, samples: &[TouchSample], uncertainty: Uncertainty) -> Int
     interpret(samples, task, &believed, &goal, &config).unwrap()
 }
 
-fn width(told: &Interpretation) -> f64 {
-    told.performance.high - told.performance.low
+fn width(interpretation: &Interpretation) -> f64 {
+    interpretation.performance.high - interpretation.performance.low
 }
 
 #[test]
@@ -131,11 +131,11 @@ fn the_interval_widens_with_all_that_is_uncertain() {
         default,
     ];
     for uncertainty in alone {
-        let told = pushed(&task, &samples, uncertainty);
+        let interpretation = pushed(&task, &samples, uncertainty);
         assert!(
-            width(&told) > 0.0,
+            width(&interpretation) > 0.0,
             "{uncertainty:?}: {:?}",
-            told.performance
+            interpretation.performance
         );
         let larger = Uncertainty {
             grasp_offset_m: 3.0 * uncertainty.grasp_offset_m,
@@ -146,17 +146,17 @@ fn the_interval_widens_with_all_that_is_uncertain() {
             ..uncertainty
         };
         let wider = pushed(&task, &samples, larger);
-        assert!(width(&wider) > width(&told), "{uncertainty:?}");
+        assert!(width(&wider) > width(&interpretation), "{uncertainty:?}");
     }
     let model = Uncertainty {
         model_share: 0.1,
         ..none
     };
-    let told = pushed(&task, &samples, model).performance;
-    assert_eq!(told.mean, certain.performance.mean);
+    let interpretation = pushed(&task, &samples, model).performance;
+    assert_eq!(interpretation.mean, certain.performance.mean);
     assert!(
-        (told.high - told.low - width(&certain) - 0.2).abs() < 1e-12,
-        "{told:?}"
+        (interpretation.high - interpretation.low - width(&certain) - 0.2).abs() < 1e-12,
+        "{interpretation:?}"
     );
 }
 
@@ -180,7 +180,7 @@ fn a_force_known_badly_counts_where_contact_is_weak() {
             uncertainty,
             ..InterpretConfig::of(&task)
         };
-        width(&told_with(&samples, &task, &config))
+        width(&interpreted_with(&samples, &task, &config))
     };
     assert!(with(0.2) > 2.0 * with(0.0), "{} {}", with(0.2), with(0.0));
 }
@@ -188,12 +188,16 @@ fn a_force_known_badly_counts_where_contact_is_weak() {
 #[test]
 fn without_a_touch_what_was_certain_stays_certain() {
     let (task, _) = board();
-    let told = pushed(&task, &[], Uncertainty::default());
+    let interpretation = pushed(&task, &[], Uncertainty::default());
     let lie = |p: &Point2| (p - Point2::new(0.16, 0.0)).norm() <= 0.12;
     let share = task.particles.remaining().filter(lie).count() as f64 / 400.0;
     // But for particles near the goal's rim, whose places are known to a millimetre or two.
-    assert!((told.performance.mean - share).abs() < 0.01);
-    assert!(width(&told) < 0.03, "{:?}", told.performance);
+    assert!((interpretation.performance.mean - share).abs() < 0.01);
+    assert!(
+        width(&interpretation) < 0.03,
+        "{:?}",
+        interpretation.performance
+    );
     let nothing = pushed(&task, &[], Uncertainty::NONE);
     assert_eq!(nothing.performance.mean, share);
     assert_eq!(width(&nothing), 0.0);
@@ -211,8 +215,11 @@ fn equal_shares_have_that_share_as_their_mean() {
     };
     for count in 1..100 {
         let belief = Belief::of(vec![replay.clone(); count]).unwrap();
-        let told = belief.performance(&goal, &surface);
-        assert_eq!([told.low, told.mean, told.high], [0.8; 3]);
+        let interpretation = belief.performance(&goal, &surface);
+        assert_eq!(
+            [interpretation.low, interpretation.mean, interpretation.high],
+            [0.8; 3]
+        );
     }
 }
 

@@ -1,12 +1,12 @@
 //! A motion for the tests: the humanoid drives to the chopping board and wipes it.
 
 use super::*;
-use crate::assets::{KnowledgeSource, beside, read, read_text};
 use std::path::Path;
 use wisch::follow::{JointLimit, JointLimits, JointPath, TimingConfig, time_path};
 use wisch::geometry::{Point3, Vector3};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, TcpWaypoint, plan, predict};
-use wisch::represent::{Action, TaskFile};
+use wisch::represent::Action;
+use wisch_io::{LoadOptions, load_task, read, read_text};
 
 /// Ready pose of the paper's robot: torso, right arm [deg].
 const TORSO: [f64; 3] = [0.0, -48.527, 97.386];
@@ -77,20 +77,13 @@ impl Demo {
 }
 
 fn task(path: &Path) -> Task {
-    let file =
-        TaskFile::parse("chopping-board", &read_text(path).expect("a file"), &[]).expect("a task");
-    let source = KnowledgeSource::new(None);
-    let knowledge = source.base().expect("the shipped knowledge");
-    file.resolve(
-        Action::Collect,
-        "sponge",
-        "breadcrumbs",
-        1,
-        &knowledge,
-        &mut beside(path),
-        &mut |path| source.asset(path),
-    )
-    .expect("the shipped scenario")
+    let options = LoadOptions {
+        action: Some(Action::Collect),
+        seed: Some(1),
+        ..LoadOptions::default()
+    };
+    let loaded = load_task(path, &options);
+    loaded.expect("the shipped scenario").task
 }
 
 /// Postures along the plan's path, each from the one before by damped least squares, timed.

@@ -260,9 +260,8 @@ fn affected(
     particles: &ParticleDistribution,
     seed: u64,
 ) -> ParticleDistribution {
-    let mut csv = String::from("particle,x_m,y_m,fate,edge\n");
     let contact = |piece: &&PathPiece| matches!(piece.touch, Touch::Weak | Touch::Confident);
-    for (i, (p, fate)) in particles.iter().enumerate() {
+    let wiped = particles.iter().enumerate().map(|(i, (p, fate))| {
         let near = |piece: &&PathPiece| (piece.position.xy() - p).norm() < REACH;
         let hardest = (path.iter().filter(contact).filter(near))
             .map(|piece| piece.normalized_force)
@@ -270,10 +269,16 @@ fn affected(
         let chance = task.interaction.likelihood.probability(hardest);
         let threshold = 0.5 * (1.0 + noise(seed * 10_000 + i as u64));
         let gone = fate == Fate::Absorbed || threshold < chance;
-        let word = if gone { "absorbed" } else { "on_surface" };
-        csv += &format!("{i},{},{},{word},\n", p.x, p.y);
-    }
-    ParticleDistribution::from_csv("demo", csv.as_bytes()).expect("our own list")
+        (
+            p,
+            if gone {
+                Fate::Absorbed
+            } else {
+                Fate::OnSurface
+            },
+        )
+    });
+    ParticleDistribution::with_fates(&wiped.collect::<Vec<_>>()).expect("our own list")
 }
 
 fn interpretation(

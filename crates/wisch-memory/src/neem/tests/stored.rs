@@ -38,7 +38,7 @@ fn stored(folder: &std::path::Path, robot: &RobotModel) -> Memory {
     let mut log = writer.telemetry_with_columns(1, head, &columns).unwrap();
     let mark = Mark {
         motion: 0,
-        phase: Phase::Transfer,
+        phase: Phase::FreeMotion,
     };
     for step in 0..1000 {
         let time = 1e-3 * f64::from(step);

@@ -19,7 +19,7 @@ const LEAST_REMAINDER: f64 = 1e-3;
 
 /// A part of the path in which q(σ) is quadratic.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Piece {
+pub(super) struct BlendedPiece {
     /// Length in σ [s].
     pub length: f64,
     /// Largest σ̇ [1] that the segments' shortest times allow.
@@ -32,7 +32,7 @@ pub(super) struct Piece {
 #[derive(Debug, Clone)]
 pub(super) struct BlendedPath {
     joint_count: usize,
-    pieces: Vec<Piece>,
+    pieces: Vec<BlendedPiece>,
     /// Per piece and joint: q, dq/dσ at the piece's begin, and d²q/dσ².
     terms: Vec<[f64; 3]>,
 }
@@ -112,7 +112,7 @@ impl BlendedPath {
             let remainder = length - before - after;
             if remainder > NO_REMAINDER * length {
                 let begin = waypoints[segment].iter().zip(direction);
-                blended.pieces.push(Piece {
+                blended.pieces.push(BlendedPiece {
                     length: remainder,
                     speed_cap: speed(segment),
                     is_link: remainder < 10.0 * LEAST_REMAINDER * length,
@@ -122,7 +122,7 @@ impl BlendedPath {
                     .extend(begin.map(|(q, d)| [q + before * d, *d, 0.0]));
             }
             if segment + 1 < directions.len() {
-                blended.pieces.push(Piece {
+                blended.pieces.push(BlendedPiece {
                     length: 2.0 * after,
                     speed_cap: speed(segment).min(speed(segment + 1)),
                     is_link: false,
@@ -139,7 +139,7 @@ impl BlendedPath {
         blended
     }
 
-    pub fn pieces(&self) -> &[Piece] {
+    pub fn pieces(&self) -> &[BlendedPiece] {
         &self.pieces
     }
 

@@ -8,8 +8,6 @@ mod planning_tests;
 mod problem;
 mod search;
 mod syntax;
-#[cfg(test)]
-mod tests;
 
 use std::fmt;
 use std::fmt::Write as _;
@@ -119,17 +117,11 @@ pub struct ResolvedGoal {
 /// is needed.
 ///
 /// ```
-/// use wisch::plan::{Domain, GoalLiteral, resolve_goal};
-/// use wisch::represent::{Action, KnowledgeBase};
-/// # fn read(name: &str) -> String {
-/// #     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../knowledge/");
-/// #     std::fs::read_to_string(format!("{folder}{name}")).unwrap()
-/// # }
-/// let domain = Domain::parse("wiping.pddl", &read("wiping.pddl"))?;
-/// let files = ["tools.toml", "media.toml", "surfaces.toml", "interactions.toml"]
-///     .map(|name| (name, read(name)));
-/// let files: Vec<(&str, &str)> = files.iter().map(|(name, text)| (*name, text.as_str())).collect();
-/// let knowledge = KnowledgeBase::from_toml(&files)?;
+/// use wisch::plan::{GoalLiteral, resolve_goal};
+/// use wisch::represent::Action;
+/// use wisch_io::KnowledgeSource;
+/// let domain = KnowledgeSource::BuiltIn.domain().unwrap();
+/// let knowledge = KnowledgeSource::BuiltIn.base().unwrap();
 ///
 /// let goal = GoalLiteral::parse("(collected breadcrumbs chopping_board)")?;
 /// let resolved = resolve_goal(&goal, &domain, &knowledge, None, &["brush", "sponge"])?;

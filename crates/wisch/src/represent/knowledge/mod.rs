@@ -1,19 +1,16 @@
 //! What is known of tools, media and surfaces, and of what they do to each other (§4.3, Fig. 11, 13).
 //!
-//! Knowledge comes in as TOML texts and belongs to the objects: an entry per tool, medium and
-//! surface, and an [`Interaction`] per combination that makes sense.
+//! Knowledge belongs to the objects: an entry per tool, medium and surface, and an [`Interaction`] per
+//! combination that makes sense.
 
 mod grip;
 mod likelihood;
-mod record;
-#[cfg(test)]
-mod tests;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::str::FromStr;
 
-pub use crate::text::{Place, UnknownName};
+pub use crate::source_location::{Place, UnknownName};
 pub use grip::{Grip, SecondGrip};
 pub use likelihood::LogNormal;
 
@@ -189,15 +186,20 @@ pub struct SurfaceEntry {
 pub enum SurfaceScope {
     /// The surface of that name.
     Named(String),
-    /// Every surface for which nothing closer is known; `"any"` in files.
+    /// Every surface for which nothing closer is known.
     Any,
+}
+
+impl SurfaceScope {
+    /// What stands in place of a surface's name for all of them.
+    pub const ANY_NAME: &'static str = "any";
 }
 
 impl fmt::Display for SurfaceScope {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Named(name) => name,
-            Self::Any => record::ANY_SURFACE,
+            Self::Any => Self::ANY_NAME,
         })
     }
 }
@@ -249,26 +251,49 @@ pub struct KnowledgeBase {
 }
 
 impl KnowledgeBase {
-    /// Reads knowledge from TOML texts, each with the name under which errors speak of it.
-    /// Entries may refer to those of any other text.
+    /// Adds a tool, in place of one of the same name.
+    pub fn insert_tool(&mut self, tool: ToolEntry) {
+        self.tools.insert(tool.name.clone(), tool);
+    }
+
+    /// Adds a medium, in place of one of the same name.
+    pub fn insert_medium(&mut self, medium: MediumEntry) {
+        self.media.insert(medium.name.clone(), medium);
+    }
+
+    /// Adds a surface, in place of one of the same name.
+    pub fn insert_surface(&mut self, surface: SurfaceEntry) {
+        self.surfaces.insert(surface.name.clone(), surface);
+    }
+
+    /// Adds what a tool does to a medium on a surface, in place of what was known of the same three.
     ///
     /// # Errors
     ///
-    /// A text that is not TOML or has other keys than those known, a schema other than 1, a name
-    /// given twice or used without being defined, or a value outside its limits: each with file,
-    /// line and column.
+    /// [`KnowledgeError::Unknown`] for a tool, medium or surface that was not added before.
     ///
     /// ```
-    /// use wisch::represent::KnowledgeBase;
-    /// let surfaces = "schema = 1\n[[surface]]\nname = \"table\"\nfriction = 0.4\n";
-    /// let knowledge = KnowledgeBase::from_toml(&[("surfaces.toml", surfaces)])?;
+    /// use wisch::represent::{KnowledgeBase, SurfaceEntry};
+    /// let mut knowledge = KnowledgeBase::default();
+    /// knowledge.insert_surface(SurfaceEntry { name: "table".to_owned(), friction: 0.4 });
     /// assert_eq!(knowledge.surface("table")?.friction, 0.4);
     /// let error = knowledge.surface("tabel").unwrap_err();
     /// assert_eq!(error.to_string(), r#"unknown surface "tabel"; nearest: table"#);
     /// # Ok::<(), wisch::represent::KnowledgeError>(())
     /// ```
-    pub fn from_toml(files: &[(&str, &str)]) -> Result<Self, KnowledgeError> {
-        record::read(files)
+    pub fn insert_interaction(&mut self, interaction: Interaction) -> Result<(), KnowledgeError> {
+        self.tool(&interaction.tool)?;
+        self.medium(&interaction.medium)?;
+        if let SurfaceScope::Named(surface) = &interaction.surface {
+            self.surface(surface)?;
+        }
+        self.interactions
+            .entry(interaction.tool.clone())
+            .or_default()
+            .entry(interaction.medium.clone())
+            .or_default()
+            .insert(interaction.surface.clone(), interaction);
+        Ok(())
     }
 
     /// The tool of that name.
@@ -397,79 +422,10 @@ fn entry<'a, T>(
         .ok_or_else(|| UnknownName::new(kind, name, entries.keys().map(String::as_str)).into())
 }
 
-/// Why knowledge could not be read or does not hold what was asked of it.
+/// Why the knowledge base does not hold what was asked of it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum KnowledgeError {
-    /// The text is not TOML, or not the TOML of a knowledge file.
-    #[error("{at}: {message}")]
-    Syntax {
-        /// Where.
-        at: Place,
-        /// What the reader says.
-        message: String,
-    },
-    /// The file is of a schema that this version does not read.
-    #[error(
-        "{at}: schema {found} is not supported, only schema {}",
-        record::SCHEMA
-    )]
-    Schema {
-        /// Where.
-        at: Place,
-        /// The schema of the file.
-        found: i64,
-    },
-    /// A name that could not be one in PDDL, or that has a meaning of its own.
-    #[error(
-        "{at}: {name:?} is no name: a name is at most {} characters long, starts with a small letter, goes on with small letters, digits, `_` and `-`, and is not {:?}",
-        record::NAME_MAX_LEN,
-        record::ANY_SURFACE
-    )]
-    BadName {
-        /// Where.
-        at: Place,
-        /// The name as given.
-        name: String,
-    },
-    /// Two entries say the same of the same.
-    #[error("{at}: {what} is already defined at {first}")]
-    Duplicate {
-        /// The later of the two.
-        at: Place,
-        /// The earlier of the two.
-        first: Place,
-        /// What they define.
-        what: String,
-    },
-    /// An entry refers to something that is not defined.
-    #[error("{at}: {unknown}")]
-    UnknownReference {
-        /// Where.
-        at: Place,
-        /// The name and those near it.
-        unknown: Box<UnknownName>,
-    },
-    /// A number outside its limits.
-    #[error("{at}: {field} = {value} is outside its limits: {limits}")]
-    OutOfRange {
-        /// Where.
-        at: Place,
-        /// The key, which ends in its unit.
-        field: &'static str,
-        /// The value as given.
-        value: f64,
-        /// What it may be.
-        limits: String,
-    },
-    /// An entry contradicts itself or lacks something.
-    #[error("{at}: {problem}")]
-    Inconsistent {
-        /// Where.
-        at: Place,
-        /// What does not fit.
-        problem: String,
-    },
     /// A look-up of something that is not known.
     #[error(transparent)]
     Unknown(Box<UnknownName>),

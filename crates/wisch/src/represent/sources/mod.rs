@@ -1,16 +1,12 @@
-//! Where particles come from: spread evenly, in clusters, from a list, a photo, or an estimate.
+//! Particles drawn at random: spread evenly, or in clusters.
 
-mod image;
-mod list;
 #[cfg(test)]
 mod tests;
 
-pub use image::{MaskSource, mask_particles};
-pub use list::csv_particles;
-
 use super::{MAX_PARTICLES, OccupiedArea, ParticleDistribution, ParticleError};
 use crate::geometry::{Bounds2, Point2, Polygon, Vector2};
-use rand::{Rng, RngExt};
+use crate::random::normal_pair;
+use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
 /// Stream of the task's seed that places particles; stream 0 is the planner's.
@@ -19,30 +15,6 @@ const PARTICLE_STREAM: u64 = 1;
 const DRAWS_PER_PARTICLE: usize = 1_000;
 /// Draws that are always made before giving up, however few particles are wanted.
 const MIN_DRAWS: usize = 100_000;
-
-/// How the initial particles are made.
-#[derive(Debug, Clone, PartialEq)]
-pub enum ParticleSource {
-    /// Evenly over the free surface.
-    Uniform {
-        /// How many.
-        count: usize,
-    },
-    /// Heaps.
-    Clusters {
-        /// How many particles in all.
-        count: usize,
-        /// The heaps among which they are shared.
-        clusters: Vec<Cluster>,
-    },
-    /// Listed in a file.
-    Csv {
-        /// Its path, relative to the task file.
-        file: String,
-    },
-    /// Seen in a mask or photo.
-    Image(MaskSource),
-}
 
 /// A heap: normally distributed about its centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -96,33 +68,10 @@ pub enum SourceError {
         /// How many were wanted.
         count: usize,
     },
-    /// A list of particles is not one.
-    #[error("{file}:{line}: {problem}")]
-    Line {
-        /// The file.
-        file: String,
-        /// Line, counted from 1.
-        line: u64,
-        /// What is wrong there.
-        problem: String,
-    },
-    /// A list without a single particle.
-    #[error("{file}: it lists no particle, at least 1 is needed")]
-    EmptyList {
-        /// The file.
-        file: String,
-    },
-    /// An image that cannot be used.
-    #[error("{file}: {problem}")]
-    Image {
-        /// The file.
-        file: String,
-        /// What is wrong with it.
-        problem: String,
-    },
 }
 
-fn generator(seed: u64) -> ChaCha8Rng {
+/// What places particles at random, by the seed of the task: the same on every platform.
+pub fn particle_generator(seed: u64) -> ChaCha8Rng {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     random.set_stream(PARTICLE_STREAM);
     random
@@ -177,7 +126,7 @@ pub fn cluster_particles(
             share -= cluster.weight;
             share < 0.0
         });
-        let offset = standard_normal_pair(random);
+        let offset = normal_pair(random);
         match chosen.or(clusters.last()) {
             Some(cluster) => cluster.center + offset * cluster.sigma,
             None => Point2::new(f64::NAN, f64::NAN),
@@ -191,8 +140,8 @@ fn rejection_sampled(
     seed: u64,
     mut draw: impl FnMut(&mut ChaCha8Rng) -> Point2,
 ) -> Result<ParticleDistribution, SourceError> {
-    checked_count(count)?;
-    let mut random = generator(seed);
+    SourceError::check_count(count)?;
+    let mut random = particle_generator(seed);
     let budget = MIN_DRAWS.max(count.saturating_mul(DRAWS_PER_PARTICLE));
     let mut points = Vec::with_capacity(count);
     let mut draws = 0;
@@ -215,17 +164,16 @@ fn rejection_sampled(
     Ok(ParticleDistribution::new(&points)?)
 }
 
-fn checked_count(count: usize) -> Result<(), SourceError> {
-    if (1..=MAX_PARTICLES).contains(&count) {
-        Ok(())
-    } else {
-        Err(SourceError::Count { count })
+impl SourceError {
+    /// Whether so many particles can be drawn.
+    ///
+    /// # Errors
+    /// A count of 0 or above [`MAX_PARTICLES`].
+    pub fn check_count(count: usize) -> Result<(), Self> {
+        if (1..=MAX_PARTICLES).contains(&count) {
+            Ok(())
+        } else {
+            Err(Self::Count { count })
+        }
     }
-}
-
-/// Two independent draws from N(0, 1) (Box and Muller), alike on every platform.
-fn standard_normal_pair(random: &mut impl Rng) -> Vector2 {
-    let radius = (-2.0 * libm::log(1.0 - random.random::<f64>())).sqrt();
-    let angle = std::f64::consts::TAU * random.random::<f64>();
-    Vector2::new(libm::cos(angle), libm::sin(angle)) * radius
 }

@@ -2,7 +2,7 @@
 
 use super::{MapError, MapTool};
 use crate::geometry::{Point3, Pose, Vector3};
-use crate::robot::chain::z_to;
+use crate::robot::frame::z_to;
 use crate::robot::{
     Drive, IkConfig, IkOutcome, IkSolver, JointKind, LinkId, MAX_CHAIN, Range, RobotModel,
     RotationGoal,
@@ -137,18 +137,16 @@ impl Arm {
 /// Sum of the distances between the joints from `base` to `tip`, stretched as far as they slide [m].
 fn reach(robot: &RobotModel, base: LinkId, tip: LinkId) -> Result<f64, MapError> {
     let mut reach = 0.0;
-    let mut at = tip;
-    while let Some(id) = robot.links()[at.index()].parent
-        && at != base
+    for joint in robot
+        .joints_above(tip)
+        .take_while(|joint| joint.child != base)
     {
-        let joint = &robot.joints()[id.index()];
         reach += joint.parent_from_joint.translation.vector.norm();
         if joint.kind == JointKind::Prismatic {
             let limits = joint.limits.position;
             let limits = limits.ok_or_else(|| unlimited(&joint.name))?;
             reach += limits.lower.abs().max(limits.upper.abs());
         }
-        at = joint.parent;
     }
     Ok(reach)
 }

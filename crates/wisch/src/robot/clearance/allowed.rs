@@ -1,6 +1,6 @@
 //! Which pairs of bodies may touch.
 
-use super::super::{JointKind, RobotModel};
+use super::super::{JointKind, LinkId, RobotModel};
 use super::{BodyId, CollisionModel, with_scratch};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
@@ -32,18 +32,14 @@ const UNLIMITED_SLIDE: f64 = 1.0;
 /// Of each link: itself if it has shapes, and the nearest links with shapes that hold it or that it
 /// holds.
 pub(super) fn neighbours(robot: &RobotModel) -> Vec<Vec<BodyId>> {
-    let parent = |link: usize| {
-        let joint = robot.links()[link].parent?;
-        Some(robot.joints()[joint.index()].parent.index())
-    };
     let has_shapes = |link: usize| !robot.links()[link].collision.is_empty();
     let mut near = vec![Vec::new(); robot.links().len()];
     for link in 0..near.len() {
         if has_shapes(link) {
             near[link].push(BodyId(link));
         }
-        let mut above = parent(link);
-        while let Some(holder) = above {
+        for joint in robot.joints_above(LinkId(link)) {
+            let holder = joint.parent.index();
             if has_shapes(link) {
                 near[holder].push(BodyId(link));
             }
@@ -51,7 +47,6 @@ pub(super) fn neighbours(robot: &RobotModel) -> Vec<Vec<BodyId>> {
                 near[link].push(BodyId(holder));
                 break;
             }
-            above = parent(holder);
         }
     }
     near

@@ -1,13 +1,13 @@
 //! The frames of a robot that move against each other: links that are fixed to each other share one.
 
-use super::super::chain::{Frame, z_to};
+use super::super::frame::{Frame, z_to};
 use super::super::{JointKind, RobotModel};
 use crate::geometry::Pose;
 use nalgebra::Translation3;
 
 /// The frames of a robot, a parent before its children. Frame 0 stands still: it is the root link's.
 #[derive(Debug, Clone)]
-pub(super) struct Frames {
+pub(super) struct LinkFrames {
     /// What moves frame i + 1.
     joints: Vec<MovingJoint>,
 }
@@ -40,7 +40,7 @@ impl MovingJoint {
     }
 }
 
-impl Frames {
+impl LinkFrames {
     /// The frames of a robot, and where each of its links is.
     pub fn new(robot: &RobotModel) -> (Self, Vec<Mount>) {
         let mut joints: Vec<MovingJoint> = Vec::new();

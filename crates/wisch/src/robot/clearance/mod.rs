@@ -11,11 +11,11 @@ mod tests;
 pub use allowed::Reason;
 pub use segment::SEGMENT_RESOLUTION;
 
-use super::chain::Frame;
+use super::frame::Frame;
 use super::{LinkId, RobotError, RobotModel, Srdf};
 use crate::geometry::{Mesh, Pose};
-use crate::text::UnknownName;
-use frames::{Frames, Mount};
+use crate::source_location::UnknownName;
+use frames::{LinkFrames, Mount};
 use mesh::Placed;
 use segment::Span;
 use solid::Solid;
@@ -66,7 +66,7 @@ use std::ops::Range;
 /// ```
 #[derive(Debug, Clone)]
 pub struct CollisionModel {
-    frames: Frames,
+    frames: LinkFrames,
     /// Names of the variables.
     variables: Vec<String>,
     /// Whether each variable moves; pairs that none of them moves are left out.
@@ -156,7 +156,7 @@ impl CollisionModel {
     /// # Errors
     /// If the SRDF is one of another, larger robot.
     pub fn new(robot: &RobotModel, srdf: Option<&Srdf>) -> Result<Self, RobotError> {
-        let (frames, mounts) = Frames::new(robot);
+        let (frames, mounts) = LinkFrames::new(robot);
         let variables = robot.variables().iter();
         let mut model = Self {
             frames,

@@ -3,7 +3,7 @@
 //! A solid is everything nearer than a radius to a core. Segments and boxes have closed forms; for
 //! other cores the method of Gilbert, Johnson and Keerthi finds the distance, as parry has it.
 
-use super::super::chain::Frame;
+use super::super::frame::Frame;
 use crate::geometry::Vector3;
 use parry3d_f64::math::{Matrix, Pose as ParryPose, Rotation, Vector};
 use parry3d_f64::query::PointQuery;

@@ -1,6 +1,6 @@
 //! Distances of solids against parry's own shapes, which share none of the closed forms.
 
-use super::super::chain::Frame;
+use super::super::frame::Frame;
 use super::super::{Collision, Shape};
 use super::mesh;
 use super::solid::distance;

@@ -1,0 +1,470 @@
+//! The knowledge files as they are written, and how they become knowledge.
+
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+use std::ops::Bound::{Excluded, Included};
+use std::ops::{Bound, RangeBounds};
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::KnowledgeFileError;
+use super::grip::{GripRecord, SecondGripRecord};
+use wisch::geometry::Vector3;
+use wisch::represent::{
+    Action, AngleRange, AreaOfEffect, GrainSize, Interaction, KnowledgeBase, KnowledgeError,
+    LogNormal, MediumEntry, MediumKind, SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry,
+};
+use wisch::source_location::Place;
+
+/// The schema that this version reads.
+pub(super) const SCHEMA: i64 = 1;
+/// Longest name of a tool, medium or surface [bytes].
+pub(super) const NAME_MAX_LEN: usize = 64;
+
+pub(super) type Limits = (Bound<f64>, Bound<f64>);
+
+/// A tenth of a metre: no pad is thicker and no crumb larger.
+const LENGTH_M: Limits = (Excluded(0.0), Included(0.1));
+/// No tool acts further than two metres at once.
+const EXTENT_M: Limits = (Excluded(0.0), Included(2.0));
+/// A coordinate of a point of a tool: no tool reaches further.
+pub(super) const POINT_M: Limits = (Included(-3.0), Included(3.0));
+/// The two ends of a range of angles.
+pub(super) const ANGLE_RAD: Limits = (Included(-PI), Included(PI));
+/// Above what any arm of this class presses with.
+const FORCE_N: Limits = (Excluded(0.0), Included(200.0));
+/// Above what a compliance controller at 1 kHz keeps stable.
+const STIFFNESS_N_PER_M: Limits = (Excluded(0.0), Included(1e5));
+/// Aperiodic at 1; far beyond, the arm no longer moves.
+const DAMPING_RATIO: Limits = (Included(0.0), Included(10.0));
+/// A weight relative to the Cartesian task.
+const WEIGHT: Limits = (Included(0.0), Included(1e3));
+/// Coulomb friction; rubber on glass comes near 2.
+const FRICTION: Limits = (Included(0.0), Included(5.0));
+/// Medians of f′ between e⁻¹⁰ and e¹⁰: beyond, every or no contact works.
+const MU: Limits = (Included(-10.0), Included(10.0));
+/// Wider than ten decades says nothing.
+const SIGMA: Limits = (Excluded(0.0), Included(10.0));
+/// Length of a direction, before it is made exactly one.
+pub(super) const UNIT_NORM: Limits = (Included(0.99), Included(1.01));
+
+#[derive(Deserialize)]
+struct SchemaRecord {
+    schema: Spanned<i64>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FileRecord {
+    #[serde(rename = "schema")]
+    _schema: i64,
+    #[serde(default, rename = "tool")]
+    tools: Vec<ToolRecord>,
+    #[serde(default, rename = "medium")]
+    media: Vec<MediumRecord>,
+    #[serde(default, rename = "surface")]
+    surfaces: Vec<SurfaceRecord>,
+    #[serde(default, rename = "interaction")]
+    interactions: Vec<InteractionRecord>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ToolRecord {
+    name: Spanned<String>,
+    mesh_file: Spanned<String>,
+    compression_depth_m: Spanned<f64>,
+    area_of_effect: Option<AreaOfEffectRecord>,
+    rotation_about_normal_rad: Spanned<[f64; 2]>,
+    tilt: Option<TiltRecord>,
+    grasp: String,
+    grip: Option<GripRecord>,
+    second_grip: Option<SecondGripRecord>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct AreaOfEffectRecord {
+    width_m: Spanned<f64>,
+    depth_m: Spanned<f64>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TiltRecord {
+    axis_in_tool: Spanned<[f64; 3]>,
+    range_rad: Spanned<[f64; 2]>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MediumRecord {
+    name: Spanned<String>,
+    kind: KindRecord,
+    grain_size_m: Option<Spanned<[f64; 2]>>,
+}
+
+#[derive(Deserialize, Clone, Copy)]
+#[serde(rename_all = "lowercase")]
+enum KindRecord {
+    Solid,
+    Liquid,
+    Powder,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SurfaceRecord {
+    name: Spanned<String>,
+    friction: Spanned<f64>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct InteractionRecord {
+    tool: Spanned<String>,
+    medium: Spanned<String>,
+    surface: Spanned<String>,
+    actions: Spanned<Vec<Spanned<String>>>,
+    press_force_n: Spanned<f64>,
+    stiffness_n_per_m: Spanned<f64>,
+    damping_ratio: Spanned<f64>,
+    nullspace_posture_weight: Spanned<f64>,
+    compression_depth_m: Option<Spanned<f64>>,
+    mu: Spanned<f64>,
+    sigma: Spanned<f64>,
+}
+
+/// One text with its name; says where in it something stands.
+#[derive(Clone, Copy)]
+pub(super) struct Source<'a> {
+    name: &'a str,
+    text: &'a str,
+}
+
+impl Source<'_> {
+    pub(super) fn place<T>(self, spanned: &Spanned<T>) -> Place {
+        Place::at_offset(self.name, self.text, spanned.span().start)
+    }
+
+    fn syntax_error(self, error: &toml::de::Error) -> KnowledgeFileError {
+        let offset = error.span().map_or(0, |span| span.start);
+        KnowledgeFileError::Syntax {
+            at: Place::at_offset(self.name, self.text, offset),
+            message: error.message().to_owned(),
+        }
+    }
+
+    fn record(self) -> Result<FileRecord, KnowledgeFileError> {
+        let SchemaRecord { schema } =
+            toml::from_str(self.text).map_err(|error| self.syntax_error(&error))?;
+        if *schema.get_ref() != SCHEMA {
+            return Err(KnowledgeFileError::Schema {
+                at: self.place(&schema),
+                found: *schema.get_ref(),
+            });
+        }
+        toml::from_str(self.text).map_err(|error| self.syntax_error(&error))
+    }
+
+    fn new_name(self, name: &Spanned<String>) -> Result<String, KnowledgeFileError> {
+        let text = name.get_ref();
+        let is_pddl_name = text.starts_with(|c: char| c.is_ascii_lowercase())
+            && text
+                .bytes()
+                .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || b"_-".contains(&c));
+        if is_pddl_name && text.len() <= NAME_MAX_LEN && text != SurfaceScope::ANY_NAME {
+            Ok(text.clone())
+        } else {
+            Err(KnowledgeFileError::BadName {
+                at: self.place(name),
+                name: text.clone(),
+            })
+        }
+    }
+
+    /// What a look-up of `name` found.
+    fn found<T>(
+        self,
+        name: &Spanned<String>,
+        found: Result<T, KnowledgeError>,
+    ) -> Result<T, KnowledgeFileError> {
+        found.map_err(|error| KnowledgeFileError::UnknownReference {
+            at: self.place(name),
+            error,
+        })
+    }
+
+    pub(super) fn number(
+        self,
+        field: &'static str,
+        value: &Spanned<f64>,
+        limits: Limits,
+    ) -> Result<f64, KnowledgeFileError> {
+        self.within(field, self.place(value), *value.get_ref(), limits)
+    }
+
+    pub(super) fn within(
+        self,
+        field: &'static str,
+        at: Place,
+        value: f64,
+        limits: Limits,
+    ) -> Result<f64, KnowledgeFileError> {
+        if limits.contains(&value) {
+            return Ok(value);
+        }
+        let side = |bound, included: &str, excluded: &str| match bound {
+            Included(limit) => format!("{included} {limit}"),
+            Excluded(limit) => format!("{excluded} {limit}"),
+            Bound::Unbounded => "any".to_owned(),
+        };
+        Err(KnowledgeFileError::OutOfRange {
+            at,
+            field,
+            value,
+            limits: format!(
+                "{} and {}",
+                side(limits.0, "at least", "above"),
+                side(limits.1, "at most", "below")
+            ),
+        })
+    }
+
+    /// Two numbers in ascending order.
+    fn ascending(
+        self,
+        field: &'static str,
+        pair: &Spanned<[f64; 2]>,
+        limits: Limits,
+    ) -> Result<[f64; 2], KnowledgeFileError> {
+        let [min, max] = *pair.get_ref();
+        self.within(field, self.place(pair), min, limits)?;
+        self.within(field, self.place(pair), max, limits)?;
+        if min > max {
+            return Err(KnowledgeFileError::Inconsistent {
+                at: self.place(pair),
+                problem: format!("{field}: {min} comes before {max} but is larger"),
+            });
+        }
+        Ok([min, max])
+    }
+
+    fn angles(
+        self,
+        field: &'static str,
+        pair: &Spanned<[f64; 2]>,
+    ) -> Result<AngleRange, KnowledgeFileError> {
+        let [min_rad, max_rad] = self.ascending(field, pair, ANGLE_RAD)?;
+        Ok(AngleRange { min_rad, max_rad })
+    }
+
+    fn tool(self, record: &ToolRecord) -> Result<ToolEntry, KnowledgeFileError> {
+        if record.mesh_file.get_ref().is_empty() {
+            return Err(KnowledgeFileError::Inconsistent {
+                at: self.place(&record.mesh_file),
+                problem: "mesh_file is empty".to_owned(),
+            });
+        }
+        Ok(ToolEntry {
+            name: self.new_name(&record.name)?,
+            mesh_file: record.mesh_file.get_ref().clone(),
+            compression_depth_m: self.number(
+                "compression_depth_m",
+                &record.compression_depth_m,
+                LENGTH_M,
+            )?,
+            area_of_effect: (record.area_of_effect.as_ref())
+                .map(|area| self.area_of_effect(area))
+                .transpose()?,
+            rotation_about_normal: self.angles(
+                "rotation_about_normal_rad",
+                &record.rotation_about_normal_rad,
+            )?,
+            tilt: (record.tilt.as_ref())
+                .map(|tilt| self.tilt(tilt))
+                .transpose()?,
+            grasp: record.grasp.clone(),
+            grip: (record.grip.as_ref())
+                .map(|grip| self.grip(grip))
+                .transpose()?,
+            second_grip: (record.second_grip.as_ref())
+                .map(|grip| self.second_grip(grip))
+                .transpose()?,
+        })
+    }
+
+    fn area_of_effect(
+        self,
+        record: &AreaOfEffectRecord,
+    ) -> Result<AreaOfEffect, KnowledgeFileError> {
+        Ok(AreaOfEffect {
+            width_m: self.number("width_m", &record.width_m, EXTENT_M)?,
+            depth_m: self.number("depth_m", &record.depth_m, EXTENT_M)?,
+        })
+    }
+
+    fn tilt(self, record: &TiltRecord) -> Result<TiltFreedom, KnowledgeFileError> {
+        let axis = Vector3::from(*record.axis_in_tool.get_ref());
+        let at = self.place(&record.axis_in_tool);
+        self.within("length of axis_in_tool", at, axis.norm(), UNIT_NORM)?;
+        Ok(TiltFreedom {
+            axis_in_tool: nalgebra::Unit::new_normalize(axis),
+            range: self.angles("range_rad", &record.range_rad)?,
+        })
+    }
+
+    fn medium(self, record: &MediumRecord) -> Result<MediumEntry, KnowledgeFileError> {
+        let name = self.new_name(&record.name)?;
+        let inconsistent = |problem: &str| KnowledgeFileError::Inconsistent {
+            at: self.place(&record.name),
+            problem: format!("medium {name}: {problem}"),
+        };
+        let kind = match (record.kind, &record.grain_size_m) {
+            (KindRecord::Liquid, Some(_)) => {
+                return Err(inconsistent("a liquid has no grain_size_m"));
+            }
+            (KindRecord::Solid | KindRecord::Powder, None) => {
+                return Err(inconsistent("grain_size_m = [min, max] is missing"));
+            }
+            (KindRecord::Solid, Some(_)) => MediumKind::Solid,
+            (KindRecord::Powder, Some(_)) => MediumKind::Powder,
+            (KindRecord::Liquid, None) => MediumKind::Liquid,
+        };
+        let grain_size = match &record.grain_size_m {
+            None => None,
+            Some(sizes) => {
+                let [min_m, max_m] = self.ascending("grain_size_m", sizes, LENGTH_M)?;
+                Some(GrainSize { min_m, max_m })
+            }
+        };
+        Ok(MediumEntry {
+            name,
+            kind,
+            grain_size,
+        })
+    }
+
+    fn surface(self, record: &SurfaceRecord) -> Result<SurfaceEntry, KnowledgeFileError> {
+        Ok(SurfaceEntry {
+            name: self.new_name(&record.name)?,
+            friction: self.number("friction", &record.friction, FRICTION)?,
+        })
+    }
+
+    fn interaction(
+        self,
+        record: &InteractionRecord,
+        knowledge: &KnowledgeBase,
+    ) -> Result<Interaction, KnowledgeFileError> {
+        let tool = self.found(&record.tool, knowledge.tool(record.tool.get_ref()))?;
+        let surface = if record.surface.get_ref() == SurfaceScope::ANY_NAME {
+            SurfaceScope::Any
+        } else {
+            let surface = knowledge.surface(record.surface.get_ref());
+            SurfaceScope::Named(self.found(&record.surface, surface)?.name.clone())
+        };
+        let compression_depth_m = match &record.compression_depth_m {
+            Some(depth) => self.number("compression_depth_m", depth, LENGTH_M)?,
+            None => tool.compression_depth_m,
+        };
+        let actions = (record.actions.get_ref().iter())
+            .map(|action| {
+                let parsed = action.get_ref().parse::<Action>();
+                self.found(action, parsed.map_err(KnowledgeError::from))
+            })
+            .collect::<Result<_, _>>()?;
+        if record.actions.get_ref().is_empty() {
+            return Err(KnowledgeFileError::Inconsistent {
+                at: self.place(&record.actions),
+                problem: "an interaction needs at least one action".to_owned(),
+            });
+        }
+        let number = |field, value, limits| self.number(field, value, limits);
+        let medium = knowledge.medium(record.medium.get_ref());
+        Ok(Interaction {
+            medium: self.found(&record.medium, medium)?.name.clone(),
+            tool: tool.name.clone(),
+            surface,
+            actions,
+            press_force_n: number("press_force_n", &record.press_force_n, FORCE_N)?,
+            stiffness_n_per_m: number(
+                "stiffness_n_per_m",
+                &record.stiffness_n_per_m,
+                STIFFNESS_N_PER_M,
+            )?,
+            damping_ratio: number("damping_ratio", &record.damping_ratio, DAMPING_RATIO)?,
+            nullspace_posture_weight: number(
+                "nullspace_posture_weight",
+                &record.nullspace_posture_weight,
+                WEIGHT,
+            )?,
+            compression_depth_m,
+            likelihood: LogNormal {
+                mu: number("mu", &record.mu, MU)?,
+                sigma: number("sigma", &record.sigma, SIGMA)?,
+            },
+        })
+    }
+}
+
+/// Where each thing was first defined, to catch the second time.
+#[derive(Default)]
+struct Definitions(BTreeMap<String, Place>);
+
+impl Definitions {
+    fn define(&mut self, what: String, at: Place) -> Result<(), KnowledgeFileError> {
+        match self.0.get(&what) {
+            Some(first) => Err(KnowledgeFileError::Duplicate {
+                at,
+                first: first.clone(),
+                what,
+            }),
+            None => {
+                self.0.insert(what, at);
+                Ok(())
+            }
+        }
+    }
+}
+
+/// Reads all texts; interactions last, for they refer to the rest.
+pub(super) fn read(files: &[(&str, &str)]) -> Result<KnowledgeBase, KnowledgeFileError> {
+    let mut knowledge = KnowledgeBase::default();
+    let mut definitions = Definitions::default();
+    let mut interactions = Vec::new();
+    for &(name, text) in files {
+        let source = Source { name, text };
+        let file = source.record()?;
+        for record in &file.tools {
+            let tool = source.tool(record)?;
+            definitions.define(format!("tool {}", tool.name), source.place(&record.name))?;
+            knowledge.insert_tool(tool);
+        }
+        for record in &file.media {
+            let medium = source.medium(record)?;
+            let at = source.place(&record.name);
+            definitions.define(format!("medium {}", medium.name), at)?;
+            knowledge.insert_medium(medium);
+        }
+        for record in &file.surfaces {
+            let surface = source.surface(record)?;
+            let at = source.place(&record.name);
+            definitions.define(format!("surface {}", surface.name), at)?;
+            knowledge.insert_surface(surface);
+        }
+        interactions.extend(file.interactions.into_iter().map(|record| (source, record)));
+    }
+    for (source, record) in &interactions {
+        let interaction = source.interaction(record, &knowledge)?;
+        let what = format!(
+            "interaction {}, {}, {}",
+            interaction.tool, interaction.medium, interaction.surface
+        );
+        definitions.define(what, source.place(&record.tool))?;
+        let inserted = knowledge.insert_interaction(interaction);
+        source.found(&record.tool, inserted)?;
+    }
+    Ok(knowledge)
+}

@@ -1,0 +1,178 @@
+//! From a task file to a task that can be planned.
+
+use crate::assets::{KnowledgeSource, beside, read_text};
+use crate::error::Error;
+use crate::task_file::{Intent, TaskFile};
+use std::path::{Path, PathBuf};
+use wisch::plan::{CoverageStrategy, GoalLiteral, PlanConfig, resolve_goal};
+use wisch::represent::{Action, KnowledgeBase, Task};
+use wisch::source_location::UnknownName;
+
+/// What a task gets that asks for none: the paper's plainest, which never leaves a free cell out.
+const DEFAULT_STRATEGY: CoverageStrategy = CoverageStrategy::Grid;
+
+/// What is to be different from what a task file says.
+#[derive(Debug, Clone, Default)]
+pub struct LoadOptions {
+    /// Values laid over the file's, see [`TaskFile::parse`].
+    pub settings: Vec<(String, String)>,
+    /// The folder with tools, media, surfaces, interactions and the domain; `None` takes those shipped.
+    pub knowledge: Option<PathBuf>,
+    /// What to do; `None` leaves it to the file.
+    pub action: Option<Action>,
+    /// How to place the nodes; `None` leaves it to the file.
+    pub strategy: Option<CoverageStrategy>,
+    /// Seed of everything random; `None` leaves it to the file.
+    pub seed: Option<u64>,
+}
+
+/// A task with all that its file says about it.
+#[derive(Debug, Clone)]
+pub struct LoadedTask {
+    /// The task file.
+    pub file: TaskFile,
+    /// The task.
+    pub task: Task,
+    /// How to plan it.
+    pub config: PlanConfig,
+    /// The goal and the steps that reach it, where the file states a goal and not an action.
+    pub derived: Option<Derivation>,
+    /// What is known of tools, media and surfaces.
+    pub knowledge: KnowledgeBase,
+}
+
+/// How an action was derived from a goal.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Derivation {
+    /// The goal.
+    pub goal: String,
+    /// The symbolic plan.
+    pub steps: Vec<String>,
+}
+
+/// What is to be done with what.
+struct Chosen {
+    action: Action,
+    tool: String,
+    medium: String,
+    derived: Option<Derivation>,
+}
+
+/// Reads a task file and everything that it refers to: knowledge, meshes and particles, as paths from the file's
+/// folder.
+///
+/// # Errors
+/// A file that cannot be read or is refused, a goal that no action reaches, or an unknown name.
+///
+/// ```
+/// use wisch_io::{LoadOptions, load_task};
+/// # let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/chopping-board.toml").as_ref();
+/// let loaded = load_task(path, &LoadOptions { seed: Some(3), ..LoadOptions::default() })?;
+/// assert_eq!(loaded.task.surface.name, "chopping_board");
+/// let plan = wisch::plan::plan(&loaded.task, &loaded.config).unwrap();
+/// assert!(plan.contact_distance() > 1.0);
+/// # Ok::<(), wisch_io::Error>(())
+/// ```
+pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error> {
+    let shown = path.display().to_string();
+    let file = TaskFile::parse(&shown, &read_text(path)?, &options.settings)?;
+    let source = KnowledgeSource::new(options.knowledge.as_deref());
+    let knowledge = source.base()?;
+    let chosen = choose(&file, &shown, options.action, &knowledge, &source)?;
+    let seed = options.seed.unwrap_or(file.seed());
+    let task = file.resolve(
+        chosen.action,
+        &chosen.tool,
+        &chosen.medium,
+        seed,
+        &knowledge,
+        &mut beside(path),
+        &mut |path| source.asset(path),
+    )?;
+    let config = PlanConfig {
+        strategy: match (options.strategy, file.strategy()) {
+            (Some(strategy), _) => strategy,
+            (None, Some(name)) => strategy_named(name, &shown)?,
+            (None, None) => DEFAULT_STRATEGY,
+        },
+        seed,
+        bandwidth: file.bandwidth_m(),
+        lift_height: file.lift_height_m(),
+    };
+    Ok(LoadedTask {
+        file,
+        task,
+        config,
+        derived: chosen.derived,
+        knowledge,
+    })
+}
+
+fn strategy_named(name: &str, shown: &str) -> Result<CoverageStrategy, Error> {
+    name.parse().map_err(|_| {
+        let known = CoverageStrategy::ALL.map(CoverageStrategy::as_str);
+        Error::Strategy {
+            file: shown.to_owned(),
+            unknown: UnknownName::new("strategy", name, known),
+        }
+    })
+}
+
+fn choose(
+    file: &TaskFile,
+    shown: &str,
+    action: Option<Action>,
+    knowledge: &KnowledgeBase,
+    source: &KnowledgeSource,
+) -> Result<Chosen, Error> {
+    match file.intent() {
+        Intent::Action {
+            action: stated,
+            tool,
+            medium,
+        } => Ok(Chosen {
+            action: action.unwrap_or(*stated),
+            tool: tool.clone(),
+            medium: medium.clone(),
+            derived: None,
+        }),
+        Intent::Goal {
+            literal,
+            tool_in_hand,
+            available_tools,
+        } => {
+            let in_file = |error| Error::Goal {
+                file: shown.to_owned(),
+                literal: literal.clone(),
+                error,
+            };
+            let goal = GoalLiteral::parse(literal).map_err(in_file)?;
+            let tools: Vec<&str> = available_tools.iter().map(String::as_str).collect();
+            let resolved = resolve_goal(
+                &goal,
+                &source.domain()?,
+                knowledge,
+                tool_in_hand.as_deref(),
+                &tools,
+            )
+            .map_err(in_file)?;
+            if let Some(asked) = action.filter(|action| *action != resolved.action) {
+                return Err(Error::Contradiction {
+                    file: shown.to_owned(),
+                    asked,
+                    literal: literal.clone(),
+                    needed: resolved.action,
+                });
+            }
+            Ok(Chosen {
+                action: resolved.action,
+                tool: resolved.tool,
+                medium: resolved.medium,
+                derived: Some(Derivation {
+                    goal: goal.to_string(),
+                    steps: resolved.steps,
+                }),
+            })
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! Particles from a mask or photo, registered to the surface by its four corners.
+
+use super::ParticleSourceError;
+use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+use rand::RngExt;
+use std::io::Cursor;
+use wisch::geometry::{Bounds2, Point2, Vector2};
+use wisch::represent::{DirtArea, ParticleDistribution, SourceError, particle_generator};
+
+/// Most pixels of an image: a large photo, and 200 MB once decoded.
+const MAX_PIXELS: u64 = 64_000_000;
+/// Memory that decoding may take: MAX_PIXELS at 16 bits in four channels [bytes].
+const MAX_DECODER_MEMORY: u64 = MAX_PIXELS * 8;
+/// Draws within a pixel that straddles the border, before its middle is taken.
+const DRAWS_PER_PIXEL: usize = 64;
+/// Corners that turn less than this relative to the lengths of their sides lie on a line.
+const MIN_CORNER_SINE: f64 = 1e-3;
+
+/// Dirt as the pixels of an image that have its colour.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MaskSource {
+    /// Path of a PNG or JPEG, relative to the task file.
+    pub file: String,
+    /// Where the surface's corners are seen: those of its bounding box at (min x, min y),
+    /// (max x, min y), (max x, max y), (min x, max y) [pixels, x right, y down, (0, 0) = outer
+    /// corner of the first pixel].
+    pub corners_px: [Point2; 4],
+    /// Colour of the dirt: red, green, blue.
+    pub color: [u8; 3],
+    /// Greatest Euclidean distance from that colour in RGB [0..442].
+    pub tolerance: f64,
+    /// How many particles to draw.
+    pub count: usize,
+}
+
+/// Particles drawn evenly from the pixels of the mask's colour within the area.
+///
+/// `bytes`: PNG or JPEG. Each particle lies at random within its pixel.
+///
+/// # Errors
+/// Bytes that are no such image or exceed 64 megapixels; corners that lie outside the image, on a
+/// line, or the wrong way round; no pixel of that colour on the free surface; or a bad count.
+pub fn mask_particles(
+    source: &MaskSource,
+    bytes: &[u8],
+    area: DirtArea<'_>,
+    seed: u64,
+) -> Result<ParticleDistribution, ParticleSourceError> {
+    SourceError::check_count(source.count)?;
+    let fault = |problem: String| ParticleSourceError::Image {
+        file: source.file.clone(),
+        problem,
+    };
+    let image = decoded(bytes).map_err(fault)?;
+    let (width, height) = image.dimensions();
+    let surface_from_pixel = source.homography(area, width, height).map_err(fault)?;
+    let pixels: Vec<(u32, u32)> = image
+        .enumerate_pixels()
+        .filter(|(.., color)| source.matches(color.0))
+        .map(|(column, row, _)| (column, row))
+        .filter(|&(column, row)| {
+            let middle = Point2::new(f64::from(column) + 0.5, f64::from(row) + 0.5);
+            mapped(&surface_from_pixel, middle).is_some_and(|point| area.contains(point))
+        })
+        .collect();
+    if pixels.is_empty() {
+        let ([r, g, b], tolerance) = (source.color, source.tolerance);
+        return Err(fault(format!(
+            "no pixel on the free surface is within {tolerance} of the colour [{r}, {g}, {b}]"
+        )));
+    }
+    let mut random = particle_generator(seed);
+    let points: Vec<Point2> = (0..source.count)
+        .map(|_| {
+            let (column, row) = pixels[random.random_range(0..pixels.len())];
+            let corner = Point2::new(f64::from(column), f64::from(row));
+            (0..DRAWS_PER_PIXEL)
+                .find_map(|_| {
+                    let within = Vector2::new(random.random(), random.random());
+                    mapped(&surface_from_pixel, corner + within).filter(|&p| area.contains(p))
+                })
+                .or_else(|| mapped(&surface_from_pixel, corner + Vector2::new(0.5, 0.5)))
+                .unwrap_or_else(Point2::origin)
+        })
+        .collect();
+    Ok(ParticleDistribution::new(&points)?)
+}
+
+impl MaskSource {
+    fn matches(&self, color: [u8; 3]) -> bool {
+        let squared: f64 = (color.iter().zip(self.color))
+            .map(|(&a, b)| (f64::from(a) - f64::from(b)).powi(2))
+            .sum();
+        squared <= self.tolerance * self.tolerance
+    }
+
+    /// The projective map that takes the four corners in the image to those of the outline's bounds.
+    fn homography(
+        &self,
+        area: DirtArea<'_>,
+        width: u32,
+        height: u32,
+    ) -> Result<Matrix3<f64>, String> {
+        for (corner, p) in self.corners_px.iter().enumerate() {
+            let (width, height) = (f64::from(width), f64::from(height));
+            if !((0.0..=width).contains(&p.x) && (0.0..=height).contains(&p.y)) {
+                return Err(format!(
+                    "corners_px[{corner}] = [{}, {}] lies outside the image of {width} x {height} pixels",
+                    p.x, p.y
+                ));
+            }
+        }
+        for corner in 0..4 {
+            let [before, here, after] = [3, 4, 5].map(|step| self.corners_px[(corner + step) % 4]);
+            let (one, other) = (here - before, after - here);
+            let turn = one.perp(&other);
+            if turn.abs() <= MIN_CORNER_SINE * one.norm() * other.norm() {
+                return Err(format!(
+                    "corners_px[{corner}] lies on a line with its neighbours"
+                ));
+            }
+            // y points down in an image: counter-clockwise on the surface turns the other way there.
+            if turn > 0.0 {
+                return Err(
+                    "corners_px do not go round the surface counter-clockwise as seen in the image: \
+                     give the corners at (min x, min y), (max x, min y), (max x, max y), (min x, max y)"
+                        .to_owned(),
+                );
+            }
+        }
+        let bounds = Bounds2::of(area.outline.outer().iter().copied())
+            .ok_or_else(|| "the surface has no outline".to_owned())?;
+        let (min, max) = (bounds.min, bounds.max);
+        let corners = [
+            min,
+            Point2::new(max.x, min.y),
+            max,
+            Point2::new(min.x, max.y),
+        ];
+        // Eight equations for h0..h7. h8 = 1 is the weight at the origin, which must not lie on the
+        // horizon: so count from the middle of the corners, scaled to the image for their condition.
+        let scale = 1.0 / f64::from(width.max(height));
+        let middle = self.corners_px.iter().map(|p| p.coords).sum::<Vector2>() / 4.0;
+        let mut rows = SMatrix::<f64, 8, 8>::zeros();
+        let mut right = SVector::<f64, 8>::zeros();
+        for (i, (pixel, point)) in self.corners_px.iter().zip(corners).enumerate() {
+            let [u, v] = ((pixel.coords - middle) * scale).into();
+            let x = [u, v, 1.0, 0.0, 0.0, 0.0, -point.x * u, -point.x * v];
+            let y = [0.0, 0.0, 0.0, u, v, 1.0, -point.y * u, -point.y * v];
+            rows.row_mut(2 * i).copy_from_slice(&x);
+            rows.row_mut(2 * i + 1).copy_from_slice(&y);
+            right[2 * i] = point.x;
+            right[2 * i + 1] = point.y;
+        }
+        let h = rows
+            .lu()
+            .solve(&right)
+            .ok_or_else(|| "corners_px are not the corners of a quadrilateral".to_owned())?;
+        let from_scaled = Matrix3::new(h[0], h[1], h[2], h[3], h[4], h[5], h[6], h[7], 1.0);
+        let mut scaled_from_pixel = Matrix3::from_diagonal(&Vector3::new(scale, scale, 1.0));
+        scaled_from_pixel.set_column(2, &(-middle * scale).push(1.0));
+        Ok(from_scaled * scaled_from_pixel)
+    }
+}
+
+/// The point of the surface at a place in the image; `None` on or beyond the horizon.
+fn mapped(surface_from_pixel: &Matrix3<f64>, pixel: Point2) -> Option<Point2> {
+    let p = surface_from_pixel * pixel.to_homogeneous();
+    (p.z > 1e-9).then(|| Point2::new(p.x / p.z, p.y / p.z))
+}
+
+fn decoded(bytes: &[u8]) -> Result<image::RgbImage, String> {
+    let reader = || {
+        let reader = image::ImageReader::new(Cursor::new(bytes)).with_guessed_format();
+        reader.map_err(|error| error.to_string())
+    };
+    let refused =
+        |error: image::ImageError| format!("it is no PNG or JPEG that can be read: {error}");
+    let (width, height) = reader()?.into_dimensions().map_err(refused)?;
+    if u64::from(width) * u64::from(height) > MAX_PIXELS {
+        return Err(format!(
+            "{width} x {height} pixels exceed the limit of {MAX_PIXELS}"
+        ));
+    }
+    let mut limits = image::Limits::default();
+    limits.max_alloc = Some(MAX_DECODER_MEMORY);
+    let mut reader = reader()?;
+    reader.limits(limits);
+    Ok(reader.decode().map_err(refused)?.to_rgb8())
+}

@@ -1,0 +1,234 @@
+//! Particles listed in CSV files: bare positions, or an estimate with fates.
+
+use super::ParticleSourceError;
+use std::fmt::Write;
+use wisch::geometry::Point2;
+use wisch::represent::{DirtArea, Fate, MAX_PARTICLES, ParticleDistribution, ParticleError};
+
+/// Header of the lists that [`particles_to_csv`] writes.
+const ESTIMATE_HEADER: [&str; 5] = ["particle", "x_m", "y_m", "fate", "edge"];
+/// Furthest a coordinate of a list may be from the surface's origin [m].
+const MAX_POSITION: f64 = 100.0;
+
+/// Particles from a CSV text: two columns x and y [m] in the surface frame, with or without the
+/// header `x,y` or `x_m,y_m`; or a list with fates as [`particles_to_csv`] writes it.
+/// Lines that start with `#` are skipped.
+///
+/// # Errors
+/// A line that does not follow the format, a particle on the surface that would lie off its outline,
+/// an edge that the outline does not have, or no particle at all: each with `file` and line.
+/// Positions under an object of the scene are taken as they are: the file knows where it saw dirt.
+pub fn csv_particles(
+    file: &str,
+    text: &[u8],
+    area: DirtArea<'_>,
+) -> Result<ParticleDistribution, ParticleSourceError> {
+    let rows = rows(file, text)?;
+    let edges = area.outline.edges().count();
+    for row in &rows {
+        let at = |problem| ParticleSourceError::Line {
+            file: file.to_owned(),
+            line: row.line,
+            problem,
+        };
+        match row.fate {
+            Fate::OnSurface if !area.outline.contains(row.position) => {
+                let Point2 { coords } = row.position;
+                return Err(at(format!(
+                    "({}, {}) m lies off the surface's outline",
+                    coords.x, coords.y
+                )));
+            }
+            Fate::OffSurface { edge } if usize::from(edge) >= edges => {
+                return Err(at(format!(
+                    "edge = {edge}, but the outline has {edges} edges (counted from 0)"
+                )));
+            }
+            _ => {}
+        }
+    }
+    distribution(&rows)
+}
+
+/// The particles as CSV with columns `particle,x_m,y_m,fate,edge`: index, position in the surface
+/// frame [m], `on_surface`, `absorbed` or `off_surface`, and for the last the edge it went over.
+/// Numbers are written so that reading them gives back the same bits.
+///
+/// ```
+/// use wisch::{geometry::Point2, represent::ParticleDistribution};
+/// use wisch_io::{particles_from_csv, particles_to_csv};
+/// let crumbs = ParticleDistribution::new(&[Point2::new(0.1, -0.25)])?;
+/// let text = particles_to_csv(&crumbs);
+/// assert_eq!(text, "particle,x_m,y_m,fate,edge\n0,0.1,-0.25,on_surface,\n");
+/// assert_eq!(particles_from_csv("estimate.csv", text.as_bytes())?, crumbs);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn particles_to_csv(particles: &ParticleDistribution) -> String {
+    let mut text = ESTIMATE_HEADER.join(",") + "\n";
+    for (particle, (position, fate)) in particles.iter().enumerate() {
+        let (fate, edge) = match fate {
+            Fate::OnSurface => ("on_surface", String::new()),
+            Fate::Absorbed => ("absorbed", String::new()),
+            Fate::OffSurface { edge } => ("off_surface", edge.to_string()),
+        };
+        let (x, y) = (position.x, position.y);
+        // Writing to a String does not fail.
+        let _ = writeln!(text, "{particle},{x},{y},{fate},{edge}");
+    }
+    text
+}
+
+/// The particles that [`particles_to_csv`] wrote; bare positions are taken as lying on the surface.
+/// `file` is used in error messages.
+///
+/// # Errors
+/// A line that does not follow the format, or no particle at all: with file and line.
+pub fn particles_from_csv(
+    file: &str,
+    text: &[u8],
+) -> Result<ParticleDistribution, ParticleSourceError> {
+    distribution(&rows(file, text)?)
+}
+
+struct Row {
+    line: u64,
+    position: Point2,
+    fate: Fate,
+}
+
+fn distribution(rows: &[Row]) -> Result<ParticleDistribution, ParticleSourceError> {
+    let particles: Vec<_> = rows.iter().map(|row| (row.position, row.fate)).collect();
+    Ok(ParticleDistribution::with_fates(&particles)?)
+}
+
+/// Which columns a list has.
+#[derive(Clone, Copy, PartialEq)]
+enum Columns {
+    Positions,
+    Estimate,
+}
+
+fn rows(file: &str, text: &[u8]) -> Result<Vec<Row>, ParticleSourceError> {
+    let fault = |line: u64, problem: String| ParticleSourceError::Line {
+        file: file.to_owned(),
+        line,
+        problem,
+    };
+    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .trim(csv::Trim::All)
+        .comment(Some(b'#'))
+        .from_reader(text);
+    let mut columns = None;
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|error| {
+            let line = error.position().map_or(1, csv::Position::line);
+            fault(line, error.to_string())
+        })?;
+        let line = record.position().map_or(1, csv::Position::line);
+        let cells: Vec<&str> = record.iter().collect();
+        let columns = match columns {
+            Some(columns) => columns,
+            None => {
+                let header = header(&cells);
+                let first = *columns.insert(header.unwrap_or(Columns::Positions));
+                if header.is_some() {
+                    continue;
+                }
+                first
+            }
+        };
+        if rows.len() == MAX_PARTICLES {
+            return Err(ParticleError::TooMany {
+                count: rows.len() + 1,
+            }
+            .into());
+        }
+        let row = match columns {
+            Columns::Positions => position_row(&cells),
+            Columns::Estimate => estimate_row(&cells, rows.len()),
+        };
+        let (position, fate) = row.map_err(|problem| fault(line, problem))?;
+        rows.push(Row {
+            line,
+            position,
+            fate,
+        });
+    }
+    if rows.is_empty() {
+        return Err(ParticleSourceError::EmptyList {
+            file: file.to_owned(),
+        });
+    }
+    Ok(rows)
+}
+
+fn header(cells: &[&str]) -> Option<Columns> {
+    match cells {
+        ["x", "y"] | ["x_m", "y_m"] => Some(Columns::Positions),
+        cells if cells == ESTIMATE_HEADER => Some(Columns::Estimate),
+        _ => None,
+    }
+}
+
+fn position_row(cells: &[&str]) -> Result<(Point2, Fate), String> {
+    let [x, y] = cells else {
+        return Err(format!(
+            "{} columns, expected 2: x and y in metres",
+            cells.len()
+        ));
+    };
+    Ok((
+        Point2::new(coordinate("x", x)?, coordinate("y", y)?),
+        Fate::OnSurface,
+    ))
+}
+
+fn estimate_row(cells: &[&str], expected: usize) -> Result<(Point2, Fate), String> {
+    let [particle, x, y, fate, edge] = cells else {
+        let (found, columns) = (cells.len(), ESTIMATE_HEADER.join(","));
+        return Err(format!("{found} columns, expected 5: {columns}"));
+    };
+    if *particle != expected.to_string() {
+        return Err(format!(
+            "particle = {particle:?}, expected {expected}: particles are numbered from 0"
+        ));
+    }
+    let position = Point2::new(coordinate("x_m", x)?, coordinate("y_m", y)?);
+    let fate = match (*fate, *edge) {
+        ("on_surface", "") => Fate::OnSurface,
+        ("absorbed", "") => Fate::Absorbed,
+        ("off_surface", edge) => Fate::OffSurface {
+            edge: edge
+                .parse()
+                .map_err(|_| format!("edge = {edge:?} is no index of an edge"))?,
+        },
+        ("on_surface" | "absorbed", edge) => {
+            return Err(format!(
+                "edge = {edge:?}, but only off_surface goes over an edge"
+            ));
+        }
+        (fate, _) => {
+            return Err(format!(
+                "fate = {fate:?}, expected on_surface, absorbed or off_surface"
+            ));
+        }
+    };
+    Ok((position, fate))
+}
+
+fn coordinate(column: &str, cell: &str) -> Result<f64, String> {
+    let value: f64 = cell
+        .parse()
+        .map_err(|_| format!("{column} = {cell:?} is no number"))?;
+    if value.is_finite() && value.abs() <= MAX_POSITION {
+        Ok(value)
+    } else {
+        Err(format!(
+            "{column} = {value} m is outside its limits: at least -{MAX_POSITION} and at most {MAX_POSITION}"
+        ))
+    }
+}

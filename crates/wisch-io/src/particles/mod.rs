@@ -1,0 +1,74 @@
+//! Particles from files: a list of places or an estimate, and a mask or photo.
+
+mod image;
+mod list;
+#[cfg(test)]
+mod tests;
+
+pub use image::{MaskSource, mask_particles};
+pub use list::{csv_particles, particles_from_csv, particles_to_csv};
+
+use wisch::represent::{Cluster, ParticleError, SourceError};
+
+/// How the initial particles are made.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ParticleSource {
+    /// Evenly over the free surface.
+    Uniform {
+        /// How many.
+        count: usize,
+    },
+    /// Heaps.
+    Clusters {
+        /// How many particles in all.
+        count: usize,
+        /// The heaps among which they are shared.
+        clusters: Vec<Cluster>,
+    },
+    /// Listed in a file.
+    Csv {
+        /// Its path, relative to the task file.
+        file: String,
+    },
+    /// Seen in a mask or photo.
+    Image(MaskSource),
+}
+
+/// Why a source yields no particles.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ParticleSourceError {
+    /// They could not be drawn, or the distribution refused them.
+    #[error(transparent)]
+    Source(#[from] SourceError),
+    /// A list of particles is not one.
+    #[error("{file}:{line}: {problem}")]
+    Line {
+        /// The file.
+        file: String,
+        /// Line, counted from 1.
+        line: u64,
+        /// What is wrong there.
+        problem: String,
+    },
+    /// A list without a single particle.
+    #[error("{file}: it lists no particle, at least 1 is needed")]
+    EmptyList {
+        /// The file.
+        file: String,
+    },
+    /// An image that cannot be used.
+    #[error("{file}: {problem}")]
+    Image {
+        /// The file.
+        file: String,
+        /// What is wrong with it.
+        problem: String,
+    },
+}
+
+impl From<ParticleError> for ParticleSourceError {
+    fn from(error: ParticleError) -> Self {
+        Self::Source(error.into())
+    }
+}

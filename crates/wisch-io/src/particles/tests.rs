@@ -1,0 +1,270 @@
+use super::*;
+use proptest::prelude::*;
+use wisch::geometry::{Mesh, Point2, Polygon, Pose, Vector2};
+use wisch::represent::{DirtArea, Fate, OccupiedArea, ParticleDistribution};
+
+const BOARD: [f64; 2] = [0.40, 0.28];
+
+fn board() -> Polygon {
+    Polygon::rectangle(Vector2::from(BOARD))
+}
+
+/// A cup of radius 0.08 m in the middle of the board.
+fn cup() -> OccupiedArea {
+    let mesh = Mesh::cylinder(0.08, 0.1, 48).expect("sizes are positive");
+    OccupiedArea::of([&mesh.transformed(&Pose::translation(0.0, 0.0, 0.05))])
+}
+
+fn bare() -> OccupiedArea {
+    OccupiedArea::default()
+}
+
+fn on<'a>(outline: &'a Polygon, occupied: &'a OccupiedArea) -> DirtArea<'a> {
+    DirtArea { outline, occupied }
+}
+
+fn listed(text: &str) -> Result<ParticleDistribution, ParticleSourceError> {
+    let (board, bare) = (board(), bare());
+    csv_particles("crumbs.csv", text.as_bytes(), on(&board, &bare))
+}
+
+#[test]
+fn a_list_may_have_a_header_comments_and_spaces() {
+    let points = [Point2::new(0.1, -0.05), Point2::new(-0.12, 0.0)];
+    let expected = ParticleDistribution::new(&points).expect("finite");
+    for text in [
+        "0.1,-0.05\n-0.12,0\n",
+        "x,y\n0.1,-0.05\n-0.12,0",
+        "# seen\nx_m, y_m\r\n0.1, -0.05\r\n\r\n-0.12, 0.0\r\n",
+        "\u{feff}x,y\n1e-1,-5e-2\n-0.12,0\n",
+    ] {
+        assert_eq!(listed(text), Ok(expected.clone()), "{text:?}");
+    }
+}
+
+#[test]
+fn a_list_is_refused_with_its_line_and_value() {
+    let estimate = "particle,x_m,y_m,fate,edge\n";
+    for (text, expected) in [
+        ("", "crumbs.csv: it lists no particle, at least 1 is needed"),
+        (
+            "x,y\n",
+            "crumbs.csv: it lists no particle, at least 1 is needed",
+        ),
+        (
+            "x,y\n0,0\n0.1,left\n",
+            "crumbs.csv:3: y = \"left\" is no number",
+        ),
+        (
+            "0,0\n0.3,0\n",
+            "crumbs.csv:2: (0.3, 0) m lies off the surface's outline",
+        ),
+        (
+            "0,0\n0,NaN\n",
+            "crumbs.csv:2: y = NaN m is outside its limits: at least -100 and at most 100",
+        ),
+        ("0,0\n0,1e300\n", "crumbs.csv:2: y = 1"),
+        (
+            "0,0,0\n",
+            "crumbs.csv:1: 3 columns, expected 2: x and y in metres",
+        ),
+        (
+            "0;0\n",
+            "crumbs.csv:1: 1 columns, expected 2: x and y in metres",
+        ),
+        (
+            &format!("{estimate}1,0,0,on_surface,\n"),
+            "crumbs.csv:2: particle = \"1\", expected 0",
+        ),
+        (
+            &format!("{estimate}0,0,0,gone,\n"),
+            "crumbs.csv:2: fate = \"gone\", expected on_surface",
+        ),
+        (
+            &format!("{estimate}0,0,0,absorbed,1\n"),
+            "crumbs.csv:2: edge = \"1\", but only",
+        ),
+        (
+            &format!("{estimate}0,0,0,off_surface,\n"),
+            "crumbs.csv:2: edge = \"\" is no index",
+        ),
+        (
+            &format!("{estimate}0,0,-1,off_surface,4\n"),
+            "crumbs.csv:2: edge = 4, but the outline has 4",
+        ),
+    ] {
+        let error = listed(text).expect_err(text).to_string();
+        assert!(error.starts_with(expected), "{text:?}: {error}");
+    }
+}
+
+#[test]
+fn bytes_that_are_no_text_are_refused_with_their_line() {
+    let (board, bare) = (board(), bare());
+    let error = csv_particles("crumbs.csv", b"0,0\n\xff\xfe,0\n", on(&board, &bare)).unwrap_err();
+    assert!(error.to_string().starts_with("crumbs.csv:2: "), "{error}");
+}
+
+fn fates() -> impl Strategy<Value = Fate> {
+    prop_oneof![
+        Just(Fate::OnSurface),
+        Just(Fate::Absorbed),
+        (0_u16..4).prop_map(|edge| Fate::OffSurface { edge }),
+    ]
+}
+
+proptest! {
+    #[test]
+    fn an_estimate_comes_back_bit_by_bit(
+        particles in prop::collection::vec((-0.19..0.19, -0.13..0.13, fates()), 1..50)
+    ) {
+        let particles: Vec<_> = particles.iter().map(|p| (Point2::new(p.0, p.1), p.2)).collect();
+        let estimate = ParticleDistribution::with_fates(&particles).expect("finite");
+        let text = particles_to_csv(&estimate);
+        prop_assert_eq!(&particles_from_csv("e.csv", text.as_bytes()), &Ok(estimate.clone()));
+        prop_assert_eq!(&listed(&text), &Ok(estimate));
+    }
+
+    #[test]
+    fn no_bytes_make_a_source_panic(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+        let (board, bare) = (board(), bare());
+        let _ = csv_particles("x.csv", &bytes, on(&board, &bare));
+        let _ = mask_particles(&photo(STRAIGHT, 1), &bytes, on(&board, &bare), 1);
+    }
+}
+
+const CRUMB: [u8; 3] = [230, 200, 140];
+/// The board seen from above at 1000 pixels per metre, with a margin of 20 pixels.
+const STRAIGHT: [[f64; 2]; 4] = [[20.0, 300.0], [420.0, 300.0], [420.0, 20.0], [20.0, 20.0]];
+
+fn photo(corners: [[f64; 2]; 4], count: usize) -> MaskSource {
+    MaskSource {
+        file: "photo.png".to_owned(),
+        corners_px: corners.map(Point2::from),
+        color: CRUMB,
+        tolerance: 10.0,
+        count,
+    }
+}
+
+/// A PNG of 440 × 320 pixels, blue but for crumbs of 4 × 4 pixels whose first pixels are given.
+fn png(crumbs: &[[u32; 2]]) -> Vec<u8> {
+    let image = ::image::RgbImage::from_fn(440, 320, |column, row| {
+        let within = |first: u32, at: u32| (first..first + 4).contains(&at);
+        let crumb = crumbs
+            .iter()
+            .any(|c| within(c[0], column) && within(c[1], row));
+        ::image::Rgb(if crumb {
+            [228, 203, 139]
+        } else {
+            [20, 40, 200]
+        })
+    });
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    image
+        .write_to(&mut bytes, ::image::ImageFormat::Png)
+        .expect("written to memory");
+    bytes.into_inner()
+}
+
+#[test]
+fn a_photo_from_above_gives_positions_by_the_rule_of_three() {
+    let (board, bare) = (board(), bare());
+    let bytes = png(&[[120, 80]]);
+    let particles = mask_particles(&photo(STRAIGHT, 200), &bytes, on(&board, &bare), 1)
+        .expect("there is a crumb");
+    assert_eq!(particles.len(), 200);
+    // Columns 120 to 124 lie 0.100 to 0.104 m from the left edge, rows 80 to 84 0.060 to 0.064 m
+    // from the upper one.
+    for p in particles.remaining() {
+        assert!((-0.1 - 1e-9..=-0.096 + 1e-9).contains(&p.x), "{p}");
+        assert!((0.076 - 1e-9..=0.08 + 1e-9).contains(&p.y), "{p}");
+    }
+    let middle = particles.remaining().map(|p| p.coords).sum::<Vector2>() / 200.0;
+    // Uniform over 4 mm: 1.2 mm / √200 = 0.08 mm.
+    assert!((middle - Vector2::new(-0.098, 0.078)).norm() < 5e-4);
+}
+
+#[test]
+fn a_slanted_photo_is_set_right() {
+    // A pinhole camera: what is further up the board is further away.
+    let pixel_of = |x: f64, y: f64| {
+        let depth = 1.0 + 0.8 * y + 0.3 * x;
+        [220.0 + 450.0 * x / depth, 160.0 - 420.0 * y / depth]
+    };
+    let [x, y] = BOARD.map(|size| size / 2.0);
+    let corners = [(-x, -y), (x, -y), (x, y), (-x, y)].map(|(x, y)| pixel_of(x, y));
+    let (board, bare) = (board(), bare());
+    for (x, y) in [(0.1, 0.05), (-0.15, 0.1), (0.0, -0.12), (-0.05, -0.02)] {
+        let [u, v] = pixel_of(x, y);
+        // The crumb's middle is within half a pixel of the true one, its corners 3 further.
+        let crumb = [(u - 2.0).round() as u32, (v - 2.0).round() as u32];
+        let seen = mask_particles(&photo(corners, 100), &png(&[crumb]), on(&board, &bare), 1)
+            .expect("there is a crumb");
+        // At least 330 pixels per metre anywhere on the board, so 3.6 pixels are at most 11 mm.
+        for p in seen.remaining() {
+            assert!(
+                (p - Point2::new(x, y)).norm() < 0.011,
+                "{p} instead of ({x}, {y})"
+            );
+        }
+        let middle = seen.remaining().map(|p| p.coords).sum::<Vector2>() / 100.0;
+        assert!((middle - Vector2::new(x, y)).norm() < 0.003, "{middle}");
+    }
+}
+
+#[test]
+fn crumbs_seen_on_an_object_or_off_the_board_are_left_out() {
+    let (board, cup) = (board(), cup());
+    // On the cup in the middle, outside the board, and on the board.
+    let bytes = png(&[[218, 158], [5, 5], [40, 40]]);
+    let particles = mask_particles(&photo(STRAIGHT, 100), &bytes, on(&board, &cup), 1)
+        .expect("one crumb is on the board");
+    assert!(particles.remaining().all(|p| p.x < -0.17 && p.y > 0.11));
+}
+
+#[test]
+fn photos_that_cannot_be_used_are_refused() {
+    let (board, bare) = (board(), bare());
+    let refused = |corners, bytes: &[u8]| {
+        let result = mask_particles(&photo(corners, 5), bytes, on(&board, &bare), 1);
+        result.expect_err("refused").to_string()
+    };
+    let bytes = png(&[[120, 80]]);
+    let [a, b, c, d] = STRAIGHT;
+    for (corners, bytes, expected) in [
+        (
+            STRAIGHT,
+            &b"not an image"[..],
+            "photo.png: it is no PNG or JPEG",
+        ),
+        (
+            STRAIGHT,
+            &bytes[..bytes.len() / 2],
+            "photo.png: it is no PNG or JPEG",
+        ),
+        (
+            STRAIGHT,
+            &png(&[]),
+            "photo.png: no pixel on the free surface is within 10 of the colour [230, 200, 140]",
+        ),
+        (
+            [d, c, b, a],
+            &bytes,
+            "photo.png: corners_px do not go round",
+        ),
+        (
+            [a, b, [500.0, 20.0], d],
+            &bytes,
+            "photo.png: corners_px[2] = [500, 20] lies outside the image of 440 x 320 pixels",
+        ),
+        (
+            [a, [220.0, 160.0], c, d],
+            &bytes,
+            "photo.png: corners_px[1] lies on a line",
+        ),
+    ] {
+        let error = refused(corners, bytes);
+        assert!(error.starts_with(expected), "{error}");
+    }
+}

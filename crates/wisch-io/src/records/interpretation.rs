@@ -1,0 +1,201 @@
+//! `interpretation.json`, and what `wisch interpret --json` prints: what a log says.
+
+use super::plan::PoseRecord;
+use serde::Serialize;
+use wisch::interpret::{Diagnosis, Event, EventKind, FittedPlane, Interpretation};
+
+/// The format's name.
+pub const INTERPRETATION_FORMAT: &str = "wisch-interpretation";
+/// The schema of the record.
+const SCHEMA: u32 = 1;
+
+/// A mean of equal shares may come out this much below them: far less than one particle of the most there may be.
+const ROUNDING: f64 = 1e-9;
+
+/// What a log says.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct InterpretationRecord {
+    /// Always [`INTERPRETATION_FORMAT`].
+    pub format: &'static str,
+    /// The schema of this record.
+    pub schema: u32,
+    /// Name of the task.
+    pub task: String,
+    /// absorb, collect or skim.
+    pub action: String,
+    /// Share of the particles that are estimated to be where the action wants them, mean over the replays.
+    pub estimated: f64,
+    /// Its 5th percentile.
+    pub estimated_low: f64,
+    /// Its 95th percentile.
+    pub estimated_high: f64,
+    /// Share from which on the goal is met.
+    pub target_performance: f64,
+    /// Whether the mean reaches the target.
+    pub goal_met: bool,
+    /// How many replays were made.
+    pub replays: usize,
+    /// Time in contact over the time that the tool was on or near the surface.
+    pub contact_share: f64,
+    /// How many collisions there were.
+    pub collisions: usize,
+    /// Angle between the plane that was touched and the believed surface; null where no plane was found.
+    pub plane_tilt_rad: Option<f64>,
+    /// Height of the plane that was touched over the middle of the believed surface; null as above.
+    pub plane_offset_m: Option<f64>,
+    /// More about that plane; null as above.
+    pub plane: Option<PlaneRecord>,
+    /// localized, relocalize or no_contact.
+    pub diagnosis: &'static str,
+    /// Where the surface is, if it is not where it was believed; else null.
+    pub world_from_surface: Option<PoseRecord>,
+    /// Bias of the normal force that was taken off.
+    pub force_bias_n: f64,
+    /// What happened, by start.
+    pub events: Vec<EventRecord>,
+    /// What was read.
+    pub log: LogRecord,
+}
+
+/// The plane that was touched, in the frame of the believed surface.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PlaneRecord {
+    /// A point of it.
+    pub point_m: [f64; 3],
+    /// Its outward unit normal.
+    pub normal: [f64; 3],
+    /// Confident positions that it was fitted to.
+    pub inliers: usize,
+    /// Confident positions in all.
+    pub confident: usize,
+    /// Root mean square distance of the inliers.
+    pub rms_m: f64,
+}
+
+/// Something that happened.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct EventRecord {
+    /// contact, contact_loss, collision or stick_slip; or a phase: approach, stroke, lift or retreat.
+    pub kind: &'static str,
+    /// From.
+    pub start_s: f64,
+    /// To.
+    pub end_s: f64,
+    /// How many samples show it.
+    pub samples: usize,
+    /// Mean normal force, negative where the tool presses.
+    pub mean_normal_force_n: f64,
+    /// Largest size of the force.
+    pub peak_force_n: f64,
+    /// Largest distance from the plane that was touched.
+    pub peak_height_m: f64,
+}
+
+/// What was read of a log.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LogRecord {
+    /// The file or folder.
+    pub file: String,
+    /// Where the poses come from.
+    pub pose: String,
+    /// Where the forces come from.
+    pub wrench: String,
+    /// In whose axes they are given.
+    pub wrench_frame: &'static str,
+    /// Whether nothing but habit says so.
+    pub wrench_frame_assumed: bool,
+    /// Poses with forces.
+    pub samples: usize,
+    /// From the first to the last.
+    pub duration_s: f64,
+    /// The log's time that the events' times count from.
+    pub start_ns: i64,
+    /// Poses or forces left out, as they bore the time of the one before.
+    pub repeated: usize,
+    /// Poses or forces left out, as the other was not known then.
+    pub unpaired: usize,
+    /// Whether the log ends where its writer was killed, or is still writing.
+    pub unfinished: bool,
+}
+
+impl InterpretationRecord {
+    /// What is written of an interpretation.
+    pub fn new(
+        task: &wisch::represent::Task,
+        told: &Interpretation,
+        target_performance: f64,
+        log: LogRecord,
+    ) -> Self {
+        let performance = told.performance;
+        let is_collision = |event: &&Event| event.kind == EventKind::Collision;
+        Self {
+            format: INTERPRETATION_FORMAT,
+            schema: SCHEMA,
+            task: task.name.clone(),
+            action: task.action.to_string(),
+            estimated: performance.mean,
+            estimated_low: performance.low,
+            estimated_high: performance.high,
+            target_performance,
+            goal_met: performance.mean >= target_performance - ROUNDING,
+            replays: told.belief.replays().len(),
+            contact_share: told.contact_share,
+            collisions: told.events.iter().filter(is_collision).count(),
+            plane_tilt_rad: told.plane.map(|plane| plane.tilt),
+            plane_offset_m: told.plane.map(|plane| plane.offset),
+            plane: told.plane.as_ref().map(PlaneRecord::new),
+            diagnosis: diagnosis(&told.diagnosis),
+            world_from_surface: match &told.diagnosis {
+                Diagnosis::Relocalize { world_from_surface } => Some(world_from_surface.into()),
+                Diagnosis::Localized | Diagnosis::NoContact => None,
+            },
+            // No bias is 0, not -0.
+            force_bias_n: told.force_bias + 0.0,
+            events: told.events.iter().map(EventRecord::new).collect(),
+            log,
+        }
+    }
+}
+
+impl PlaneRecord {
+    fn new(plane: &FittedPlane) -> Self {
+        Self {
+            point_m: plane.point.coords.into(),
+            normal: plane.normal.into(),
+            inliers: plane.inliers,
+            confident: plane.confident,
+            rms_m: plane.rms,
+        }
+    }
+}
+
+impl EventRecord {
+    fn new(event: &Event) -> Self {
+        Self {
+            kind: match event.kind {
+                EventKind::Contact => "contact",
+                EventKind::ContactLoss => "contact_loss",
+                EventKind::Collision => "collision",
+                EventKind::StickSlip => "stick_slip",
+                EventKind::Approach => "approach",
+                EventKind::Stroke => "stroke",
+                EventKind::Lift => "lift",
+                EventKind::Retreat => "retreat",
+            },
+            start_s: event.start,
+            end_s: event.end,
+            samples: event.samples,
+            mean_normal_force_n: event.mean_normal_force,
+            peak_force_n: event.peak_force,
+            peak_height_m: event.peak_height,
+        }
+    }
+}
+
+fn diagnosis(diagnosis: &Diagnosis) -> &'static str {
+    match diagnosis {
+        Diagnosis::Localized => "localized",
+        Diagnosis::Relocalize { .. } => "relocalize",
+        Diagnosis::NoContact => "no_contact",
+    }
+}

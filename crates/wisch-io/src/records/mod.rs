@@ -1,0 +1,19 @@
+//! The contents of the files that are written and read. SI units, radians; keys end in their unit, and poses say
+//! their frames.
+
+mod followed;
+mod interpretation;
+mod plan;
+mod trajectory;
+
+pub use followed::{
+    AbandonedRecord, AttemptRecord, FollowedRecord, MotionRecord, PlacementRecord, WipedRecord,
+};
+pub use interpretation::{
+    EventRecord, INTERPRETATION_FORMAT, InterpretationRecord, LogRecord, PlaneRecord,
+};
+pub use plan::{
+    GoalRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA, PlanRecord, PlanRecordError,
+    PlanarPoseRecord, PoseRecord, RoleRecord, StrokeRecord, WaypointRecord,
+};
+pub use trajectory::{RobotTrajectory, tcp_path_csv};

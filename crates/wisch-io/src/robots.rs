@@ -1,0 +1,218 @@
+//! Robots: those that are shipped, and the user's.
+
+use crate::assets::{self, beside, read_text};
+use crate::error::Error;
+use crate::task_file::RobotDescription;
+use include_dir::{Dir, include_dir};
+use std::path::{Path, PathBuf};
+use wisch::robot::{CapabilityMap, RobotHash, RobotModel, Srdf};
+use wisch::run::Performer;
+use wisch::source_location::UnknownName;
+
+/// The robots folder as it was when the program was built.
+static BUILT_IN: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../robots");
+
+/// What a capability map's file is called, beside its URDF.
+pub const MAP_EXTENSION: &str = "reach";
+
+/// A robot with what belongs to it.
+pub struct Robot {
+    /// The model.
+    pub model: RobotModel,
+    /// Groups, states and pairs that may touch.
+    pub srdf: Option<Srdf>,
+    /// What is in reach of the group that wipes, if that is known.
+    pub map: Option<CapabilityMap>,
+    /// What it was read from.
+    pub files: RobotFiles,
+}
+
+/// The files of a robot, so that it can be read again when they have changed.
+#[derive(Debug, Clone, Default)]
+pub struct RobotFiles {
+    /// The URDF.
+    pub urdf: String,
+    /// The SRDF, if there is one.
+    pub srdf: Option<String>,
+    /// The collision meshes, under the names that the URDF gives them.
+    pub meshes: Vec<(String, Vec<u8>)>,
+}
+
+/// The text of one file, with the name under which messages speak of it.
+struct Named<T> {
+    name: String,
+    contents: T,
+}
+
+impl Robot {
+    /// The robot as a session takes it.
+    pub const fn performer(&self) -> Performer<'_> {
+        Performer {
+            robot: &self.model,
+            srdf: self.srdf.as_ref(),
+            map: self.map.as_ref(),
+        }
+    }
+
+    /// Reads a robot. `task_file` is what paths of the description count from; `map_file` is the
+    /// user's capability map.
+    ///
+    /// # Errors
+    /// An unknown name, a file that cannot be read, or one that is not what it should be.
+    pub fn read(
+        description: &RobotDescription,
+        task_file: &Path,
+        map_file: Option<&Path>,
+        packages: &[(String, PathBuf)],
+    ) -> Result<Self, Error> {
+        let robot = Self::read_without_map(description, task_file, packages)?;
+        let found = match (map_file, description) {
+            (Some(path), _) => Some((path.display().to_string(), assets::read(path)?)),
+            (None, RobotDescription::Named(name)) => {
+                let file = BUILT_IN.get_file(format!("{name}.{MAP_EXTENSION}"));
+                file.map(|file| (format!("built-in {name}"), file.contents().to_vec()))
+            }
+            (None, RobotDescription::Files { urdf, .. }) => {
+                let path = folder(task_file).join(urdf).with_extension(MAP_EXTENSION);
+                let name = path.display().to_string();
+                let is_there = path.is_file();
+                is_there
+                    .then(|| assets::read(&path))
+                    .transpose()?
+                    .map(|bytes| (name, bytes))
+            }
+        };
+        let map = found.map(|(name, bytes)| {
+            CapabilityMap::from_bytes(&name, &bytes, RobotHash::of(&robot.model))
+        });
+        Ok(Self {
+            map: map.transpose()?,
+            ..robot
+        })
+    }
+
+    /// The same, whatever maps there are.
+    ///
+    /// # Errors
+    /// An unknown name, a file that cannot be read, or one that is not what it should be.
+    pub fn read_without_map(
+        description: &RobotDescription,
+        task_file: &Path,
+        packages: &[(String, PathBuf)],
+    ) -> Result<Self, Error> {
+        match description {
+            RobotDescription::Named(name) => built_in(name),
+            RobotDescription::Files { urdf, srdf } => {
+                let folder = folder(task_file);
+                let srdf = srdf.as_ref().map(|srdf| folder.join(srdf));
+                files(&folder.join(urdf), srdf.as_deref(), packages)
+            }
+        }
+    }
+
+    /// What a word means: the name of a robot that is shipped, or the path of a URDF from the working directory.
+    pub fn description(text: &str) -> RobotDescription {
+        if shipped_robots().any(|name| name == text) || !text.contains(['.', '/', '\\']) {
+            return RobotDescription::Named(text.to_owned());
+        }
+        // Paths on the command line count from the working directory, not from the task file.
+        let path = std::path::absolute(text).unwrap_or_else(|_| PathBuf::from(text));
+        RobotDescription::Files {
+            urdf: path.display().to_string(),
+            srdf: None,
+        }
+    }
+}
+
+/// Names of the robots that are shipped.
+pub fn shipped_robots() -> impl Iterator<Item = &'static str> {
+    BUILT_IN.files().filter_map(|file| {
+        let path = file.path();
+        let is_urdf = path.extension().is_some_and(|e| e == "urdf");
+        path.file_stem().filter(|_| is_urdf)?.to_str()
+    })
+}
+
+fn built_in(name: &str) -> Result<Robot, Error> {
+    let text = |extension: &str| {
+        let file = BUILT_IN.get_file(format!("{name}.{extension}"))?;
+        Some(Named {
+            name: format!("built-in {name}.{extension}"),
+            contents: file.contents_utf8()?,
+        })
+    };
+    let urdf = text("urdf")
+        .ok_or_else(|| Error::UnknownRobot(UnknownName::new("robot", name, shipped_robots())))?;
+    let mut no_meshes = |file: &str| Err(format!("{file}: built-in robots have no meshes"));
+    let model = RobotModel::from_urdf(&urdf.name, urdf.contents, &mut no_meshes)?;
+    let srdf = (text("srdf"))
+        .map(|srdf| Srdf::parse(&srdf.name, srdf.contents, &model))
+        .transpose()?;
+    Ok(Robot {
+        model,
+        srdf,
+        map: None,
+        files: RobotFiles {
+            urdf: urdf.contents.to_owned(),
+            srdf: text("srdf").map(|srdf| srdf.contents.to_owned()),
+            meshes: Vec::new(),
+        },
+    })
+}
+
+fn files(urdf: &Path, srdf: Option<&Path>, packages: &[(String, PathBuf)]) -> Result<Robot, Error> {
+    let text = read_text(urdf)?;
+    let name = urdf.display().to_string();
+    let mut read = robot_meshes(urdf, packages);
+    let mut found = Vec::new();
+    let mut keep = |file: &str| {
+        let bytes = read(file)?;
+        found.push((file.to_owned(), bytes.clone()));
+        Ok(bytes)
+    };
+    let model = RobotModel::from_urdf(&name, &text, &mut keep).map_err(|error| Error::Urdf {
+        file: name.clone(),
+        error,
+    })?;
+    let beside_urdf = urdf.with_extension("srdf");
+    let srdf = match srdf {
+        Some(path) => Some(path),
+        None => beside_urdf.is_file().then_some(beside_urdf.as_path()),
+    };
+    let srdf_text = srdf.map(read_text).transpose()?;
+    let srdf = (srdf.zip(srdf_text.as_deref()))
+        .map(|(path, text)| Srdf::parse(&path.display().to_string(), text, &model))
+        .transpose()?;
+    Ok(Robot {
+        model,
+        srdf,
+        map: None,
+        files: RobotFiles {
+            urdf: text,
+            srdf: srdf_text,
+            meshes: found,
+        },
+    })
+}
+
+fn folder(task_file: &Path) -> &Path {
+    task_file.parent().unwrap_or(Path::new(""))
+}
+
+/// Reads what a URDF refers to: paths count from the URDF's folder, packages are given.
+pub fn robot_meshes(
+    urdf: &Path,
+    packages: &[(String, PathBuf)],
+) -> impl FnMut(&str) -> Result<Vec<u8>, String> {
+    let mut beside = beside(urdf);
+    move |path| {
+        let Some(in_package) = path.strip_prefix("package://") else {
+            return beside(path.strip_prefix("file://").unwrap_or(path));
+        };
+        let (name, rest) = in_package.split_once('/').unwrap_or((in_package, ""));
+        let known = packages.iter().find(|(known, _)| known == name);
+        let (_, folder) =
+            known.ok_or_else(|| format!("its package is not known; add --package {name}=DIR"))?;
+        assets::read(&folder.join(rest)).map_err(|error| error.to_string())
+    }
+}

@@ -1,0 +1,271 @@
+//! The task file: what the user writes, as typed and checked, and how it becomes a [`Task`].
+
+mod disturbance;
+mod error;
+mod execution;
+mod outline;
+mod reader;
+mod record;
+mod resolve;
+#[cfg(test)]
+mod tests;
+mod tree;
+
+pub use disturbance::{FrictionChange, Push};
+pub use error::TaskError;
+pub use resolve::ReadFile;
+
+use crate::particles::ParticleSource;
+use wisch::geometry::{Point2, Polygon, Pose, Vector3};
+use wisch::represent::Action;
+#[cfg(doc)]
+use wisch::represent::Task;
+use wisch::source_location::Place;
+
+/// What a task file asks for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Intent {
+    /// A certain action.
+    Action {
+        /// What to do.
+        action: Action,
+        /// Name of the tool to do it with.
+        tool: String,
+        /// Name of the medium to do it to.
+        medium: String,
+    },
+    /// A goal, for which action, tool and medium are yet to be found.
+    Goal {
+        /// A PDDL literal such as `(collected breadcrumbs chopping_board)`.
+        literal: String,
+        /// Name of the tool that the hand holds already.
+        tool_in_hand: Option<String>,
+        /// Names of the tools that can be fetched.
+        available_tools: Vec<String>,
+    },
+}
+
+/// Where a robot's description is found.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum RobotDescription {
+    /// One that the program ships.
+    Named(String),
+    /// Files, as paths relative to the task file.
+    Files {
+        /// The URDF.
+        urdf: String,
+        /// The SRDF; `None` looks for one beside the URDF.
+        srdf: Option<String>,
+    },
+}
+
+/// The robot that is to do the task.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RobotRecord {
+    /// Which robot.
+    pub description: RobotDescription,
+    /// The group of its SRDF that wipes; `None` takes the first.
+    pub group: Option<String>,
+    /// The group of its SRDF whose hand holds the tool as well; `None` leaves it to one hand.
+    pub second_group: Option<String>,
+    /// Where it stands, or starts; `None` if the file does not say.
+    pub world_from_robot: Option<Pose>,
+}
+
+/// A task file as typed: every key known, every number within its range, every value consistent.
+/// What it refers to, knowledge and other files, is looked up by [`TaskFile::resolve`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct TaskFile {
+    contents: Contents,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct Contents {
+    name: String,
+    seed: u64,
+    intent: Intent,
+    strategy: Option<String>,
+    target_performance: f64,
+    tool: ToolRecord,
+    medium_at: Place,
+    surface: SurfaceRecord,
+    robot: Option<RobotRecord>,
+    execution: ExecutionRecord,
+    max_rounds: usize,
+    collect_goal: Option<Point2>,
+    scene: Vec<ObjectRecord>,
+    particles: ParticleSource,
+    particles_at: Place,
+    bandwidth: Option<f64>,
+    lift_height: f64,
+    variants: usize,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct ToolRecord {
+    at: Place,
+    start: Option<Point2>,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct SurfaceRecord {
+    at: Place,
+    name: String,
+    outline: Polygon,
+    world_from_surface: Pose,
+    skim_edges: Vec<usize>,
+    /// Index of the scene object whose face the surface is.
+    carried_by: Option<usize>,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct ObjectRecord {
+    at: Place,
+    name: String,
+    shape: Shape,
+    frame: Frame,
+    frame_from_object: Pose,
+    role: Role,
+}
+
+/// The table `[execution]`: what a simulated execution is to take for real, and neither the plan nor the
+/// interpretation is told.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ExecutionRecord {
+    /// Where the surface really is, in the frame of the believed one.
+    pub believed_from_real: Pose,
+    /// Coulomb coefficient between tool and surface at the start [1]; `None` takes the knowledge base's.
+    pub friction: Option<f64>,
+    /// Changes of it, as typed.
+    pub friction_changes: Vec<FrictionChange>,
+    /// Who pushes, as typed.
+    pub pushes: Vec<Push>,
+    /// Standard deviation of the measured force, per axis [N].
+    pub force_noise: f64,
+    /// What is always added to the measured force, in the axes of the world [N].
+    pub force_bias: Vector3,
+    /// Mean of ln f′ from which on a grain is taken along; `None` takes the knowledge base's.
+    pub mu: Option<f64>,
+    /// Standard deviation of ln f′; `None` takes the knowledge base's.
+    pub sigma: Option<f64>,
+    /// Up to how many particles are real bodies.
+    pub max_bodies: usize,
+}
+
+/// In which frame an object's pose is given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Frame {
+    World,
+    Surface,
+}
+
+/// What an object is to the collision sphere.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Role {
+    Obstacle,
+    Robot,
+    Tool,
+}
+
+/// The form of an object about its own origin [m].
+#[derive(Debug, Clone, PartialEq)]
+enum Shape {
+    Box(Vector3),
+    Cylinder { radius: f64, height: f64 },
+    Sphere { radius: f64 },
+    Capsule { radius: f64, height: f64 },
+    Mesh { at: Place, file: String, scale: f64 },
+}
+
+impl TaskFile {
+    /// An example with every key, its unit, default and range.
+    pub const TEMPLATE: &'static str = include_str!("template.toml");
+
+    /// Reads a task file's text. `name` is the name under which errors speak of it.
+    ///
+    /// `settings` override the text, in order: a dotted key, with an index from 0 into an array, and
+    /// a TOML value or a bare string, such as `("surface.size_m", "[0.5, 0.3]")`,
+    /// `("scene.0.position_m", "[0, 0, 0]")` or `("action", "skim")`. A key that excludes another,
+    /// such as `action` and `goal`, replaces it.
+    ///
+    /// # Errors
+    /// A text that is not TOML, an unknown key, or a value that is missing, of the wrong type, out of
+    /// range or at odds with another: with file, line and column.
+    ///
+    /// ```
+    /// use wisch_io::TaskFile;
+    /// let setting = ("seed".to_owned(), "7".to_owned());
+    /// let task = TaskFile::parse("template.toml", TaskFile::TEMPLATE, &[setting])?;
+    /// assert_eq!(task.seed(), 7);
+    ///
+    /// let error = TaskFile::parse("task.toml", "schema = 1\ncolour = 3\n", &[]).unwrap_err();
+    /// assert!(error.to_string().starts_with("task.toml:2:1: unknown key \"colour\""));
+    /// # Ok::<(), wisch_io::TaskError>(())
+    /// ```
+    pub fn parse(name: &str, text: &str, settings: &[(String, String)]) -> Result<Self, TaskError> {
+        let source = tree::Source::new(name, text, settings);
+        Ok(Self {
+            contents: record::read(&source)?,
+        })
+    }
+
+    /// What is asked for.
+    pub fn intent(&self) -> &Intent {
+        &self.contents.intent
+    }
+
+    /// The robot that is to do it, if the file names one.
+    pub fn robot(&self) -> Option<&RobotRecord> {
+        self.contents.robot.as_ref()
+    }
+
+    /// Name of the task.
+    pub fn name(&self) -> &str {
+        &self.contents.name
+    }
+
+    /// Seed of everything random in the task; 0 unless given.
+    pub fn seed(&self) -> u64 {
+        self.contents.seed
+    }
+
+    /// Name of the coverage strategy, as typed; `None` leaves it to the program.
+    pub fn strategy(&self) -> Option<&str> {
+        self.contents.strategy.as_deref()
+    }
+
+    /// Name of the target surface in the knowledge base.
+    pub fn surface(&self) -> &str {
+        &self.contents.surface.name
+    }
+
+    /// Bandwidth h of the density estimate [m]; `None` takes it from the particles.
+    pub fn bandwidth_m(&self) -> Option<f64> {
+        self.contents.bandwidth
+    }
+
+    /// How high the tool is lifted between strokes [m].
+    pub fn lift_height_m(&self) -> f64 {
+        self.contents.lift_height
+    }
+
+    /// What a simulated execution is to take for real.
+    pub fn execution(&self) -> &ExecutionRecord {
+        &self.contents.execution
+    }
+
+    /// How many rounds there may be, `execution.max_rounds`.
+    pub fn max_rounds(&self) -> usize {
+        self.contents.max_rounds
+    }
+
+    /// How many plans the prediction chooses from.
+    pub fn plan_variants(&self) -> usize {
+        self.contents.variants
+    }
+
+    /// The performance at which the task counts as done, in [0, 1].
+    pub fn target_performance(&self) -> f64 {
+        self.contents.target_performance
+    }
+}

@@ -1,0 +1,166 @@
+//! Outlines as typed: rings that bound an area and do not cross themselves or each other.
+
+use super::TaskError;
+use super::reader::Field;
+use super::record::POSITION_M;
+use wisch::geometry::{Edge, Point2, Polygon, Vector2};
+
+/// Most points of an outline with its holes: every pair of edges is held against each other.
+const MAX_POINTS: usize = 2_000;
+/// Least area of a ring [m²]: that of the smallest rectangle.
+const MIN_AREA: f64 = 1e-6;
+
+/// A polygon as typed, checked.
+pub(super) struct Outline {
+    pub(super) polygon: Polygon,
+    /// Whether the polygon's outer ring runs the other way than the points were typed.
+    reversed: bool,
+}
+
+impl Outline {
+    /// A rectangle, whose points run like those of [`Polygon::rectangle`].
+    pub(super) fn rectangle(size: Vector2) -> Self {
+        Self {
+            polygon: Polygon::rectangle(size),
+            reversed: false,
+        }
+    }
+
+    pub(super) fn read(outer: &Field<'_>, holes: Option<&Field<'_>>) -> Result<Self, TaskError> {
+        let ring = ring(outer)?;
+        let reversed = Polygon::new(ring.clone(), Vec::new()).outer() != ring;
+        Self {
+            polygon: Polygon::new(ring, Vec::new()),
+            reversed,
+        }
+        .with_holes(holes)
+    }
+
+    pub(super) fn with_holes(self, holes: Option<&Field<'_>>) -> Result<Self, TaskError> {
+        let Some(holes) = holes else {
+            return Ok(self);
+        };
+        let mut rings: Vec<Vec<Point2>> = Vec::new();
+        let mut points = self.polygon.outer().len();
+        for field in holes.items("an array of rings of points")? {
+            let hole = ring(&field)?;
+            points += hole.len();
+            if points > MAX_POINTS {
+                return Err(field.inconsistent(format!(
+                    "the outline with its holes exceeds the limit of {MAX_POINTS} points"
+                )));
+            }
+            let others =
+                std::iter::once(self.polygon.outer()).chain(rings.iter().map(Vec::as_slice));
+            for (index, other) in others.enumerate() {
+                let name = match index {
+                    0 => "the outline".to_owned(),
+                    i => format!("hole {}", i - 1),
+                };
+                if edges(&hole).any(|a| edges(other).any(|b| meet(a, b))) {
+                    return Err(field.inconsistent(format!("the hole crosses or touches {name}")));
+                }
+            }
+            if !self.polygon.contains(hole[0]) {
+                return Err(field.inconsistent("the hole lies outside the outline"));
+            }
+            let inside =
+                |ring: &[Point2], point| Polygon::new(ring.to_vec(), Vec::new()).contains(point);
+            let nested = rings
+                .iter()
+                .position(|other| inside(other, hole[0]) || inside(&hole, other[0]));
+            if let Some(other) = nested {
+                return Err(
+                    field.inconsistent(format!("the hole and hole {other} lie in each other"))
+                );
+            }
+            rings.push(hole);
+        }
+        Ok(Self {
+            polygon: Polygon::new(self.polygon.outer().to_vec(), rings),
+            reversed: self.reversed,
+        })
+    }
+
+    /// The polygon's index of the outer edge that runs from the `typed`-th point to the next.
+    pub(super) fn edge(&self, typed: usize) -> usize {
+        let count = self.polygon.outer().len();
+        if self.reversed {
+            (2 * count - 2 - typed) % count
+        } else {
+            typed
+        }
+    }
+}
+
+/// At least three points round an area, without self-intersection.
+fn ring(field: &Field<'_>) -> Result<Vec<Point2>, TaskError> {
+    let points = field
+        .items("an array of points [x, y]")?
+        .iter()
+        .map(|point| point.point(&POSITION_M))
+        .collect::<Result<Vec<_>, _>>()?;
+    if !(3..=MAX_POINTS).contains(&points.len()) {
+        return Err(field.inconsistent(format!(
+            "{} points, but a ring has at least 3 and at most {MAX_POINTS}",
+            points.len()
+        )));
+    }
+    let edges: Vec<Edge> = edges(&points).collect();
+    let count = edges.len();
+    for i in 0..count {
+        if edges[i].start == edges[i].end {
+            let next = (i + 1) % count;
+            return Err(field.inconsistent(format!(
+                "points {i} and {next} are the same (a ring closes by itself)"
+            )));
+        }
+        for j in i + 1..count {
+            let crosses = if j == i + 1 || (i == 0 && j == count - 1) {
+                // Neighbours share a point: they may not run back over each other.
+                let (one, other) = if j == i + 1 { (i, j) } else { (j, i) };
+                runs_back(edges[one], edges[other])
+            } else {
+                meet(edges[i], edges[j])
+            };
+            if crosses {
+                return Err(field.inconsistent(format!(
+                    "the ring crosses itself: edge {i} meets edge {j} (edge i runs from point i to the next)"
+                )));
+            }
+        }
+    }
+    let area = Polygon::new(points.clone(), Vec::new()).area();
+    if area < MIN_AREA {
+        return Err(field.inconsistent(format!(
+            "its area of {area} m2 is below the limit of {MIN_AREA} m2"
+        )));
+    }
+    Ok(points)
+}
+
+fn edges(ring: &[Point2]) -> impl Iterator<Item = Edge> + '_ {
+    (0..ring.len()).map(|i| Edge {
+        start: ring[i],
+        end: ring[(i + 1) % ring.len()],
+    })
+}
+
+fn runs_back(one: Edge, next: Edge) -> bool {
+    let (a, b) = (one.end - one.start, next.end - next.start);
+    a.perp(&b) == 0.0 && a.dot(&b) < 0.0
+}
+
+/// Whether two closed edges share a point.
+fn meet(a: Edge, b: Edge) -> bool {
+    let side = |edge: Edge, point: Point2| (edge.end - edge.start).perp(&(point - edge.start));
+    let (a0, a1) = (side(b, a.start), side(b, a.end));
+    let (b0, b1) = (side(a, b.start), side(a, b.end));
+    if a0 * a1 < 0.0 && b0 * b1 < 0.0 {
+        return true;
+    }
+    let on = |edge: Edge, side: f64, point: Point2| {
+        side == 0.0 && (point - edge.start).dot(&(point - edge.end)) <= 0.0
+    };
+    on(b, a0, a.start) || on(b, a1, a.end) || on(a, b0, b.start) || on(a, b1, b.end)
+}

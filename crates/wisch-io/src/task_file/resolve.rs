@@ -1,0 +1,270 @@
+//! From what was typed to what is meant: knowledge looked up, files read, particles drawn.
+
+use super::{Frame, ObjectRecord, Role, Shape, TaskError, TaskFile};
+use crate::particles::{ParticleSource, csv_particles, mask_particles};
+use wisch::geometry::{
+    Bounds2, Mesh, MeshFormat, Point2, Point3, Polygon, Region, Vector2, footprint,
+};
+use wisch::represent::{
+    Action, DirtArea, Interaction, KnowledgeBase, KnowledgeError, OccupiedArea,
+    ParticleDistribution, SceneObject, ScenePart, Surface, Task, Tool, ToolEntry,
+    cluster_particles, uniform_particles,
+};
+use wisch::source_location::Place;
+
+/// Reads a file named by a path; the error says why it cannot.
+pub type ReadFile<'a> = dyn FnMut(&str) -> Result<Vec<u8>, String> + 'a;
+
+/// Segments round cylinders, spheres and capsules: a rim of 1 m radius is off by 2 mm.
+const SEGMENTS: u32 = 48;
+/// Nothing that stands round a wiping robot is larger [m].
+const MAX_MESH_EXTENT: f64 = 20.0;
+/// What turns a drawing in millimetres into metres.
+const METRES_PER_MILLIMETRE: f64 = 1e-3;
+
+impl TaskFile {
+    /// The task for an action with a tool on a medium, which a goal leaves open: the mesh and the
+    /// use of the tool are looked up, the scene's meshes are read, and the particles are placed.
+    ///
+    /// `assets` reads a file that the task names, by its path relative to the task file;
+    /// `knowledge_assets` reads a tool's mesh, by its path relative to the knowledge files.
+    /// The same arguments give the same task, byte for byte.
+    ///
+    /// # Errors
+    /// A tool, medium or surface that the knowledge does not have together, an action that it does
+    /// not know of them, a file that is missing or not what it should be, or particles that find
+    /// no place: each with the place in the task file that asks for it.
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "each is a different thing, none has a default"
+    )]
+    pub fn resolve(
+        &self,
+        action: Action,
+        tool: &str,
+        medium: &str,
+        seed: u64,
+        knowledge: &KnowledgeBase,
+        assets: &mut ReadFile<'_>,
+        knowledge_assets: &mut ReadFile<'_>,
+    ) -> Result<Task, TaskError> {
+        let contents = &self.contents;
+        let surface = Surface {
+            name: contents.surface.name.clone(),
+            outline: contents.surface.outline.clone(),
+            world_from_surface: contents.surface.world_from_surface,
+            skim_edges: contents.surface.skim_edges.clone(),
+        };
+        let known_at = |place: &Place| {
+            let at = place.clone();
+            move |error: KnowledgeError| TaskError::Knowledge {
+                at,
+                error: Box::new(error),
+            }
+        };
+        (knowledge.surface(&surface.name)).map_err(known_at(&contents.surface.at))?;
+        knowledge
+            .medium(medium)
+            .map_err(known_at(&contents.medium_at))?;
+        let tool_at = &contents.tool.at;
+        let entry = knowledge.tool(tool).map_err(known_at(tool_at))?;
+        let interaction = knowledge
+            .interaction(tool, medium, &surface.name)
+            .map_err(known_at(tool_at))?;
+        if !interaction.actions.contains(&action) {
+            let known: Vec<_> = interaction.actions.iter().map(|a| a.as_str()).collect();
+            return Err(TaskError::Inconsistent {
+                at: tool_at.clone(),
+                key: "tool".to_owned(),
+                problem: format!(
+                    "{tool} is not known to {action} {medium} on {}, only to {}",
+                    surface.name,
+                    known.join(" and ")
+                ),
+            });
+        }
+        if action == Action::Skim && surface.skim_edges.is_empty() {
+            return Err(TaskError::Missing {
+                at: contents.surface.at.clone(),
+                table: "surface".to_owned(),
+                key: "skim_edges",
+            });
+        }
+        let tool = resolved_tool(entry, interaction, tool_at, knowledge_assets)?;
+        let scene = self.scene(assets)?;
+        let mut task = Task {
+            name: contents.name.clone(),
+            action,
+            tool_start: contents
+                .tool
+                .start
+                .unwrap_or_else(|| start_before(&surface.outline)),
+            surface,
+            scene,
+            tool,
+            medium: medium.to_owned(),
+            interaction: interaction.clone(),
+            particles: ParticleDistribution::default(),
+            collect_goal: contents.collect_goal,
+            seed,
+        };
+        let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
+        let area = DirtArea {
+            outline: &task.surface.outline,
+            occupied: &OccupiedArea::of(&meshes),
+        };
+        task.particles = self.particles(area, seed, assets)?;
+        Ok(task)
+    }
+
+    /// The objects of the scene with what each is to the task.
+    fn scene(&self, assets: &mut ReadFile<'_>) -> Result<Vec<SceneObject>, TaskError> {
+        let surface = &self.contents.surface;
+        (self.contents.scene.iter().enumerate())
+            .map(|(i, object)| {
+                Ok(SceneObject {
+                    name: object.name.clone(),
+                    part: match object.role {
+                        _ if surface.carried_by == Some(i) => ScenePart::Carrier,
+                        Role::Obstacle => ScenePart::Obstacle,
+                        Role::Robot => ScenePart::Robot,
+                        Role::Tool => ScenePart::Tool,
+                    },
+                    mesh: object.mesh(assets)?,
+                    world_from_object: match object.frame {
+                        Frame::World => object.frame_from_object,
+                        Frame::Surface => surface.world_from_surface * object.frame_from_object,
+                    },
+                })
+            })
+            .collect()
+    }
+
+    fn particles(
+        &self,
+        area: DirtArea<'_>,
+        seed: u64,
+        assets: &mut ReadFile<'_>,
+    ) -> Result<ParticleDistribution, TaskError> {
+        let at = &self.contents.particles_at;
+        let particles = match &self.contents.particles {
+            ParticleSource::Uniform { count } => {
+                uniform_particles(area, *count, seed).map_err(Into::into)
+            }
+            ParticleSource::Clusters { count, clusters } => {
+                cluster_particles(area, clusters, *count, seed).map_err(Into::into)
+            }
+            ParticleSource::Csv { file } => {
+                let text = read(assets, at, file)?;
+                csv_particles(file, &text, area)
+            }
+            ParticleSource::Image(mask) => {
+                let bytes = read(assets, at, &mask.file)?;
+                mask_particles(mask, &bytes, area, seed)
+            }
+        };
+        particles.map_err(|error| TaskError::Particles {
+            at: at.clone(),
+            error,
+        })
+    }
+}
+
+fn read(assets: &mut ReadFile<'_>, at: &Place, file: &str) -> Result<Vec<u8>, TaskError> {
+    assets(file).map_err(|problem| TaskError::File {
+        at: at.clone(),
+        file: file.to_owned(),
+        problem,
+    })
+}
+
+fn parsed_mesh(assets: &mut ReadFile<'_>, at: &Place, file: &str) -> Result<Mesh, TaskError> {
+    let Some(format) = MeshFormat::from_file_name(file) else {
+        return Err(TaskError::File {
+            at: at.clone(),
+            file: file.to_owned(),
+            problem: "a mesh file ends in .stl, .obj or .dae".to_owned(),
+        });
+    };
+    let bytes = read(assets, at, file)?;
+    Mesh::parse(&bytes, format, file).map_err(|error| TaskError::Mesh {
+        at: at.clone(),
+        error,
+    })
+}
+
+impl ObjectRecord {
+    fn mesh(&self, assets: &mut ReadFile<'_>) -> Result<Mesh, TaskError> {
+        let built = match &self.shape {
+            Shape::Box(size) => Mesh::cuboid(*size),
+            Shape::Cylinder { radius, height } => Mesh::cylinder(*radius, *height, SEGMENTS),
+            Shape::Sphere { radius } => Mesh::sphere(*radius, SEGMENTS),
+            Shape::Capsule { radius, height } => Mesh::capsule(*radius, *height, SEGMENTS),
+            Shape::Mesh { at, file, scale } => {
+                let mesh = parsed_mesh(assets, at, file)?;
+                let scaled = |point: &Point3| point * *scale;
+                let vertices = mesh.vertices().iter().map(scaled).collect();
+                let mesh = Mesh::new(vertices, mesh.triangles().to_vec());
+                if let Ok(mesh) = &mesh
+                    && mesh.extent() > MAX_MESH_EXTENT
+                {
+                    return Err(TaskError::MeshTooLarge {
+                        at: at.clone(),
+                        file: file.clone(),
+                        extent: mesh.extent(),
+                        limit: MAX_MESH_EXTENT,
+                        scale: scale * METRES_PER_MILLIMETRE,
+                    });
+                }
+                mesh
+            }
+        };
+        built.map_err(|error| TaskError::Mesh {
+            at: self.at.clone(),
+            error,
+        })
+    }
+}
+
+fn resolved_tool(
+    entry: &ToolEntry,
+    interaction: &Interaction,
+    at: &Place,
+    knowledge_assets: &mut ReadFile<'_>,
+) -> Result<Tool, TaskError> {
+    let mesh = parsed_mesh(knowledge_assets, at, &entry.mesh_file)?;
+    let (footprint, area_of_effect) = match entry.area_of_effect {
+        Some(area) => {
+            let size = Vector2::new(area.depth_m, area.width_m);
+            (Region::new(vec![Polygon::rectangle(size)]), size)
+        }
+        None => {
+            let fault = |error| TaskError::Footprint {
+                at: at.clone(),
+                tool: entry.name.clone(),
+                error,
+            };
+            let region = footprint(&mesh, interaction.compression_depth_m).map_err(fault)?;
+            // A footprint is never empty, so it has bounds.
+            let size = region.bounds().map_or_else(Vector2::zeros, |b| b.size());
+            (region, size)
+        }
+    };
+    Ok(Tool {
+        name: entry.name.clone(),
+        mesh,
+        footprint,
+        area_of_effect,
+        rotation_about_normal: entry.rotation_about_normal,
+        tilt: entry.tilt,
+        grip: entry.grip,
+        second_grip: entry.second_grip,
+    })
+}
+
+/// The middle of the side with the smallest y, towards which scenes have their robot.
+fn start_before(outline: &Polygon) -> Point2 {
+    Bounds2::of(outline.outer().iter().copied()).map_or_else(Point2::origin, |bounds| {
+        Point2::new(bounds.center().x, bounds.min.y)
+    })
+}

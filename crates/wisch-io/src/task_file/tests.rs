@@ -1,0 +1,374 @@
+use super::*;
+use crate::KnowledgeSource;
+use proptest::prelude::*;
+use wisch::geometry::Vector2;
+use wisch::represent::{ScenePart, Task};
+
+mod faults;
+
+/// A task without anything that could be left out, but for a cup on the table.
+const SMALL: &str = r#"schema = 1
+name = "small"
+action = "skim"
+[tool]
+name = "sponge"
+[medium]
+name = "breadcrumbs"
+[surface]
+name = "table"
+size_m = [0.5, 0.4]
+skim_edges = ["y_min"]
+[particles]
+source = "uniform"
+count = 10
+[[scene]]
+name = "cup"
+cylinder = { radius_m = 0.04, height_m = 0.1 }
+frame = "surface"
+position_m = [0.1, 0.1, 0.05]
+"#;
+
+fn small_with(pieces: &[(&str, &str)]) -> String {
+    pieces.iter().fold(SMALL.to_owned(), |text, (piece, by)| {
+        assert_eq!(text.matches(piece).count(), 1, "{piece} must occur once");
+        text.replace(piece, by)
+    })
+}
+
+fn parsed(text: &str) -> Result<TaskFile, TaskError> {
+    TaskFile::parse("small.toml", text, &[])
+}
+
+fn set(text: &str, settings: &[(&str, &str)]) -> Result<TaskFile, TaskError> {
+    let settings: Vec<_> = settings
+        .iter()
+        .map(|(key, value)| ((*key).to_owned(), (*value).to_owned()))
+        .collect();
+    TaskFile::parse("small.toml", text, &settings)
+}
+
+/// Resolves with the shipped knowledge; `files` are the assets.
+fn resolved_as(
+    file: &TaskFile,
+    action: Action,
+    tool: &str,
+    medium: &str,
+    files: &[(&str, &[u8])],
+) -> Result<Task, TaskError> {
+    let mut assets = |path: &str| {
+        let found = files.iter().find(|(name, _)| *name == path);
+        found
+            .map(|(_, bytes)| bytes.to_vec())
+            .ok_or("no such file".to_owned())
+    };
+    let shipped = KnowledgeSource::BuiltIn;
+    file.resolve(
+        action,
+        tool,
+        medium,
+        file.seed(),
+        &shipped.base().expect("shipped knowledge is sound"),
+        &mut assets,
+        &mut |path| shipped.asset(path),
+    )
+}
+
+fn resolved(file: &TaskFile) -> Result<Task, TaskError> {
+    let Intent::Action {
+        action,
+        tool,
+        medium,
+    } = file.intent()
+    else {
+        panic!("the task names no action");
+    };
+    resolved_as(file, *action, tool, medium, &[])
+}
+
+#[test]
+fn the_template_is_a_task() {
+    let file = TaskFile::parse("template.toml", TaskFile::TEMPLATE, &[])
+        .unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!((file.name(), file.seed()), ("template", 1));
+    let task = resolved(&file).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(task.particles.len(), 80);
+}
+
+#[test]
+fn the_template_shows_every_key() {
+    for key in record::ALL_KEYS.into_iter().flatten() {
+        let shown = ["{key} = ", "[{key}]"].map(|form| form.replace("{key}", key));
+        let is_shown = shown.iter().any(|form| TaskFile::TEMPLATE.contains(form));
+        assert!(is_shown, "{key} is not in the template");
+    }
+}
+
+#[test]
+fn what_is_left_out_takes_its_default() {
+    let file = parsed(SMALL).unwrap();
+    assert_eq!(file.seed(), 0);
+    assert_eq!(file.strategy(), None);
+    assert_eq!(file.bandwidth_m(), None);
+    assert_eq!(file.lift_height_m(), 0.05);
+    assert_eq!(file.target_performance(), 0.95);
+    assert_eq!(file.surface(), "table");
+    let task = resolved(&file).unwrap();
+    assert_eq!(task.tool_start, Point2::new(0.0, -0.2));
+    assert_eq!(task.collect_goal, None);
+}
+
+#[test]
+fn a_task_has_what_its_file_and_the_knowledge_say() {
+    let task = resolved(&parsed(SMALL).unwrap()).unwrap();
+    assert_eq!(
+        (task.action, task.medium.as_str()),
+        (Action::Skim, "breadcrumbs")
+    );
+    assert_eq!(task.interaction.press_force_n, 10.0);
+    // The mesh file holds single precision.
+    let size = Vector2::new(0.07, 0.11);
+    assert!((task.tool.area_of_effect - size).norm() < 1e-7);
+    assert!((task.tool.footprint.area() - 0.07 * 0.11).abs() < 1e-8);
+    assert_eq!(task.surface.skim_edges, [0]);
+    assert_eq!(task.scene.len(), 1);
+    assert_eq!(task.particles.tally().remaining, 10);
+}
+
+#[test]
+fn a_nozzle_acts_on_its_whole_mouth() {
+    let file = parsed(SMALL).unwrap();
+    let task = resolved_as(&file, Action::Absorb, "vacuum_nozzle", "dust", &[]).unwrap();
+    assert_eq!(task.tool.area_of_effect, Vector2::new(0.09, 0.30));
+    assert!((task.tool.footprint.area() - 0.09 * 0.30).abs() < 1e-12);
+}
+
+#[test]
+fn carrier_robot_and_tool_are_no_obstacles() {
+    let others = r#"
+[[scene]]
+name = "tabletop"
+box_m = [1, 1, 0.05]
+[[scene]]
+name = "arm"
+capsule = { radius_m = 0.05, height_m = 0.3 }
+role = "robot"
+[[scene]]
+name = "handle"
+sphere = { radius_m = 0.05 }
+role = "tool"
+"#;
+    let carried = small_with(&[(
+        "name = \"table\"",
+        "name = \"table\"\ncarried_by = \"tabletop\"",
+    )]);
+    let task = resolved(&parsed(&(carried + others)).unwrap()).unwrap();
+    let names: Vec<&str> = task
+        .obstacles()
+        .map(|object| object.name.as_str())
+        .collect();
+    assert_eq!(names, ["cup"]);
+    let parts: Vec<ScenePart> = task.scene.iter().map(|object| object.part).collect();
+    assert!(parts.contains(&ScenePart::Carrier) && parts.contains(&ScenePart::Robot));
+}
+
+#[test]
+fn poses_stand_in_the_frame_that_they_name() {
+    let text = small_with(&[(
+        "size_m = [0.5, 0.4]",
+        "size_m = [0.5, 0.4]\nposition_m = [1, 2, 3]\nrpy_rad = [0, 0, 1.5707963267948966]",
+    )]);
+    let at = |text: &str| {
+        let task = resolved(&parsed(text).unwrap()).unwrap();
+        task.scene[0].world_from_object.translation.vector
+    };
+    // A quarter turn about z takes (0.1, 0.1) to (-0.1, 0.1).
+    assert!((at(&text) - Vector3::new(0.9, 2.1, 3.05)).norm() < 1e-12);
+    let in_world = text.replace("frame = \"surface\"", "frame = \"world\"");
+    assert!((at(&in_world) - Vector3::new(0.1, 0.1, 0.05)).norm() < 1e-12);
+    let by_quaternion = text.replace(
+        "rpy_rad = [0, 0, 1.5707963267948966]",
+        "quaternion_xyzw = [0, 0, 0.70710678, 0.70710678]",
+    );
+    assert!((at(&by_quaternion) - Vector3::new(0.9, 2.1, 3.05)).norm() < 1e-7);
+}
+
+#[test]
+fn an_edge_of_an_outline_is_counted_as_typed_whichever_way_the_points_run() {
+    for points in ["[0, 0], [0, 0.4], [0.3, 0], ", "[0, 0], [0.3, 0], [0, 0.4]"] {
+        let outline = format!("outline_m = [{points}]");
+        for typed in 0..3 {
+            let edges = format!("skim_edges = [{typed}]");
+            let text = small_with(&[
+                ("size_m = [0.5, 0.4]", &outline),
+                ("skim_edges = [\"y_min\"]", &edges),
+                ("position_m = [0.1, 0.1, 0.05]", ""),
+            ]);
+            let task = resolved(&parsed(&text).unwrap()).unwrap();
+            let numbers: Vec<f64> = points
+                .split(|c: char| !(c.is_ascii_digit() || c == '.'))
+                .filter(|text| !text.is_empty())
+                .map(|text| text.parse().unwrap())
+                .collect();
+            let typed_point =
+                |i: usize| Point2::new(numbers[2 * (i % 3)], numbers[2 * (i % 3) + 1]);
+            let edge = task
+                .surface
+                .outline
+                .edges()
+                .nth(task.surface.skim_edges[0])
+                .unwrap();
+            let ends = [typed_point(typed), typed_point(typed + 1)];
+            assert!(
+                ends == [edge.start, edge.end] || ends == [edge.end, edge.start],
+                "edge {typed} of {points}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_goal_leaves_action_and_tool_open() {
+    let goal = "goal = \"(collected breadcrumbs table)\"";
+    let text = small_with(&[
+        ("action = \"skim\"", goal),
+        (
+            "name = \"sponge\"",
+            "in_hand = \"brush\"\navailable = [\"sponge\"]",
+        ),
+        ("[medium]\nname = \"breadcrumbs\"\n", ""),
+    ]);
+    let intent = Intent::Goal {
+        literal: "(collected breadcrumbs table)".to_owned(),
+        tool_in_hand: Some("brush".to_owned()),
+        available_tools: vec!["sponge".to_owned()],
+    };
+    assert_eq!(parsed(&text).unwrap().intent(), &intent);
+    // A setting of the goal replaces the action, and the tool that was named is in hand.
+    let file = set(SMALL, &[("goal", "(skimmed breadcrumbs table)")]).unwrap();
+    let intent = Intent::Goal {
+        literal: "(skimmed breadcrumbs table)".to_owned(),
+        tool_in_hand: Some("sponge".to_owned()),
+        available_tools: Vec::new(),
+    };
+    assert_eq!(file.intent(), &intent);
+}
+
+#[test]
+fn settings_override_the_text_and_are_checked_like_it() {
+    let settings = [
+        ("particles.count", "20"),
+        ("surface.size_m", "[1.0, 0.5]"),
+        ("scene.0.position_m", "[0.3, 0, 0.05]"),
+        ("collect.goal_m", "[0.1, 0]"),
+        ("medium.name", "dust"),
+        ("action", "collect"),
+        ("seed", "18446744073709551615"),
+    ];
+    let file = set(SMALL, &settings).unwrap();
+    assert_eq!(file.seed(), u64::MAX);
+    let medium = "dust".to_owned();
+    let tool = "sponge".to_owned();
+    let action = Action::Collect;
+    assert_eq!(
+        file.intent(),
+        &Intent::Action {
+            action,
+            tool,
+            medium
+        }
+    );
+    let task = resolved_as(&file, action, "sponge", "breadcrumbs", &[]).unwrap();
+    assert_eq!(task.particles.len(), 20);
+    assert_eq!(task.surface.outline.area(), 0.5);
+    assert_eq!(task.collect_goal, Some(Point2::new(0.1, 0.0)));
+    assert_eq!(task.scene[0].world_from_object.translation.x, 0.3);
+
+    for (key, value, expected) in [
+        (
+            "particles.count",
+            "x",
+            "setting particles.count:1:1: particles.count: expected a whole number, found the string \"x\"",
+        ),
+        (
+            "surface.size_m",
+            "[1, 200]",
+            "setting surface.size_m:1:5: surface.size_m[1] = 200 is outside its limits: at least 0.001 and at most 100",
+        ),
+        (
+            "surface.colour",
+            "3",
+            "setting surface.colour:1:1: surface: unknown key \"colour\"",
+        ),
+        (
+            "scene.1.name",
+            "x",
+            "setting scene.1.name: \"1\" is no index into an array of 1",
+        ),
+        (
+            "scene.name",
+            "x",
+            "setting scene.name: \"name\" is no index into an array of 1",
+        ),
+        (
+            "name.first",
+            "x",
+            "setting name.first: nothing is inside the string \"small\"",
+        ),
+        ("", "x", "setting : a part of the key is empty"),
+    ] {
+        let error = set(SMALL, &[(key, value)]).expect_err(key).to_string();
+        assert!(error.starts_with(expected), "{error}");
+    }
+}
+
+#[test]
+fn the_same_file_and_seed_give_the_same_task() {
+    let file = parsed(SMALL).unwrap();
+    let particles = |seed| {
+        let mut none = |_: &str| Err("not needed".to_owned());
+        let shipped = KnowledgeSource::BuiltIn;
+        file.resolve(
+            Action::Skim,
+            "sponge",
+            "breadcrumbs",
+            seed,
+            &shipped.base().unwrap(),
+            &mut none,
+            &mut |path| shipped.asset(path),
+        )
+        .unwrap()
+        .particles
+    };
+    assert_eq!(particles(4), particles(4));
+    assert_ne!(particles(4), particles(5));
+}
+
+proptest! {
+    #[test]
+    fn no_text_makes_the_reader_panic(text in any::<String>(), key in "[a-z0-9_.]{0,12}", value in any::<String>()) {
+        let _ = parsed(&text);
+        let _ = set(SMALL, &[(&key, &value)]);
+    }
+
+    #[test]
+    fn no_change_of_the_template_makes_the_reader_panic(
+        start in 0..TaskFile::TEMPLATE.len(), length in 0_usize..40, by in "[\\[\\]{}=,.\"#\n a-z0-9_-]{0,20}"
+    ) {
+        let text = TaskFile::TEMPLATE;
+        let start = text.floor_char_boundary(start);
+        let end = text.floor_char_boundary((start + length).min(text.len()));
+        let changed = format!("{}{by}{}", &text[..start], &text[end..]);
+        if let Err(error) = parsed(&changed) {
+            prop_assert!(error.to_string().starts_with("small.toml:"), "{}", error);
+        }
+    }
+
+    #[test]
+    fn no_outline_makes_the_reader_panic(points in prop::collection::vec((-3_i8..3, -3_i8..3), 0..8)) {
+        let text = format!("outline_m = {points:?}").replace('(', "[").replace(')', "]");
+        let text = small_with(&[("size_m = [0.5, 0.4]", &text), ("[\"y_min\"]", "[0]")]);
+        if let Ok(file) = parsed(&text) {
+            prop_assert!(file.contents.surface.outline.area() >= 1e-6);
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! The records of an MCAP file, from its beginning on. An index is not needed, so that a file without an end is
+//! read as well; see <https://mcap.dev/spec>.
+//!
+//! Records are told apart here and not by the `mcap` crate, since that one runs out of a chunk whose records claim
+//! to be longer than it.
+
+use super::unpack::{UnpackError, unpack};
+use crate::error::ReadFault;
+use mcap::read::ChannelAccumulator;
+use mcap::records::{Record, op};
+use mcap::{Channel, MAGIC, McapError, parse_record};
+use std::io::{self, Read};
+
+/// Longest record that is read, unpacked [bytes]: above the largest chunks that recorders write.
+const MAX_RECORD_LEN: usize = 256 << 20;
+
+/// Kind and length of a record, before its body [bytes].
+const HEAD_LEN: usize = 9;
+
+/// Takes a message: its channel, when it was recorded [ns], and its bytes.
+pub(crate) type Take<'a> = dyn FnMut(&Channel<'_>, u64, &[u8]) -> Result<(), ReadFault> + 'a;
+
+/// Where a file ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Ending {
+    /// After its last record.
+    Footer,
+    /// Before, at this byte.
+    CutOff {
+        /// Length of the file.
+        byte: u64,
+    },
+}
+
+/// Hands each message over, in the order of the file.
+///
+/// # Errors
+/// What the system says, what `each` says, and every fault of the file but that it ends early.
+pub(crate) fn messages(source: impl Read, each: &mut Take<'_>) -> Result<Ending, ReadFault> {
+    let mut file = Records { source, byte: 0 };
+    let magic = file.take(MAGIC.len() as u64)?;
+    if magic != MAGIC {
+        let bytes: Vec<String> = magic.iter().map(|byte| format!("{byte:02x}")).collect();
+        return Err(ReadFault::NotABag {
+            found: bytes.join(" "),
+        });
+    }
+    let mut known = ChannelAccumulator::default();
+    loop {
+        let byte = file.byte;
+        let head = file.take(HEAD_LEN as u64)?;
+        let Some((kind, len)) = kind_and_length(&head) else {
+            return Ok(Ending::CutOff { byte: file.byte });
+        };
+        let is_read = [op::SCHEMA, op::CHANNEL, op::MESSAGE, op::CHUNK].contains(&kind);
+        if !is_read {
+            if file.skip(len)? < len {
+                return Ok(Ending::CutOff { byte: file.byte });
+            }
+            if kind == op::FOOTER {
+                return Ok(Ending::Footer);
+            }
+            continue;
+        }
+        if len > MAX_RECORD_LEN as u64 {
+            return Err(ReadFault::RecordLength {
+                byte,
+                len,
+                limit: MAX_RECORD_LEN,
+            });
+        }
+        let body = file.take(len)?;
+        if (body.len() as u64) < len {
+            return Ok(Ending::CutOff { byte: file.byte });
+        }
+        record(kind, &body, byte, &mut known, each)?;
+    }
+}
+
+/// A file with the place that reading has come to.
+struct Records<R> {
+    source: R,
+    byte: u64,
+}
+
+impl<R: Read> Records<R> {
+    /// The next bytes, fewer at the file's end.
+    fn take(&mut self, len: u64) -> Result<Vec<u8>, ReadFault> {
+        let mut bytes = Vec::new();
+        (self.source.by_ref().take(len))
+            .read_to_end(&mut bytes)
+            .map_err(ReadFault::System)?;
+        self.byte += bytes.len() as u64;
+        Ok(bytes)
+    }
+
+    /// Leaves bytes out; how many there were.
+    fn skip(&mut self, len: u64) -> Result<u64, ReadFault> {
+        let mut rest = self.source.by_ref().take(len);
+        let skipped = io::copy(&mut rest, &mut io::sink()).map_err(ReadFault::System)?;
+        self.byte += skipped;
+        Ok(skipped)
+    }
+}
+
+/// A record's head; none where it is cut off.
+fn kind_and_length(head: &[u8]) -> Option<(u8, u64)> {
+    let (kind, len) = head.split_first()?;
+    Some((*kind, u64::from_le_bytes(len.try_into().ok()?)))
+}
+
+fn record(
+    kind: u8,
+    body: &[u8],
+    byte: u64,
+    known: &mut ChannelAccumulator<'static>,
+    each: &mut Take<'_>,
+) -> Result<(), ReadFault> {
+    let damaged = |error: McapError| ReadFault::Damaged {
+        byte,
+        error: error.to_string(),
+    };
+    match parse_record(kind, body).map_err(damaged)? {
+        Record::Schema { header, data } => {
+            known.add_schema_from_slice(header, &data).map_err(damaged)
+        }
+        Record::Channel(channel) => known.add_channel(channel).map_err(damaged),
+        Record::Message { header, data } => {
+            let unknown = McapError::UnknownChannel(header.sequence, header.channel_id);
+            let channel = known
+                .get(header.channel_id)
+                .ok_or_else(|| damaged(unknown))?;
+            each(&channel, header.log_time, &data)
+        }
+        Record::Chunk { header, data } => {
+            let plain =
+                unpack(&header.compression, &data, MAX_RECORD_LEN).map_err(
+                    |error| match error {
+                        UnpackError::Unknown => ReadFault::Compression {
+                            byte,
+                            compression: header.compression.clone(),
+                        },
+                        UnpackError::TooLong => ReadFault::RecordLength {
+                            byte,
+                            len: header.uncompressed_size,
+                            limit: MAX_RECORD_LEN,
+                        },
+                        UnpackError::Damaged(error) => ReadFault::Damaged { byte, error },
+                    },
+                )?;
+            // Nothing in a chunk is believed before all of it is checked.
+            if plain.len() as u64 != header.uncompressed_size {
+                let error = format!(
+                    "a chunk of {} bytes says that it has {}",
+                    plain.len(),
+                    header.uncompressed_size
+                );
+                return Err(ReadFault::Damaged { byte, error });
+            }
+            let (saved, calculated) = (header.uncompressed_crc, crc32fast::hash(&plain));
+            if saved != 0 && saved != calculated {
+                return Err(damaged(McapError::BadChunkCrc { saved, calculated }));
+            }
+            inner_records(&plain, byte, known, each)
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The records in a chunk, which begins at this byte of the file.
+fn inner_records(
+    mut plain: &[u8],
+    byte: u64,
+    known: &mut ChannelAccumulator<'static>,
+    each: &mut Take<'_>,
+) -> Result<(), ReadFault> {
+    while !plain.is_empty() {
+        let overrun = || ReadFault::Damaged {
+            byte,
+            error: McapError::UnexpectedEoc.to_string(),
+        };
+        let (head, rest) = plain.split_at_checked(HEAD_LEN).ok_or_else(overrun)?;
+        let (kind, len) = kind_and_length(head).ok_or_else(overrun)?;
+        let len = usize::try_from(len).map_err(|_| overrun())?;
+        let (body, rest) = rest.split_at_checked(len).ok_or_else(overrun)?;
+        plain = rest;
+        // A chunk holds no chunks.
+        if [op::SCHEMA, op::CHANNEL, op::MESSAGE].contains(&kind) {
+            record(kind, body, byte, known, each)?;
+        }
+    }
+    Ok(())
+}

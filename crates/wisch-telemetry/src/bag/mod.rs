@@ -1,0 +1,11 @@
+//! ROS 2 bags: MCAP files with CDR messages.
+
+mod container;
+mod locator;
+mod reader;
+mod topic;
+mod unpack;
+mod writer;
+
+pub(crate) use reader::BagReader;
+pub use writer::{BagHead, BagWriter, active_path};

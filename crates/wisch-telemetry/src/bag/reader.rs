@@ -1,0 +1,420 @@
+//! ROS 2 bags: finds the poses and forces in an MCAP file of whatever topics.
+
+use super::container::{Ending, messages};
+use super::locator::{Found, Locator};
+use super::topic::{AXES_KEY, ROLE_KEY, ROLE_POSE, ROLE_WRENCH, START_KEY};
+use crate::error::ReadFault;
+use crate::options::TopicChoice;
+use crate::quantity::Quantity;
+use crate::ros2::{MessageError, Schema, Value, decode};
+use crate::track::{RawLog, Track};
+use mcap::Channel;
+use std::collections::{BTreeMap, HashMap};
+use std::fs::File;
+use std::io::BufReader;
+use std::path::Path;
+use std::rc::Rc;
+use wisch::geometry::{Pose, Vector3};
+use wisch::represent::UnknownName;
+
+/// Gathers what the parts of a bag say.
+pub(crate) struct BagReader {
+    poses: Search<Pose>,
+    wrenches: Search<Vector3>,
+    /// Every topic with its type.
+    topics: BTreeMap<String, String>,
+    channels: HashMap<u16, Reading>,
+    unfinished: bool,
+}
+
+/// What is made of a channel's messages.
+enum Reading {
+    /// It holds nothing that is looked for.
+    Nothing,
+    Messages {
+        schema: Rc<Schema>,
+        pose: Option<Rc<Locator<Pose>>>,
+        wrench: Option<Rc<Locator<Vector3>>>,
+    },
+}
+
+impl BagReader {
+    /// Looks for a pose and a wrench.
+    pub fn new(pose: &TopicChoice, wrench: &TopicChoice) -> Self {
+        Self {
+            poses: Search::new(pose, ROLE_POSE),
+            wrenches: Search::new(wrench, ROLE_WRENCH),
+            topics: BTreeMap::new(),
+            channels: HashMap::new(),
+            unfinished: false,
+        }
+    }
+
+    /// Reads a file. One that is being written may end where it likes; of one that is finished that is an error.
+    pub fn read(&mut self, path: &Path) -> Result<(), ReadFault> {
+        let file = BufReader::new(File::open(path).map_err(ReadFault::System)?);
+        // Each file numbers its channels anew.
+        self.channels.clear();
+        let ending = messages(file, &mut |channel, log_time, data| {
+            self.message(channel, log_time, data)
+        })?;
+        let is_active = path.extension().is_some_and(|ending| ending == "active");
+        match ending {
+            Ending::Footer => {}
+            Ending::CutOff { .. } if is_active => self.unfinished = true,
+            Ending::CutOff { byte } => return Err(ReadFault::Truncated { byte }),
+        }
+        Ok(())
+    }
+
+    /// What was found.
+    pub fn finish(self) -> Result<RawLog, ReadFault> {
+        let (poses, says) = self.poses.choose(&self.topics)?;
+        let (wrenches, wrench_says) = self.wrenches.choose(&self.topics)?;
+        Ok(RawLog {
+            poses,
+            wrenches,
+            axes: wrench_says.axes,
+            start: says.start,
+            unfinished: self.unfinished,
+        })
+    }
+
+    fn message(
+        &mut self,
+        channel: &Channel<'_>,
+        log_time: u64,
+        data: &[u8],
+    ) -> Result<(), ReadFault> {
+        if !self.channels.contains_key(&channel.id) {
+            let reading = self.channel(channel)?;
+            self.channels.insert(channel.id, reading);
+        }
+        let Some(Reading::Messages {
+            schema,
+            pose,
+            wrench,
+        }) = self.channels.get(&channel.id)
+        else {
+            return Ok(());
+        };
+        let value = decode(schema, data);
+        let log_time = i64::try_from(log_time).unwrap_or(i64::MAX);
+        if let Some(locator) = pose {
+            self.poses.take(channel, locator, &value, log_time);
+        }
+        if let Some(locator) = wrench {
+            self.wrenches.take(channel, locator, &value, log_time);
+        }
+        Ok(())
+    }
+
+    /// Sees a channel for the first time.
+    fn channel(&mut self, channel: &Channel<'_>) -> Result<Reading, ReadFault> {
+        let kind = (channel.schema.as_ref()).map_or_else(String::new, |schema| schema.name.clone());
+        self.topics.insert(channel.topic.clone(), kind);
+        if !(self.poses.wants(channel) || self.wrenches.wants(channel)) {
+            return Ok(Reading::Nothing);
+        }
+        let schema = match readable(channel) {
+            Ok(schema) => Rc::new(schema),
+            Err(fault) if self.poses.names(channel) || self.wrenches.names(channel) => {
+                return Err(fault);
+            }
+            // Bags hold topics of all kinds, and this is not the one that was asked for.
+            Err(_) => return Ok(Reading::Nothing),
+        };
+        let pose = self.poses.locator(channel, &schema)?;
+        let wrench = self.wrenches.locator(channel, &schema)?;
+        Ok(if pose.is_none() && wrench.is_none() {
+            Reading::Nothing
+        } else {
+            Reading::Messages {
+                schema,
+                pose,
+                wrench,
+            }
+        })
+    }
+}
+
+/// The layout of a channel's messages.
+fn readable(channel: &Channel<'_>) -> Result<Schema, ReadFault> {
+    let topic = channel.topic.clone();
+    let encoding = |what, encoding: &str, limit| ReadFault::Encoding {
+        topic: topic.clone(),
+        what,
+        encoding: encoding.to_owned(),
+        limit,
+    };
+    if channel.message_encoding != "cdr" {
+        return Err(encoding("message", &channel.message_encoding, "cdr"));
+    }
+    let Some(schema) = &channel.schema else {
+        return Err(encoding("schema", "", "ros2msg"));
+    };
+    if schema.encoding != "ros2msg" {
+        return Err(encoding("schema", &schema.encoding, "ros2msg"));
+    }
+    Schema::parse(&schema.name, &schema.data).map_err(|error| ReadFault::Schema { topic, error })
+}
+
+/// Which time a topic's messages go by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Clock {
+    /// That of their headers.
+    Stamp,
+    /// That at which they were recorded, as their headers bear none.
+    Log,
+}
+
+/// Something that may be what is looked for.
+struct Candidate<Q> {
+    topic: String,
+    /// The child frame, in a topic that holds many.
+    child: String,
+    clock: Clock,
+    says: Says,
+    track: Track<Q>,
+}
+
+/// What the writer says about a channel.
+#[derive(Debug, Clone, Default)]
+struct Says {
+    is_meant: bool,
+    axes: Option<String>,
+    start: Option<i64>,
+}
+
+/// Looks for one quantity.
+struct Search<Q> {
+    /// A topic and a field of it, or nothing.
+    named: Option<(String, String)>,
+    role: &'static str,
+    candidates: Vec<Candidate<Q>>,
+    /// How many messages of each topic were seen.
+    seen: HashMap<String, usize>,
+    /// The first fault of each topic; it matters only if the topic is chosen.
+    faults: BTreeMap<String, ReadFault>,
+}
+
+impl<Q: Quantity> Search<Q> {
+    fn new(choice: &TopicChoice, role: &'static str) -> Self {
+        let named = match choice {
+            TopicChoice::Sole => None,
+            TopicChoice::Named(name) => {
+                let (topic, field) = name.split_once(':').unwrap_or((name, ""));
+                Some((topic.to_owned(), field.to_owned()))
+            }
+        };
+        Self {
+            named,
+            role,
+            candidates: Vec::new(),
+            seen: HashMap::new(),
+            faults: BTreeMap::new(),
+        }
+    }
+
+    /// Whether this channel was asked for by name.
+    fn names(&self, channel: &Channel<'_>) -> bool {
+        (self.named.as_ref()).is_some_and(|(topic, _)| *topic == channel.topic)
+    }
+
+    /// Whether this channel may be it.
+    fn wants(&self, channel: &Channel<'_>) -> bool {
+        self.named.is_none() || self.names(channel)
+    }
+
+    /// How to read a channel, if it holds the quantity.
+    fn locator(
+        &self,
+        channel: &Channel<'_>,
+        schema: &Schema,
+    ) -> Result<Option<Rc<Locator<Q>>>, ReadFault> {
+        if !self.wants(channel) {
+            return Ok(None);
+        }
+        let field = self.named.as_ref().map_or("", |(_, field)| field);
+        let locator = Locator::find(schema, field);
+        if locator.is_none() && self.names(channel) {
+            let kind = channel.schema.as_ref().map(|schema| schema.name.clone());
+            return Err(ReadFault::NotThere {
+                topic: channel.topic.clone(),
+                kind: kind.unwrap_or_default(),
+                field: field.to_owned(),
+                what: Q::NAME,
+            });
+        }
+        Ok(locator.map(Rc::new))
+    }
+
+    fn take(
+        &mut self,
+        channel: &Channel<'_>,
+        locator: &Locator<Q>,
+        message: &Result<Value, MessageError>,
+        log_time: i64,
+    ) {
+        if self.faults.contains_key(&channel.topic) {
+            return;
+        }
+        let number = self.count(&channel.topic);
+        let taken = match message {
+            Ok(message) => (locator.read(message))
+                .try_for_each(|found| self.push(channel, locator, found, number, log_time)),
+            Err(error) => Err(ReadFault::Message {
+                topic: channel.topic.clone(),
+                number,
+                error: error.clone(),
+            }),
+        };
+        if let Err(fault) = taken {
+            self.faults.insert(channel.topic.clone(), fault);
+        }
+    }
+
+    /// The number of a topic's next message, from 1.
+    fn count(&mut self, topic: &str) -> usize {
+        if let Some(count) = self.seen.get_mut(topic) {
+            *count += 1;
+            return *count;
+        }
+        self.seen.insert(topic.to_owned(), 1);
+        1
+    }
+
+    fn push(
+        &mut self,
+        channel: &Channel<'_>,
+        locator: &Locator<Q>,
+        found: Found<'_, Q>,
+        number: usize,
+        log_time: i64,
+    ) -> Result<(), ReadFault> {
+        let child = if locator.is_list() { found.child } else { "" };
+        let known = (self.candidates.iter())
+            .position(|known| known.topic == channel.topic && known.child == child);
+        let index = known.unwrap_or_else(|| {
+            let seen = (found.stamp, found.frame);
+            (self.candidates).push(Candidate::new(channel, child, seen, log_time, self.role));
+            self.candidates.len() - 1
+        });
+        let candidate = &mut self.candidates[index];
+        let time = match candidate.clock {
+            Clock::Stamp => found.stamp,
+            Clock::Log => log_time,
+        };
+        let place = || format!("topic {}, message {number}", channel.topic);
+        candidate.track.push(time, found.value, place)
+    }
+
+    /// The one that is meant.
+    fn choose(mut self, topics: &BTreeMap<String, String>) -> Result<(Track<Q>, Says), ReadFault> {
+        let index = match &self.named {
+            Some((topic, field)) => self.by_name(topic, field, topics)?,
+            None => self.by_content()?,
+        };
+        let Some(index) = index else {
+            // The messages that might have been it may have been no messages.
+            return Err((self.faults.pop_first()).map_or_else(
+                || ReadFault::Nothing {
+                    what: Q::NAME,
+                    topics: (topics.iter())
+                        .map(|(topic, kind)| format!("{topic} ({kind})"))
+                        .collect(),
+                },
+                |(_, fault)| fault,
+            ));
+        };
+        let chosen = self.candidates.swap_remove(index);
+        match self.faults.remove(&chosen.topic) {
+            Some(fault) => Err(fault),
+            None => Ok((chosen.track, chosen.says)),
+        }
+    }
+
+    fn by_name(
+        &self,
+        topic: &str,
+        field: &str,
+        topics: &BTreeMap<String, String>,
+    ) -> Result<Option<usize>, ReadFault> {
+        if !topics.contains_key(topic) {
+            let known = topics.keys().map(String::as_str);
+            return Err(ReadFault::Unknown(UnknownName::new("topic", topic, known)));
+        }
+        let children = || self.candidates.iter().map(|known| known.child.as_str());
+        if field.is_empty() || children().all(str::is_empty) {
+            return self.sole(|_| true);
+        }
+        let index = children().position(|child| child == field);
+        index
+            .map(Some)
+            .ok_or_else(|| ReadFault::Unknown(UnknownName::new("child frame", field, children())))
+    }
+
+    fn by_content(&self) -> Result<Option<usize>, ReadFault> {
+        // Transforms are of everything that moves: a topic of its own is the better guess.
+        let preferences: [fn(&Candidate<Q>) -> bool; 3] = [
+            |candidate| candidate.says.is_meant,
+            |candidate| candidate.child.is_empty(),
+            |_| true,
+        ];
+        for preferred in preferences {
+            if let Some(index) = self.sole(preferred)? {
+                return Ok(Some(index));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The only candidate of some kind, if there is any.
+    fn sole(&self, is_one: fn(&Candidate<Q>) -> bool) -> Result<Option<usize>, ReadFault> {
+        let those: Vec<usize> = (0..self.candidates.len())
+            .filter(|&index| is_one(&self.candidates[index]))
+            .collect();
+        match those.as_slice() {
+            [] => Ok(None),
+            [one] => Ok(Some(*one)),
+            many => Err(ReadFault::Several {
+                what: Q::NAME,
+                topics: (many.iter())
+                    .map(|&index| self.candidates[index].track.name.clone())
+                    .collect(),
+            }),
+        }
+    }
+}
+
+impl<Q: Quantity> Candidate<Q> {
+    fn new(
+        channel: &Channel<'_>,
+        child: &str,
+        found: (i64, &str),
+        log_time: i64,
+        role: &str,
+    ) -> Self {
+        let (stamp, frame) = found;
+        let mut track = Track::new(match child {
+            "" => channel.topic.clone(),
+            child => format!("{}:{child}", channel.topic),
+        });
+        track.frame = frame.to_owned();
+        let says = |key| channel.metadata.get(key).cloned();
+        Self {
+            topic: channel.topic.clone(),
+            child: child.to_owned(),
+            clock: match (stamp, log_time) {
+                (0, 1..) => Clock::Log,
+                _ => Clock::Stamp,
+            },
+            says: Says {
+                is_meant: says(ROLE_KEY).as_deref() == Some(role),
+                axes: says(AXES_KEY),
+                start: says(START_KEY).and_then(|start| start.parse().ok()),
+            },
+            track,
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! The topics of the bags that are written.
+
+use crate::options::Axes;
+use std::collections::BTreeMap;
+
+/// Frame of the world.
+pub(crate) const FRAME_WORLD: &str = Axes::World.as_str();
+/// Frame of the tool, its tool centre point at the origin.
+pub(crate) const FRAME_TOOL: &str = Axes::Tool.as_str();
+/// Frame of the target surface.
+pub(crate) const FRAME_SURFACE: &str = Axes::Surface.as_str();
+
+/// Key of a channel's metadata that says what the channel is to the interpretation.
+pub(crate) const ROLE_KEY: &str = "wisch.role";
+/// The channel says where the tool is.
+pub(crate) const ROLE_POSE: &str = "tool pose";
+/// The channel says what the tool feels.
+pub(crate) const ROLE_WRENCH: &str = "external wrench";
+/// Key of a channel's metadata that says the log's time when the samples' time is 0 [ns].
+pub(crate) const START_KEY: &str = "wisch.start_ns";
+/// Key of a channel's metadata that says in whose axes a wrench is given.
+pub(crate) const AXES_KEY: &str = "wisch.axes";
+
+/// The topics, in the order of their channels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Topic {
+    Joints,
+    Commanded,
+    Measured,
+    Controller,
+    External,
+    Transforms,
+    Particles,
+    Phase,
+}
+
+impl Topic {
+    pub const ALL: [Self; 8] = [
+        Self::Joints,
+        Self::Commanded,
+        Self::Measured,
+        Self::Controller,
+        Self::External,
+        Self::Transforms,
+        Self::Particles,
+        Self::Phase,
+    ];
+
+    /// Its name, its package and type.
+    pub fn named(self) -> (&'static str, [&'static str; 2]) {
+        match self {
+            Self::Joints => ("/joint_states", ["sensor_msgs", "JointState"]),
+            Self::Commanded => ("/tcp/commanded", ["geometry_msgs", "PoseStamped"]),
+            Self::Measured => ("/tcp/measured", ["geometry_msgs", "PoseStamped"]),
+            Self::Controller => ("/wrench/controller", ["geometry_msgs", "WrenchStamped"]),
+            Self::External => ("/wrench/external", ["geometry_msgs", "WrenchStamped"]),
+            Self::Transforms => ("/tf", ["tf2_msgs", "TFMessage"]),
+            Self::Particles => ("/particles", ["visualization_msgs", "Marker"]),
+            Self::Phase => ("/phase", ["std_msgs", "String"]),
+        }
+    }
+
+    /// What a reader has to know beside the type.
+    pub fn metadata(self, start: u64) -> BTreeMap<String, String> {
+        let start = start.to_string();
+        let says: &[(&str, &str)] = match self {
+            Self::Commanded => &[(
+                "wisch.meaning",
+                "tool centre point as commanded, the press into the surface included",
+            )],
+            Self::Measured => &[
+                (ROLE_KEY, ROLE_POSE),
+                (START_KEY, &start),
+                (
+                    "wisch.meaning",
+                    "tool centre point by the joints' positions",
+                ),
+            ],
+            Self::Controller => &[
+                (AXES_KEY, FRAME_WORLD),
+                ("wisch.point", "tool centre point"),
+                (
+                    "wisch.meaning",
+                    "what the controller asks of the tool, saturated",
+                ),
+            ],
+            Self::External => &[
+                (ROLE_KEY, ROLE_WRENCH),
+                (AXES_KEY, FRAME_WORLD),
+                ("wisch.point", "tool centre point"),
+                (
+                    "wisch.meaning",
+                    "what the surroundings do to the tool, as estimated from the drives",
+                ),
+            ],
+            Self::Particles => &[("wisch.meaning", "particles as they are believed to lie")],
+            Self::Joints | Self::Transforms | Self::Phase => &[],
+        };
+        // rosbag2 looks for profiles; an empty text stands for the usual ones.
+        [("offered_qos_profiles", "")]
+            .iter()
+            .chain(says)
+            .map(|(key, value)| ((*key).to_owned(), (*value).to_owned()))
+            .collect()
+    }
+}

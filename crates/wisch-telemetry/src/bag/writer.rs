@@ -1,0 +1,475 @@
+//! Telemetry as a ROS 2 bag: MCAP with CDR messages, written while it comes in.
+
+use super::topic::{FRAME_SURFACE, FRAME_TOOL, FRAME_WORLD, Topic};
+use crate::error::WriteError;
+use crate::ros2::full_definition;
+use crate::ros2::messages::{
+    Color, Header, JointState, MARKER_POINTS, Marker, NANOSECONDS_PER_SECOND, NoImage, NoMesh,
+    Pose as PoseMessage, PoseStamped, Text, TfMessage, Time, TransformStamped, Vector3,
+    WrenchStamped,
+};
+use cdr::{CdrLe, Infinite};
+use mcap::records::MessageHeader;
+use mcap::write::NoSeek;
+use mcap::{Compression, WriteOptions, Writer};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::fs::File;
+use std::io::BufWriter;
+use std::path::{Path, PathBuf};
+use wisch::follow::Phase;
+use wisch::geometry::{Point3, Pose};
+use wisch::run::TelemetrySample;
+
+/// What a killed program loses at most [ns]: a chunk is written when it holds that much.
+const CHUNK_TIME: u64 = NANOSECONDS_PER_SECOND;
+/// Or when it is that long [bytes].
+const CHUNK_LEN: u64 = 1 << 20;
+/// Least time between two messages of `/tf` [ns]: 50 Hz, as displays ask for no more.
+const TF_PERIOD: u64 = NANOSECONDS_PER_SECOND / 50;
+/// Least time between two messages of `/particles` [ns].
+const PARTICLES_PERIOD: u64 = NANOSECONDS_PER_SECOND / 2;
+/// Side of a particle as it is drawn [m].
+const PARTICLE_SIZE: f64 = 0.004;
+/// Brown, like crumbs.
+const PARTICLE_COLOR: Color = Color {
+    r: 0.55,
+    g: 0.35,
+    b: 0.15,
+    a: 1.0,
+};
+
+/// The name of a bag that is being written.
+pub fn active_path(bag: &Path) -> PathBuf {
+    let mut name = bag.as_os_str().to_owned();
+    name.push(".active");
+    PathBuf::from(name)
+}
+
+/// What a bag says once.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BagHead {
+    /// Names of the robot's variables, in the order of the samples' arrays.
+    pub joints: Vec<String>,
+    /// Where the target surface is believed to be.
+    pub world_from_surface: Pose,
+    /// The log's time when a sample's time is 0 [ns]; 0 is as good as any.
+    pub start: u64,
+    /// Anything else worth keeping, such as the task's name and the seed.
+    pub notes: BTreeMap<String, String>,
+}
+
+/// Writes telemetry while a robot wipes.
+///
+/// Until [`finish`](Self::finish), the file bears the ending `.active` after its own; a program that is killed
+/// leaves it readable up to its last second. Time comes from the samples, so the same samples give the same bytes.
+/// Dropped unfinished, it is complete but keeps that ending.
+///
+/// | topic | type | how often |
+/// |---|---|---|
+/// | `/joint_states` | `sensor_msgs/JointState` | every sample |
+/// | `/tcp/commanded`, `/tcp/measured` | `geometry_msgs/PoseStamped`, in the world | every sample |
+/// | `/wrench/controller`, `/wrench/external` | `geometry_msgs/WrenchStamped`, axes of the world, about the tool centre point | every sample |
+/// | `/tf` | `tf2_msgs/TFMessage`: world to tool, world to surface | at most 50 Hz |
+/// | `/particles` | `visualization_msgs/Marker`, points in the world | at most 2 Hz |
+/// | `/phase` | `std_msgs/String` | when it changes |
+///
+/// ```
+/// use wisch::run::{TelemetrySample, Wrench};
+/// use wisch::follow::Phase;
+/// use wisch::geometry::{Pose, Vector3};
+/// use wisch_telemetry::{BagHead, BagWriter, LogOptions, read};
+///
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("wipe.mcap");
+/// let head = BagHead {
+///     joints: vec!["slide".into()],
+///     world_from_surface: Pose::translation(0.6, 0.0, 0.75),
+///     start: 0,
+///     notes: [("task".into(), "board".into())].into(),
+/// };
+/// let mut bag = BagWriter::create(&path, head)?;
+/// for index in 0..100 {
+///     let time = f64::from(index) * 1e-3;
+///     bag.write(&TelemetrySample {
+///         time,
+///         positions: &[0.1 * time],
+///         velocities: &[0.1],
+///         efforts: &[3.0],
+///         world_from_commanded: Pose::translation(0.6 + 0.1 * time, 0.0, 0.74),
+///         world_from_tool: Pose::translation(0.6 + 0.1 * time, 0.0, 0.75),
+///         controller: Wrench::default(),
+///         external: Wrench { force: Vector3::new(0.0, 0.0, 10.0), moment: Vector3::zeros() },
+///         motion: 0,
+///         phase: Phase::Wipe(0),
+///     })?;
+/// }
+/// bag.finish()?;
+///
+/// let log = read(&path, &LogOptions::default())?;
+/// assert_eq!(log.samples.len(), 100);
+/// assert_eq!(log.samples[0].force.z, 10.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct BagWriter {
+    target: PathBuf,
+    active: PathBuf,
+    mcap: Writer<NoSeek<BufWriter<File>>>,
+    head: BagHead,
+    channels: [u16; Topic::ALL.len()],
+    sequences: [u32; Topic::ALL.len()],
+    /// Time of the last sample, if there was one [ns].
+    last: Option<u64>,
+    /// Since when the chunk fills [ns].
+    chunk_start: u64,
+    last_transforms: Option<u64>,
+    last_particles: Option<u64>,
+    phase: Option<Phase>,
+    /// Particles that wait until they may be written.
+    particles: Vec<Vector3>,
+    particles_wait: bool,
+    message: Vec<u8>,
+    text: String,
+}
+
+impl BagWriter {
+    /// Begins a bag that is to stand at `path` in the end.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn create(path: &Path, head: BagHead) -> Result<Self, WriteError> {
+        let active = active_path(path);
+        let file = File::create(&active).map_err(|error| WriteError::File {
+            path: active.clone(),
+            error,
+        })?;
+        let failed = |error| WriteError::Mcap {
+            path: active.clone(),
+            error,
+        };
+        // Without seeking a chunk goes to the file whole or not at all, as a killed program needs it.
+        let mut mcap = WriteOptions::new()
+            .profile("ros2")
+            .library(concat!("wisch/", env!("CARGO_PKG_VERSION")))
+            .compression(Some(Compression::Lz4))
+            .chunk_size(Some(CHUNK_LEN))
+            .disable_seeking(true)
+            .create(NoSeek::new(BufWriter::new(file)))
+            .map_err(failed)?;
+        mcap.write_metadata(&mcap::records::Metadata {
+            name: "wisch".to_owned(),
+            metadata: head.notes.clone(),
+        })
+        .map_err(failed)?;
+        let mut channels = [0; Topic::ALL.len()];
+        for (topic, channel) in Topic::ALL.into_iter().zip(&mut channels) {
+            let (name, [package, kind]) = topic.named();
+            let definition = full_definition(&format!("{package}/{kind}"));
+            let kind = format!("{package}/msg/{kind}");
+            let schema = mcap
+                .add_schema(&kind, "ros2msg", definition.as_bytes())
+                .map_err(failed)?;
+            *channel = mcap
+                .add_channel(schema, name, "cdr", &topic.metadata(head.start))
+                .map_err(failed)?;
+        }
+        Ok(Self {
+            target: path.to_path_buf(),
+            chunk_start: head.start,
+            active,
+            mcap,
+            head,
+            channels,
+            sequences: [0; Topic::ALL.len()],
+            last: None,
+            last_transforms: None,
+            last_particles: None,
+            phase: None,
+            particles: Vec::new(),
+            particles_wait: false,
+            message: Vec::new(),
+            text: String::new(),
+        })
+    }
+
+    /// Where the bag grows.
+    pub fn active_path(&self) -> &Path {
+        &self.active
+    }
+
+    /// Adds a sample.
+    ///
+    /// # Errors
+    /// A time that is not finite, negative or not later than the last; arrays of another length than there are
+    /// joints; or what the system says.
+    pub fn write(&mut self, sample: &TelemetrySample<'_>) -> Result<(), WriteError> {
+        let time = self.check(sample)?;
+        if time.saturating_sub(self.chunk_start) >= CHUNK_TIME {
+            self.mcap.flush().map_err(|error| self.failed(error))?;
+            self.chunk_start = time;
+        }
+        self.last = Some(time);
+        self.write_joints(time, sample)?;
+        for (topic, pose) in [
+            (Topic::Commanded, &sample.world_from_commanded),
+            (Topic::Measured, &sample.world_from_tool),
+        ] {
+            let pose = pose.into();
+            self.put(
+                topic,
+                time,
+                &PoseStamped {
+                    header: in_world(time),
+                    pose,
+                },
+            )?;
+        }
+        for (topic, wrench) in [
+            (Topic::Controller, &sample.controller),
+            (Topic::External, &sample.external),
+        ] {
+            let wrench = wrench.into();
+            self.put(
+                topic,
+                time,
+                &WrenchStamped {
+                    header: in_world(time),
+                    wrench,
+                },
+            )?;
+        }
+        if is_due(self.last_transforms, time, TF_PERIOD) {
+            self.last_transforms = Some(time);
+            self.write_transforms(time, sample)?;
+        }
+        if self.phase != Some(sample.phase) {
+            self.phase = Some(sample.phase);
+            self.write_phase(time, sample.phase)?;
+        }
+        if self.particles_wait && is_due(self.last_particles, time, PARTICLES_PERIOD) {
+            self.write_waiting_particles(time)?;
+        }
+        Ok(())
+    }
+
+    /// Says where the particles lie, in the world [m]. At most twice a second they are written; what comes in
+    /// between waits, and the last word is always written.
+    ///
+    /// # Errors
+    /// A time that is not finite or negative, or what the system says.
+    pub fn write_particles(&mut self, time: f64, particles: &[Point3]) -> Result<(), WriteError> {
+        let time = self.nanoseconds(time)?;
+        self.particles.clear();
+        self.particles
+            .extend(particles.iter().map(|p| Vector3::from(p.coords)));
+        self.particles_wait = true;
+        if is_due(self.last_particles, time, PARTICLES_PERIOD) {
+            self.write_waiting_particles(time)?;
+        }
+        Ok(())
+    }
+
+    /// Ends the bag and gives it its name, in place of what bore it.
+    ///
+    /// # Errors
+    /// What the system says; the bag then keeps the ending `.active`.
+    pub fn finish(mut self) -> Result<(), WriteError> {
+        if self.particles_wait {
+            self.write_waiting_particles(self.last.unwrap_or(self.head.start))?;
+        }
+        self.mcap.finish().map_err(|error| self.failed(error))?;
+        std::fs::rename(&self.active, &self.target).map_err(|error| WriteError::File {
+            path: self.target.clone(),
+            error,
+        })
+    }
+
+    fn check(&self, sample: &TelemetrySample<'_>) -> Result<u64, WriteError> {
+        let joints = self.head.joints.len();
+        for (what, values) in [
+            ("positions", sample.positions),
+            ("velocities", sample.velocities),
+            ("efforts", sample.efforts),
+        ] {
+            if values.len() != joints {
+                return Err(WriteError::Joints {
+                    what,
+                    count: values.len(),
+                    joints,
+                });
+            }
+        }
+        let time = self.nanoseconds(sample.time)?;
+        match self.last {
+            Some(last) if time <= last => Err(WriteError::Backwards {
+                time: sample.time,
+                last: (last - self.head.start) as f64 / NANOSECONDS_PER_SECOND as f64,
+            }),
+            _ => Ok(time),
+        }
+    }
+
+    /// The log's time [ns] at a sample's time [s].
+    fn nanoseconds(&self, time: f64) -> Result<u64, WriteError> {
+        if !(time.is_finite() && (0.0..MAX_TIME).contains(&time)) {
+            return Err(WriteError::Time {
+                time,
+                limit: MAX_TIME,
+            });
+        }
+        Ok(self.head.start + (time * NANOSECONDS_PER_SECOND as f64).round() as u64)
+    }
+
+    fn write_joints(&mut self, time: u64, sample: &TelemetrySample<'_>) -> Result<(), WriteError> {
+        // The names belong to us, and so does the buffer that they are to be written to.
+        let joints = std::mem::take(&mut self.head.joints);
+        let header = Header {
+            stamp: Time::from_nanoseconds(time),
+            frame_id: "",
+        };
+        let written = self.put(
+            Topic::Joints,
+            time,
+            &JointState {
+                header,
+                name: &joints,
+                position: sample.positions,
+                velocity: sample.velocities,
+                effort: sample.efforts,
+            },
+        );
+        self.head.joints = joints;
+        written
+    }
+
+    fn write_transforms(
+        &mut self,
+        time: u64,
+        sample: &TelemetrySample<'_>,
+    ) -> Result<(), WriteError> {
+        let header = in_world(time);
+        let transforms = [
+            TransformStamped {
+                header,
+                child_frame_id: FRAME_TOOL,
+                transform: (&sample.world_from_tool).into(),
+            },
+            TransformStamped {
+                header,
+                child_frame_id: FRAME_SURFACE,
+                transform: (&self.head.world_from_surface).into(),
+            },
+        ];
+        self.put(
+            Topic::Transforms,
+            time,
+            &TfMessage {
+                transforms: &transforms,
+            },
+        )
+    }
+
+    fn write_phase(&mut self, time: u64, phase: Phase) -> Result<(), WriteError> {
+        let mut text = std::mem::take(&mut self.text);
+        text.clear();
+        // Writing to a text cannot fail.
+        let _ = match phase {
+            Phase::Drive => write!(text, "drive"),
+            Phase::FreeMotion => write!(text, "transfer"),
+            Phase::Lifted => write!(text, "lifted"),
+            Phase::Lower => write!(text, "lower"),
+            Phase::Wipe(stroke) => write!(text, "wipe {stroke}"),
+            Phase::Lift => write!(text, "lift"),
+        };
+        let written = self.put(Topic::Phase, time, &Text { data: &text });
+        self.text = text;
+        written
+    }
+
+    fn write_waiting_particles(&mut self, time: u64) -> Result<(), WriteError> {
+        self.particles_wait = false;
+        self.last_particles = Some(time);
+        let points = std::mem::take(&mut self.particles);
+        let nothing = Header {
+            stamp: Time::ZERO,
+            frame_id: "",
+        };
+        let marker = Marker {
+            header: in_world(time),
+            ns: "particles",
+            id: 0,
+            kind: MARKER_POINTS,
+            action: 0,
+            pose: PoseMessage::from(&Pose::identity()),
+            scale: Vector3 {
+                x: PARTICLE_SIZE,
+                y: PARTICLE_SIZE,
+                z: PARTICLE_SIZE,
+            },
+            color: PARTICLE_COLOR,
+            lifetime: Time::ZERO,
+            frame_locked: false,
+            points: &points,
+            colors: &[],
+            texture_resource: "",
+            texture: NoImage {
+                header: nothing,
+                format: "",
+                data: &[],
+            },
+            uv_coordinates: &[],
+            text: "",
+            mesh_resource: "",
+            mesh_file: NoMesh {
+                filename: "",
+                data: &[],
+            },
+            mesh_use_embedded_materials: false,
+        };
+        let written = self.put(Topic::Particles, time, &marker);
+        self.particles = points;
+        written
+    }
+
+    fn put(&mut self, topic: Topic, time: u64, message: &impl Serialize) -> Result<(), WriteError> {
+        self.message.clear();
+        cdr::serialize_into::<_, _, _, CdrLe>(&mut self.message, message, Infinite).map_err(
+            |error| WriteError::Message {
+                topic: topic.named().0,
+                error,
+            },
+        )?;
+        let header = MessageHeader {
+            channel_id: self.channels[topic as usize],
+            sequence: self.sequences[topic as usize],
+            log_time: time,
+            publish_time: time,
+        };
+        self.sequences[topic as usize] = header.sequence.wrapping_add(1);
+        self.mcap
+            .write_to_known_channel(&header, &self.message)
+            .map_err(|error| self.failed(error))
+    }
+
+    fn failed(&self, error: mcap::McapError) -> WriteError {
+        WriteError::Mcap {
+            path: self.active.clone(),
+            error,
+        }
+    }
+}
+
+/// Longest time that a sample may bear [s]: thirty years, well within what a message can hold.
+const MAX_TIME: f64 = 1e9;
+
+fn in_world(time: u64) -> Header<'static> {
+    Header {
+        stamp: Time::from_nanoseconds(time),
+        frame_id: FRAME_WORLD,
+    }
+}
+
+fn is_due(last: Option<u64>, now: u64, period: u64) -> bool {
+    last.is_none_or(|last| now >= last.saturating_add(period))
+}

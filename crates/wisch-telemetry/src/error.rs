@@ -1,0 +1,288 @@
+//! What can be wrong with a bag.
+
+use super::quantity::QuantityError;
+use super::ros2::{MessageError, SchemaError};
+use std::path::PathBuf;
+
+/// Why telemetry could not be written.
+#[derive(Debug, thiserror::Error)]
+pub enum WriteError {
+    /// The system refuses.
+    #[error("{}: {error}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        error: std::io::Error,
+    },
+    /// The bag cannot be written.
+    #[error("{}: {error}", path.display())]
+    Mcap {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        error: mcap::McapError,
+    },
+    /// A message cannot be laid out.
+    #[error("a message of {topic}: {error}")]
+    Message {
+        /// The topic.
+        topic: &'static str,
+        /// What is wrong.
+        error: cdr::Error,
+    },
+    /// A time that no log bears.
+    #[error("a sample's time of {time} s is not within 0 to {limit} s")]
+    Time {
+        /// The time [s].
+        time: f64,
+        /// The limit [s].
+        limit: f64,
+    },
+    /// Samples out of order.
+    #[error("a sample's time of {time} s is not after that of the sample before, {last} s")]
+    Backwards {
+        /// The time [s].
+        time: f64,
+        /// That of the sample before [s].
+        last: f64,
+    },
+    /// A sample of another robot.
+    #[error("a sample has {count} {what}, but the bag has {joints} joints")]
+    Joints {
+        /// Which array.
+        what: &'static str,
+        /// How many values it has.
+        count: usize,
+        /// How many it should have.
+        joints: usize,
+    },
+}
+
+/// Why a log cannot be read.
+#[derive(Debug, thiserror::Error)]
+#[error("{file}: {fault}")]
+pub struct ReadError {
+    /// The file.
+    pub file: String,
+    /// What is wrong in it.
+    pub fault: ReadFault,
+}
+
+/// What can be wrong with a log.
+#[derive(Debug, thiserror::Error)]
+pub enum ReadFault {
+    /// The system refuses.
+    #[error("{0}")]
+    System(std::io::Error),
+    /// It is another kind of file.
+    #[error(
+        "this is no bag: it begins with bytes {found}, and an MCAP file with 89 4d 43 41 50 30 0d 0a"
+    )]
+    NotABag {
+        /// Its first bytes.
+        found: String,
+    },
+    /// It ends too early.
+    #[error(
+        "the bag ends at byte {byte} in the middle of a record, as one that is being written does"
+    )]
+    Truncated {
+        /// Its length.
+        byte: u64,
+    },
+    /// It is packed in a way that is not read.
+    #[error(
+        "byte {byte}: a chunk is compressed with {compression:?}, and only \"lz4\", \"zstd\" and none at all are read"
+    )]
+    Compression {
+        /// Where the record begins.
+        byte: u64,
+        /// How it is packed.
+        compression: String,
+    },
+    /// A record that is longer than any.
+    #[error("byte {byte}: a record of {len} bytes exceeds the limit of {limit} bytes")]
+    RecordLength {
+        /// Where it begins.
+        byte: u64,
+        /// Its length, unpacked.
+        len: u64,
+        /// The limit.
+        limit: usize,
+    },
+    /// The container is damaged.
+    #[error("byte {byte}: {error}")]
+    Damaged {
+        /// Where the record begins.
+        byte: u64,
+        /// What is wrong.
+        error: String,
+    },
+    /// A topic's messages or schema are encoded in a way that is not read.
+    #[error("topic {topic}: its {what} encoding is {encoding:?}, and only {limit:?} is read")]
+    Encoding {
+        /// The topic.
+        topic: String,
+        /// message or schema.
+        what: &'static str,
+        /// The encoding.
+        encoding: String,
+        /// The one that is read.
+        limit: &'static str,
+    },
+    /// A topic's schema cannot be read.
+    #[error("topic {topic}: {error}")]
+    Schema {
+        /// The topic.
+        topic: String,
+        /// What is wrong.
+        error: SchemaError,
+    },
+    /// A message cannot be taken apart.
+    #[error("topic {topic}, message {number}: {error}")]
+    Message {
+        /// The topic.
+        topic: String,
+        /// Counted from 1.
+        number: usize,
+        /// What is wrong.
+        error: MessageError,
+    },
+    /// A message or line says what cannot be.
+    #[error("{place}: {error}")]
+    Quantity {
+        /// The message or line.
+        place: String,
+        /// What is wrong.
+        error: QuantityError,
+    },
+    /// Time that goes back.
+    #[error("{place}: its time of {time} s is before that of the one before, {last} s")]
+    Backwards {
+        /// The message or line.
+        place: String,
+        /// Its time [s].
+        time: f64,
+        /// The time before [s].
+        last: f64,
+    },
+    /// A topic or column that is not there.
+    #[error("{0}")]
+    Unknown(wisch::represent::UnknownName),
+    /// A topic without what was looked for.
+    #[error("topic {topic} of type {kind}: there is no {what}{}", in_field(.field))]
+    NotThere {
+        /// The topic.
+        topic: String,
+        /// Its type.
+        kind: String,
+        /// The field that was named, or nothing.
+        field: String,
+        /// pose or wrench.
+        what: &'static str,
+    },
+    /// Nothing that could be meant.
+    #[error("no topic holds a {what}; there are: {}", listed(.topics))]
+    Nothing {
+        /// pose or wrench.
+        what: &'static str,
+        /// Every topic with its type.
+        topics: Vec<String>,
+    },
+    /// More than one that could be meant.
+    #[error("{} topics hold a {what}, and one has to be chosen: {}", .topics.len(), listed(.topics))]
+    Several {
+        /// pose or wrench.
+        what: &'static str,
+        /// Their names.
+        topics: Vec<String>,
+    },
+    /// Poses and forces of different times.
+    #[error(
+        "{pose} covers {:.3} to {:.3} s and {wrench} {:.3} to {:.3} s: at no time are there both, at most {limit} s apart",
+        .pose_times[0], .pose_times[1], .wrench_times[0], .wrench_times[1]
+    )]
+    Apart {
+        /// Where the poses come from.
+        pose: String,
+        /// Their first and last time [s].
+        pose_times: [f64; 2],
+        /// Where the forces come from.
+        wrench: String,
+        /// Their first and last time [s].
+        wrench_times: [f64; 2],
+        /// The limit [s].
+        limit: f64,
+    },
+    /// A table that is no text.
+    #[error("byte {byte}: the table is not UTF-8 text")]
+    NotText {
+        /// The first byte that is none.
+        byte: usize,
+    },
+    /// A table that is longer than is read.
+    #[error("the table exceeds the limit of {limit} bytes")]
+    TableLength {
+        /// The limit.
+        limit: u64,
+    },
+    /// A table without any line of numbers.
+    #[error("the table has no line of numbers")]
+    Empty,
+    /// A line with too few values.
+    #[error("line {line}: it has {count} values, and column {column:?} is number {needed}")]
+    ShortLine {
+        /// Counted from 1.
+        line: usize,
+        /// How many values it has.
+        count: usize,
+        /// The column that is missing.
+        column: String,
+        /// Its number, from 1.
+        needed: usize,
+    },
+    /// A time that no log bears.
+    #[error("line {line}: a time of {time} s is not within {limit} s of 0")]
+    Time {
+        /// Counted from 1.
+        line: usize,
+        /// The time [s].
+        time: f64,
+        /// The limit [s].
+        limit: f64,
+    },
+    /// A value that is no number.
+    #[error("line {line}, column {column:?}: {text:?} is no number")]
+    NotANumber {
+        /// Counted from 1.
+        line: usize,
+        /// The column.
+        column: String,
+        /// The value.
+        text: String,
+    },
+}
+
+/// How many topics a message lists.
+const TOPICS_SHOWN: usize = 12;
+
+fn listed(topics: &[String]) -> String {
+    let mut text = topics[..topics.len().min(TOPICS_SHOWN)].join(", ");
+    match topics.len() {
+        0 => "none".to_owned(),
+        count if count > TOPICS_SHOWN => {
+            text += &format!(" and {} more", count - TOPICS_SHOWN);
+            text
+        }
+        _ => text,
+    }
+}
+
+fn in_field(field: &str) -> String {
+    if field.is_empty() {
+        " in it".to_owned()
+    } else {
+        format!(" in {field:?}")
+    }
+}

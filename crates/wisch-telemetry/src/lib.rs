@@ -1,0 +1,27 @@
+//! Telemetry files: ROS 2 bags (MCAP) that Foxglove, rosbag2 and Rerun open, written while a robot wipes; and
+//! logs of whatever robot, read as what the interpretation takes.
+//!
+//! [`BagWriter`] writes a bag sample by sample. [`read`] reads a bag, a folder with the parts of one, or a table
+//! with a line of names, and [`LogOptions`] say how it is to be understood: which topics, in whose axes, in which
+//! units.
+//!
+//! A bag that is written goes from `bag::writer` through `ros2::messages` (as CDR lays them out) and
+//! `ros2::definitions` (their schemas). One that is read goes through `bag::container` (records, packed or not),
+//! `bag::reader` (topics), `ros2::schema` and `ros2::walk` (messages of any type), `bag::locator` (where in them a
+//! pose or force stands), `track` (pairing in time) and `log` (frames, signs, units); a table joins at `track`.
+
+mod bag;
+mod error;
+mod log;
+mod options;
+mod quantity;
+mod ros2;
+mod table;
+mod track;
+
+pub use bag::{BagHead, BagWriter, active_path};
+pub use error::{ReadError, ReadFault, WriteError};
+pub use log::{AxesSource, Log, read};
+pub use options::{Axes, AxesChoice, LogOptions, TopicChoice, WrenchSign};
+pub use quantity::QuantityError;
+pub use ros2::{MessageError, SchemaError};

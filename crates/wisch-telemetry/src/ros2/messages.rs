@@ -1,0 +1,207 @@
+//! The ROS 2 messages that a bag is written with, as CDR lays them out: field order is that of the definitions.
+
+use serde::Serialize;
+use wisch::control;
+use wisch::geometry::{self, Vector3 as Vector};
+
+/// `builtin_interfaces/Time`, also used for a duration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub(crate) struct Time {
+    pub sec: i32,
+    pub nanosec: u32,
+}
+
+impl Time {
+    /// No time at all: for a marker, for ever.
+    pub const ZERO: Self = Self { sec: 0, nanosec: 0 };
+
+    /// From nanoseconds; what a message cannot hold (after 2038) stays at its limit.
+    pub fn from_nanoseconds(time: u64) -> Self {
+        Self {
+            sec: i32::try_from(time / NANOSECONDS_PER_SECOND).unwrap_or(i32::MAX),
+            nanosec: (time % NANOSECONDS_PER_SECOND) as u32,
+        }
+    }
+}
+
+/// How the log counts time.
+pub(crate) const NANOSECONDS_PER_SECOND: u64 = 1_000_000_000;
+
+/// `std_msgs/Header`.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(crate) struct Header<'a> {
+    pub stamp: Time,
+    pub frame_id: &'a str,
+}
+
+/// `sensor_msgs/JointState`.
+#[derive(Debug, Serialize)]
+pub(crate) struct JointState<'a> {
+    pub header: Header<'a>,
+    pub name: &'a [String],
+    pub position: &'a [f64],
+    pub velocity: &'a [f64],
+    pub effort: &'a [f64],
+}
+
+/// `geometry_msgs/Vector3`; a point is laid out the same.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(crate) struct Vector3 {
+    pub x: f64,
+    pub y: f64,
+    pub z: f64,
+}
+
+impl From<Vector> for Vector3 {
+    fn from(v: Vector) -> Self {
+        Self {
+            x: v.x,
+            y: v.y,
+            z: v.z,
+        }
+    }
+}
+
+/// `geometry_msgs/Quaternion`.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(crate) struct Quaternion {
+    pub x: f64,
+    pub y: f64,
+    pub z: f64,
+    pub w: f64,
+}
+
+/// `geometry_msgs/Pose`; a transform is laid out the same.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(crate) struct Pose {
+    pub position: Vector3,
+    pub orientation: Quaternion,
+}
+
+impl From<&geometry::Pose> for Pose {
+    fn from(pose: &geometry::Pose) -> Self {
+        let q = pose.rotation.coords;
+        Self {
+            position: pose.translation.vector.into(),
+            orientation: Quaternion {
+                x: q.x,
+                y: q.y,
+                z: q.z,
+                w: q.w,
+            },
+        }
+    }
+}
+
+/// `geometry_msgs/PoseStamped`.
+#[derive(Debug, Serialize)]
+pub(crate) struct PoseStamped<'a> {
+    pub header: Header<'a>,
+    pub pose: Pose,
+}
+
+/// `geometry_msgs/Wrench`.
+#[derive(Debug, Serialize)]
+pub(crate) struct Wrench {
+    pub force: Vector3,
+    pub torque: Vector3,
+}
+
+impl From<&control::Wrench> for Wrench {
+    fn from(wrench: &control::Wrench) -> Self {
+        Self {
+            force: wrench.force.into(),
+            torque: wrench.moment.into(),
+        }
+    }
+}
+
+/// `geometry_msgs/WrenchStamped`.
+#[derive(Debug, Serialize)]
+pub(crate) struct WrenchStamped<'a> {
+    pub header: Header<'a>,
+    pub wrench: Wrench,
+}
+
+/// `geometry_msgs/TransformStamped`.
+#[derive(Debug, Serialize)]
+pub(crate) struct TransformStamped<'a> {
+    pub header: Header<'a>,
+    pub child_frame_id: &'a str,
+    pub transform: Pose,
+}
+
+/// `tf2_msgs/TFMessage`.
+#[derive(Debug, Serialize)]
+pub(crate) struct TfMessage<'a> {
+    pub transforms: &'a [TransformStamped<'a>],
+}
+
+/// `std_msgs/String`.
+#[derive(Debug, Serialize)]
+pub(crate) struct Text<'a> {
+    pub data: &'a str,
+}
+
+/// `std_msgs/ColorRGBA`.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(crate) struct Color {
+    pub r: f32,
+    pub g: f32,
+    pub b: f32,
+    pub a: f32,
+}
+
+/// `sensor_msgs/CompressedImage`, always empty: the texture of a marker that has none.
+#[derive(Debug, Serialize)]
+pub(crate) struct NoImage<'a> {
+    pub header: Header<'a>,
+    pub format: &'a str,
+    pub data: &'a [u8],
+}
+
+/// `visualization_msgs/MeshFile`, always empty.
+#[derive(Debug, Serialize)]
+pub(crate) struct NoMesh<'a> {
+    pub filename: &'a str,
+    pub data: &'a [u8],
+}
+
+/// `visualization_msgs/Marker`.
+#[derive(Debug, Serialize)]
+pub(crate) struct Marker<'a> {
+    pub header: Header<'a>,
+    pub ns: &'a str,
+    pub id: i32,
+    pub kind: i32,
+    pub action: i32,
+    pub pose: Pose,
+    pub scale: Vector3,
+    pub color: Color,
+    pub lifetime: Time,
+    pub frame_locked: bool,
+    pub points: &'a [Vector3],
+    pub colors: &'a [Color],
+    pub texture_resource: &'a str,
+    pub texture: NoImage<'a>,
+    pub uv_coordinates: &'a [[f32; 2]],
+    pub text: &'a str,
+    pub mesh_resource: &'a str,
+    pub mesh_file: NoMesh<'a>,
+    pub mesh_use_embedded_materials: bool,
+}
+
+/// `Marker::kind` of points.
+pub(crate) const MARKER_POINTS: i32 = 8;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn time_is_split_into_seconds_and_the_rest() {
+        let time = Time::from_nanoseconds(3_000_000_007);
+        assert_eq!(time, Time { sec: 3, nanosec: 7 });
+        assert_eq!(Time::from_nanoseconds(u64::MAX).sec, i32::MAX);
+    }
+}

@@ -1,0 +1,13 @@
+//! ROS 2 messages: their definitions, how they are laid out, and how those of any type are taken apart.
+
+mod definitions;
+pub(crate) mod messages;
+mod schema;
+mod walk;
+
+pub(crate) use definitions::full_definition;
+pub(crate) use messages::NANOSECONDS_PER_SECOND;
+pub use schema::SchemaError;
+pub(crate) use schema::{Field, Kind, Schema, Shape};
+pub use walk::MessageError;
+pub(crate) use walk::{Value, decode};

@@ -1,0 +1,325 @@
+//! CDR messages, taken apart by their schema.
+
+use super::schema::{Field, Kind, Schema, Shape};
+
+/// Length of the header that says how the rest is encoded [bytes].
+const ENCAPSULATION_LEN: usize = 4;
+
+/// How deep messages may lie in one another: each level takes its share of the stack.
+const MAX_DEPTH: usize = 64;
+
+/// Why a message cannot be taken apart.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum MessageError {
+    /// It ends too early.
+    #[error("byte {byte}: {needed} more bytes are needed, but {left} are left")]
+    TooShort {
+        /// Where.
+        byte: usize,
+        /// How many bytes are needed.
+        needed: usize,
+        /// How many there are.
+        left: usize,
+    },
+    /// An encoding that is not read.
+    #[error(
+        "its encoding 0x{0:04x} is not plain CDR, which is 0x0000 (big-endian) or 0x0001 (little-endian)"
+    )]
+    Encapsulation(u16),
+    /// A text that is none.
+    #[error("byte {byte}: text is not UTF-8")]
+    Text {
+        /// Where it begins.
+        byte: usize,
+    },
+    /// A text of wide characters, which vendors lay out differently.
+    #[error("field {field:?} is a wstring, which is not read")]
+    WideText {
+        /// The field.
+        field: String,
+    },
+    /// Messages in messages in messages.
+    #[error("messages lie in one another deeper than the limit of {MAX_DEPTH}")]
+    TooDeep,
+}
+
+/// A value of a message.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Value {
+    /// A number or a boolean; integers beyond 2⁵³ are rounded.
+    Number(f64),
+    Text(String),
+    /// One value for each field, in order.
+    Message(Vec<Value>),
+    /// Many messages.
+    List(Vec<Value>),
+    /// Many numbers or texts: images and the like, of which none is ever asked for.
+    Skipped,
+}
+
+impl Value {
+    /// The value at a path of [`Schema::find`].
+    pub fn at(&self, path: &[usize]) -> Option<&Self> {
+        path.iter().try_fold(self, |value, &index| match value {
+            Self::Message(values) => values.get(index),
+            _ => None,
+        })
+    }
+
+    /// A number, where it is one.
+    pub fn number(&self) -> Option<f64> {
+        match self {
+            Self::Number(number) => Some(*number),
+            _ => None,
+        }
+    }
+}
+
+/// Takes a message apart.
+pub(crate) fn decode(schema: &Schema, bytes: &[u8]) -> Result<Value, MessageError> {
+    let Some((header, payload)) = bytes.split_at_checked(ENCAPSULATION_LEN) else {
+        return Err(MessageError::TooShort {
+            byte: 0,
+            needed: ENCAPSULATION_LEN,
+            left: bytes.len(),
+        });
+    };
+    let little = match u16::from_be_bytes([header[0], header[1]]) {
+        0 => false,
+        1 => true,
+        other => return Err(MessageError::Encapsulation(other)),
+    };
+    let mut walker = Walker {
+        schema,
+        payload,
+        at: 0,
+        little,
+    };
+    walker.message(schema.root(), 0)
+}
+
+struct Walker<'a> {
+    schema: &'a Schema,
+    /// What follows the encapsulation; alignment counts from here.
+    payload: &'a [u8],
+    at: usize,
+    little: bool,
+}
+
+impl<'a> Walker<'a> {
+    fn message(&mut self, fields: &'a [Field], depth: usize) -> Result<Value, MessageError> {
+        if depth > MAX_DEPTH {
+            return Err(MessageError::TooDeep);
+        }
+        if fields.is_empty() {
+            // A message without fields is sent with one byte in it.
+            self.take(1)?;
+        }
+        let values = fields.iter().map(|field| self.field(field, depth));
+        Ok(Value::Message(values.collect::<Result<_, _>>()?))
+    }
+
+    fn field(&mut self, field: &'a Field, depth: usize) -> Result<Value, MessageError> {
+        let count = match field.shape {
+            Shape::One => return self.value(field, depth),
+            Shape::Array(count) => count,
+            Shape::Sequence => self.unsigned(4)? as usize,
+        };
+        match field.kind {
+            Kind::Message(_) => {
+                // Every message takes a byte at least, so a count that lies ends where the bytes end.
+                let values = (0..count).map(|_| self.value(field, depth));
+                Ok(Value::List(values.collect::<Result<_, _>>()?))
+            }
+            Kind::Text | Kind::WideText => {
+                for _ in 0..count {
+                    self.value(field, depth)?;
+                }
+                Ok(Value::Skipped)
+            }
+            Kind::Bool => self.skip(count, 1),
+            Kind::Unsigned { len } | Kind::Signed { len } => self.skip(count, len),
+            Kind::Float32 => self.skip(count, 4),
+            Kind::Float64 => self.skip(count, 8),
+        }
+    }
+
+    fn value(&mut self, field: &'a Field, depth: usize) -> Result<Value, MessageError> {
+        Ok(match field.kind {
+            Kind::Bool => Value::Number(self.unsigned(1)? as f64),
+            Kind::Unsigned { len } => Value::Number(self.unsigned(len)? as f64),
+            Kind::Signed { len } => {
+                let bits = 8 * len as u32;
+                // Moves the sign to the top bit and back, which fills with it.
+                let signed = (self.unsigned(len)? << (64 - bits)) as i64 >> (64 - bits);
+                Value::Number(signed as f64)
+            }
+            Kind::Float32 => Value::Number(f32::from_bits(self.unsigned(4)? as u32).into()),
+            Kind::Float64 => Value::Number(f64::from_bits(self.unsigned(8)?)),
+            Kind::Text => self.text()?,
+            Kind::WideText => {
+                return Err(MessageError::WideText {
+                    field: field.name.clone(),
+                });
+            }
+            Kind::Message(definition) => self.message(self.schema.fields(definition), depth + 1)?,
+        })
+    }
+
+    /// A text, which is sent with its length and a zero at its end.
+    fn text(&mut self) -> Result<Value, MessageError> {
+        let len = self.unsigned(4)? as usize;
+        let byte = ENCAPSULATION_LEN + self.at;
+        let bytes = self.take(len)?;
+        let bytes = bytes.strip_suffix(&[0]).unwrap_or(bytes);
+        let text = std::str::from_utf8(bytes).map_err(|_| MessageError::Text { byte })?;
+        Ok(Value::Text(text.to_owned()))
+    }
+
+    fn skip(&mut self, count: usize, len: usize) -> Result<Value, MessageError> {
+        if count > 0 {
+            self.align(len);
+            self.take(count.saturating_mul(len))?;
+        }
+        Ok(Value::Skipped)
+    }
+
+    fn unsigned(&mut self, len: usize) -> Result<u64, MessageError> {
+        self.align(len);
+        let little = self.little;
+        let bytes = self.take(len)?;
+        let join = |number: u64, byte: &u8| (number << 8) | u64::from(*byte);
+        Ok(if little {
+            bytes.iter().rev().fold(0, join)
+        } else {
+            bytes.iter().fold(0, join)
+        })
+    }
+
+    fn align(&mut self, len: usize) {
+        self.at = self.at.next_multiple_of(len);
+    }
+
+    fn take(&mut self, len: usize) -> Result<&'a [u8], MessageError> {
+        let left = self.payload.len().saturating_sub(self.at);
+        if len > left {
+            return Err(MessageError::TooShort {
+                byte: ENCAPSULATION_LEN + self.at,
+                needed: len,
+                left,
+            });
+        }
+        let bytes = &self.payload[self.at..self.at + len];
+        self.at += len;
+        Ok(bytes)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::definitions::full_definition;
+    use super::*;
+    use cdr::{CdrBe, CdrLe, Infinite};
+    use proptest::prelude::*;
+    use serde::Serialize;
+
+    #[derive(Serialize)]
+    struct Mixed {
+        on: bool,
+        near: i16,
+        words: Vec<String>,
+        far: i64,
+        small: f32,
+        bytes: Vec<u8>,
+        parts: Vec<(u8, f64)>,
+        three: [f64; 3],
+        last: u32,
+    }
+
+    const MIXED: &str = "bool on\nint16 near\nstring[] words\nint64 far\nfloat32 small\nuint8[] bytes\nPart[] parts\n\
+                         float64[3] three\nuint32 last\n===\nMSG: a/Part\nuint8 id\nfloat64 x\n";
+
+    fn schema() -> Schema {
+        Schema::parse("a/Mixed", MIXED.as_bytes()).unwrap()
+    }
+
+    fn expected(mixed: &Mixed) -> Value {
+        let part = |(id, x): &(u8, f64)| {
+            Value::Message(vec![Value::Number(f64::from(*id)), Value::Number(*x)])
+        };
+        Value::Message(vec![
+            Value::Number(f64::from(u8::from(mixed.on))),
+            Value::Number(f64::from(mixed.near)),
+            Value::Skipped,
+            Value::Number(mixed.far as f64),
+            Value::Number(f64::from(mixed.small)),
+            Value::Skipped,
+            Value::List(mixed.parts.iter().map(part).collect()),
+            Value::Skipped,
+            Value::Number(f64::from(mixed.last)),
+        ])
+    }
+
+    proptest! {
+        #[test]
+        fn what_another_library_lays_out_is_taken_apart(
+            on: bool, near: i16, words in prop::collection::vec("[a-zé]{0,9}", 0..4), far in -(1_i64 << 53)..(1 << 53),
+            small in -1e6_f32..1e6, bytes in prop::collection::vec(any::<u8>(), 0..9),
+            parts in prop::collection::vec((any::<u8>(), -1e9..1e9), 0..4), three: [i32; 3], last: u32, big_endian: bool,
+        ) {
+            let three = three.map(f64::from);
+            let mixed = Mixed { on, near, words, far, small, bytes, parts, three, last };
+            let message = if big_endian {
+                cdr::serialize::<_, _, CdrBe>(&mixed, Infinite)
+            } else {
+                cdr::serialize::<_, _, CdrLe>(&mixed, Infinite)
+            };
+            let message = message.unwrap();
+            prop_assert_eq!(decode(&schema(), &message), Ok(expected(&mixed)));
+            // The last field ends the message: any shorter one misses something.
+            let shorter = decode(&schema(), &message[..message.len() - 1]);
+            let is_too_short = matches!(shorter, Err(MessageError::TooShort { .. }));
+            prop_assert!(is_too_short);
+        }
+
+        #[test]
+        fn no_bytes_make_it_panic(bytes in prop::collection::vec(any::<u8>(), 0..300), plain: bool) {
+            let mut bytes = bytes;
+            if plain && bytes.len() > 4 {
+                bytes[..4].copy_from_slice(&[0, 1, 0, 0]);
+            }
+            let marker = full_definition("visualization_msgs/Marker");
+            let marker = Schema::parse("visualization_msgs/msg/Marker", marker.as_bytes()).unwrap();
+            let _ = (decode(&schema(), &bytes), decode(&marker, &bytes));
+        }
+    }
+
+    #[test]
+    fn a_count_that_lies_costs_no_memory() {
+        let text = "Part[] parts\n===\nMSG: a/Part\nuint8 id\n";
+        let schema = Schema::parse("a/Many", text.as_bytes()).unwrap();
+        let message = [0, 1, 0, 0, 0xff, 0xff, 0xff, 0xff, 7];
+        let refused = decode(&schema, &message).unwrap_err();
+        let shown = "byte 9: 1 more bytes are needed, but 0 are left";
+        assert_eq!(refused.to_string(), shown);
+    }
+
+    #[test]
+    fn what_is_no_plain_cdr_is_refused() {
+        let refused = decode(&schema(), &[0, 3, 0, 0]).unwrap_err();
+        assert_eq!(refused, MessageError::Encapsulation(3));
+        assert!(decode(&schema(), &[0]).is_err());
+    }
+
+    #[test]
+    fn deep_messages_end_at_a_limit() {
+        let mut text = "M0 m\n".to_owned();
+        for level in 0..MAX_DEPTH + 1 {
+            text += &format!("===\nMSG: a/M{level}\nM{} m\n", level + 1);
+        }
+        text += &format!("===\nMSG: a/M{}\nuint8 x\n", MAX_DEPTH + 1);
+        let schema = Schema::parse("a/Deep", text.as_bytes()).unwrap();
+        let refused = decode(&schema, &[0, 1, 0, 0, 1]).unwrap_err();
+        assert_eq!(refused, MessageError::TooDeep);
+    }
+}

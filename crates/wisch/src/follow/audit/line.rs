@@ -1,0 +1,177 @@
+//! How far the tool is off its line, and the second hand off its grip, at the positions of a robot.
+
+use super::kinematics::{Frame, root_from_link};
+use crate::follow::{GripDeviation, LineDeviation, ToolPose, Workcell};
+use crate::geometry::Vector3;
+use crate::represent::Task;
+
+/// Widest turn of a segment; corners further apart are joined by several [rad].
+const MAX_TURN: f64 = 0.5;
+/// How far ahead on its line the tool is looked for: further than a rounded corner skips [m]. A turn of a
+/// radian counts as a metre.
+const AHEAD: f64 = 0.12;
+/// A turn of a radian counts as so many metres where the nearest point of a line is looked for.
+const METRES_PER_RADIAN: f64 = 0.1;
+/// A later place of the line has to be nearer by more than this, so that rounding passes nothing over [m].
+const NEARER: f64 = 1e-9;
+
+/// The tool in the world.
+pub(super) fn world_from_tool(cell: &Workcell, q: &[f64]) -> Frame {
+    let root_from_tip = root_from_link(cell.robot(), cell.tip(), q);
+    let root_from_tool = root_from_tip.then(&Frame::from_pose(cell.tip_from_tool()));
+    Frame::from_pose(cell.world_from_root()).then(&root_from_tool)
+}
+
+/// A segment of a line: the tool goes straight from one point to another and turns on the way.
+struct Segment {
+    /// The tool at its begin, in terms of the surface: x, y, height [m], heading, tilt [rad].
+    from: [f64; 5],
+    /// What is added to these over the segment.
+    change: [f64; 5],
+    world_from_begin: Frame,
+    /// Straight way of the tool in the world [m].
+    way: Vector3,
+    /// Rotation vector from the begin to the end [rad], in the tool's frame at the begin.
+    turn: Vector3,
+}
+
+/// The line that a tool is to follow, with how far along it the tool has come.
+pub(super) struct Line<'a> {
+    task: &'a Task,
+    segments: Vec<Segment>,
+    segment: usize,
+    /// Share of the segment.
+    share: f64,
+}
+
+fn coordinates(pose: &ToolPose) -> [f64; 5] {
+    let at = pose.surface_from_tool;
+    [
+        at.position.x,
+        at.position.y,
+        pose.height,
+        at.heading,
+        pose.tilt,
+    ]
+}
+
+/// The tool in the world where it is said to be on the surface.
+fn placed(task: &Task, [x, y, height, heading, tilt]: [f64; 5]) -> Frame {
+    let mut tool = Frame::turned(&Vector3::z(), heading);
+    tool.origin = Vector3::new(x, y, height);
+    if let Some(freedom) = task.tool.tilt {
+        tool = tool.then(&Frame::turned(&freedom.axis_in_tool, tilt));
+    }
+    Frame::from_pose(&task.surface.world_from_surface).then(&tool)
+}
+
+impl<'a> Line<'a> {
+    /// The line through these corners; `None` if there are fewer than two.
+    pub fn new(task: &'a Task, corners: &[ToolPose]) -> Option<Self> {
+        let mut segments = Vec::new();
+        for pair in corners.windows(2) {
+            let (from, to) = (coordinates(&pair[0]), coordinates(&pair[1]));
+            let widest = (to[3] - from[3]).abs().max((to[4] - from[4]).abs());
+            let count = (widest / MAX_TURN).ceil().max(1.0);
+            let change: [f64; 5] = std::array::from_fn(|i| (to[i] - from[i]) / count);
+            for k in 0..count as usize {
+                let from = std::array::from_fn(|i| from[i] + k as f64 * change[i]);
+                let begin = placed(task, from);
+                let end = placed(task, std::array::from_fn(|i| from[i] + change[i]));
+                segments.push(Segment {
+                    from,
+                    change,
+                    world_from_begin: begin,
+                    way: end.origin - begin.origin,
+                    turn: begin.rotation_to(&end),
+                });
+            }
+        }
+        (!segments.is_empty()).then_some(Self {
+            task,
+            segments,
+            segment: 0,
+            share: 0.0,
+        })
+    }
+
+    /// How far the tool is off the begin of the line.
+    pub fn off_begin(&self, tool: &Frame) -> LineDeviation {
+        self.off_at(0, 0.0, tool)
+    }
+
+    /// How far the tool is off the end of the line.
+    pub fn off_end(&self, tool: &Frame) -> LineDeviation {
+        self.off_at(self.segments.len() - 1, 1.0, tool)
+    }
+
+    fn off_at(&self, segment: usize, share: f64, tool: &Frame) -> LineDeviation {
+        let Segment { from, change, .. } = &self.segments[segment];
+        let wanted = placed(
+            self.task,
+            std::array::from_fn(|i| from[i] + share * change[i]),
+        );
+        LineDeviation {
+            position: (tool.origin - wanted.origin).norm(),
+            rotation: wanted.rotation_to(tool).norm(),
+        }
+    }
+
+    /// How far the tool is off the nearest place of the line that is not behind the one before.
+    pub fn off(&mut self, tool: &Frame) -> LineDeviation {
+        let cost = |off: &LineDeviation| off.position + METRES_PER_RADIAN * off.rotation;
+        let mut nearest: Option<(LineDeviation, usize, f64)> = None;
+        let mut passed = 0.0;
+        for (i, segment) in self.segments.iter().enumerate().skip(self.segment) {
+            let least = if i == self.segment { self.share } else { 0.0 };
+            let share = segment.nearest(tool).clamp(least, 1.0);
+            let off = self.off_at(i, share, tool);
+            if nearest.is_none_or(|(best, ..)| cost(&off) + NEARER < cost(&best)) {
+                nearest = Some((off, i, share));
+            }
+            passed += segment.way.norm().max(segment.turn.norm()) * (1.0 - least);
+            if passed > AHEAD {
+                break;
+            }
+        }
+        let Some((off, segment, share)) = nearest else {
+            return self.off_end(tool);
+        };
+        (self.segment, self.share) = (segment, share);
+        off
+    }
+}
+
+impl Segment {
+    /// The share of the segment at which the tool is nearest to it, beyond its ends too: by its place, or
+    /// where it mostly turns by its orientation.
+    fn nearest(&self, tool: &Frame) -> f64 {
+        let (way, turn) = (self.way, self.turn);
+        if way.norm() >= METRES_PER_RADIAN * turn.norm() && way.norm() > 0.0 {
+            (tool.origin - self.world_from_begin.origin).dot(&way) / way.norm_squared()
+        } else if turn.norm() > 0.0 {
+            self.world_from_begin.rotation_to(tool).dot(&turn) / turn.norm_squared()
+        } else {
+            0.0
+        }
+    }
+}
+
+/// How far the second hand is off its grip; nothing if one hand holds the tool.
+pub(super) fn off_grip(cell: &Workcell, q: &[f64]) -> GripDeviation {
+    let Some(second) = cell.second() else {
+        return GripDeviation::default();
+    };
+    let (robot, grip) = (cell.robot(), second.grip());
+    let root_from_tool =
+        root_from_link(robot, cell.tip(), q).then(&Frame::from_pose(cell.tip_from_tool()));
+    let root_from_hand = root_from_link(robot, second.chain().tip(), q)
+        .then(&Frame::from_pose(second.tip_from_hand()));
+    // The hand closes along its y axis, the bar has no sense of direction.
+    let along_bar = (root_from_tool.rotation * grip.axis_in_tool.into_inner())
+        .dot(&root_from_hand.rotation.column(1));
+    GripDeviation {
+        position: (root_from_tool.point(&grip.point_in_tool) - root_from_hand.origin).norm(),
+        lean: (along_bar.abs().min(1.0).acos() - grip.max_lean).max(0.0),
+    }
+}

@@ -1,0 +1,480 @@
+//! The arm at one placement of the base: along lines of the tool, the local method (7) of paper §3.3.
+//!
+//! Where a second hand holds the tool, a configuration has the variables of the leading arm, then those of
+//! the second, and every configuration keeps both hands on the tool.
+
+use crate::follow::workcell::second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE};
+use crate::follow::{AllowedContact, FollowConfig, Obstruction, ToolPose, Workcell};
+use crate::geometry::{PlanarPose, Pose};
+use crate::represent::Task;
+use crate::robot::{Contact, IkConfig, IkOutcome, JointPositions, RobotError, RotationGoal};
+use std::f64::consts::PI;
+
+/// How near to its limit a joint is at it [rad or m].
+const AT_LIMIT: f64 = 1e-4;
+/// How much of the tolerance the middle between two solved poses may use up.
+const SHARE_BETWEEN: f64 = 0.25;
+/// Random starts of the inverse kinematics for one pose.
+const RESTARTS: usize = 6;
+/// Widest step of a joint between configurations at which the second hand is brought to the tool [rad or m].
+const HELD_STEP: f64 = 0.1;
+/// How often a step is halved to stay on the line.
+const MAX_HALVINGS: u32 = 6;
+
+/// The group's variables where the base stands.
+pub(in crate::follow) struct Arm<'a> {
+    pub cell: &'a Workcell,
+    pub task: &'a Task,
+    pub config: &'a FollowConfig,
+    /// All n variables; those of the group are overwritten.
+    template: Vec<f64>,
+    base_from_world: Pose,
+    ik: IkConfig,
+}
+
+/// Where a line broke off.
+#[derive(Debug, Clone)]
+pub(in crate::follow) struct Broken {
+    /// How far along the line, 0 to 1.
+    pub progress: f64,
+    pub obstruction: Obstruction,
+}
+
+impl<'a> Arm<'a> {
+    pub fn new(
+        cell: &'a Workcell,
+        task: &'a Task,
+        config: &'a FollowConfig,
+        world_from_base: &PlanarPose,
+    ) -> Result<Self, RobotError> {
+        let template = cell.standing(cell.ready(), world_from_base);
+        let base = cell.ik().chain().base();
+        let root_from_base = cell
+            .robot()
+            .forward_kinematics(&template)?
+            .world_from_link(base);
+        Ok(Self {
+            base_from_world: (cell.world_from_root() * root_from_base).inverse(),
+            cell,
+            task,
+            config,
+            template,
+            ik: IkConfig::default(),
+        })
+    }
+
+    /// The group's variables of the robot's.
+    pub fn of_robot(&self, q: &[f64]) -> JointPositions {
+        let variables = self.cell.arm_variables();
+        variables.iter().map(|&i| q[i]).collect()
+    }
+
+    /// The robot's variables with the group's.
+    pub fn to_robot(&self, arm: &JointPositions) -> Vec<f64> {
+        let mut q = self.template.clone();
+        for (&variable, &value) in self.cell.arm_variables().iter().zip(arm.iter()) {
+            q[variable] = value;
+        }
+        q
+    }
+
+    /// The group in the robot's ready posture.
+    pub fn ready(&self) -> JointPositions {
+        self.of_robot(&self.template)
+    }
+
+    /// Where the group's variables may be; one turn either way for joints without limits.
+    pub fn ranges(&self) -> Vec<[f64; 2]> {
+        let variables = self.cell.arm_variables();
+        let range = |&i: &usize| {
+            let limit = &self.cell.limits().joints()[i];
+            if limit.lower.is_finite() && limit.upper.is_finite() {
+                [limit.lower, limit.upper]
+            } else {
+                [-PI, PI]
+            }
+        };
+        variables.iter().map(range).collect()
+    }
+
+    /// Whether every joint is within its limits, those that follow several others included.
+    pub fn is_within_limits(&self, arm: &JointPositions) -> bool {
+        let q = self.to_robot(arm);
+        self.cell.robot().joints().iter().all(|joint| {
+            let position = joint.drive.position(&q);
+            let limits = joint.limits.position;
+            limits.is_none_or(|limits| (limits.lower..=limits.upper).contains(&position))
+        })
+    }
+
+    /// Where the tool is wanted, from the group's base.
+    pub fn base_from_tool(&self, pose: &ToolPose) -> Pose {
+        self.base_from_world * Workcell::world_from_tool(self.task, pose)
+    }
+
+    /// A configuration that puts the tool there, near `start`.
+    pub fn reach(
+        &self,
+        pose: &ToolPose,
+        start: &JointPositions,
+    ) -> Result<JointPositions, Obstruction> {
+        let target = self.base_from_tool(pose);
+        let (leading, second) = start.split_at(self.leading());
+        let outcome = (self.cell.ik()).solve_from(&target, RotationGoal::Full, leading, &self.ik);
+        self.held(&self.solved(outcome)?, second)
+    }
+
+    /// A configuration that puts the tool there, from `starts` and from random ones.
+    pub fn reach_anyhow(
+        &self,
+        pose: &ToolPose,
+        starts: &[&[f64]],
+        seed: u64,
+        restarts: usize,
+    ) -> Result<JointPositions, Obstruction> {
+        let target = self.base_from_tool(pose);
+        let config = IkConfig {
+            max_restarts: restarts,
+            ..self.ik
+        };
+        let n = self.leading();
+        let leading: Vec<&[f64]> = starts.iter().map(|start| &start[..n]).collect();
+        let outcome = (self.cell.ik()).solve(&target, RotationGoal::Full, &leading, seed, &config);
+        let found = self.solved(outcome)?;
+        let Some(second) = self.cell.second() else {
+            return Ok(found);
+        };
+        let ready = self.ready();
+        let seconds: Vec<&[f64]> = (starts.iter().copied())
+            .chain([&*ready])
+            .map(|start| &start[n..])
+            .collect();
+        Ok(both(
+            &found,
+            &second.held_anyhow(&found, &seconds, seed, &config)?,
+        ))
+    }
+
+    /// How many of a configuration's values are the leading arm's.
+    fn leading(&self) -> usize {
+        self.cell.ik().chain().dof()
+    }
+
+    /// A configuration with the leading arm there and the second hand on the tool, near `second`.
+    fn held(&self, leading: &[f64], second: &[f64]) -> Result<JointPositions, Obstruction> {
+        match self.cell.second() {
+            None => Ok(leading.iter().copied().collect()),
+            Some(arm) => Ok(both(leading, &arm.held(leading, second, &self.ik)?)),
+        }
+    }
+
+    /// Any configuration, with the second hand brought back to the tool.
+    pub fn hold(&self, q: &JointPositions) -> Option<JointPositions> {
+        let (leading, second) = q.split_at(self.leading());
+        self.held(leading, second).ok()
+    }
+
+    /// Whether the second hand is at its grip, as far as between two solved poses is enough.
+    fn keeps_grip(&self, q: &JointPositions) -> bool {
+        let Some(arm) = self.cell.second() else {
+            return true;
+        };
+        let (leading, second) = q.split_at(self.leading());
+        arm.deviation(leading, second).is_ok_and(|off| {
+            off.position <= SHARE_BETWEEN * GRIP_TOLERANCE
+                && off.lean <= SHARE_BETWEEN * LEAN_TOLERANCE
+        })
+    }
+
+    /// The free way between two configurations that keeps both hands on the tool: straight for the leading
+    /// arm. `from` left out, the end included.
+    pub fn way(
+        &self,
+        from: &JointPositions,
+        to: &JointPositions,
+        allowed: AllowedContact,
+    ) -> Result<Vec<JointPositions>, Obstruction> {
+        if self.cell.second().is_none() {
+            self.is_free(from, to, allowed)?;
+            return Ok(vec![*to]);
+        }
+        let count = ((widest_step(from, to) / HELD_STEP).ceil() as usize).max(1);
+        let mut way = Vec::with_capacity(count);
+        let mut at = *from;
+        for i in 1..=count {
+            let next = if i == count {
+                *to
+            } else {
+                let straight = between(from, to, i as f64 / count as f64);
+                let (leading, second) = straight.split_at(self.leading());
+                self.held(leading, second)?
+            };
+            self.halved(&at, &next, allowed, &mut way, MAX_HALVINGS)?;
+            at = next;
+        }
+        Ok(way)
+    }
+
+    fn halved(
+        &self,
+        from: &JointPositions,
+        to: &JointPositions,
+        allowed: AllowedContact,
+        way: &mut Vec<JointPositions>,
+        halvings: u32,
+    ) -> Result<(), Obstruction> {
+        let middle = between(from, to, 0.5);
+        if !self.jumps(from, to) && self.keeps_grip(&middle) {
+            self.is_free(from, to, allowed)?;
+            way.push(*to);
+            return Ok(());
+        }
+        if halvings == 0 {
+            return Err(self.jump(from, to));
+        }
+        let (leading, second) = middle.split_at(self.leading());
+        let middle = self.held(leading, second)?;
+        self.halved(from, &middle, allowed, way, halvings - 1)?;
+        self.halved(&middle, to, allowed, way, halvings - 1)
+    }
+
+    /// The same, touching nothing.
+    pub fn reach_free(
+        &self,
+        pose: &ToolPose,
+        starts: &[&[f64]],
+        seed: u64,
+    ) -> Result<JointPositions, Obstruction> {
+        let q = self.reach_anyhow(pose, starts, seed, RESTARTS)?;
+        self.is_free(&q, &q, AllowedContact::None).map(|()| q)
+    }
+
+    fn solved(
+        &self,
+        outcome: Result<IkOutcome, RobotError>,
+    ) -> Result<JointPositions, Obstruction> {
+        match outcome {
+            Ok(IkOutcome::Solved(q)) => Ok(q),
+            Ok(IkOutcome::Stuck {
+                best,
+                position_error,
+                rotation_error,
+            }) => Err(self.at_limit(&best).unwrap_or(Obstruction::OutOfReach {
+                position_error,
+                rotation_error,
+            })),
+            // Poses and starts come from here and are finite.
+            Err(_) => Err(Obstruction::unreachable()),
+        }
+    }
+
+    fn at_limit(&self, arm: &JointPositions) -> Option<Obstruction> {
+        let q = self.to_robot(arm);
+        self.cell.robot().joints().iter().find_map(|joint| {
+            let limits = joint.limits.position?;
+            let position = joint.drive.position(&q);
+            let moves = (joint.drive.terms.iter())
+                .any(|(variable, _)| self.cell.arm_variables().contains(variable));
+            let is_at = position < limits.lower + AT_LIMIT || position > limits.upper - AT_LIMIT;
+            (moves && is_at).then(|| Obstruction::JointLimit {
+                joint: joint.name.clone(),
+                limits,
+            })
+        })
+    }
+
+    /// Whether the straight way between two configurations is free.
+    pub fn is_free(
+        &self,
+        from: &JointPositions,
+        to: &JointPositions,
+        allowed: AllowedContact,
+    ) -> Result<(), Obstruction> {
+        let (from, to) = (self.to_robot(from), self.to_robot(to));
+        let model = self.cell.arm_collisions(allowed);
+        match model.segment_contact(&from, &to, self.config.margin) {
+            Ok(None) => Ok(()),
+            Ok(Some(contact)) => Err(self.obstruction(&contact, allowed)),
+            Err(_) => Err(Obstruction::unreachable()),
+        }
+    }
+
+    /// Whether a configuration is free.
+    pub fn is_free_at(&self, at: &JointPositions, allowed: AllowedContact) -> bool {
+        let model = self.cell.arm_collisions(allowed);
+        let contact = model.collision(&self.to_robot(at), self.config.margin);
+        matches!(contact, Ok(None))
+    }
+
+    fn obstruction(&self, contact: &Contact, allowed: AllowedContact) -> Obstruction {
+        let model = self.cell.arm_collisions(allowed);
+        let (a, b) = (model.name(contact.a), model.name(contact.b));
+        let distance = contact.distance;
+        match (self.cell.is_obstacle(a), self.cell.is_obstacle(b)) {
+            (false, false) => Obstruction::SelfCollision {
+                a: a.to_owned(),
+                b: b.to_owned(),
+                distance,
+            },
+            (a_is_obstacle, _) => {
+                let (body, object) = if a_is_obstacle { (b, a) } else { (a, b) };
+                Obstruction::SceneCollision {
+                    body: body.to_owned(),
+                    object: object.to_owned(),
+                    distance,
+                }
+            }
+        }
+    }
+
+    /// The configurations along the tool's line from where the arm is, `start` left out, the end
+    /// included.
+    ///
+    /// What is in the way is looked for once all poses have been reached, where it is most likely first: most
+    /// lines that cannot be followed break off out of reach, which is cheap to see.
+    pub fn along(
+        &self,
+        start: &JointPositions,
+        from: &ToolPose,
+        to: &ToolPose,
+        allowed: AllowedContact,
+    ) -> Result<Vec<JointPositions>, Broken> {
+        let count = steps(from, to, self.config);
+        let mut path = Vec::with_capacity(count);
+        let mut at = *start;
+        for i in 1..=count {
+            let (s0, s1) = ((i - 1) as f64 / count as f64, i as f64 / count as f64);
+            self.step(&mut at, from, to, [s0, s1], &mut path, MAX_HALVINGS)
+                .map_err(|obstruction| Broken {
+                    progress: s0,
+                    obstruction,
+                })?;
+        }
+        self.is_free_along(start, &path, allowed)?;
+        Ok(path)
+    }
+
+    /// Whether the straight ways from each configuration to the next are free.
+    fn is_free_along(
+        &self,
+        start: &JointPositions,
+        path: &[JointPositions],
+        allowed: AllowedContact,
+    ) -> Result<(), Broken> {
+        let broken = |i: usize, obstruction| Broken {
+            progress: i as f64 / path.len() as f64,
+            obstruction,
+        };
+        // A configuration is cheaper than the way between two.
+        for i in [path.len() - 1, path.len() / 2] {
+            self.is_free(&path[i], &path[i], allowed)
+                .map_err(|obstruction| broken(i, obstruction))?;
+        }
+        let mut at = start;
+        for (i, next) in path.iter().enumerate() {
+            self.is_free(at, next, allowed)
+                .map_err(|obstruction| broken(i, obstruction))?;
+            at = next;
+        }
+        Ok(())
+    }
+
+    /// One step of the line, halved where the joints' straight way between leaves it.
+    fn step(
+        &self,
+        at: &mut JointPositions,
+        from: &ToolPose,
+        to: &ToolPose,
+        [s0, s1]: [f64; 2],
+        path: &mut Vec<JointPositions>,
+        halvings: u32,
+    ) -> Result<(), Obstruction> {
+        let next = self.reach(&from.towards(to, s1), at)?;
+        let middle_s = 0.5 * (s0 + s1);
+        let on_line =
+            !self.jumps(at, &next) && self.is_on_line(at, &next, &from.towards(to, middle_s));
+        if on_line {
+            path.push(next);
+            *at = next;
+            return Ok(());
+        }
+        if halvings == 0 {
+            return Err(self.jump(at, &next));
+        }
+        self.step(at, from, to, [s0, middle_s], path, halvings - 1)?;
+        self.step(at, from, to, [middle_s, s1], path, halvings - 1)
+    }
+
+    /// Whether a joint moves further than it may between two neighbouring poses.
+    pub fn jumps(&self, from: &JointPositions, to: &JointPositions) -> bool {
+        widest_step(from, to) > self.config.max_joint_step
+    }
+
+    fn jump(&self, from: &JointPositions, to: &JointPositions) -> Obstruction {
+        let steps = from.iter().zip(to.iter()).map(|(a, b)| (b - a).abs());
+        let (widest, step) = steps
+            .enumerate()
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+            .unwrap_or_default();
+        let variable = self.cell.arm_variables()[widest];
+        Obstruction::Jump {
+            joint: self.cell.robot().variable(variable).name.clone(),
+            step,
+        }
+    }
+
+    /// Whether the tool is where it should be half way between two configurations.
+    pub fn is_on_line(
+        &self,
+        from: &JointPositions,
+        to: &JointPositions,
+        middle: &ToolPose,
+    ) -> bool {
+        let q: JointPositions = from
+            .iter()
+            .zip(to.iter())
+            .map(|(a, b)| 0.5 * (a + b))
+            .collect();
+        let leading = &q[..self.leading()];
+        let Ok(kinematics) = self.cell.ik().chain().forward_kinematics(leading) else {
+            return false;
+        };
+        let base_from_tool = kinematics.base_from_tip() * self.cell.tip_from_tool();
+        let wanted = self.base_from_tool(middle);
+        let off = (base_from_tool.translation.vector - wanted.translation.vector).norm();
+        let turned = base_from_tool.rotation.angle_to(&wanted.rotation);
+        off <= SHARE_BETWEEN * self.config.line_tolerance
+            && turned <= SHARE_BETWEEN * self.config.turn_tolerance
+            && self.keeps_grip(&q)
+    }
+}
+
+/// The leading arm's positions, then the second's.
+fn both(leading: &[f64], second: &[f64]) -> JointPositions {
+    leading.iter().chain(second).copied().collect()
+}
+
+/// Between two configurations, `b` itself at 1.
+pub(in crate::follow) fn between(a: &JointPositions, b: &JointPositions, s: f64) -> JointPositions {
+    if s >= 1.0 {
+        return *b;
+    }
+    a.iter()
+        .zip(b.iter())
+        .map(|(a, b)| a + s * (b - a))
+        .collect()
+}
+
+/// The widest step of a joint between two configurations [rad or m].
+pub(in crate::follow) fn widest_step(from: &JointPositions, to: &JointPositions) -> f64 {
+    let steps = from.iter().zip(to.iter()).map(|(a, b)| (b - a).abs());
+    steps.fold(0.0, f64::max)
+}
+
+/// Into how many steps the line between two poses of the tool is cut.
+fn steps(from: &ToolPose, to: &ToolPose, config: &FollowConfig) -> usize {
+    let turn = (to.surface_from_tool.heading - from.surface_from_tool.heading).abs();
+    let lean = (to.tilt - from.tilt).abs();
+    let steps = (from.distance(to) / config.step).max(turn.max(lean) / config.turn);
+    (steps.ceil() as usize).max(1)
+}

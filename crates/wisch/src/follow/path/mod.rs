@@ -1,0 +1,9 @@
+//! The arm from one placement of the base: a stroke from touching down to lifting off, its edges (Algorithm 1 of
+//! paper §3.3), the local and the global method, and free motion between strokes.
+
+pub(super) mod arm;
+mod edge;
+pub(super) mod free_motion;
+mod global;
+pub(super) mod stroke_run;
+pub(super) mod tool_redundancy;

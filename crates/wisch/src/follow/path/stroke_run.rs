@@ -1,0 +1,443 @@
+//! One stroke from touching down to lifting off, from one placement of the base.
+
+use super::arm::Arm;
+use super::edge::follow_edge;
+use super::free_motion::free_motion;
+use super::global::Leg;
+use super::tool_redundancy::{ToolOrientation, rank, turned};
+use crate::follow::{AllowedContact, Attempt, Obstruction, Phase, SearchScope, ToolPose};
+use crate::geometry::PlanarPose;
+use crate::plan::Stroke;
+use crate::represent::Action;
+use crate::robot::JointPositions;
+
+/// Starts for each orientation in which a stroke may begin, beside the current configuration: for the
+/// planned orientation, and for any.
+const EXACT_STARTS: u64 = 8;
+const STARTS: u64 = 2;
+/// Configurations that are looked at for one that touches nothing.
+const FREE_TRIES: u64 = 4;
+/// A stroke on which the tool is turned away from the plan by less than this per node is as planned [rad].
+const TURNED: f64 = 0.2;
+
+/// Where the arm is between strokes.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::follow) struct Now {
+    pub q: JointPositions,
+    /// Where the lifted tool is over the surface; `None` away from it.
+    pub tool: Option<ToolPose>,
+}
+
+/// A motion of the arm that has no times yet.
+#[derive(Debug, Clone)]
+pub(in crate::follow) struct UntimedMotion {
+    pub phase: UntimedPhase,
+    /// Configurations, the first where the piece before ended.
+    pub path: Vec<JointPositions>,
+    /// Corners of the tool's line; empty in free motion.
+    pub line: Vec<ToolPose>,
+}
+
+/// What a piece is for; strokes are numbered once all are known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::follow) enum UntimedPhase {
+    Plain(Phase),
+    Wipe,
+}
+
+/// What became of a stroke.
+#[derive(Debug, Clone)]
+pub(in crate::follow) struct Run {
+    pub pieces: Vec<UntimedMotion>,
+    /// The last of the given nodes that was passed.
+    pub last: usize,
+    /// The tool at every corner of the wiped line.
+    pub wiped: Vec<ToolPose>,
+    /// How far the tool is turned away from its planned orientation, summed over the nodes [rad].
+    pub turned: f64,
+    /// Where the arm is now, lifted.
+    pub now: Now,
+    /// Why it went no further; empty if it went all the way.
+    pub stopped: Vec<Attempt>,
+}
+
+impl Run {
+    /// The stroke as it is wiped, through these nodes of the graph.
+    pub fn stroke(&self, nodes: &[usize]) -> Stroke {
+        Stroke {
+            nodes: nodes.to_vec(),
+            poses: self
+                .wiped
+                .iter()
+                .map(|pose| pose.surface_from_tool)
+                .collect(),
+        }
+    }
+}
+
+/// The stroke in contact alone.
+struct Contact {
+    legs: Vec<Leg>,
+    end: JointPositions,
+    end_pose: ToolPose,
+    stopped: Vec<Attempt>,
+}
+
+/// Follows a stroke through `planned` poses as far as possible from any of several configurations.
+///
+/// First with the tool oriented exactly as planned; only if no configuration can do that, with all its
+/// orientations.
+///
+/// # Errors
+/// What was tried, if the tool cannot even be put down at the first of them.
+pub(in crate::follow) fn run(
+    arm: &Arm,
+    now: &Now,
+    planned: &[PlanarPose],
+    lift_height: f64,
+    orientations: &[ToolOrientation],
+    seed: u64,
+) -> Result<Run, Vec<Attempt>> {
+    let symmetric = arm.task.tool.is_half_turn_symmetric();
+    let exact: Vec<ToolOrientation> = (orientations.iter().copied())
+        .filter(|orientation| rank(orientation, symmetric) == 0.0)
+        .collect();
+    let mut search = Search {
+        arm,
+        now,
+        planned,
+        lift_height,
+        seed,
+        attempts: Vec::new(),
+        best: None,
+    };
+    // Where the orientation makes no difference, it need not be kept to.
+    let is_exact = arm.task.action != Action::Absorb && search.try_any(&exact, EXACT_STARTS);
+    if !is_exact
+        && !search.try_any(orientations, STARTS)
+        && arm.config.search == SearchScope::Global
+    {
+        search.globally(orientations);
+    }
+    search.best.map(|(run, ..)| run).ok_or(search.attempts)
+}
+
+/// The search for a good run of one stroke.
+struct Search<'a> {
+    arm: &'a Arm<'a>,
+    now: &'a Now,
+    planned: &'a [PlanarPose],
+    lift_height: f64,
+    seed: u64,
+    attempts: Vec<Attempt>,
+    /// With the orientation and the start that it began with.
+    best: Option<(Run, ToolOrientation, u64)>,
+}
+
+impl Search<'_> {
+    /// Tries configurations until a run goes all the way about as planned; whether one does.
+    ///
+    /// The tool is carried on over the surface, then put down in configurations reached by free motion.
+    fn try_any(&mut self, orientations: &[ToolOrientation], starts: u64) -> bool {
+        let mut tried = 0;
+        for start in 0..=starts {
+            if start == 0 && self.now.tool.is_none() {
+                continue;
+            }
+            for orientation in orientations {
+                if tried == self.arm.config.start_configurations {
+                    return self.is_whole();
+                }
+                let Some(is_new_best) =
+                    self.try_one(orientation, start, orientations, SearchScope::Local)
+                else {
+                    continue;
+                };
+                tried += 1;
+                if is_new_best && self.is_as_planned() {
+                    return true;
+                }
+            }
+        }
+        self.is_whole()
+    }
+
+    /// The best run again, with the global search where it stopped.
+    fn globally(&mut self, orientations: &[ToolOrientation]) {
+        if let Some((_, orientation, start)) = self.best {
+            self.try_one(&orientation, start, orientations, SearchScope::Global);
+        }
+    }
+
+    fn is_whole(&self) -> bool {
+        (self.best.as_ref()).is_some_and(|(run, ..)| run.last + 1 == self.planned.len())
+    }
+
+    fn is_as_planned(&self) -> bool {
+        let most = TURNED * self.planned.len() as f64;
+        self.is_whole() && (self.best.as_ref()).is_some_and(|(run, ..)| run.turned <= most)
+    }
+
+    /// One configuration: whether it gives the best run so far; `None` if the tool cannot be put down.
+    fn try_one(
+        &mut self,
+        orientation: &ToolOrientation,
+        start: u64,
+        orientations: &[ToolOrientation],
+        search: SearchScope,
+    ) -> Option<bool> {
+        let (arm, now, planned) = (self.arm, self.now, self.planned);
+        let begun = match begin(
+            arm,
+            now,
+            &planned[0],
+            self.lift_height,
+            orientation,
+            start,
+            self.seed,
+        ) {
+            Ok(begun) => begun,
+            Err(attempt) => {
+                self.attempts.push(attempt);
+                return None;
+            }
+        };
+        let contact = wipe(arm, &begun, planned, orientations, search);
+        let turned = contact.turned(&begun, arm);
+        let length = contact.legs.len();
+        let is_better = self.best.as_ref().is_none_or(|(best, ..)| {
+            length > best.last || length == best.last && turned < best.turned
+        });
+        if !is_better {
+            return Some(false);
+        }
+        match finish(arm, now, begun, contact, self.lift_height, self.seed) {
+            Ok(run) => {
+                self.best = Some((run, *orientation, start));
+                Some(true)
+            }
+            Err(attempt) => {
+                self.attempts.push(attempt);
+                Some(false)
+            }
+        }
+    }
+}
+
+/// The tool put down at the begin of a stroke.
+struct Begun {
+    /// Over the surface and down: `None` for the first if it has to be reached by free motion.
+    over: Option<Vec<JointPositions>>,
+    above: JointPositions,
+    down: Vec<JointPositions>,
+    pose: ToolPose,
+    orientation: ToolOrientation,
+}
+
+impl Begun {
+    fn start(&self) -> JointPositions {
+        *self.down.last().unwrap_or(&self.above)
+    }
+}
+
+fn begin(
+    arm: &Arm,
+    now: &Now,
+    planned: &PlanarPose,
+    lift_height: f64,
+    orientation: &ToolOrientation,
+    start: u64,
+    seed: u64,
+) -> Result<Begun, Attempt> {
+    let heading = now
+        .tool
+        .map_or(planned.heading, |tool| tool.surface_from_tool.heading);
+    let pose = turned(planned, orientation, heading);
+    let lifted = pose.lifted(lift_height);
+    let failed = |progress: f64, obstruction| Attempt {
+        rotation: orientation.rotation,
+        tilt: orientation.tilt,
+        progress,
+        obstruction,
+    };
+    let (over, above) = match (start, now.tool) {
+        (0, Some(tool)) => {
+            let path = arm
+                .along(&now.q, &tool, &lifted, AllowedContact::None)
+                .map_err(|broken| failed(broken.progress, broken.obstruction))?;
+            let above = *path.last().unwrap_or(&now.q);
+            (Some(path), above)
+        }
+        _ => {
+            let near: [&[f64]; 2] = [&now.q, &arm.ready()];
+            // The first start looks near the current configuration, the others anywhere.
+            let mut found =
+                arm.reach_free(&lifted, if start == 1 { &near } else { &[] }, seed ^ start);
+            for i in 1..FREE_TRIES {
+                if !matches!(
+                    found,
+                    Err(Obstruction::SelfCollision { .. }
+                        | Obstruction::SceneCollision { .. }
+                        | Obstruction::SecondHand { .. })
+                ) {
+                    break;
+                }
+                found = arm.reach_free(&lifted, &[], seed ^ start ^ (i << 16));
+            }
+            (None, found.map_err(|obstruction| failed(0.0, obstruction))?)
+        }
+    };
+    let down = arm
+        .along(&above, &lifted, &pose, AllowedContact::Surface)
+        .map_err(|broken| failed(broken.progress, broken.obstruction))?;
+    Ok(Begun {
+        over,
+        above,
+        down,
+        pose,
+        orientation: *orientation,
+    })
+}
+
+impl Contact {
+    /// How far the tool is turned away from the plan, summed over the nodes [rad]; nothing where that
+    /// makes no difference.
+    fn turned(&self, begun: &Begun, arm: &Arm) -> f64 {
+        match arm.task.action {
+            Action::Absorb => 0.0,
+            Action::Collect | Action::Skim => {
+                let symmetric = arm.task.tool.is_half_turn_symmetric();
+                let legs = self.legs.iter().map(|leg| leg.turned);
+                rank(&begun.orientation, symmetric) + legs.sum::<f64>()
+            }
+        }
+    }
+}
+
+fn wipe(
+    arm: &Arm,
+    begun: &Begun,
+    planned: &[PlanarPose],
+    orientations: &[ToolOrientation],
+    search: SearchScope,
+) -> Contact {
+    let mut contact = Contact {
+        legs: Vec::new(),
+        end: begun.start(),
+        end_pose: begun.pose,
+        stopped: Vec::new(),
+    };
+    for edge in planned.windows(2) {
+        let (begin, goal) = (&edge[0], &edge[1]);
+        match follow_edge(
+            arm,
+            &contact.end,
+            &contact.end_pose,
+            [begin, goal],
+            orientations,
+            search,
+        ) {
+            Ok(leg) => {
+                contact.end = *leg.configurations.last().unwrap_or(&contact.end);
+                contact.end_pose = *leg.line.last().unwrap_or(&contact.end_pose);
+                contact.legs.push(leg);
+            }
+            Err(attempts) => {
+                contact.stopped = attempts;
+                break;
+            }
+        }
+    }
+    contact
+}
+
+/// Lifts the tool, and finds the way to where it was put down.
+fn finish(
+    arm: &Arm,
+    now: &Now,
+    begun: Begun,
+    contact: Contact,
+    lift_height: f64,
+    seed: u64,
+) -> Result<Run, Attempt> {
+    let failed = |obstruction| Attempt {
+        rotation: begun.orientation.rotation,
+        tilt: begun.orientation.tilt,
+        progress: 1.0,
+        obstruction,
+    };
+    let lifted = contact.end_pose.lifted(lift_height);
+    let up = arm
+        .along(
+            &contact.end,
+            &contact.end_pose,
+            &lifted,
+            AllowedContact::Surface,
+        )
+        .map_err(|broken| failed(broken.obstruction))?;
+    let above_start = begun.pose.lifted(lift_height);
+    let mut pieces = Vec::new();
+    match (&begun.over, now.tool) {
+        (Some(path), Some(tool)) => pieces.push(UntimedMotion {
+            phase: UntimedPhase::Plain(Phase::Lifted),
+            path: with_start(now.q, path),
+            line: vec![tool, above_start],
+        }),
+        _ => {
+            let path = free_motion(arm, &now.q, &begun.above, seed).ok_or_else(|| {
+                let blocked = arm.way(&now.q, &begun.above, AllowedContact::None);
+                failed(blocked.err().unwrap_or(Obstruction::OutOfReach {
+                    position_error: 0.0,
+                    rotation_error: 0.0,
+                }))
+            })?;
+            pieces.push(UntimedMotion {
+                phase: UntimedPhase::Plain(Phase::FreeMotion),
+                path,
+                line: Vec::new(),
+            });
+        }
+    }
+    let start = begun.start();
+    pieces.push(UntimedMotion {
+        phase: UntimedPhase::Plain(Phase::Lower),
+        path: with_start(begun.above, &begun.down),
+        line: vec![above_start, begun.pose],
+    });
+    let last = contact.legs.len();
+    let turned = contact.turned(&begun, arm);
+    let mut wiped = vec![begun.pose];
+    let mut path = vec![start];
+    for leg in contact.legs {
+        wiped.extend(leg.line);
+        path.extend(leg.configurations);
+    }
+    pieces.push(UntimedMotion {
+        phase: UntimedPhase::Wipe,
+        path,
+        line: wiped.clone(),
+    });
+    let end = *up.last().unwrap_or(&contact.end);
+    pieces.push(UntimedMotion {
+        phase: UntimedPhase::Plain(Phase::Lift),
+        path: with_start(contact.end, &up),
+        line: vec![contact.end_pose, lifted],
+    });
+    Ok(Run {
+        pieces,
+        last,
+        wiped,
+        turned,
+        now: Now {
+            q: end,
+            tool: Some(lifted),
+        },
+        stopped: contact.stopped,
+    })
+}
+
+fn with_start(start: JointPositions, path: &[JointPositions]) -> Vec<JointPositions> {
+    let mut whole = vec![start];
+    whole.extend_from_slice(path);
+    whole
+}

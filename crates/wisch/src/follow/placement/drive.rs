@@ -1,0 +1,125 @@
+//! The way of the base between placements: A* over position and heading round obstacles, straightened;
+//! paper §3.3.
+
+use crate::follow::{FollowConfig, Workcell};
+use crate::geometry::{PlanarPose, wrap_angle};
+use pathfinding::prelude::astar;
+use std::f64::consts::TAU;
+
+/// Pitch of the grid [m].
+const PITCH: f64 = 0.1;
+/// Headings of the grid.
+const HEADINGS: i32 = 24;
+/// How far round start and goal the base may swerve [cells].
+const SWERVE: i32 = 30;
+/// Cost of turning: as long as driving so far takes [m/rad]. Base: 0.5 m/s, 0.5 rad/s.
+const TURN_COST: f64 = 1.0;
+/// Costs are whole micrometres, so that they compare exactly.
+const COST_UNIT: f64 = 1e-6;
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+enum Node {
+    Start,
+    /// Cells and headings from the goal.
+    Cell([i32; 3]),
+}
+
+/// Poses of the base from one to another, both included; `None` if there is no free way.
+///
+/// The arm stays in the ready posture.
+pub(in crate::follow) fn drive(
+    cell: &Workcell,
+    from: &PlanarPose,
+    to: &PlanarPose,
+    config: &FollowConfig,
+) -> Option<Vec<PlanarPose>> {
+    let to = PlanarPose::new(
+        to.position,
+        from.heading + wrap_angle(to.heading - from.heading),
+    );
+    let is_free = |a: &PlanarPose, b: &PlanarPose| {
+        let (a, b) = (
+            cell.standing(cell.ready(), a),
+            cell.standing(cell.ready(), b),
+        );
+        let contact = cell
+            .base_collisions()
+            .segment_contact(&a, &b, config.margin);
+        matches!(contact, Ok(None))
+    };
+    if is_free(from, &to) {
+        return Some(vec![*from, to]);
+    }
+    let turn = TAU / f64::from(HEADINGS);
+    let away = (from.position - to.position) / PITCH;
+    let reach = [away.x, away.y].map(|cells| cells.abs().ceil() as i32 + SWERVE);
+    let pose = |node: Node| match node {
+        Node::Start => *from,
+        Node::Cell([i, j, k]) => PlanarPose::new(
+            to.position + PITCH * nalgebra::Vector2::new(f64::from(i), f64::from(j)),
+            to.heading + f64::from(k) * turn,
+        ),
+    };
+    let cost = |a: &PlanarPose, b: &PlanarPose| {
+        let way = (b.position - a.position).norm() + TURN_COST * (b.heading - a.heading).abs();
+        (way / COST_UNIT).round() as u64
+    };
+    let near_start = || {
+        let k = (from.heading - to.heading) / turn;
+        let around = |value: f64| [value.floor() as i32, value.floor() as i32 + 1];
+        let mut cells = Vec::with_capacity(8);
+        for i in around(away.x) {
+            for j in around(away.y) {
+                cells.extend(around(k).map(|k| [i, j, k]));
+            }
+        }
+        cells
+    };
+    let successors = |&node: &Node| {
+        let cells = match node {
+            Node::Start => near_start(),
+            Node::Cell([i, j, k]) => {
+                let mut cells = vec![[i, j, k - 1], [i, j, k + 1]];
+                for di in -1..=1 {
+                    for dj in -1..=1 {
+                        if (di, dj) != (0, 0) {
+                            cells.push([i + di, j + dj, k]);
+                        }
+                    }
+                }
+                cells
+            }
+        };
+        let here = pose(node);
+        cells
+            .into_iter()
+            .filter(|[i, j, k]| i.abs() <= reach[0] && j.abs() <= reach[1] && k.abs() <= HEADINGS)
+            .map(Node::Cell)
+            .filter(|&next| is_free(&here, &pose(next)))
+            .map(|next| (next, cost(&here, &pose(next))))
+            .collect::<Vec<_>>()
+    };
+    let estimate = |&node: &Node| cost(&pose(node), &to);
+    let goal = Node::Cell([0, 0, 0]);
+    let (nodes, _) = astar(&Node::Start, successors, estimate, |node| *node == goal)?;
+    let path: Vec<PlanarPose> = nodes.into_iter().map(pose).collect();
+    Some(straightened(path, is_free))
+}
+
+/// Leaves out every pose that can be left out.
+fn straightened(
+    path: Vec<PlanarPose>,
+    is_free: impl Fn(&PlanarPose, &PlanarPose) -> bool,
+) -> Vec<PlanarPose> {
+    let mut kept = vec![path[0]];
+    let mut at = 0;
+    while at + 1 < path.len() {
+        let next = (at + 1..path.len())
+            .rev()
+            .find(|&k| k == at + 1 || is_free(&path[at], &path[k]))
+            .unwrap_or(at + 1);
+        kept.push(path[next]);
+        at = next;
+    }
+    kept
+}

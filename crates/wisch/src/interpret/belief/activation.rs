@@ -1,0 +1,96 @@
+//! Whether a particle responds to a contact (12): the threshold that each has drawn.
+
+use crate::interpret::contact::{ContactMotion, MAX_LENGTH};
+use crate::random::keyed_uniform;
+use rand::Rng;
+use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
+
+/// A particle that is touched again within this travel is still in the same contact [m]: it may have been
+/// out of touch while the tool stood or turned a corner.
+const SAME_CONTACT: f64 = MAX_LENGTH;
+
+/// A level above every probability.
+const SLIPPED: f64 = 2.0;
+/// Tells apart the random numbers for slipping.
+const SLIPS: u64 = 0x736c_6970;
+
+/// The thresholds of all particles in one replay.
+#[derive(Debug)]
+pub(super) struct Activation {
+    /// Of the replay's random numbers.
+    pub(super) key: u64,
+    thresholds: Vec<Threshold>,
+    /// Travel in contact before the motion at hand, and after it; an interruption adds a little [m].
+    travelled: [f64; 2],
+    /// Probability that a particle that draws slips past the tool instead [1].
+    slip: f64,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Threshold {
+    /// Travel at which the particle was last touched [m].
+    touched: f64,
+    /// Travel at which it drew [m].
+    drew: f64,
+    draws: u32,
+    /// Uniform in (0, 1); [`SLIPPED`] responds to nothing.
+    level: f64,
+}
+
+impl Activation {
+    pub(super) fn new(seed: u64, replay: u64, particles: usize, slip: f64) -> Self {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        random.set_stream(replay);
+        let never = Threshold {
+            touched: f64::NEG_INFINITY,
+            drew: 0.0,
+            draws: 0,
+            level: 1.0,
+        };
+        Self {
+            key: random.next_u64(),
+            thresholds: vec![never; particles],
+            travelled: [0.0; 2],
+            slip,
+        }
+    }
+
+    /// Goes on to a motion.
+    pub(super) fn advance(&mut self, contact: &ContactMotion) {
+        let begin = self.travelled[1]
+            + if contact.continues {
+                0.0
+            } else {
+                2.0 * SAME_CONTACT
+            };
+        self.travelled = [begin, begin + contact.motion.travel().1];
+    }
+
+    /// Whether a particle that the motion at hand touches, and that does so with a probability, responds.
+    pub(super) fn responds(
+        &mut self,
+        particle: usize,
+        probability: f64,
+        redraw_length: f64,
+    ) -> bool {
+        let [begin, end] = self.travelled;
+        let threshold = &mut self.thresholds[particle];
+        let is_new_contact = begin - threshold.touched > SAME_CONTACT;
+        let is_due = begin - threshold.drew >= redraw_length;
+        if is_new_contact || is_due {
+            threshold.level = keyed_uniform(self.key, particle as u64, threshold.draws);
+            if keyed_uniform(self.key ^ SLIPS, particle as u64, threshold.draws) < self.slip {
+                threshold.level = SLIPPED;
+            }
+            threshold.draws += 1;
+            // Draws are due every so often, whatever the length of the motions between which they fall.
+            threshold.drew = if is_new_contact {
+                begin
+            } else {
+                threshold.drew + redraw_length
+            };
+        }
+        threshold.touched = end;
+        threshold.level <= probability
+    }
+}

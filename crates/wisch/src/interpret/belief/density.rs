@@ -1,0 +1,129 @@
+//! How much dirt is believed to lie where.
+
+use crate::geometry::{Bounds2, Point2, Vector2};
+use crate::interpret::error::InterpretError;
+use crate::represent::{ParticleDistribution, Surface};
+
+/// Most cells of a map: a million are a square metre in square millimetres.
+const MAX_CELLS: usize = 1 << 22;
+/// Share of a cell by which a surface may exceed whole cells through rounding alone.
+const ROUNDING: f64 = 1e-9;
+
+/// Remaining particles per cell, over the replays of a belief. Cells are squares that cover the bounds of
+/// the surface, row by row, both from below.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DensityMap {
+    origin: Point2,
+    cell_size: f64,
+    columns: usize,
+    rows: usize,
+    mean: Vec<f64>,
+    deviation: Vec<f64>,
+}
+
+impl DensityMap {
+    pub(super) fn of(
+        replays: &[ParticleDistribution],
+        surface: &Surface,
+        cell_size: f64,
+    ) -> Result<Self, InterpretError> {
+        let bounds = Bounds2::of(surface.outline.outer().iter().copied()).unwrap_or(Bounds2 {
+            min: Point2::origin(),
+            max: Point2::origin(),
+        });
+        let cells_along = |side: f64| (side / cell_size - ROUNDING).ceil().max(1.0);
+        let shape = bounds.size().map(cells_along);
+        let cells = shape.x * shape.y;
+        if !(cell_size > 0.0 && cells <= MAX_CELLS as f64) {
+            return Err(InterpretError::Cells {
+                cell_size,
+                cells,
+                limit: MAX_CELLS,
+            });
+        }
+        let mut map = Self {
+            origin: bounds.min,
+            cell_size,
+            columns: shape.x as usize,
+            rows: shape.y as usize,
+            mean: Vec::new(),
+            deviation: Vec::new(),
+        };
+        map.fill(replays);
+        Ok(map)
+    }
+
+    fn fill(&mut self, replays: &[ParticleDistribution]) {
+        let cells = self.columns * self.rows;
+        let mut sums = vec![0.0; cells];
+        let mut squares = vec![0.0; cells];
+        let mut counts = vec![0.0; cells];
+        for replay in replays {
+            counts.fill(0.0);
+            for cell in replay.remaining().filter_map(|place| self.cell(place)) {
+                counts[cell] += 1.0;
+            }
+            for ((sum, square), count) in sums.iter_mut().zip(&mut squares).zip(&counts) {
+                *sum += count;
+                *square += count * count;
+            }
+        }
+        let n = replays.len() as f64;
+        self.mean = sums.iter().map(|sum| sum / n).collect();
+        let spread = |(mean, square): (&f64, &f64)| (square / n - mean * mean).max(0.0).sqrt();
+        self.deviation = self.mean.iter().zip(&squares).map(spread).collect();
+    }
+
+    /// The cell of a place; `None` off the map.
+    fn cell(&self, place: Point2) -> Option<usize> {
+        let offset = place - self.origin;
+        let inside = |value: f64, cells: usize| {
+            // The far border belongs to the last cell.
+            let whole = (value / self.cell_size).floor();
+            (whole >= 0.0 && value <= cells as f64 * self.cell_size)
+                .then(|| (whole as usize).min(cells - 1))
+        };
+        Some(inside(offset.y, self.rows)? * self.columns + inside(offset.x, self.columns)?)
+    }
+
+    /// Columns (along x) and rows (along y).
+    pub fn shape(&self) -> (usize, usize) {
+        (self.columns, self.rows)
+    }
+
+    /// Side of a cell [m].
+    pub fn cell_size(&self) -> f64 {
+        self.cell_size
+    }
+
+    /// Middle of a cell in the surface frame [m].
+    pub fn center(&self, column: usize, row: usize) -> Point2 {
+        self.origin + Vector2::new(column as f64 + 0.5, row as f64 + 0.5) * self.cell_size
+    }
+
+    /// Mean number of particles that remain in a cell.
+    ///
+    /// # Panics
+    /// Where there is no such cell.
+    pub fn mean(&self, column: usize, row: usize) -> f64 {
+        self.mean[self.index(column, row)]
+    }
+
+    /// Standard deviation, over the replays, of the number of particles that remain in a cell.
+    ///
+    /// # Panics
+    /// Where there is no such cell.
+    pub fn standard_deviation(&self, column: usize, row: usize) -> f64 {
+        self.deviation[self.index(column, row)]
+    }
+
+    fn index(&self, column: usize, row: usize) -> usize {
+        assert!(
+            column < self.columns && row < self.rows,
+            "cell ({column}, {row}) of {} x {}",
+            self.columns,
+            self.rows
+        );
+        row * self.columns + column
+    }
+}

@@ -1,0 +1,284 @@
+//! Which pieces of a path are contact: bias, normalised force (9), and the fitted plane (10), (11).
+
+use super::downsampling::MeasuredPiece;
+use super::path::{FittedPlane, PathPiece, Touch};
+use super::plane::{PlaneFit, fit_plane};
+use crate::geometry::{Bounds2, Point2, Point3, Vector2, Vector3};
+use crate::interpret::config::{InterpretConfig, ToolCompliance};
+use crate::represent::Surface;
+
+/// Pieces on either side over which the speed is compared, about 50 ms: inertia of the hand is not bias.
+const CALM_REACH: usize = 5;
+/// Acceleration below which the tool moves calmly [m/s²]; half a newton for a hand of half a kilogram.
+const CALM_ACCELERATION: f64 = 1.0;
+/// Fewest pieces of free motion that show a bias.
+const MIN_CALM: usize = 5;
+/// The size of a force with normal noise in three directions has its median at 1.54 standard deviations, and
+/// hardly passes 4 of them.
+const NOISE_BY_MEDIAN: f64 = 2.6;
+/// A confident contact counts for the plane once the tool has moved this far from the last that did [m] ...
+const POINT_TRAVEL: f64 = 5e-4;
+/// ... or this long afterwards [s], so that a tool held still does not outvote one that wipes.
+const POINT_PERIOD: f64 = 0.05;
+/// f′ from which on a weak contact shows where the surface is [1].
+const TOUCHING_SHARE: f64 = 0.3;
+/// Share of the tool that a surface carries at least, for its contact to be one with the surface [1].
+const LEAST_SUPPORT: f64 = 0.3;
+/// Cosine of the angle between tool axis and plane normal from which on the underside faces the plane [1].
+const LEAST_FACING: f64 = 0.5;
+/// f′ from which on force off the plane is a force like that of contact [1].
+const FALSE_POSITIVE_SHARE: f64 = 0.2;
+
+/// A path with each piece classified as contact or not.
+#[derive(Debug, Clone)]
+pub(in crate::interpret) struct ClassifiedPath {
+    pub(in crate::interpret) path: Vec<PathPiece>,
+    /// By how much the tool's underside is farther from the plane than one that touches may be [m]; at most
+    /// 0 on the plane.
+    pub(in crate::interpret) off: Vec<f64>,
+    pub(in crate::interpret) plane: Option<(PlaneFit, FittedPlane)>,
+    /// Mean of what is felt in free motion, in the axes of the believed surface [N].
+    pub(in crate::interpret) bias: Vector3,
+    /// Size of a force that noise in calm free motion makes believe [N]; infinite where there is none.
+    pub(in crate::interpret) noise: f64,
+}
+
+/// Classifies measured pieces.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::interpret) struct ContactClassifier<'a> {
+    pub(in crate::interpret) surface: &'a Surface,
+    /// Largest distance of the footprint from the tool centre point [m].
+    pub(in crate::interpret) reach: f64,
+    pub(in crate::interpret) config: &'a InterpretConfig,
+}
+
+impl ContactClassifier<'_> {
+    /// Takes the bias off, fits the plane, and tells contact from what is none.
+    pub(in crate::interpret) fn classify(&self, pieces: &[MeasuredPiece]) -> ClassifiedPath {
+        let config = self.config;
+        let (bias, noise) = bias_and_noise(pieces, config);
+        let confident = touching_points(pieces, bias.z, config.confident_share, config);
+        let plane = fit_plane(&confident, &config.plane, config.seed).map(|fit| {
+            let touching = touching_points(pieces, bias.z, TOUCHING_SHARE, config);
+            let fit = widened(fit, &confident, &touching, config);
+            let described = describe(&fit, confident.len(), self.surface);
+            (fit, described)
+        });
+        let fit = plane.as_ref().map(|(fit, _)| fit);
+        let (path, off) = (pieces.iter())
+            .map(|piece| self.classify_piece(piece, bias, fit))
+            .unzip();
+        ClassifiedPath {
+            path,
+            off,
+            plane,
+            bias,
+            noise,
+        }
+    }
+
+    fn classify_piece(
+        &self,
+        piece: &MeasuredPiece,
+        bias: Vector3,
+        plane: Option<&PlaneFit>,
+    ) -> (PathPiece, f64) {
+        let force = piece.force - bias;
+        let normal_force = -force.z;
+        let share = self.config.normalized(normal_force);
+        let center = Point3::new(piece.position.x, piece.position.y, piece.mean_height);
+        let height = plane.map_or(center.z, |plane| plane.distance(center));
+        let off = self.off(center.xy(), height, normal_force);
+        let on_plane = plane.is_some() && off <= 0.0;
+        let touch = match (on_plane, share) {
+            (true, share) if share >= self.config.confident_share => Touch::Confident,
+            (true, _) => Touch::Weak,
+            (false, share) if share >= FALSE_POSITIVE_SHARE => Touch::FalsePositive,
+            (false, _) => Touch::Free,
+        };
+        let classified = PathPiece {
+            time: piece.time,
+            position: piece.position,
+            heading: piece.heading,
+            normal_force,
+            tangential_force: force.xy().norm(),
+            normalized_force: share.clamp(0.0, 1.0),
+            height,
+            slope: plane.map_or_else(Vector2::zeros, |plane| slope(piece, &plane.normal())),
+            touch,
+        };
+        (classified, off)
+    }
+
+    /// By how much the underside of a tool at this height is farther off the plane than it may be [m].
+    fn off(&self, place: Point2, height: f64, normal_force: f64) -> f64 {
+        let spring_back = spring_back(normal_force, self.config);
+        let doubt = match self.config.compliance {
+            ToolCompliance::Rigid => 0.0,
+            ToolCompliance::Spring { uncertainty, .. } => uncertainty * spring_back.abs(),
+        };
+        let clearance = height + spring_back;
+        let off = clearance.abs() - self.config.plane.inlier_distance_m - doubt;
+        if clearance < 0.0 && off > 0.0 {
+            off - self.config.nominal_compression() * (1.0 / self.support(place) - 1.0)
+        } else {
+            off
+        }
+    }
+
+    /// Share of the tool that the surface carries: over an edge half of it, which gives way twice as far.
+    fn support(&self, place: Point2) -> f64 {
+        let outline = &self.surface.outline;
+        let distances = outline.edges().map(|edge| edge.distance(place));
+        let distance = distances.fold(f64::INFINITY, f64::min);
+        let inside = if outline.contains(place) { 1.0 } else { -1.0 };
+        (0.5 + 0.5 * inside * distance / self.reach.max(f64::MIN_POSITIVE))
+            .clamp(LEAST_SUPPORT, 1.0)
+    }
+}
+
+/// Slope of a plane with this normal (believed surface frame) against the underside, in the tool frame [1];
+/// zero where they stand across each other, which no contact under the tool does.
+fn slope(piece: &MeasuredPiece, normal: &Vector3) -> Vector2 {
+    let normal_in_tool = piece.surface_from_tool.inverse() * normal;
+    if normal_in_tool.z < LEAST_FACING {
+        return Vector2::zeros();
+    }
+    -normal_in_tool.xy() / normal_in_tool.z
+}
+
+/// Median force over the time of calm free motion, by component, zero where there is none; and the size that
+/// what is left then hardly passes.
+fn bias_and_noise(pieces: &[MeasuredPiece], config: &InterpretConfig) -> (Vector3, f64) {
+    // Half the nominal force is no bias: that is a surface far above the believed one.
+    let is_free = |piece: &MeasuredPiece| {
+        piece.mean_height > config.free_height_m
+            && piece.force.z.abs() < 0.5 * config.nominal_force()
+    };
+    let calm: Vec<&MeasuredPiece> = (0..pieces.len())
+        .filter(|&i| is_free(&pieces[i]) && is_calm(pieces, i))
+        .map(|i| &pieces[i])
+        .collect();
+    if calm.len() < MIN_CALM {
+        return (Vector3::zeros(), f64::INFINITY);
+    }
+    let bias = Vector3::from_fn(|row, _| {
+        let weighed = calm.iter().map(|piece| (piece.force[row], piece.samples));
+        median(weighed.collect())
+    });
+    let sizes = calm
+        .iter()
+        .map(|piece| ((piece.force - bias).norm(), piece.samples));
+    (bias, NOISE_BY_MEDIAN * median(sizes.collect()))
+}
+
+/// The median of values with weights: by time, not by pieces, of which a tool that is flung
+/// away makes the most.
+fn median(mut weighed: Vec<(f64, u32)>) -> f64 {
+    weighed.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+    let all: u64 = weighed.iter().map(|&(_, count)| u64::from(count)).sum();
+    let mut passed = 0;
+    let middle = weighed.iter().find(|&&(_, count)| {
+        passed += 2 * u64::from(count);
+        passed > all
+    });
+    middle.map_or(0.0, |&(value, _)| value)
+}
+
+/// Whether the velocity is about the same before and after a piece.
+fn is_calm(pieces: &[MeasuredPiece], i: usize) -> bool {
+    let (Some(before), Some(after)) = (i.checked_sub(CALM_REACH), pieces.get(i + CALM_REACH))
+    else {
+        return false;
+    };
+    let (before, here) = (&pieces[before], &pieces[i]);
+    let first = here.time[1] - before.time[1];
+    let second = after.time[1] - here.time[1];
+    let change =
+        (after.position - here.position) / second - (here.position - before.position) / first;
+    change.norm() / (0.5 * (first + second)) < CALM_ACCELERATION
+}
+
+/// By how much the tool's underside is above its tool centre point at a normal force [m].
+fn spring_back(normal_force: f64, config: &InterpretConfig) -> f64 {
+    match config.compliance {
+        ToolCompliance::Rigid => 0.0,
+        // Pressed harder, it gives way further; not touching, it is as long as it gets.
+        ToolCompliance::Spring {
+            stiffness_n_per_m, ..
+        } => (-normal_force.min(0.0) - config.nominal_force()) / stiffness_n_per_m,
+    }
+}
+
+/// The plane with what weaker contacts say of it. Where the surface falls away, confident contacts are few
+/// and close together, and say little of its slope; but how far the tool has sprung back shows where it
+/// touches. That plane holds if most of the confident contacts that made the first lie on it as well.
+fn widened(
+    first: PlaneFit,
+    confident: &[Point3],
+    touching: &[Point3],
+    config: &InterpretConfig,
+) -> PlaneFit {
+    let Some(wide) = fit_plane(touching, &config.plane, config.seed) else {
+        return first;
+    };
+    let is_near = |plane: &PlaneFit, point: &Point3| {
+        plane.distance(*point).abs() <= config.plane.inlier_distance_m
+    };
+    let ours = confident.iter().filter(|point| is_near(&first, point));
+    let (count, shared) = ours.fold((0_usize, 0_usize), |(count, shared), point| {
+        (count + 1, shared + usize::from(is_near(&wide, point)))
+    });
+    if 2 * shared >= count { wide } else { first }
+}
+
+/// Where the underside touches with at least this f′ (10), in the frame of the believed surface.
+fn touching_points(
+    pieces: &[MeasuredPiece],
+    bias: f64,
+    least_share: f64,
+    config: &InterpretConfig,
+) -> Vec<Point3> {
+    let mut points = Vec::new();
+    let mut last: Option<(f64, Point3)> = None;
+    for piece in pieces {
+        let normal_force = -(piece.force.z - bias);
+        let share = config.normalized(normal_force);
+        if !(least_share..=config.confident_limit()).contains(&share) {
+            continue;
+        }
+        let height = piece.mean_height + spring_back(normal_force, config);
+        if height.abs() > config.search_height_m {
+            continue;
+        }
+        let point = Point3::new(piece.position.x, piece.position.y, height);
+        let is_new = last.is_none_or(|(time, place)| {
+            (point - place).norm() >= POINT_TRAVEL || piece.time[1] - time >= POINT_PERIOD
+        });
+        if is_new {
+            last = Some((piece.time[1], point));
+            points.push(point);
+        }
+    }
+    points
+}
+
+/// The middle of a surface [m].
+pub(in crate::interpret) fn middle(surface: &Surface) -> Point2 {
+    let outline = surface.outline.outer().iter().copied();
+    Bounds2::of(outline).map_or_else(Point2::origin, |bounds| bounds.center())
+}
+
+fn describe(fit: &PlaneFit, confident: usize, surface: &Surface) -> FittedPlane {
+    let middle: Vector2 = middle(surface).coords;
+    let offset = fit.height_at(middle);
+    FittedPlane {
+        point: Point3::new(middle.x, middle.y, offset),
+        normal: fit.normal(),
+        tilt: fit.tilt(),
+        offset,
+        inliers: fit.inliers,
+        confident,
+        rms: fit.rms,
+    }
+}

@@ -1,0 +1,185 @@
+//! A log in pieces: bounded memory however long it is and however fast it was sampled.
+
+use super::path::TouchSample;
+use crate::geometry::{Point3, Pose, Vector3, wrap_angle};
+use crate::interpret::error::InterpretError;
+use nalgebra::UnitQuaternion;
+
+/// Longest piece [s]: events are to be found to a fraction of 50 ms.
+const MAX_DURATION: f64 = 0.01;
+/// Farthest way within a piece [m]: below the inlier distance of the plane.
+const MAX_TRAVEL: f64 = 1e-3;
+/// Greatest turn within a piece [rad]: 2°, at which the corner of a sponge moves by 2 mm.
+const MAX_TURN: f64 = 0.035;
+/// Slack for times that are multiples of a sampling period and not exact in binary [s].
+const TIME_SLACK: f64 = 1e-6;
+
+/// Largest coordinate that a robot measures [m].
+const MAX_POSITION: f64 = 1e4;
+/// Largest force that a robot measures [N].
+const MAX_FORCE: f64 = 1e6;
+/// Largest time [s]: seconds since 1970 fit in and still resolve a microsecond.
+const MAX_TIME: f64 = 1e10;
+
+/// Some consecutive samples as one, as measured, in the frame of the believed surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::interpret) struct MeasuredPiece {
+    /// First and last time [s].
+    pub(in crate::interpret) time: [f64; 2],
+    /// Samples in it.
+    pub(in crate::interpret) samples: u32,
+    /// Tool centre point at the last sample [m].
+    pub(in crate::interpret) position: Point3,
+    /// Mean height of the tool centre point over the believed surface [m].
+    pub(in crate::interpret) mean_height: f64,
+    /// Heading at the last sample [rad].
+    pub(in crate::interpret) heading: f64,
+    /// Tool at the last sample.
+    pub(in crate::interpret) surface_from_tool: UnitQuaternion<f64>,
+    /// Mean force of the surroundings on the tool [N].
+    pub(in crate::interpret) force: Vector3,
+    /// Largest size of the force [N].
+    pub(in crate::interpret) peak_force: f64,
+}
+
+/// Takes samples in and keeps pieces.
+#[derive(Debug, Clone)]
+pub(in crate::interpret) struct Downsampler {
+    surface_from_world: Pose,
+    /// The last one still grows.
+    pieces: Vec<MeasuredPiece>,
+    /// Where the last piece began [m], [rad].
+    began: (Point3, f64),
+    /// By which factor pieces may be longer than at the beginning.
+    coarseness: f64,
+    max_pieces: usize,
+    samples: usize,
+}
+
+impl Downsampler {
+    pub(in crate::interpret) fn new(world_from_surface: &Pose, max_pieces: usize) -> Self {
+        Self {
+            surface_from_world: world_from_surface.inverse(),
+            pieces: Vec::new(),
+            began: (Point3::origin(), 0.0),
+            coarseness: 1.0,
+            max_pieces,
+            samples: 0,
+        }
+    }
+
+    pub(in crate::interpret) fn pieces(&self) -> &[MeasuredPiece] {
+        &self.pieces
+    }
+
+    /// Takes one sample in; a refused one leaves everything as it was.
+    pub(in crate::interpret) fn push(
+        &mut self,
+        sample: &TouchSample,
+    ) -> Result<(), InterpretError> {
+        self.check(sample)?;
+        let surface_from_tool = self.surface_from_world * sample.world_from_tool;
+        let axis_in_surface = surface_from_tool.rotation * Vector3::x();
+        let one = MeasuredPiece {
+            time: [sample.time; 2],
+            samples: 1,
+            position: surface_from_tool.translation.vector.into(),
+            mean_height: surface_from_tool.translation.z,
+            heading: libm::atan2(axis_in_surface.y, axis_in_surface.x),
+            surface_from_tool: surface_from_tool.rotation,
+            force: self.surface_from_world.rotation * sample.force,
+            peak_force: sample.force.norm(),
+        };
+        match self.pieces.last_mut() {
+            Some(last) if fits(last, &one, self.began, self.coarseness) => {
+                *last = joined(last, &one);
+            }
+            _ => {
+                if self.pieces.len() >= self.max_pieces {
+                    self.coarsen();
+                }
+                self.began = (one.position, one.heading);
+                self.pieces.push(one);
+            }
+        }
+        self.samples += 1;
+        Ok(())
+    }
+
+    fn check(&self, sample: &TouchSample) -> Result<(), InterpretError> {
+        let translation = &sample.world_from_tool.translation.vector;
+        let rotation = &sample.world_from_tool.rotation.coords;
+        let fields = [
+            ("time [s]", sample.time, MAX_TIME),
+            ("position x [m]", translation.x, MAX_POSITION),
+            ("position y [m]", translation.y, MAX_POSITION),
+            ("position z [m]", translation.z, MAX_POSITION),
+            ("orientation x", rotation.x, 1.0 + 1e-3),
+            ("orientation y", rotation.y, 1.0 + 1e-3),
+            ("orientation z", rotation.z, 1.0 + 1e-3),
+            ("orientation w", rotation.w, 1.0 + 1e-3),
+            ("force x [N]", sample.force.x, MAX_FORCE),
+            ("force y [N]", sample.force.y, MAX_FORCE),
+            ("force z [N]", sample.force.z, MAX_FORCE),
+        ];
+        for (field, value, limit) in fields {
+            if value.is_nan() || value.abs() > limit {
+                return Err(InterpretError::Measurement {
+                    sample: self.samples,
+                    field,
+                    value,
+                    limit,
+                });
+            }
+        }
+        match self.pieces.last() {
+            Some(last) if sample.time <= last.time[1] => Err(InterpretError::TimeNotIncreasing {
+                sample: self.samples,
+                time: sample.time,
+                previous: last.time[1],
+            }),
+            _ => Ok(()),
+        }
+    }
+
+    /// Makes one piece of every two, and lets later ones be twice as long.
+    fn coarsen(&mut self) {
+        let pairs = self.pieces.chunks(2);
+        self.pieces = pairs
+            .map(|pair| match pair {
+                [one, next] => joined(one, next),
+                _ => pair[0],
+            })
+            .collect();
+        self.coarseness *= 2.0;
+    }
+}
+
+/// Whether a sample still belongs to the piece before.
+fn fits(
+    piece: &MeasuredPiece,
+    sample: &MeasuredPiece,
+    began: (Point3, f64),
+    coarseness: f64,
+) -> bool {
+    let (position, heading) = began;
+    sample.time[1] - piece.time[0] < MAX_DURATION * coarseness - TIME_SLACK
+        && (sample.position - position).norm() <= MAX_TRAVEL * coarseness
+        && wrap_angle(sample.heading - heading).abs() <= MAX_TURN * coarseness
+}
+
+/// Two pieces, one after the other, as one.
+fn joined(one: &MeasuredPiece, next: &MeasuredPiece) -> MeasuredPiece {
+    let samples = one.samples.saturating_add(next.samples);
+    let share = f64::from(next.samples) / f64::from(samples);
+    MeasuredPiece {
+        time: [one.time[0], next.time[1]],
+        samples,
+        position: next.position,
+        mean_height: one.mean_height + (next.mean_height - one.mean_height) * share,
+        heading: next.heading,
+        surface_from_tool: next.surface_from_tool,
+        force: one.force + (next.force - one.force) * share,
+        peak_force: one.peak_force.max(next.peak_force),
+    }
+}

@@ -1,0 +1,15 @@
+//! Where the tool touched the surface, how hard, and which plane the contacts lie on; (9) to (11).
+
+mod classification;
+mod downsampling;
+mod motions;
+mod path;
+mod plane;
+mod pressure_distribution;
+
+pub(super) use classification::{ClassifiedPath, ContactClassifier, middle};
+pub(super) use downsampling::{Downsampler, MeasuredPiece};
+pub(super) use motions::{ContactMotion, MAX_LENGTH, NormalizedForce, contact_motions};
+pub use path::{FittedPlane, PathPiece, Touch, TouchSample};
+pub use plane::{PlaneFit, fit_plane};
+pub(super) use pressure_distribution::PressureDistribution;

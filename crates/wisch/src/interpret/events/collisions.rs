@@ -1,0 +1,173 @@
+//! Somebody or something is in the way of the tool.
+
+use super::detector::{Candidate, EventDetector, Level, level};
+use super::event::{Event, EventKind};
+use crate::geometry::Vector3;
+
+/// Size of the mean force over the mean size of the force, from which on a force acts rather than swings [1], and
+/// the longest time over which the mean is taken [s]. Whoever pushes does so in one direction for a while: random
+/// pushes keep 0.7 and more; the inertia of a long tool that the robot lifts swings about nothing, below 0.3.
+const LEAST_STEADINESS: f64 = 0.5;
+const SWING: f64 = 0.2;
+/// How long before a blow the tool must have been off the surface for it to be the tool's own landing, and how
+/// long such a blow lasts at most [s].
+const TOUCHDOWN: [f64; 2] = [0.1, 0.3];
+
+impl EventDetector<'_> {
+    /// Pushes: without what only swings, without the tool's own landings, and each as one.
+    pub(super) fn collisions(&self) -> Vec<Event> {
+        let candidates = self.candidates(|i| self.collision(i), |i| self.push_bridge(i));
+        let mut pushes: Vec<Candidate> = Vec::new();
+        let candidates = candidates.into_iter();
+        for candidate in candidates
+            .filter(|candidate| self.is_steady(candidate) && !self.is_touchdown(candidate))
+        {
+            match pushes.last_mut() {
+                Some(before) if self.is_landing(before, &candidate) => {}
+                Some(before) if self.gap(before, &candidate) <= self.config.events.push_gap_s => {
+                    before.last = candidate.last;
+                }
+                _ => pushes.push(candidate),
+            }
+        }
+        (pushes.iter())
+            .map(|candidate| self.described(EventKind::Collision, candidate.first, candidate.last))
+            .collect()
+    }
+
+    /// Time from the end of one candidate to the beginning of the next [s].
+    fn gap(&self, before: &Candidate, next: &Candidate) -> f64 {
+        self.span(next.first)[0] - self.span(before.last)[1]
+    }
+
+    /// Whether a candidate soon after a push is the tool that was let go of and comes down again: it presses on
+    /// the surface, and nothing draws it along.
+    fn is_landing(&self, before: &Candidate, next: &Candidate) -> bool {
+        self.gap(before, next) <= self.config.events.landing_s && self.is_pressed(next)
+    }
+
+    /// Whether a candidate is a blow as the tool comes down on the surface.
+    fn is_touchdown(&self, candidate: &Candidate) -> bool {
+        let [before, longest] = TOUCHDOWN;
+        let [start, end] = [self.span(candidate.first)[0], self.span(candidate.last)[1]];
+        let earlier = (0..candidate.first).rev();
+        let mut earlier = earlier.take_while(|&i| self.span(i)[1] >= start - before);
+        end - start <= longest
+            && self.is_pressed(candidate)
+            && earlier.any(|i| !self.is_touching(i))
+    }
+
+    /// Whether in a candidate it is the surface that presses rather than somebody who draws.
+    fn is_pressed(&self, candidate: &Candidate) -> bool {
+        let (mut drawn, mut pressed) = (0.0, 0.0);
+        for i in candidate.first..=candidate.last {
+            let [start, end] = self.span(i);
+            if self.shoved(i).max(self.handled(i)) == Level::Strong {
+                drawn += end - start;
+            } else if self.overloaded(i).max(self.off_plane(i)) == Level::Strong {
+                pressed += end - start;
+            }
+        }
+        pressed > drawn
+    }
+
+    /// Whether the force of a candidate has a direction, for a while at least.
+    fn is_steady(&self, candidate: &Candidate) -> bool {
+        let (mut acting, mut all) = (0.0, 0.0);
+        let (mut net, mut since) = (Vector3::zeros(), self.span(candidate.first)[0]);
+        for i in candidate.first..=candidate.last {
+            let [start, end] = self.span(i);
+            if end - since > SWING {
+                acting += net.norm();
+                (net, since) = (Vector3::zeros(), start);
+            }
+            let impulse = self.force(i) * (end - start);
+            net += impulse;
+            all += impulse.norm();
+        }
+        acting + net.norm() >= LEAST_STEADINESS * all
+    }
+
+    pub(super) fn is_pushed(&self, i: usize) -> bool {
+        self.collision(i) != Level::Below
+    }
+
+    fn collision(&self, i: usize) -> Level {
+        self.off_plane(i)
+            .max(self.shoved(i))
+            .max(self.overloaded(i))
+            .max(self.handled(i))
+    }
+
+    /// Off the plane with a force like that of contact (Fig. 18).
+    fn off_plane(&self, i: usize) -> Level {
+        if !self.has_plane {
+            return Level::Below;
+        }
+        let events = &self.config.events;
+        let share = self.path[i].normalized_force;
+        let off = self.off[i];
+        // A tool that moves looks off the plane by as much as its force lags.
+        let lag = events.force_lag_s * self.climb(i);
+        let far = events.collision_height_m + lag;
+        level(
+            off > lag && share >= events.collision_share[1],
+            off > far && share >= events.collision_share[0],
+        )
+    }
+
+    /// More force along the surface than friction takes.
+    fn shoved(&self, i: usize) -> Level {
+        let events = &self.config.events;
+        let piece = &self.path[i];
+        let press = (-piece.normal_force).max(0.0);
+        let beyond = |friction: f64| piece.tangential_force - friction * press;
+        let [begin, end] = events.tangential_margin_n;
+        level(
+            beyond(self.friction) > end,
+            beyond(events.friction_limit) > begin,
+        )
+    }
+
+    /// Much more normal force than asked for.
+    fn overloaded(&self, i: usize) -> Level {
+        let nominal = self.config.nominal_force();
+        let noise = 2.0 * self.config.force_noise_n;
+        let force = -self.path[i].normal_force - noise;
+        let [begin, end] = self.config.events.overload;
+        level(force > end * nominal, force > begin * nominal)
+    }
+
+    /// Above the surface, where nothing is but who holds the tool.
+    fn is_free(&self, i: usize) -> bool {
+        let events = &self.config.events;
+        let lag = events.force_lag_s * self.climb(i);
+        let least = if self.has_plane {
+            events.near_height_m
+        } else {
+            self.config.search_height_m
+        };
+        self.path[i].height > least && self.off[i] > events.collision_height_m + lag
+    }
+
+    /// Any force in free motion, whatever its direction.
+    fn handled(&self, i: usize) -> Level {
+        if !self.is_free(i) {
+            return Level::Below;
+        }
+        let piece = &self.path[i];
+        let force = piece.normal_force.hypot(piece.tangential_force) - self.noise;
+        let [begin, end] = self.config.events.free_force_n;
+        level(force > end, force > begin)
+    }
+
+    /// How long a push may be interrupted at a piece [s].
+    fn push_bridge(&self, i: usize) -> f64 {
+        let events = &self.config.events;
+        if self.is_free(i) {
+            events.free_bridge_s
+        } else {
+            events.bridge_s
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! Contacts, and where one is lost during a stroke.
+
+use super::detector::{Candidate, EventDetector, Level, level};
+use super::event::{Event, EventKind};
+
+impl EventDetector<'_> {
+    /// Contacts, by start.
+    pub(super) fn contacts(&self) -> Vec<Event> {
+        let contacts = self.candidates(|i| self.contact(i), |_| self.config.events.bridge_s);
+        (contacts.iter())
+            .map(|contact| self.described(EventKind::Contact, contact.first, contact.last))
+            .collect()
+    }
+
+    /// Losses of contact over some way, by start.
+    pub(super) fn losses(&self) -> Vec<Event> {
+        let losses = self.candidates(|i| self.loss(i), |_| self.config.events.bridge_s);
+        let is_long = |loss: &&Candidate| {
+            let travel = self.path[loss.last].position - self.path[loss.first].position;
+            travel.xy().norm() >= self.config.events.loss_travel_m
+        };
+        (losses.iter().filter(is_long))
+            .map(|loss| self.described(EventKind::ContactLoss, loss.first, loss.last))
+            .collect()
+    }
+
+    /// Time in contact over the time on or near the surface [1].
+    pub(in crate::interpret) fn contact_share(&self) -> f64 {
+        let (mut near, mut touching) = (0.0, 0.0);
+        for i in 0..self.path.len() {
+            let [start, end] = self.span(i);
+            let is_touching = self.is_touching(i);
+            if is_touching || self.is_near(i) {
+                near += end - start;
+            }
+            if is_touching {
+                touching += end - start;
+            }
+        }
+        if near > 0.0 { touching / near } else { 0.0 }
+    }
+
+    fn contact(&self, i: usize) -> Level {
+        let [begin, end] = self.config.events.contact_share;
+        let share = self.path[i].normalized_force;
+        let on_plane = self.is_on_plane(i);
+        level(on_plane && share >= end, on_plane && share >= begin)
+    }
+
+    /// Over the surface and near it, moving along it, without force.
+    fn loss(&self, i: usize) -> Level {
+        let without_force = self.path[i].normalized_force < self.config.events.contact_share[0]
+            && !self.is_pushed(i);
+        let lost = self.has_plane && without_force && self.is_near(i);
+        let [rise, along] = self.travel(i);
+        level(lost, lost && along > 2.0 * rise)
+    }
+}

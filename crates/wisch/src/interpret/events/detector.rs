@@ -1,0 +1,219 @@
+//! A log as events are detected in it.
+//!
+//! Every event has two thresholds: where the higher one is passed for long enough there is an event, and it
+//! reaches as far as the lower one is passed, short interruptions included.
+
+use super::event::{Event, EventKind};
+use crate::geometry::Vector3;
+use crate::interpret::config::InterpretConfig;
+use crate::interpret::contact::{ClassifiedPath, MeasuredPiece, PathPiece, Touch};
+use crate::represent::Surface;
+
+/// Confident pieces from which on a log shows its own friction: half a second.
+const LEAST_CONTACTS: usize = 50;
+
+/// Detects events in a log; all lists are as long.
+#[derive(Debug)]
+pub(in crate::interpret) struct EventDetector<'a> {
+    pieces: &'a [MeasuredPiece],
+    bias: Vector3,
+    pub(super) path: &'a [PathPiece],
+    pub(super) off: &'a [f64],
+    surface: &'a Surface,
+    /// Travel along the surface up to each piece [m].
+    pub(super) way: Vec<f64>,
+    pub(super) has_plane: bool,
+    /// Force along the surface over the normal force that the wiping of this log takes [1].
+    pub(super) friction: f64,
+    /// Size of a force that noise alone makes believe [N].
+    pub(super) noise: f64,
+    pub(super) config: &'a InterpretConfig,
+}
+
+/// How a piece stands to an event's thresholds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Level {
+    Below,
+    Weak,
+    Strong,
+}
+
+pub(super) fn level(weak: bool, strong: bool) -> Level {
+    match (strong, weak) {
+        (true, _) => Level::Strong,
+        (_, true) => Level::Weak,
+        _ => Level::Below,
+    }
+}
+
+impl<'a> EventDetector<'a> {
+    pub(in crate::interpret) fn new(
+        pieces: &'a [MeasuredPiece],
+        classified: &'a ClassifiedPath,
+        surface: &'a Surface,
+        config: &'a InterpretConfig,
+    ) -> Self {
+        let path = &classified.path;
+        let steps = (0..path.len()).map(|i| {
+            (path[i].position - path[i.saturating_sub(1)].position)
+                .xy()
+                .norm()
+        });
+        Self {
+            pieces,
+            bias: classified.bias,
+            path,
+            off: &classified.off,
+            surface,
+            way: steps
+                .scan(0.0, |way, step| {
+                    *way += step;
+                    Some(*way)
+                })
+                .collect(),
+            has_plane: classified.plane.is_some(),
+            friction: friction(path, config),
+            noise: classified.noise.min(2.0 * config.force_noise_n),
+            config,
+        }
+    }
+
+    /// From when to when a piece counts: half way to its neighbours [s].
+    pub(super) fn span(&self, i: usize) -> [f64; 2] {
+        let [first, last] = self.path[i].time;
+        let before = i.checked_sub(1).map_or(first, |j| self.path[j].time[1]);
+        let after = self.path.get(i + 1).map_or(last, |next| next.time[0]);
+        [0.5 * (before + first), 0.5 * (last + after)]
+    }
+
+    /// What is felt at a piece, the bias taken off, in the axes of the believed surface [N].
+    pub(super) fn force(&self, i: usize) -> Vector3 {
+        self.pieces[i].force - self.bias
+    }
+
+    pub(super) fn is_on_plane(&self, i: usize) -> bool {
+        matches!(self.path[i].touch, Touch::Weak | Touch::Confident)
+    }
+
+    pub(super) fn is_touching(&self, i: usize) -> bool {
+        self.is_on_plane(i) && self.path[i].normalized_force >= self.config.events.contact_share[1]
+    }
+
+    pub(super) fn is_near(&self, i: usize) -> bool {
+        let piece = &self.path[i];
+        piece.height.abs() <= self.config.events.near_height_m
+            && self.surface.outline.contains(piece.position.xy())
+    }
+
+    /// Travel across and along the surface over a piece and its neighbours [m].
+    pub(super) fn travel(&self, i: usize) -> [f64; 2] {
+        let before = &self.path[i.saturating_sub(2)];
+        let after = &self.path[(i + 2).min(self.path.len() - 1)];
+        let along = (after.position.xy() - before.position.xy()).norm();
+        [(after.height - before.height).abs(), along]
+    }
+
+    /// Speed towards or away from the surface [m/s].
+    pub(super) fn climb(&self, i: usize) -> f64 {
+        let before = i.saturating_sub(2);
+        let after = (i + 2).min(self.path.len() - 1);
+        let time = self.path[after].time[1] - self.path[before].time[1];
+        if time > 0.0 {
+            self.travel(i)[0] / time
+        } else {
+            0.0
+        }
+    }
+
+    /// Stretches of pieces at least weak, interruptions bridged, in which the strong ones last long enough;
+    /// `bridge` tells how long one may be interrupted at a piece [s].
+    pub(super) fn candidates(
+        &self,
+        level: impl Fn(usize) -> Level,
+        bridge: impl Fn(usize) -> f64,
+    ) -> Vec<Candidate> {
+        let mut candidates = Vec::new();
+        let mut candidate: Option<Candidate> = None;
+        for i in 0..self.path.len() {
+            let [start, end] = self.span(i);
+            let now = level(i);
+            if now == Level::Below {
+                if candidate
+                    .as_ref()
+                    .is_some_and(|candidate| end - candidate.end > bridge(i))
+                {
+                    candidates.extend(candidate.take());
+                }
+                continue;
+            }
+            let open = candidate.get_or_insert(Candidate {
+                first: i,
+                last: i,
+                end,
+                strong: 0.0,
+            });
+            open.last = i;
+            open.end = end;
+            if now == Level::Strong {
+                open.strong += end - start;
+            }
+        }
+        candidates.extend(candidate);
+        candidates.retain(|candidate| candidate.strong >= self.config.events.min_duration_s);
+        candidates
+    }
+
+    /// The evidence of pieces `first` to `last`.
+    pub(super) fn described(&self, kind: EventKind, first: usize, last: usize) -> Event {
+        let pieces = &self.pieces[first..=last];
+        let path = &self.path[first..=last];
+        let samples: f64 = pieces.iter().map(|piece| f64::from(piece.samples)).sum();
+        let weighted = pieces
+            .iter()
+            .zip(path)
+            .map(|(piece, classified)| f64::from(piece.samples) * classified.normal_force);
+        Event {
+            kind,
+            start: self.span(first)[0],
+            end: self.span(last)[1],
+            samples: samples as usize,
+            mean_normal_force: weighted.sum::<f64>() / samples,
+            peak_force: pieces
+                .iter()
+                .map(|piece| piece.peak_force)
+                .fold(0.0, f64::max),
+            peak_height: path
+                .iter()
+                .map(|piece| piece.height.abs())
+                .fold(0.0, f64::max),
+        }
+    }
+}
+
+/// Friction that nearly all of the confident contacts stay below, at most what wiping may take.
+fn friction(path: &[PathPiece], config: &InterpretConfig) -> f64 {
+    let confident = path.iter().filter(|piece| piece.touch == Touch::Confident);
+    let mut ratios: Vec<f64> = confident
+        .map(|piece| piece.tangential_force / piece.normal_force.abs())
+        .collect();
+    let limit = config.events.friction_limit;
+    if ratios.len() < LEAST_CONTACTS {
+        return limit;
+    }
+    let most = (ratios.len() - 1) * 9 / 10;
+    ratios
+        .select_nth_unstable_by(most, f64::total_cmp)
+        .1
+        .min(limit)
+}
+
+/// Pieces that may be an event.
+#[derive(Debug, Clone)]
+pub(super) struct Candidate {
+    pub(super) first: usize,
+    pub(super) last: usize,
+    /// [s]
+    end: f64,
+    /// How long the higher threshold was passed [s].
+    strong: f64,
+}

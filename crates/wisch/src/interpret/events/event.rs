@@ -1,0 +1,58 @@
+//! An event and what shows it.
+
+/// What happened during an interval.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum EventKind {
+    /// The tool was in contact.
+    Contact,
+    /// Between contacts of one stroke, the tool lost the surface.
+    ContactLoss,
+    /// Something pushed the tool off the plane or along it, with forces that are not those of wiping.
+    Collision,
+    /// The tool stuck and slipped.
+    StickSlip,
+    /// Phase: the tool came to the surface for the first time.
+    Approach,
+    /// Phase: the tool wiped, without being lifted.
+    Stroke,
+    /// Phase: the tool was lifted, and moved to the next stroke.
+    Lift,
+    /// Phase: the tool left the surface for the last time.
+    Retreat,
+}
+
+impl EventKind {
+    /// Whether it tells what the tool was about; such events follow one another over all of the log.
+    ///
+    /// ```
+    /// use wisch::interpret::EventKind;
+    ///
+    /// assert!(EventKind::Stroke.is_phase());
+    /// assert!(!EventKind::Contact.is_phase());
+    /// ```
+    pub const fn is_phase(self) -> bool {
+        match self {
+            Self::Approach | Self::Stroke | Self::Lift | Self::Retreat => true,
+            Self::Contact | Self::ContactLoss | Self::Collision | Self::StickSlip => false,
+        }
+    }
+}
+
+/// Something that happened, with its evidence.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Event {
+    /// What.
+    pub kind: EventKind,
+    /// From [s].
+    pub start: f64,
+    /// To [s].
+    pub end: f64,
+    /// How many samples show it.
+    pub samples: usize,
+    /// Mean normal force [N], negative where the tool presses.
+    pub mean_normal_force: f64,
+    /// Largest size of the force [N].
+    pub peak_force: f64,
+    /// Largest distance from the fitted plane [m].
+    pub peak_height: f64,
+}

@@ -1,0 +1,41 @@
+//! What a log tells.
+
+use super::belief::{Belief, Estimate};
+use super::contact::{FittedPlane, PathPiece};
+use super::events::Event;
+use crate::geometry::Pose;
+
+/// What is to be made of the fitted plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Diagnosis {
+    /// The surface is where it was believed.
+    Localized,
+    /// The surface is elsewhere: recovery plans on this pose of it.
+    Relocalize {
+        /// Where the surface is.
+        world_from_surface: Pose,
+    },
+    /// Too few confident contacts for a plane: nothing can be said.
+    NoContact,
+}
+
+/// What a log says.
+#[derive(Debug, Clone)]
+pub struct Interpretation {
+    /// The path in pieces.
+    pub path: Vec<PathPiece>,
+    /// The plane, if there were contacts enough.
+    pub plane: Option<FittedPlane>,
+    /// Whether the surface is where it was believed.
+    pub diagnosis: Diagnosis,
+    /// What happened, by start.
+    pub events: Vec<Event>,
+    /// Bias of the normal force that was found in free motion and taken off [N].
+    pub force_bias: f64,
+    /// Time in contact over the time that the tool was on or near the surface.
+    pub contact_share: f64,
+    /// Where the dirt now is believed to lie.
+    pub belief: Belief,
+    /// The performance over the replays.
+    pub performance: Estimate,
+}

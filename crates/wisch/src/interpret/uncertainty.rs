@@ -1,0 +1,100 @@
+//! What an interpretation does not know exactly.
+
+use super::error::{InterpretError, within};
+
+/// What is not known exactly, as standard deviations. Each replay draws its own, so that the spread of the
+/// replays shows what follows from not knowing it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Uncertainty {
+    /// Where the tool sits in the hand, along its x and along its y [m].
+    pub grasp_offset_m: f64,
+    /// How it is turned there about its axis [rad].
+    pub grasp_turn: f64,
+    /// Where each particle lies before the first round, along x and along y [m].
+    pub particle_m: f64,
+    /// f′, as a share of itself [1]: what the compliance of the tool and the estimate of the force are off by.
+    pub force_share: f64,
+    /// Most of what is pushed that slips past the tool, per drawing of a threshold [1]: a heap before the tool
+    /// spreads, turns about its corners and leaks. No standard deviation: in seven of eight replays nothing
+    /// slips, in the others any share up to this one.
+    pub slip_share: f64,
+    /// Depth of a heap of all particles before the tool, over the radius r_s of its collision sphere, at most [1]:
+    /// each replay has any depth up to this one.
+    pub heap_depth: f64,
+    /// Share of the replays that still detect contact by the force where somebody pushes [1]; the others detect it by
+    /// the distance from the plane.
+    pub pushed_by_force: f64,
+    /// Share of the replays in which a tool that is pushed drags what it carried along as long as it is near the
+    /// surface at all [1]: it may tilt, and the hand that holds it takes its force away.
+    pub pushed_dragging: f64,
+    /// Share of the replays in which a tool that is pushed hops once over what it carried [1].
+    pub hop_share: f64,
+    /// What all this leaves out, by which the interval is wider at either end [1].
+    pub model_share: f64,
+}
+
+impl Uncertainty {
+    /// Everything is known exactly but the activation of the particles (12).
+    pub const NONE: Self = Self {
+        grasp_offset_m: 0.0,
+        grasp_turn: 0.0,
+        particle_m: 0.0,
+        force_share: 0.0,
+        slip_share: 0.0,
+        heap_depth: 0.0,
+        pushed_by_force: 1.0,
+        pushed_dragging: 0.0,
+        hop_share: 0.0,
+        model_share: 0.0,
+    };
+
+    /// Whether the numbers make sense.
+    ///
+    /// # Errors
+    /// The first field out of its range, by name and value.
+    pub(super) fn checked(&self) -> Result<(), InterpretError> {
+        let share = (0.0, 1.0, "0 to 1");
+        let metre = (0.0, 1.0, "0 to 1 m");
+        let turn = (0.0, 1.0, "0 to 1 rad");
+        let depth = (0.0, 10.0, "0 to 10");
+        let fields = [
+            ("uncertainty.grasp_offset_m", self.grasp_offset_m, metre),
+            ("uncertainty.grasp_turn", self.grasp_turn, turn),
+            ("uncertainty.particle_m", self.particle_m, metre),
+            ("uncertainty.force_share", self.force_share, share),
+            ("uncertainty.slip_share", self.slip_share, share),
+            ("uncertainty.heap_depth", self.heap_depth, depth),
+            ("uncertainty.pushed_by_force", self.pushed_by_force, share),
+            ("uncertainty.pushed_dragging", self.pushed_dragging, share),
+            ("uncertainty.hop_share", self.hop_share, share),
+            ("uncertainty.model_share", self.model_share, share),
+        ];
+        fields.into_iter().try_for_each(within)
+    }
+}
+
+impl Default for Uncertainty {
+    /// A tool that was grasped with care, particles seen by a camera, a force estimated from joint torques.
+    ///
+    /// `slip_share` and `model_share` were chosen on the scenarios `chopping-board`, `failure-tilted-table` and
+    /// `failure-human-push`, seeds 101 to 110 (`closed_loop --seeds 10 --first-seed 101`): there the interval
+    /// holds what the simulated world did in 71 of 76 rounds; without these two, in about two of three.
+    ///
+    /// `pushed_by_force` and `hop_share` were chosen on `failure-human-push`, seeds 101 to 112, and on random
+    /// disturbances, seeds 301 to 331: much less than this, and goals are claimed that are not met; all of it
+    /// by place, and pushes that only lift the tool are thought to have carried something.
+    fn default() -> Self {
+        Self {
+            grasp_offset_m: 1.5e-3,
+            grasp_turn: 1.0_f64.to_radians(),
+            particle_m: 1.5e-3,
+            force_share: 0.08,
+            slip_share: 0.2,
+            heap_depth: 0.12,
+            pushed_by_force: 0.25,
+            pushed_dragging: 0.2,
+            hop_share: 0.5,
+            model_share: 0.025,
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! The task of the next round, and what it is planned on.
+
+use crate::geometry::{Point2, Pose, Region};
+use crate::interpret::{Belief, Diagnosis, Interpretation};
+use crate::represent::{
+    Fate, GoalState, ParticleDistribution, ParticleError, ScenePart, Surface, Task,
+};
+
+/// Draws from the belief that plans of later rounds are made on, by [`Belief::draws`] with the seed of the task.
+pub const PLANNING_DRAWS: u64 = 8;
+/// Plans that are tried for what is left over, at most and at least; there the density is that of a few
+/// scattered grains, and the prediction shows best what becomes of them.
+const RECOVERY_CANDIDATES: [usize; 2] = [50, 3];
+/// Edges of the tool's footprint times plans that are tried.
+const RECOVERY_EDGES: usize = 2000;
+
+/// The task of the next round: the surface where it was found to be, and the dirt as it is believed to lie
+/// now, one draw from the ensemble.
+///
+/// # Errors
+/// If the belief holds positions that are none.
+pub fn next_task(
+    task: &Task,
+    goal: &GoalState,
+    interpretation: &Interpretation,
+    seed: u64,
+) -> Result<Task, ParticleError> {
+    let mut next = match interpretation.diagnosis {
+        Diagnosis::Relocalize { world_from_surface } => relocalized(task, world_from_surface),
+        Diagnosis::Localized | Diagnosis::NoContact => task.clone(),
+    };
+    if let GoalState::Collected { center, .. } = goal {
+        next.collect_goal = Some(*center);
+    }
+    next.particles = interpretation.belief.sample(seed)?;
+    next.seed = seed;
+    Ok(next)
+}
+
+/// The task with its surface elsewhere, and with it everything round it: what was mislocated is the robot
+/// before the scene.
+pub fn relocalized(task: &Task, world_from_surface: Pose) -> Task {
+    let moved = world_from_surface * task.surface.world_from_surface.inverse();
+    let mut next = task.clone();
+    next.surface.world_from_surface = world_from_surface;
+    for object in &mut next.scene {
+        if matches!(object.part, ScenePart::Carrier | ScenePart::Obstacle) {
+            object.world_from_object = moved * object.world_from_object;
+        }
+    }
+    next
+}
+
+/// The task with only the dirt that is not yet where it belongs, to be planned on: what has been collected
+/// is not to attract another stroke.
+///
+/// # Errors
+/// If a position is none.
+pub fn unfinished(task: &Task, goal: &GoalState) -> Result<ParticleDistribution, ParticleError> {
+    let open: Vec<_> = open_particles(&task.particles, goal, &task.surface).collect();
+    ParticleDistribution::with_fates(&open)
+}
+
+/// The particles on the surface that are not where the goal wants them.
+fn open_particles<'a>(
+    particles: &'a ParticleDistribution,
+    goal: &'a GoalState,
+    surface: &'a Surface,
+) -> impl Iterator<Item = (Point2, Fate)> + 'a {
+    particles.iter().filter(|(position, fate)| {
+        *fate == Fate::OnSurface && !goal.is_met_by(*position, *fate, surface)
+    })
+}
+
+/// Whether a belief has nothing elsewhere than where it belongs, but for what is lost. With the seed of the next
+/// task, it looks at the same draws as the plan would.
+///
+/// # Errors
+/// If the belief holds positions that are none.
+pub fn is_done(
+    belief: &Belief,
+    goal: &GoalState,
+    surface: &Surface,
+    seed: u64,
+) -> Result<bool, ParticleError> {
+    let draws = belief.draws(PLANNING_DRAWS, seed)?;
+    Ok(open_particles(&draws, goal, surface).next().is_none())
+}
+
+/// How many candidate plans are tried for what is left over: predicting takes time by the edges of the tool's
+/// footprint, and a brush of a thousand tufts tries few plans.
+pub fn recovery_candidates(footprint: &Region) -> usize {
+    let [most, least] = RECOVERY_CANDIDATES;
+    let edges = footprint.edges().count().max(1);
+    (RECOVERY_EDGES / edges).clamp(least, most)
+}
+
+/// Mean share of the particles that a belief has where the goal wants them.
+pub fn believed_performance(belief: &Belief, goal: &GoalState, surface: &Surface) -> f64 {
+    belief.performance(goal, surface).mean
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Polygon, Vector2};
+
+    #[test]
+    fn it_is_done_where_no_replay_has_anything_left_but_what_is_lost() {
+        let board = Surface {
+            name: "board".into(),
+            outline: Polygon::rectangle(Vector2::new(0.4, 0.4)),
+            world_from_surface: Pose::identity(),
+            skim_edges: vec![],
+        };
+        let goal = GoalState::Collected {
+            center: Point2::origin(),
+            radius: 0.05,
+        };
+        let replay = |x: f64, fate: Fate| {
+            let collected = (Point2::origin(), Fate::OnSurface);
+            ParticleDistribution::with_fates(&[collected, (Point2::new(x, 0.0), fate)]).unwrap()
+        };
+        let lost = replay(0.3, Fate::OffSurface { edge: 1 });
+        let near = replay(0.04, Fate::OnSurface);
+        let far = replay(0.1, Fate::OnSurface);
+        for (replays, expected) in [
+            (vec![lost.clone()], true),
+            (vec![near.clone(), lost.clone()], true),
+            (vec![far.clone()], false),
+            // Eight draws of either meet what only one of two replays has left.
+            (vec![near, far], false),
+        ] {
+            let belief = Belief::of(replays).unwrap();
+            let found = is_done(&belief, &goal, &board, 1).unwrap();
+            assert_eq!(found, expected, "{belief:?}");
+        }
+    }
+
+    #[test]
+    fn a_tool_of_many_edges_tries_few_plans_and_a_sponge_many() {
+        let tufts =
+            |count: usize| Region::new(vec![Polygon::rectangle(Vector2::new(0.01, 0.01)); count]);
+        assert_eq!(recovery_candidates(&tufts(1)), 50);
+        assert_eq!(recovery_candidates(&tufts(50)), 10);
+        assert_eq!(recovery_candidates(&tufts(1000)), 3);
+    }
+}

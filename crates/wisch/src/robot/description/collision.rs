@@ -1,0 +1,262 @@
+//! Shapes of links, for collision checks: what the URDF's `<collision>` elements become.
+
+use super::diagnostics::{Diagnostics, words};
+use super::urdf::{Urdf, UrdfGeometry, UrdfShape};
+use crate::geometry::{Mesh, MeshFormat, Point3, Pose, Vector3};
+use crate::robot::{DiagnosticKind, Severity, Subject};
+use nalgebra::{Translation3, UnitQuaternion};
+
+/// Longest a mesh may be before it is taken for one in millimetres [m].
+pub const MAX_MESH_EXTENT: f64 = 20.0;
+
+/// How far a sphere may be from the end of a cylinder, in place and radius, to make it a capsule [m].
+const CAPSULE_TOLERANCE: f64 = 1e-6;
+
+/// A shape on a link.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Collision {
+    /// Pose of the shape in the link frame.
+    pub link_from_shape: Pose,
+    /// The shape in its own frame.
+    pub shape: Shape,
+}
+
+/// A solid in its own frame.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape {
+    /// A box about the origin.
+    Box {
+        /// Extent along x, y and z [m].
+        size: Vector3,
+    },
+    /// A cylinder about the origin along z.
+    Cylinder {
+        /// Radius [m].
+        radius: f64,
+        /// Extent along z [m].
+        length: f64,
+    },
+    /// A cylinder about the origin along z with a half ball on either end. In a URDF: a cylinder and
+    /// two balls of its radius at its ends, or `<capsule>`.
+    Capsule {
+        /// Radius [m].
+        radius: f64,
+        /// Distance of the centres of the half balls [m].
+        length: f64,
+    },
+    /// A ball about the origin.
+    Sphere {
+        /// Radius [m].
+        radius: f64,
+    },
+    /// A mesh, scaled to metres, in its file's axes.
+    Mesh(Mesh),
+}
+
+/// The shapes of every link, in the order of the links; what cannot be had is reported.
+pub(in crate::robot) fn load_shapes(
+    urdf: &Urdf,
+    meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
+    report: &mut Diagnostics,
+) -> Vec<Vec<Collision>> {
+    for link in &urdf.links {
+        for (at, file) in &link.visual_meshes {
+            package_path(&link.name, *at, file, report);
+        }
+    }
+    let nothing = urdf.links.iter().all(|link| link.shapes.is_empty());
+    if nothing {
+        let w = words(
+            "no link has collision geometry",
+            "<collision> on the links that can touch something",
+            "add capsules or boxes round the links: without them no collision is seen",
+        );
+        report.add(
+            Severity::Warning,
+            DiagnosticKind::CollisionMissing,
+            Subject::Robot,
+            0,
+            w,
+        );
+    }
+    let mut all = Vec::with_capacity(urdf.links.len());
+    for link in &urdf.links {
+        let heavy = link.inertial.as_ref().is_some_and(|i| i.mass > 0.0);
+        if !nothing && heavy && link.shapes.is_empty() {
+            let w = words(
+                "it has mass but no collision geometry",
+                "<collision>",
+                "add a shape unless another link's covers it",
+            );
+            let subject = Subject::Link(link.name.clone());
+            report.add(
+                Severity::Note,
+                DiagnosticKind::CollisionMissing,
+                subject,
+                link.at,
+                w,
+            );
+        }
+        let shapes = link
+            .shapes
+            .iter()
+            .filter_map(|shape| load(&link.name, shape, meshes, report))
+            .collect();
+        all.push(with_capsules(shapes));
+    }
+    all
+}
+
+fn package_path(link: &str, at: usize, file: &str, report: &mut Diagnostics) {
+    let Some(rest) = file.strip_prefix("package://") else {
+        return;
+    };
+    let package = rest.split('/').next().unwrap_or(rest);
+    let w = words(
+        format!("mesh {file:?} is in package {package:?}"),
+        "a path beside the URDF, or a known package",
+        format!("say where the package is (--package {package}=DIR)"),
+    );
+    let subject = Subject::Link(link.to_owned());
+    report.add(Severity::Note, DiagnosticKind::PackagePath, subject, at, w);
+}
+
+fn load(
+    link: &str,
+    shape: &UrdfShape,
+    meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
+    report: &mut Diagnostics,
+) -> Option<Collision> {
+    let solid = match &shape.geometry {
+        UrdfGeometry::Box(size) => Shape::Box { size: *size },
+        &UrdfGeometry::Cylinder { radius, length } => Shape::Cylinder { radius, length },
+        &UrdfGeometry::Capsule { radius, length } => Shape::Capsule { radius, length },
+        &UrdfGeometry::Sphere(radius) => Shape::Sphere { radius },
+        UrdfGeometry::Mesh { file, scale } => {
+            package_path(link, shape.at, file, report);
+            let subject = || Subject::Link(link.to_owned());
+            let mesh = match read_mesh(file, *scale, meshes) {
+                Ok(mesh) => mesh,
+                Err(problem) => {
+                    let w = words(
+                        format!("mesh {file:?}: {problem}"),
+                        "a readable STL, OBJ or COLLADA mesh",
+                        "correct the path or the file",
+                    );
+                    report.add(
+                        Severity::Error,
+                        DiagnosticKind::Mesh,
+                        subject(),
+                        shape.at,
+                        w,
+                    );
+                    return None;
+                }
+            };
+            if mesh.extent() > MAX_MESH_EXTENT {
+                let w = words(
+                    format!("mesh {file:?} is {:.1} m long", mesh.extent()),
+                    format!("at most {MAX_MESH_EXTENT} m"),
+                    "it is probably in millimetres: use scale=\"0.001 0.001 0.001\"",
+                );
+                report.add(
+                    Severity::Warning,
+                    DiagnosticKind::MeshScale,
+                    subject(),
+                    shape.at,
+                    w,
+                );
+            }
+            Shape::Mesh(mesh)
+        }
+    };
+    Some(Collision {
+        link_from_shape: shape.link_from_shape,
+        shape: solid,
+    })
+}
+
+fn read_mesh(
+    file: &str,
+    scale: Vector3,
+    meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
+) -> Result<Mesh, String> {
+    let format = MeshFormat::from_file_name(file)
+        .ok_or_else(|| "its name does not end in .stl, .obj or .dae".to_owned())?;
+    let bytes = meshes(file)?;
+    let mesh = Mesh::parse(&bytes, format, file).map_err(|error| error.to_string())?;
+    if scale == Vector3::repeat(1.0) {
+        return Ok(mesh);
+    }
+    let vertices = mesh
+        .vertices()
+        .iter()
+        .map(|p| Point3::from(p.coords.component_mul(&scale)))
+        .collect();
+    // A mirrored mesh is turned inside out again.
+    let mirrored = scale.product() < 0.0;
+    let triangles = mesh
+        .triangles()
+        .iter()
+        .map(|&[a, b, c]| if mirrored { [a, c, b] } else { [a, b, c] })
+        .collect();
+    Mesh::new(vertices, triangles).map_err(|error| format!("scaled by {scale:?}: {error}"))
+}
+
+/// Joins each cylinder with the balls on both its ends.
+fn with_capsules(mut shapes: Vec<Collision>) -> Vec<Collision> {
+    let mut at = 0;
+    while at < shapes.len() {
+        if let Shape::Cylinder { radius, length } = shapes[at].shape {
+            let end = |side: f64| {
+                let center =
+                    shapes[at].link_from_shape * Point3::new(0.0, 0.0, side * length / 2.0);
+                shapes.iter().position(|ball| {
+                    matches!(ball.shape, Shape::Sphere { radius: r } if (r - radius).abs() < CAPSULE_TOLERANCE)
+                        && (ball.link_from_shape.translation.vector - center.coords).norm()
+                            < CAPSULE_TOLERANCE
+                })
+            };
+            if let (Some(below), Some(above)) = (end(-1.0), end(1.0))
+                && below != above
+            {
+                shapes[at].shape = Shape::Capsule { radius, length };
+                shapes.remove(below.max(above));
+                shapes.remove(below.min(above));
+                at = at.saturating_sub(2);
+                continue;
+            }
+        }
+        at += 1;
+    }
+    shapes
+}
+
+impl Collision {
+    /// A capsule between two points of the link frame [m].
+    ///
+    /// ```
+    /// use wisch::geometry::Point3;
+    /// use wisch::robot::{Collision, Shape};
+    /// let arm = Collision::capsule(Point3::origin(), Point3::new(0.3, 0.0, 0.0), 0.14);
+    /// assert_eq!(arm.shape, Shape::Capsule { radius: 0.14, length: 0.3 });
+    /// assert!((arm.link_from_shape * Point3::new(0.0, 0.0, 0.15)).x > 0.29);
+    /// ```
+    pub fn capsule(from: Point3, to: Point3, radius: f64) -> Self {
+        let along = to - from;
+        let rotation =
+            UnitQuaternion::rotation_between(&Vector3::z(), &along).unwrap_or_else(|| {
+                UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI)
+            });
+        let middle = nalgebra::center(&from, &to);
+        let length = along.norm();
+        Self {
+            link_from_shape: Pose::from_parts(Translation3::from(middle.coords), rotation),
+            shape: if length > 0.0 {
+                Shape::Capsule { radius, length }
+            } else {
+                Shape::Sphere { radius }
+            },
+        }
+    }
+}

@@ -1,0 +1,14 @@
+//! What describes a robot: URDF and SRDF as typed, their check, and the shapes of links.
+
+pub(super) mod check;
+mod collision;
+mod diagnostics;
+mod planar;
+mod srdf;
+pub(super) mod urdf;
+
+pub use check::{MAX_DEPTH, check};
+pub use collision::{Collision, MAX_MESH_EXTENT, Shape};
+pub use diagnostics::{Diagnostic, DiagnosticKind, Severity, Subject};
+pub use srdf::{DisabledPair, Group, GroupState, Ignored, Srdf};
+pub use urdf::{MAX_LINKS, MAX_SHAPES, MAX_URDF_BYTES};

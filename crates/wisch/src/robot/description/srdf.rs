@@ -1,0 +1,307 @@
+//! What a URDF does not say: groups of joints, named postures, links that may touch. MoveIt's format.
+
+use super::urdf::{Reader, elements};
+use crate::robot::{LinkId, RobotError, RobotModel};
+use crate::source_location::{Place, UnknownName};
+use roxmltree::Node;
+use std::collections::BTreeSet;
+
+/// Most groups.
+const MAX_GROUPS: usize = 1000;
+
+/// An SRDF, read for one robot.
+///
+/// ```
+/// # use wisch::robot::RobotModel;
+/// # let urdf = r#"<robot name="r"><link name="wall"/><link name="rod"/>
+/// #   <joint name="pivot" type="continuous"><parent link="wall"/><child link="rod"/></joint>
+/// # </robot>"#;
+/// # let robot = RobotModel::from_urdf("r", urdf, &mut |_| Err(String::new()))?;
+/// use wisch::robot::Srdf;
+/// let text = r#"<robot name="r">
+///   <group name="arm"><chain base_link="wall" tip_link="rod"/></group>
+///   <group_state name="ready" group="arm"><joint name="pivot" value="0.5"/></group_state>
+/// </robot>"#;
+/// let srdf = Srdf::parse("r.srdf", text, &robot)?;
+/// let ready = srdf.state("ready")?;
+/// assert_eq!(ready.applied_to(&[0.0]), [0.5]);
+///
+/// let fault = Srdf::parse("r.srdf", &text.replace("pivot", "pivto"), &robot).unwrap_err();
+/// assert_eq!(fault.to_string(), "r.srdf:3:41: unknown variable joint \"pivto\"; nearest: pivot");
+/// # Ok::<(), wisch::robot::RobotError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Srdf {
+    /// The groups that are chains, in the order of the text.
+    pub groups: Vec<Group>,
+    /// Named postures of groups.
+    pub states: Vec<GroupState>,
+    /// Pairs of links that are not checked against each other.
+    pub disabled: Vec<DisabledPair>,
+    /// Groups that are not read: those of joints, links or other groups. Virtual and passive joints
+    /// and end effectors are passed over.
+    pub ignored: Vec<Ignored>,
+}
+
+/// The joints from one link out to another.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Group {
+    /// Its name.
+    pub name: String,
+    /// The link that its poses are relative to.
+    pub base: LinkId,
+    /// The link at its end.
+    pub tip: LinkId,
+}
+
+/// A named posture: positions of some variables.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GroupState {
+    /// Its name.
+    pub name: String,
+    /// The group that it is one of, which need not be a chain.
+    pub group: String,
+    /// Pairs of a variable and its position [rad or m]. Joints that follow others are left out, as
+    /// those say where they are.
+    pub positions: Vec<(usize, f64)>,
+}
+
+/// Two links that may touch.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct DisabledPair {
+    /// One.
+    pub a: LinkId,
+    /// The other.
+    pub b: LinkId,
+    /// Why, as the text has it, such as "Adjacent"; empty if it does not say.
+    pub reason: String,
+}
+
+/// A group that is not read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Ignored {
+    /// Where it is.
+    pub at: Place,
+    /// What it is, such as `group "hand" of a joint, not a chain`.
+    pub what: String,
+}
+
+impl GroupState {
+    /// The positions `q` (n) with those of this posture put in; variables that `q` does not have are
+    /// passed over.
+    pub fn applied_to(&self, q: &[f64]) -> Vec<f64> {
+        let mut q = q.to_vec();
+        for &(variable, position) in &self.positions {
+            if let Some(entry) = q.get_mut(variable) {
+                *entry = position;
+            }
+        }
+        q
+    }
+}
+
+impl Srdf {
+    /// Reads an SRDF of a robot; `name` is used in messages.
+    ///
+    /// # Errors
+    /// If the text is no SRDF or larger than is read, or names a link, joint or group that does not
+    /// exist; if a chain's tip does not hang on its base; if two groups, or two postures of a group,
+    /// have one name; or if a posture is outside the position limits.
+    pub fn parse(name: &str, text: &str, robot: &RobotModel) -> Result<Self, RobotError> {
+        let reader = Reader::new(name, text);
+        let document = reader.document()?;
+        let root = reader.robot(&document)?;
+        let mut srdf = Self::default();
+        let mut groups = BTreeSet::new();
+        // Postures may come before their groups.
+        for node in elements(root, "group") {
+            let name = reader.name(node, "name")?;
+            srdf.read_group(&reader, node, &name, robot)?;
+            if !groups.insert(name.clone()) {
+                return Err(reader.fault(node, format!("group {name:?} is there twice")));
+            }
+            if groups.len() > MAX_GROUPS {
+                return Err(reader.too_large("groups", groups.len(), MAX_GROUPS));
+            }
+        }
+        let mut states = BTreeSet::new();
+        for node in elements(root, "group_state") {
+            let state = reader.state(node, &groups, robot)?;
+            let GroupState { name, group, .. } = &state;
+            if !states.insert((group.clone(), name.clone())) {
+                let problem = format!("state {name:?} of group {group:?} is there twice");
+                return Err(reader.fault(node, problem));
+            }
+            srdf.states.push(state);
+        }
+        for node in elements(root, "disable_collisions") {
+            let link = |attribute| reader.link_of(node, attribute, robot);
+            srdf.disabled.push(DisabledPair {
+                a: link("link1")?,
+                b: link("link2")?,
+                reason: node.attribute("reason").unwrap_or_default().to_owned(),
+            });
+        }
+        Ok(srdf)
+    }
+
+    /// The group of a name.
+    ///
+    /// # Errors
+    /// If there is none; the error has the nearest names.
+    pub fn group(&self, name: &str) -> Result<&Group, RobotError> {
+        let found = self.groups.iter().find(|group| group.name == name);
+        let known = self.groups.iter().map(|group| group.name.as_str());
+        found.ok_or_else(|| unknown("group that is a chain", name, known))
+    }
+
+    /// The first posture of a name.
+    ///
+    /// # Errors
+    /// If there is none; the error has the nearest names.
+    pub fn state(&self, name: &str) -> Result<&GroupState, RobotError> {
+        let found = self.states.iter().find(|state| state.name == name);
+        let known = self.states.iter().map(|state| state.name.as_str());
+        found.ok_or_else(|| unknown("group state", name, known))
+    }
+
+    fn ignore(&mut self, reader: &Reader, node: Node, what: String) {
+        let at = reader.at(node);
+        self.ignored.push(Ignored { at, what });
+    }
+
+    fn read_group(
+        &mut self,
+        reader: &Reader,
+        node: Node,
+        name: &str,
+        robot: &RobotModel,
+    ) -> Result<(), RobotError> {
+        let mut members = node.children().filter(Node::is_element);
+        let (Some(chain), None) = (members.next(), members.next()) else {
+            self.ignore(reader, node, format!("group {name:?}: not one chain"));
+            return Ok(());
+        };
+        if !chain.has_tag_name("chain") {
+            let what = chain.tag_name().name();
+            self.ignore(
+                reader,
+                node,
+                format!("group {name:?} of a {what}, not a chain"),
+            );
+            return Ok(());
+        }
+        let base = reader.link_of(chain, "base_link", robot)?;
+        let tip = reader.link_of(chain, "tip_link", robot)?;
+        if !robot.hangs_on(tip, base) {
+            let [tip, base] = [tip, base].map(|link| &robot.links()[link.index()].name);
+            let problem = format!("group {name:?}: link {tip:?} does not hang on link {base:?}");
+            return Err(reader.fault(chain, problem));
+        }
+        let name = name.to_owned();
+        self.groups.push(Group { name, base, tip });
+        Ok(())
+    }
+}
+
+fn unknown<'a>(kind: &'static str, name: &str, known: impl Iterator<Item = &'a str>) -> RobotError {
+    RobotError::NoSuch(Box::new(UnknownName::new(kind, name, known)))
+}
+
+impl RobotModel {
+    /// Whether joints lead from one link to another, or they are the same.
+    fn hangs_on(&self, tip: LinkId, base: LinkId) -> bool {
+        let mut at = tip;
+        while at != base {
+            let Some(joint) = self.links()[at.index()].parent else {
+                return false;
+            };
+            at = self.joints()[joint.index()].parent;
+        }
+        true
+    }
+}
+
+impl Reader<'_> {
+    fn unknown_at<'n>(
+        &self,
+        node: Node,
+        kind: &'static str,
+        name: &str,
+        known: impl Iterator<Item = &'n str>,
+    ) -> RobotError {
+        RobotError::UnknownAt {
+            at: self.at(node),
+            unknown: Box::new(UnknownName::new(kind, name, known)),
+        }
+    }
+
+    fn state(
+        &self,
+        node: Node,
+        groups: &BTreeSet<String>,
+        robot: &RobotModel,
+    ) -> Result<GroupState, RobotError> {
+        let name = self.name(node, "name")?;
+        let group = self.name(node, "group")?;
+        if !groups.contains(&group) {
+            let known = groups.iter().map(String::as_str);
+            return Err(self.unknown_at(node, "group", &group, known));
+        }
+        let mut positions: Vec<(usize, f64)> = Vec::new();
+        for joint in elements(node, "joint") {
+            let joint_name = self.name(joint, "name")?;
+            let position = self.needed(joint, "value")?;
+            let Some(variable) = self.variable_of(joint, &joint_name, robot)? else {
+                continue;
+            };
+            if positions.iter().any(|&(known, _)| known == variable) {
+                let problem = format!("joint {joint_name:?} is there twice");
+                return Err(self.fault(joint, problem));
+            }
+            let limits = robot.variable(variable).limits.position;
+            if limits.is_some_and(|l| position < l.lower || position > l.upper) {
+                let expected = "a position within the joint's limits";
+                return Err(self.attribute_fault(joint, "value", expected));
+            }
+            positions.push((variable, position));
+        }
+        Ok(GroupState {
+            name,
+            group,
+            positions,
+        })
+    }
+
+    fn link_of(
+        &self,
+        node: Node,
+        attribute: &'static str,
+        robot: &RobotModel,
+    ) -> Result<LinkId, RobotError> {
+        let name = self.name(node, attribute)?;
+        robot.link(&name).map_err(|_| {
+            let known = robot.links().iter().map(|link| link.name.as_str());
+            self.unknown_at(node, "link", &name, known)
+        })
+    }
+
+    /// The variable of a joint; `None` if it follows others.
+    fn variable_of(
+        &self,
+        node: Node,
+        name: &str,
+        robot: &RobotModel,
+    ) -> Result<Option<usize>, RobotError> {
+        let joint = robot.joint(name).ok();
+        if let Some(id) = joint {
+            let variable = robot.variables().iter().position(|known| *known == id);
+            let follows = !robot.joints()[id.index()].drive.terms.is_empty();
+            if variable.is_some() || follows {
+                return Ok(variable);
+            }
+        }
+        let variables = (0..robot.dof()).map(|i| robot.variable(i).name.as_str());
+        Err(self.unknown_at(node, "variable joint", name, variables))
+    }
+}
