@@ -7,10 +7,10 @@ use super::results::{internal, json};
 use super::words::{counted, percent};
 use crate::args::{GlobalArgs, ImportArgs};
 use crate::failure::Failure;
-use crate::output::PARTICLES_ESTIMATED_FILE;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print};
 use wisch::follow::Phase;
+use wisch_io::PARTICLES_ESTIMATED_FILE;
 use wisch_memory::{
     EpisodeHeader, EpisodeWriter, Mark, Memory, MemoryError, TelemetryHead, remember_log,
 };

@@ -6,15 +6,15 @@ use super::run::given_plan;
 use super::words::{counted, percent};
 use crate::args::{GlobalArgs, InterpretArgs, LogArgs, LoggedArgs, TaskArgs};
 use crate::failure::Failure;
-use crate::output::{INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE};
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print};
-use crate::workplace::Leftover;
 use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
 use wisch::interpret::{Belief, InterpretConfig, Interpretation, interpret as conclude};
 use wisch::represent::{Action, GoalState};
+use wisch_io::Leftover;
+use wisch_io::{INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE};
 use wisch_io::{InterpretationRecord, LogRecord, particles_to_csv};
 use wisch_telemetry::{AxesChoice, AxesSource, Log, LogOptions, ReadFault, TopicChoice, read};
 

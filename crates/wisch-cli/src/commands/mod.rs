@@ -2,8 +2,6 @@
 
 mod ask;
 mod check;
-mod checkpoint;
-mod checkpoint_record;
 mod engine;
 mod episode;
 mod export;

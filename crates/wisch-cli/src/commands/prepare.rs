@@ -4,7 +4,7 @@ use crate::args::TaskArgs;
 use crate::failure::Failure;
 use wisch::plan::{CoverageStrategy, PlanConfig};
 use wisch::represent::Task;
-use wisch_io::{Derivation, LoadOptions, LoadedTask, TaskFile, load_task};
+use wisch_io::{Derivation, InputDigest, LoadOptions, LoadedTask, TaskFile, load_task};
 use wisch_sim::SimulationSettings;
 
 /// A task with what the command line says about it.
@@ -19,6 +19,8 @@ pub struct Prepared {
     pub reality: SimulationSettings,
     /// The goal and the steps that reach it, where the file states a goal and not an action.
     pub derived: Option<Derivation>,
+    /// Of all that was read for it.
+    pub inputs: InputDigest,
 }
 
 impl Prepared {
@@ -37,6 +39,7 @@ impl Prepared {
             config,
             derived,
             knowledge,
+            inputs,
         } = load_task(&args.task, &options)?;
         let reality = SimulationSettings::of(file.execution(), &task, &knowledge)
             .map_err(|error| Failure::new(error).within(&args.task))?;
@@ -46,6 +49,7 @@ impl Prepared {
             config,
             reality,
             derived,
+            inputs,
         })
     }
 

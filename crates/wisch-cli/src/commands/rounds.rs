@@ -1,17 +1,14 @@
 //! The closed loop of `wisch run`: rounds of planning, wiping and interpreting, with a bag of each.
 
-use super::checkpoint::{self, Checkpoints};
 use super::episode::EpisodeRecorder;
 use super::follow::Following;
 use super::prepare::Prepared;
-use super::results::internal;
+use super::results::{internal, json};
 use super::run::{Job, Results};
 use super::words::{counted, percent};
 use crate::args::LoopArgs;
 use crate::failure::Failure;
-use crate::output::OutputFolder;
 use crate::progress::Progress;
-use crate::records::{RoundSummary, RoundTimes};
 use crate::terminal::remark;
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -23,11 +20,13 @@ use wisch::interpret::EventKind;
 use wisch::plan::Plan;
 use wisch::represent::{ParticleDistribution, ParticleError, Task};
 use wisch::run::{
-    Ending, Executor, PlannedRound, Recording, Round, RunConfig, RunEvent, Stage, TelemetrySample,
+    Ending, Executor, PlannedRound, Recording, Round, RunEvent, Stage, TelemetrySample,
 };
-use wisch_io::{EventRecorder, ProcessExecutor};
+use wisch_io::{
+    EventRecorder, OutputFolder, PlanRecord, ProcessExecutor, Robot, RoundSummary, RoundTimes,
+};
 use wisch_report::{EffectFrames, RoundView, RoundsInput};
-use wisch_sim::{GroundTruth, World};
+use wisch_sim::{Checkpoints, GroundTruth, KeptRound, World};
 use wisch_telemetry::{BagHead, BagWriter, WriteError};
 
 /// Between two updates of the progress [samples].
@@ -69,20 +68,19 @@ pub fn execute(
     let mut episode = EpisodeRecorder::begin(&args.memory)?;
     let config = job.config(Some(args));
     let is_given = given.is_some();
-    let fingerprint = {
-        // More or fewer rounds are no other run.
-        let config = RunConfig {
-            max_rounds: 0,
-            ..config.clone()
-        };
-        let (task, reality) = (&prepared.task, &prepared.reality);
-        let performer = robot.performer();
-        let pushed: [&dyn std::fmt::Debug; 5] = [task, reality, &performer, &given, &config];
-        checkpoint::fingerprint(&pushed)
-    };
-    let kept = match folder.found().is_taken_over {
-        true => checkpoint::read(folder, fingerprint)?,
-        false => Vec::new(),
+    let checkpoints = Checkpoints::new(
+        &folder.state(),
+        identity(prepared, robot, args, given.as_ref())?,
+    );
+    let kept: Vec<KeptRound> = if folder.found().is_taken_over {
+        let rounds = (1..).zip(checkpoints.read());
+        let whole = rounds.take_while(|(number, _)| folder.place(&bag_name(*number)).is_file());
+        let kept: Vec<KeptRound> = whole.map(|(_, kept)| kept).collect();
+        let bags: Vec<String> = (1..=kept.len()).map(bag_name).collect();
+        folder.keep_only(&bags)?;
+        kept
+    } else {
+        Vec::new()
     };
     if args.resume && folder.found().is_taken_over {
         let rounds = counted(kept.len(), "round");
@@ -103,7 +101,7 @@ pub fn execute(
     let mut recorder = Recorder {
         folder,
         progress,
-        checkpoints: Checkpoints::new(folder, fingerprint),
+        checkpoints,
         taken_over: executed_s.len(),
         is_realtime: args.realtime,
         bag: None,
@@ -135,7 +133,11 @@ pub fn execute(
                 watch.times_mut(number).executing_s = *seconds;
             } else if let (None, Some(truth)) = (&watch.failure, executor.truth().last()) {
                 let seconds = watch.times(number).executing_s;
-                recorder.checkpoints.keep(round, truth, seconds)?;
+                (recorder.checkpoints.keep(round, truth, seconds)).map_err(|error| {
+                    let place = folder.state();
+                    Failure::new(format!("{}: cannot write there: {error}", place.display()))
+                        .with_help("choose another folder with --out")
+                })?;
             }
         }
         match stage {
@@ -171,6 +173,23 @@ pub fn execute(
         rounds,
     };
     Ok((results, kept))
+}
+
+/// What tells this run from others. More or fewer rounds are no other run.
+fn identity(
+    prepared: &Prepared,
+    robot: &Robot,
+    args: &LoopArgs,
+    given: Option<&Plan>,
+) -> Result<u64, Failure> {
+    let mut inputs = prepared.inputs.clone();
+    robot.files.add_to(&mut inputs);
+    inputs.add("pace", if args.greedy { "greedy" } else { "whole" });
+    if let Some(plan) = given {
+        let record = PlanRecord::new(&prepared.task, plan, prepared.config.seed);
+        inputs.add("plan", json(&record)?);
+    }
+    Ok(inputs.value())
 }
 
 /// What executes the motions.

@@ -11,15 +11,15 @@ use crate::args::{
     WipeArgs,
 };
 use crate::failure::Failure;
-use crate::output::OutputFolder;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, remark};
-use crate::workplace::{Found, Leftover};
 use std::path::Path;
 use wisch::follow::WorkcellConfig;
 use wisch::plan::{Plan, Prediction, predict};
 use wisch::recover::Verdict;
 use wisch::run::{NoExecutor, Pace, RunConfig, RunError, RunEvent, Session, Stage};
+use wisch_io::OutputFolder;
+use wisch_io::{Found, Leftover};
 use wisch_io::{PlanRecord, Robot, read_text};
 use wisch_report::EffectFrames;
 
