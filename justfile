@@ -34,5 +34,5 @@ fuzz target="task" seconds="60":
     cargo +nightly fuzz run {{target}} -- -max_total_time={{seconds}}
 
 # Hold two builds of wisch against each other, byte for byte, over all scenarios and the seeds 1 to 3.
-compare before after="target/release/wisch":
-    peers/compare.sh {{before}} {{after}}
+compare before after="target/release/wisch" *options:
+    peers/compare_builds.py {{before}} {{after}} {{options}}

@@ -252,6 +252,9 @@ const FOLDERS: [&str; 9] = [
     ".ci",
 ];
 
+/// Folders below a folder of results, which are not of this repository.
+const RESULTS: [&str; 4] = ["figures/", "telemetry/", "trajectories/", "particles/"];
+
 /// Files and folders of this repository that a document names and that are not there. A file of ours that is named
 /// by a part of its path counts from `crates/wisch/src`, or lies where one does that the same line names before.
 fn missing_paths(text: &str) -> Vec<String> {
@@ -260,7 +263,9 @@ fn missing_paths(text: &str) -> Vec<String> {
         let is_plain = (word.chars()).all(|c| c.is_ascii_alphanumeric() || "._-/".contains(c));
         let begins = word.split('/').next().unwrap_or_default();
         let is_ours = word.contains('/') && FOLDERS.contains(&begins);
-        is_plain && (is_ours || (!word.starts_with('/') && ends.iter().any(|e| word.ends_with(e))))
+        !RESULTS.contains(word)
+            && is_plain
+            && (is_ours || (!word.starts_with('/') && ends.iter().any(|e| word.ends_with(e))))
     };
     let mut missing = Vec::new();
     for line in text.lines() {
