@@ -33,7 +33,7 @@ pub use particles::{
 };
 pub use process::{EXECUTOR_PROTOCOL, ProcessExecutor};
 pub use records::{
-    AbandonedRecord, AttemptRecord, EVENT_SCHEMA, EventRecord, EventRecorder, FollowedRecord,
+    AbandonedRecord, AttemptRecord, EVENT_SCHEMA, EventRecord, EventWriter, FollowedRecord,
     FollowingSummary, GoalRecord, INTERPRETATION_FORMAT, InterpretationRecord, LogRecord,
     LoopSummary, MotionRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA, PlacementRecord, PlanRecord,
     PlanRecordError, PlanarPoseRecord, PlaneRecord, PoseRecord, PredictionSummary, RobotTrajectory,

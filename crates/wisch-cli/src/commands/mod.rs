@@ -19,6 +19,7 @@ mod robot;
 mod rounds;
 mod run;
 mod summary;
+mod watch;
 mod words;
 
 use crate::args::{Cli, Command, MemoryCommand, RobotCommand};

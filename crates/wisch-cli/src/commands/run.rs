@@ -3,8 +3,9 @@
 use super::follow::{Chosen, Following, performer, workcell_config};
 use super::prepare::Prepared;
 use super::results::{internal, out_folder, write};
-use super::rounds::{Done, Watch, execute};
+use super::rounds::{Done, execute};
 use super::summary::{in_words, summary};
+use super::watch::Watch;
 use super::words::counted;
 use crate::args::{
     FollowArgs, GlobalArgs, LoopArgs, PredictArgs, ResultArgs, RobotArgs, RunArgs, TaskArgs,

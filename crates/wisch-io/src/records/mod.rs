@@ -9,7 +9,7 @@ mod rounds;
 mod summary;
 mod trajectory;
 
-pub use event::{EVENT_SCHEMA, EventRecorder, RunEventRecord};
+pub use event::{EVENT_SCHEMA, EventWriter, RunEventRecord};
 pub use followed::{
     AbandonedRecord, AttemptRecord, FollowedRecord, MotionRecord, PlacementRecord, WipedRecord,
 };
