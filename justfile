@@ -8,7 +8,7 @@ default:
 run task="scenarios/chopping-board.toml" *options:
     cargo run --release --locked -- run {{task}} {{options}}
 
-# All tests, or those of one crate: `just test -p wisch --test plan`.
+# All tests, or some: `just test --workspace --test main plan::`.
 test *options="--workspace":
     cargo test --locked {{options}}
 

@@ -1,35 +1,19 @@
 //! The program in a real temporary directory: what it writes, prints, and how it ends.
 
-use assert_cmd::Command;
+use crate::program::{command, contents, path, wisch as output};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
 
-fn wisch(folder: &Path) -> Command {
-    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("wisch"));
-    command.current_dir(folder).env_remove("NO_COLOR");
-    command
-}
-
 /// A folder with the template as board.toml.
 fn folder_with_task() -> TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    wisch(folder.path())
+    command(folder.path())
         .args(["new", "board.toml"])
         .assert()
         .code(0);
     folder
-}
-
-/// Runs the program and returns exit code, standard output and standard error.
-fn output(folder: &Path, args: &[&str]) -> (i32, String, String) {
-    let output = wisch(folder).args(args).output().expect("it runs");
-    (
-        output.status.code().expect("it ends by itself"),
-        String::from_utf8(output.stdout).expect("text"),
-        String::from_utf8(output.stderr).expect("text"),
-    )
 }
 
 fn json(text: &str) -> Value {
@@ -50,17 +34,6 @@ fn names(folder: &Path) -> Vec<String> {
         .collect();
     names.sort();
     names
-}
-
-/// Every file of a folder with its bytes.
-fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
-    names(folder)
-        .into_iter()
-        .map(|name| {
-            let bytes = fs::read(folder.join(&name)).expect("a file");
-            (name, bytes)
-        })
-        .collect()
 }
 
 #[test]
@@ -477,7 +450,7 @@ fn every_help_ends_with_examples() {
 #[cfg(unix)]
 fn a_reader_that_goes_away_is_no_error() {
     let folder = folder_with_task();
-    let program = assert_cmd::cargo::cargo_bin!("wisch");
+    let program = path();
     for args in [
         "new",
         "check board.toml",
@@ -486,7 +459,7 @@ fn a_reader_that_goes_away_is_no_error() {
     ] {
         let (reader, writer) = std::io::pipe().expect("a pipe");
         drop(reader);
-        let output = std::process::Command::new(program)
+        let output = std::process::Command::new(&program)
             .args(args.split(' '))
             .current_dir(folder.path())
             .stdout(writer)

@@ -1,23 +1,9 @@
 //! `wisch run` and `wisch follow` with a robot, and `wisch robot map`, in a real temporary directory.
 
-use assert_cmd::Command;
+use crate::program::{contents, folder_with, root, wisch};
 use serde_json::Value;
 use std::fs;
-use std::path::{Path, PathBuf};
-
-/// Exit code, standard output and standard error.
-fn wisch(folder: &Path, args: &[&str]) -> (i32, String, String) {
-    let output = Command::new(assert_cmd::cargo::cargo_bin!("wisch"))
-        .current_dir(folder)
-        .args(args)
-        .output()
-        .expect("it runs");
-    (
-        output.status.code().expect("it ends by itself"),
-        String::from_utf8(output.stdout).expect("text"),
-        String::from_utf8(output.stderr).expect("text"),
-    )
-}
+use std::path::Path;
 
 /// The JSON object of a run that works, whether or not its goal is met.
 fn summary(folder: &Path, args: &[&str]) -> Value {
@@ -27,38 +13,12 @@ fn summary(folder: &Path, args: &[&str]) -> Value {
     serde_json::from_str(&out).expect("exactly one JSON object")
 }
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-/// A folder with a scenario as task.toml.
-fn folder_with(scenario: &str) -> tempfile::TempDir {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let from = root().join("scenarios").join(scenario);
-    fs::copy(from, folder.path().join("task.toml")).expect("a task");
-    folder
-}
-
 fn read(path: &Path) -> String {
     fs::read_to_string(path).expect("a text file")
 }
 
 fn json(path: &Path) -> Value {
     serde_json::from_str(&read(path)).expect("JSON")
-}
-
-/// Every file of a folder with its bytes, by name.
-fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
-    let entries = fs::read_dir(folder).expect("a folder");
-    let mut contents: Vec<(String, Vec<u8>)> = entries
-        .map(|entry| {
-            let path = entry.expect("an entry").path();
-            let name = path.file_name().expect("a name").to_string_lossy();
-            (name.into_owned(), fs::read(&path).expect("a file"))
-        })
-        .collect();
-    contents.sort();
-    contents
 }
 
 /// What a block of the trajectory's YAML holds: header, names and points.

@@ -3,7 +3,7 @@
 #[path = "../../wisch-telemetry/examples/demo_bag/wiping.rs"]
 mod wiping;
 
-use assert_cmd::Command;
+use crate::program::wisch;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -75,20 +75,6 @@ fn folder(world_from_real: Pose) -> TempDir {
     fs::write(folder.path().join("crumbs.csv"), CRUMBS).unwrap();
     write_bag(&folder.path().join("log.mcap"), &wipe(world_from_real));
     folder
-}
-
-/// Exit code, standard output and standard error.
-fn wisch(folder: &Path, args: &[&str]) -> (i32, String, String) {
-    let output = Command::new(assert_cmd::cargo::cargo_bin!("wisch"))
-        .current_dir(folder)
-        .args(args)
-        .output()
-        .expect("it runs");
-    (
-        output.status.code().expect("it ends by itself"),
-        String::from_utf8(output.stdout).expect("text"),
-        String::from_utf8(output.stderr).expect("text"),
-    )
 }
 
 fn interpreted(folder: &Path, log: &str, more: &[&str]) -> (i32, Value) {

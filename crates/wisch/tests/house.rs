@@ -1,5 +1,9 @@
 //! The rules of the house, read off the source: what a stage may import, and what it may not do.
 
+mod circles;
+mod crates;
+mod documents;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -16,22 +20,6 @@ const STAGES: [&str; 10] = [
     "recover",
     "run",
 ];
-
-/// The crates, each after all that it may depend on.
-const CRATES: [&str; 8] = [
-    "wisch",
-    "wisch-io",
-    "wisch-sim",
-    "wisch-telemetry",
-    "wisch-memory",
-    "wisch-report",
-    "wisch-prolog",
-    "wisch-cli",
-];
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
 
 fn source() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
@@ -56,6 +44,23 @@ fn code(text: &str) -> String {
         .map(|line| line.split("//").next().unwrap_or(line))
         .collect::<Vec<_>>()
         .join("\n")
+}
+
+/// Code without comments, and without what is compiled for tests only.
+fn production(text: &str) -> String {
+    let text = code(text);
+    let mut parts = text.split("#[cfg(test)]");
+    let mut production = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        // One item: it ends with a semicolon, or with the brace that closes it.
+        let mut depth = 0;
+        let end = part.char_indices().find(|&(_, c)| {
+            depth += i32::from(c == '{') - i32::from(c == '}');
+            depth == 0 && (c == ';' || c == '}')
+        });
+        production += end.map_or("", |(at, _)| &part[at + 1..]);
+    }
+    production
 }
 
 /// Later stages that a file of `stage` imports.
@@ -100,35 +105,6 @@ fn a_forward_import_is_noticed() {
     assert!(forward_imports("plan", "use crate::geometry::Point2;").is_empty());
 }
 
-/// Crates of the workspace that a manifest names beside `own` and that come later; those for tests do not count.
-fn later_crates<'a>(own: &str, manifest: &'a str) -> Vec<&'a str> {
-    let position = |name: &str| CRATES.iter().position(|c| *c == name);
-    let (_, rest) = manifest.split_once("\n[dependencies]").unwrap_or_default();
-    let table = rest.split("\n[").next().unwrap_or_default();
-    (table.lines())
-        .filter_map(|line| Some(line.split_once('=')?.0.trim()))
-        .filter(|name| position(name) > position(own))
-        .collect()
-}
-
-#[test]
-fn every_crate_depends_only_on_earlier_ones() {
-    let mut found: Vec<String> = (fs::read_dir(root().join("crates")).unwrap())
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .collect();
-    let mut expected = CRATES.to_vec();
-    found.sort();
-    expected.sort_unstable();
-    assert_eq!(found, expected);
-    for name in CRATES {
-        let manifest = fs::read_to_string(root().join("crates").join(name).join("Cargo.toml"));
-        let manifest = manifest.unwrap();
-        assert_eq!(later_crates(name, &manifest), [""; 0], "{name}");
-    }
-    let turned = "[package]\n\n[dependencies]\nnalgebra = \"0.35\"\nwisch-sim = { path = \"../wisch-sim\" }\n\n[dev-dependencies]\nwisch-io = {}\n";
-    assert_eq!(later_crates("wisch", turned), ["wisch-sim"]);
-}
-
 #[test]
 fn the_library_reads_no_clock_file_or_network_and_serializes_no_domain_type() {
     let forbidden = [
@@ -154,204 +130,6 @@ fn the_library_reads_no_clock_file_or_network_and_serializes_no_domain_type() {
             assert!(!text.contains(word), "{} uses {word}", file.display());
         }
     }
-}
-
-/// The source of a stage, or of a crate under the name by which code calls it.
-fn source_of(room: &str) -> Option<PathBuf> {
-    if STAGES.contains(&room) {
-        return Some(source().join(room));
-    }
-    let name = CRATES
-        .into_iter()
-        .find(|name| name.replace('-', "_") == room)?;
-    Some(root().join("crates").join(name).join("src"))
-}
-
-/// Items named in a text as `stage::…::Name` or `crate::…::Name`.
-fn items(text: &str) -> Vec<&str> {
-    text.split('`')
-        .skip(1)
-        .step_by(2)
-        .filter(|word| (word.split_once("::")).is_some_and(|(room, _)| source_of(room).is_some()))
-        .collect()
-}
-
-fn exists(item: &str) -> bool {
-    let mut parts = item.split("::");
-    let folder = parts.next().and_then(source_of).expect("is named by items");
-    let names: Vec<&str> = parts.collect();
-    let text: String = rust_files(&folder)
-        .iter()
-        .map(|file| code(&fs::read_to_string(file).unwrap()))
-        .collect();
-    !names.is_empty()
-        && names.iter().all(|name| {
-            let declared = |keyword: &str| {
-                text.match_indices(&format!("{keyword} {name}"))
-                    .any(|(at, found)| {
-                        !text[at + found.len()..]
-                            .starts_with(|c: char| c.is_alphanumeric() || c == '_')
-                    })
-            };
-            ["fn", "struct", "enum", "const", "type", "trait"]
-                .into_iter()
-                .any(declared)
-                || text.contains(&format!("    {name},"))
-                || text.contains(&format!("    {name} {{"))
-        })
-}
-
-#[test]
-fn what_paper_md_names_exists() {
-    let text = fs::read_to_string(root().join("PAPER.md")).unwrap();
-    let items = items(&text);
-    assert!(
-        items.len() > 20,
-        "PAPER.md names only {} items",
-        items.len()
-    );
-    let missing: Vec<&str> = items.into_iter().filter(|item| !exists(item)).collect();
-    assert!(
-        missing.is_empty(),
-        "PAPER.md names what is not there: {missing:?}"
-    );
-}
-
-#[test]
-fn an_item_that_is_not_there_is_noticed() {
-    assert!(exists("represent::EffectModel::apply"));
-    assert!(!exists("represent::EffectModel::undo_everything"));
-    assert!(exists("wisch_sim::World::truth"));
-    assert!(!exists("wisch_sim::World::lie"));
-    assert_eq!(
-        items("see `plan::grid`, `cargo doc` and `wisch_io::load_task`, not `std::fs::read`"),
-        ["plan::grid", "wisch_io::load_task"]
-    );
-}
-
-/// The documents for readers.
-const DOCUMENTS: [&str; 6] = [
-    "README.md",
-    "ARCHITECTURE.md",
-    "CONTRIBUTING.md",
-    "PAPER.md",
-    "STYLE.md",
-    "docs/executor-protocol.md",
-];
-
-/// What paths in the documents begin with.
-const FOLDERS: [&str; 9] = [
-    "crates",
-    "docs",
-    "fuzz",
-    "knowledge",
-    "ontology",
-    "peers",
-    "robots",
-    "scenarios",
-    ".ci",
-];
-
-/// Folders below a folder of results, which are not of this repository.
-const RESULTS: [&str; 4] = ["figures/", "telemetry/", "trajectories/", "particles/"];
-
-/// Files and folders of this repository that a document names and that are not there. A file of ours that is named
-/// by a part of its path counts from `crates/wisch/src`, or lies where one does that the same line names before.
-fn missing_paths(text: &str) -> Vec<String> {
-    let ends = [".rs", ".pl", ".owl", ".pddl", "/"];
-    let is_path = |word: &&str| {
-        let is_plain = (word.chars()).all(|c| c.is_ascii_alphanumeric() || "._-/".contains(c));
-        let begins = word.split('/').next().unwrap_or_default();
-        let is_ours = word.contains('/') && FOLDERS.contains(&begins);
-        !RESULTS.contains(word)
-            && is_plain
-            && (is_ours || (!word.starts_with('/') && ends.iter().any(|e| word.ends_with(e))))
-    };
-    let mut missing = Vec::new();
-    for line in text.lines() {
-        let mut folders = vec![root(), source()];
-        let words = line.split(|c: char| c.is_whitespace() || "`*()[]\",;:|".contains(c));
-        for word in words.map(|word| word.trim_end_matches('.')).filter(is_path) {
-            let found = folders
-                .iter()
-                .map(|folder| folder.join(word))
-                .find(|path| path.exists());
-            match found {
-                Some(path) if path.is_dir() => folders.push(path),
-                Some(path) => folders.extend(path.parent().map(Path::to_path_buf)),
-                None => missing.push(word.to_owned()),
-            }
-        }
-    }
-    missing
-}
-
-/// Examples, benches and tests, as `--example NAME`, that a document names and that are not there; programs of
-/// `target/release` with them.
-fn missing_targets(text: &str) -> Vec<String> {
-    let exists = |kind: &str, name: &str| {
-        CRATES.iter().any(|of| {
-            let folder = root().join("crates").join(of).join(kind);
-            let named = folder.join(name);
-            named.with_extension("rs").is_file() || named.join("main.rs").is_file()
-        })
-    };
-    let mut missing = Vec::new();
-    for (mark, kind) in [
-        ("--example ", "examples"),
-        ("target/release/examples/", "examples"),
-        ("--bench ", "benches"),
-        ("--test ", "tests"),
-    ] {
-        for (at, _) in text.match_indices(mark) {
-            let rest = &text[at + mark.len()..];
-            let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_' && c != '-');
-            let name = &rest[..end.unwrap_or(rest.len())];
-            if !exists(kind, name) {
-                missing.push(format!("{mark}{name}"));
-            }
-        }
-    }
-    let fuzzed = text
-        .match_indices("fuzz run ")
-        .map(|(at, mark)| &text[at + mark.len()..]);
-    for name in fuzzed.filter_map(|rest| rest.split(|c: char| !c.is_alphanumeric()).next()) {
-        if !name.is_empty()
-            && !root()
-                .join(format!("fuzz/fuzz_targets/{name}.rs"))
-                .is_file()
-        {
-            missing.push(format!("fuzz run {name}"));
-        }
-    }
-    missing
-}
-
-#[test]
-fn what_the_documents_name_exists() {
-    for document in DOCUMENTS {
-        let text = fs::read_to_string(root().join(document)).unwrap();
-        assert_eq!(missing_paths(&text), [""; 0], "{document}");
-        assert_eq!(missing_targets(&text), [""; 0], "{document}");
-    }
-    let recipes = fs::read_to_string(root().join("justfile")).unwrap();
-    assert_eq!(missing_targets(&recipes), [""; 0]);
-}
-
-#[test]
-fn a_path_or_a_command_that_leads_nowhere_is_noticed() {
-    let sound = "`represent/effect.rs`, beside it `heap.rs` ([paper](docs/executor-protocol.md)), `knowledge/`, `out/plan.json`";
-    assert_eq!(missing_paths(sound), [""; 0]);
-    assert_eq!(
-        missing_paths("| `execute/session.rs`, then `heap.rs` | see docs/nowhere.md."),
-        ["execute/session.rs", "heap.rs", "docs/nowhere.md"]
-    );
-    let commands = "`cargo bench --bench effect`, `target/release/examples/table1 3`, `cargo test --test house`";
-    assert_eq!(missing_targets(commands), [""; 0]);
-    assert_eq!(
-        missing_targets("`--bench effects`, `cargo run --example hose -- x`, `fuzz run mush`"),
-        ["--example hose", "--bench effects", "fuzz run mush"]
-    );
 }
 
 /// Files outside `plan/coverage` that name the strategy which nothing takes by default: each would have to
@@ -384,47 +162,53 @@ fn a_coverage_strategy_is_told_apart_in_its_own_folder_only() {
     );
 }
 
-/// What only the simulated world knows: its names must not stand in stages that do without.
+/// What only the simulated world knows: its names must not stand where a robot does without.
 const TRUTH: [&str; 5] = [
     "GroundTruth",
     "Dirt",
     "SimulationSettings",
     "wisch_sim",
-    ".truth",
+    "truth",
 ];
 
-fn opens_truth(text: &str) -> Option<&'static str> {
-    let code: Vec<&str> = (text.lines())
-        .filter(|line| !line.trim_start().starts_with("//"))
-        .collect();
-    TRUTH
-        .into_iter()
-        .find(|name| code.iter().any(|line| line.contains(name)))
+/// A name in a text's production code by which it would open the truth.
+fn opens_truth(text: &str) -> Option<String> {
+    let code = production(text);
+    let mut names = code.split(|c: char| !(c.is_alphanumeric() || c == '_'));
+    names.find(|name| TRUTH.contains(name)).map(str::to_owned)
 }
 
 #[test]
-fn no_plan_and_no_interpretation_opens_the_truth() {
-    for stage in [
-        "geometry",
-        "goal",
-        "plan",
-        "robot",
-        "follow",
-        "control",
-        "interpret",
-        "recover",
-        "run",
-    ] {
-        for file in rust_files(&source().join(stage)) {
-            let text = fs::read_to_string(&file).unwrap();
-            assert_eq!(opens_truth(&text), None, "{}", file.display());
+fn no_plan_no_interpretation_no_file_and_no_telemetry_opens_the_truth() {
+    for name in ["wisch", "wisch-io", "wisch-telemetry"] {
+        let folder = source().join("../..").join(name).join("src");
+        for file in rust_files(&folder) {
+            if !file.ends_with("tests.rs") {
+                let text = fs::read_to_string(&file).unwrap();
+                assert_eq!(opens_truth(&text), None, "{}", file.display());
+            }
         }
     }
-    assert_eq!(
-        opens_truth("let lies = executed.truth.dirt;"),
-        Some(".truth")
-    );
+}
+
+#[test]
+fn who_opens_the_truth_is_noticed() {
+    for (text, name) in [
+        ("let lies = executed.truth.dirt;", "truth"),
+        ("fn f(dirt: &Dirt) {}", "Dirt"),
+        ("use wisch_sim::World;", "wisch_sim"),
+        (
+            "#[cfg(test)]\nmod tests;\nuse a::GroundTruth;",
+            "GroundTruth",
+        ),
+    ] {
+        assert_eq!(opens_truth(text).as_deref(), Some(name));
+    }
     assert_eq!(opens_truth("/// GroundTruth is not for us"), None);
+    assert_eq!(
+        opens_truth("#[cfg(test)]\nfn f() { truth({}) }\nfn g() {}"),
+        None
+    );
 }
 
 /// Functions of a file that other stages may call and that change a particle field, by name.

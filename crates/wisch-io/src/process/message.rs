@@ -67,7 +67,7 @@ pub(super) struct TrajectoryPoint {
 #[serde(rename_all = "snake_case")]
 pub(super) enum FromChild {
     Ready { version: u32 },
-    Sample(SampleMessage),
+    Sample(Box<SampleMessage>),
     Done(Ended),
     Observation(Option<Vec<[f64; 2]>>),
     Error(String),

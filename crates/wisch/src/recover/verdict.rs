@@ -290,7 +290,10 @@ mod tests {
         use Verdict::{Again, GoalMet};
         let pushed = felt(0.5, 0.4, true);
         let [wide, narrow] = [felt(0.95, 0.84, false), felt(0.97, 0.86, false)];
-        assert_eq!(verdicts(Pace::Whole, &[wide.clone()]), [GoalMet]);
+        assert_eq!(
+            verdicts(Pace::Whole, std::slice::from_ref(&wide)),
+            [GoalMet]
+        );
         let rounds = [pushed, wide, narrow];
         assert_eq!(verdicts(Pace::Whole, &rounds), [Again, Again, GoalMet]);
         // The round of the push itself is no evidence.

@@ -1,0 +1,12 @@
+//! The tests of the program, one module for each of its parts.
+
+mod ask;
+mod cli;
+mod export;
+mod follow;
+mod interpret;
+mod memory;
+mod program;
+mod robot;
+mod rounds;
+mod wrong_inputs;
