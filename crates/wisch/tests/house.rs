@@ -131,24 +131,29 @@ fn the_library_reads_no_clock_file_or_network_and_serializes_no_domain_type() {
     }
 }
 
-/// Items named in a text as `stage::…::Name`.
+/// Items named in a text as `stage::…::Name`, or as `wisch_sim::…::Name` where they are another crate's.
 fn items(text: &str) -> Vec<&str> {
     text.split('`')
         .skip(1)
         .step_by(2)
         .filter(|word| {
-            STAGES
-                .iter()
-                .any(|stage| word.starts_with(&format!("{stage}::")))
+            (word.split_once("::"))
+                .is_some_and(|(first, _)| STAGES.contains(&first) || first.starts_with("wisch_"))
         })
         .collect()
 }
 
 fn exists(item: &str) -> bool {
     let mut parts = item.split("::");
-    let stage = parts.next().unwrap_or_default();
+    let first = parts.next().unwrap_or_default();
     let names: Vec<&str> = parts.collect();
-    let text: String = rust_files(&source().join(stage))
+    let folder = if first.starts_with("wisch_") {
+        let name = first.replace('_', "-");
+        source().join("../..").join(name).join("src")
+    } else {
+        source().join(first)
+    };
+    let text: String = rust_files(&folder)
         .iter()
         .map(|file| code(&fs::read_to_string(file).unwrap()))
         .collect();
@@ -190,6 +195,7 @@ fn what_paper_md_names_exists() {
 fn an_item_that_is_not_there_is_noticed() {
     assert!(exists("represent::EffectModel::apply"));
     assert!(!exists("represent::EffectModel::undo_everything"));
+    assert!(exists("wisch_sim::World") && !exists("wisch_sim::EffectModel"));
     assert_eq!(items("see `plan::grid` and `cargo doc`"), ["plan::grid"]);
 }
 
