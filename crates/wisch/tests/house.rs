@@ -172,8 +172,9 @@ fn an_item_that_is_not_there_is_noticed() {
     assert_eq!(items("see `plan::grid` and `cargo doc`"), ["plan::grid"]);
 }
 
-/// Files outside `plan/coverage` that name the strategy which nothing takes by default: each would have to
-/// learn of a new one.
+/// The files that tell the strategies apart, by the one that nothing takes by default: each would have to learn of a
+/// new one. As this is `plan/coverage/mod.rs` alone, adding a strategy touches two files: that one (its name, and the
+/// call) and its own beside it. The program's option, task files and records take the names from there.
 #[test]
 fn a_coverage_strategy_is_told_apart_in_its_own_folder_only() {
     let crates = source().join("../..");
