@@ -4,7 +4,7 @@
     target/release/examples/synthetic --episodes 10000 --out /tmp/memory
     python3 peers/prolog.py /tmp/memory
 
-Needs swipl (SWI-Prolog). Answers themselves are held against each other by `cargo test --workspace --test ask`.
+Needs swipl (SWI-Prolog). Answers themselves are held against each other by `cargo test --workspace ask::`.
 """
 
 import re

@@ -6,11 +6,8 @@
 mod args;
 mod commands;
 mod failure;
-mod output;
 mod progress;
-mod records;
 mod terminal;
-mod workplace;
 
 use std::process::ExitCode;
 

@@ -1,35 +1,19 @@
 //! The program in a real temporary directory: what it writes, prints, and how it ends.
 
-use assert_cmd::Command;
+use crate::program::{command, contents, path, wisch as output};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
 
-fn wisch(folder: &Path) -> Command {
-    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("wisch"));
-    command.current_dir(folder).env_remove("NO_COLOR");
-    command
-}
-
 /// A folder with the template as board.toml.
 fn folder_with_task() -> TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    wisch(folder.path())
+    command(folder.path())
         .args(["new", "board.toml"])
         .assert()
         .code(0);
     folder
-}
-
-/// Runs the program and returns exit code, standard output and standard error.
-fn output(folder: &Path, args: &[&str]) -> (i32, String, String) {
-    let output = wisch(folder).args(args).output().expect("it runs");
-    (
-        output.status.code().expect("it ends by itself"),
-        String::from_utf8(output.stdout).expect("text"),
-        String::from_utf8(output.stderr).expect("text"),
-    )
 }
 
 fn json(text: &str) -> Value {
@@ -52,17 +36,6 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Every file of a folder with its bytes.
-fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
-    names(folder)
-        .into_iter()
-        .map(|name| {
-            let bytes = fs::read(folder.join(&name)).expect("a file");
-            (name, bytes)
-        })
-        .collect()
-}
-
 #[test]
 fn run_writes_everything_and_says_where() {
     let folder = folder_with_task();
@@ -71,18 +44,20 @@ fn run_writes_everything_and_says_where() {
     assert_eq!(err, "", "nothing of the progress reaches a pipe");
     assert!(out.contains("performance"), "{out}");
     assert!(out.contains("result/report.html"), "{out}");
-    let written = names(&folder.path().join("result"));
+    let written: Vec<String> = (contents(&folder.path().join("result")).into_iter())
+        .map(|(name, _)| name)
+        .collect();
     for name in [
         "plan.json",
-        "particles-before.csv",
-        "particles-after.csv",
+        "particles/particles-before.csv",
+        "particles/particles-after.csv",
         "report.html",
     ] {
         assert!(written.iter().any(|n| n == name), "{name} in {written:?}");
     }
     for ending in [".svg", ".png"] {
         assert!(
-            written.iter().any(|n| n.ends_with(ending)),
+            (written.iter()).any(|n| n.starts_with("figures/") && n.ends_with(ending)),
             "{ending} in {written:?}"
         );
     }
@@ -158,7 +133,11 @@ fn a_plan_can_be_predicted_later_with_the_same_result() {
         );
         assert_eq!((code, err.as_str()), (0, ""));
         let planned = folder.path().join("planned");
-        assert_eq!(names(&planned), ["particles-before.csv", "plan.json"]);
+        let written: Vec<String> = contents(&planned)
+            .into_iter()
+            .map(|(name, _)| name)
+            .collect();
+        assert_eq!(written, ["particles/particles-before.csv", "plan.json"]);
         let (_, direct, _) = output(
             folder.path(),
             // A prediction of the plan itself, not of how a robot follows it.
@@ -250,7 +229,10 @@ fn particles_are_conserved_in_the_files() {
                 .map(|row| row.expect("a row"))
                 .collect::<Vec<_>>()
         };
-        let (before, after) = (rows("particles-before.csv"), rows("particles-after.csv"));
+        let (before, after) = (
+            rows("particles/particles-before.csv"),
+            rows("particles/particles-after.csv"),
+        );
         assert_eq!(before.len(), after.len());
         assert!(before.iter().all(|row| &row[3] == "on_surface"));
         for (index, row) in after.iter().enumerate() {
@@ -477,7 +459,7 @@ fn every_help_ends_with_examples() {
 #[cfg(unix)]
 fn a_reader_that_goes_away_is_no_error() {
     let folder = folder_with_task();
-    let program = assert_cmd::cargo::cargo_bin!("wisch");
+    let program = path();
     for args in [
         "new",
         "check board.toml",
@@ -486,7 +468,7 @@ fn a_reader_that_goes_away_is_no_error() {
     ] {
         let (reader, writer) = std::io::pipe().expect("a pipe");
         drop(reader);
-        let output = std::process::Command::new(program)
+        let output = std::process::Command::new(&program)
             .args(args.split(' '))
             .current_dir(folder.path())
             .stdout(writer)

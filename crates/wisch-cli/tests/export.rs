@@ -1,27 +1,14 @@
 //! `wisch memory export`: what is in the memory comes out as a NEEM, and back.
 
-use assert_cmd::Command;
+use crate::program::wisch;
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
 use tempfile::TempDir;
 use wisch::follow::Phase;
 use wisch_memory::neem::import;
 use wisch_memory::{
     EPISODE_SCHEMA, EpisodeRecord, Individual, Mark, Memory, Origin, TelemetryHead,
 };
-
-/// Runs the program and returns exit code, standard output and standard error.
-fn wisch(folder: &Path, args: &[&str]) -> (i32, String, String) {
-    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("wisch"));
-    let output = command.current_dir(folder).args(args).output();
-    let output = output.expect("it runs");
-    (
-        output.status.code().expect("it ends by itself"),
-        String::from_utf8(output.stdout).expect("text"),
-        String::from_utf8(output.stderr).expect("text"),
-    )
-}
 
 fn record(id: &str) -> EpisodeRecord {
     let interval = [1_767_225_600.0, 1_767_225_601.0];

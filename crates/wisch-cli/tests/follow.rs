@@ -1,23 +1,9 @@
 //! `wisch run` and `wisch follow` with a robot, and `wisch robot map`, in a real temporary directory.
 
-use assert_cmd::Command;
+use crate::program::{contents, folder_with, root, wisch};
 use serde_json::Value;
 use std::fs;
-use std::path::{Path, PathBuf};
-
-/// Exit code, standard output and standard error.
-fn wisch(folder: &Path, args: &[&str]) -> (i32, String, String) {
-    let output = Command::new(assert_cmd::cargo::cargo_bin!("wisch"))
-        .current_dir(folder)
-        .args(args)
-        .output()
-        .expect("it runs");
-    (
-        output.status.code().expect("it ends by itself"),
-        String::from_utf8(output.stdout).expect("text"),
-        String::from_utf8(output.stderr).expect("text"),
-    )
-}
+use std::path::Path;
 
 /// The JSON object of a run that works, whether or not its goal is met.
 fn summary(folder: &Path, args: &[&str]) -> Value {
@@ -27,38 +13,12 @@ fn summary(folder: &Path, args: &[&str]) -> Value {
     serde_json::from_str(&out).expect("exactly one JSON object")
 }
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-/// A folder with a scenario as task.toml.
-fn folder_with(scenario: &str) -> tempfile::TempDir {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let from = root().join("scenarios").join(scenario);
-    fs::copy(from, folder.path().join("task.toml")).expect("a task");
-    folder
-}
-
 fn read(path: &Path) -> String {
     fs::read_to_string(path).expect("a text file")
 }
 
 fn json(path: &Path) -> Value {
     serde_json::from_str(&read(path)).expect("JSON")
-}
-
-/// Every file of a folder with its bytes, by name.
-fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
-    let entries = fs::read_dir(folder).expect("a folder");
-    let mut contents: Vec<(String, Vec<u8>)> = entries
-        .map(|entry| {
-            let path = entry.expect("an entry").path();
-            let name = path.file_name().expect("a name").to_string_lossy();
-            (name.into_owned(), fs::read(&path).expect("a file"))
-        })
-        .collect();
-    contents.sort();
-    contents
 }
 
 /// What a block of the trajectory's YAML holds: header, names and points.
@@ -126,15 +86,15 @@ fn the_humanoid_follows_the_board() {
     assert!(number("min_clearance_m") >= 5e-3);
 
     let result = folder.path().join("result");
-    let following = json(&result.join("following.json"));
+    let following = json(&result.join("trajectories/following.json"));
     assert_eq!(following["format"], "wisch-following");
     assert_eq!(following["faults"], serde_json::json!([]));
     let motions = following["motions"].as_array().expect("a list");
     let ends = motions.last().expect("a motion")["end_s"].as_f64();
     assert_eq!(ends, Some(number("execution_time_s")));
 
-    let message = json(&result.join("trajectory.json"));
-    let from_yaml = blocks(&read(&result.join("trajectory.yaml")));
+    let message = json(&result.join("trajectories/trajectory.json"));
+    let from_yaml = blocks(&read(&result.join("trajectories/trajectory.yaml")));
     let keys = ["joint_trajectory", "multi_dof_joint_trajectory"];
     assert_eq!(from_yaml.len(), keys.len());
     for (block, key) in from_yaml.into_iter().zip(keys) {
@@ -143,7 +103,8 @@ fn the_humanoid_follows_the_board() {
         assert_eq!(Value::Array(block.points), message[key]["points"]);
     }
 
-    let mut path = csv::Reader::from_path(result.join("tcp-path.csv")).expect("a table");
+    let mut path =
+        csv::Reader::from_path(result.join("trajectories/tcp-path.csv")).expect("a table");
     let rows: Vec<csv::StringRecord> = path.records().map(|row| row.expect("a row")).collect();
     let column = |row: &csv::StringRecord, i: usize| row[i].parse::<f64>().expect("a number");
     assert!(rows.windows(2).all(|w| column(&w[0], 0) < column(&w[1], 0)));
@@ -159,7 +120,7 @@ fn the_humanoid_follows_the_board() {
     let plain = summary(folder.path(), &[&run[..], &["--robot", "none"]].concat());
     assert!(plain.get("robot").is_none() && plain.get("abandoned_nodes").is_none());
     assert!(plain["predicted_performance"].is_number());
-    assert!(!result.join("trajectory.yaml").exists());
+    assert!(!result.join("trajectories/trajectory.yaml").exists());
 }
 
 #[test]
@@ -172,7 +133,7 @@ fn an_arm_that_is_bolted_down_passes_every_node() {
     assert_eq!(summary_of["faults"], 0);
     assert_eq!(summary_of["goal_met"], true);
     assert_eq!(summary_of["placements"], serde_json::json!([]));
-    let message = json(&folder.path().join("result/trajectory.json"));
+    let message = json(&folder.path().join("result/trajectories/trajectory.json"));
     assert_eq!(
         message["multi_dof_joint_trajectory"]["points"],
         serde_json::json!([])
@@ -193,9 +154,9 @@ fn an_arm_that_is_bolted_down_passes_every_node() {
     );
     let motion = [
         "plan.json",
-        "following.json",
-        "trajectory.json",
-        "tcp-path.csv",
+        "trajectories/following.json",
+        "trajectories/trajectory.json",
+        "trajectories/tcp-path.csv",
     ];
     for (name, bytes) in contents(&folder.path().join("again")) {
         if motion.contains(&name.as_str()) {

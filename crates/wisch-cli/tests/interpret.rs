@@ -3,7 +3,7 @@
 #[path = "../../wisch-telemetry/examples/demo_bag/wiping.rs"]
 mod wiping;
 
-use assert_cmd::Command;
+use crate::program::wisch;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -77,20 +77,6 @@ fn folder(world_from_real: Pose) -> TempDir {
     folder
 }
 
-/// Exit code, standard output and standard error.
-fn wisch(folder: &Path, args: &[&str]) -> (i32, String, String) {
-    let output = Command::new(assert_cmd::cargo::cargo_bin!("wisch"))
-        .current_dir(folder)
-        .args(args)
-        .output()
-        .expect("it runs");
-    (
-        output.status.code().expect("it ends by itself"),
-        String::from_utf8(output.stdout).expect("text"),
-        String::from_utf8(output.stderr).expect("text"),
-    )
-}
-
 fn interpreted(folder: &Path, log: &str, more: &[&str]) -> (i32, Value) {
     let args = [&["interpret", log, "--task", "task.toml", "--json"], more].concat();
     let (code, out, err) = wisch(folder, &args);
@@ -135,7 +121,7 @@ fn a_log_of_a_wiped_board_says_so() {
     let out = folder.path().join("out/board-interpreted");
     let written = fs::read_to_string(out.join("interpretation.json")).unwrap();
     assert_eq!(serde_json::from_str::<Value>(&written).unwrap(), record);
-    let particles = fs::read_to_string(out.join("particles-estimated.csv")).unwrap();
+    let particles = fs::read_to_string(out.join("particles/particles-estimated.csv")).unwrap();
     assert_eq!(particles.matches("absorbed").count(), 4, "{particles}");
 
     // Once more, in words, over the results of the first time.

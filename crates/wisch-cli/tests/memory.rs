@@ -1,6 +1,6 @@
 //! `wisch run` keeps episodes, and `wisch memory` looks at them, in a real temporary directory.
 
-use assert_cmd::Command;
+use crate::program::{folder_with, wisch};
 use serde_json::Value as Json;
 use std::fs;
 use std::path::Path;
@@ -13,32 +13,11 @@ const POSE_TOLERANCE: f64 = 2e-6;
 /// A force of single precision, of some hundred newtons at most [N].
 const FORCE_TOLERANCE: f64 = 1e-4;
 
-fn wisch(folder: &Path, args: &[&str]) -> (i32, String, String) {
-    let output = Command::new(assert_cmd::cargo::cargo_bin!("wisch"))
-        .current_dir(folder)
-        .args(args)
-        .output()
-        .expect("it runs");
-    (
-        output.status.code().expect("it ends by itself"),
-        String::from_utf8(output.stdout).expect("text"),
-        String::from_utf8(output.stderr).expect("text"),
-    )
-}
-
 /// Standard output of what works.
 fn said(folder: &Path, args: &[&str]) -> String {
     let (code, out, err) = wisch(folder, args);
     assert_eq!((code, err.as_str()), (0, ""), "{args:?}: {out}");
     out
-}
-
-fn folder_with(scenario: &str) -> TempDir {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let from = root.join("scenarios").join(scenario);
-    fs::copy(from, folder.path().join("task.toml")).expect("a task");
-    folder
 }
 
 /// A memory with one episode of one round, beside its results in `result`.
@@ -89,7 +68,7 @@ fn a_run_is_kept_as_it_was_and_can_be_asked() {
 
     // Against the bag, which another program part wrote.
     let bag = read(
-        &folder.path().join("result/round-1.mcap"),
+        &folder.path().join("result/telemetry/round-1.mcap"),
         &LogOptions::default(),
     );
     let bag = bag.expect("a bag");
@@ -149,7 +128,7 @@ fn a_run_is_kept_as_it_was_and_can_be_asked() {
     let bag = [
         "memory",
         "import",
-        "result/round-1.mcap",
+        "result/telemetry/round-1.mcap",
         "--task",
         "task.toml",
     ];

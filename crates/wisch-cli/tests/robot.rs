@@ -1,6 +1,6 @@
 //! `wisch robot check` in a real temporary directory.
 
-use assert_cmd::Command;
+use crate::program::{root, wisch};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -17,17 +17,7 @@ const ARM: &str = r#"<robot name="arm">
 
 /// Exit code, standard output and standard error.
 fn check(folder: &Path, args: &[&str]) -> (i32, String, String) {
-    let output = Command::new(assert_cmd::cargo::cargo_bin!("wisch"))
-        .current_dir(folder)
-        .args(["robot", "check"])
-        .args(args)
-        .output()
-        .expect("it runs");
-    (
-        output.status.code().expect("it ends by itself"),
-        String::from_utf8(output.stdout).expect("text"),
-        String::from_utf8(output.stderr).expect("text"),
-    )
+    wisch(folder, &[&["robot", "check"], args].concat())
 }
 
 fn folder_with(text: &str) -> tempfile::TempDir {
@@ -38,7 +28,7 @@ fn folder_with(text: &str) -> tempfile::TempDir {
 
 #[test]
 fn the_shipped_robots_are_fine() {
-    let robots = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../robots");
+    let robots = root().join("robots");
     for file in ["humanoid.urdf", "arm7.urdf", "arm6.urdf"] {
         let (code, out, err) = check(&robots, &[file]);
         assert_eq!(code, 0, "{out}{err}");

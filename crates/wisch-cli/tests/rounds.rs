@@ -1,5 +1,6 @@
 //! The closed loop of `wisch run`: what a killed run leaves behind, and how it is gone on with.
 
+use crate::program::{path, root};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -9,17 +10,17 @@ use std::time::Duration;
 const FILES: [&str; 7] = [
     "rounds.json",
     "plan.json",
-    "particles-before.csv",
-    "particles-true.csv",
-    "particles-estimated.csv",
-    "round-1.mcap",
-    "round-2.mcap",
+    "particles/particles-before.csv",
+    "particles/particles-true.csv",
+    "particles/particles-estimated.csv",
+    "telemetry/round-1.mcap",
+    "telemetry/round-2.mcap",
 ];
 
 /// A run of two short rounds.
 fn wisch(folder: &Path, out: &str, more: &[&str]) -> Command {
-    let task = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/chopping-board.toml");
-    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("wisch"));
+    let task = root().join("scenarios/chopping-board.toml");
+    let mut command = Command::new(path());
     command.current_dir(folder).arg("run").arg(task);
     command.args(["--greedy", "--rounds", "2", "--out", out]);
     command.args(["--set", "target_performance=1.0"]).args(more);

@@ -1,5 +1,6 @@
 //! Files, with limits, and the knowledge that the library carries.
 
+use crate::digest::InputDigest;
 use crate::error::Error;
 use crate::knowledge::parse_knowledge;
 use include_dir::{Dir, include_dir};
@@ -149,6 +150,15 @@ impl KnowledgeSource {
                 .ok_or_else(|| format!("{path}: the built-in knowledge has no such file")),
             Self::Folder(folder) => read(&folder.join(path)).map_err(|error| error.to_string()),
         }
+    }
+
+    /// Takes in all knowledge.
+    pub(crate) fn add_to(&self, inputs: &mut InputDigest) -> Result<(), Error> {
+        for (name, text) in self.texts()? {
+            inputs.add(&name, text);
+        }
+        inputs.add(DOMAIN_FILE, self.asset(DOMAIN_FILE).unwrap_or_default());
+        Ok(())
     }
 
     fn shown(&self, file: &str) -> String {

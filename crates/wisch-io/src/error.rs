@@ -105,6 +105,16 @@ pub enum Error {
     /// A capability map that is refused.
     #[error(transparent)]
     Map(Box<MapError>),
+    /// A place where results cannot be written.
+    #[error("{}: {problem}", path.display())]
+    Output {
+        /// The place.
+        path: PathBuf,
+        /// Why.
+        problem: String,
+        /// What can be done about it.
+        help: &'static str,
+    },
 }
 
 macro_rules! boxed {
@@ -151,6 +161,7 @@ impl Error {
                 "a robot of your own is a file: a path that ends in .urdf".to_owned()
             }
             Self::Urdf { file, .. } => format!("wisch robot check {file}"),
+            Self::Output { help, .. } => (*help).to_owned(),
             Self::Map(_) => "wisch robot map builds it anew, for this very robot".to_owned(),
             _ => return None,
         })

@@ -5,9 +5,11 @@
 //! Units are SI and radians, but for file keys that end in another unit.
 
 mod assets;
+mod digest;
 mod error;
 mod knowledge;
 mod load;
+mod output;
 mod particles;
 mod process;
 mod records;
@@ -15,19 +17,27 @@ mod robots;
 mod task_file;
 
 pub use assets::{KnowledgeSource, beside, read, read_text};
+pub use digest::InputDigest;
 pub use error::Error;
 pub use knowledge::{KnowledgeFileError, parse_knowledge};
 pub use load::{Derivation, LoadOptions, LoadedTask, load_task};
+pub use output::{
+    FOLLOWING_FILE, Found, INTERPRETATION_FILE, Leftover, OutputFile, OutputFolder,
+    PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE,
+    PLAN_FILE, REPORT_FILE, ROUNDS_FILE, TCP_PATH_FILE, TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE,
+    path_in_results,
+};
 pub use particles::{
     MaskSource, ParticleSource, ParticleSourceError, csv_particles, mask_particles,
     particles_from_csv, particles_to_csv,
 };
 pub use process::{EXECUTOR_PROTOCOL, ProcessExecutor};
 pub use records::{
-    AbandonedRecord, AttemptRecord, EVENT_SCHEMA, EventRecord, EventRecorder, FollowedRecord,
-    GoalRecord, INTERPRETATION_FORMAT, InterpretationRecord, LogRecord, MotionRecord, NodeRecord,
-    PLAN_FORMAT, PLAN_SCHEMA, PlacementRecord, PlanRecord, PlanRecordError, PlanarPoseRecord,
-    PlaneRecord, PoseRecord, RobotTrajectory, RoleRecord, RunEventRecord, StrokeRecord,
+    AbandonedRecord, AttemptRecord, EVENT_SCHEMA, EventRecord, EventWriter, FollowedRecord,
+    FollowingSummary, GoalRecord, INTERPRETATION_FORMAT, InterpretationRecord, LogRecord,
+    LoopSummary, MotionRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA, PlacementRecord, PlanRecord,
+    PlanRecordError, PlanarPoseRecord, PlaneRecord, PoseRecord, PredictionSummary, RobotTrajectory,
+    RoleRecord, RoundSummary, RoundTimes, RunEventRecord, SUMMARY_SCHEMA, StrokeRecord, Summary,
     WaypointRecord, WipedRecord, tcp_path_csv,
 };
 pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, shipped_robots};

@@ -1,9 +1,11 @@
 //! From a task file to a task that can be planned.
 
 use crate::assets::{KnowledgeSource, beside, read_text};
+use crate::digest::InputDigest;
 use crate::error::Error;
 use crate::robots::Robot;
 use crate::task_file::{Intent, TaskFile};
+use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use wisch::goal::{GoalLiteral, resolve_goal};
 use wisch::plan::{CoverageStrategy, PlanConfig};
@@ -44,6 +46,8 @@ pub struct LoadedTask {
     pub derived: Option<Derivation>,
     /// What is known of tools, media and surfaces.
     pub knowledge: KnowledgeBase,
+    /// Of all that was read for it, and of the options.
+    pub inputs: InputDigest,
 }
 
 impl LoadedTask {
@@ -112,20 +116,38 @@ struct Chosen {
 /// ```
 pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error> {
     let shown = path.display().to_string();
-    let file = TaskFile::parse(&shown, &read_text(path)?, &options.settings)?;
+    let text = read_text(path)?;
+    let file = TaskFile::parse(&shown, &text, &options.settings)?;
     let source = KnowledgeSource::new(options.knowledge.as_deref());
     let knowledge = source.base()?;
     let chosen = choose(&file, &shown, options.action, &knowledge, &source)?;
     let seed = options.seed.unwrap_or(file.seed());
+    let mut inputs = InputDigest::default();
+    inputs.add("program", env!("CARGO_PKG_VERSION"));
+    inputs.add("task", &text);
+    for (key, value) in &options.settings {
+        inputs.add(key, value);
+    }
+    source.add_to(&mut inputs)?;
+    let inputs = RefCell::new(inputs);
+    let taken_in = |path: &str, bytes: Result<Vec<u8>, String>| {
+        let bytes = bytes?;
+        inputs.borrow_mut().add(path, &bytes);
+        Ok(bytes)
+    };
+    let mut beside = beside(path);
     let task = file.resolve(
         chosen.action,
         &chosen.tool,
         &chosen.medium,
         seed,
         &knowledge,
-        &mut beside(path),
-        &mut |path| source.asset(path),
+        &mut |path| taken_in(path, beside(path)),
+        &mut |path| taken_in(path, source.asset(path)),
     )?;
+    let mut inputs = inputs.into_inner();
+    inputs.add("action", chosen.action.as_str());
+    inputs.add("seed", seed.to_le_bytes());
     let config = PlanConfig {
         strategy: match (options.strategy, file.strategy()) {
             (Some(strategy), _) => strategy,
@@ -136,11 +158,13 @@ pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error
         bandwidth: file.bandwidth_m(),
         lift_height: file.lift_height_m(),
     };
+    inputs.add("strategy", config.strategy.as_str());
     Ok(LoadedTask {
         path: path.to_owned(),
         file,
         task,
         config,
+        inputs,
         derived: chosen.derived,
         knowledge,
     })

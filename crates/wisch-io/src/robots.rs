@@ -1,6 +1,7 @@
 //! Robots: those that are shipped, and the user's.
 
 use crate::assets::{self, beside, read_text};
+use crate::digest::InputDigest;
 use crate::error::Error;
 use crate::task_file::RobotDescription;
 use include_dir::{Dir, include_dir};
@@ -36,6 +37,20 @@ pub struct RobotFiles {
     pub srdf: Option<String>,
     /// The collision meshes, under the names that the URDF gives them.
     pub meshes: Vec<(String, Vec<u8>)>,
+    /// The capability map's file, if there is one.
+    pub map: Option<Vec<u8>>,
+}
+
+impl RobotFiles {
+    /// Takes in all of them.
+    pub fn add_to(&self, inputs: &mut InputDigest) {
+        inputs.add("urdf", &self.urdf);
+        inputs.add("srdf", self.srdf.as_deref().unwrap_or_default());
+        for (name, mesh) in &self.meshes {
+            inputs.add(name, mesh);
+        }
+        inputs.add("map", self.map.as_deref().unwrap_or_default());
+    }
 }
 
 impl Robot {
@@ -75,7 +90,7 @@ impl Robot {
         map_file: Option<&Path>,
         packages: &[(String, PathBuf)],
     ) -> Result<Self, Error> {
-        let robot = Self::read_without_map(description, task_file, packages)?;
+        let mut robot = Self::read_without_map(description, task_file, packages)?;
         let found = match (map_file, description) {
             (Some(path), _) => Some((path.display().to_string(), assets::read(path)?)),
             (None, RobotDescription::Named(name)) => {
@@ -92,13 +107,12 @@ impl Robot {
                     .map(|bytes| (name, bytes))
             }
         };
-        let map = found.map(|(name, bytes)| {
-            CapabilityMap::from_bytes(&name, &bytes, RobotHash::of(&robot.model))
-        });
-        Ok(Self {
-            map: map.transpose()?,
-            ..robot
-        })
+        if let Some((name, bytes)) = found {
+            let hash = RobotHash::of(&robot.model);
+            robot.map = Some(CapabilityMap::from_bytes(&name, &bytes, hash)?);
+            robot.files.map = Some(bytes);
+        }
+        Ok(robot)
     }
 
     /// The same, whatever maps there are.
@@ -195,6 +209,7 @@ fn robot(
             urdf,
             srdf: srdf.map(|(_, text)| text),
             meshes,
+            map: None,
         },
     })
 }

@@ -3,12 +3,13 @@ use crate::draw::{Contours, PictureError};
 use crate::prediction::frames::{MAX_DRAWN, MAX_FRAMES};
 use resvg::{tiny_skia, usvg};
 use std::path::PathBuf;
-use wisch::geometry::{Mesh, Point2, Polygon, Pose, Region, Vector2, Vector3};
+use wisch::geometry::{Mesh, Point2, Pose, Vector2, Vector3};
 use wisch::plan::{CoverageStrategy, FreeSpace, Plan, PlanConfig, Prediction, plan, predict};
 use wisch::represent::Task;
 use wisch::represent::{
-    Action, AngleRange, Interaction, ParticleDistribution, SceneObject, ScenePart, Surface, Tool,
+    Action, Interaction, ParticleDistribution, SceneObject, ScenePart, Surface, Tool,
 };
+use wisch_testkit::{sponge, surface};
 
 /// Set to a folder, the reports of these tests are kept there to be looked at.
 const KEEP: &str = "WISCH_KEEP_REPORTS";
@@ -82,20 +83,12 @@ fn task(action: Action, size: Vector2, scene: Vec<SceneObject>, count: usize) ->
         action,
         surface: Surface {
             name: "surface".into(),
-            outline: Polygon::rectangle(size),
-            world_from_surface: Pose::identity(),
-            skim_edges: vec![0],
+            ..surface(size.into())
         },
         scene,
         tool: Tool {
-            name: "sponge".into(),
             mesh: Mesh::cuboid(Vector3::new(0.07, 0.11, 0.05)).expect("a box"),
-            footprint: Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))]),
-            area_of_effect: Vector2::new(0.07, 0.11),
-            rotation_about_normal: AngleRange::FULL,
-            tilt: None,
-            grip: None,
-            second_grip: None,
+            ..sponge()
         },
         medium: "breadcrumbs".into(),
         interaction: interaction(),

@@ -1,24 +1,18 @@
 //! The first ten seconds of wiping in the simulated world: arm of seven joints and humanoid, on a clean
 //! board and with 80 breadcrumbs on it. Items are periods of 1 ms: 10 kitem/s are ten times real time.
 
-#[path = "../../wisch/examples/shipped/robot.rs"]
-#[allow(dead_code, reason = "the arm has its own files")]
-mod robot;
-#[path = "../../wisch/examples/shipped/mod.rs"]
-mod shipped;
-
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
 use wisch::control::ControlConfig;
 use wisch::follow::{FollowConfig, Followed, Workcell, WorkcellConfig, follow};
 use wisch::geometry::Point2;
-use wisch::plan::{CoverageStrategy, PlanConfig, plan};
+use wisch::plan::{CoverageStrategy, plan};
 use wisch::represent::{Action, ParticleDistribution, Task};
-use wisch::robot::{CapabilityMap, RobotModel, Srdf};
 use wisch::run::{Execution, MotionOrder};
+use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_sim::{Dirt, SimulationSettings, execute};
+use wisch_testkit::{Robot, arm7 as the_arm7, humanoid as the_humanoid, scenario};
 
 fn main() {
     divan::main();
@@ -37,35 +31,30 @@ struct Wiping {
     config: ControlConfig,
 }
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
 /// A shipped scenario with so many grains.
-fn wiping(
-    name: &str,
-    grains: usize,
-    robot: &RobotModel,
-    srdf: &Srdf,
-    map: Option<&CapabilityMap>,
-) -> Wiping {
-    let file = shipped::scenario(&root().join(format!("scenarios/{name}.toml"))).unwrap();
-    let knowledge = shipped::knowledge(&root().join("knowledge")).unwrap();
-    let task = shipped::task(&file, Action::Collect, 1, &knowledge, &root()).unwrap();
-    let reality = SimulationSettings::of(file.execution(), &task, &knowledge).unwrap();
-    let config = PlanConfig {
-        strategy: CoverageStrategy::Kde,
-        seed: 1,
-        bandwidth: file.bandwidth_m(),
-        lift_height: file.lift_height_m(),
+fn wiping(name: &str, grains: usize, robot: Robot) -> Wiping {
+    let options = LoadOptions {
+        action: Some(Action::Collect),
+        strategy: Some(CoverageStrategy::Kde),
+        seed: Some(1),
+        ..LoadOptions::default()
     };
+    let LoadedTask {
+        file,
+        task,
+        config,
+        knowledge,
+        ..
+    } = load_task(&scenario(name), &options).unwrap();
+    let reality = SimulationSettings::of(file.execution(), &task, &knowledge).unwrap();
     let plan = plan(&task, &config).unwrap();
     let config = WorkcellConfig {
         world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
         ..WorkcellConfig::default()
     };
-    let cell = Workcell::new(robot.clone(), Some(srdf), &task, &config).unwrap();
+    let cell = Workcell::new(robot.model, Some(&robot.srdf), &task, &config).unwrap();
     let config = FollowConfig::default();
+    let map = robot.map.as_ref();
     let mut followed = follow(&task, &plan, &cell, map, &config, &mut |_| ()).unwrap();
     let first = followed.motions.iter().position(|m| m.phase.is_contact());
     let end = followed.motions[first.unwrap()].start + WIPED;
@@ -118,23 +107,10 @@ impl Wiping {
 
 #[divan::bench(args = GRAINS, sample_count = 5, sample_size = 1)]
 fn arm7(bencher: Bencher, grains: usize) {
-    let urdf = include_str!("../../../robots/arm7.urdf");
-    let robot = RobotModel::from_urdf("arm7", urdf, &mut |_| Err(String::new())).unwrap();
-    let srdf = include_str!("../../../robots/arm7.srdf");
-    let srdf = Srdf::parse("arm7", srdf, &robot).unwrap();
-    wiping("arm-board", grains, &robot, &srdf, None).bench(bencher);
+    wiping("arm-board", grains, the_arm7()).bench(bencher);
 }
 
 #[divan::bench(args = GRAINS, sample_count = 5, sample_size = 1)]
 fn humanoid(bencher: Bencher, grains: usize) {
-    let humanoid = robot::humanoid(&root().join("robots")).unwrap();
-    let map = humanoid.map.as_ref();
-    wiping(
-        "chopping-board",
-        grains,
-        &humanoid.model,
-        &humanoid.srdf,
-        map,
-    )
-    .bench(bencher);
+    wiping("chopping-board", grains, the_humanoid()).bench(bencher);
 }

@@ -8,6 +8,7 @@
 //! [`World`] executes the motions of a [`Session`](wisch::run::Session); what it knows to be true has a door of its own,
 //! [`World::truth`], for evaluations and reports.
 
+mod checkpoint;
 mod dirt;
 mod error;
 mod grains;
@@ -17,6 +18,7 @@ mod settings;
 mod truth;
 mod world;
 
+pub use checkpoint::{Checkpoints, KeptRound};
 pub use dirt::{Dirt, Grain};
 pub use error::SimulationError;
 pub use period::execute;

@@ -1,19 +1,8 @@
 //! Execution in the simulated world: what a wipe does by itself, under disturbances, and to real dirt.
 
-#[path = "../../wisch/tests/follow/board.rs"]
-#[allow(dead_code, reason = "following tests more of a board than execution")]
-mod board;
-#[path = "../../wisch/examples/random_problems/problems.rs"]
-#[allow(dead_code, reason = "only its robots and its sponge are used")]
-mod problems;
-
-#[path = "execute/disturbances.rs"]
 mod disturbances;
-#[path = "execute/grains.rs"]
 mod grains;
-#[path = "execute/humanoid.rs"]
 mod humanoid;
-#[path = "execute/wiping.rs"]
 mod wiping;
 
 use wiping::{FORCE, Wiping, faults};

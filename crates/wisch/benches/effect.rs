@@ -3,10 +3,9 @@
 use divan::{Bencher, black_box};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
-use wisch::geometry::{PlanarPose, Point2, Polygon, Pose, Region, Vector2};
-use wisch::represent::{
-    Effect, EffectModel, ParticleDistribution, ParticleField, Surface, ToolMotion,
-};
+use wisch::geometry::{PlanarPose, Point2, Polygon, Region, Vector2};
+use wisch::represent::{Effect, EffectModel, ParticleDistribution, ParticleField, ToolMotion};
+use wisch_testkit::surface;
 
 fn main() {
     divan::main();
@@ -21,18 +20,9 @@ fn field(count: usize, side: f64) -> ParticleField {
     ParticleField::new(&ParticleDistribution::new(&points).unwrap())
 }
 
-fn square(side: f64) -> Surface {
-    Surface {
-        name: "square".into(),
-        outline: Polygon::rectangle(Vector2::new(side, side)),
-        world_from_surface: Pose::identity(),
-        skim_edges: vec![],
-    }
-}
-
 fn stroke(bencher: Bencher, count: usize, side: f64, turn: f64) {
     let sponge = Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))]);
-    let surface = square(side);
+    let surface = surface([side; 2]);
     let motion = ToolMotion {
         from: PlanarPose::new(Point2::new(-0.2, 0.0), 0.0),
         to: PlanarPose::new(Point2::new(0.2, 0.0), turn),

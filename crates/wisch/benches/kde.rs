@@ -3,9 +3,9 @@
 use divan::{Bencher, black_box};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
-use wisch::geometry::{Bounds2, Point2, Polygon, Pose, Vector2};
+use wisch::geometry::{Bounds2, Point2};
 use wisch::plan::{DensityMap, FreeSpace, KdeConfig, kde};
-use wisch::represent::Surface;
+use wisch_testkit::surface;
 
 fn main() {
     divan::main();
@@ -32,12 +32,7 @@ fn density_map(bencher: Bencher, count: usize) {
 #[divan::bench(args = [1_000, 100_000, 1_000_000])]
 fn peaks(bencher: Bencher, count: usize) {
     let points = points(count);
-    let surface = Surface {
-        name: "square".into(),
-        outline: Polygon::rectangle(Vector2::new(1.0, 1.0)),
-        world_from_surface: Pose::identity(),
-        skim_edges: vec![],
-    };
+    let surface = surface([1.0; 2]);
     let space = FreeSpace::new(&surface, [], RADIUS).unwrap();
     let config = KdeConfig {
         bandwidth: Some(BANDWIDTH),

@@ -6,10 +6,9 @@
 mod points;
 
 use std::time::Instant;
-use wisch::geometry::{PlanarPose, Point2, Polygon, Pose, Region, Vector2};
-use wisch::represent::{
-    Effect, EffectModel, ParticleDistribution, ParticleField, Surface, ToolMotion,
-};
+use wisch::geometry::{PlanarPose, Point2, Polygon, Region, Vector2};
+use wisch::represent::{Effect, EffectModel, ParticleDistribution, ParticleField, ToolMotion};
+use wisch_testkit::surface;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);
@@ -19,12 +18,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let repeats: usize = arguments.next().map_or(Ok(1), |text| text.parse())?;
     let points = points::read(&path)?;
     let sponge = Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))]);
-    let surface = Surface {
-        name: "square".into(),
-        outline: Polygon::rectangle(Vector2::new(1.0, 1.0)),
-        world_from_surface: Pose::identity(),
-        skim_edges: vec![],
-    };
+    let surface = surface([1.0; 2]);
     let motion = ToolMotion {
         from: PlanarPose::new(Point2::new(-0.2, 0.0), 0.0),
         to: PlanarPose::new(Point2::new(0.2, 0.0), 0.0),

@@ -7,15 +7,12 @@
 //! Distances are those in contact. The paper's computation times are of another planner on another
 //! machine, so only ours are printed.
 
-mod shipped;
-
 use rayon::prelude::*;
-use shipped::{AnyError, SCENARIOS, knowledge, scenario, task};
-use std::path::Path;
 use std::time::Instant;
 use wisch::plan::{CoverageStrategy, PlanConfig, plan, predict};
-use wisch::represent::{Action, Task};
-use wisch_io::TaskFile;
+use wisch::represent::Action;
+use wisch_io::{LoadOptions, LoadedTask, load_task};
+use wisch_testkit::{AnyError, TABLE_1, scenario};
 
 /// Table 1, performance [%]: action × scenario × (grid, rrt, kde).
 const PAPER_PERFORMANCE: [[[f64; 3]; 3]; 3] = [
@@ -61,13 +58,6 @@ fn main() -> Result<(), AnyError> {
         return Err("at least one seed is needed".into());
     }
 
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let knowledge = knowledge(&root.join("knowledge"))?;
-    let scenarios = SCENARIOS
-        .iter()
-        .map(|name| scenario(&root.join(format!("scenarios/{name}.toml"))))
-        .collect::<Result<Vec<_>, _>>()?;
-
     println!("seeds {first} to {}", first + count - 1);
     println!(
         "{:22} {:>7} {:>7}   {:>8} {:>8} {:>6} {:>12} {:>8}",
@@ -75,15 +65,22 @@ fn main() -> Result<(), AnyError> {
     );
     let mut reached = 0;
     for (a, action) in Action::ALL.into_iter().enumerate() {
-        for (s, (scenario, name)) in scenarios.iter().zip(SCENARIOS).enumerate() {
+        for (s, name) in TABLE_1.into_iter().enumerate() {
             let tasks = (first..first + count)
                 .into_par_iter()
-                .map(|seed| task(scenario, action, seed, &knowledge, &root))
-                .collect::<Result<Vec<Task>, AnyError>>()?;
+                .map(|seed| {
+                    let options = LoadOptions {
+                        action: Some(action),
+                        seed: Some(seed),
+                        ..LoadOptions::default()
+                    };
+                    load_task(&scenario(name), &options)
+                })
+                .collect::<Result<Vec<LoadedTask>, _>>()?;
             for (k, strategy) in CoverageStrategy::ALL.into_iter().enumerate() {
                 let trials = tasks
                     .par_iter()
-                    .map(|task| trial(task, strategy, scenario))
+                    .map(|loaded| trial(loaded, strategy))
                     .collect::<Result<Vec<Trial>, AnyError>>()?;
                 let mean =
                     |of: fn(&Trial) -> f64| trials.iter().map(of).sum::<f64>() / count as f64;
@@ -108,13 +105,12 @@ fn main() -> Result<(), AnyError> {
     Ok(())
 }
 
-fn trial(task: &Task, strategy: CoverageStrategy, file: &TaskFile) -> Result<Trial, AnyError> {
+fn trial(loaded: &LoadedTask, strategy: CoverageStrategy) -> Result<Trial, AnyError> {
     let begin = Instant::now();
+    let task = &loaded.task;
     let config = PlanConfig {
         strategy,
-        seed: task.seed,
-        bandwidth: file.bandwidth_m(),
-        lift_height: file.lift_height_m(),
+        ..loaded.config
     };
     let plan = plan(task, &config)?;
     let prediction = predict(task, &plan, |_| ());

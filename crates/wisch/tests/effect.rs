@@ -2,11 +2,12 @@
 
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
-use wisch::geometry::{PlanarPose, Point2, Polygon, Pose, Region, Vector2};
+use wisch::geometry::{PlanarPose, Point2, Polygon, Region, Vector2};
 use wisch::represent::{
     Effect, EffectModel, Fate, MotionEffect, ParticleDistribution, ParticleField, Surface,
     ToolMotion,
 };
+use wisch_testkit::surface;
 
 /// How far two computations of the same motion may lie apart [m].
 const SAME: f64 = 1e-4;
@@ -32,12 +33,7 @@ fn brush() -> Region {
 }
 
 fn board(half: f64) -> Surface {
-    Surface {
-        name: "board".into(),
-        outline: Polygon::rectangle(Vector2::new(2.0 * half, 2.0 * half)),
-        world_from_surface: Pose::identity(),
-        skim_edges: vec![0],
-    }
+    surface([2.0 * half; 2])
 }
 
 fn pose(x: f64, y: f64, heading: f64) -> PlanarPose {

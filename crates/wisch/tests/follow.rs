@@ -1,24 +1,16 @@
 //! Following a plan: whole, audited, and the same on any number of threads; what is out of reach is told.
 
-#[path = "../examples/random_problems/problems.rs"]
-mod problems;
-
 #[path = "follow/audit.rs"]
 mod audit_of_motions;
-#[path = "follow/board.rs"]
-mod board;
-#[path = "follow/broom.rs"]
 mod broom;
-#[path = "follow/humanoid.rs"]
 mod humanoid;
 
-use board::{arm7, block, board, cell, planned};
-use problems::{Outcome, Problem, robots};
 use rayon::prelude::*;
 use wisch::follow::{
     FollowConfig, FollowError, Followed, Obstruction, SearchScope, WorkcellConfig, audit, follow,
 };
 use wisch::represent::Action;
+use wisch_testkit::{Outcome, Problem, arm7, block, board, cell, faults, planned, robots};
 
 #[test]
 fn an_arm_follows_every_stroke_of_a_board_as_planned() {
@@ -42,7 +34,7 @@ fn an_arm_follows_every_stroke_of_a_board_as_planned() {
         assert_eq!(passed.last(), Some(&all), "{action}");
 
         assert_eq!(
-            board::faults(&task, &plan, &cell, &followed),
+            faults(&task, &plan, &cell, &followed),
             [] as [String; 0],
             "{action}"
         );
@@ -163,7 +155,7 @@ fn an_unknown_group_is_named_with_the_nearest() {
 
 #[test]
 fn the_motion_is_the_same_on_one_thread_and_on_four() {
-    let robots = robots().unwrap();
+    let robots = robots();
     // One of an arm, and one of the humanoid, whose placements are rated in parallel.
     for seed in [2, 4] {
         let problem = Problem::random(seed).unwrap();
@@ -193,7 +185,7 @@ const ONLY_GLOBALLY: u64 = 93;
 
 #[test]
 fn the_global_method_finds_a_way_where_the_local_one_finds_none() {
-    let robots = robots().unwrap();
+    let robots = robots();
     let problem = Problem::random(ONLY_GLOBALLY).unwrap();
     let with = |search| {
         let config = FollowConfig {
@@ -220,7 +212,7 @@ const ONCE_WRONG: [u64; 4] = [
 
 #[test]
 fn random_problems_have_no_faults() {
-    let robots = robots().unwrap();
+    let robots = robots();
     let wrong: Vec<String> = (100..120_u64)
         .chain(ONCE_WRONG)
         .collect::<Vec<u64>>()

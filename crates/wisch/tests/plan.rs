@@ -1,39 +1,17 @@
 //! Plans judged by what must hold of them: clearance, coverage, order, and predicted effect.
 
 use proptest::prelude::*;
-use wisch::geometry::{Mesh, Point2, Polygon, Pose, Region, Vector2, Vector3};
+use wisch::geometry::{Mesh, Point2, Pose, Vector2, Vector3};
 use wisch::plan::{
     CoverageStrategy, FreeSpace, KdeConfig, NodeRole, Plan, PlanConfig, PlanError, RrtConfig, grid,
     kde, plan, predict, rrt,
 };
 use wisch::represent::{
-    Action, AngleRange, Fate, GoalState, Interaction, LogNormal, ParticleDistribution, Performance,
-    SceneObject, ScenePart, Surface, SurfaceScope, Task, Tool,
+    Action, Fate, GoalState, ParticleDistribution, Performance, SceneObject, ScenePart, Task,
 };
+use wisch_testkit::{interaction, sponge, surface};
 
 const BOARD: [f64; 2] = [0.40, 0.28];
-
-fn surface([x, y]: [f64; 2]) -> Surface {
-    Surface {
-        name: "board".into(),
-        outline: Polygon::rectangle(Vector2::new(x, y)),
-        world_from_surface: Pose::identity(),
-        skim_edges: vec![0],
-    }
-}
-
-fn sponge() -> Tool {
-    Tool {
-        name: "sponge".into(),
-        mesh: Mesh::cuboid(Vector3::new(0.07, 0.11, 0.05)).unwrap(),
-        footprint: Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))]),
-        area_of_effect: Vector2::new(0.07, 0.11),
-        rotation_about_normal: AngleRange::FULL,
-        tilt: None,
-        grip: None,
-        second_grip: None,
-    }
-}
 
 fn cuboid(size: [f64; 3], at: [f64; 3]) -> SceneObject {
     SceneObject {
@@ -60,21 +38,7 @@ fn task(action: Action, size: [f64; 2], scene: Vec<SceneObject>) -> Task {
         scene,
         tool: sponge(),
         medium: "breadcrumbs".into(),
-        interaction: Interaction {
-            tool: "sponge".into(),
-            medium: "breadcrumbs".into(),
-            surface: SurfaceScope::Any,
-            actions: Action::ALL.into_iter().collect(),
-            press_force_n: 10.0,
-            stiffness_n_per_m: 500.0,
-            damping_ratio: 0.7,
-            nullspace_posture_weight: 0.1,
-            compression_depth_m: 0.005,
-            likelihood: LogNormal {
-                mu: -1.0,
-                sigma: 0.25,
-            },
-        },
+        interaction: interaction(),
         particles: ParticleDistribution::new(&lattice(size, 12)).unwrap(),
         collect_goal: Some(Point2::new(0.1, -0.05)),
         tool_start: Point2::new(0.0, -0.3),

@@ -5,15 +5,13 @@ use super::results::{internal, json};
 use super::rounds::Done;
 use crate::args::{KeepArgs, TaskArgs};
 use crate::failure::Failure;
-use crate::output::{
-    PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE,
-};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::{SystemTime, UNIX_EPOCH};
 use wisch::run::{PlannedRound, RunEvent};
+use wisch_io::{PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE};
 use wisch_io::{PlanRecord, RobotFiles, particles_to_csv, read_text};
 use wisch_memory::{
     EpisodeHeader, EpisodeRound, EpisodeWriter, Memory, MemoryError, RobotText, RoundLog,

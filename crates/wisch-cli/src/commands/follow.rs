@@ -4,24 +4,17 @@ use super::prepare::Prepared;
 use super::words::percent;
 use crate::args::{RobotArgs, TaskArgs};
 use crate::failure::Failure;
-use crate::records::FollowingSummary;
 use wisch::follow::{
-    AbandonedNode, Audit, FollowConfig, FollowError, Followed, Phase, TrajectorySample, Workcell,
-    WorkcellConfig, follow,
+    AbandonedNode, Audit, FollowConfig, FollowError, Followed, Workcell, WorkcellConfig, follow,
 };
 use wisch::plan::Plan;
-use wisch::represent::{Fate, Task};
 use wisch::robot::CapabilityMap;
 use wisch::run::Session;
+use wisch_io::FollowingSummary;
 use wisch_io::{Robot, RobotDescription, RobotRecord};
-use wisch_report::{
-    Contact, EffectFrames, MotionInput, ParticleFrame, Phase as ShownPhase, Placement, RatedPlace,
-};
 
 /// What `--robot` says to leave the robot out.
 const NO_ROBOT: &str = "none";
-/// Period of what is shown of a motion [s].
-const SHOWN_PERIOD: f64 = 0.05;
 
 /// A plan with the robot that followed it.
 pub struct Following {
@@ -292,108 +285,5 @@ impl Following {
         (facts.into_iter())
             .map(|(label, value)| (label.to_owned(), value))
             .collect()
-    }
-
-    /// What the report shows of it.
-    pub fn shown(&self, frames: &EffectFrames) -> Shown {
-        let count = (self.followed.duration() / SHOWN_PERIOD).ceil() as usize;
-        let samples = (0..=count)
-            .filter_map(|i| {
-                self.followed
-                    .sample((i as f64 * SHOWN_PERIOD).min(self.followed.duration()))
-            })
-            .collect();
-        let phases = (self.followed.motions.iter())
-            .map(|motion| ShownPhase {
-                name: motion.phase.as_str().to_owned(),
-                start: motion.start,
-                end: motion.end(),
-                contact: if motion.phase.is_contact() {
-                    Contact::Wiping
-                } else {
-                    Contact::Lifted
-                },
-                stroke: motion.phase.stroke(),
-            })
-            .collect();
-        let placements = (self.followed.placements.iter())
-            .map(|placement| Placement {
-                x: placement.world_from_base.position.x,
-                y: placement.world_from_base.position.y,
-                yaw: placement.world_from_base.heading,
-            })
-            .collect();
-        let ratings = (self.followed.rated.iter())
-            .map(|place| RatedPlace {
-                x: place.world_from_base.position.x,
-                y: place.world_from_base.position.y,
-                rating: place.rating.unwrap_or(0.0),
-                blocked: place.rating.is_none(),
-            })
-            .collect();
-        Shown {
-            samples,
-            phases,
-            placements,
-            ratings,
-            particles: self.particles(frames),
-        }
-    }
-
-    /// The particles of a prediction's frames at the times at which the tool has come about that far:
-    /// as if it wiped each stroke at one speed.
-    fn particles(&self, frames: &EffectFrames) -> Vec<ParticleFrame> {
-        let mut before = vec![0.0];
-        for stroke in &self.followed.strokes {
-            before.push(before.last().unwrap_or(&0.0) + stroke.length());
-        }
-        let time = |stroke: usize, distance: f64| {
-            let motions = &self.followed.motions;
-            let motion = motions.iter().find(|m| m.phase == Phase::Wipe(stroke))?;
-            let length = before.get(stroke + 1)? - before[stroke];
-            let share =
-                ((distance - before[stroke]) / length.max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-            Some(motion.start + share * motion.trajectory.duration())
-        };
-        let mut shown: Vec<ParticleFrame> = Vec::new();
-        for frame in frames.all() {
-            let since = shown.last().map_or(0.0, |last| last.time);
-            let at = frame.stroke.and_then(|stroke| time(stroke, frame.distance));
-            shown.push(ParticleFrame {
-                time: at.unwrap_or(since).max(since),
-                positions: (frame.particles.iter())
-                    .filter(|(_, fate)| *fate == Fate::OnSurface)
-                    .map(|(position, _)| *position)
-                    .collect(),
-            });
-        }
-        shown
-    }
-}
-
-/// What a report shows of a motion.
-pub struct Shown {
-    samples: Vec<TrajectorySample>,
-    phases: Vec<ShownPhase>,
-    placements: Vec<Placement>,
-    ratings: Vec<RatedPlace>,
-    particles: Vec<ParticleFrame>,
-}
-
-impl Shown {
-    /// The same with the robot and its scene.
-    pub fn input<'a>(&'a self, following: &'a Following, task: &'a Task) -> MotionInput<'a> {
-        MotionInput {
-            robot: following.cell.robot(),
-            world_from_root: *following.cell.world_from_root(),
-            task,
-            tool_link: following.cell.tip(),
-            link_from_tool: *following.cell.tip_from_tool(),
-            samples: &self.samples,
-            phases: &self.phases,
-            placements: &self.placements,
-            ratings: &self.ratings,
-            particles: &self.particles,
-        }
     }
 }

@@ -6,15 +6,15 @@ use super::run::given_plan;
 use super::words::{counted, percent};
 use crate::args::{GlobalArgs, InterpretArgs, LogArgs, LoggedArgs, TaskArgs};
 use crate::failure::Failure;
-use crate::output::{INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE};
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print};
-use crate::workplace::Leftover;
 use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
 use wisch::interpret::{Belief, InterpretConfig, Interpretation, interpret as conclude};
 use wisch::represent::GoalState;
+use wisch_io::Leftover;
+use wisch_io::{INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE};
 use wisch_io::{InterpretationRecord, LogRecord, particles_to_csv};
 use wisch_telemetry::{AxesChoice, AxesSource, Log, LogOptions, ReadFault, TopicChoice, read};
 
@@ -36,14 +36,14 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
         "interpreting {}",
         counted(log.samples.len(), "sample")
     ));
-    let told = told(&args.source, &prepared, &log, &goal)?;
+    let interpretation = interpreted(&args.source, &prepared, &log, &goal)?;
     let record = InterpretationRecord::new(
         &prepared.task,
-        &told,
+        &interpretation,
         prepared.file.target_performance(),
         log_record(&args.source.log, &log),
     );
-    let particles = (told.belief.sample(prepared.task.seed)).map_err(internal)?;
+    let particles = (interpretation.belief.sample(prepared.task.seed)).map_err(internal)?;
     folder.write(INTERPRETATION_FILE, json(&record)?)?;
     folder.write(PARTICLES_ESTIMATED_FILE, particles_to_csv(&particles))?;
     folder.finish()?;
@@ -199,7 +199,7 @@ fn advice(fault: &ReadFault) -> Option<String> {
     })
 }
 
-pub(super) fn told(
+pub(super) fn interpreted(
     args: &LoggedArgs,
     prepared: &Prepared,
     log: &Log,
@@ -303,16 +303,16 @@ fn surface_in_words(record: &InterpretationRecord) -> String {
 
 fn events_in_words(record: &InterpretationRecord) -> String {
     let kinds = ["contact", "contact_loss", "collision", "stick_slip"];
-    let told = kinds.map(|kind| {
+    let counts = kinds.map(|kind| {
         let those = record.events.iter().filter(|event| event.kind == kind);
         (kind.replace('_', " "), those.count())
     });
-    let mut told: Vec<String> = (told.iter())
+    let mut counts: Vec<String> = (counts.iter())
         .filter(|(_, count)| *count > 0)
         .map(|(kind, count)| format!("{count} {kind}"))
         .collect();
-    if told.is_empty() {
-        told.push("none".to_owned());
+    if counts.is_empty() {
+        counts.push("none".to_owned());
     }
-    told.join(", ")
+    counts.join(", ")
 }

@@ -3,10 +3,10 @@
 use super::prepare::Prepared;
 use crate::args::TaskArgs;
 use crate::failure::Failure;
-use crate::output::OutputFile;
 use serde::Deserialize;
 use std::path::Path;
 use wisch::represent::{ScenePart, Task};
+use wisch_io::OutputFile;
 use wisch_memory::ask::Answers;
 use wisch_memory::view::{Surroundings, gather};
 use wisch_memory::{Catalogue, Episode, Memory};
@@ -21,7 +21,7 @@ struct Options {
 
 /// Begins the page, before a query takes its time.
 pub(super) fn begin(file: &Path) -> Result<OutputFile, Failure> {
-    OutputFile::begin(file).map_err(|failure| failure.with_help(OTHER_FILE))
+    OutputFile::begin(file).map_err(|error| Failure::from(error).with_help(OTHER_FILE))
 }
 
 const OTHER_FILE: &str = "choose another file with --view";
@@ -51,7 +51,7 @@ pub(super) fn draw(
     };
     let page = answers_page(&input);
     let written = file.finish(page.as_bytes());
-    written.map_err(|failure| failure.with_help(OTHER_FILE))
+    written.map_err(|error| Failure::from(error).with_help(OTHER_FILE))
 }
 
 /// What stood round the robot, by the episode's task. A task that is not there, or refers to files that are not,

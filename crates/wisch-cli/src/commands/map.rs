@@ -2,7 +2,6 @@
 
 use crate::args::{GlobalArgs, RobotMapArgs};
 use crate::failure::Failure;
-use crate::output::OutputFile;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print};
 use serde::Serialize;
@@ -11,6 +10,7 @@ use std::time::Instant;
 use wisch::follow::PlanningGroup;
 use wisch::geometry::Pose;
 use wisch::robot::{CapabilityMap, CollisionModel, MapConfig, MapStage, MapTool};
+use wisch_io::OutputFile;
 use wisch_io::{MAP_EXTENSION, Robot, RobotDescription};
 
 /// The schema of the object that `--json` prints.

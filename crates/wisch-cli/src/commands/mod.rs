@@ -2,8 +2,6 @@
 
 mod ask;
 mod check;
-mod checkpoint;
-mod checkpoint_record;
 mod engine;
 mod episode;
 mod export;
@@ -21,6 +19,7 @@ mod robot;
 mod rounds;
 mod run;
 mod summary;
+mod watch;
 mod words;
 
 use crate::args::{Cli, Command, MemoryCommand, RobotCommand};

@@ -7,16 +7,16 @@ use super::run::Results;
 use super::words::percent;
 use crate::args::ResultArgs;
 use crate::failure::Failure;
-use crate::output::{
+use std::path::{Path, PathBuf};
+use wisch::plan::{Plan, Prediction};
+use wisch_io::RoundSummary;
+use wisch_io::{
     FOLLOWING_FILE, OutputFolder, PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE,
     PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE, REPORT_FILE, ROUNDS_FILE,
     TCP_PATH_FILE, TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE,
 };
-use crate::records::RoundSummary;
-use std::path::{Path, PathBuf};
-use wisch::plan::{Plan, Prediction};
 use wisch_io::{FollowedRecord, PlanRecord, RobotTrajectory, particles_to_csv, tcp_path_csv};
-use wisch_report::{self as report, EffectFrames, ReportInput};
+use wisch_report::{self as report, EffectFrames, ReportInput, ShownMotion};
 
 /// Pixels per unit of a picture's own size.
 const PNG_SCALE: f32 = 2.0;
@@ -71,8 +71,11 @@ pub(super) fn write(
         write_report(folder, prepared, results, prediction, frames)?;
     }
     if let Some(last) = results.rounds.last() {
-        let told = &last.round.interpretation;
-        let estimated = told.belief.sample(prepared.task.seed).map_err(internal)?;
+        let interpretation = &last.round.interpretation;
+        let estimated = interpretation
+            .belief
+            .sample(prepared.task.seed)
+            .map_err(internal)?;
         folder.write(PARTICLES_ESTIMATED_FILE, particles_to_csv(&estimated))?;
         if let Some(truth) = &last.truth {
             folder.write(PARTICLES_TRUE_FILE, particles_to_csv(truth))?;
@@ -101,7 +104,8 @@ fn write_motion(
         trajectory.to_yaml().map_err(internal)?,
     )?;
     let interaction = &prepared.task.interaction;
-    folder.write(TCP_PATH_FILE, tcp_path_csv(followed, cell, interaction))
+    folder.write(TCP_PATH_FILE, tcp_path_csv(followed, cell, interaction))?;
+    Ok(())
 }
 
 fn write_report(
@@ -116,8 +120,8 @@ fn write_report(
     let wiped = following.map_or_else(|| results.plan.clone(), |f| f.plan(&results.plan));
     let mut facts = facts(prepared, &wiped, prediction);
     facts.extend(following.iter().flat_map(|following| following.facts()));
-    let shown = following.map(|following| (following, following.shown(frames)));
-    let motion = (shown.as_ref()).map(|(following, shown)| shown.input(following, &prepared.task));
+    let shown = following.map(|f| ShownMotion::of(&f.cell, &f.followed, frames));
+    let motion = shown.as_ref().map(|shown| shown.input(&prepared.task));
     let views = views(&results.rounds);
     let rounds = input(&results.rounds, &views, prepared);
     let input = ReportInput {
@@ -136,7 +140,8 @@ fn write_report(
         let png = report::rasterize(&svg, PNG_SCALE).map_err(internal)?;
         folder.write(&format!("{name}.png"), png)?;
     }
-    folder.write(REPORT_FILE, report::page(&input))
+    folder.write(REPORT_FILE, report::page(&input))?;
+    Ok(())
 }
 
 fn title(prepared: &Prepared) -> String {

@@ -1,37 +1,27 @@
 //! The closed loop of `wisch run`: rounds of planning, wiping and interpreting, with a bag of each.
 
-use super::checkpoint::{self, Checkpoints};
 use super::episode::EpisodeRecorder;
 use super::follow::Following;
 use super::prepare::Prepared;
-use super::results::internal;
+use super::results::{internal, json};
 use super::run::{Job, Results};
+use super::watch::{Recorder, Watch, bag_name};
 use super::words::{counted, percent};
 use crate::args::LoopArgs;
 use crate::failure::Failure;
-use crate::output::OutputFolder;
-use crate::progress::Progress;
-use crate::records::{RoundSummary, RoundTimes};
 use crate::terminal::remark;
 use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
-use wisch::geometry::Point3;
 use wisch::interpret::EventKind;
 use wisch::plan::Plan;
-use wisch::represent::{ParticleDistribution, ParticleError, Task};
-use wisch::run::{
-    Ending, Executor, PlannedRound, Recording, Round, RunConfig, RunEvent, Stage, TelemetrySample,
-};
-use wisch_io::{EventRecorder, ProcessExecutor};
-use wisch_report::{EffectFrames, RoundView, RoundsInput};
-use wisch_sim::{GroundTruth, World};
-use wisch_telemetry::{BagHead, BagWriter, WriteError};
-
-/// Between two updates of the progress [samples].
-const SAY_EVERY: usize = 200;
+use wisch::represent::{ParticleDistribution, ParticleError};
+use wisch::run::{Ending, Executor, PlannedRound, Recording, Round, Stage};
+use wisch_io::{EventWriter, PlanRecord, ProcessExecutor, Robot, RoundSummary, RoundTimes};
+use wisch_report::{RoundView, RoundsInput};
+use wisch_sim::{Checkpoints, GroundTruth, KeptRound, World};
+use wisch_telemetry::WriteError;
 
 /// A round with how long its parts took.
 pub struct Done {
@@ -45,11 +35,6 @@ pub struct Done {
     pub true_performance: Option<f64>,
     /// When somebody pushed [s].
     pub pushes: Vec<[f64; 2]>,
-}
-
-/// What a round's bag is called.
-pub fn bag_name(number: usize) -> String {
-    format!("round-{number}.mcap")
 }
 
 /// Wipes until the goal is met, or no more can be done; says where the episode is kept, if it is.
@@ -69,20 +54,19 @@ pub fn execute(
     let mut episode = EpisodeRecorder::begin(&args.memory)?;
     let config = job.config(Some(args));
     let is_given = given.is_some();
-    let fingerprint = {
-        // More or fewer rounds are no other run.
-        let config = RunConfig {
-            max_rounds: 0,
-            ..config.clone()
-        };
-        let (task, reality) = (&prepared.task, &prepared.reality);
-        let performer = robot.performer();
-        let pushed: [&dyn std::fmt::Debug; 5] = [task, reality, &performer, &given, &config];
-        checkpoint::fingerprint(&pushed)
-    };
-    let kept = match folder.found().is_taken_over {
-        true => checkpoint::read(folder, fingerprint)?,
-        false => Vec::new(),
+    let checkpoints = Checkpoints::new(
+        &folder.state(),
+        identity(prepared, robot, args, given.as_ref())?,
+    );
+    let kept: Vec<KeptRound> = if folder.found().is_taken_over {
+        let rounds = (1..).zip(checkpoints.read());
+        let whole = rounds.take_while(|(number, _)| folder.place(&bag_name(*number)).is_file());
+        let kept: Vec<KeptRound> = whole.map(|(_, kept)| kept).collect();
+        let bags: Vec<String> = (1..=kept.len()).map(bag_name).collect();
+        folder.keep_only(&bags)?;
+        kept
+    } else {
+        Vec::new()
     };
     if args.resume && folder.found().is_taken_over {
         let rounds = counted(kept.len(), "round");
@@ -97,29 +81,20 @@ pub fn execute(
             Executing::World(Box::new(Recording::new(recorded, world)))
         }
     };
-    let mut events = args.events.as_deref().map(EventLog::begin).transpose()?;
+    let mut events = (args.events.as_deref())
+        .map(|path| Ok::<_, Failure>((path, event_writer(path)?)))
+        .transpose()?;
 
     let mut watch = Watch::new(job);
-    let mut recorder = Recorder {
-        folder,
-        progress,
-        checkpoints: Checkpoints::new(folder, fingerprint),
-        taken_over: executed_s.len(),
-        is_realtime: args.realtime,
-        bag: None,
-        samples: 0,
-        round: 0,
-        begin: Instant::now(),
-        duration: 0.0,
-    };
+    let mut recorder = Recorder::new(job, checkpoints, executed_s.len(), args.realtime);
     let mut session = job.session(config, given);
     let result = loop {
         let finished = session.rounds().len();
         let stage = session.step(executor.as_dyn(), &mut |event| {
             watch.see(event)?;
-            if let Some(events) = &mut events {
-                let written = events.see(event);
-                watch.flow(written)?;
+            if let Some((path, events)) = &mut events {
+                let written = events.write(event);
+                watch.flow(written.map_err(|error| no_event(path, &error)))?;
             }
             recorder.round_of(event);
             if recorder.is_taken_over() {
@@ -135,11 +110,16 @@ pub fn execute(
                 watch.times_mut(number).executing_s = *seconds;
             } else if let (None, Some(truth)) = (&watch.failure, executor.truth().last()) {
                 let seconds = watch.times(number).executing_s;
-                recorder.checkpoints.keep(round, truth, seconds)?;
+                (recorder.checkpoints.keep(round, truth, seconds)).map_err(|error| {
+                    let place = folder.state();
+                    Failure::new(format!("{}: cannot write there: {error}", place.display()))
+                        .with_help("choose another folder with --out")
+                })?;
             }
         }
         match stage {
             Ok(Stage::Ended) => break Ok(()),
+            Ok(_) if watch.failure.is_some() || episode.check().is_err() => break Ok(()),
             Ok(_) => {}
             Err(error) => break Err(error),
         }
@@ -171,6 +151,23 @@ pub fn execute(
         rounds,
     };
     Ok((results, kept))
+}
+
+/// What tells this run from others. More or fewer rounds are no other run.
+fn identity(
+    prepared: &Prepared,
+    robot: &Robot,
+    args: &LoopArgs,
+    given: Option<&Plan>,
+) -> Result<u64, Failure> {
+    let mut inputs = prepared.inputs.clone();
+    robot.files.add_to(&mut inputs);
+    inputs.add("pace", if args.greedy { "greedy" } else { "whole" });
+    if let Some(plan) = given {
+        let record = PlanRecord::new(&prepared.task, plan, prepared.config.seed);
+        inputs.add("plan", json(&record)?);
+    }
+    Ok(inputs.value())
 }
 
 /// What executes the motions.
@@ -213,42 +210,21 @@ fn cannot_write(error: WriteError) -> Failure {
     Failure::new(error).with_help("choose another folder with --out")
 }
 
-/// What happens, as JSON lines.
-struct EventLog {
-    place: String,
-    output: Box<dyn Write>,
-    recorder: EventRecorder,
+/// Where `--events` go.
+fn event_writer(path: &Path) -> Result<EventWriter<Box<dyn Write>>, Failure> {
+    let output: Box<dyn Write> = if path == Path::new("-") {
+        Box::new(std::io::stdout())
+    } else {
+        let file = File::create(path).map_err(|error| no_event(path, &error))?;
+        Box::new(BufWriter::new(file))
+    };
+    Ok(EventWriter::new(output))
 }
 
-impl EventLog {
-    fn begin(path: &Path) -> Result<Self, Failure> {
-        let place = path.display().to_string();
-        let output: Box<dyn Write> = if place == "-" {
-            Box::new(std::io::stdout())
-        } else {
-            let file = File::create(path)
-                .map_err(|error| Failure::new(format!("{place}: cannot write there: {error}")))?;
-            Box::new(BufWriter::new(file))
-        };
-        Ok(Self {
-            place,
-            output,
-            recorder: EventRecorder::default(),
-        })
-    }
-
-    fn see(&mut self, event: &RunEvent<'_>) -> Result<(), Failure> {
-        let Some(record) = self.recorder.record(event) else {
-            return Ok(());
-        };
-        let mut line = serde_json::to_vec(&record).map_err(internal)?;
-        line.push(b'\n');
-        (self
-            .output
-            .write_all(&line)
-            .and_then(|()| self.output.flush()))
-        .map_err(|error| Failure::new(format!("{}: cannot write there: {error}", self.place)))
-    }
+fn no_event(path: &Path, error: &std::io::Error) -> Failure {
+    let place = path.display();
+    Failure::new(format!("{place}: cannot write there: {error}"))
+        .with_help("choose another file with --events")
 }
 
 impl Done {
@@ -275,196 +251,6 @@ impl Done {
             times,
         })
     }
-}
-
-/// Looks on while a session goes on: says where it is, takes the time, and keeps the first round's predicted effect.
-pub struct Watch<'a> {
-    task: &'a Task,
-    progress: &'a Progress,
-    failure: Option<Failure>,
-    frames: Option<EffectFrames>,
-    times: Vec<RoundTimes>,
-    since: Instant,
-}
-
-impl<'a> Watch<'a> {
-    pub fn new(job: &Job<'a>) -> Self {
-        Self {
-            task: &job.prepared.task,
-            progress: job.progress,
-            failure: None,
-            frames: None,
-            times: Vec::new(),
-            since: Instant::now(),
-        }
-    }
-
-    /// How long the stages of a round took.
-    pub fn times(&self, round: usize) -> RoundTimes {
-        self.times.get(round - 1).copied().unwrap_or_default()
-    }
-
-    fn times_mut(&mut self, round: usize) -> &mut RoundTimes {
-        self.times
-            .resize(self.times.len().max(round), RoundTimes::default());
-        &mut self.times[round - 1]
-    }
-
-    /// What the first round was predicted to do, over time.
-    pub fn take_frames(&mut self) -> Result<EffectFrames, Failure> {
-        let frames = self.frames.take();
-        frames.ok_or_else(|| internal("no effect was predicted"))
-    }
-
-    pub fn see(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
-        match event {
-            RunEvent::Planning { round } => {
-                self.progress.say(format!("round {round}: planning"));
-                self.since = Instant::now();
-            }
-            RunEvent::Planned { round, .. } => {
-                self.take(*round, |times| &mut times.planning_s);
-            }
-            RunEvent::Following {
-                round,
-                passed,
-                nodes,
-            } => self.progress.say(format!(
-                "round {round}: following, {passed} of {nodes} nodes"
-            )),
-            RunEvent::Predicting {
-                round: 1,
-                wiped,
-                progress,
-            } => {
-                let frames = self.frames.take();
-                let mut frames = frames.unwrap_or_else(|| EffectFrames::new(self.task, wiped));
-                frames.watch(progress);
-                self.frames = Some(frames);
-            }
-            RunEvent::Audited { round, .. } => {
-                self.take(*round, |times| &mut times.following_s);
-            }
-            RunEvent::Interpreting { round } => {
-                self.take(*round, |times| &mut times.executing_s);
-                self.progress.say(format!("round {round}: interpreting"));
-            }
-            RunEvent::Judged(round) => {
-                self.take(round.motion.number, |times| &mut times.interpreting_s);
-            }
-            RunEvent::Predicting { .. }
-            | RunEvent::Executing(_)
-            | RunEvent::Sample(_)
-            | RunEvent::Ended(_) => {}
-        }
-        ControlFlow::Continue(())
-    }
-
-    /// Books the time since the last booking.
-    fn take(&mut self, round: usize, part: impl Fn(&mut RoundTimes) -> &mut f64) {
-        let seconds = self.since.elapsed().as_secs_f64();
-        *part(self.times_mut(round)) += seconds;
-        self.since = Instant::now();
-    }
-
-    fn flow(&mut self, result: Result<(), Failure>) -> ControlFlow<()> {
-        match result {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(failure) => {
-                self.failure.get_or_insert(failure);
-                ControlFlow::Break(())
-            }
-        }
-    }
-}
-
-/// Writes what is measured: a bag of each round, and what a killed run can be resumed with.
-struct Recorder<'a> {
-    folder: &'a OutputFolder,
-    progress: &'a Progress,
-    checkpoints: Checkpoints,
-    /// Rounds that an earlier run executed and recorded.
-    taken_over: usize,
-    is_realtime: bool,
-    bag: Option<BagWriter>,
-    samples: usize,
-    round: usize,
-    begin: Instant,
-    /// How long the round's motion takes [s].
-    duration: f64,
-}
-
-impl Recorder<'_> {
-    fn round_of(&mut self, event: &RunEvent<'_>) {
-        if let RunEvent::Executing(planned) = event {
-            self.round = planned.number;
-        }
-    }
-
-    const fn is_taken_over(&self) -> bool {
-        self.round <= self.taken_over
-    }
-
-    fn see(&mut self, event: &RunEvent<'_>) -> Result<(), WriteError> {
-        match event {
-            RunEvent::Executing(planned) => self.begin(planned),
-            RunEvent::Sample(sample) => self.sample(sample),
-            RunEvent::Interpreting { .. } => self.bag.take().map_or(Ok(()), BagWriter::finish),
-            _ => Ok(()),
-        }
-    }
-
-    fn begin(&mut self, planned: &PlannedRound) -> Result<(), WriteError> {
-        let robot = planned.cell.robot();
-        self.duration = planned.followed.duration();
-        self.samples = 0;
-        self.begin = Instant::now();
-        self.checkpoints.begin();
-        let task = &planned.task;
-        let head = BagHead {
-            joints: (0..robot.dof())
-                .map(|i| robot.variable(i).name.clone())
-                .collect(),
-            world_from_surface: task.surface.world_from_surface,
-            start: 0,
-            notes: [
-                ("task", task.name.clone()),
-                ("round", planned.number.to_string()),
-                ("seed", task.seed.to_string()),
-            ]
-            .map(|(key, value)| (key.to_owned(), value))
-            .into(),
-        };
-        let path = self.folder.place(&bag_name(planned.number));
-        let mut bag = BagWriter::create(&path, head)?;
-        bag.write_particles(0.0, &in_world(task))?;
-        self.bag = Some(bag);
-        Ok(())
-    }
-
-    fn sample(&mut self, sample: &TelemetrySample<'_>) -> Result<(), WriteError> {
-        if self.samples.is_multiple_of(SAY_EVERY) {
-            self.progress.say(format!(
-                "round {}: wiping, {:.1} of {:.1} s",
-                self.round, sample.time, self.duration
-            ));
-        }
-        self.samples += 1;
-        self.checkpoints.sample(sample);
-        if self.is_realtime {
-            let ahead = Duration::try_from_secs_f64(sample.time).unwrap_or_default();
-            std::thread::sleep(ahead.saturating_sub(self.begin.elapsed()));
-        }
-        self.bag.as_mut().map_or(Ok(()), |bag| bag.write(sample))
-    }
-}
-
-/// Where a task's particles are believed to lie in the world.
-fn in_world(task: &Task) -> Vec<Point3> {
-    let remaining = task.particles.remaining();
-    remaining
-        .map(|p| task.surface.world_from_surface * Point3::new(p.x, p.y, 0.0))
-        .collect()
 }
 
 /// What `--json` says of a round.
@@ -507,8 +293,8 @@ pub fn rounds_in_words(done: &[Done]) -> Vec<(&'static str, String)> {
     done.iter()
         .map(|done| {
             let round = &done.round;
-            let told = &round.interpretation;
-            let estimate = &told.performance;
+            let interpretation = &round.interpretation;
+            let estimate = &interpretation.performance;
             let mut text = format!(
                 "estimated {} ({} to {})",
                 percent(estimate.mean),
@@ -518,14 +304,14 @@ pub fn rounds_in_words(done: &[Done]) -> Vec<(&'static str, String)> {
             if let Some(truth) = done.true_performance {
                 text += &format!(", true {}", percent(truth));
             }
-            let collisions = (told.events.iter())
+            let collisions = (interpretation.events.iter())
                 .filter(|event| event.kind == EventKind::Collision)
                 .count();
             if collisions > 0 {
                 text += &format!(", {}", counted(collisions, "collision"));
             }
-            if let wisch::interpret::Diagnosis::Relocalize { .. } = told.diagnosis
-                && let Some(plane) = &told.plane
+            if let wisch::interpret::Diagnosis::Relocalize { .. } = interpretation.diagnosis
+                && let Some(plane) = &interpretation.plane
             {
                 text += &format!(
                     ", surface found tilted by {:.1}° and {:.1} mm off",

@@ -3,23 +3,24 @@
 use super::follow::{Chosen, Following, performer, workcell_config};
 use super::prepare::Prepared;
 use super::results::{internal, out_folder, write};
-use super::rounds::{Done, Watch, execute};
+use super::rounds::{Done, execute};
 use super::summary::{in_words, summary};
+use super::watch::Watch;
 use super::words::counted;
 use crate::args::{
     FollowArgs, GlobalArgs, LoopArgs, PredictArgs, ResultArgs, RobotArgs, RunArgs, TaskArgs,
     WipeArgs,
 };
 use crate::failure::Failure;
-use crate::output::OutputFolder;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, remark};
-use crate::workplace::{Found, Leftover};
 use std::path::Path;
 use wisch::follow::WorkcellConfig;
 use wisch::plan::{Plan, Prediction, predict};
 use wisch::recover::Verdict;
 use wisch::run::{NoExecutor, Pace, RunConfig, RunError, RunEvent, Session, Stage};
+use wisch_io::OutputFolder;
+use wisch_io::{Found, Leftover};
 use wisch_io::{PlanRecord, Robot, read_text};
 use wisch_report::EffectFrames;
 

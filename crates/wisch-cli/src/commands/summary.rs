@@ -5,9 +5,9 @@ use super::prepare::Prepared;
 use super::rounds::{Done, rounds_in_words, summary as summary_of_round};
 use super::run::Results;
 use super::words::{counted, percent};
-use crate::output::{FOLLOWING_FILE, PLAN_FILE, REPORT_FILE};
-use crate::records::{FollowingSummary, LoopSummary, PredictionSummary, SUMMARY_SCHEMA, Summary};
 use std::path::Path;
+use wisch_io::{FOLLOWING_FILE, PLAN_FILE, REPORT_FILE, path_in_results};
+use wisch_io::{FollowingSummary, LoopSummary, PredictionSummary, SUMMARY_SCHEMA, Summary};
 
 /// The record.
 pub(super) fn summary(prepared: &Prepared, results: &Results, out: &Path) -> Summary {
@@ -166,12 +166,21 @@ fn robot_in_words(following: &FollowingSummary) -> Vec<(&'static str, String)> {
     if let Some(obstruction) = &following.first_obstruction {
         lines.push((
             "abandoned first",
-            format!("{obstruction}; all of them in {FOLLOWING_FILE}"),
+            format!(
+                "{obstruction}; all of them in {}",
+                path_in_results(FOLLOWING_FILE).display()
+            ),
         ));
     }
     if following.faults > 0 {
         let faults = counted(following.faults, "fault");
-        lines.push(("faults", format!("{faults}, see {FOLLOWING_FILE}")));
+        lines.push((
+            "faults",
+            format!(
+                "{faults}, see {}",
+                path_in_results(FOLLOWING_FILE).display()
+            ),
+        ));
     }
     lines
 }

@@ -1,6 +1,7 @@
 //! What happens in a session, as records: one JSON object a line.
 
 use serde::Serialize;
+use std::io::{self, Write};
 use wisch::run::{Ending, RunEvent};
 
 /// The schema of the records of events.
@@ -92,15 +93,35 @@ pub enum RunEventRecord {
     },
 }
 
-/// Makes records of events, of samples only every fiftieth.
-#[derive(Debug, Clone, Default)]
-pub struct EventRecorder {
+/// Writes events as JSON lines, of samples only every fiftieth.
+#[derive(Debug)]
+pub struct EventWriter<W> {
+    output: W,
     samples: usize,
 }
 
-impl EventRecorder {
+impl<W: Write> EventWriter<W> {
+    /// Writes to this.
+    pub const fn new(output: W) -> Self {
+        Self { output, samples: 0 }
+    }
+
+    /// Writes what there is to say of an event.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn write(&mut self, event: &RunEvent<'_>) -> io::Result<()> {
+        let Some(record) = self.record(event) else {
+            return Ok(());
+        };
+        let mut line = serde_json::to_vec(&record)?;
+        line.push(b'\n');
+        self.output.write_all(&line)?;
+        self.output.flush()
+    }
+
     /// The record of an event; `None` of one that is passed over.
-    pub fn record(&mut self, event: &RunEvent<'_>) -> Option<RunEventRecord> {
+    fn record(&mut self, event: &RunEvent<'_>) -> Option<RunEventRecord> {
         Some(match *event {
             RunEvent::Planning { round } => RunEventRecord::Planning {
                 schema: EVENT_SCHEMA,

@@ -5,9 +5,11 @@ mod event;
 mod followed;
 mod interpretation;
 mod plan;
+mod rounds;
+mod summary;
 mod trajectory;
 
-pub use event::{EVENT_SCHEMA, EventRecorder, RunEventRecord};
+pub use event::{EVENT_SCHEMA, EventWriter, RunEventRecord};
 pub use followed::{
     AbandonedRecord, AttemptRecord, FollowedRecord, MotionRecord, PlacementRecord, WipedRecord,
 };
@@ -18,4 +20,6 @@ pub use plan::{
     GoalRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA, PlanRecord, PlanRecordError,
     PlanarPoseRecord, PoseRecord, RoleRecord, StrokeRecord, WaypointRecord,
 };
+pub use rounds::{LoopSummary, RoundSummary, RoundTimes};
+pub use summary::{FollowingSummary, PredictionSummary, SUMMARY_SCHEMA, Summary};
 pub use trajectory::{RobotTrajectory, tcp_path_csv};

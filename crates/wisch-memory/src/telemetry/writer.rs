@@ -150,17 +150,23 @@ impl TelemetryWriter {
         })
     }
 
-    /// Adds a sample.
+    /// Adds a sample. Velocities and efforts that are not measured, empty arrays, are written as NaN.
     ///
     /// # Errors
     /// A time that is not finite, negative or not later than the last; arrays of another length than there are
     /// joints; or what the system says.
     pub fn write(&mut self, sample: &TelemetrySample<'_>) -> Result<(), TelemetryError> {
-        let arrays = [
+        let unmeasured = vec![f64::NAN; self.joints];
+        let mut arrays = [
             ("positions", sample.positions),
             ("velocities", sample.velocities),
             ("efforts", sample.efforts),
         ];
+        for (_, values) in &mut arrays[1..] {
+            if values.is_empty() {
+                *values = &unmeasured;
+            }
+        }
         for (what, values) in arrays {
             if values.len() != self.joints {
                 return Err(TelemetryError::Count {

@@ -3,6 +3,7 @@
 mod above;
 #[cfg(test)]
 mod demo;
+mod followed;
 mod input;
 mod joints;
 mod sampled;
@@ -10,6 +11,7 @@ mod sampled;
 mod tests;
 mod viewer;
 
+pub use followed::ShownMotion;
 pub use input::{Contact, MotionInput, ParticleFrame, Phase, Placement, RatedPlace};
 
 use crate::draw::{Entry, Panel, legend};

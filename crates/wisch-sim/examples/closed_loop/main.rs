@@ -4,24 +4,17 @@
 //! cargo run --release --package wisch-sim --example closed_loop -- [scenario ...] [--seeds N] [--first-seed N]
 //! ```
 
-#[path = "../../../wisch/examples/shipped/robot.rs"]
-mod robot;
-#[path = "../../../wisch/examples/shipped/mod.rs"]
-mod shipped;
 #[path = "../common/whole.rs"]
 mod whole;
 
-use robot::{Robot, humanoid};
-use shipped::{AnyError, knowledge, scenario, task};
 use std::ops::ControlFlow;
-use std::path::Path;
 use std::time::Instant;
-use whole::run_config;
+use whole::{by_density, run_config};
 use wisch::interpret::EventKind;
-use wisch::represent::KnowledgeBase;
-use wisch::run::{Performer, PlannedRound, Round, RunEvent, Session};
-use wisch_io::Intent;
+use wisch::run::{PlannedRound, Round, RunEvent, Session};
+use wisch_io::load_task;
 use wisch_sim::{GroundTruth, SimulationSettings, World};
+use wisch_testkit::{AnyError, Robot, humanoid, scenario};
 
 const SCENARIOS: [&str; 3] = [
     "chopping-board",
@@ -43,9 +36,7 @@ fn main() -> Result<(), AnyError> {
     if names.is_empty() {
         names.extend(SCENARIOS.map(str::to_owned));
     }
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let knowledge = knowledge(&root.join("knowledge"))?;
-    let robot = humanoid(&root.join("robots"))?;
+    let robot = humanoid();
     println!(
         "{:22} {:>4} {:>5} {:>6} {:>6} {:>15} {:>6} {:>6} {:>7} {:>6} {:>6} {:>6} {:>5} {:>6} {:>5} verdict",
         "",
@@ -67,7 +58,7 @@ fn main() -> Result<(), AnyError> {
     for name in &names {
         let (mut errors, mut held, mut count) = (Vec::new(), 0, 0);
         for seed in first..first + seeds {
-            let lines = trial(name, seed, &root, &knowledge, &robot)?;
+            let lines = trial(name, seed, &robot)?;
             for (error, is_held) in lines.into_iter().flatten() {
                 errors.push(error);
                 held += usize::from(is_held);
@@ -85,29 +76,14 @@ fn main() -> Result<(), AnyError> {
     Ok(())
 }
 
-fn trial(
-    name: &str,
-    seed: u64,
-    root: &Path,
-    knowledge: &KnowledgeBase,
-    robot: &Robot,
-) -> Result<Vec<Option<(f64, bool)>>, AnyError> {
-    let file = scenario(&root.join(format!("scenarios/{name}.toml")))?;
-    let Intent::Action { action, .. } = file.intent() else {
-        return Err(format!("{name} names no action").into());
-    };
-    let task = task(&file, *action, seed, knowledge, root)?;
-    let reality = SimulationSettings::of(file.execution(), &task, knowledge)?;
-    let config = run_config(&file, seed);
-    let performer = Performer {
-        robot: &robot.model,
-        srdf: Some(&robot.srdf),
-        map: robot.map.as_ref(),
-    };
+fn trial(name: &str, seed: u64, robot: &Robot) -> Result<Vec<Option<(f64, bool)>>, AnyError> {
+    let loaded = load_task(&scenario(name), &by_density(seed))?;
+    let task = &loaded.task;
+    let reality = SimulationSettings::of(loaded.file.execution(), task, &loaded.knowledge)?;
     let mut begin = Instant::now();
     let mut seconds = Vec::new();
-    let mut world = World::new(&task, reality);
-    let mut session = Session::new(&task, config).with_robot(performer);
+    let mut world = World::new(task, reality);
+    let mut session = Session::new(task, run_config(&loaded)).with_robot(robot.performer());
     session.run(&mut world, &mut |event| {
         match event {
             RunEvent::Executing(_) => begin = Instant::now(),

@@ -1,20 +1,25 @@
 //! How the examples run the whole loop.
 
 use wisch::follow::WorkcellConfig;
-use wisch::plan::{CoverageStrategy, PlanConfig};
+use wisch::plan::CoverageStrategy;
 use wisch::run::RunConfig;
-use wisch_io::TaskFile;
+use wisch_io::{LoadOptions, LoadedTask};
 
-/// As `wisch run` does it, with plans by density.
-pub fn run_config(file: &TaskFile, seed: u64) -> RunConfig {
+/// A scenario of this seed, with plans by density.
+pub fn by_density(seed: u64) -> LoadOptions {
+    LoadOptions {
+        strategy: Some(CoverageStrategy::Kde),
+        seed: Some(seed),
+        ..LoadOptions::default()
+    }
+}
+
+/// As `wisch run` does it.
+pub fn run_config(loaded: &LoadedTask) -> RunConfig {
+    let file = &loaded.file;
     let robot = file.robot();
     RunConfig {
-        plan: PlanConfig {
-            strategy: CoverageStrategy::Kde,
-            seed,
-            bandwidth: file.bandwidth_m(),
-            lift_height: file.lift_height_m(),
-        },
+        plan: loaded.config.clone(),
         variants: file.plan_variants(),
         workcell: WorkcellConfig {
             group: robot.and_then(|robot| robot.group.clone()),

@@ -9,35 +9,27 @@
 //! Exits with 1 if any of it happened.
 
 mod draw;
-#[path = "../../../wisch/examples/shipped/robot.rs"]
-mod robot;
-#[path = "../../../wisch/examples/shipped/mod.rs"]
-mod shipped;
 mod summary;
 #[path = "../common/whole.rs"]
 mod whole;
 
 use draw::disturbed;
 use rayon::prelude::*;
-use robot::{Robot, humanoid};
-use shipped::{AnyError, knowledge, scenario, task};
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::Path;
 use std::process::ExitCode;
 use summary::{Episode, Fate, Pass, Summary};
-use whole::run_config;
+use whole::{by_density, run_config};
 use wisch::interpret::EventKind;
-use wisch::represent::{KnowledgeBase, ParticleError};
-use wisch::run::{Performer, PlannedRound, Round, RunEvent, Session, TelemetrySample};
-use wisch_io::{Intent, TaskFile};
+use wisch::represent::ParticleError;
+use wisch::run::{PlannedRound, Round, RunEvent, Session, TelemetrySample};
+use wisch_io::load_task;
 use wisch_sim::{GroundTruth, SimulationSettings, World};
+use wisch_testkit::{AnyError, Robot, humanoid, scenario};
 
 /// What every episode has in common.
-struct Stage<'a> {
-    root: &'a Path,
-    file: TaskFile,
-    knowledge: KnowledgeBase,
+struct Stage {
+    name: String,
     robot: Robot,
 }
 
@@ -59,12 +51,12 @@ fn main() -> Result<ExitCode, AnyError> {
             other => return Err(format!("{other:?} is no option").into()),
         }
     }
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let target = load_task(&scenario(&name), &by_density(first))?
+        .file
+        .target_performance();
     let stage = Stage {
-        root: &root,
-        file: scenario(&root.join(format!("scenarios/{name}.toml")))?,
-        knowledge: knowledge(&root.join("knowledge"))?,
-        robot: humanoid(&root.join("robots"))?,
+        name,
+        robot: humanoid(),
     };
     if only.is_empty() {
         only.extend(first..first + seeds);
@@ -79,12 +71,12 @@ fn main() -> Result<ExitCode, AnyError> {
             episode
         })
         .collect();
-    let summary = Summary::of(&episodes, stage.file.target_performance());
+    let summary = Summary::of(&episodes, target);
     print!("{summary}");
     Ok(ExitCode::from(u8::from(!summary.is_clean())))
 }
 
-impl Stage<'_> {
+impl Stage {
     /// One episode; whatever happens in it stays in it.
     fn episode(&self, seed: u64) -> Episode {
         let mut bad_samples = 0;
@@ -121,24 +113,16 @@ impl Stage<'_> {
         disturbances: &mut Option<SimulationSettings>,
         bad_samples: &mut usize,
     ) -> Result<Vec<Pass>, AnyError> {
-        let file = &self.file;
-        let Intent::Action { action, .. } = file.intent() else {
-            return Err(format!("{} names no action", file.name()).into());
-        };
-        let task = task(file, *action, seed, &self.knowledge, self.root)?;
+        let loaded = load_task(&scenario(&self.name), &by_density(seed))?;
+        let task = &loaded.task;
         let reality = disturbed(
-            &SimulationSettings::of(file.execution(), &task, &self.knowledge)?,
+            &SimulationSettings::of(loaded.file.execution(), task, &loaded.knowledge)?,
             seed,
         );
         *disturbances = Some(reality.clone());
-        let config = run_config(file, seed);
-        let performer = Performer {
-            robot: &self.robot.model,
-            srdf: Some(&self.robot.srdf),
-            map: self.robot.map.as_ref(),
-        };
-        let mut world = World::new(&task, reality);
-        let mut session = Session::new(&task, config).with_robot(performer);
+        let mut world = World::new(task, reality);
+        let performer = self.robot.performer();
+        let mut session = Session::new(task, run_config(&loaded)).with_robot(performer);
         session.run(&mut world, &mut |event| {
             if let RunEvent::Sample(sample) = event {
                 *bad_samples += usize::from(!is_finite(sample));

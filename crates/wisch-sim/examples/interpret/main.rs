@@ -5,15 +5,7 @@
 //! cargo run --release --package wisch-sim --example interpret -- [scenario, default chopping-board] [action, default the scenario's] [seed, default 1]
 //! ```
 
-#[path = "../../../wisch/examples/shipped/robot.rs"]
-mod robot;
-#[path = "../../../wisch/examples/shipped/mod.rs"]
-mod shipped;
-
-use robot::humanoid;
-use shipped::{AnyError, knowledge, scenario, task};
 use std::ops::ControlFlow;
-use std::path::Path;
 use std::time::Instant;
 use wisch::control::ControlConfig;
 use wisch::follow::{FollowConfig, Followed, Workcell, WorkcellConfig, follow};
@@ -21,11 +13,12 @@ use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::{
     Belief, EventKind, InterpretConfig, Interpretation, TouchSample, interpret,
 };
-use wisch::plan::{CoverageStrategy, PlanConfig, plan};
+use wisch::plan::{CoverageStrategy, plan};
 use wisch::represent::{Action, GoalState, Task};
 use wisch::run::MotionOrder;
-use wisch_io::{Intent, Push};
+use wisch_io::{LoadOptions, LoadedTask, Push, load_task};
 use wisch_sim::{Dirt, SimulationSettings, execute};
+use wisch_testkit::{AnyError, humanoid, scenario};
 
 /// Force [N] and duration [s] of the pushes.
 const PUSH: [f64; 2] = [15.0, 0.8];
@@ -142,29 +135,27 @@ fn main() -> Result<(), AnyError> {
         .unwrap_or_else(|| "chopping-board".to_owned());
     let asked = arguments.next();
     let seed: u64 = arguments.next().map_or(Ok(1), |text| text.parse())?;
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let knowledge = knowledge(&root.join("knowledge"))?;
-    let robot = humanoid(&root.join("robots"))?;
-    let file = scenario(&root.join(format!("scenarios/{name}.toml")))?;
-    let Intent::Action { action, .. } = file.intent() else {
-        return Err(format!("{name} names no action").into());
-    };
-    let action = match asked {
-        None => *action,
-        Some(asked) => (Action::ALL.into_iter())
+    let robot = humanoid();
+    let named = |asked: String| {
+        let mut actions = Action::ALL.into_iter();
+        actions
             .find(|action| action.as_str() == asked)
-            .ok_or("no such action")?,
+            .ok_or("no such action")
     };
-    let task = task(&file, action, seed, &knowledge, &root)?;
-    let plan = plan(
-        &task,
-        &PlanConfig {
-            strategy: CoverageStrategy::Kde,
-            seed,
-            bandwidth: file.bandwidth_m(),
-            lift_height: file.lift_height_m(),
-        },
-    )?;
+    let options = LoadOptions {
+        action: asked.map(named).transpose()?,
+        strategy: Some(CoverageStrategy::Kde),
+        seed: Some(seed),
+        ..LoadOptions::default()
+    };
+    let LoadedTask {
+        file,
+        task,
+        config,
+        knowledge,
+        ..
+    } = load_task(&scenario(&name), &options)?;
+    let plan = plan(&task, &config)?;
     let cell_config = WorkcellConfig {
         world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
         ..WorkcellConfig::default()

@@ -1,12 +1,12 @@
 //! Pushes, things in the way, a surface that is not where it is believed.
 
-use crate::board::block;
-use crate::wiping::{FORCE, Wiping, controller_faults};
+use super::wiping::{FORCE, Wiping, controller_faults};
 use nalgebra::UnitQuaternion;
 use wisch::geometry::Vector3;
 use wisch::represent::{Action, ScenePart};
 use wisch::run::{Ending, StopCause};
 use wisch_io::{FrictionChange, Push};
+use wisch_testkit::block;
 
 /// What a person who pushes with 40 N may meet at most [N].
 const RESISTANCE: f64 = 13.0;

@@ -1,6 +1,6 @@
 //! Real dirt under a real tool.
 
-use crate::wiping::{Log, Wiping};
+use super::wiping::{Log, Wiping};
 use proptest::prelude::*;
 use wisch::geometry::Point2;
 use wisch::represent::{Action, Fate, ParticleDistribution};
@@ -139,7 +139,7 @@ proptest! {
 
     #[test]
     fn grains_are_as_large_and_as_stubborn_as_reality_says(seed in any::<u64>()) {
-        let reality = crate::wiping::as_believed();
+        let reality = super::wiping::as_believed();
         let points: Vec<Point2> = (0..800).map(|i| Point2::new(f64::from(i), 0.0)).collect();
         let particles = ParticleDistribution::new(&points).unwrap();
         let dirt = Dirt::scatter(&particles, &reality, seed);

@@ -1,19 +1,14 @@
 //! The humanoid at the chopping board: its torso, its coupled joint and its base take part.
 
-use crate::problems::robots;
-use crate::wiping::{Wiping, as_believed, faults};
-use std::path::{Path, PathBuf};
+use super::wiping::{Wiping, as_believed, faults};
 use wisch::control::ControlConfig;
 use wisch::follow::{FollowConfig, Workcell, WorkcellConfig, follow};
-use wisch::plan::{CoverageStrategy, Plan, plan};
+use wisch::plan::{CoverageStrategy, plan};
 use wisch::represent::Action;
 use wisch::run::Ending;
 use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_sim::Dirt;
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
+use wisch_testkit::{first_stroke, humanoid, scenario};
 
 /// Its first stroke.
 fn wiping() -> Wiping {
@@ -23,16 +18,11 @@ fn wiping() -> Wiping {
         seed: Some(1),
         ..LoadOptions::default()
     };
-    let path = root().join("scenarios/chopping-board.toml");
     let LoadedTask {
         file, task, config, ..
-    } = load_task(&path, &options).unwrap();
-    let plan = plan(&task, &config).unwrap();
-    let plan = Plan {
-        strokes: plan.strokes.into_iter().take(1).collect(),
-        ..plan
-    };
-    let [.., humanoid] = robots().unwrap();
+    } = load_task(&scenario("chopping-board"), &options).unwrap();
+    let plan = first_stroke(plan(&task, &config).unwrap());
+    let humanoid = humanoid();
     let config = WorkcellConfig {
         world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
         ..WorkcellConfig::default()

@@ -1,14 +1,13 @@
 //! One stroke of the arm of seven joints over a small board, to be executed in any reality.
 
-use crate::board::{board, cell, planned};
 use std::ops::ControlFlow;
 use wisch::control::ControlConfig;
 use wisch::follow::{FollowConfig, Followed, Phase, Workcell, follow};
 use wisch::geometry::{Pose, Vector3};
-use wisch::plan::Plan;
 use wisch::represent::{Action, GrainSize, LogNormal, MediumKind, Task};
 use wisch::run::{Ending, Execution, MotionOrder, TelemetrySample};
 use wisch_sim::{Dirt, GroundTruth, SimulationSettings, execute};
+use wisch_testkit::{board, cell, first_stroke, planned};
 
 /// Force that the tool shall be pressed on with [N].
 pub const FORCE: f64 = 10.0;
@@ -58,11 +57,7 @@ impl Wiping {
     /// The first stroke of the board's plan, without dirt.
     pub fn of_one_stroke(action: Action) -> Self {
         let task = board(action, [0.5, 0.0, 0.2]);
-        let plan = planned(&task);
-        let plan = Plan {
-            strokes: plan.strokes.into_iter().take(1).collect(),
-            ..plan
-        };
+        let plan = first_stroke(planned(&task));
         let cell = cell(&task);
         let config = FollowConfig::default();
         let followed = follow(&task, &plan, &cell, None, &config, &mut |_| ()).unwrap();

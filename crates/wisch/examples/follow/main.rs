@@ -7,19 +7,12 @@
 //!
 //! Seeds run one after the other, so that the times of one cell are those of one run.
 
-#[path = "../shipped/robot.rs"]
-mod robot;
-#[path = "../shipped/mod.rs"]
-mod shipped;
-
-use robot::{Robot, humanoid};
-use shipped::{AnyError, SCENARIOS, knowledge, scenario, task};
-use std::path::Path;
 use std::time::Instant;
 use wisch::follow::{FollowConfig, Workcell, WorkcellConfig, audit, follow};
-use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan, predict};
-use wisch::represent::{Action, Task};
-use wisch_io::TaskFile;
+use wisch::plan::{CoverageStrategy, Plan, plan, predict};
+use wisch::represent::Action;
+use wisch_io::{LoadOptions, LoadedTask, load_task};
+use wisch_testkit::{AnyError, Robot, TABLE_1, humanoid, scenario};
 
 /// Table 1, KDE: action × scenario × (performance [%], execution time [s], computation time [s]).
 const PAPER: [[[f64; 3]; 3]; 3] = [
@@ -61,9 +54,7 @@ fn main() -> Result<(), AnyError> {
     if count == 0 {
         return Err("at least one seed is needed".into());
     }
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let knowledge = knowledge(&root.join("knowledge"))?;
-    let robot = humanoid(&root.join("robots"))?;
+    let robot = humanoid();
     println!("seeds {first} to {}", first + count - 1);
     println!(
         "{:18} {:>7} {:>7} {:>9} {:>7} {:>7} {:>8} {:>6} {:>7} {:>7} {:>7} {:>7} {:>6}",
@@ -83,12 +74,16 @@ fn main() -> Result<(), AnyError> {
     );
     let mut all: Vec<Trial> = Vec::new();
     for (a, action) in Action::ALL.into_iter().enumerate() {
-        for (s, name) in SCENARIOS.into_iter().enumerate() {
-            let scenario = scenario(&root.join(format!("scenarios/{name}.toml")))?;
+        for (s, name) in TABLE_1.into_iter().enumerate() {
             let mut trials = Vec::new();
             for seed in first..first + count {
-                let task = task(&scenario, action, seed, &knowledge, &root)?;
-                trials.push(trial(&task, &scenario, &robot)?);
+                let options = LoadOptions {
+                    action: Some(action),
+                    strategy: Some(CoverageStrategy::Kde),
+                    seed: Some(seed),
+                    ..LoadOptions::default()
+                };
+                trials.push(trial(&load_task(&scenario(name), &options)?, &robot)?);
             }
             let mean = |of: &dyn Fn(&Trial) -> f64| {
                 trials.iter().map(of).sum::<f64>() / trials.len() as f64
@@ -122,15 +117,10 @@ fn main() -> Result<(), AnyError> {
     Ok(())
 }
 
-fn trial(task: &Task, file: &TaskFile, robot: &Robot) -> Result<Trial, AnyError> {
+fn trial(loaded: &LoadedTask, robot: &Robot) -> Result<Trial, AnyError> {
     let begin = Instant::now();
-    let config = PlanConfig {
-        strategy: CoverageStrategy::Kde,
-        seed: task.seed,
-        bandwidth: file.bandwidth_m(),
-        lift_height: file.lift_height_m(),
-    };
-    let plan = plan(task, &config)?;
+    let LoadedTask { file, task, .. } = loaded;
+    let plan = plan(task, &loaded.config)?;
     let config = WorkcellConfig {
         world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
         ..WorkcellConfig::default()

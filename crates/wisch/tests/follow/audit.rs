@@ -1,6 +1,5 @@
 //! Each kind of fault is found where it is planted.
 
-use crate::board::{arm7, block, board, cell, planned};
 use std::mem::discriminant;
 use wisch::follow::{
     FollowConfig, FollowError, Followed, JointPath, Motion, MotionFault, Phase, TimingConfig,
@@ -8,6 +7,7 @@ use wisch::follow::{
 };
 use wisch::represent::{Action, Task};
 use wisch::robot::{RobotModel, SEGMENT_RESOLUTION, Srdf};
+use wisch_testkit::{arm7, block, board, cell, planned};
 
 struct Good {
     task: Task,
@@ -153,7 +153,7 @@ fn a_tool_beside_short_of_or_turned_from_its_line_is_off_it() {
 #[test]
 fn motions_of_another_robot_are_an_error() {
     let mut good = good();
-    let [_, arm6, _] = crate::problems::robots().unwrap();
+    let [_, arm6, _] = wisch_testkit::robots();
     let config = WorkcellConfig::default();
     good.cell = Workcell::new(arm6.model, Some(&arm6.srdf), &good.task, &config).unwrap();
     let config = FollowConfig::default();
@@ -248,7 +248,7 @@ fn a_node_left_out_and_a_stroke_elsewhere_are_found() {
         followed,
     } = good();
     let plan = planned(&task);
-    let found = |followed: &Followed| crate::board::faults(&task, &plan, &cell, followed);
+    let found = |followed: &Followed| wisch_testkit::faults(&task, &plan, &cell, followed);
     assert_eq!(found(&followed), [] as [String; 0]);
 
     let mut lost = followed.clone();

@@ -1,8 +1,6 @@
 //! Both hands on a broom.
 
-use crate::board::{self, board, cell};
-use crate::humanoid::{planned, shipped};
-use crate::problems::robots;
+use super::humanoid::{planned, shipped};
 use wisch::follow::{
     AllowedContact, FollowConfig, FollowError, Followed, GRIP_TOLERANCE, LEAN_TOLERANCE,
     MotionFault, Phase, Workcell, WorkcellConfig, audit, follow,
@@ -10,12 +8,13 @@ use wisch::follow::{
 use wisch::geometry::{Point3, Vector3};
 use wisch::represent::{Action, Task};
 use wisch_io::TaskFile;
+use wisch_testkit::{board, cell, faults, humanoid};
 
 /// How far the humanoid's hand reaches beyond its link's origin: a capsule of 0.12 m about 0.2 m [m].
 const HAND: f64 = 0.32;
 
 fn sweeping(file: &TaskFile, task: &Task, second: Option<&str>) -> Result<Workcell, FollowError> {
-    let [.., humanoid] = robots().unwrap();
+    let humanoid = humanoid();
     let config = WorkcellConfig {
         second_group: second.map(Into::into),
         world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
@@ -31,7 +30,7 @@ fn swept() -> (TaskFile, Task, Workcell, Followed) {
     let cell = sweeping(&file, &task, record.second_group.as_deref()).unwrap();
     let mut plan = planned(&file, &task);
     plan.strokes.truncate(1);
-    let [.., humanoid] = robots().unwrap();
+    let humanoid = humanoid();
     let config = FollowConfig::default();
     let followed = follow(
         &task,
@@ -43,10 +42,7 @@ fn swept() -> (TaskFile, Task, Workcell, Followed) {
     );
     let followed = followed.unwrap();
     assert_eq!(followed.abandoned, []);
-    assert_eq!(
-        board::faults(&task, &plan, &cell, &followed),
-        [] as [String; 0]
-    );
+    assert_eq!(faults(&task, &plan, &cell, &followed), [] as [String; 0]);
     (file, task, cell, followed)
 }
 

@@ -1,16 +1,10 @@
 //! The humanoid at the chopping board.
 
-use crate::board::faults;
-use crate::problems::robots;
-use std::path::{Path, PathBuf};
 use wisch::follow::{FollowConfig, Phase, Workcell, WorkcellConfig, follow};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan};
 use wisch::represent::{Action, Task};
 use wisch_io::{LoadOptions, TaskFile, load_task};
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
+use wisch_testkit::{faults, humanoid};
 
 /// A scenario's file, and its task.
 pub fn shipped(scenario: &str, action: Action) -> (TaskFile, Task) {
@@ -19,8 +13,7 @@ pub fn shipped(scenario: &str, action: Action) -> (TaskFile, Task) {
         seed: Some(1),
         ..LoadOptions::default()
     };
-    let path = root().join(format!("scenarios/{scenario}.toml"));
-    let loaded = load_task(&path, &options).unwrap();
+    let loaded = load_task(&wisch_testkit::scenario(scenario), &options).unwrap();
     (loaded.file, loaded.task)
 }
 
@@ -39,7 +32,7 @@ pub fn planned(file: &TaskFile, task: &Task) -> Plan {
 fn the_humanoid_wipes_the_whole_chopping_board_with_its_base_still() {
     let (file, task) = shipped("chopping-board", Action::Collect);
     let plan = planned(&file, &task);
-    let [.., humanoid] = robots().unwrap();
+    let humanoid = humanoid();
     let config = WorkcellConfig {
         world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
         ..WorkcellConfig::default()

@@ -2,12 +2,10 @@
 
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
-use wisch::geometry::{Mesh, Point2, Point3, Polygon, Pose, Region, Vector2, Vector3};
+use wisch::geometry::{Point2, Point3, Pose, Vector2, Vector3};
 use wisch::interpret::TouchSample;
-use wisch::represent::{
-    Action, AngleRange, Interaction, LogNormal, ParticleDistribution, Surface, SurfaceScope, Task,
-    Tool,
-};
+use wisch::represent::{Action, Interaction, LogNormal, ParticleDistribution, Surface, Task};
+use wisch_testkit::{interaction, sponge, surface};
 
 pub const BOARD: [f64; 2] = [0.40, 0.28];
 pub const PRESS: f64 = 10.0;
@@ -21,37 +19,21 @@ const FRICTION: f64 = 0.4;
 /// A board that stands inclined somewhere in the world, so that no frame passes for another.
 pub fn task(count: usize, likelihood: LogNormal) -> Task {
     let surface = Surface {
-        name: "board".into(),
-        outline: Polygon::rectangle(Vector2::from(BOARD)),
         world_from_surface: Pose::new(Vector3::new(0.6, -0.3, 0.8), Vector3::new(0.4, -0.2, 1.1)),
         skim_edges: vec![],
+        ..surface(BOARD)
     };
     Task {
         name: "test".into(),
         action: Action::Absorb,
         scene: vec![],
-        tool: Tool {
-            name: "sponge".into(),
-            mesh: Mesh::cuboid(Vector3::new(0.07, 0.11, 0.05)).unwrap(),
-            footprint: Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))]),
-            area_of_effect: Vector2::new(0.07, 0.11),
-            rotation_about_normal: AngleRange::FULL,
-            tilt: None,
-            grip: None,
-            second_grip: None,
-        },
+        tool: sponge(),
         medium: "breadcrumbs".into(),
         interaction: Interaction {
-            tool: "sponge".into(),
-            medium: "breadcrumbs".into(),
-            surface: SurfaceScope::Any,
-            actions: Action::ALL.into_iter().collect(),
             press_force_n: PRESS,
-            stiffness_n_per_m: 500.0,
-            damping_ratio: 0.7,
-            nullspace_posture_weight: 0.1,
             compression_depth_m: DEPTH,
             likelihood,
+            ..interaction()
         },
         particles: ParticleDistribution::new(&uniform(count)).unwrap(),
         collect_goal: None,

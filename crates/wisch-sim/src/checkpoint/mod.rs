@@ -3,18 +3,16 @@
 //! What a round began with and what followed from it is computed anew, which gives the same; what is kept is
 //! what takes long to compute or cannot be seen in a bag: how the execution went, and what was felt.
 
-use super::checkpoint_record::{CHECKPOINT_SCHEMA, CheckpointRecord};
-use super::results::internal;
-use super::rounds::bag_name;
-use crate::failure::Failure;
-use crate::output::OutputFolder;
-use std::fmt::{self, Write};
+mod record;
+
+use crate::GroundTruth;
+use record::{CHECKPOINT_SCHEMA, CheckpointRecord};
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::TouchSample;
 use wisch::run::{RecordedRound, Round, TelemetrySample};
-use wisch_sim::GroundTruth;
 
 /// Numbers of a sample: time, position, quaternion x, y, z, w, force.
 const NUMBERS: usize = 11;
@@ -22,6 +20,7 @@ const NUMBERS: usize = 11;
 const BYTES: usize = size_of::<f64>();
 
 /// A round of an earlier run, and how long executing it took.
+#[derive(Debug, Clone, PartialEq)]
 pub struct KeptRound {
     /// What was measured, and how it went.
     pub recorded: RecordedRound,
@@ -32,18 +31,19 @@ pub struct KeptRound {
 }
 
 /// Takes down what is felt, and puts it on the disk after every round.
+#[derive(Debug)]
 pub struct Checkpoints {
     folder: PathBuf,
-    fingerprint: u64,
+    identity: u64,
     touches: Vec<u8>,
 }
 
 impl Checkpoints {
-    /// One for a run with this [`fingerprint`].
-    pub fn new(folder: &OutputFolder, fingerprint: u64) -> Self {
+    /// Checkpoints in a folder, of a run that is told from others by this number.
+    pub fn new(folder: &Path, identity: u64) -> Self {
         Self {
-            folder: folder.state(),
-            fingerprint,
+            folder: folder.to_owned(),
+            identity,
             touches: Vec::new(),
         }
     }
@@ -79,57 +79,29 @@ impl Checkpoints {
     ///
     /// # Errors
     /// What the system says.
-    pub fn keep(
-        &self,
-        round: &Round,
-        truth: &GroundTruth,
-        executing_s: f64,
-    ) -> Result<(), Failure> {
+    pub fn keep(&self, round: &Round, truth: &GroundTruth, executing_s: f64) -> io::Result<()> {
         let samples = self.touches.len() / (NUMBERS * BYTES);
-        let record = CheckpointRecord::new(
-            &round.execution,
-            truth,
-            self.fingerprint,
-            samples,
-            executing_s,
-        );
-        let text = serde_json::to_string(&record).map_err(internal)?;
+        let record =
+            CheckpointRecord::new(&round.execution, truth, self.identity, samples, executing_s);
+        let text = serde_json::to_string(&record).map_err(io::Error::other)?;
         let number = round.motion.number;
         // The record, which says that all is there, comes last, and whole or not at all.
         let unfinished = self.folder.join("record");
-        let written = fs::write(touches_path(&self.folder, number), &self.touches)
+        fs::write(touches_path(&self.folder, number), &self.touches)
             .and_then(|()| fs::write(&unfinished, text))
-            .and_then(|()| fs::rename(&unfinished, record_path(&self.folder, number)));
-        written.map_err(|error| {
-            let place = self.folder.display();
-            Failure::new(format!("{place}: cannot write there: {error}"))
-                .with_help("choose another folder with --out")
-        })
+            .and_then(|()| fs::rename(&unfinished, record_path(&self.folder, number)))
+    }
+
+    /// The rounds that a killed run left, as far as they are of this very run, in their order.
+    pub fn read(&self) -> impl Iterator<Item = KeptRound> {
+        (1..).map_while(|number| read_round(&self.folder, number, self.identity))
     }
 }
 
-/// The rounds that a killed run left in a folder, as far as they are of this very run; what else it left is
-/// removed.
-///
-/// # Errors
-/// What the system says.
-pub fn read(folder: &OutputFolder, fingerprint: u64) -> Result<Vec<KeptRound>, Failure> {
-    let state = folder.state();
-    let rounds: Vec<KeptRound> = (1..)
-        .map_while(|number| {
-            let kept = read_round(&state, number, fingerprint)?;
-            folder.place(&bag_name(number)).is_file().then_some(kept)
-        })
-        .collect();
-    let bags: Vec<String> = (1..=rounds.len()).map(bag_name).collect();
-    folder.keep_only(&bags)?;
-    Ok(rounds)
-}
-
-fn read_round(state: &Path, number: usize, fingerprint: u64) -> Option<KeptRound> {
+fn read_round(state: &Path, number: usize, identity: u64) -> Option<KeptRound> {
     let text = fs::read(record_path(state, number)).ok()?;
     let record: CheckpointRecord = serde_json::from_slice(&text).ok()?;
-    if record.schema != CHECKPOINT_SCHEMA || record.fingerprint != fingerprint {
+    if record.schema != CHECKPOINT_SCHEMA || record.identity != identity {
         return None;
     }
     let bytes = fs::read(touches_path(state, number)).ok()?;
@@ -173,38 +145,9 @@ fn touches_path(state: &Path, number: usize) -> PathBuf {
     state.join(format!("round-{number}.felt"))
 }
 
-/// What tells one run from another: a digest (FNV-1a, 64 bits) of everything that it is made of, as Rust
-/// shows it for debugging, in which every number stands with all its digits.
-pub fn fingerprint(parts: &[&dyn fmt::Debug]) -> u64 {
-    struct Digest(u64);
-    impl Write for Digest {
-        fn write_str(&mut self, text: &str) -> fmt::Result {
-            for byte in text.bytes() {
-                self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-            }
-            Ok(())
-        }
-    }
-    let mut digest = Digest(0xcbf2_9ce4_8422_2325);
-    // Writing into a digest cannot fail.
-    let _ = write!(digest, "{}", env!("CARGO_PKG_VERSION"));
-    for part in parts {
-        let _ = write!(digest, "|{part:?}");
-    }
-    digest.0
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_fingerprint_tells_runs_apart() {
-        let one = fingerprint(&[&1.0, &"board"]);
-        assert_eq!(one, fingerprint(&[&1.0, &"board"]));
-        assert_ne!(one, fingerprint(&[&(1.0 + f64::EPSILON), &"board"]));
-        assert_ne!(one, fingerprint(&[&1.0, &"table"]));
-    }
 
     #[test]
     fn what_was_felt_comes_back_to_the_last_bit() {

@@ -2,9 +2,8 @@
 
 mod robots;
 
-use assert_cmd::Command;
+use crate::program::{command, root};
 use std::fs;
-use std::path::Path;
 
 /// One wrong input.
 struct Case {
@@ -609,7 +608,7 @@ fn line_cases() -> Vec<Case> {
 fn fault_of(case: &Case) -> Option<String> {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let beside = |name: &str| folder.path().join(name);
-    let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../knowledge");
+    let shipped = root().join("knowledge");
     fs::create_dir(beside("knowledge")).expect("a folder");
     for name in [
         "tools.toml",
@@ -631,9 +630,8 @@ fn fault_of(case: &Case) -> Option<String> {
     for (name, bytes) in &case.files {
         fs::write(beside(name), bytes).expect("a file");
     }
-    let output = Command::new(assert_cmd::cargo::cargo_bin!("wisch"))
+    let output = command(folder.path())
         .args(&case.args)
-        .current_dir(folder.path())
         .output()
         .expect("it runs");
     let said = String::from_utf8_lossy(&output.stderr);

@@ -4,8 +4,9 @@
 mod engine;
 mod view;
 
+use crate::program::{ended, path as program};
 use assert_cmd::Command;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::{Mutex, Once, PoisonError};
 use tempfile::TempDir;
 use wisch_memory::{EPISODE_SCHEMA, EpisodeRecord, Individual, Memory, Origin};
@@ -44,10 +45,6 @@ fn memory() -> TempDir {
     folder
 }
 
-fn program() -> PathBuf {
-    assert_cmd::cargo::cargo_bin!("wisch").to_path_buf()
-}
-
 /// The engine beside the program. Cargo builds it for the tests of its own package, so it is there when the whole
 /// workspace is tested; who tests this package alone has it built here, once.
 fn build_engine() {
@@ -81,11 +78,5 @@ fn ask(folder: &Path, args: &[&str]) -> (i32, String, String) {
 fn run(command: &mut Command) -> (i32, String, String) {
     static ALONE: Mutex<()> = Mutex::new(());
     let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
-    let output = command.output().unwrap();
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (
-        output.status.code().unwrap(),
-        text(output.stdout),
-        text(output.stderr),
-    )
+    ended(command)
 }

@@ -1,19 +1,22 @@
 //! A small board in front of the arm of seven joints.
 
-use crate::problems::{self, Robot, lost_nodes};
+use crate::parts::{interaction, sponge, surface};
+use crate::problems::lost_nodes;
+use crate::shipped::{Robot, robot};
 use wisch::follow::{FollowConfig, Followed, Workcell, WorkcellConfig, audit};
-use wisch::geometry::{Mesh, Point2, Polygon, Pose, Vector2, Vector3};
+use wisch::geometry::{Mesh, Point2, Pose, Vector2, Vector3};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan};
 use wisch::represent::{Action, ParticleDistribution, SceneObject, ScenePart, Surface, Task};
 
 /// Extent of the board [m].
 const BOARD: [f64; 2] = [0.24, 0.18];
 
+/// The arm of seven joints.
 pub fn arm7() -> Robot {
-    let [arm7, ..] = problems::robots().unwrap();
-    arm7
+    robot("arm7")
 }
 
+/// A box of a size [m] about a place in the world, to be kept clear of.
 pub fn block(name: &str, size: [f64; 3], at: [f64; 3]) -> SceneObject {
     SceneObject {
         name: name.into(),
@@ -34,18 +37,16 @@ pub fn board(action: Action, [x, y, z]: [f64; 3]) -> Task {
         name: "board".into(),
         action,
         surface: Surface {
-            name: "board".into(),
-            outline: Polygon::rectangle(size),
             world_from_surface: Pose::translation(x, y, z),
-            skim_edges: vec![0],
+            ..surface(BOARD)
         },
         scene: vec![SceneObject {
             part: ScenePart::Carrier,
             ..block("board", [size.x, size.y, 0.02], [x, y, z - 0.01])
         }],
-        tool: problems::sponge().unwrap(),
+        tool: sponge(),
         medium: "breadcrumbs".into(),
-        interaction: problems::interaction(),
+        interaction: interaction(),
         particles: ParticleDistribution::new(&crumbs).unwrap(),
         collect_goal: None,
         tool_start: Point2::new(-0.2, 0.0),
@@ -53,6 +54,7 @@ pub fn board(action: Action, [x, y, z]: [f64; 3]) -> Task {
     }
 }
 
+/// What covers it on a grid.
 pub fn planned(task: &Task) -> Plan {
     let config = PlanConfig {
         strategy: CoverageStrategy::Grid,
@@ -63,6 +65,15 @@ pub fn planned(task: &Task) -> Plan {
     plan(task, &config).unwrap()
 }
 
+/// A plan with nothing but its first stroke.
+pub fn first_stroke(plan: Plan) -> Plan {
+    Plan {
+        strokes: plan.strokes.into_iter().take(1).collect(),
+        ..plan
+    }
+}
+
+/// The arm of seven joints before it.
 pub fn cell(task: &Task) -> Workcell {
     let robot = arm7();
     let config = WorkcellConfig::default();

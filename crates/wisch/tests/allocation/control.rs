@@ -1,42 +1,20 @@
 //! The control loop allocates nothing once it runs: a robot must not wait for an allocator. The engine that
 //! stands in for the world does allocate, so the loop's parts are watched alone, from their own source.
 
+use crate::ALLOCATOR;
 use nalgebra::{Matrix6xX, Vector6};
-use stats_alloc::{INSTRUMENTED_SYSTEM, Region as Watched, StatsAlloc};
-use std::alloc::System;
+use stats_alloc::Region as Watched;
 use wisch::control::{
     ControlConfig, Desired, ImpedanceController, Measured, MomentumObserver, Posture, Wrench,
 };
 use wisch::geometry::{Point3, Pose, Vector3};
-use wisch::represent::{Action, Interaction, LogNormal, SurfaceScope};
 use wisch::robot::{Articulation, RobotModel};
-
-#[global_allocator]
-static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
+use wisch_testkit::interaction;
 
 const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
 
-fn interaction() -> Interaction {
-    Interaction {
-        tool: "sponge".into(),
-        medium: "breadcrumbs".into(),
-        surface: SurfaceScope::Any,
-        actions: Action::ALL.into_iter().collect(),
-        press_force_n: 10.0,
-        stiffness_n_per_m: 500.0,
-        damping_ratio: 0.7,
-        nullspace_posture_weight: 0.1,
-        compression_depth_m: 0.005,
-        likelihood: LogNormal {
-            mu: -1.0,
-            sigma: 0.25,
-        },
-    }
-}
-
-#[test]
-fn a_period_of_control_allocates_nothing() {
-    let text = include_str!("../../../robots/humanoid.urdf");
+pub fn a_period_of_control_allocates_nothing() {
+    let text = include_str!("../../../../robots/humanoid.urdf");
     let robot = RobotModel::from_urdf("humanoid", text, &mut |_| Err(String::new())).unwrap();
     let count = robot.dof();
     let mut q: Vec<f64> = (0..count).map(|i| 0.02 * i as f64).collect();

@@ -1,16 +1,12 @@
 //! Queries of collisions allocate nothing once the scratch space of the thread has its size.
 
-use stats_alloc::{INSTRUMENTED_SYSTEM, Region as Watched, StatsAlloc};
-use std::alloc::System;
+use crate::ALLOCATOR;
+use stats_alloc::Region as Watched;
 use wisch::geometry::{Mesh, Pose, Vector3};
 use wisch::robot::{CollisionModel, RobotModel};
 
-#[global_allocator]
-static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
-
-#[test]
-fn a_query_allocates_nothing() {
-    let text = include_str!("../../../robots/humanoid.urdf");
+pub fn a_query_allocates_nothing() {
+    let text = include_str!("../../../../robots/humanoid.urdf");
     let robot = RobotModel::from_urdf("humanoid", text, &mut |_| Err(String::new())).unwrap();
     let mut model = CollisionModel::new(&robot, None).unwrap();
     let tcp = robot.link("right_tcp").unwrap();

@@ -1,16 +1,12 @@
 //! Solving for joint positions allocates nothing, restarts included.
 
-use stats_alloc::{INSTRUMENTED_SYSTEM, Region as Watched, StatsAlloc};
-use std::alloc::System;
+use crate::ALLOCATOR;
+use stats_alloc::Region as Watched;
 use wisch::geometry::Pose;
 use wisch::robot::{IkConfig, IkOutcome, IkSolver, RobotModel, RotationGoal};
 
-#[global_allocator]
-static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
-
-#[test]
-fn solving_and_self_motion_allocate_nothing() {
-    let text = include_str!("../../../robots/humanoid.urdf");
+pub fn solving_and_self_motion_allocate_nothing() {
+    let text = include_str!("../../../../robots/humanoid.urdf");
     let robot = RobotModel::from_urdf("humanoid", text, &mut |_| Err(String::new())).unwrap();
     let (base, tip) = (
         robot.link("platform").unwrap(),

@@ -1,86 +1,23 @@
 //! Random problems of following: a robot, a surface somewhere before it, things in the way.
 
+use crate::parts::{interaction, sponge};
+use crate::shipped::{AnyError, Robot};
 use nalgebra::{Translation3, UnitQuaternion};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeSet;
-use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
 use wisch::follow::{FollowConfig, Followed, Workcell, WorkcellConfig, audit, follow};
-use wisch::geometry::{Mesh, Point2, Polygon, Pose, Region, Vector2, Vector3};
+use wisch::geometry::{Mesh, Point2, Polygon, Pose, Vector2, Vector3};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan};
-use wisch::represent::{
-    Action, AngleRange, Interaction, LogNormal, ParticleDistribution, SceneObject, ScenePart,
-    Surface, SurfaceScope, Task, Tool,
-};
-use wisch::robot::{CapabilityMap, RobotHash, RobotModel, Srdf};
+use wisch::represent::{Action, ParticleDistribution, SceneObject, ScenePart, Surface, Task};
 
-type AnyError = Box<dyn Error + Send + Sync>;
-
-/// Depth, width and height of the sponge [m].
-const SPONGE: [f64; 3] = [0.07, 0.11, 0.05];
 /// Thickness of the plate whose upper face is the surface [m].
 const PLATE: f64 = 0.02;
 
-/// A shipped robot.
-pub struct Robot {
-    /// Its name.
-    pub name: &'static str,
-    /// What it is.
-    pub model: RobotModel,
-    /// Its groups and postures.
-    pub srdf: Srdf,
-    /// What its arm reaches, if its base moves.
-    pub map: Option<CapabilityMap>,
-}
-
-/// The shipped robots: arm7, arm6, humanoid.
-pub fn robots() -> Result<[Robot; 3], AnyError> {
-    let map: &[u8] = include_bytes!("../../../../robots/humanoid.reach");
-    Ok([
-        robot(
-            "arm7",
-            include_str!("../../../../robots/arm7.urdf"),
-            include_str!("../../../../robots/arm7.srdf"),
-            None,
-        )?,
-        robot(
-            "arm6",
-            include_str!("../../../../robots/arm6.urdf"),
-            include_str!("../../../../robots/arm6.srdf"),
-            None,
-        )?,
-        robot(
-            "humanoid",
-            include_str!("../../../../robots/humanoid.urdf"),
-            include_str!("../../../../robots/humanoid.srdf"),
-            Some(map),
-        )?,
-    ])
-}
-
-fn robot(
-    name: &'static str,
-    urdf: &str,
-    srdf: &str,
-    map: Option<&[u8]>,
-) -> Result<Robot, AnyError> {
-    let model = RobotModel::from_urdf(name, urdf, &mut |_| Err("there are no meshes".into()))?;
-    let srdf = Srdf::parse(name, srdf, &model)?;
-    let map = map
-        .map(|bytes| CapabilityMap::from_bytes(name, bytes, RobotHash::of(&model)))
-        .transpose()?;
-    Ok(Robot {
-        name,
-        model,
-        srdf,
-        map,
-    })
-}
-
 /// What is to be wiped by which robot.
 pub struct Problem {
-    /// The robot's number among [`robots`].
+    /// The robot's number among [`crate::robots`].
     pub robot: usize,
     /// Surface, scene, tool and dirt.
     pub task: Task,
@@ -150,7 +87,7 @@ impl Problem {
                     skim_edges: vec![random.random_range(0..4)],
                 },
                 scene,
-                tool: sponge()?,
+                tool: sponge(),
                 medium: "breadcrumbs".into(),
                 interaction: interaction(),
                 particles: ParticleDistribution::new(&particles)?,
@@ -281,41 +218,6 @@ fn scene(
         });
     }
     Ok(scene)
-}
-
-/// The sponge: its lower face is in the contact plane.
-pub fn sponge() -> Result<Tool, AnyError> {
-    let [depth, width, height] = SPONGE;
-    let tool_from_mesh = Pose::translation(0.0, 0.0, height / 2.0);
-    Ok(Tool {
-        name: "sponge".into(),
-        mesh: Mesh::cuboid(Vector3::new(depth, width, height))?.transformed(&tool_from_mesh),
-        footprint: Region::new(vec![Polygon::rectangle(Vector2::new(depth, width))]),
-        area_of_effect: Vector2::new(depth, width),
-        rotation_about_normal: AngleRange::FULL,
-        tilt: None,
-        grip: None,
-        second_grip: None,
-    })
-}
-
-/// The sponge on breadcrumbs.
-pub fn interaction() -> Interaction {
-    Interaction {
-        tool: "sponge".into(),
-        medium: "breadcrumbs".into(),
-        surface: SurfaceScope::Any,
-        actions: Action::ALL.into_iter().collect(),
-        press_force_n: 10.0,
-        stiffness_n_per_m: 500.0,
-        damping_ratio: 0.7,
-        nullspace_posture_weight: 0.1,
-        compression_depth_m: 0.005,
-        likelihood: LogNormal {
-            mu: -1.0,
-            sigma: 0.25,
-        },
-    }
 }
 
 /// An error without its numbers, so that alike ones can be counted.

@@ -1,11 +1,11 @@
 //! A round that was executed: what a run goes on with that was killed after it.
 
+use crate::{Dirt, Grain, GroundTruth, Spread};
 use serde::{Deserialize, Serialize};
 use wisch::geometry::Point2;
 use wisch::represent::Fate;
 use wisch::robot::Range;
 use wisch::run::{Ending, Execution, StopCause};
-use wisch_sim::{Dirt, Grain, GroundTruth, Spread};
 
 /// Version of the record.
 pub const CHECKPOINT_SCHEMA: u32 = 2;
@@ -15,8 +15,8 @@ pub const CHECKPOINT_SCHEMA: u32 = 2;
 pub struct CheckpointRecord {
     /// [`CHECKPOINT_SCHEMA`].
     pub schema: u32,
-    /// Of all that the run was made of: task, reality, robot, plan and configuration.
-    pub fingerprint: u64,
+    /// Of all that the run was made of.
+    pub identity: u64,
     /// Number of the samples that were felt.
     pub samples: usize,
     /// How long simulating took.
@@ -91,14 +91,14 @@ impl CheckpointRecord {
     pub fn new(
         execution: &Execution,
         truth: &GroundTruth,
-        fingerprint: u64,
+        identity: u64,
         samples: usize,
         executing_s: f64,
     ) -> Self {
         let force = &truth.contact_force;
         Self {
             schema: CHECKPOINT_SCHEMA,
-            fingerprint,
+            identity,
             samples,
             executing_s,
             duration_s: execution.duration,

@@ -2,7 +2,7 @@
 
 mod damage;
 mod foreign;
-#[path = "../../examples/demo_bag/wiping.rs"]
+#[path = "../examples/demo_bag/wiping.rs"]
 mod wiping;
 
 use std::collections::BTreeMap;

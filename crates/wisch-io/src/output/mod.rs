@@ -1,12 +1,16 @@
 //! The folder with the results: written beside its place and moved there whole.
 
-use crate::failure::Failure;
-use crate::workplace::{Found, Leftover, Workplace};
+mod staging_dir;
+
+pub use staging_dir::{Found, Leftover};
+
+use crate::error::Error;
+use crate::records::{INTERPRETATION_FORMAT, PLAN_FORMAT};
 use serde::Deserialize;
+use staging_dir::StagingDir;
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
-use wisch_io::{INTERPRETATION_FORMAT, PLAN_FORMAT};
 
 /// The plan. By this file, or by the next, a folder of results is known.
 pub const PLAN_FILE: &str = "plan.json";
@@ -33,6 +37,37 @@ pub const TCP_PATH_FILE: &str = "tcp-path.csv";
 /// The report.
 pub const REPORT_FILE: &str = "report.html";
 
+/// The room of a file within a folder of results: what is read first lies on top.
+fn room(name: &str) -> &'static str {
+    let is = |ending: &str| name.ends_with(ending);
+    if is(".svg") || is(".png") {
+        "figures"
+    } else if is(".mcap") {
+        "telemetry"
+    } else if name.starts_with("particles-") {
+        "particles"
+    } else if [
+        FOLLOWING_FILE,
+        TRAJECTORY_JSON_FILE,
+        TRAJECTORY_YAML_FILE,
+        TCP_PATH_FILE,
+    ]
+    .contains(&name)
+    {
+        "trajectories"
+    } else {
+        ""
+    }
+}
+
+/// All rooms but the top.
+const ROOMS: [&str; 4] = ["figures", "telemetry", "particles", "trajectories"];
+
+/// Where a file lies within a folder of results.
+pub fn path_in_results(name: &str) -> PathBuf {
+    Path::new(room(name)).join(name)
+}
+
 /// A file in the making: in the end it is there whole or not at all.
 pub struct OutputFile {
     target: PathBuf,
@@ -44,13 +79,13 @@ impl OutputFile {
     ///
     /// # Errors
     /// If a folder stands there, or nothing can be written.
-    pub fn begin(target: &Path) -> Result<Self, Failure> {
+    pub fn begin(target: &Path) -> Result<Self, Error> {
         if target.is_dir() {
-            return Err(Failure::new(format!(
-                "{}: a file is to be written, but a folder stands there",
-                target.display()
-            ))
-            .with_help("choose another file with --out"));
+            return Err(refused(
+                target,
+                "a file is to be written, but a folder stands there",
+                OTHER_FILE,
+            ));
         }
         let folder = match target.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -68,7 +103,7 @@ impl OutputFile {
     ///
     /// # Errors
     /// What the system says.
-    pub fn finish(self, contents: &[u8]) -> Result<(), Failure> {
+    pub fn finish(self, contents: &[u8]) -> Result<(), Error> {
         let Self { target, file } = self;
         let failed = |error: io::Error| cannot_write(&target, &error);
         fs::write(file.path(), contents).map_err(failed)?;
@@ -102,9 +137,9 @@ impl Drop for MadeFolders {
 pub struct OutputFolder {
     target: PathBuf,
     /// Holds `new`, `old` while folders change places, and `state`, which is of use only if this run dies.
-    workplace: Workplace,
+    staging: StagingDir,
     found: Found,
-    /// Dropped after `workplace`, which stands in them.
+    /// Dropped after `staging`, which stands in them.
     _made: MadeFolders,
 }
 
@@ -113,37 +148,39 @@ impl OutputFolder {
     ///
     /// # Errors
     /// If something else than results of an earlier run stands there, or nothing can be written.
-    pub fn begin(target: &Path, leftover: Leftover) -> Result<Self, Failure> {
+    pub fn begin(target: &Path, leftover: Leftover) -> Result<Self, Error> {
         let target = resolved(target)?;
         check_replaceable(&target)?;
         let (Some(parent), Some(name)) = (target.parent(), target.file_name()) else {
-            return Err(Failure::new(format!(
-                "{}: results cannot replace this folder",
-                target.display()
-            )));
+            return Err(refused(
+                &target,
+                "results cannot replace this folder",
+                OTHER_FOLDER,
+            ));
         };
         let made = MadeFolders::make(parent).map_err(|error| cannot_write(parent, &error))?;
-        let (workplace, found) = Workplace::begin(parent, &name.to_string_lossy(), leftover)
+        let (staging, found) = StagingDir::begin(parent, &name.to_string_lossy(), leftover)
             .map_err(|error| cannot_write(parent, &error))?;
         let folder = Self {
             target,
-            workplace,
+            staging,
             found,
             _made: made,
         };
-        for path in [folder.new_path(), folder.state()] {
+        let rooms = ROOMS.map(|room| folder.new_path().join(room));
+        for path in rooms.into_iter().chain([folder.state()]) {
             fs::create_dir_all(&path).map_err(|error| cannot_write(&path, &error))?;
         }
         Ok(folder)
     }
 
-    /// Adds a file.
+    /// Adds a file, in its room.
     ///
     /// # Errors
     /// What the system says.
-    pub fn write(&self, name: &str, contents: impl AsRef<[u8]>) -> Result<(), Failure> {
-        fs::write(self.new_path().join(name), contents)
-            .map_err(|error| cannot_write(&self.target.join(name), &error))
+    pub fn write(&self, name: &str, contents: impl AsRef<[u8]>) -> Result<(), Error> {
+        fs::write(self.place(name), contents)
+            .map_err(|error| cannot_write(&self.target.join(path_in_results(name)), &error))
     }
 
     /// What was found of killed runs.
@@ -153,19 +190,18 @@ impl OutputFolder {
 
     /// Where is kept what a run is to go on with, should it be killed.
     pub fn state(&self) -> PathBuf {
-        self.workplace.path().join("state")
+        self.staging.path().join("state")
     }
 
     /// Removes all files, of what a killed run left behind, that are not named.
     ///
     /// # Errors
     /// What the system says.
-    pub fn keep_only(&self, names: &[String]) -> Result<(), Failure> {
+    pub fn keep_only(&self, names: &[String]) -> Result<(), Error> {
         let failed = |error: io::Error| cannot_write(&self.new_path(), &error);
-        for entry in fs::read_dir(self.new_path()).map_err(failed)? {
-            let entry = entry.map_err(failed)?;
-            if !names.contains(&entry.file_name().to_string_lossy().into_owned()) {
-                fs::remove_file(entry.path()).map_err(failed)?;
+        for (path, name) in files(&self.new_path()).map_err(failed)? {
+            if !names.contains(&name) {
+                fs::remove_file(path).map_err(failed)?;
             }
         }
         Ok(())
@@ -173,15 +209,19 @@ impl OutputFolder {
 
     /// Where a file stands that others write before the folder is finished.
     pub fn place(&self, name: &str) -> PathBuf {
-        self.new_path().join(name)
+        self.new_path().join(path_in_results(name))
     }
 
     /// Moves the folder to its place, and what stood there away.
     ///
     /// # Errors
     /// What the system says; then what stood there stands there still.
-    pub fn finish(self) -> Result<(), Failure> {
-        let old = self.workplace.path().join("old");
+    pub fn finish(self) -> Result<(), Error> {
+        for room in ROOMS {
+            // Those that hold something stay.
+            let _ = fs::remove_dir(self.new_path().join(room));
+        }
+        let old = self.staging.path().join("old");
         // Someone may have put something there while we were planning.
         check_replaceable(&self.target)?;
         let replaced = match fs::rename(&self.target, &old) {
@@ -199,12 +239,12 @@ impl OutputFolder {
     }
 
     fn new_path(&self) -> PathBuf {
-        self.workplace.path().join("new")
+        self.staging.path().join("new")
     }
 }
 
 /// The absolute path, with a link to a folder followed.
-fn resolved(target: &Path) -> Result<PathBuf, Failure> {
+fn resolved(target: &Path) -> Result<PathBuf, Error> {
     match target.canonicalize() {
         Ok(path) => Ok(path),
         Err(error) if error.kind() == ErrorKind::NotFound => std::path::absolute(target),
@@ -214,22 +254,16 @@ fn resolved(target: &Path) -> Result<PathBuf, Failure> {
 }
 
 /// Whether nothing would be lost: there is nothing, an empty folder, or results that we wrote.
-fn check_replaceable(target: &Path) -> Result<(), Failure> {
-    let refuse = |reason: String| {
-        Err(Failure::new(format!("{}: {reason}", target.display()))
-            .with_help("choose another folder with --out, or move this one away"))
-    };
-    let entries = match fs::read_dir(target) {
-        Ok(entries) => entries,
+fn check_replaceable(target: &Path) -> Result<(), Error> {
+    let refuse = |reason: String| Err(refused(target, reason, MOVE_AWAY));
+    let mut names: Vec<String> = match files(target) {
+        Ok(found) => found.into_iter().map(|(_, name)| name).collect(),
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
         Err(error) if error.kind() == ErrorKind::NotADirectory => {
             return refuse("results need a folder, but a file stands there".to_owned());
         }
         Err(error) => return Err(cannot_write(target, &error)),
     };
-    let mut names: Vec<String> = entries
-        .filter_map(|entry| Some(entry.ok()?.file_name().to_string_lossy().into_owned()))
-        .collect();
     names.sort();
     if names.is_empty() {
         return Ok(());
@@ -247,6 +281,25 @@ fn check_replaceable(target: &Path) -> Result<(), Failure> {
         )),
         None => Ok(()),
     }
+}
+
+/// What a folder of results holds, on top and in its rooms: paths, and names.
+fn files(folder: &Path) -> io::Result<Vec<(PathBuf, String)>> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if ROOMS.contains(&name.as_str()) && entry.file_type()?.is_dir() {
+            for inner in fs::read_dir(entry.path())? {
+                let inner = inner?;
+                let name = inner.file_name().to_string_lossy().into_owned();
+                found.push((inner.path(), name));
+            }
+        } else {
+            found.push((entry.path(), name));
+        }
+    }
+    Ok(found)
 }
 
 fn is_of_ours(path: &Path, format: &str) -> bool {
@@ -281,7 +334,18 @@ fn is_result_file(name: &str) -> bool {
     fixed.contains(&name) || is_bag || is_picture
 }
 
-fn cannot_write(path: &Path, error: &io::Error) -> Failure {
-    Failure::new(format!("{}: cannot write there: {error}", path.display()))
-        .with_help("choose another folder with --out")
+const OTHER_FILE: &str = "choose another file with --out";
+const OTHER_FOLDER: &str = "choose another folder with --out";
+const MOVE_AWAY: &str = "choose another folder with --out, or move this one away";
+
+fn refused(path: &Path, problem: impl ToString, help: &'static str) -> Error {
+    Error::Output {
+        path: path.to_owned(),
+        problem: problem.to_string(),
+        help,
+    }
+}
+
+fn cannot_write(path: &Path, error: &io::Error) -> Error {
+    refused(path, format!("cannot write there: {error}"), OTHER_FOLDER)
 }

@@ -1,29 +1,18 @@
 //! Strokes allocate nothing once their scratch space has its size.
 
-use stats_alloc::{INSTRUMENTED_SYSTEM, Region as Watched, StatsAlloc};
-use std::alloc::System;
-use wisch::geometry::{PlanarPose, Point2, Polygon, Pose, Region, Vector2};
-use wisch::represent::{
-    Effect, EffectModel, ParticleDistribution, ParticleField, Surface, ToolMotion,
-};
+use crate::ALLOCATOR;
+use stats_alloc::Region as Watched;
+use wisch::geometry::{PlanarPose, Point2, Polygon, Region, Vector2};
+use wisch::represent::{Effect, EffectModel, ParticleDistribution, ParticleField, ToolMotion};
 
-#[global_allocator]
-static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
-
-#[test]
-fn a_stroke_allocates_nothing() {
+pub fn a_stroke_allocates_nothing() {
     let points: Vec<Point2> = (0..2000)
         .map(|i| {
             let a = f64::from(i) * 2.399_963;
             Point2::new(a.cos(), a.sin()) * (0.45 * (f64::from(i) / 2000.0).sqrt())
         })
         .collect();
-    let surface = Surface {
-        name: "square".into(),
-        outline: Polygon::rectangle(Vector2::new(1.0, 1.0)),
-        world_from_surface: Pose::identity(),
-        skim_edges: vec![],
-    };
+    let surface = wisch_testkit::surface([1.0; 2]);
     let sponge = Region::new(vec![Polygon::rectangle(Vector2::new(0.07, 0.11))]);
     let pose = |x: f64, y: f64, heading: f64| PlanarPose::new(Point2::new(x, y), heading);
     let there = ToolMotion {

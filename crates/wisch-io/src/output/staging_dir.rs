@@ -27,13 +27,13 @@ pub struct Found {
 
 /// A hidden folder beside a target, on the same file system. Dropped, it is removed.
 #[derive(Debug)]
-pub struct Workplace {
+pub(super) struct StagingDir {
     path: PathBuf,
     _lock: File,
 }
 
-impl Workplace {
-    /// A workplace for what is to be called `name` in `parent`, and what was there of dead runs.
+impl StagingDir {
+    /// A staging folder for what is to be called `name` in `parent`, and what was there of dead runs.
     ///
     /// # Errors
     /// What the system says.
@@ -78,15 +78,15 @@ impl Workplace {
     }
 }
 
-impl Drop for Workplace {
+impl Drop for StagingDir {
     fn drop(&mut self) {
         // What cannot be removed stays, and is found by the next run.
         let _ = fs::remove_dir_all(&self.path);
     }
 }
 
-/// Workplaces that no living process holds, now held by this one, the newest last.
-fn abandoned(parent: &Path, prefix: &str) -> io::Result<Vec<Workplace>> {
+/// Staging folders that no living process holds, now held by this one, the newest last.
+fn abandoned(parent: &Path, prefix: &str) -> io::Result<Vec<StagingDir>> {
     let mut found = Vec::new();
     for entry in fs::read_dir(parent)? {
         let entry = entry?;
@@ -102,7 +102,7 @@ fn abandoned(parent: &Path, prefix: &str) -> io::Result<Vec<Workplace>> {
             Ok(()) => {
                 let modified = lock.metadata()?.modified()?;
                 let path = entry.path();
-                found.push((modified, Workplace { path, _lock: lock }));
+                found.push((modified, StagingDir { path, _lock: lock }));
             }
             Err(TryLockError::WouldBlock) => {}
             Err(TryLockError::Error(error)) => return Err(error),
@@ -131,12 +131,12 @@ mod tests {
         let foreign = parent.path().join(".board.xyz");
         fs::create_dir(&foreign).expect("a folder");
         let (living, found) =
-            Workplace::begin(parent.path(), "board", Leftover::Remove).expect("a workplace");
+            StagingDir::begin(parent.path(), "board", Leftover::Remove).expect("a staging folder");
         assert_eq!(found.removed, std::slice::from_ref(&dead));
         assert!(!dead.exists() && others.exists() && foreign.exists());
 
         let (next, found) =
-            Workplace::begin(parent.path(), "board", Leftover::TakeOver).expect("another");
+            StagingDir::begin(parent.path(), "board", Leftover::TakeOver).expect("another");
         assert_eq!(found, Found::default(), "the first is held");
         assert_ne!(living.path(), next.path());
         let path = living.path().to_path_buf();
@@ -148,8 +148,8 @@ mod tests {
     fn what_a_dead_run_left_is_taken_over() {
         let parent = tempfile::tempdir().expect("a folder");
         let dead = left_behind(parent.path(), ".board.abc123");
-        let (place, found) =
-            Workplace::begin(parent.path(), "board", Leftover::TakeOver).expect("a workplace");
+        let (place, found) = StagingDir::begin(parent.path(), "board", Leftover::TakeOver)
+            .expect("a staging folder");
         assert!(found.is_taken_over && found.removed.is_empty());
         assert_eq!(place.path(), dead);
     }

@@ -1,0 +1,234 @@
+//! What looks on while a session goes on: progress and times, bags and checkpoints.
+
+use super::results::internal;
+use super::run::Job;
+use crate::failure::Failure;
+use crate::progress::Progress;
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+use wisch::geometry::Point3;
+use wisch::represent::Task;
+use wisch::run::{PlannedRound, RunEvent, TelemetrySample};
+use wisch_io::{OutputFolder, RoundTimes};
+use wisch_report::EffectFrames;
+use wisch_sim::Checkpoints;
+use wisch_telemetry::{BagHead, BagWriter, WriteError};
+
+/// Between two updates of the progress [samples].
+const SAY_EVERY: usize = 200;
+
+/// What a round's bag is called.
+pub fn bag_name(number: usize) -> String {
+    format!("round-{number}.mcap")
+}
+
+/// Looks on while a session goes on: says where it is, takes the time, and keeps the first round's predicted effect.
+pub struct Watch<'a> {
+    task: &'a Task,
+    progress: &'a Progress,
+    pub failure: Option<Failure>,
+    frames: Option<EffectFrames>,
+    times: Vec<RoundTimes>,
+    since: Instant,
+}
+
+impl<'a> Watch<'a> {
+    pub fn new(job: &Job<'a>) -> Self {
+        Self {
+            task: &job.prepared.task,
+            progress: job.progress,
+            failure: None,
+            frames: None,
+            times: Vec::new(),
+            since: Instant::now(),
+        }
+    }
+
+    /// How long the stages of a round took.
+    pub fn times(&self, round: usize) -> RoundTimes {
+        self.times.get(round - 1).copied().unwrap_or_default()
+    }
+
+    pub fn times_mut(&mut self, round: usize) -> &mut RoundTimes {
+        self.times
+            .resize(self.times.len().max(round), RoundTimes::default());
+        &mut self.times[round - 1]
+    }
+
+    /// What the first round was predicted to do, over time.
+    pub fn take_frames(&mut self) -> Result<EffectFrames, Failure> {
+        let frames = self.frames.take();
+        frames.ok_or_else(|| internal("no effect was predicted"))
+    }
+
+    pub fn see(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
+        match event {
+            RunEvent::Planning { round } => {
+                self.progress.say(format!("round {round}: planning"));
+                self.since = Instant::now();
+            }
+            RunEvent::Planned { round, .. } => {
+                self.take(*round, |times| &mut times.planning_s);
+            }
+            RunEvent::Following {
+                round,
+                passed,
+                nodes,
+            } => self.progress.say(format!(
+                "round {round}: following, {passed} of {nodes} nodes"
+            )),
+            RunEvent::Predicting {
+                round: 1,
+                wiped,
+                progress,
+            } => {
+                let frames = self.frames.take();
+                let mut frames = frames.unwrap_or_else(|| EffectFrames::new(self.task, wiped));
+                frames.watch(progress);
+                self.frames = Some(frames);
+            }
+            RunEvent::Audited { round, .. } => {
+                self.take(*round, |times| &mut times.following_s);
+            }
+            RunEvent::Interpreting { round } => {
+                self.take(*round, |times| &mut times.executing_s);
+                self.progress.say(format!("round {round}: interpreting"));
+            }
+            RunEvent::Judged(round) => {
+                self.take(round.motion.number, |times| &mut times.interpreting_s);
+            }
+            RunEvent::Predicting { .. }
+            | RunEvent::Executing(_)
+            | RunEvent::Sample(_)
+            | RunEvent::Ended(_) => {}
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Books the time since the last booking.
+    fn take(&mut self, round: usize, part: impl Fn(&mut RoundTimes) -> &mut f64) {
+        let seconds = self.since.elapsed().as_secs_f64();
+        *part(self.times_mut(round)) += seconds;
+        self.since = Instant::now();
+    }
+
+    pub fn flow(&mut self, result: Result<(), Failure>) -> ControlFlow<()> {
+        match result {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(failure) => {
+                self.failure.get_or_insert(failure);
+                ControlFlow::Break(())
+            }
+        }
+    }
+}
+
+/// Writes what is measured: a bag of each round, and what a killed run can be resumed with.
+pub struct Recorder<'a> {
+    folder: &'a OutputFolder,
+    progress: &'a Progress,
+    pub checkpoints: Checkpoints,
+    /// Rounds that an earlier run executed and recorded.
+    taken_over: usize,
+    is_realtime: bool,
+    bag: Option<BagWriter>,
+    samples: usize,
+    round: usize,
+    begin: Instant,
+    /// How long the round's motion takes [s].
+    duration: f64,
+}
+
+impl<'a> Recorder<'a> {
+    /// A recorder of the rounds after so many that an earlier run recorded.
+    pub fn new(
+        job: &Job<'a>,
+        checkpoints: Checkpoints,
+        taken_over: usize,
+        is_realtime: bool,
+    ) -> Self {
+        Self {
+            folder: job.folder,
+            progress: job.progress,
+            checkpoints,
+            taken_over,
+            is_realtime,
+            bag: None,
+            samples: 0,
+            round: 0,
+            begin: Instant::now(),
+            duration: 0.0,
+        }
+    }
+
+    pub fn round_of(&mut self, event: &RunEvent<'_>) {
+        if let RunEvent::Executing(planned) = event {
+            self.round = planned.number;
+        }
+    }
+
+    pub const fn is_taken_over(&self) -> bool {
+        self.round <= self.taken_over
+    }
+
+    pub fn see(&mut self, event: &RunEvent<'_>) -> Result<(), WriteError> {
+        match event {
+            RunEvent::Executing(planned) => self.begin(planned),
+            RunEvent::Sample(sample) => self.sample(sample),
+            RunEvent::Interpreting { .. } => self.bag.take().map_or(Ok(()), BagWriter::finish),
+            _ => Ok(()),
+        }
+    }
+
+    fn begin(&mut self, planned: &PlannedRound) -> Result<(), WriteError> {
+        let robot = planned.cell.robot();
+        self.duration = planned.followed.duration();
+        self.samples = 0;
+        self.begin = Instant::now();
+        self.checkpoints.begin();
+        let task = &planned.task;
+        let head = BagHead {
+            joints: (0..robot.dof())
+                .map(|i| robot.variable(i).name.clone())
+                .collect(),
+            world_from_surface: task.surface.world_from_surface,
+            start: 0,
+            notes: [
+                ("task", task.name.clone()),
+                ("round", planned.number.to_string()),
+                ("seed", task.seed.to_string()),
+            ]
+            .map(|(key, value)| (key.to_owned(), value))
+            .into(),
+        };
+        let path = self.folder.place(&bag_name(planned.number));
+        let mut bag = BagWriter::create(&path, head)?;
+        bag.write_particles(0.0, &in_world(task))?;
+        self.bag = Some(bag);
+        Ok(())
+    }
+
+    fn sample(&mut self, sample: &TelemetrySample<'_>) -> Result<(), WriteError> {
+        if self.samples.is_multiple_of(SAY_EVERY) {
+            self.progress.say(format!(
+                "round {}: wiping, {:.1} of {:.1} s",
+                self.round, sample.time, self.duration
+            ));
+        }
+        self.samples += 1;
+        self.checkpoints.sample(sample);
+        if self.is_realtime {
+            let ahead = Duration::try_from_secs_f64(sample.time).unwrap_or_default();
+            std::thread::sleep(ahead.saturating_sub(self.begin.elapsed()));
+        }
+        self.bag.as_mut().map_or(Ok(()), |bag| bag.write(sample))
+    }
+}
+
+/// Where a task's particles are believed to lie in the world.
+fn in_world(task: &Task) -> Vec<Point3> {
+    let remaining = task.particles.remaining();
+    remaining
+        .map(|p| task.surface.world_from_surface * Point3::new(p.x, p.y, 0.0))
+        .collect()
+}

@@ -1,0 +1,14 @@
+//! The tests of the program, one module for each of its parts.
+
+mod ask;
+mod cli;
+mod executor;
+mod export;
+mod follow;
+mod interpret;
+mod memory;
+mod plans;
+mod program;
+mod robot;
+mod rounds;
+mod wrong_inputs;

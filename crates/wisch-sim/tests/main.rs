@@ -1,0 +1,3 @@
+//! The tests of the simulated world.
+
+mod execute;

@@ -1,0 +1,13 @@
+//! Tasks, surfaces and robots for the tests, examples and benches of the other crates.
+//!
+//! Unit tests inside `wisch` and `wisch-io` cannot use it: their types would be others than those it was built with.
+
+mod board;
+mod parts;
+mod problems;
+mod shipped;
+
+pub use board::{arm7, block, board, cell, faults, first_stroke, planned};
+pub use parts::{interaction, sponge, surface};
+pub use problems::{Outcome, Problem, Tried, lost_nodes};
+pub use shipped::{AnyError, Robot, TABLE_1, humanoid, robots, root, scenario};

@@ -1,0 +1,53 @@
+//! A surface, the sponge, and what it does to breadcrumbs.
+
+use wisch::geometry::{Mesh, Polygon, Pose, Region, Vector2, Vector3};
+use wisch::represent::{Action, AngleRange, Interaction, LogNormal, Surface, SurfaceScope, Tool};
+
+/// Depth, width and height of the sponge [m].
+const SPONGE: [f64; 3] = [0.07, 0.11, 0.05];
+
+/// A rectangle of a size [m] about the world's origin; dirt may be skimmed over its first edge.
+pub fn surface(size: [f64; 2]) -> Surface {
+    Surface {
+        name: "board".into(),
+        outline: Polygon::rectangle(Vector2::from(size)),
+        world_from_surface: Pose::identity(),
+        skim_edges: vec![0],
+    }
+}
+
+/// The sponge: its lower face is in the contact plane.
+pub fn sponge() -> Tool {
+    let [depth, width, height] = SPONGE;
+    let tool_from_mesh = Pose::translation(0.0, 0.0, height / 2.0);
+    let block = Mesh::cuboid(Vector3::new(depth, width, height)).expect("a box");
+    Tool {
+        name: "sponge".into(),
+        mesh: block.transformed(&tool_from_mesh),
+        footprint: Region::new(vec![Polygon::rectangle(Vector2::new(depth, width))]),
+        area_of_effect: Vector2::new(depth, width),
+        rotation_about_normal: AngleRange::FULL,
+        tilt: None,
+        grip: None,
+        second_grip: None,
+    }
+}
+
+/// The sponge on breadcrumbs.
+pub fn interaction() -> Interaction {
+    Interaction {
+        tool: "sponge".into(),
+        medium: "breadcrumbs".into(),
+        surface: SurfaceScope::Any,
+        actions: Action::ALL.into_iter().collect(),
+        press_force_n: 10.0,
+        stiffness_n_per_m: 500.0,
+        damping_ratio: 0.7,
+        nullspace_posture_weight: 0.1,
+        compression_depth_m: 0.005,
+        likelihood: LogNormal {
+            mu: -1.0,
+            sigma: 0.25,
+        },
+    }
+}

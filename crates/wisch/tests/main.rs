@@ -1,0 +1,19 @@
+//! The tests of the method, one module for each of its parts.
+
+mod articulation;
+mod capability;
+mod clearance;
+mod effect;
+mod follow;
+mod goal;
+mod house;
+mod ik;
+mod interpret;
+mod plan;
+mod robot;
+mod scenarios;
+mod session;
+mod timing;
+mod tool_meshes;
+mod tour;
+mod tutorial;
