@@ -1,3 +1,4 @@
 //! The tests of the simulated world.
 
 mod execute;
+mod scenarios;

@@ -124,8 +124,7 @@ fn the_library_reads_no_clock_file_or_network_and_serializes_no_domain_type() {
         if path.ends_with("tests.rs") || path.contains("/tests/") {
             continue;
         }
-        let text = code(&fs::read_to_string(&file).unwrap());
-        let text = text.split("#[cfg(test)]").next().unwrap_or_default();
+        let text = production(&fs::read_to_string(&file).unwrap());
         for word in forbidden {
             assert!(!text.contains(word), "{} uses {word}", file.display());
         }
@@ -148,8 +147,7 @@ fn a_coverage_strategy_is_told_apart_in_its_own_folder_only() {
             Vec::new()
         };
         for file in files {
-            let text = code(&fs::read_to_string(&file).unwrap());
-            if told(text.split("#[cfg(test)]").next().unwrap_or_default()) {
+            if told(&production(&fs::read_to_string(&file).unwrap())) {
                 let file = file.canonicalize().unwrap();
                 let is_test = file.ends_with("tests.rs");
                 named.extend((!is_test).then(|| file.display().to_string()));
@@ -338,8 +336,7 @@ const ACCEPTING: [&str; 11] = [
 
 /// What a file of the audit takes from what it audits.
 fn taken_from_what_is_audited(text: &str) -> Vec<String> {
-    let text = code(text);
-    let text = text.split("#[cfg(test)]").next().unwrap_or_default();
+    let text = &production(text);
     let own = [
         "super::kinematics::",
         "super::line::",

@@ -2,11 +2,11 @@
 
 use super::RECORD_FILE;
 use super::error::{MemoryError, at};
-use super::writer::{check_name, telemetry_file};
+use super::sums::SUMS_FILE;
 use crate::record::EpisodeRecord;
 use crate::telemetry::Telemetry;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// An episode of a memory; what is asked of it is read then.
 #[derive(Debug, Clone)]
@@ -104,4 +104,24 @@ fn list(folder: &Path, before: &str, names: &mut Vec<String>) -> Result<(), Memo
         }
     }
     Ok(())
+}
+
+/// What a round's telemetry is called.
+pub(super) fn telemetry_file(round: usize) -> String {
+    format!("round-{round}.parquet")
+}
+
+/// Whether a file of this name stands in the episode and is not written by the store itself.
+pub(super) fn check_name(id: &str, name: &str) -> Result<(), MemoryError> {
+    let mut parts = Path::new(name).components();
+    let stays = parts.clone().next().is_some()
+        && parts.all(|part| matches!(part, Component::Normal(_)))
+        && !name.contains('\\');
+    if stays && ![RECORD_FILE, SUMS_FILE].contains(&name) {
+        return Ok(());
+    }
+    Err(MemoryError::Name {
+        id: id.to_owned(),
+        name: name.to_owned(),
+    })
 }

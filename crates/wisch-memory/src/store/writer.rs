@@ -1,6 +1,6 @@
 //! An episode while it is written.
 
-use super::episode::files_in;
+use super::episode::{check_name, files_in, telemetry_file};
 use super::error::{MemoryError, at};
 use super::sums::{FileSum, SUMS_FILE, Sums};
 use super::{Memory, RECORD_FILE, remove_file, remove_folder, sync_folder};
@@ -9,7 +9,7 @@ use crate::telemetry::{TelemetryHead, TelemetryWriter};
 use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::io::Write;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 /// An episode in the making. Dropped uncommitted, it leaves nothing behind; killed, until the next one begins.
 #[derive(Debug)]
@@ -130,26 +130,6 @@ impl Drop for EpisodeWriter {
         let lock = self.memory.lock_place(&self.id);
         let _ = remove_folder(&self.folder).and_then(|()| remove_file(&lock));
     }
-}
-
-/// What a round's telemetry is called.
-pub(super) fn telemetry_file(round: usize) -> String {
-    format!("round-{round}.parquet")
-}
-
-/// Whether a file of this name stands in the episode and is not written by the store itself.
-pub(super) fn check_name(id: &str, name: &str) -> Result<(), MemoryError> {
-    let mut parts = Path::new(name).components();
-    let stays = parts.clone().next().is_some()
-        && parts.all(|part| matches!(part, Component::Normal(_)))
-        && !name.contains('\\');
-    if stays && ![RECORD_FILE, SUMS_FILE].contains(&name) {
-        return Ok(());
-    }
-    Err(MemoryError::Name {
-        id: id.to_owned(),
-        name: name.to_owned(),
-    })
 }
 
 fn write_lasting(path: &Path, contents: &[u8]) -> Result<(), MemoryError> {

@@ -1,7 +1,6 @@
 //! Colours as queries name them.
 
-use super::ViewError;
-use super::command::text_of;
+use super::{ViewError, text_of};
 use crate::ask::Term;
 use wisch::source_location::UnknownName;
 

@@ -176,23 +176,3 @@ fn when(how: &Term) -> Result<When, ViewError> {
         _ => time(how).map(When::At).ok_or_else(refused),
     }
 }
-
-/// A term as text: names without quotes, lists of characters as the word they make.
-pub(super) fn text_of(term: &Term) -> String {
-    match term {
-        Term::Atom(name) => name.clone(),
-        Term::List(items) => {
-            let letters = items.iter().map(|item| {
-                let mut letters = item.as_atom()?.chars();
-                letters.next().filter(|_| letters.next().is_none())
-            });
-            letters
-                .collect::<Option<String>>()
-                .unwrap_or_else(|| term.to_string())
-        }
-        Term::Compound(colon, parts) if colon == ":" && parts.len() == 2 => {
-            format!("{}:{}", text_of(&parts[0]), text_of(&parts[1]))
-        }
-        other => other.to_string(),
-    }
-}

@@ -15,6 +15,7 @@ pub use command::{Command, Emphasis, Subject, When, Wish};
 pub use gather::{MAX_POSES, Surroundings, gather};
 pub use plot::{Diagram, Plot, PlotData};
 
+use crate::ask::Term;
 use crate::frames::FrameError;
 use crate::store::MemoryError;
 use wisch::geometry::{Mesh, Point2, Point3, Polygon, Pose};
@@ -278,4 +279,24 @@ pub enum DirtState {
     Before,
     /// After it, as it was felt.
     Estimated,
+}
+
+/// A term as text: names without quotes, lists of characters as the word they make.
+fn text_of(term: &Term) -> String {
+    match term {
+        Term::Atom(name) => name.clone(),
+        Term::List(items) => {
+            let letters = items.iter().map(|item| {
+                let mut letters = item.as_atom()?.chars();
+                letters.next().filter(|_| letters.next().is_none())
+            });
+            letters
+                .collect::<Option<String>>()
+                .unwrap_or_else(|| term.to_string())
+        }
+        Term::Compound(colon, parts) if colon == ":" && parts.len() == 2 => {
+            format!("{}:{}", text_of(&parts[0]), text_of(&parts[1]))
+        }
+        other => other.to_string(),
+    }
 }

@@ -1,7 +1,6 @@
 //! Diagrams of numbers that a query found.
 
-use super::ViewError;
-use super::command::text_of;
+use super::{ViewError, text_of};
 use crate::ask::Term;
 
 /// Most entries of one diagram.

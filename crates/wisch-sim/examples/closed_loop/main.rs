@@ -4,17 +4,13 @@
 //! cargo run --release --package wisch-sim --example closed_loop -- [scenario ...] [--seeds N] [--first-seed N]
 //! ```
 
-#[path = "../common/whole.rs"]
-mod whole;
-
 use std::ops::ControlFlow;
 use std::time::Instant;
-use whole::{by_density, run_config};
 use wisch::interpret::EventKind;
 use wisch::run::{PlannedRound, Round, RunEvent, Session};
 use wisch_io::load_task;
 use wisch_sim::{GroundTruth, SimulationSettings, World};
-use wisch_testkit::{AnyError, Robot, humanoid, scenario};
+use wisch_testkit::{AnyError, Robot, by_density, humanoid, run_config, scenario};
 
 const SCENARIOS: [&str; 3] = [
     "chopping-board",

@@ -10,8 +10,6 @@
 
 mod draw;
 mod summary;
-#[path = "../common/whole.rs"]
-mod whole;
 
 use draw::disturbed;
 use rayon::prelude::*;
@@ -19,13 +17,12 @@ use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 use summary::{Episode, Fate, Pass, Summary};
-use whole::{by_density, run_config};
 use wisch::interpret::EventKind;
 use wisch::represent::ParticleError;
 use wisch::run::{PlannedRound, Round, RunEvent, Session, TelemetrySample};
 use wisch_io::load_task;
 use wisch_sim::{GroundTruth, SimulationSettings, World};
-use wisch_testkit::{AnyError, Robot, humanoid, scenario};
+use wisch_testkit::{AnyError, Robot, by_density, humanoid, run_config, scenario};
 
 /// What every episode has in common.
 struct Stage {

@@ -1,7 +1,6 @@
 //! The tool: how it gives way, its plate on springs, and the load that it is to the robot.
 
-use super::drives::free_axis;
-use super::{Plant, to_engine};
+use super::{Plant, free_axis, to_engine};
 use crate::SimulationError;
 use nalgebra::{Matrix3, Translation3};
 use rapier3d_f64::dynamics::{

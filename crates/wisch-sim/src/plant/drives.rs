@@ -1,7 +1,7 @@
 //! The robot's bodies and what moves them: efforts, drives that hold, joints that follow others.
 
 use super::compliance::foam_springs;
-use super::{GRAVITY, Plant, to_engine, vector};
+use super::{GRAVITY, Plant, free_axis, to_engine, vector};
 use crate::SimulationError;
 use nalgebra::{DMatrix, DVector};
 use rapier3d_f64::dynamics::{
@@ -288,11 +288,6 @@ fn coupled_inertia(articulation: &Articulation, mass: &DMatrix<f64>, follower: u
     }
     let accelerations = mass.clone().cholesky().map(|mass| mass.solve(&gap));
     accelerations.map_or(0.0, |a| 1.0 / gap.dot(&a).max(f64::MIN_POSITIVE))
-}
-
-/// The one free axis of a joint, in the engine's order: linear, then angular.
-pub(super) fn free_axis(locked: u8) -> usize {
-    (!locked).trailing_zeros() as usize
 }
 
 fn mass_properties(body: &Body) -> MassProperties {

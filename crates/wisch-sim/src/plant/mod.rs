@@ -80,6 +80,11 @@ pub(super) fn vector(v: &Vector3) -> engine::Vector {
     engine::Vector::new(v.x, v.y, v.z)
 }
 
+/// The one free axis of a joint, in the engine's order: linear, then angular.
+fn free_axis(locked: u8) -> usize {
+    (!locked).trailing_zeros() as usize
+}
+
 /// Grains meet the surface and each other; what the tool does to them is a force of its own.
 pub(super) fn groups_of_grains() -> InteractionGroups {
     groups(GRAIN, SURFACE | GRAIN)

@@ -19,10 +19,11 @@ fn source_of(room: &str) -> Option<PathBuf> {
     if STAGES.contains(&room) {
         return Some(source().join(room));
     }
-    let name = CRATES
-        .into_iter()
-        .find(|name| name.replace('-', "_") == room)?;
-    Some(root().join("crates").join(name).join("src"))
+    let is_called_so = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        name.replace('-', "_") == room
+    };
+    Some(crates().find(is_called_so)?.join("src"))
 }
 
 /// Items named in a text as `stage::…::Name` or `crate::…::Name`.

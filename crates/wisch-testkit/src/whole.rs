@@ -1,4 +1,4 @@
-//! How the examples run the whole loop.
+//! How tests and examples run the whole loop.
 
 use wisch::follow::WorkcellConfig;
 use wisch::plan::CoverageStrategy;

@@ -1,0 +1,153 @@
+//! Shipped scenarios, executed: what is estimated by touch is held against what the world knows.
+
+use std::ops::ControlFlow;
+use wisch::interpret::EventKind;
+use wisch::recover::Verdict;
+use wisch::run::{Ending, Round, RunConfig, Session};
+use wisch_io::{LoadedTask, load_task};
+use wisch_sim::{GroundTruth, SimulationSettings, World};
+use wisch_testkit::{by_density, humanoid, run_config, scenario};
+
+/// How far the estimate may be off the truth [1]; of 29 rounds on the board the worst is off by 0.092.
+const ESTIMATE: f64 = 0.10;
+/// How far beyond the 90 % interval the truth may be [1].
+const BESIDE: f64 = 0.05;
+
+/// A round, what was true of it, and the true performance [1].
+type Executed = (Round, GroundTruth, f64);
+
+/// The first rounds of a scenario with the humanoid, seed 1.
+fn executed(name: &str, most: usize) -> (LoadedTask, Vec<Executed>) {
+    let loaded = load_task(&scenario(name), &by_density(1)).unwrap();
+    let settings = SimulationSettings::of(loaded.file.execution(), &loaded.task, &loaded.knowledge);
+    let mut world = World::new(&loaded.task, settings.unwrap());
+    let robot = humanoid();
+    let config = RunConfig {
+        max_rounds: most,
+        ..run_config(&loaded)
+    };
+    let mut session = Session::new(&loaded.task, config).with_robot(robot.performer());
+    let all = session.run(&mut world, &mut |_| ControlFlow::Continue(()));
+    all.unwrap();
+    let rounds = session.into_rounds().into_iter().zip(world.truth());
+    let rounds = rounds.map(|(round, truth)| {
+        let goal = &round.motion.plan.graph.goal;
+        let performance = truth.performance(goal, &round.motion.task.surface);
+        let performance = performance.unwrap().expect("dirt is simulated");
+        (round, truth.clone(), performance)
+    });
+    let rounds = rounds.collect();
+    (loaded, rounds)
+}
+
+/// What is wrong with a round, whatever becomes of its dirt.
+fn faults(number: usize, (round, truth, performance): &Executed) -> Vec<String> {
+    let estimate = &round.interpretation.performance;
+    let limit = round.motion.task.interaction.press_force_n;
+    let interval = estimate.low - BESIDE..=estimate.high + BESIDE;
+    let checks = [
+        (round.audit.is_sound(), "its motion has faults".to_owned()),
+        (
+            round.execution.ending == Ending::Complete,
+            format!("ends with {:?}", round.execution.ending),
+        ),
+        (
+            (estimate.mean - performance).abs() <= ESTIMATE,
+            format!("{} estimated, {performance} true", estimate.mean),
+        ),
+        (
+            interval.contains(performance),
+            format!(
+                "{performance} true is not within {} to {}",
+                estimate.low, estimate.high
+            ),
+        ),
+        (
+            truth.max_controller_force <= limit + 1e-6,
+            format!(
+                "the controller presses with {} N",
+                truth.max_controller_force
+            ),
+        ),
+    ];
+    let wrong = checks.into_iter().filter(|(holds, _)| !holds);
+    wrong
+        .map(|(_, what)| format!("round {number}: {what}"))
+        .collect()
+}
+
+fn all_faults(rounds: &[Executed]) -> Vec<String> {
+    let numbered = (1..).zip(rounds);
+    numbered
+        .flat_map(|(number, round)| faults(number, round))
+        .collect()
+}
+
+/// When collisions were felt [s].
+fn collisions(round: &Round) -> Vec<[f64; 2]> {
+    let events = round.interpretation.events.iter();
+    let felt = events.filter(|event| event.kind == EventKind::Collision);
+    felt.map(|event| [event.start, event.end]).collect()
+}
+
+#[test]
+fn pushes_are_felt_when_they_happen_and_what_they_cost_is_wiped_again() {
+    let (loaded, rounds) = executed("failure-human-push", 2);
+    for (r, t, p) in &rounds {
+        eprintln!(
+            "EST {:?} true {p} coll {:?} verdict {:?} dur {} F {:?} lost {}",
+            r.interpretation.performance,
+            collisions(r),
+            r.verdict,
+            r.execution.duration,
+            t.contact_force.mean(),
+            t.lost_share
+        );
+    }
+    assert_eq!(all_faults(&rounds), [] as [String; 0]);
+    assert_eq!(rounds.len(), 2);
+    let (first, _, before) = &rounds[0];
+    assert_eq!(first.verdict, Verdict::Again);
+    let pushes = &loaded.file.execution().pushes;
+    let felt = collisions(first);
+    assert_eq!((pushes.len(), felt.len()), (2, 2), "{felt:?}");
+    for (push, [start, end]) in pushes.iter().zip(felt) {
+        let (from, to) = (push.start, push.start + push.duration);
+        // Felt within 0.2 s, and for most of the time.
+        assert!(
+            start >= from - 0.05 && start <= from + 0.2,
+            "{start} s, pushed from {from} s"
+        );
+        assert!(
+            end > 0.5 * (from + to) && end <= to + 0.5,
+            "{end} s, pushed to {to} s"
+        );
+    }
+    let (second, _, after) = &rounds[1];
+    assert_eq!(collisions(second), [] as [[f64; 2]; 0]);
+    assert!(after > before, "{before}, then {after}");
+}
+
+#[test]
+fn the_wiper_cleans_the_solar_panel_as_far_as_it_believes() {
+    let (loaded, rounds) = executed("solar-panel-wiper", 1);
+    for (r, t, p) in &rounds {
+        eprintln!(
+            "EST {:?} true {p} coll {:?} verdict {:?} dur {} F {:?} lost {}",
+            r.interpretation.performance,
+            collisions(r),
+            r.verdict,
+            r.execution.duration,
+            t.contact_force.mean(),
+            t.lost_share
+        );
+    }
+    assert_eq!(all_faults(&rounds), [] as [String; 0]);
+    let (round, truth, performance) = &rounds[0];
+    assert_eq!(collisions(round), [] as [[f64; 2]; 0]);
+    assert!(
+        *performance >= loaded.file.target_performance(),
+        "{performance}"
+    );
+    assert!(truth.contact_force.count() > 1000);
+}
