@@ -13,7 +13,7 @@ static KNOWLEDGE: LazyLock<KnowledgeBase> = LazyLock::new(|| {
         ("surfaces.toml", include_str!("../../knowledge/surfaces.toml")),
         ("interactions.toml", include_str!("../../knowledge/interactions.toml")),
     ];
-    KnowledgeBase::from_toml(&files).expect("the shipped knowledge parses")
+    wisch_io::parse_knowledge(&files).expect("the shipped knowledge parses")
 });
 const DOMAIN: &str = include_str!("../../knowledge/wiping.pddl");
 const GOAL: &str = "(collected dust floor)";

@@ -66,13 +66,13 @@ impl Cli {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Options of every command")]
 pub struct GlobalArgs {
-    /// Print nothing but errors, and the object that --json asks for
+    /// Print errors only, and the object of --json
     #[arg(long, short, global = true)]
     pub quiet: bool,
-    /// How many threads to work with; the results are the same for any number
+    /// Number of worker threads; results do not depend on it
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Whether to use colours; NO_COLOR in the environment turns them off as well
+    /// When to use colours; NO_COLOR in the environment turns them off as well
     #[arg(
         long,
         global = true,
@@ -97,8 +97,8 @@ pub enum ColorChoice {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Wipe: plan, predict, follow with the task's robot, execute in a physics world, infer by touch what
-    /// was wiped, and wipe again until the goal is met
+    /// Wipe: plan, predict, follow with the task's robot, execute in simulation, estimate by touch what was
+    /// wiped, and wipe again until the goal is met
     #[command(after_help = "\
 Examples:
   wisch run board.toml
@@ -107,25 +107,26 @@ Examples:
   wisch run board.toml --robot none         without a robot: plan and predict
   wisch run board.toml --json | jq '.rounds[] | {predicted, estimated, true_performance}'
 
-Writes a report with every round, a bag of telemetry per round (round-1.mcap, for Foxglove, Rerun and
-ROS 2), rounds.json, and the particles as estimated and as they really are.
+Writes report.html, plan.json and rounds.json; telemetry/: a bag per round (round-1.mcap, for Foxglove,
+Rerun and ROS 2); trajectories/: joint trajectories and the tool's path; particles/: as estimated and
+as they really are; figures/.
 
 Exit codes: 0 the estimated performance reaches the task's target (without a robot: the predicted one),
 1 it does not, 2 an error.")]
     Run(WipeArgs),
-    /// Follow a plan with a robot: joint trajectories that ROS 2 executes
+    /// Follow a plan with a robot: collision-free joint trajectories for ROS 2
     #[command(after_help = "\
 Examples:
   wisch follow board.toml
   wisch follow board.toml --plan out/board/plan.json --robot my_arm.urdf --group manipulator
   wisch follow board.toml --json | jq '.execution_time_s, .abandoned_nodes'
 
-Writes trajectory.yaml and trajectory.json (moveit_msgs/RobotTrajectory: a JointTrajectory, and a
-MultiDOFJointTrajectory for a base that moves), tcp-path.csv and following.json.
+Writes into trajectories/: trajectory.yaml and trajectory.json (moveit_msgs/RobotTrajectory: a
+JointTrajectory, and a MultiDOFJointTrajectory for a base that moves), tcp-path.csv and following.json.
 
 Exit codes: 0 the predicted performance reaches the task's target, 1 it does not, 2 an error.")]
     Follow(FollowArgs),
-    /// Ask the memory of what was wiped, in Prolog
+    /// Query the episodic memory in Prolog
     #[command(after_help = "\
 Examples:
   wisch ask 'low_performance(Action, P)'
@@ -136,14 +137,14 @@ Examples:
 
 Exit codes: 0 there is an answer, 1 there is none, 2 an error.")]
     Ask(AskArgs),
-    /// Plan a task, without predicting what the plan does
+    /// Plan the strokes of a task, without predicting their effect
     #[command(after_help = "\
 Examples:
   wisch plan board.toml
   wisch plan board.toml --strategy grid --out plans/board-grid
   wisch plan board.toml --json | jq .distance_in_contact_m")]
     Plan(RunArgs),
-    /// Predict what a plan does; without --plan, plan first
+    /// Predict the effect of a plan; without --plan, plan first
     #[command(after_help = "\
 Examples:
   wisch predict board.toml
@@ -152,7 +153,7 @@ Examples:
 
 Exit codes: 0 the predicted performance reaches the task's target, 1 it does not, 2 an error.")]
     Predict(PredictArgs),
-    /// Say from a log of the tool's pose and force what was wiped, and where the surface really is
+    /// Estimate from logged tool poses and forces what was wiped and where the surface really is
     #[command(after_help = "\
 Examples:
   wisch interpret wipe.mcap --task board.toml
@@ -162,11 +163,11 @@ Examples:
 
 A log is a ROS 2 bag (MCAP), a folder with the parts of one, or a table of numbers under a line of
 names. A bag that is being written, or whose writer was killed (NAME.mcap.active), is read as far as
-it goes. Writes interpretation.json and particles-estimated.csv.
+it goes. Writes interpretation.json and particles/particles-estimated.csv.
 
 Exit codes: 0 the estimated performance reaches the task's target, 1 it does not, 2 an error.")]
     Interpret(Box<InterpretArgs>),
-    /// Show where a tool touches the surface
+    /// Show a tool's footprint: where it touches the surface
     #[command(after_help = "\
 Examples:
   wisch footprint sponge
@@ -187,10 +188,10 @@ Examples:
   wisch check board.toml --strategy kde --set plan.bandwidth_m=0.04
   wisch check board.toml --robot arm7 --set 'robot.position_m=[0, -0.45, 0.75]'")]
     Check(CheckArgs),
-    /// Look at robots
+    /// Check a robot's description, and map what it can reach
     #[command(subcommand, arg_required_else_help = true)]
     Robot(RobotCommand),
-    /// Look at the memory of episodes: what was wiped, when, and how well it went
+    /// List, show, import, verify and export the episodes of the memory
     #[command(subcommand, arg_required_else_help = true)]
     Memory(MemoryCommand),
 }
@@ -201,19 +202,19 @@ pub struct TaskArgs {
     /// The task file
     #[arg(value_name = "TASK", value_hint = ValueHint::FilePath)]
     pub task: PathBuf,
-    /// How to place the waypoints [default: the task's]
+    /// Coverage strategy that places the waypoints [default: the task's]
     #[arg(long, value_name = "STRATEGY", value_parser = strategy_parser())]
     pub strategy: Option<CoverageStrategy>,
-    /// What to do to the dirt [default: the task's]
+    /// Wiping action [default: the task's]
     #[arg(long, value_name = "ACTION", value_parser = action_parser())]
     pub action: Option<Action>,
-    /// Seed of everything random [default: the task's]
+    /// Random seed [default: the task's]
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
-    /// Change a value of the task file; may be given more than once
+    /// Override a value of the task file; repeatable
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = setting)]
     pub settings: Vec<(String, String)>,
-    /// Folder with tools, media, surfaces, interactions and the domain [default: built in]
+    /// Knowledge base: folder with tools, media, surfaces, interactions and PDDL domain [default: built in]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub knowledge: Option<PathBuf>,
 }
@@ -244,23 +245,23 @@ pub struct WipeArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Rounds")]
 pub struct LoopArgs {
-    /// Most rounds of wiping, looking at the estimate, and wiping again [default: the task's, with
-    /// --greedy ten times as many]
+    /// Maximum number of rounds of wiping and estimating [default: the task's, with --greedy ten times as
+    /// many]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1000))]
     pub rounds: Option<u16>,
-    /// Interpret after every stroke; the next is the one that is predicted to gain most
+    /// Estimate after every stroke, and next wipe the stroke with the greatest predicted gain
     #[arg(long)]
     pub greedy: bool,
-    /// Go on after the last finished round of a run of the same task into the same folder that was killed
+    /// Resume a killed run from its last completed round
     #[arg(long)]
     pub resume: bool,
-    /// Execute no faster than in reality
+    /// Execute in real time instead of as fast as possible
     #[arg(long)]
     pub realtime: bool,
-    /// Execute by a program that speaks the executor protocol, instead of the built-in simulator
+    /// Command that starts an executor (docs/executor-protocol.md), in place of the built-in simulator
     #[arg(long, value_name = "COMMAND", conflicts_with = "resume")]
     pub executor: Option<String>,
-    /// Write what happens as JSON lines, to a file or with "-" to standard output
+    /// Write progress events as JSON lines to a file, or with "-" to standard output
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub events: Option<PathBuf>,
     /// Where the episode is kept.
@@ -274,7 +275,7 @@ pub struct FollowArgs {
     /// The task.
     #[command(flatten)]
     pub task: TaskArgs,
-    /// The plan to follow, a plan.json of an earlier run [default: plan anew]
+    /// Plan to follow, a plan.json of an earlier run [default: plan anew]
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, conflicts_with_all = ["strategy"])]
     pub plan: Option<PathBuf>,
     /// The robot.
@@ -289,16 +290,16 @@ pub struct FollowArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Robot")]
 pub struct RobotArgs {
-    /// A robot that is shipped (humanoid, arm7, arm6), a URDF, or "none" [default: the task's]
+    /// Robot: a shipped one (humanoid, arm7, arm6), a URDF, or "none" [default: the task's]
     #[arg(long, value_name = "ROBOT", value_hint = ValueHint::FilePath)]
     pub robot: Option<String>,
-    /// The group of the robot's SRDF that wipes [default: the task's, or the first]
+    /// Planning group of the SRDF that holds the tool [default: the task's, or the first]
     #[arg(long, value_name = "NAME")]
     pub group: Option<String>,
-    /// The robot's capability map [default: beside the URDF; without one, places are rated slowly]
+    /// Capability map for base placement [default: beside the URDF; without one, placement is slow]
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub map: Option<PathBuf>,
-    /// Where the files of package://NAME are; may be given more than once
+    /// Folder to which package://NAME resolves; repeatable
     #[arg(long = "package", value_name = "NAME=DIR", value_parser = package)]
     pub packages: Vec<(String, PathBuf)>,
 }
@@ -306,10 +307,10 @@ pub struct RobotArgs {
 /// Where the results go.
 #[derive(Debug, Args)]
 pub struct ResultArgs {
-    /// Folder for the results; one of an earlier run is replaced [default: out/NAME-OF-THE-TASK]
+    /// Output folder; one of an earlier run is replaced [default: out/NAME-OF-THE-TASK]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: Option<PathBuf>,
-    /// Print one JSON object in place of the summary
+    /// Print one JSON object instead of the summary
     #[arg(long)]
     pub json: bool,
 }
@@ -320,7 +321,7 @@ pub struct PredictArgs {
     /// The task.
     #[command(flatten)]
     pub task: TaskArgs,
-    /// The plan to predict, a plan.json of an earlier run [default: plan anew]
+    /// Plan to predict, a plan.json of an earlier run [default: plan anew]
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, conflicts_with_all = ["strategy"])]
     pub plan: Option<PathBuf>,
     /// The results.
@@ -331,16 +332,16 @@ pub struct PredictArgs {
 /// Arguments of `footprint`.
 #[derive(Debug, Args)]
 pub struct FootprintArgs {
-    /// A tool of the knowledge base, or a mesh file (.stl, .obj or .dae)
+    /// Tool of the knowledge base, or a mesh file (.stl, .obj or .dae)
     #[arg(value_name = "TOOL")]
     pub tool: String,
-    /// How deep the tool gives way [m]; needed for a mesh file [default: the tool's]
+    /// Compression depth under nominal force [m]; required for a mesh file [default: the tool's]
     #[arg(long, value_name = "METRES", allow_negative_numbers = true)]
     pub compression_depth_m: Option<f64>,
-    /// Draw it into this .svg file
+    /// Draw the footprint to this .svg file
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub svg: Option<PathBuf>,
-    /// Folder with the tools [default: built in]
+    /// Knowledge base: folder with the tools [default: built in]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub knowledge: Option<PathBuf>,
 }
@@ -348,10 +349,10 @@ pub struct FootprintArgs {
 /// Arguments of `new`.
 #[derive(Debug, Args)]
 pub struct NewArgs {
-    /// Where to write it [default: standard output]
+    /// File to write [default: standard output]
     #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub file: Option<PathBuf>,
-    /// Write over a file that is there
+    /// Overwrite an existing file
     #[arg(long, requires = "file")]
     pub force: bool,
 }

@@ -2,6 +2,7 @@
 
 mod circles;
 mod crates;
+mod documents;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -128,74 +129,6 @@ fn the_library_reads_no_clock_file_or_network_and_serializes_no_domain_type() {
             assert!(!text.contains(word), "{} uses {word}", file.display());
         }
     }
-}
-
-/// Items named in a text as `stage::…::Name`, or as `wisch_sim::…::Name` where they are another crate's.
-fn items(text: &str) -> Vec<&str> {
-    text.split('`')
-        .skip(1)
-        .step_by(2)
-        .filter(|word| {
-            (word.split_once("::"))
-                .is_some_and(|(first, _)| STAGES.contains(&first) || first.starts_with("wisch_"))
-        })
-        .collect()
-}
-
-fn exists(item: &str) -> bool {
-    let mut parts = item.split("::");
-    let first = parts.next().unwrap_or_default();
-    let names: Vec<&str> = parts.collect();
-    let folder = if first.starts_with("wisch_") {
-        let name = first.replace('_', "-");
-        source().join("../..").join(name).join("src")
-    } else {
-        source().join(first)
-    };
-    let text: String = rust_files(&folder)
-        .iter()
-        .map(|file| code(&fs::read_to_string(file).unwrap()))
-        .collect();
-    !names.is_empty()
-        && names.iter().all(|name| {
-            let declared = |keyword: &str| {
-                text.match_indices(&format!("{keyword} {name}"))
-                    .any(|(at, found)| {
-                        !text[at + found.len()..]
-                            .starts_with(|c: char| c.is_alphanumeric() || c == '_')
-                    })
-            };
-            ["fn", "struct", "enum", "const", "type", "trait"]
-                .into_iter()
-                .any(declared)
-                || text.contains(&format!("    {name},"))
-                || text.contains(&format!("    {name} {{"))
-        })
-}
-
-#[test]
-fn what_paper_md_names_exists() {
-    let paper = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../PAPER.md");
-    let text = fs::read_to_string(paper).unwrap();
-    let items = items(&text);
-    assert!(
-        items.len() > 20,
-        "PAPER.md names only {} items",
-        items.len()
-    );
-    let missing: Vec<&str> = items.into_iter().filter(|item| !exists(item)).collect();
-    assert!(
-        missing.is_empty(),
-        "PAPER.md names what is not there: {missing:?}"
-    );
-}
-
-#[test]
-fn an_item_that_is_not_there_is_noticed() {
-    assert!(exists("represent::EffectModel::apply"));
-    assert!(!exists("represent::EffectModel::undo_everything"));
-    assert!(exists("wisch_sim::World") && !exists("wisch_sim::EffectModel"));
-    assert_eq!(items("see `plan::grid` and `cargo doc`"), ["plan::grid"]);
 }
 
 /// Files outside `plan/coverage` that name the strategy which nothing takes by default: each would have to

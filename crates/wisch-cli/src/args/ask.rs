@@ -6,35 +6,34 @@ use std::path::PathBuf;
 /// Arguments of `ask`.
 #[derive(Debug, Args)]
 pub struct AskArgs {
-    /// The query, in Prolog; without one, queries are read line by line
+    /// Prolog query; without one, an interactive prompt
     #[arg(value_name = "QUERY")]
     pub query: Option<String>,
-    /// The memory to ask
+    /// Folder of the memory
     #[arg(long, value_name = "DIR", default_value = "episodes", value_hint = ValueHint::DirPath)]
     pub memory: PathBuf,
-    /// The Prolog system that answers: scryer (the program wisch-prolog) or swi (SWI-Prolog); without it, the first
-    /// of them that is there
+    /// Prolog system: scryer (the program wisch-prolog) or swi (SWI-Prolog) [default: the first that is installed]
     #[arg(long, value_name = "NAME")]
     pub engine: Option<EngineChoice>,
     /// Print the answers as one JSON object
     #[arg(long, conflicts_with = "csv")]
     pub json: bool,
-    /// Print the answers as a table of comma-separated values
+    /// Print the answers as CSV
     #[arg(long)]
     pub csv: bool,
-    /// Draw what the query shows, with its answers, into one HTML file
+    /// Draw what the query shows, with its answers, to an HTML file
     #[arg(long, value_name = "FILE", requires = "query", value_hint = ValueHint::FilePath)]
     pub view: Option<PathBuf>,
-    /// Most answers
+    /// Maximum number of answers
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub limit: u32,
-    /// Most seconds for a query
+    /// Time limit of a query [s]
     #[arg(long, value_name = "S", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=86_400))]
     pub timeout: u32,
-    /// Most megabytes of memory for the Prolog system
+    /// Memory limit of the Prolog system [MB]
     #[arg(long, value_name = "MB", default_value_t = 4096, value_parser = clap::value_parser!(u32).range(256..=1_048_576))]
     pub memory_limit: u32,
-    /// List the predicates that queries may use, and what they say
+    /// List the predicates that queries may call, with their meaning
     #[arg(long)]
     pub list: bool,
 }

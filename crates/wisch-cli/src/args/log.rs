@@ -13,10 +13,10 @@ pub struct InterpretArgs {
     /// The log.
     #[command(flatten)]
     pub source: LoggedArgs,
-    /// Folder for the results; one of an earlier run is replaced [default: out/NAME-OF-THE-TASK-interpreted]
+    /// Output folder; one of an earlier run is replaced [default: out/NAME-OF-THE-TASK-interpreted]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: Option<PathBuf>,
-    /// Print one JSON object in place of the summary
+    /// Print one JSON object instead of the summary
     #[arg(long)]
     pub json: bool,
 }
@@ -24,25 +24,25 @@ pub struct InterpretArgs {
 /// A log, and what was being done.
 #[derive(Debug, Args)]
 pub struct LoggedArgs {
-    /// The log: a bag (.mcap), a folder with one, or a table
+    /// Log: a bag (.mcap), a folder with one, or a table
     #[arg(value_name = "LOG", value_hint = ValueHint::AnyPath)]
     pub log: PathBuf,
-    /// The task that was being done
+    /// Task file of what was executed
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub task: PathBuf,
-    /// The plan that was followed; says where to collect, if the task does not
+    /// Plan that was executed; its goal is used if the task names none
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub plan: Option<PathBuf>,
-    /// What was done to the dirt [default: the task's]
+    /// Wiping action that was executed [default: the task's]
     #[arg(long, value_name = "ACTION", value_parser = action_parser())]
     pub action: Option<Action>,
-    /// Seed of everything random [default: the task's]
+    /// Random seed [default: the task's]
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
-    /// Change a value of the task file; may be given more than once
+    /// Override a value of the task file; repeatable
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = setting)]
     pub settings: Vec<(String, String)>,
-    /// Folder with tools, media, surfaces, interactions and the domain [default: built in]
+    /// Knowledge base: folder with tools, media, surfaces, interactions and PDDL domain [default: built in]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub knowledge: Option<PathBuf>,
     /// How the log is to be understood.
@@ -52,40 +52,40 @@ pub struct LoggedArgs {
 
 /// How a log is to be understood.
 #[derive(Debug, Args)]
-#[command(next_help_heading = "How the log is to be understood")]
+#[command(next_help_heading = "Log format")]
 pub struct LogArgs {
-    /// Topic with the tool's pose, after a colon the field or child frame in it [default: the only one]
+    /// Topic of the tool's pose, and after a colon the field or child frame [default: the only one]
     #[arg(long, value_name = "TOPIC[:FIELD]")]
     pub pose_topic: Option<String>,
-    /// Topic with the force, after a colon the field in it [default: the only one]
+    /// Topic of the force, and after a colon the field [default: the only one]
     #[arg(long, value_name = "TOPIC[:FIELD]")]
     pub wrench_topic: Option<String>,
-    /// A table's names of columns, where they are not t, x, y, z, qx, qy, qz, qw, fx, fy and fz
+    /// Column names of a table, where they are not t, x, y, z, qx, qy, qz, qw, fx, fy and fz
     #[arg(long, value_name = "OURS=THEIRS", value_delimiter = ',', value_parser = setting)]
     pub csv_columns: Vec<(String, String)>,
-    /// In whose axes the force is given: the task's world, the frame of the logged poses (log), the frame whose
-    /// pose is logged (tool), or the surface [default: as the log says, or tool]
+    /// Frame in whose axes the force is expressed: the task's world, the reference frame of the logged poses (log),
+    /// the frame whose pose is logged (tool), or the surface [default: as the log says, or tool]
     #[arg(long, value_name = "AXES", value_parser = axes_parser())]
     pub wrench_frame: Option<Axes>,
-    /// Whether the force is that on the tool or that by the tool
+    /// Sign convention: force acting on the tool, or exerted by the tool
     #[arg(long, value_name = "SIGN", default_value = "on-tool", value_parser = sign_parser())]
     pub wrench_sign: WrenchSign,
-    /// The log's unit of force [N]
+    /// Unit of force in the log [N]
     #[arg(long, value_name = "NEWTONS", default_value_t = 1.0, value_parser = unit)]
     pub force_unit_n: f64,
-    /// The log's unit of length [m]
+    /// Unit of length in the log [m]
     #[arg(long, value_name = "METRES", default_value_t = 1.0, value_parser = unit)]
     pub length_unit_m: f64,
-    /// A table's unit of time [s]
+    /// Unit of time in a table [s]
     #[arg(long, value_name = "SECONDS", default_value_t = 1.0, value_parser = unit)]
     pub time_unit_s: f64,
-    /// The task's tool in the frame whose pose is logged: position [m], roll, pitch and yaw [rad]
+    /// Pose of the tool frame (contact point) in the logged frame: position [m], roll, pitch, yaw [rad]
     #[arg(long, num_args = 6, value_names = POSE_NAMES, allow_negative_numbers = true, value_parser = finite)]
     pub pose_offset: Vec<f64>,
-    /// The frame of the logged poses in the task's world: position [m], roll, pitch and yaw [rad]
+    /// Pose of the log's reference frame in the task's world: position [m], roll, pitch, yaw [rad]
     #[arg(long, num_args = 6, value_names = POSE_NAMES, allow_negative_numbers = true, value_parser = finite)]
     pub world_from_log: Vec<f64>,
-    /// How long the rarer of pose and force may be unknown and is interpolated [s]
+    /// Longest gap to interpolate [s]
     #[arg(long, value_name = "SECONDS", default_value_t = 0.1, value_parser = unit)]
     pub max_gap_s: f64,
 }

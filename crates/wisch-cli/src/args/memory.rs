@@ -8,10 +8,10 @@ use wisch_memory::neem::NeemConfig;
 /// Where a run is kept as an episode.
 #[derive(Debug, Args)]
 pub struct KeepArgs {
-    /// Folder of the memory to which the run is added as an episode, with telemetry and all that was felt
+    /// Folder of the memory in which the run is stored as an episode with its telemetry
     #[arg(long, value_name = "DIR", default_value = DEFAULT_MEMORY, value_hint = ValueHint::DirPath)]
     pub memory: PathBuf,
-    /// Do not keep the run as an episode
+    /// Do not store the run as an episode
     #[arg(long, conflicts_with = "memory")]
     pub no_memory: bool,
 }
@@ -38,7 +38,7 @@ Examples:
 
 With --json, one object per line.")]
     List(MemoryListArgs),
-    /// Say what happened in an episode
+    /// Show what happened in an episode
     #[command(after_help = "\
 Examples:
   wisch memory show 20261122-005612-3f2a
@@ -53,13 +53,13 @@ Examples:
 The log is read as wisch interpret reads it. Tables and simulated bags often count time from 0: then
 --start-s says when it was.")]
     Import(Box<ImportArgs>),
-    /// Hold every file of every episode against its check sum, and read it
+    /// Verify the checksum and contents of every file of every episode
     #[command(after_help = "\
 Exit codes: 0 all is well, 1 something is broken, 2 an error.")]
     Verify(MemoryVerifyArgs),
-    /// Forget an episode for good
+    /// Delete an episode for good
     Forget(EpisodeArgs),
-    /// Write episodes for other programs, as a narrative-enabled episodic memory (NEEM)
+    /// Export episodes as narrative-enabled episodic memories (NEEM) for KnowRob and openEASE
     #[command(after_help = "\
 Examples:
   wisch memory export --neem neem
@@ -76,13 +76,13 @@ pub struct ImportArgs {
     /// The log.
     #[command(flatten)]
     pub source: LoggedArgs,
-    /// When the log's first sample was taken, in seconds since 1970 (UTC) [default: as the log says]
+    /// Time of the log's first sample, in seconds since 1970 (UTC) [default: as the log says]
     #[arg(long, value_name = "SECONDS", value_parser = start_s)]
     pub start_s: Option<f64>,
     /// The memory.
     #[command(flatten)]
     pub memory: MemoryArgs,
-    /// Print one JSON object in place of the summary
+    /// Print one JSON object instead of the summary
     #[arg(long)]
     pub json: bool,
 }
@@ -90,19 +90,19 @@ pub struct ImportArgs {
 /// Arguments of `memory export`.
 #[derive(Debug, Args)]
 pub struct ExportArgs {
-    /// The episodes' names, as `wisch memory list` says them [default: all]
+    /// Names of the episodes, as listed by `wisch memory list` [default: all]
     #[arg(value_name = "ID")]
     pub ids: Vec<String>,
-    /// Folder for the NEEM; it must not be there yet
+    /// Folder to create for the NEEM
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub neem: PathBuf,
-    /// How often the pose of each frame is written [Hz]
+    /// Rate at which the pose of each frame is written [Hz]
     #[arg(long, value_name = "HZ", default_value_t = NeemConfig::default().tf_rate_hz, allow_negative_numbers = true)]
     pub tf_rate_hz: f64,
     /// The memory.
     #[command(flatten)]
     pub memory: MemoryArgs,
-    /// Print one JSON object in place of the report
+    /// Print one JSON object instead of the report
     #[arg(long)]
     pub json: bool,
 }
@@ -113,7 +113,7 @@ pub struct MemoryListArgs {
     /// The memory.
     #[command(flatten)]
     pub memory: MemoryArgs,
-    /// Print one JSON object per episode in place of the table
+    /// Print one JSON object per episode instead of the table
     #[arg(long)]
     pub json: bool,
 }
@@ -124,7 +124,7 @@ pub struct MemoryVerifyArgs {
     /// The memory.
     #[command(flatten)]
     pub memory: MemoryArgs,
-    /// Print one JSON object in place of the report
+    /// Print one JSON object instead of the report
     #[arg(long)]
     pub json: bool,
 }
@@ -132,13 +132,13 @@ pub struct MemoryVerifyArgs {
 /// Which episode.
 #[derive(Debug, Args)]
 pub struct EpisodeArgs {
-    /// The episode's name, as `wisch memory list` says it
+    /// Name of the episode, as listed by `wisch memory list`
     #[arg(value_name = "ID")]
     pub id: String,
     /// The memory.
     #[command(flatten)]
     pub memory: MemoryArgs,
-    /// Print one JSON object in place of the report
+    /// Print one JSON object instead of the report
     #[arg(long)]
     pub json: bool,
 }

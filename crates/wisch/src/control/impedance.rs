@@ -45,16 +45,17 @@ pub struct Posture<'a> {
     pub qdd: &'a [f64],
 }
 
-/// Where the robot is.
+/// Where the robot is and how fast it moves, by its own joint sensors. Arrays have one entry per variable of the
+/// articulation, in its order.
 #[derive(Debug, Clone, Copy)]
 pub struct Measured<'a> {
     /// Positions of the articulation's variables [rad or m].
     pub q: &'a [f64],
     /// Their velocities [rad/s or m/s].
     pub qd: &'a [f64],
-    /// Where the tool is, by the positions.
+    /// Pose of the tool by forward kinematics of `q`.
     pub world_from_tool: Pose,
-    /// Of the tool centre point, 6 × n.
+    /// Jacobian of the tool centre point in the axes of the world, 6 × n: linear rows first.
     pub jacobian: &'a Matrix6xX<f64>,
 }
 

@@ -5,7 +5,7 @@ use crate::geometry::{PlanarPose, Pose};
 use crate::plan::Stroke;
 use crate::robot::Range;
 
-/// What a motion is for.
+/// What a motion is for, and by that what may move and what the tool may touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Phase {
     /// The base moves to another placement, the arm holds still.
@@ -28,7 +28,7 @@ impl Phase {
         matches!(self, Self::Wipe(_))
     }
 
-    /// The stroke that is wiped.
+    /// Index of the stroke in [`Followed::strokes`] that is wiped; `None` where nothing is.
     pub const fn stroke(self) -> Option<usize> {
         match self {
             Self::Wipe(stroke) => Some(stroke),
@@ -61,7 +61,8 @@ pub struct ToolPose {
 }
 
 impl ToolPose {
-    /// Between this pose (0) and another (1).
+    /// The pose at share `s` of the way to another, 0 being here: position, height, heading and tilt change linearly, the
+    /// heading without being wrapped to ±π.
     pub fn towards(&self, to: &Self, s: f64) -> Self {
         let between = |a: f64, b: f64| a + s * (b - a);
         let (a, b) = (&self.surface_from_tool, &to.surface_from_tool);
@@ -75,7 +76,7 @@ impl ToolPose {
         }
     }
 
-    /// The same, lifted.
+    /// The same place, heading and tilt at a height above the surface [m].
     pub fn lifted(&self, height: f64) -> Self {
         Self { height, ..*self }
     }
@@ -120,7 +121,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// When it ends [s].
+    /// When it ends [s], counted as `start` is from the beginning of all motions.
     pub fn end(&self) -> f64 {
         self.start + self.trajectory.duration()
     }
@@ -235,7 +236,8 @@ pub struct RatedPlace {
     pub rating: Option<f64>,
 }
 
-/// A plan as joint motion.
+/// A plan as joint motion of a robot: trajectories for all its variables, one after the other, and what had to be given
+/// up; paper §3.3.
 #[derive(Debug, Clone)]
 pub struct Followed {
     /// The motions in order; each begins where and when the one before ends.

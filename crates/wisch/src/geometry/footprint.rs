@@ -12,7 +12,7 @@ use std::collections::{HashMap, HashSet};
 /// Least compression depth [m]: below it a flat face that is tilted by rounding would not lie in the slab.
 pub const MIN_COMPRESSION_DEPTH: f64 = 1e-5;
 
-/// Most edges of a footprint.
+/// Most edges a footprint may have; a mesh that leaves more is refused.
 pub const MAX_FOOTPRINT_EDGES: usize = 100_000;
 
 /// Pieces and holes below this area are dropped [m²]: a thousandth of a square millimetre.

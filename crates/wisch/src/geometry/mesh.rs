@@ -306,7 +306,7 @@ impl Mesh {
         Self::new(vertices, triangles)
     }
 
-    /// The vertices [m].
+    /// The vertices in the mesh's own frame [m].
     pub fn vertices(&self) -> &[Point3] {
         &self.vertices
     }

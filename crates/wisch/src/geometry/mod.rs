@@ -16,7 +16,7 @@ pub use pose::{PlanarPose, Pose, wrap_angle};
 pub type Point2 = nalgebra::Point2<f64>;
 /// A vector in a plane [m].
 pub type Vector2 = nalgebra::Vector2<f64>;
-/// A point in space [m].
+/// A point in space [m]; names say in which frame, as in `point_in_tool`.
 pub type Point3 = nalgebra::Point3<f64>;
-/// A vector in space [m].
+/// A vector in space, in metres unless another unit is said; names say in the axes of which frame.
 pub type Vector3 = nalgebra::Vector3<f64>;

@@ -62,12 +62,12 @@ impl Polygon {
         )
     }
 
-    /// The outer ring, counter-clockwise.
+    /// The outer ring, counter-clockwise [m]; its last vertex joins its first, which is not repeated.
     pub fn outer(&self) -> &[Point2] {
         &self.outer
     }
 
-    /// The holes, clockwise.
+    /// The rings of the holes, clockwise [m]; empty for a simple polygon.
     pub fn holes(&self) -> &[Vec<Point2>] {
         &self.holes
     }
@@ -117,17 +117,17 @@ pub struct Region {
 }
 
 impl Region {
-    /// A region from disjoint polygons.
+    /// A region from polygons of one frame, which must not overlap: areas are added up.
     pub fn new(polygons: Vec<Polygon>) -> Self {
         Self { polygons }
     }
 
-    /// The pieces.
+    /// The disjoint pieces, in the order in which they were given.
     pub fn polygons(&self) -> &[Polygon] {
         &self.polygons
     }
 
-    /// All edges of all pieces.
+    /// The edges of all pieces, piece by piece, in the order of [`Polygon::edges`].
     pub fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
         self.polygons.iter().flat_map(Polygon::edges)
     }

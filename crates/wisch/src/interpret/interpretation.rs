@@ -19,7 +19,7 @@ pub enum Diagnosis {
     NoContact,
 }
 
-/// What a log says.
+/// What a log of poses and forces says of the contact, the real plane of the surface, and the dirt; paper §4.2.
 #[derive(Debug, Clone)]
 pub struct Interpretation {
     /// The path in pieces.

@@ -64,7 +64,7 @@ impl FreeSpace {
         self.radius
     }
 
-    /// The target surface.
+    /// The target surface, in whose frame all places here are given.
     pub fn surface(&self) -> &Surface {
         &self.surface
     }

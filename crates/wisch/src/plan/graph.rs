@@ -3,7 +3,7 @@
 use crate::geometry::{Edge, Point2};
 use crate::represent::GoalState;
 
-/// What a node stands for.
+/// Whether a node is one to wipe over or one to wipe towards.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NodeRole {
     /// Covers a part of the surface.

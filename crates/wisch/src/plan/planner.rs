@@ -9,7 +9,7 @@ use super::{
 use crate::geometry::{Edge, Point2};
 use crate::represent::{Action, GoalState, Task};
 
-/// What the planner may choose.
+/// How nodes are placed and the tool is lifted; what is to be done with what is said by the task.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanConfig {
     /// Where nodes are placed.

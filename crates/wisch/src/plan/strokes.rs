@@ -69,7 +69,7 @@ impl Stroke {
             .chain(touch)
     }
 
-    /// Distance travelled in contact [m].
+    /// Way of the tool centre point along this stroke, in contact throughout [m].
     pub fn length(&self) -> f64 {
         self.motions().map(|motion| motion.travel().1).sum()
     }
@@ -95,7 +95,7 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Distance travelled in contact [m].
+    /// Way of the tool centre point over all strokes, lifted moves left out [m]; the distance of Table 1.
     pub fn contact_distance(&self) -> f64 {
         self.strokes.iter().map(Stroke::length).sum()
     }

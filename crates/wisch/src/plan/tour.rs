@@ -118,7 +118,7 @@ impl CostMatrix {
         Self::from_fn(points.len(), |i, j| (points[i] - points[j]).norm())
     }
 
-    /// How many nodes there are.
+    /// Number of nodes n of the n × n matrix.
     pub fn node_count(&self) -> usize {
         self.node_count
     }

@@ -20,7 +20,7 @@ pub enum Pace {
     Greedy,
 }
 
-/// What follows from an interpretation.
+/// What follows from a round: [`Verdict::Again`] goes on, any other ends the session.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Verdict {
     /// The estimated performance reaches the target, and there was contact to show for it.
@@ -40,7 +40,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// In words.
+    /// The verdict in the words of results and reports, such as "goal met".
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::GoalMet => "goal met",
@@ -149,7 +149,7 @@ impl RoundJudge {
         }
     }
 
-    /// What follows the next round.
+    /// Judges the round that has just been interpreted, and remembers it for those to come.
     pub fn verdict(&mut self, outcome: &RoundOutcome<'_>) -> Verdict {
         let interpretation = outcome.interpretation;
         let estimate = &interpretation.performance;
@@ -290,7 +290,10 @@ mod tests {
         use Verdict::{Again, GoalMet};
         let pushed = felt(0.5, 0.4, true);
         let [wide, narrow] = [felt(0.95, 0.84, false), felt(0.97, 0.86, false)];
-        assert_eq!(verdicts(Pace::Whole, &[wide.clone()]), [GoalMet]);
+        assert_eq!(
+            verdicts(Pace::Whole, std::slice::from_ref(&wide)),
+            [GoalMet]
+        );
         let rounds = [pushed, wide, narrow];
         assert_eq!(verdicts(Pace::Whole, &rounds), [Again, Again, GoalMet]);
         // The round of the push itself is no evidence.

@@ -21,7 +21,7 @@ use rayon::prelude::*;
 /// From this many particles near a turning tool on, they are followed on all threads.
 const PARALLEL_FROM: usize = 1024;
 
-/// What one motion did.
+/// How many particles one motion absorbed, displaced or lost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct MotionEffect {
     /// Particles that the tool took up.

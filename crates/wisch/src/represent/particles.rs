@@ -5,7 +5,7 @@ use crate::geometry::Point2;
 /// Most particles a distribution may hold.
 pub const MAX_PARTICLES: usize = 20_000_000;
 
-/// What became of a particle.
+/// Where a particle is: on the surface, in a tool, or over an edge. Only the effect model changes it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Fate {
     /// It still lies on the surface.
@@ -20,7 +20,7 @@ pub enum Fate {
     },
 }
 
-/// Why particles were refused.
+/// Why positions do not make a [`ParticleDistribution`].
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ParticleError {
     /// A coordinate is NaN or infinite.
@@ -127,7 +127,10 @@ impl ParticleDistribution {
         Point2::new(self.x[index], self.y[index])
     }
 
-    /// Fate of particle `index`.
+    /// Fate of particle `index`, counted as they were given.
+    ///
+    /// # Panics
+    /// If there are not so many.
     pub fn fate(&self, index: usize) -> Fate {
         self.fate[index]
     }
@@ -144,7 +147,7 @@ impl ParticleDistribution {
             .map(|(position, _)| position)
     }
 
-    /// Counts the fates.
+    /// Number of particles by fate; they add up to [`Self::len`].
     pub fn tally(&self) -> ParticleTally {
         let mut tally = ParticleTally {
             initial: self.len(),

@@ -185,7 +185,7 @@ impl Articulation {
         })
     }
 
-    /// The moving joints, parents first.
+    /// The joints that move, those that follow others included; a parent comes before its children.
     pub fn joints(&self) -> &[ArticulatedJoint] {
         &self.joints
     }
@@ -195,7 +195,7 @@ impl Articulation {
         &self.variables
     }
 
-    /// Number of own variables, n.
+    /// Number of own variables, n: the length of `q`, `qd` and efforts here, at most that of the robot's.
     pub fn dof(&self) -> usize {
         self.variables.len()
     }
@@ -212,7 +212,7 @@ impl Articulation {
         (carrier.joint, &carrier.carrier_from_link)
     }
 
-    /// Room for a state.
+    /// Room for one state of this articulation, taken once so that a control loop allocates nothing.
     pub fn state(&self) -> ArticulationState {
         let count = self.joints.len();
         ArticulationState {

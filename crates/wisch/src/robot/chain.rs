@@ -151,7 +151,7 @@ impl Chain {
         self.base
     }
 
-    /// The link at the end.
+    /// The link at the end, whose pose and velocity the chain gives.
     pub const fn tip(&self) -> LinkId {
         self.tip
     }
@@ -161,7 +161,7 @@ impl Chain {
         &self.variables
     }
 
-    /// Number of variables, n.
+    /// Number of the robot's variables that move the tip against the base, n.
     pub fn dof(&self) -> usize {
         self.variables.len()
     }

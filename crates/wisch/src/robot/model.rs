@@ -54,7 +54,7 @@ pub struct Body {
     pub inertia_about_center: Matrix3<f64>,
 }
 
-/// How a joint moves.
+/// How a joint moves, and by that the unit of its positions; a URDF's planar joint is read as three of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum JointKind {
     /// Not at all.
@@ -269,7 +269,8 @@ impl RobotModel {
         &self.variables
     }
 
-    /// Number of variables, n.
+    /// Number of variables, n: joints that move by themselves, not those that follow others. The length of every array
+    /// of positions, velocities and efforts.
     pub fn dof(&self) -> usize {
         self.variables.len()
     }

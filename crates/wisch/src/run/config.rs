@@ -6,14 +6,14 @@ use crate::robot::{CapabilityMap, RobotModel, Srdf};
 
 pub use crate::recover::Pace;
 
-/// The robot that does it.
+/// The robot that is to wipe, as a session borrows it; `wisch_io::Robot` reads one from files.
 #[derive(Debug, Clone, Copy)]
 pub struct Performer<'a> {
-    /// Its description.
+    /// Its links, joints and limits.
     pub robot: &'a RobotModel,
     /// Its groups, states and pairs that may touch.
     pub srdf: Option<&'a Srdf>,
-    /// What it reaches.
+    /// What its arm reaches, for the placement of the base; `None` rates places by inverse kinematics, slowly.
     pub map: Option<&'a CapabilityMap>,
 }
 

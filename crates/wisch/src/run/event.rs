@@ -6,7 +6,7 @@ use crate::plan::{Plan, Progress};
 use crate::recover::Verdict;
 use std::ops::ControlFlow;
 
-/// What a session is at.
+/// What a session is at or has just done, in the order in which it happens.
 #[derive(Debug, Clone, Copy)]
 pub enum RunEvent<'a> {
     /// A round is being planned.

@@ -2,7 +2,7 @@
 
 use crate::robot::Range;
 
-/// How an execution ended.
+/// How an execution ended; one that ended early is interpreted as far as it went.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ending {
     /// All motions are done.
@@ -18,7 +18,7 @@ pub enum Ending {
     },
 }
 
-/// Why a robot stopped itself.
+/// Why a robot stopped itself: its position, a joint, or its own word.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StopCause {
     /// The tool is too far from where it was told to be.

@@ -45,7 +45,7 @@ impl PlannedRound {
     }
 }
 
-/// One round.
+/// One round that is over: what was planned, executed and felt, and what follows.
 #[derive(Debug, Clone)]
 pub struct Round {
     /// What was planned.

@@ -152,12 +152,12 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// The rounds that are over.
+    /// The rounds that were executed and judged, in order; a motion that was refused by the audit is not among them.
     pub fn rounds(&self) -> &[Round] {
         &self.rounds
     }
 
-    /// The rounds that are over.
+    /// The same as [`Self::rounds`], handed over.
     pub fn into_rounds(self) -> Vec<Round> {
         self.rounds
     }

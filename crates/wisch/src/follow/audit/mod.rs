@@ -357,7 +357,7 @@ fn base(
 }
 
 impl Audit {
-    /// Whether nothing is wrong.
+    /// Whether the audit found no fault, so that the motion may be executed.
     pub fn is_sound(&self) -> bool {
         self.faults.is_empty()
     }

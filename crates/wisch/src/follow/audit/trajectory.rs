@@ -7,7 +7,7 @@
 use crate::follow::{JointLimits, JointPath, TrajectorySample};
 use thiserror::Error;
 
-/// What counts as a fault.
+/// Tolerances beyond which a timed motion counts as faulty; see [`trajectory_faults`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct CheckConfig {
     /// How far a joint may deviate from the path's segments, and from a waypoint when passing it [rad or m].
@@ -29,7 +29,7 @@ impl Default for CheckConfig {
     }
 }
 
-/// Which end of the motion.
+/// The end of a motion at which it should be at rest on a waypoint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum End {
     /// The first sample.

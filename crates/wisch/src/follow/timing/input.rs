@@ -223,7 +223,7 @@ impl JointLimits {
         Ok(Self { joints })
     }
 
-    /// The joints in order.
+    /// One limit per joint, in the order of the columns of a [`JointPath`].
     pub fn joints(&self) -> &[JointLimit] {
         &self.joints
     }

@@ -26,7 +26,7 @@ pub const MAX_GRID_INTERVALS: usize = 4_000_000;
 /// The smallest blend tolerance [rad or m]: nearly a stop in every corner.
 pub const MIN_BLEND_TOLERANCE: f64 = 1e-6;
 
-/// How to time a path.
+/// How much corners are rounded and how finely speeds are searched for by [`time_path`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct TimingConfig {
     /// How far any joint may deviate from the straight segments, and from a waypoint when passing it

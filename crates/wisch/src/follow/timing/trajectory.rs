@@ -63,7 +63,7 @@ impl Trajectory {
         self.duration
     }
 
-    /// Number of joints d.
+    /// Number of joints d, the length of every array in its samples.
     pub fn joint_count(&self) -> usize {
         self.end.len()
     }

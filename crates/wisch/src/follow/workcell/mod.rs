@@ -24,7 +24,7 @@ const SECOND_STARTS: u64 = 40;
 /// loses √3 times as much, which is still less than the usual margin.
 const TOOL_RIM: f64 = 2.8e-3;
 
-/// What the tool may touch.
+/// What the tool may touch while a motion is checked for collisions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AllowedContact {
     /// Nothing, as in free motion.
@@ -228,7 +228,7 @@ impl Workcell {
         })
     }
 
-    /// The robot.
+    /// The robot as described, without the tool; its n variables are the order of every array of positions.
     pub const fn robot(&self) -> &RobotModel {
         &self.robot
     }
@@ -274,7 +274,7 @@ impl Workcell {
         &self.ready
     }
 
-    /// What may not touch.
+    /// Robot, tool and scene with all pairs that may not touch in free motion.
     pub const fn collisions(&self) -> &CollisionModel {
         &self.collisions
     }
@@ -300,7 +300,7 @@ impl Workcell {
         }
     }
 
-    /// Limits of all n variables.
+    /// Position, velocity and acceleration limits of all n variables, in the order of the robot's.
     pub const fn limits(&self) -> &JointLimits {
         &self.limits
     }

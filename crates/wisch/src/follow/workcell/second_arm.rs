@@ -177,7 +177,7 @@ impl SecondArm {
         Ok(fork_from_tip * Vector3::y())
     }
 
-    /// The grip on the tool.
+    /// Where and how the second hand holds the tool, in the tool frame.
     pub const fn grip(&self) -> &SecondGrip {
         &self.grip
     }

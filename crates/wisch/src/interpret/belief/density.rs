@@ -91,7 +91,7 @@ impl DensityMap {
         (self.columns, self.rows)
     }
 
-    /// Side of a cell [m].
+    /// Side of a square cell [m], along x as along y of the surface.
     pub fn cell_size(&self) -> f64 {
         self.cell_size
     }

@@ -28,7 +28,7 @@ pub struct PlaneFit {
 }
 
 impl PlaneFit {
-    /// Unit normal with positive z.
+    /// Unit normal with positive z, in the frame of the points that were fitted.
     pub fn normal(&self) -> Vector3 {
         Vector3::new(-self.slope.x, -self.slope.y, 1.0).normalize()
     }
@@ -38,7 +38,7 @@ impl PlaneFit {
         libm::atan(self.slope.norm())
     }
 
-    /// Height at a place [m].
+    /// Height of the plane [m] over a place in the xy plane [m].
     pub fn height_at(&self, place: Vector2) -> f64 {
         self.height + self.slope.dot(&place)
     }

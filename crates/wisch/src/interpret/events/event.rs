@@ -1,6 +1,6 @@
 //! An event and what shows it.
 
-/// What happened during an interval.
+/// What happened during an interval of a log, as felt by pose and force alone; paper §4.2, Fig. 17 and 18.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum EventKind {
     /// The tool was in contact.
@@ -38,7 +38,7 @@ impl EventKind {
     }
 }
 
-/// Something that happened, with its evidence.
+/// Something that happened, with its evidence. Times are the log's.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Event {
     /// What.

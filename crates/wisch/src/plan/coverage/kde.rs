@@ -10,7 +10,7 @@ const CUT_OFF: f64 = 4.0;
 /// Most samples of a density map.
 const MAX_SAMPLES: usize = 4_000_000;
 
-/// How peaks are chosen.
+/// How wide the kernel of (2) is, and how far a node at a peak reaches.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KdeConfig {
     /// Bandwidth h [m]; `None` takes it from the data, see [`data_bandwidth`].
@@ -87,12 +87,15 @@ impl DensityMap {
         self.origin + Vector2::new(column as f64, row as f64) * self.step
     }
 
-    /// Density at sample (column, row).
+    /// Density K at sample (column, row), by (2).
+    ///
+    /// # Panics
+    /// Beyond [`DensityMap::shape`].
     pub fn sample(&self, column: usize, row: usize) -> f64 {
         self.values[row * self.columns + column]
     }
 
-    /// Distance between samples [m].
+    /// Distance between neighbouring samples along x and y [m].
     pub fn step(&self) -> f64 {
         self.step
     }

@@ -25,7 +25,7 @@ pub enum CoverageStrategy {
 }
 
 impl CoverageStrategy {
-    /// All strategies.
+    /// Every strategy, in the order of the paper; names in flags, files and error texts are taken from here.
     pub const ALL: [Self; 3] = [Self::Grid, Self::Rrt, Self::Kde];
 
     /// The name used in task files, flags and results.

@@ -6,7 +6,7 @@ use crate::plan::FreeSpace;
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
-/// How an exploring tree grows.
+/// How a rapidly exploring random tree grows, see [`rrt`]: its seed, and when it gives up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RrtConfig {
     /// Seed of the random samples.

@@ -92,7 +92,7 @@ pub struct AngleRange {
 }
 
 impl AngleRange {
-    /// All the way round.
+    /// From −π to π: any angle is allowed.
     pub const FULL: Self = Self {
         min_rad: -std::f64::consts::PI,
         max_rad: std::f64::consts::PI,
@@ -141,7 +141,7 @@ pub struct ToolEntry {
     pub second_grip: Option<SecondGrip>,
 }
 
-/// The nature of a medium.
+/// Whether a medium comes in pieces, as powder or as a liquid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum MediumKind {
     /// Pieces that stay what they are.
@@ -323,17 +323,17 @@ impl KnowledgeBase {
         entry("surface", &self.surfaces, name)
     }
 
-    /// All tools, by name.
+    /// The tools in the alphabetical order of their names.
     pub fn tools(&self) -> impl Iterator<Item = &ToolEntry> {
         self.tools.values()
     }
 
-    /// All media, by name.
+    /// The media in the alphabetical order of their names.
     pub fn media(&self) -> impl Iterator<Item = &MediumEntry> {
         self.media.values()
     }
 
-    /// All surfaces, by name.
+    /// The surfaces in the alphabetical order of their names.
     pub fn surfaces(&self) -> impl Iterator<Item = &SurfaceEntry> {
         self.surfaces.values()
     }

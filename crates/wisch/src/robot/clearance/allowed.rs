@@ -6,7 +6,7 @@ use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use std::f64::consts::PI;
 
-/// Why two bodies may touch.
+/// Why a pair of bodies is left out of collision checks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Reason {
     /// One holds the other, with no link that has shapes between.

@@ -7,7 +7,7 @@ use crate::robot::{Diagnostic, DiagnosticKind, RobotError, Severity, Subject};
 use crate::source_location::UnknownName;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Deepest tree of links.
+/// Most links between the root and a tip; a deeper URDF is refused.
 pub const MAX_DEPTH: usize = 200;
 
 /// How far the length of an axis may be from one: what six digits leave.

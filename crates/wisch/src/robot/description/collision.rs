@@ -12,7 +12,7 @@ pub const MAX_MESH_EXTENT: f64 = 20.0;
 /// How far a sphere may be from the end of a cylinder, in place and radius, to make it a capsule [m].
 const CAPSULE_TOLERANCE: f64 = 1e-6;
 
-/// A shape on a link.
+/// A `<collision>` element of a URDF: a shape that is fixed to a link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Collision {
     /// Pose of the shape in the link frame.

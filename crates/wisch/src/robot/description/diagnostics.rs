@@ -3,7 +3,7 @@
 use crate::source_location::Place;
 use std::fmt;
 
-/// How much a diagnostic matters.
+/// How much a diagnostic matters, the least first: [`Severity::Error`] alone keeps a robot from being made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
     /// Worth knowing; the robot works.
@@ -15,7 +15,7 @@ pub enum Severity {
 }
 
 impl Severity {
-    /// "note", "warning" or "error".
+    /// The word in reports and JSON: "note", "warning" or "error".
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Note => "note",
@@ -31,7 +31,7 @@ impl fmt::Display for Severity {
     }
 }
 
-/// What a diagnostic is about.
+/// The part of a robot that a diagnostic is about, by its name in the URDF.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Subject {
     /// The robot as a whole.
@@ -52,7 +52,7 @@ impl fmt::Display for Subject {
     }
 }
 
-/// What is missing or odd.
+/// What is missing or inconsistent in a URDF; reports name it by [`DiagnosticKind::as_str`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum DiagnosticKind {

@@ -66,7 +66,7 @@ pub struct GroupState {
     pub positions: Vec<(usize, f64)>,
 }
 
-/// Two links that may touch.
+/// Two links that may touch: a `<disable_collisions>` element of an SRDF.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DisabledPair {
     /// One.

@@ -27,7 +27,7 @@ use roxmltree::{Document, Node, ParsingOptions};
 
 /// Longest text that is read [bytes].
 pub const MAX_URDF_BYTES: usize = 8 << 20;
-/// Most links of a robot.
+/// Most links a robot may have; a URDF with more is refused.
 pub const MAX_LINKS: usize = 1000;
 /// Most shapes of a robot's collision geometry.
 pub const MAX_SHAPES: usize = 10_000;

@@ -1,0 +1,38 @@
+# What is done often. `just` lists it; without just, the lines below are what to type.
+
+# List the recipes.
+default:
+    @just --list
+
+# Run a task file: plan, follow, execute, interpret, recover, report.
+run task="scenarios/chopping-board.toml" *options:
+    cargo run --release --locked -- run {{task}} {{options}}
+
+# All tests, or some: `just test --workspace --test main plan::`.
+test *options="--workspace":
+    cargo test --locked {{options}}
+
+# Format and lints.
+lint:
+    cargo fmt --all --check
+    cargo clippy --workspace --all-targets --locked -- -D warnings
+
+# The documentation, as strictly as continuous integration takes it.
+doc *options:
+    RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked {{options}}
+
+# Everything that must hold of a commit.
+ci:
+    .ci/run
+
+# All benchmarks, or one: `just bench --bench effect`.
+bench *options:
+    cargo bench --workspace --locked {{options}}
+
+# Feed a reader of files with what nobody would write (needs a nightly Rust and cargo-fuzz).
+fuzz target="task" seconds="60":
+    cargo +nightly fuzz run {{target}} -- -max_total_time={{seconds}}
+
+# Hold two builds of wisch against each other, byte for byte, over all scenarios and the seeds 1 to 3.
+compare before after="target/release/wisch" *options:
+    peers/compare_builds.py {{before}} {{after}} {{options}}
