@@ -1,7 +1,7 @@
 //! `wisch memory import`: a log of some robot as an episode.
 
 use super::episode::{PROGRAM, attach_task, begin, cannot_keep};
-use super::interpret::{goal, read_log, task_args, told};
+use super::interpret::{goal, interpreted, read_log, task_args};
 use super::prepare::Prepared;
 use super::results::{internal, json};
 use super::words::{counted, percent};
@@ -43,7 +43,7 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     let log = read_log(source, &prepared)?;
     let samples = counted(log.samples.len(), "sample");
     progress.say(format!("interpreting {samples}"));
-    let told = told(source, &prepared, &log, &goal)?;
+    let interpretation = interpreted(source, &prepared, &log, &goal)?;
 
     progress.say("keeping the episode");
     let start = (args.start_s).unwrap_or(log.start as f64 / NANOSECONDS_PER_SECOND);
@@ -55,7 +55,7 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
         attached.map_err(|error| cannot_keep(&error))
     };
     attach_task(&task_args, &prepared, &attach)?;
-    let estimated = (told.belief.sample(prepared.task.seed)).map_err(internal)?;
+    let estimated = (interpretation.belief.sample(prepared.task.seed)).map_err(internal)?;
     let name = format!("round-1/{PARTICLES_ESTIMATED_FILE}");
     attach(&name, wisch_io::particles_to_csv(&estimated).as_bytes())?;
     let header = EpisodeHeader {
@@ -68,7 +68,14 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     let duration = log.samples.last().map_or(0.0, |sample| sample.time);
     let name = source.log.file_name().unwrap_or(source.log.as_os_str());
     let name = name.to_string_lossy();
-    let record = remember_log(&header, &name, duration, &prepared.task, &goal, &told);
+    let record = remember_log(
+        &header,
+        &name,
+        duration,
+        &prepared.task,
+        &goal,
+        &interpretation,
+    );
     (writer.commit(&record)).map_err(|error| cannot_keep(&error))?;
     drop(progress);
 
@@ -79,7 +86,7 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
         print(&format!(
             "{}: {samples} in {duration:.1} s, performance {} estimated\n  episode  {}\n",
             record.task,
-            percent(told.performance.mean),
+            percent(interpretation.performance.mean),
             place.display()
         ))?;
     }

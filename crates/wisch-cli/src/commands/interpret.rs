@@ -36,14 +36,14 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
         "interpreting {}",
         counted(log.samples.len(), "sample")
     ));
-    let told = told(&args.source, &prepared, &log, &goal)?;
+    let interpretation = interpreted(&args.source, &prepared, &log, &goal)?;
     let record = InterpretationRecord::new(
         &prepared.task,
-        &told,
+        &interpretation,
         prepared.file.target_performance(),
         log_record(&args.source.log, &log),
     );
-    let particles = (told.belief.sample(prepared.task.seed)).map_err(internal)?;
+    let particles = (interpretation.belief.sample(prepared.task.seed)).map_err(internal)?;
     folder.write(INTERPRETATION_FILE, json(&record)?)?;
     folder.write(PARTICLES_ESTIMATED_FILE, particles_to_csv(&particles))?;
     folder.finish()?;
@@ -206,7 +206,7 @@ fn advice(fault: &ReadFault) -> Option<String> {
     })
 }
 
-pub(super) fn told(
+pub(super) fn interpreted(
     args: &LoggedArgs,
     prepared: &Prepared,
     log: &Log,
@@ -310,16 +310,16 @@ fn surface_in_words(record: &InterpretationRecord) -> String {
 
 fn events_in_words(record: &InterpretationRecord) -> String {
     let kinds = ["contact", "contact_loss", "collision", "stick_slip"];
-    let told = kinds.map(|kind| {
+    let counts = kinds.map(|kind| {
         let those = record.events.iter().filter(|event| event.kind == kind);
         (kind.replace('_', " "), those.count())
     });
-    let mut told: Vec<String> = (told.iter())
+    let mut counts: Vec<String> = (counts.iter())
         .filter(|(_, count)| *count > 0)
         .map(|(kind, count)| format!("{count} {kind}"))
         .collect();
-    if told.is_empty() {
-        told.push("none".to_owned());
+    if counts.is_empty() {
+        counts.push("none".to_owned());
     }
-    told.join(", ")
+    counts.join(", ")
 }

@@ -71,8 +71,11 @@ pub(super) fn write(
         write_report(folder, prepared, results, prediction, frames)?;
     }
     if let Some(last) = results.rounds.last() {
-        let told = &last.round.interpretation;
-        let estimated = told.belief.sample(prepared.task.seed).map_err(internal)?;
+        let interpretation = &last.round.interpretation;
+        let estimated = interpretation
+            .belief
+            .sample(prepared.task.seed)
+            .map_err(internal)?;
         folder.write(PARTICLES_ESTIMATED_FILE, particles_to_csv(&estimated))?;
         if let Some(truth) = &last.truth {
             folder.write(PARTICLES_TRUE_FILE, particles_to_csv(truth))?;

@@ -293,8 +293,8 @@ pub fn rounds_in_words(done: &[Done]) -> Vec<(&'static str, String)> {
     done.iter()
         .map(|done| {
             let round = &done.round;
-            let told = &round.interpretation;
-            let estimate = &told.performance;
+            let interpretation = &round.interpretation;
+            let estimate = &interpretation.performance;
             let mut text = format!(
                 "estimated {} ({} to {})",
                 percent(estimate.mean),
@@ -304,14 +304,14 @@ pub fn rounds_in_words(done: &[Done]) -> Vec<(&'static str, String)> {
             if let Some(truth) = done.true_performance {
                 text += &format!(", true {}", percent(truth));
             }
-            let collisions = (told.events.iter())
+            let collisions = (interpretation.events.iter())
                 .filter(|event| event.kind == EventKind::Collision)
                 .count();
             if collisions > 0 {
                 text += &format!(", {}", counted(collisions, "collision"));
             }
-            if let wisch::interpret::Diagnosis::Relocalize { .. } = told.diagnosis
-                && let Some(plane) = &told.plane
+            if let wisch::interpret::Diagnosis::Relocalize { .. } = interpretation.diagnosis
+                && let Some(plane) = &interpretation.plane
             {
                 text += &format!(
                     ", surface found tilted by {:.1}° and {:.1} mm off",

@@ -122,11 +122,11 @@ impl InterpretationRecord {
     /// What is written of an interpretation.
     pub fn new(
         task: &wisch::represent::Task,
-        told: &Interpretation,
+        interpretation: &Interpretation,
         target_performance: f64,
         log: LogRecord,
     ) -> Self {
-        let performance = told.performance;
+        let performance = interpretation.performance;
         let is_collision = |event: &&Event| event.kind == EventKind::Collision;
         Self {
             format: INTERPRETATION_FORMAT,
@@ -138,20 +138,20 @@ impl InterpretationRecord {
             estimated_high: performance.high,
             target_performance,
             goal_met: performance.mean >= target_performance - ROUNDING,
-            replays: told.belief.replays().len(),
-            contact_share: told.contact_share,
-            collisions: told.events.iter().filter(is_collision).count(),
-            plane_tilt_rad: told.plane.map(|plane| plane.tilt),
-            plane_offset_m: told.plane.map(|plane| plane.offset),
-            plane: told.plane.as_ref().map(PlaneRecord::new),
-            diagnosis: diagnosis(&told.diagnosis),
-            world_from_surface: match &told.diagnosis {
+            replays: interpretation.belief.replays().len(),
+            contact_share: interpretation.contact_share,
+            collisions: interpretation.events.iter().filter(is_collision).count(),
+            plane_tilt_rad: interpretation.plane.map(|plane| plane.tilt),
+            plane_offset_m: interpretation.plane.map(|plane| plane.offset),
+            plane: interpretation.plane.as_ref().map(PlaneRecord::new),
+            diagnosis: diagnosis(&interpretation.diagnosis),
+            world_from_surface: match &interpretation.diagnosis {
                 Diagnosis::Relocalize { world_from_surface } => Some(world_from_surface.into()),
                 Diagnosis::Localized | Diagnosis::NoContact => None,
             },
             // No bias is 0, not -0.
-            force_bias_n: told.force_bias + 0.0,
-            events: told.events.iter().map(EventRecord::new).collect(),
+            force_bias_n: interpretation.force_bias + 0.0,
+            events: interpretation.events.iter().map(EventRecord::new).collect(),
             log,
         }
     }

@@ -73,24 +73,24 @@ pub struct RoundTiming {
 impl RoundSummary {
     /// The summary of a round; its true performance is what a simulated world knows of it.
     pub fn new(round: &Round, times: &RoundTimes, true_performance: Option<f64>) -> Self {
-        let told = &round.interpretation;
-        let collisions = (told.events.iter()).filter(|e| e.kind == EventKind::Collision);
+        let interpretation = &round.interpretation;
+        let collisions = (interpretation.events.iter()).filter(|e| e.kind == EventKind::Collision);
         let collision_times_s: Vec<[f64; 2]> =
             collisions.map(|event| [event.start, event.end]).collect();
         Self {
             round: round.motion.number,
             strokes: round.motion.plan.strokes.len(),
             predicted: round.motion.prediction.performance.ratio(),
-            estimated: told.performance.mean,
-            estimated_low: told.performance.low,
-            estimated_high: told.performance.high,
+            estimated: interpretation.performance.mean,
+            estimated_low: interpretation.performance.low,
+            estimated_high: interpretation.performance.high,
             true_performance,
-            contact_share: told.contact_share,
+            contact_share: interpretation.contact_share,
             collisions: collision_times_s.len(),
             collision_times_s,
-            plane_tilt_rad: told.plane.map(|plane| plane.tilt),
-            plane_offset_m: told.plane.map(|plane| plane.offset),
-            diagnosis: match told.diagnosis {
+            plane_tilt_rad: interpretation.plane.map(|plane| plane.tilt),
+            plane_offset_m: interpretation.plane.map(|plane| plane.offset),
+            diagnosis: match interpretation.diagnosis {
                 Diagnosis::Localized => "localized",
                 Diagnosis::Relocalize { .. } => "relocalize",
                 Diagnosis::NoContact => "no contact",

@@ -157,15 +157,16 @@ impl TelemetryWriter {
     /// joints; or what the system says.
     pub fn write(&mut self, sample: &TelemetrySample<'_>) -> Result<(), TelemetryError> {
         let unmeasured = vec![f64::NAN; self.joints];
-        let or_unmeasured = |values| match values {
-            [] => unmeasured.as_slice(),
-            values => values,
-        };
-        let arrays = [
+        let mut arrays = [
             ("positions", sample.positions),
-            ("velocities", or_unmeasured(sample.velocities)),
-            ("efforts", or_unmeasured(sample.efforts)),
+            ("velocities", sample.velocities),
+            ("efforts", sample.efforts),
         ];
+        for (_, values) in &mut arrays[1..] {
+            if values.is_empty() {
+                *values = &unmeasured;
+            }
+        }
         for (what, values) in arrays {
             if values.len() != self.joints {
                 return Err(TelemetryError::Count {

@@ -184,9 +184,9 @@ impl Stretch {
 
 /// The path to be drawn: force off the plane counts as false only where it makes a collision. As the tool
 /// lands, force and height are off each other for a moment as well.
-pub(crate) fn drawable(told: &Interpretation) -> Vec<PathPiece> {
-    let mut path = usable(&told.path);
-    let spans: Vec<[f64; 2]> = (told.events.iter())
+pub(crate) fn drawable(interpretation: &Interpretation) -> Vec<PathPiece> {
+    let mut path = usable(&interpretation.path);
+    let spans: Vec<[f64; 2]> = (interpretation.events.iter())
         .filter(|event| event.kind == EventKind::Collision)
         .map(|event| [event.start, event.end])
         .collect();
