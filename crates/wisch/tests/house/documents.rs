@@ -19,11 +19,11 @@ fn source_of(room: &str) -> Option<PathBuf> {
     if STAGES.contains(&room) {
         return Some(source().join(room));
     }
-    let folder = crates().find(|folder| {
-        let name = folder.file_name().unwrap().to_string_lossy();
+    let is_called_so = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
         name.replace('-', "_") == room
-    });
-    Some(folder?.join("src"))
+    };
+    Some(crates().find(is_called_so)?.join("src"))
 }
 
 /// Items named in a text as `stage::…::Name` or `crate::…::Name`.
