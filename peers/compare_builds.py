@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs two builds of wisch over scenarios and seeds and names every file that differs.
 
-    peers/compare_builds.py OLD/wisch target/release/wisch [--seeds 1,2,3] [--scenarios DIR] [--keep DIR]
+    peers/compare_builds.py OLD/wisch target/release/wisch [--seeds 1,2,3] [--scenarios DIR] [--keep DIR] [--limit S]
 
 Needs Python alone. A folder of results that is already in --keep is not made again. Exits with 1 if anything differs.
 """
@@ -14,17 +14,17 @@ import sys
 import tempfile
 
 
-def run(program, scenario, seed, out):
+def run(program, scenario, seed, out, limit):
     """The exit code of one run; its files lie in `out`."""
     code = out.with_suffix(".code")
     if not code.exists():
-        done = subprocess.run(
-            [program, "run", scenario, "--seed", str(seed), "--no-memory", "--quiet", "--out", out],
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-        )
-        code.write_text(str(done.returncode))
-    return int(code.read_text())
+        words = [program, "run", scenario, "--seed", str(seed), "--no-memory", "--quiet", "--out", out]
+        try:
+            done = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, timeout=limit)
+            code.write_text(str(done.returncode))
+        except subprocess.TimeoutExpired:
+            code.write_text(f"none within {limit} s")
+    return code.read_text()
 
 
 def files(folder):
@@ -39,6 +39,7 @@ def main():
     parser.add_argument("--seeds", default="1,2,3")
     parser.add_argument("--scenarios", type=pathlib.Path, default=pathlib.Path("scenarios"))
     parser.add_argument("--keep", type=pathlib.Path)
+    parser.add_argument("--limit", type=float, default=600.0, help="seconds that a run may take")
     args = parser.parse_args()
     keep = args.keep or pathlib.Path(tempfile.mkdtemp())
     differing = 0
@@ -47,7 +48,8 @@ def main():
             folders = [keep / side / f"{scenario.stem}-{seed}" for side in ("old", "new")]
             for folder in folders:
                 folder.parent.mkdir(parents=True, exist_ok=True)
-            codes = [run(p.resolve(), scenario, seed, f) for p, f in zip((args.old, args.new), folders)]
+            pairs = zip((args.old, args.new), folders)
+            codes = [run(p.resolve(), scenario, seed, f, args.limit) for p, f in pairs]
             old, new = map(files, folders)
             found = [f"exit code {codes[0]} became {codes[1]}"] if codes[0] != codes[1] else []
             found += [f"only old: {name}" for name in sorted(old.keys() - new.keys())]

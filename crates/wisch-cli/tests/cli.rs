@@ -44,18 +44,20 @@ fn run_writes_everything_and_says_where() {
     assert_eq!(err, "", "nothing of the progress reaches a pipe");
     assert!(out.contains("performance"), "{out}");
     assert!(out.contains("result/report.html"), "{out}");
-    let written = names(&folder.path().join("result"));
+    let written: Vec<String> = (contents(&folder.path().join("result")).into_iter())
+        .map(|(name, _)| name)
+        .collect();
     for name in [
         "plan.json",
-        "particles-before.csv",
-        "particles-after.csv",
+        "particles/particles-before.csv",
+        "particles/particles-after.csv",
         "report.html",
     ] {
         assert!(written.iter().any(|n| n == name), "{name} in {written:?}");
     }
     for ending in [".svg", ".png"] {
         assert!(
-            written.iter().any(|n| n.ends_with(ending)),
+            (written.iter()).any(|n| n.starts_with("figures/") && n.ends_with(ending)),
             "{ending} in {written:?}"
         );
     }
@@ -131,7 +133,11 @@ fn a_plan_can_be_predicted_later_with_the_same_result() {
         );
         assert_eq!((code, err.as_str()), (0, ""));
         let planned = folder.path().join("planned");
-        assert_eq!(names(&planned), ["particles-before.csv", "plan.json"]);
+        let written: Vec<String> = contents(&planned)
+            .into_iter()
+            .map(|(name, _)| name)
+            .collect();
+        assert_eq!(written, ["particles/particles-before.csv", "plan.json"]);
         let (_, direct, _) = output(
             folder.path(),
             // A prediction of the plan itself, not of how a robot follows it.
@@ -223,7 +229,10 @@ fn particles_are_conserved_in_the_files() {
                 .map(|row| row.expect("a row"))
                 .collect::<Vec<_>>()
         };
-        let (before, after) = (rows("particles-before.csv"), rows("particles-after.csv"));
+        let (before, after) = (
+            rows("particles/particles-before.csv"),
+            rows("particles/particles-after.csv"),
+        );
         assert_eq!(before.len(), after.len());
         assert!(before.iter().all(|row| &row[3] == "on_surface"));
         for (index, row) in after.iter().enumerate() {

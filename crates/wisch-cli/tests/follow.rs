@@ -86,15 +86,15 @@ fn the_humanoid_follows_the_board() {
     assert!(number("min_clearance_m") >= 5e-3);
 
     let result = folder.path().join("result");
-    let following = json(&result.join("following.json"));
+    let following = json(&result.join("trajectories/following.json"));
     assert_eq!(following["format"], "wisch-following");
     assert_eq!(following["faults"], serde_json::json!([]));
     let motions = following["motions"].as_array().expect("a list");
     let ends = motions.last().expect("a motion")["end_s"].as_f64();
     assert_eq!(ends, Some(number("execution_time_s")));
 
-    let message = json(&result.join("trajectory.json"));
-    let from_yaml = blocks(&read(&result.join("trajectory.yaml")));
+    let message = json(&result.join("trajectories/trajectory.json"));
+    let from_yaml = blocks(&read(&result.join("trajectories/trajectory.yaml")));
     let keys = ["joint_trajectory", "multi_dof_joint_trajectory"];
     assert_eq!(from_yaml.len(), keys.len());
     for (block, key) in from_yaml.into_iter().zip(keys) {
@@ -103,7 +103,8 @@ fn the_humanoid_follows_the_board() {
         assert_eq!(Value::Array(block.points), message[key]["points"]);
     }
 
-    let mut path = csv::Reader::from_path(result.join("tcp-path.csv")).expect("a table");
+    let mut path =
+        csv::Reader::from_path(result.join("trajectories/tcp-path.csv")).expect("a table");
     let rows: Vec<csv::StringRecord> = path.records().map(|row| row.expect("a row")).collect();
     let column = |row: &csv::StringRecord, i: usize| row[i].parse::<f64>().expect("a number");
     assert!(rows.windows(2).all(|w| column(&w[0], 0) < column(&w[1], 0)));
@@ -119,7 +120,7 @@ fn the_humanoid_follows_the_board() {
     let plain = summary(folder.path(), &[&run[..], &["--robot", "none"]].concat());
     assert!(plain.get("robot").is_none() && plain.get("abandoned_nodes").is_none());
     assert!(plain["predicted_performance"].is_number());
-    assert!(!result.join("trajectory.yaml").exists());
+    assert!(!result.join("trajectories/trajectory.yaml").exists());
 }
 
 #[test]
@@ -132,7 +133,7 @@ fn an_arm_that_is_bolted_down_passes_every_node() {
     assert_eq!(summary_of["faults"], 0);
     assert_eq!(summary_of["goal_met"], true);
     assert_eq!(summary_of["placements"], serde_json::json!([]));
-    let message = json(&folder.path().join("result/trajectory.json"));
+    let message = json(&folder.path().join("result/trajectories/trajectory.json"));
     assert_eq!(
         message["multi_dof_joint_trajectory"]["points"],
         serde_json::json!([])
@@ -153,9 +154,9 @@ fn an_arm_that_is_bolted_down_passes_every_node() {
     );
     let motion = [
         "plan.json",
-        "following.json",
-        "trajectory.json",
-        "tcp-path.csv",
+        "trajectories/following.json",
+        "trajectories/trajectory.json",
+        "trajectories/tcp-path.csv",
     ];
     for (name, bytes) in contents(&folder.path().join("again")) {
         if motion.contains(&name.as_str()) {

@@ -121,7 +121,7 @@ fn a_log_of_a_wiped_board_says_so() {
     let out = folder.path().join("out/board-interpreted");
     let written = fs::read_to_string(out.join("interpretation.json")).unwrap();
     assert_eq!(serde_json::from_str::<Value>(&written).unwrap(), record);
-    let particles = fs::read_to_string(out.join("particles-estimated.csv")).unwrap();
+    let particles = fs::read_to_string(out.join("particles/particles-estimated.csv")).unwrap();
     assert_eq!(particles.matches("absorbed").count(), 4, "{particles}");
 
     // Once more, in words, over the results of the first time.

@@ -6,6 +6,7 @@ mod export;
 mod follow;
 mod interpret;
 mod memory;
+mod plans;
 mod program;
 mod robot;
 mod rounds;

@@ -68,7 +68,7 @@ fn a_run_is_kept_as_it_was_and_can_be_asked() {
 
     // Against the bag, which another program part wrote.
     let bag = read(
-        &folder.path().join("result/round-1.mcap"),
+        &folder.path().join("result/telemetry/round-1.mcap"),
         &LogOptions::default(),
     );
     let bag = bag.expect("a bag");
@@ -128,7 +128,7 @@ fn a_run_is_kept_as_it_was_and_can_be_asked() {
     let bag = [
         "memory",
         "import",
-        "result/round-1.mcap",
+        "result/telemetry/round-1.mcap",
         "--task",
         "task.toml",
     ];

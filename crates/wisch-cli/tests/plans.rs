@@ -1,12 +1,11 @@
 //! Every command that plans makes the same plan, whatever it does with it.
 
-use assert_cmd::Command;
+use crate::program::{command, root};
 use std::fs;
 use std::path::{Path, PathBuf};
 
 fn scenarios() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios");
-    let mut found: Vec<PathBuf> = fs::read_dir(folder)
+    let mut found: Vec<PathBuf> = fs::read_dir(root().join("scenarios"))
         .unwrap()
         .map(|entry| entry.unwrap().path())
         .filter(|path| path.extension().is_some_and(|e| e == "toml"))
@@ -18,7 +17,7 @@ fn scenarios() -> Vec<PathBuf> {
 
 /// The plan that a command writes.
 fn plan(words: &[&str], scenario: &Path, out: &Path) -> String {
-    let mut command = Command::cargo_bin("wisch").unwrap();
+    let mut command = command(out.parent().unwrap());
     command.arg(words[0]).arg(scenario).args(&words[1..]);
     let done = command
         .arg("--quiet")
@@ -57,8 +56,7 @@ fn following_and_running_make_the_same_plan_too() {
     let folder = tempfile::tempdir().unwrap();
     // With one candidate, and with several of which the predicted effect chooses.
     for name in ["arm-board", "failure-human-push"] {
-        let path = format!("../../scenarios/{name}.toml");
-        let scenario = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+        let scenario = root().join(format!("scenarios/{name}.toml"));
         let out = |command: &str| folder.path().join(format!("{name}-{command}"));
         let planned = plan(&["plan"], &scenario, &out("plan"));
         assert_eq!(

@@ -45,16 +45,23 @@ pub fn folder_with(scenario: &str) -> TempDir {
     folder
 }
 
-/// Every file of a folder with its bytes, by name.
+/// Every file of a folder and its rooms with its bytes, by path.
 pub fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
-    let entries = fs::read_dir(folder).expect("a folder");
-    let mut contents: Vec<(String, Vec<u8>)> = entries
-        .map(|entry| {
-            let path = entry.expect("an entry").path();
-            let name = path.file_name().expect("a name").to_string_lossy();
-            (name.into_owned(), fs::read(&path).expect("a file"))
-        })
-        .collect();
+    let mut contents = Vec::new();
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        let name = path
+            .file_name()
+            .expect("a name")
+            .to_string_lossy()
+            .into_owned();
+        if path.is_dir() {
+            let inner = self::contents(&path).into_iter();
+            contents.extend(inner.map(|(inner, bytes)| (format!("{name}/{inner}"), bytes)));
+        } else {
+            contents.push((name, fs::read(&path).expect("a file")));
+        }
+    }
     contents.sort();
     contents
 }

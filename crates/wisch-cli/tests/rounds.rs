@@ -10,11 +10,11 @@ use std::time::Duration;
 const FILES: [&str; 7] = [
     "rounds.json",
     "plan.json",
-    "particles-before.csv",
-    "particles-true.csv",
-    "particles-estimated.csv",
-    "round-1.mcap",
-    "round-2.mcap",
+    "particles/particles-before.csv",
+    "particles/particles-true.csv",
+    "particles/particles-estimated.csv",
+    "telemetry/round-1.mcap",
+    "telemetry/round-2.mcap",
 ];
 
 /// A run of two short rounds.
