@@ -119,6 +119,7 @@ pub fn execute(
         }
         match stage {
             Ok(Stage::Ended) => break Ok(()),
+            Ok(_) if watch.failure.is_some() || episode.check().is_err() => break Ok(()),
             Ok(_) => {}
             Err(error) => break Err(error),
         }

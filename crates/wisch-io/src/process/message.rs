@@ -87,7 +87,6 @@ pub(super) struct SampleMessage {
     controller_force_n: [f64; 3],
     #[serde(default)]
     controller_moment_nm: [f64; 3],
-    #[serde(default)]
     pub positions: Vec<f64>,
     #[serde(default)]
     pub velocities: Vec<f64>,
@@ -179,13 +178,13 @@ impl SampleMessage {
         if time <= since {
             return Err(format!("the sample of {time} s follows that of {since} s"));
         }
-        for (key, values) in [
-            ("positions", &self.positions),
-            ("velocities", &self.velocities),
-            ("efforts", &self.efforts),
+        for (key, values, is_optional) in [
+            ("positions", &self.positions, false),
+            ("velocities", &self.velocities, true),
+            ("efforts", &self.efforts, true),
         ] {
             let count = values.len();
-            if count != 0 && count != dof {
+            if count != dof && !(is_optional && count == 0) {
                 return Err(format!(
                     "at {time} s {key} has {count} numbers, the robot {dof} joints"
                 ));

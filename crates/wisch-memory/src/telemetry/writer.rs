@@ -150,16 +150,21 @@ impl TelemetryWriter {
         })
     }
 
-    /// Adds a sample.
+    /// Adds a sample. Velocities and efforts that are not measured, empty arrays, are written as NaN.
     ///
     /// # Errors
     /// A time that is not finite, negative or not later than the last; arrays of another length than there are
     /// joints; or what the system says.
     pub fn write(&mut self, sample: &TelemetrySample<'_>) -> Result<(), TelemetryError> {
+        let unmeasured = vec![f64::NAN; self.joints];
+        let or_unmeasured = |values| match values {
+            [] => unmeasured.as_slice(),
+            values => values,
+        };
         let arrays = [
             ("positions", sample.positions),
-            ("velocities", sample.velocities),
-            ("efforts", sample.efforts),
+            ("velocities", or_unmeasured(sample.velocities)),
+            ("efforts", or_unmeasured(sample.efforts)),
         ];
         for (what, values) in arrays {
             if values.len() != self.joints {

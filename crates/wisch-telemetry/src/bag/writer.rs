@@ -270,12 +270,13 @@ impl BagWriter {
 
     fn check(&self, sample: &TelemetrySample<'_>) -> Result<u64, WriteError> {
         let joints = self.head.joints.len();
-        for (what, values) in [
-            ("positions", sample.positions),
-            ("velocities", sample.velocities),
-            ("efforts", sample.efforts),
+        for (what, values, is_optional) in [
+            ("positions", sample.positions, false),
+            ("velocities", sample.velocities, true),
+            ("efforts", sample.efforts, true),
         ] {
-            if values.len() != joints {
+            // As in a JointState, an empty array is one that is not measured.
+            if values.len() != joints && !(is_optional && values.is_empty()) {
                 return Err(WriteError::Joints {
                     what,
                     count: values.len(),

@@ -5,7 +5,7 @@ use crate::follow::Phase;
 use crate::geometry::Pose;
 
 /// What is measured at one instant; arrays have one entry per variable of the robot, in its order,
-/// or none where the executor does not measure them.
+/// or none: velocities and efforts where an executor does not measure them, all of them in a recording.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TelemetrySample<'a> {
     /// Time since the start [s].
