@@ -24,7 +24,7 @@ pub struct Frame {
     pub performance: Performance,
 }
 
-/// Watches a prediction and keeps at most [`MAX_FRAMES`] moments of it, evenly over the motions.
+/// Watches a prediction and keeps at most `MAX_FRAMES` moments of it, evenly over the motions.
 ///
 /// ```ignore
 /// let mut frames = EffectFrames::new(&task, &plan);
