@@ -26,7 +26,8 @@ motion = hear()["execute"]
 points = [hear()["point"] for _ in range(motion["points"])]
 def sample(time, **more):
     pose = points[0]["world_from_tool"]
-    say(sample={"time_s": time, "world_from_tool": pose, "force_n": [0, 0, 0], **more})
+    at = {"world_from_tool": pose, "positions": points[0]["positions"]}
+    say(sample={"time_s": time, "force_n": [0, 0, 0], **at, **more})
 def done(ending, positions=points[-1]["positions"]):
     say(done={"duration_s": 1, "ending": ending, "positions": positions})
 "#;
