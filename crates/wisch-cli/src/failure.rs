@@ -1,14 +1,12 @@
 //! Errors as the user reads them: one sentence, and what to do about it.
 
-use miette::Diagnostic;
 use std::path::Path;
 
 /// Why a command could not do its work.
-#[derive(Debug, thiserror::Error, Diagnostic)]
+#[derive(Debug, thiserror::Error)]
 #[error("{sentence}")]
 pub struct Failure {
     sentence: String,
-    #[help]
     help: Option<String>,
 }
 
@@ -27,6 +25,11 @@ impl Failure {
             sentence: format!("{}: {}", file.display(), self.sentence),
             ..self
         }
+    }
+
+    /// What the user can do about it.
+    pub fn help(&self) -> Option<&str> {
+        self.help.as_deref()
     }
 
     /// Adds what the user can do about it.

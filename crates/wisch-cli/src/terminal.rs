@@ -6,6 +6,7 @@ use std::ffi::OsString;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::panic::{self, AssertUnwindSafe};
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// How a command that worked ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,6 +16,9 @@ pub enum Outcome {
     /// It ran, but the goal is not met, or a check has something to complain about.
     GoalNotMet,
 }
+
+/// Whether errors are shown in colours.
+static COLOR: AtomicBool = AtomicBool::new(false);
 
 const EXIT_GOAL_NOT_MET: u8 = 1;
 const EXIT_ERROR: u8 = 2;
@@ -35,7 +39,7 @@ pub fn run(program: impl FnOnce() -> Result<Outcome, Failure>) -> ExitCode {
         Ok(Ok(Outcome::Done)) => ExitCode::SUCCESS,
         Ok(Ok(Outcome::GoalNotMet)) => ExitCode::from(EXIT_GOAL_NOT_MET),
         Ok(Err(failure)) => {
-            complain(&format!("{:?}", miette::Report::new(failure)));
+            complain_of(&failure);
             ExitCode::from(EXIT_ERROR)
         }
         Err(_) => ExitCode::from(EXIT_ERROR),
@@ -52,8 +56,7 @@ pub fn prepare(args: &GlobalArgs) -> Result<(), Failure> {
                 && io::stderr().is_terminal()
         }
     };
-    // A second hook cannot be set, but neither is there a first.
-    let _ = miette::set_hook(Box::new(move |_| Box::new(OneSentence { color })));
+    COLOR.store(color, Ordering::Relaxed);
     if let Some(threads) = args.threads {
         rayon::ThreadPoolBuilder::new()
             .num_threads(usize::from(threads))
@@ -65,27 +68,16 @@ pub fn prepare(args: &GlobalArgs) -> Result<(), Failure> {
 
 /// Shows an error as the command line's own are shown: one line that nothing breaks, so that it can
 /// be searched for, and one with help.
-struct OneSentence {
-    color: bool,
-}
-
-impl miette::ReportHandler for OneSentence {
-    fn debug(
-        &self,
-        error: &dyn miette::Diagnostic,
-        f: &mut std::fmt::Formatter<'_>,
-    ) -> std::fmt::Result {
-        let (red, green, plain) = if self.color {
-            ("\x1b[1;31m", "\x1b[32m", "\x1b[0m")
-        } else {
-            ("", "", "")
-        };
-        write!(f, "{red}error:{plain} {error}")?;
-        match error.help() {
-            Some(help) => write!(f, "\n  {green}help:{plain} {help}"),
-            None => Ok(()),
-        }
-    }
+pub fn complain_of(failure: &Failure) {
+    let (red, green, plain) = if COLOR.load(Ordering::Relaxed) {
+        ("\x1b[1;31m", "\x1b[32m", "\x1b[0m")
+    } else {
+        ("", "", "")
+    };
+    let help = failure.help().map_or_else(String::new, |help| {
+        format!("\n  {green}help:{plain} {help}")
+    });
+    complain(&format!("{red}error:{plain} {failure}{help}"));
 }
 
 /// What `--color` says, read before the command line is parsed, for the parser's own messages.

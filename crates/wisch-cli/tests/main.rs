@@ -2,6 +2,7 @@
 
 mod ask;
 mod cli;
+mod executor;
 mod export;
 mod follow;
 mod interpret;

@@ -3,12 +3,14 @@
 use crate::assets::{KnowledgeSource, beside, read_text};
 use crate::digest::InputDigest;
 use crate::error::Error;
+use crate::robots::Robot;
 use crate::task_file::{Intent, TaskFile};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use wisch::goal::{GoalLiteral, resolve_goal};
 use wisch::plan::{CoverageStrategy, PlanConfig};
 use wisch::represent::{Action, KnowledgeBase, Task};
+use wisch::run::{RunConfig, Session};
 use wisch::source_location::UnknownName;
 
 /// What a task gets that asks for none: the paper's plainest, which never leaves a free cell out.
@@ -32,6 +34,8 @@ pub struct LoadOptions {
 /// A task with all that its file says about it.
 #[derive(Debug, Clone)]
 pub struct LoadedTask {
+    /// Where the file is.
+    pub path: PathBuf,
     /// The task file.
     pub file: TaskFile,
     /// The task.
@@ -44,6 +48,38 @@ pub struct LoadedTask {
     pub knowledge: KnowledgeBase,
     /// Of all that was read for it, and of the options.
     pub inputs: InputDigest,
+}
+
+impl LoadedTask {
+    /// How the stages work for this task, and when to stop.
+    pub fn run_config(&self) -> RunConfig {
+        let robot = self.file.robot();
+        RunConfig {
+            plan: self.config.clone(),
+            variants: self.file.plan_variants(),
+            workcell: robot
+                .map_or_else(Default::default, |robot| robot.workcell_config(&self.task)),
+            target: self.file.target_performance(),
+            max_rounds: self.file.max_rounds(),
+            ..RunConfig::default()
+        }
+    }
+
+    /// A session that has not planned yet, and has no robot.
+    pub fn session(&self) -> Session<'static> {
+        Session::new(&self.task, self.run_config())
+    }
+
+    /// Reads the robot that the file names, if it names one.
+    ///
+    /// # Errors
+    /// An unknown name, a file that cannot be read, or one that is not what it should be.
+    pub fn robot(&self) -> Result<Option<Robot>, Error> {
+        let named = self.file.robot();
+        named
+            .map(|robot| Robot::read(&robot.description, &self.path, None, &[]))
+            .transpose()
+    }
 }
 
 /// How an action was derived from a goal.
@@ -124,6 +160,7 @@ pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error
     };
     inputs.add("strategy", config.strategy.as_str());
     Ok(LoadedTask {
+        path: path.to_owned(),
         file,
         task,
         config,

@@ -63,6 +63,22 @@ impl Robot {
         }
     }
 
+    /// Reads a robot that is shipped, by its name, or a URDF by its path, with the SRDF and the capability map that lie
+    /// beside it.
+    ///
+    /// ```
+    /// # let urdf = concat!(env!("CARGO_MANIFEST_DIR"), "/../../robots/arm7.urdf");
+    /// let robot = wisch_io::Robot::load(urdf)?;
+    /// assert_eq!(robot.model.dof(), wisch_io::Robot::load("arm7")?.model.dof());
+    /// # Ok::<(), wisch_io::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// An unknown name, a file that cannot be read, or one that is not what it should be.
+    pub fn load(robot: &str) -> Result<Self, Error> {
+        Self::read(&Self::description(robot), Path::new(""), None, &[])
+    }
+
     /// Reads a robot. `task_file` is what paths of the description count from; `map_file` is the
     /// user's capability map.
     ///

@@ -6,6 +6,7 @@ mod logged;
 pub use log::RoundLog;
 pub use logged::remember_log;
 
+use crate::id::episode_id;
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
 use log::Span;
 use std::collections::BTreeMap;
@@ -28,6 +29,19 @@ pub struct EpisodeHeader {
     pub seed: u64,
     /// Program and version.
     pub program: String,
+}
+
+impl EpisodeHeader {
+    /// Of an episode that began at a time [s since 1970], from which it has its name.
+    pub fn new(start: f64, target: f64, seed: u64, program: &str) -> Self {
+        Self {
+            id: episode_id(start, 0),
+            start,
+            target,
+            seed,
+            program: program.to_owned(),
+        }
+    }
 }
 
 /// What an episode holds of a round.

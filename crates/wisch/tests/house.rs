@@ -131,8 +131,9 @@ fn the_library_reads_no_clock_file_or_network_and_serializes_no_domain_type() {
     }
 }
 
-/// Files outside `plan/coverage` that name the strategy which nothing takes by default: each would have to
-/// learn of a new one.
+/// The files that tell the strategies apart, by the one that nothing takes by default: each would have to learn of a
+/// new one. As this is `plan/coverage/mod.rs` alone, adding a strategy touches two files: that one (its name, and the
+/// call) and its own beside it. The program's option, task files and records take the names from there.
 #[test]
 fn a_coverage_strategy_is_told_apart_in_its_own_folder_only() {
     let crates = source().join("../..");

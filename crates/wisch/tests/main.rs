@@ -12,6 +12,8 @@ mod interpret;
 mod plan;
 mod robot;
 mod scenarios;
+mod session;
 mod timing;
 mod tool_meshes;
 mod tour;
+mod tutorial;

@@ -3,7 +3,7 @@
 use super::{engine, look};
 use crate::args::{AskArgs, GlobalArgs};
 use crate::failure::Failure;
-use crate::terminal::{Outcome, print, remark};
+use crate::terminal::{Outcome, complain_of, print, remark};
 use rustyline::completion::{Completer, Pair};
 use rustyline::error::ReadlineError;
 use rustyline::history::DefaultHistory;
@@ -194,7 +194,7 @@ fn interactive(asked: &mut Asked, args: &AskArgs, global: &GlobalArgs) -> Result
             "help" => print(&listing(&predicates()))?,
             _ => {
                 if let Err(failure) = answer(asked, query, args, global) {
-                    eprintln!("{:?}", miette::Report::new(failure));
+                    complain_of(&failure);
                 }
             }
         }

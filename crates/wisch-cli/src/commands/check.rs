@@ -8,11 +8,10 @@ use crate::args::{CheckArgs, GlobalArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print};
-use std::ops::ControlFlow;
 use wisch::geometry::{Bounds2, Point2};
 use wisch::plan::{FreeSpace, NodeRole, Plan};
 use wisch::represent::{GoalState, Task};
-use wisch::run::{NoExecutor, RunConfig, RunEvent, Session, Stage};
+use wisch::run::{NoExecutor, Session, Stage, unobserved};
 
 /// Points along the longer side of the surface at which free space is looked up.
 const RASTER: usize = 120;
@@ -28,14 +27,8 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     progress.say("looking for free space");
     let room = Room::of(&prepared.task).map_err(failure)?;
     progress.say(format!("planning ({})", prepared.strategy()));
-    let config = RunConfig {
-        plan: prepared.config.clone(),
-        variants: prepared.file.plan_variants(),
-        ..RunConfig::default()
-    };
-    let mut session = Session::new(&prepared.task, config);
-    let unwatched = &mut |_: &RunEvent<'_>| ControlFlow::Continue(());
-    (session.run_until(Stage::Planned, &mut NoExecutor, unwatched))
+    let mut session = Session::new(&prepared.task, prepared.run_config());
+    (session.run_until(Stage::Planned, &mut NoExecutor, &mut unobserved))
         .map_err(|error| prepared.failure(&args.task, error))?;
     let plan = (session.plan()).ok_or_else(|| internal("no plan was made"))?;
     progress.say("reading the robot");

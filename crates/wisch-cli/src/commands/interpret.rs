@@ -12,7 +12,7 @@ use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
 use wisch::interpret::{Belief, InterpretConfig, Interpretation, interpret as conclude};
-use wisch::represent::{Action, GoalState};
+use wisch::represent::GoalState;
 use wisch_io::Leftover;
 use wisch_io::{INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE};
 use wisch_io::{InterpretationRecord, LogRecord, particles_to_csv};
@@ -102,23 +102,16 @@ pub(super) fn goal(
     if let Some(path) = &args.plan {
         return Ok(given_plan(path, prepared)?.graph.goal);
     }
-    let task = &prepared.task;
-    match (task.action, task.collect_goal) {
-        (Action::Absorb, _) => Ok(GoalState::Absorbed),
-        (Action::Skim, _) => Ok(GoalState::Skimmed),
-        (Action::Collect, Some(center)) => Ok(GoalState::Collected {
-            center,
-            radius: task.tool.collision_radius(),
-        }),
-        (Action::Collect, None) => Err(prepared
+    prepared.task.goal().ok_or_else(|| {
+        prepared
             .failure(
                 task_args,
                 "the task leaves open where to collect, so nothing says what was to be reached",
             )
             .with_help(
                 "name the plan that was followed with --plan, or state collect.goal_m in the task",
-            )),
-    }
+            )
+    })
 }
 
 fn default_out(prepared: &Prepared) -> PathBuf {

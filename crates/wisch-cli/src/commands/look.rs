@@ -67,7 +67,7 @@ fn surroundings(episode: &Episode) -> Surroundings {
         settings: options.unwrap_or_default().settings,
         knowledge: None,
     };
-    Prepared::read(&args).map_or_else(|_| Surroundings::default(), |read| around(read.task))
+    Prepared::read(&args).map_or_else(|_| Surroundings::default(), |read| around(read.loaded.task))
 }
 
 fn around(task: Task) -> Surroundings {

@@ -2,25 +2,31 @@
 
 use crate::args::TaskArgs;
 use crate::failure::Failure;
-use wisch::plan::{CoverageStrategy, PlanConfig};
-use wisch::represent::Task;
-use wisch_io::{Derivation, InputDigest, LoadOptions, LoadedTask, TaskFile, load_task};
+use std::ops::{Deref, DerefMut};
+use wisch::plan::CoverageStrategy;
+use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_sim::SimulationSettings;
 
 /// A task with what the command line says about it.
 pub struct Prepared {
-    /// The task file.
-    pub file: TaskFile,
-    /// The task.
-    pub task: Task,
-    /// How to plan it.
-    pub config: PlanConfig,
+    /// The task, its file and how to plan it.
+    pub loaded: LoadedTask,
     /// What a simulated execution takes for real.
     pub reality: SimulationSettings,
-    /// The goal and the steps that reach it, where the file states a goal and not an action.
-    pub derived: Option<Derivation>,
-    /// Of all that was read for it.
-    pub inputs: InputDigest,
+}
+
+impl Deref for Prepared {
+    type Target = LoadedTask;
+
+    fn deref(&self) -> &LoadedTask {
+        &self.loaded
+    }
+}
+
+impl DerefMut for Prepared {
+    fn deref_mut(&mut self) -> &mut LoadedTask {
+        &mut self.loaded
+    }
 }
 
 impl Prepared {
@@ -33,24 +39,16 @@ impl Prepared {
             strategy: args.strategy,
             seed: args.seed,
         };
+        let loaded = load_task(&args.task, &options)?;
         let LoadedTask {
             file,
             task,
-            config,
-            derived,
             knowledge,
-            inputs,
-        } = load_task(&args.task, &options)?;
-        let reality = SimulationSettings::of(file.execution(), &task, &knowledge)
+            ..
+        } = &loaded;
+        let reality = SimulationSettings::of(file.execution(), task, knowledge)
             .map_err(|error| Failure::new(error).within(&args.task))?;
-        Ok(Self {
-            file,
-            task,
-            config,
-            reality,
-            derived,
-            inputs,
-        })
+        Ok(Self { loaded, reality })
     }
 
     /// Most rounds.

@@ -38,6 +38,13 @@ enum Extent<'a> {
     Follow(&'a RobotArgs),
 }
 
+impl Extent<'_> {
+    /// Whether standard output is taken by events, among which words have no place.
+    fn has_events_on_stdout(&self) -> bool {
+        matches!(self, Self::Run(_, rounds) if rounds.events.as_deref() == Some(Path::new("-")))
+    }
+}
+
 /// `wisch run`: the closed loop with the task's robot; without one, plan and predict.
 pub fn run(args: &WipeArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let follow = &args.follow;
@@ -153,7 +160,7 @@ fn work(
             "{}\n",
             serde_json::to_string(&summary).map_err(internal)?
         ))?;
-    } else if !global.quiet {
+    } else if !global.quiet && !extent.has_events_on_stdout() {
         print(&in_words(&summary, &results_of.rounds, &out))?;
         if let Some(place) = episode {
             print(&format!("  {:<18} {}\n", "episode", place.display()))?;
@@ -197,15 +204,12 @@ impl Job<'_> {
         };
         let rounds = args.and_then(|args| args.rounds);
         RunConfig {
-            plan: self.prepared.config.clone(),
-            variants: self.prepared.file.plan_variants(),
             workcell: (self.robot.as_ref()).map_or_else(WorkcellConfig::default, |(chosen, _)| {
                 workcell_config(chosen, self.prepared)
             }),
-            target: self.prepared.file.target_performance(),
             max_rounds: rounds.map_or(usual_rounds, usize::from),
             pace,
-            ..RunConfig::default()
+            ..self.prepared.run_config()
         }
     }
 

@@ -2,15 +2,20 @@
 
 use super::ParticleSourceError;
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+use png::BitDepth;
 use rand::RngExt;
 use std::io::Cursor;
 use wisch::geometry::{Bounds2, Point2, Vector2};
 use wisch::represent::{DirtArea, ParticleDistribution, SourceError, particle_generator};
+use zune_jpeg::JpegDecoder;
+use zune_jpeg::zune_core::{bytestream::ZCursor, options::DecoderOptions};
 
 /// Most pixels of an image: a large photo, and 200 MB once decoded.
 const MAX_PIXELS: u64 = 64_000_000;
 /// Memory that decoding may take: MAX_PIXELS at 16 bits in four channels [bytes].
-const MAX_DECODER_MEMORY: u64 = MAX_PIXELS * 8;
+const MAX_DECODER_MEMORY: usize = MAX_PIXELS as usize * 8;
+const PNG_MAGIC: [u8; 8] = *b"\x89PNG\r\n\x1a\n";
+const JPEG_MAGIC: [u8; 3] = [0xff, 0xd8, 0xff];
 /// Draws within a pixel that straddles the border, before its middle is taken.
 const DRAWS_PER_PIXEL: usize = 64;
 /// Corners that turn less than this relative to the lengths of their sides lie on a line.
@@ -51,13 +56,14 @@ pub fn mask_particles(
         file: source.file.clone(),
         problem,
     };
-    let image = decoded(bytes).map_err(fault)?;
-    let (width, height) = image.dimensions();
+    let photo = Photo::read(bytes).map_err(fault)?;
+    let (width, height) = (photo.width, photo.height);
     let surface_from_pixel = source.homography(area, width, height).map_err(fault)?;
-    let pixels: Vec<(u32, u32)> = image
-        .enumerate_pixels()
-        .filter(|(.., color)| source.matches(color.0))
-        .map(|(column, row, _)| (column, row))
+    let pixels: Vec<(u32, u32)> = (0..height)
+        .flat_map(|row| (0..width).map(move |column| (column, row)))
+        .zip(&photo.colors)
+        .filter(|&(_, &color)| source.matches(color))
+        .map(|(pixel, _)| pixel)
         .filter(|&(column, row)| {
             let middle = Point2::new(f64::from(column) + 0.5, f64::from(row) + 0.5);
             mapped(&surface_from_pixel, middle).is_some_and(|point| area.contains(point))
@@ -169,22 +175,84 @@ fn mapped(surface_from_pixel: &Matrix3<f64>, pixel: Point2) -> Option<Point2> {
     (p.z > 1e-9).then(|| Point2::new(p.x / p.z, p.y / p.z))
 }
 
-fn decoded(bytes: &[u8]) -> Result<image::RgbImage, String> {
-    let reader = || {
-        let reader = image::ImageReader::new(Cursor::new(bytes)).with_guessed_format();
-        reader.map_err(|error| error.to_string())
+/// An image, its colours row by row from the upper left corner.
+struct Photo {
+    width: u32,
+    height: u32,
+    colors: Vec<[u8; 3]>,
+}
+
+impl Photo {
+    fn read(bytes: &[u8]) -> Result<Self, String> {
+        let refused = |error: String| format!("it is no PNG or JPEG that can be read: {error}");
+        if bytes.starts_with(&PNG_MAGIC) {
+            let mut reader = png_reader(bytes).map_err(|error| refused(error.to_string()))?;
+            let (width, height) = reader.info().size();
+            check_pixels(width, height)?;
+            let (kind, depth) = reader.output_color_type();
+            let mut samples = vec![0; reader.output_buffer_size().unwrap_or_default()];
+            let read = reader.next_frame(&mut samples);
+            read.map_err(|error| refused(error.to_string()))?;
+            if depth == BitDepth::Sixteen {
+                // 0 to 65535 = 257 * 255 becomes 0 to 255, rounded.
+                let nearest = |&pair| (u32::from(u16::from_be_bytes(pair)) + 128) / 257;
+                let pairs = samples.as_chunks().0.iter();
+                samples = pairs.map(|pair| nearest(pair) as u8).collect();
+            }
+            Ok(Self::of(width, height, &samples, kind.samples()))
+        } else if bytes.starts_with(&JPEG_MAGIC) {
+            let mut decoder = jpeg_decoder(bytes);
+            let headers = decoder.decode_headers();
+            headers.map_err(|error| refused(error.to_string()))?;
+            let (width, height) = decoder.dimensions().unwrap_or_default();
+            let (width, height) = (width as u32, height as u32);
+            check_pixels(width, height)?;
+            let samples = decoder.decode();
+            let samples = samples.map_err(|error| refused(error.to_string()))?;
+            Ok(Self::of(width, height, &samples, 3))
+        } else {
+            Err(refused("it begins like neither".to_owned()))
+        }
+    }
+
+    /// From so many samples a pixel: grey or red, green and blue, with or without alpha.
+    fn of(width: u32, height: u32, samples: &[u8], per_pixel: usize) -> Self {
+        let color = |pixel: &[u8]| match *pixel {
+            [r, g, b] | [r, g, b, _] => [r, g, b],
+            _ => [pixel[0]; 3],
+        };
+        Self {
+            width,
+            height,
+            colors: samples.chunks_exact(per_pixel).map(color).collect(),
+        }
+    }
+}
+
+fn png_reader(bytes: &[u8]) -> Result<png::Reader<Cursor<&[u8]>>, png::DecodingError> {
+    let limits = png::Limits {
+        bytes: MAX_DECODER_MEMORY,
     };
-    let refused =
-        |error: image::ImageError| format!("it is no PNG or JPEG that can be read: {error}");
-    let (width, height) = reader()?.into_dimensions().map_err(refused)?;
+    let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), limits);
+    // Palettes to colours, and less than eight bits to eight.
+    decoder.set_transformations(png::Transformations::EXPAND);
+    decoder.read_info()
+}
+
+/// Gives red, green and blue. The sides are limited by the product of theirs alone.
+fn jpeg_decoder(bytes: &[u8]) -> JpegDecoder<ZCursor<&[u8]>> {
+    let options = DecoderOptions::default()
+        .set_max_width(usize::MAX)
+        .set_max_height(usize::MAX)
+        .set_strict_mode(false);
+    JpegDecoder::new_with_options(ZCursor::new(bytes), options)
+}
+
+fn check_pixels(width: u32, height: u32) -> Result<(), String> {
     if u64::from(width) * u64::from(height) > MAX_PIXELS {
         return Err(format!(
             "{width} x {height} pixels exceed the limit of {MAX_PIXELS}"
         ));
     }
-    let mut limits = image::Limits::default();
-    limits.max_alloc = Some(MAX_DECODER_MEMORY);
-    let mut reader = reader()?;
-    reader.limits(limits);
-    Ok(reader.decode().map_err(refused)?.to_rgb8())
+    Ok(())
 }

@@ -149,22 +149,38 @@ fn photo(corners: [[f64; 2]; 4], count: usize) -> MaskSource {
 
 /// A PNG of 440 × 320 pixels, blue but for crumbs of 4 × 4 pixels whose first pixels are given.
 fn png(crumbs: &[[u32; 2]]) -> Vec<u8> {
-    let image = ::image::RgbImage::from_fn(440, 320, |column, row| {
-        let within = |first: u32, at: u32| (first..first + 4).contains(&at);
-        let crumb = crumbs
-            .iter()
-            .any(|c| within(c[0], column) && within(c[1], row));
-        ::image::Rgb(if crumb {
+    let within = |first: u32, at: u32| (first..first + 4).contains(&at);
+    let pixels = (0..320).flat_map(|row| (0..440).map(move |column| (column, row)));
+    let colors = pixels.flat_map(|(column, row)| {
+        let mut crumbs = crumbs.iter();
+        if crumbs.any(|c| within(c[0], column) && within(c[1], row)) {
             [228, 203, 139]
         } else {
             [20, 40, 200]
-        })
+        }
     });
-    let mut bytes = std::io::Cursor::new(Vec::new());
-    image
-        .write_to(&mut bytes, ::image::ImageFormat::Png)
-        .expect("written to memory");
-    bytes.into_inner()
+    let samples: Vec<u8> = colors.collect();
+    encoded(440, 320, (::png::ColorType::Rgb, 8), &samples)
+}
+
+/// A PNG of the samples as they are stored, with a palette if its kind needs one.
+fn encoded(
+    width: u32,
+    height: u32,
+    (kind, bits): (::png::ColorType, u8),
+    samples: &[u8],
+) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut encoder = ::png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(kind);
+    encoder.set_depth(::png::BitDepth::from_u8(bits).expect("PNG knows that depth"));
+    if kind == ::png::ColorType::Indexed {
+        encoder.set_palette([[20, 40, 200], [228, 203, 139]].concat());
+    }
+    let mut writer = encoder.write_header().expect("written to memory");
+    writer.write_image_data(samples).expect("as many samples");
+    writer.finish().expect("written to memory");
+    bytes
 }
 
 #[test]
@@ -267,4 +283,93 @@ fn photos_that_cannot_be_used_are_refused() {
         let error = refused(corners, bytes);
         assert!(error.starts_with(expected), "{error}");
     }
+}
+
+/// Four pixels, dirt at the lower right, in every kind of PNG.
+#[test]
+fn every_kind_of_png_shows_the_same_dirt() {
+    use ::png::ColorType::{Grayscale, GrayscaleAlpha, Indexed, Rgb, Rgba};
+    let (board, bare) = (board(), bare());
+    let source = MaskSource {
+        corners_px: [[0.0, 2.0], [2.0, 2.0], [2.0, 0.0], [0.0, 0.0]].map(Point2::from),
+        color: [255; 3],
+        tolerance: 0.0,
+        ..photo(STRAIGHT, 20)
+    };
+    // 0xff7f is nearest to white in eight bits, 0xff7e is not.
+    let [almost, white] = [[0xff, 0x7e], [0xff, 0x7f]];
+    let four = |dark: &[u8], dirt: &[u8]| [dark, dark, dark, dirt].concat();
+    for (kind, bits, samples) in [
+        (Grayscale, 1, vec![0b0000_0000, 0b0100_0000]),
+        (Grayscale, 4, vec![0xee, 0xef]),
+        (Grayscale, 8, four(&[254], &[255])),
+        (Grayscale, 16, four(&almost, &white)),
+        (GrayscaleAlpha, 8, four(&[254, 255], &[255, 0])),
+        (Rgb, 8, four(&[255, 255, 254], &[255, 255, 255])),
+        (
+            Rgb,
+            16,
+            four(
+                &[white, almost, white].concat(),
+                &[white, white, white].concat(),
+            ),
+        ),
+        (Rgba, 8, four(&[0, 255, 255, 255], &[255, 255, 255, 9])),
+    ] {
+        let bytes = encoded(2, 2, (kind, bits), &samples);
+        let seen = mask_particles(&source, &bytes, on(&board, &bare), 1).expect("it is white");
+        let dirty = |p: Point2| p.x >= 0.0 && p.y <= 0.0;
+        assert!(seen.remaining().all(dirty), "{kind:?} of {bits} bits");
+    }
+    let by_palette = MaskSource {
+        color: [228, 203, 139],
+        ..source
+    };
+    let bytes = encoded(2, 2, (Indexed, 2), &[0b0000_0000, 0b0001_0000]);
+    let seen = mask_particles(&by_palette, &bytes, on(&board, &bare), 1).expect("there is dirt");
+    assert!(seen.remaining().all(|p| p.x >= 0.0 && p.y <= 0.0));
+}
+
+/// Interlaced and progressive files of 32 × 32 pixels, blue but for columns 16 to 23 of rows 8 to 15.
+#[test]
+fn interlaced_and_progressive_photos_are_read() {
+    let (board, bare) = (board(), bare());
+    let source = MaskSource {
+        corners_px: [[0.0, 32.0], [32.0, 32.0], [32.0, 0.0], [0.0, 0.0]].map(Point2::from),
+        color: [255; 3],
+        // What JPEG may change, and far from blue.
+        tolerance: 100.0,
+        ..photo(STRAIGHT, 200)
+    };
+    for (name, bytes) in [
+        (
+            "png",
+            &include_bytes!("../../tests/data/crumb-interlaced.png")[..],
+        ),
+        (
+            "jpeg",
+            &include_bytes!("../../tests/data/crumb-progressive.jpg")[..],
+        ),
+    ] {
+        let seen = mask_particles(&source, bytes, on(&board, &bare), 1).expect("it is white");
+        // 0.4 m and 0.28 m for 32 pixels.
+        for p in seen.remaining() {
+            assert!((-1e-9..=0.1 + 1e-9).contains(&p.x), "{name}: {p}");
+            assert!((-1e-9..=0.07 + 1e-9).contains(&p.y), "{name}: {p}");
+        }
+    }
+}
+
+#[test]
+fn a_png_of_too_many_pixels_is_refused_before_it_is_decoded() {
+    let (board, bare) = (board(), bare());
+    let mut bytes = encoded(2, 2, (::png::ColorType::Grayscale, 8), &[0; 4]);
+    // Width and height, and the checksum of what says so.
+    bytes[16..24].copy_from_slice(&[0, 1, 0, 0, 0, 1, 0, 0]);
+    bytes[29..33].copy_from_slice(&0x49ef6f3f_u32.to_be_bytes());
+    let refused = mask_particles(&photo(STRAIGHT, 5), &bytes, on(&board, &bare), 1);
+    assert_eq!(
+        refused.unwrap_err().to_string(),
+        "photo.png: 65536 x 65536 pixels exceed the limit of 64000000"
+    );
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use wisch::geometry::{Pose, Vector3};
-use wisch::run::{MotionOrder, Wrench};
+use wisch::run::{MotionOrder, Setpoint, Wrench};
 
 /// How far from 1 the norm of a quaternion may be.
 const UNIT_TOLERANCE: f64 = 1e-3;
@@ -154,20 +154,14 @@ impl MotionHead {
     }
 }
 
-impl TrajectoryPoint {
-    /// The state at a time [s].
-    pub fn of(order: &MotionOrder<'_>, time: f64) -> Result<Self, String> {
-        let cell = order.cell;
-        let sample = order.followed.sample(time).ok_or("the motion is empty")?;
-        let kinematics = (cell.robot().forward_kinematics(&sample.q)).map_err(|e| e.to_string())?;
-        let root_from_tip = kinematics.world_from_link(cell.tip());
-        let world_from_tool = cell.world_from_root() * root_from_tip * cell.tip_from_tool();
-        Ok(Self {
-            time_s: time,
-            world_from_tool: numbers(&world_from_tool),
-            positions: sample.q,
-            velocities: sample.qd,
-        })
+impl From<Setpoint> for TrajectoryPoint {
+    fn from(at: Setpoint) -> Self {
+        Self {
+            time_s: at.time,
+            world_from_tool: numbers(&at.world_from_tool),
+            positions: at.positions,
+            velocities: at.velocities,
+        }
     }
 }
 

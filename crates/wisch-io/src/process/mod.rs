@@ -2,7 +2,7 @@
 
 mod message;
 
-use message::{Ended, FromChild, MotionHead, ToChild, TrajectoryPoint};
+use message::{Ended, FromChild, MotionHead, ToChild};
 use std::io::{BufRead, BufReader, Write};
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
@@ -10,7 +10,8 @@ use std::time::{Duration, Instant};
 use wisch::geometry::Point2;
 use wisch::represent::{ParticleDistribution, Task};
 use wisch::run::{
-    Ending, Execution, Executor, ExecutorError, MotionOrder, SampleSink, StopCause, TelemetrySample,
+    Ending, Execution, Executor, ExecutorError, MotionOrder, SampleSink, Setpoint, StopCause,
+    TelemetrySample,
 };
 
 /// The version of the protocol.
@@ -86,7 +87,8 @@ impl ProcessExecutor {
         }
     }
 
-    /// Gives a child that says nothing up after so long, a minute unless told.
+    /// Gives a child up that says nothing for so long, or goes on for so long after it was told to stop; a minute unless
+    /// told.
     #[must_use]
     pub fn with_silence_limit(mut self, silence: Duration) -> Self {
         self.silence = silence;
@@ -124,13 +126,13 @@ impl ProcessExecutor {
     }
 
     fn order(&mut self, order: &MotionOrder<'_>) -> Result<(), ExecutorError> {
-        let duration = order.followed.duration();
-        let count = (duration / TRAJECTORY_PERIOD).ceil() as usize + 1;
-        self.say(&ToChild::Execute(MotionHead::new(order, count)))?;
-        for k in 0..count {
-            let time = (k as f64 * TRAJECTORY_PERIOD).min(duration);
-            let point = TrajectoryPoint::of(order, time).map_err(|error| self.fault(error))?;
-            self.say(&ToChild::Point(point))?;
+        let points: Vec<Setpoint> = order.setpoints(TRAJECTORY_PERIOD).collect();
+        if points.is_empty() {
+            return Err(self.fault("the motion is empty"));
+        }
+        self.say(&ToChild::Execute(MotionHead::new(order, points.len())))?;
+        for point in points {
+            self.say(&ToChild::Point(point.into()))?;
         }
         Ok(())
     }
@@ -144,9 +146,8 @@ impl Executor for ProcessExecutor {
     ) -> Result<Execution, ExecutorError> {
         self.order(order)?;
         let dof = order.cell.robot().dof();
-        let mut motion = 0;
         let mut since = f64::NEG_INFINITY;
-        let mut is_stopped = false;
+        let mut stopped: Option<Instant> = None;
         loop {
             let sample = match self.hear()? {
                 FromChild::Sample(sample) => sample,
@@ -168,11 +169,14 @@ impl Executor for ProcessExecutor {
             };
             sample.check(since, dof).map_err(|e| self.fault(e))?;
             since = sample.time_s;
-            let motions = &order.followed.motions;
-            while (motions.get(motion + 1)).is_some_and(|next| next.start <= since) {
-                motion += 1;
+            if let Some(stopped) = stopped {
+                if stopped.elapsed() > self.silence {
+                    let seconds = self.silence.as_secs_f64();
+                    return Err(self.fault(format!("it goes on {seconds} s after \"stop\"")));
+                }
+                continue;
             }
-            let (Some(running), false) = (motions.get(motion), is_stopped) else {
+            let Some((motion, phase)) = order.motion_at(since) else {
                 continue;
             };
             let world_from_tool = sample.world_from_tool();
@@ -186,10 +190,10 @@ impl Executor for ProcessExecutor {
                 controller: sample.controller(),
                 external: sample.external(),
                 motion,
-                phase: running.phase,
+                phase,
             });
             if flow.is_break() {
-                is_stopped = true;
+                stopped = Some(Instant::now());
                 self.say(&ToChild::Stop)?;
             }
         }

@@ -64,6 +64,11 @@ pub enum EngineCommand {
 }
 
 impl EngineCommand {
+    /// Whichever can be had: Scryer Prolog, else SWI-Prolog.
+    pub fn find() -> Option<Self> {
+        Self::scryer().or_else(Self::swi)
+    }
+
     /// Scryer Prolog, if `wisch-prolog` lies beside this program, in the folder above (as of cargo's examples), or in
     /// `PATH`.
     pub fn scryer() -> Option<Self> {

@@ -2,6 +2,7 @@
 
 use super::listing::Predicate;
 use super::term::{Term, TermError};
+use crate::store::MemoryError;
 use std::fmt::Display;
 use std::time::Duration;
 use wisch::source_location::UnknownName;
@@ -162,6 +163,9 @@ pub enum AskError {
         /// What.
         line: String,
     },
+    /// The memory cannot be read.
+    #[error(transparent)]
+    Memory(#[from] MemoryError),
     /// What people added to this memory cannot be read or written.
     #[error("{file}: {what}")]
     Assertions {

@@ -25,6 +25,7 @@ pub use telemetry_predicates::TelemetryPredicates;
 pub use term::{Term, TermError};
 
 use crate::catalogue::Catalogue;
+use crate::store::Memory;
 use engine::Engine;
 use host::Host;
 use std::sync::Arc;
@@ -60,6 +61,18 @@ pub struct Asker {
 }
 
 impl Asker {
+    /// Asks all episodes of a memory, and what was added to it by `tell`, within the usual limits.
+    ///
+    /// # Errors
+    /// The memory cannot be read.
+    pub fn open(memory: Memory, command: EngineCommand) -> Result<Self, AskError> {
+        let catalogue = Arc::new(memory.catalogue()?);
+        let assertions = Assertions::read(memory.folder())?;
+        let telemetry = TelemetryPredicates::of(memory);
+        let limits = Limits::default();
+        Ok(Self::new(command, limits, catalogue, telemetry, assertions))
+    }
+
     /// Asks these episodes. The engine is begun with the first query.
     pub fn new(
         command: EngineCommand,

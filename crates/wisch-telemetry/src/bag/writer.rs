@@ -47,7 +47,7 @@ pub fn active_path(bag: &Path) -> PathBuf {
 }
 
 /// What a bag says once.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct BagHead {
     /// Names of the robot's variables, in the order of the samples' arrays.
     pub joints: Vec<String>,
@@ -57,6 +57,16 @@ pub struct BagHead {
     pub start: u64,
     /// Anything else worth keeping, such as the task's name and the seed.
     pub notes: BTreeMap<String, String>,
+}
+
+impl BagHead {
+    /// That of a log without joints, of a surface that is believed to be there.
+    pub fn at(world_from_surface: Pose) -> Self {
+        Self {
+            world_from_surface,
+            ..Self::default()
+        }
+    }
 }
 
 /// Writes telemetry while a robot wipes.

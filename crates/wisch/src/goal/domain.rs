@@ -4,14 +4,12 @@ use std::collections::HashMap;
 
 use super::GoalError;
 use super::form::{Form, Source, read};
-use super::syntax::{Atom, Listed, Typed, atoms, literals, predicate, typed_list};
+use super::syntax::{Atom, Listed, OBJECT, Typed, atoms, literals, predicate, typed_list};
 
 /// Most types, constants, predicates or actions, which are found by looking through them.
 const MAX_NAMES: usize = 1000;
 /// Most parameters an action may have; each multiplies the ways to ground it.
 const MAX_PARAMETERS: usize = 12;
-/// The root of all types.
-const OBJECT: &str = "object";
 
 const SECTIONS: [&str; 5] = [
     ":requirements",

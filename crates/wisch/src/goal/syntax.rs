@@ -1,22 +1,10 @@
 //! Typed lists, atoms and literals of PDDL.
-//!
-//! `pddl-parser` reads them, a few words at a time. What it stumbles over is kept from it: it says
-//! of most errors neither where nor what, takes everyday names such as `at`, `start` or `problem`
-//! for keywords, skips `(in-package ...)` wherever it stands, and reads quantifiers as atoms. So
-//! [`form::read`](super::form::read) checks the words, and every name goes in behind a
-//! [`MARK`].
-
-use pddl_parser::domain::expression::Expression;
-use pddl_parser::domain::typed_parameter::TypedParameter;
-use pddl_parser::domain::typing::Type;
-use pddl_parser::lexer::TokenStream;
 
 use super::GoalError;
 use super::form::{Form, Source, is_name};
 
-/// Put before names on their way to the parser: no keyword begins with it in any case, and no name
-/// has it in it, names being in small letters.
-const MARK: char = 'X';
+/// The root of all types.
+pub(super) const OBJECT: &str = "object";
 
 /// Words that begin something other than an atom, beyond `and` and `not`.
 pub(super) const CONSTRUCTS: [&str; 20] = [
@@ -91,53 +79,47 @@ pub(super) fn typed_list(
         Listed::Names => "a name, or `-` and a type",
         Listed::Variables => "a parameter `?name`, or `-` and a type",
     };
-    let mut text = String::new();
-    let mut names: Vec<&Form> = Vec::new();
-    let mut types: Vec<&Form> = Vec::new();
+    let mut list: Vec<Typed> = Vec::new();
+    // How many names have their type.
+    let mut typed = 0;
     let mut after_dash = false;
+    let mut whole = true;
     for form in forms {
         if form.head().is_some_and(|(head, _)| head == "either") {
             return Err(source.not_supported(form.at, "`either`"));
         }
         let word = form.word().ok_or_else(|| source.expected(expected, form))?;
         if word == "-" {
-            text += " -";
+            whole &= !after_dash && typed < list.len();
         } else if after_dash {
             let name = form.name().ok_or_else(|| source.expected("a type", form))?;
-            text += &format!(" {MARK}{name}");
             // One type for all names since the last one.
-            types.resize(names.len(), form);
+            for entry in &mut list[typed..] {
+                entry.type_name = name.to_owned();
+                entry.type_at = form.at;
+            }
+            typed = list.len();
         } else {
             let name = match listed {
                 Listed::Names => form.name(),
                 Listed::Variables => variable(word),
             };
-            let name = name.ok_or_else(|| source.expected(expected, form))?;
-            text += &format!(" ?{MARK}{name}");
-            names.push(form);
+            name.ok_or_else(|| source.expected(expected, form))?;
+            list.push(Typed {
+                name: word.to_owned(),
+                at: form.at,
+                type_name: OBJECT.to_owned(),
+                type_at: form.at,
+            });
         }
         after_dash = word == "-";
     }
-    let parsed = TypedParameter::parse_typed_parameters(TokenStream::new(&text));
-    let parameters = match parsed {
-        Ok((rest, parameters)) if rest.is_empty() && parameters.len() == names.len() => parameters,
-        _ => {
-            let expected = "a name before and a type after every `-`";
-            let at = forms.last().map_or(0, |form| form.at);
-            return Err(source.expected_at(at, expected, "a list without"));
-        }
-    };
-    let typed = names.iter().enumerate().zip(parameters);
-    let typed = typed.map(|((i, form), parameter)| Typed {
-        name: form.word().unwrap_or_default().to_owned(),
-        at: form.at,
-        type_name: match parameter.type_ {
-            Type::Simple(name) => name.replacen(MARK, "", 1),
-            Type::Either(names) => names.concat(),
-        },
-        type_at: types.get(i).map_or(form.at, |form| form.at),
-    });
-    Ok(typed.collect())
+    if !whole || after_dash {
+        let expected = "a name before and a type after every `-`";
+        let at = forms.last().map_or(0, |form| form.at);
+        return Err(source.expected_at(at, expected, "a list without"));
+    }
+    Ok(list)
 }
 
 fn variable(word: &str) -> Option<&str> {
@@ -163,27 +145,15 @@ pub(super) fn predicate<'f>(
 /// Reads `(predicate argument ...)`.
 pub(super) fn atom(source: Source<'_>, form: &Form) -> Result<Atom, GoalError> {
     let (head, arguments) = predicate(source, form)?;
-    let mut text = format!("({MARK}{head}");
+    let mut words = vec![head.to_owned()];
     for argument in arguments {
         let word = argument.word().unwrap_or_default();
-        match variable(word) {
-            Some(name) => text += &format!(" ?{MARK}{name}"),
-            None if is_name(word) => text += &format!(" {MARK}{word}"),
-            None => return Err(source.expected("a name or a `?variable`", argument)),
+        if !is_name(word) && variable(word).is_none() {
+            return Err(source.expected("a name or a `?variable`", argument));
         }
+        words.push(word.to_owned());
     }
-    text.push(')');
-    match Expression::parse_expression(TokenStream::new(&text)) {
-        Ok((rest, Expression::Atom { name, parameters })) if rest.is_empty() => {
-            let arguments = parameters.iter().map(ToString::to_string);
-            let words = std::iter::once(name).chain(arguments);
-            Ok(Atom {
-                at: form.at,
-                words: words.map(|word| word.replacen(MARK, "", 1)).collect(),
-            })
-        }
-        _ => Err(source.expected("an atom", form)),
-    }
+    Ok(Atom { at: form.at, words })
 }
 
 /// Reads an atom, `(not atom)`, or an `(and ...)` of these; `()` is nothing. Each comes with whether

@@ -1,7 +1,7 @@
 //! A task as it is meant: everything resolved, checked and in SI units.
 
 use super::{
-    Action, AngleRange, Grip, Interaction, ParticleDistribution, SceneObject, ScenePart,
+    Action, AngleRange, GoalState, Grip, Interaction, ParticleDistribution, SceneObject, ScenePart,
     SecondGrip, Surface, TiltFreedom,
 };
 use crate::geometry::{Mesh, Point2, Pose, Region, Vector2, Vector3};
@@ -78,6 +78,24 @@ pub struct Task {
 }
 
 impl Task {
+    /// What the particles are to be measured against; `None` where it is left to the planner where to collect.
+    pub fn goal(&self) -> Option<GoalState> {
+        match (self.action, self.collect_goal) {
+            (Action::Absorb, _) => Some(GoalState::Absorbed),
+            (Action::Skim, _) => Some(GoalState::Skimmed),
+            (Action::Collect, center) => center.map(|center| GoalState::Collected {
+                center,
+                radius: self.tool.collision_radius(),
+            }),
+        }
+    }
+
+    /// What a tool feels that is pressed as the task asks for: the force of the surface on it, in the axes of the
+    /// world [N].
+    pub fn surface_reaction(&self) -> Vector3 {
+        self.surface.world_from_surface * Vector3::z() * self.interaction.press_force_n
+    }
+
     /// What stands round the surface: without robot, tool and the object that carries the surface.
     pub fn obstacles(&self) -> impl Iterator<Item = &SceneObject> {
         (self.scene.iter()).filter(|object| object.part == ScenePart::Obstacle)

@@ -61,5 +61,11 @@ pub enum RunEvent<'a> {
     Ended(Option<Verdict>),
 }
 
-/// Looks on while a session goes on, and may stop it: an execution that is stopped is interpreted as far as it went.
+/// An observer that looks away.
+pub fn unobserved(_: &RunEvent<'_>) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+/// Looks on while a session goes on, and may stop it at any event: a motion that is about to be executed is not, an
+/// execution that has begun is interpreted as far as it went.
 pub type Observer<'a> = dyn FnMut(&RunEvent<'_>) -> ControlFlow<()> + 'a;

@@ -67,3 +67,14 @@ pub struct Execution {
     /// All n variables of the robot at the end [rad or m].
     pub positions: Vec<f64>,
 }
+
+impl Execution {
+    /// One in which nothing has moved yet.
+    pub fn at_rest(positions: &[f64]) -> Self {
+        Self {
+            duration: 0.0,
+            ending: Ending::Complete,
+            positions: positions.to_vec(),
+        }
+    }
+}

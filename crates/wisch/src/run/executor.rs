@@ -1,28 +1,11 @@
 //! The seam between the method and a world: what executes a motion, be it a simulator, a robot or a recording.
 
-use super::{Execution, TelemetrySample, Wrench};
-use crate::follow::{Followed, Workcell};
+use super::{Execution, MotionOrder, TelemetrySample};
 use crate::interpret::TouchSample;
 use crate::represent::{ParticleDistribution, Task};
 use std::collections::VecDeque;
 use std::fmt::Display;
 use std::ops::ControlFlow;
-
-/// A motion that is to be executed, with all that a robot's driver needs of it.
-#[derive(Debug, Clone, Copy)]
-pub struct MotionOrder<'a> {
-    /// The round, from 1.
-    pub round: usize,
-    /// Seed for what is random in a simulated world; a real one has no use for it.
-    pub seed: u64,
-    /// Surface, scene and tool as they are believed to be; its interaction has the press force [N], the stiffness
-    /// along the normal [N/m] and the damping ratio that the controller is to keep.
-    pub task: &'a Task,
-    /// The robot with the tool in its hand.
-    pub cell: &'a Workcell,
-    /// Joint trajectories, the tool's path and the phases, one motion after the other.
-    pub followed: &'a Followed,
-}
 
 /// Takes what is measured, sample by sample in the order of time, and may stop the execution.
 pub type SampleSink<'a> = dyn FnMut(&TelemetrySample<'_>) -> ControlFlow<()> + 'a;
@@ -34,7 +17,7 @@ pub type SampleSink<'a> = dyn FnMut(&TelemetrySample<'_>) -> ControlFlow<()> + '
 ///
 /// ```
 /// use std::ops::ControlFlow;
-/// use wisch::run::{Ending, Execution, Executor, ExecutorError, MotionOrder, SampleSink};
+/// use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink};
 ///
 /// /// A robot that stays where it is.
 /// struct Idle;
@@ -45,9 +28,7 @@ pub type SampleSink<'a> = dyn FnMut(&TelemetrySample<'_>) -> ControlFlow<()> + '
 ///         order: &MotionOrder<'_>,
 ///         _: &mut SampleSink<'_>,
 ///     ) -> Result<Execution, ExecutorError> {
-///         let start = order.followed.sample(0.0);
-///         let positions = start.map_or_else(|| order.cell.ready().to_vec(), |sample| sample.q);
-///         Ok(Execution { duration: 0.0, ending: Ending::Complete, positions })
+///         Ok(Execution::at_rest(order.cell.ready()))
 ///     }
 /// }
 /// ```
@@ -146,31 +127,11 @@ impl<E: Executor> Executor for Recording<E> {
         let Some(round) = self.rounds.pop_front() else {
             return self.then.execute(order, sink);
         };
-        let mut motion = 0;
-        for sample in &round.touches {
-            let motions = &order.followed.motions;
-            while (motions.get(motion + 1)).is_some_and(|next| next.start <= sample.time) {
-                motion += 1;
-            }
-            let Some(running) = motions.get(motion) else {
+        for touch in &round.touches {
+            let Some((motion, phase)) = order.motion_at(touch.time) else {
                 break;
             };
-            let flow = sink(&TelemetrySample {
-                time: sample.time,
-                positions: &[],
-                velocities: &[],
-                efforts: &[],
-                world_from_commanded: sample.world_from_tool,
-                world_from_tool: sample.world_from_tool,
-                controller: Wrench::default(),
-                external: Wrench {
-                    force: sample.force,
-                    ..Wrench::default()
-                },
-                motion,
-                phase: running.phase,
-            });
-            if flow.is_break() {
+            if sink(&TelemetrySample::of_touch(touch, motion, phase)).is_break() {
                 break;
             }
         }

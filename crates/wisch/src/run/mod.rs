@@ -8,17 +8,17 @@ mod error;
 mod event;
 mod execution;
 mod executor;
+mod order;
 mod round;
 mod session;
 mod telemetry;
 
 pub use config::{Pace, Performer, RunConfig};
 pub use error::RunError;
-pub use event::{Observer, RunEvent};
+pub use event::{Observer, RunEvent, unobserved};
 pub use execution::{Ending, Execution, StopCause};
-pub use executor::{
-    Executor, ExecutorError, MotionOrder, NoExecutor, RecordedRound, Recording, SampleSink,
-};
+pub use executor::{Executor, ExecutorError, NoExecutor, RecordedRound, Recording, SampleSink};
+pub use order::{MotionOrder, Setpoint};
 pub use round::{PlannedRound, Round};
 pub use session::{Session, Stage};
 pub use telemetry::TelemetrySample;

@@ -41,11 +41,11 @@ pub enum Stage {
 /// A wiping task from its first plan to its last verdict.
 ///
 /// ```
-/// use wisch::run::{NoExecutor, Session, Stage};
+/// use wisch::run::{NoExecutor, Session, Stage, unobserved};
 /// # use wisch::represent::Task;
 /// # fn plan_only(task: &Task) -> Result<(), Box<dyn std::error::Error>> {
 /// let mut session = Session::new(task, Default::default());
-/// session.run_until(Stage::Planned, &mut NoExecutor, &mut |_| std::ops::ControlFlow::Continue(()))?;
+/// session.run_until(Stage::Planned, &mut NoExecutor, &mut unobserved)?;
 /// let metres = session.plan().map(|plan| plan.contact_distance());
 /// # Ok(()) }
 /// ```
@@ -201,7 +201,8 @@ impl<'a> Session<'a> {
         executor: &mut dyn Executor,
         observer: &mut Observer<'_>,
     ) -> Result<Stage, RunError> {
-        if self.is_stopped {
+        // An execution that was stopped is yet interpreted and judged.
+        if self.is_stopped && !matches!(self.state, State::Executed(..) | State::Interpreted(..)) {
             return Ok(self.end(None, observer));
         }
         let mut is_stopped = false;
@@ -228,8 +229,7 @@ impl<'a> Session<'a> {
                 Ok(Stage::Ended)
             }
         }?;
-        // An execution that was stopped is yet interpreted and judged.
-        self.is_stopped = is_stopped && !matches!(stage, Stage::Executed | Stage::Interpreted);
+        self.is_stopped |= is_stopped && stage != Stage::Ended;
         Ok(stage)
     }
 
@@ -393,7 +393,10 @@ impl<'a> Session<'a> {
         executor: &mut dyn Executor,
         observer: &mut Observer<'_>,
     ) -> Result<Stage, RunError> {
-        let _ = observer(&RunEvent::Executing(&planned));
+        if observer(&RunEvent::Executing(&planned)).is_break() {
+            self.state = State::Audited(planned, audit);
+            return Ok(Stage::Audited);
+        }
         let mut interpreter = Interpreter::new(&planned.task, &InterpretConfig::of(&planned.task))?;
         let order = MotionOrder {
             round: planned.number,

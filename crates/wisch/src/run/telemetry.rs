@@ -3,6 +3,7 @@
 use crate::control::Wrench;
 use crate::follow::Phase;
 use crate::geometry::Pose;
+use crate::interpret::TouchSample;
 
 /// What is measured at one instant; arrays have one entry per variable of the robot, in its order,
 /// or none: velocities and efforts where an executor does not measure them, all of them in a recording.
@@ -28,4 +29,26 @@ pub struct TelemetrySample<'a> {
     pub motion: usize,
     /// What that motion is for.
     pub phase: Phase,
+}
+
+impl TelemetrySample<'_> {
+    /// A sample of who measures nothing but a tool's pose and the force on it: where the tool was told to be, is where
+    /// it is.
+    pub fn of_touch(touch: &TouchSample, motion: usize, phase: Phase) -> Self {
+        Self {
+            time: touch.time,
+            positions: &[],
+            velocities: &[],
+            efforts: &[],
+            world_from_commanded: touch.world_from_tool,
+            world_from_tool: touch.world_from_tool,
+            controller: Wrench::default(),
+            external: Wrench {
+                force: touch.force,
+                ..Wrench::default()
+            },
+            motion,
+            phase,
+        }
+    }
 }

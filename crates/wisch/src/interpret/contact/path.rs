@@ -13,6 +13,17 @@ pub struct TouchSample {
     pub force: Vector3,
 }
 
+impl TouchSample {
+    /// At a time [s] the tool was there and felt this force [N].
+    pub const fn new(time: f64, world_from_tool: Pose, force: Vector3) -> Self {
+        Self {
+            time,
+            world_from_tool,
+            force,
+        }
+    }
+}
+
 /// How a piece of the path was classified.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Touch {

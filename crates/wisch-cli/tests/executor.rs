@@ -1,0 +1,115 @@
+//! `wisch run --executor` and `--events`.
+
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// One round on a small board.
+fn wisch(folder: &Path, more: &[&str]) -> Output {
+    let task = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/arm-board.toml");
+    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("wisch"));
+    command.current_dir(folder).arg("run").arg(task);
+    command.args(["--rounds", "1", "--no-memory", "--out", "out"]);
+    command.args(more).output().expect("it runs")
+}
+
+/// The kinds of events, without those that repeat the one before; every line is an object that has one.
+fn kinds(lines: &str) -> Vec<String> {
+    let mut kinds: Vec<String> = Vec::new();
+    for line in lines.lines() {
+        let event: Value = serde_json::from_str(line).expect(line);
+        let kind = event["event"].as_str().expect(line).to_owned();
+        if kinds.last() != Some(&kind) {
+            kinds.push(kind);
+        }
+    }
+    kinds
+}
+
+const ROUND: [&str; 9] = [
+    "planning",
+    "planned",
+    "following",
+    "audited",
+    "executing",
+    "sample",
+    "interpreting",
+    "judged",
+    "ended",
+];
+
+/// Whether there is Python; where CI runs there has to be.
+fn has_python() -> bool {
+    let is_there = Command::new("python3").arg("--version").output().is_ok();
+    let is_ci = std::env::var("CI").is_ok_and(|ci| ci == "true");
+    assert!(is_there || !is_ci, "there is no python3");
+    if !is_there {
+        eprintln!("SKIPPED: there is no python3 to run executors with");
+    }
+    is_there
+}
+
+#[test]
+fn a_run_by_another_program_writes_its_events_and_knows_no_truth() {
+    if !has_python() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let robot = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/echo_robot.py");
+    fs::copy(robot, folder.path().join("echo robot.py")).expect("a copy");
+    let executor = ["--executor", "python3 'echo robot.py'", "--json"];
+    let output = wisch(
+        folder.path(),
+        &[&executor[..], &["--events", "events.jsonl"]].concat(),
+    );
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert_eq!((output.status.code(), &*err), (Some(0), ""));
+    let summary: Value = serde_json::from_slice(&output.stdout).expect("one object");
+    let round = &summary["rounds"][0];
+    assert_eq!(round["verdict"], "goal met", "{round}");
+    assert_eq!(round["true_performance"], Value::Null);
+    assert!(folder.path().join("out/report.html").is_file());
+
+    let events = fs::read_to_string(folder.path().join("events.jsonl")).expect("events");
+    assert_eq!(kinds(&events), ROUND);
+    let felt = events.lines().any(|line| {
+        let event: Value = serde_json::from_str(line).expect(line);
+        event["phase"] == "wipe" && event["force_n"][2].as_f64() > Some(5.0)
+    });
+    assert!(felt, "no sample shows the force of the robot");
+    let last: Value = serde_json::from_str(events.lines().last().expect("a line")).expect("JSON");
+    assert_eq!(last["verdict"], "goal met");
+}
+
+#[test]
+fn events_on_standard_output_stand_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = wisch(folder.path(), &["--greedy", "--events", "-"]);
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert_eq!((output.status.code(), &*err), (Some(1), ""));
+    let out = String::from_utf8(output.stdout).expect("text");
+    assert_eq!(kinds(&out), ROUND);
+    let first: Value = serde_json::from_str(out.lines().next().expect("a line")).expect("JSON");
+    assert_eq!(first["schema"], 1);
+}
+
+#[test]
+fn an_executor_that_cannot_be_used_is_an_error() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (executor, expected) in [
+        ("no-such-robot --fast", "executor \"no-such-robot\""),
+        ("  ", "that is no command"),
+        ("'open", "that is no command"),
+    ] {
+        let output = wisch(folder.path(), &["--executor", executor]);
+        let err = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{err}");
+        assert!(err.contains(expected), "{err}");
+        assert!(!folder.path().join("out").exists());
+    }
+    let output = wisch(folder.path(), &["--events", "nowhere/events.jsonl"]);
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{err}");
+    assert!(err.contains("events.jsonl: cannot write there"), "{err}");
+}

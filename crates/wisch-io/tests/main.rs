@@ -1,0 +1,3 @@
+//! The tests of what reaches outside: programs that execute motions.
+
+mod process;

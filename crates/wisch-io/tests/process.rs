@@ -1,0 +1,244 @@
+//! Executors in processes of their own: the one that is documented, and such as go wrong.
+
+use std::ops::ControlFlow;
+use std::process::Command;
+use std::time::{Duration, Instant};
+use wisch::recover::Verdict;
+use wisch::run::{
+    Ending, Execution, Executor, ExecutorError, MotionOrder, NoExecutor, PlannedRound, RunError,
+    Stage, unobserved,
+};
+use wisch_io::{LoadOptions, LoadedTask, ProcessExecutor, Robot, load_task};
+
+const ECHO_ROBOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/echo_robot.py");
+
+/// What the children below begin with: they greet, take a motion in, and can say samples.
+const CHILD: &str = r#"
+import json, select, sys, time
+def hear():
+    line = sys.stdin.readline()
+    return json.loads(line) if line else sys.exit()
+def say(**message):
+    print(json.dumps(message), flush=True)
+hear()
+say(ready={"version": 1})
+motion = hear()["execute"]
+points = [hear()["point"] for _ in range(motion["points"])]
+def sample(time, **more):
+    pose = points[0]["world_from_tool"]
+    say(sample={"time_s": time, "world_from_tool": pose, "force_n": [0, 0, 0], **more})
+def done(ending, positions=points[-1]["positions"]):
+    say(done={"duration_s": 1, "ending": ending, "positions": positions})
+"#;
+
+/// Whether there is Python; where CI runs there has to be.
+fn has_python() -> bool {
+    let is_there = Command::new("python3").arg("--version").output().is_ok();
+    let is_ci = std::env::var("CI").is_ok_and(|ci| ci == "true");
+    assert!(is_there || !is_ci, "there is no python3");
+    if !is_there {
+        eprintln!("SKIPPED: there is no python3 to run executors with");
+    }
+    is_there
+}
+
+fn loaded() -> (LoadedTask, Robot) {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../scenarios/arm-board.toml"
+    );
+    let loaded = load_task(path.as_ref(), &LoadOptions::default()).expect("a task");
+    let robot = loaded.robot().expect("a robot").expect("it names one");
+    (loaded, robot)
+}
+
+/// A motion that can be executed.
+fn motion() -> PlannedRound {
+    let (loaded, robot) = loaded();
+    let mut session = loaded.session().with_robot(robot.performer());
+    session
+        .run_until(Stage::Audited, &mut NoExecutor, &mut unobserved)
+        .expect("a motion");
+    session.planned().expect("a motion").clone()
+}
+
+fn start(script: &str) -> Result<ProcessExecutor, ExecutorError> {
+    ProcessExecutor::start("python3", &["-c".to_owned(), script.to_owned()])
+}
+
+/// Has a child execute a motion that begins as above and goes on with these lines. `most` samples are taken, and none
+/// after that.
+fn executed(
+    planned: &PlannedRound,
+    lines: &str,
+    most: usize,
+) -> Result<(Execution, usize), ExecutorError> {
+    let limit = Duration::from_millis(700);
+    let mut child = start(&format!("{CHILD}{lines}\n"))?.with_silence_limit(limit);
+    let order = MotionOrder {
+        round: 1,
+        seed: 1,
+        task: &planned.task,
+        cell: &planned.cell,
+        followed: &planned.followed,
+    };
+    let mut taken = 0;
+    let execution = child.execute(&order, &mut |_| {
+        taken += 1;
+        if taken < most {
+            ControlFlow::Continue(())
+        } else {
+            ControlFlow::Break(())
+        }
+    })?;
+    Ok((execution, taken))
+}
+
+#[test]
+fn the_documented_robot_wipes_until_the_goal_is_met() {
+    if !has_python() {
+        return;
+    }
+    let (loaded, robot) = loaded();
+    let mut child = ProcessExecutor::start("python3", &[ECHO_ROBOT.to_owned()]).expect("it greets");
+    assert_eq!(child.observe(&loaded.task), Ok(None));
+    let mut session = loaded.session().with_robot(robot.performer());
+    session.run(&mut child, &mut unobserved).expect("it ends");
+    let last = session.rounds().last().expect("a round");
+    assert_eq!(last.verdict, Verdict::GoalMet);
+    assert_eq!(last.execution.ending, Ending::Complete);
+    assert!(last.interpretation.plane.is_some());
+    // The rest of the time near the surface, the tool comes down to it and lifts off.
+    let felt = last.interpretation.contact_share;
+    assert!(
+        felt > 0.75,
+        "contact for {felt} of the time near the surface"
+    );
+}
+
+#[test]
+fn a_child_that_goes_wrong_ends_in_an_error_that_says_how() {
+    if !has_python() {
+        return;
+    }
+    let planned = motion();
+    let dof = planned.cell.robot().dof();
+    let joints = format!("positions has 1 numbers, the robot {dof} joints");
+    let cases = [
+        ("time.sleep(60)", "it said nothing for 0.7 s"),
+        ("print('hullo', flush=True)", "\"hullo\""),
+        ("say(hullo=1)", "unknown variant `hullo`"),
+        (
+            "say(ready={'version': 1})",
+            "expected a sample, found \"ready\"",
+        ),
+        ("say(sample={'time_s': 0})", "missing field"),
+        ("sample(float('nan'))", "NaN"),
+        (
+            "print('{\"sample\": {\"time_s\": 1e999}}', flush=True)",
+            "1e999",
+        ),
+        (
+            "sample(0.1); sample(0.1)",
+            "the sample of 0.1 s follows that of 0.1 s",
+        ),
+        (
+            "sample(0.2); sample(0.1)",
+            "the sample of 0.1 s follows that of 0.2 s",
+        ),
+        ("sample(0, positions=[1])", joints.as_str()),
+        (
+            "sample(0, world_from_tool=[0] * 7)",
+            "a quaternion has norm 0",
+        ),
+        ("sample(0); sys.exit(3)", "it ended before it was done"),
+        (
+            "print('x' * (1 << 20) + 'y', flush=True)",
+            "a line exceeds the limit of 1048576 bytes",
+        ),
+        (
+            "sys.stdout.buffer.write(bytes([255, 10])); sys.stdout.flush()",
+            "not UTF-8",
+        ),
+        ("say(error='the arm is locked')", "the arm is locked"),
+        ("done('exploded')", "unknown variant `exploded`"),
+    ];
+    for (lines, expected) in cases {
+        let begin = Instant::now();
+        let error = executed(&planned, lines, usize::MAX).expect_err(lines);
+        let error = error.to_string();
+        assert!(
+            error.starts_with("executor \"python3\": "),
+            "{lines}: {error}"
+        );
+        assert!(error.contains(expected), "{lines}: {error}");
+        assert!(begin.elapsed() < Duration::from_secs(30), "{lines}");
+    }
+}
+
+#[test]
+fn a_child_that_does_not_greet_is_refused() {
+    if !has_python() {
+        return;
+    }
+    for (script, expected) in [
+        (
+            "print('{\"ready\": {\"version\": 7}}')",
+            "it speaks version 7 of the protocol, not 1",
+        ),
+        ("pass", "it ended before it was done"),
+        ("print('null')", "null"),
+        (
+            "print('{\"observation\": null}')",
+            "expected \"ready\", found \"observation\"",
+        ),
+    ] {
+        let error = start(script).expect_err(script).to_string();
+        assert!(error.contains(expected), "{script}: {error}");
+    }
+    let error = ProcessExecutor::start("no-such-robot", &[]).expect_err("there is none");
+    let error = error.to_string();
+    assert!(error.starts_with("executor \"no-such-robot\": "), "{error}");
+}
+
+#[test]
+fn a_child_is_stopped_when_enough_was_felt() {
+    if !has_python() {
+        return;
+    }
+    let planned = motion();
+    let endless = "\nk = 0\nwhile not select.select([sys.stdin], [], [], 0.001)[0]:\n    k += 1\n    sample(k)\nheard = hear()\ndone('stopped' if heard == 'stop' else 'complete')";
+    let (execution, taken) = executed(&planned, endless, 5).expect("it stops");
+    assert_eq!((execution.ending, taken), (Ending::Stopped, 5));
+
+    let deaf = "\nk = 0\nwhile True:\n    k += 1\n    sample(k)\n    time.sleep(0.001)";
+    let error = executed(&planned, deaf, 5)
+        .expect_err("it goes on")
+        .to_string();
+    assert!(error.contains("it goes on 0.7 s after \"stop\""), "{error}");
+}
+
+#[test]
+fn how_a_child_ended_is_taken_over() {
+    if !has_python() {
+        return;
+    }
+    let planned = motion();
+    let lines = "sample(0); sample(0.5)\ndone({'protective_stop': {'time_s': 0.5, 'reason': 'a hand is in the way'}})";
+    let (execution, taken) = executed(&planned, lines, usize::MAX).expect("it ends");
+    assert_eq!(taken, 2);
+    let Ending::ProtectiveStop { time, cause } = execution.ending else {
+        panic!("{:?}", execution.ending);
+    };
+    assert_eq!(
+        (time, cause.to_string().as_str()),
+        (0.5, "a hand is in the way")
+    );
+
+    let (loaded, robot) = loaded();
+    let script = format!("{CHILD}sample(0)\ndone('complete', [1, 2])\n");
+    let mut session = loaded.session().with_robot(robot.performer());
+    let error = session.run(&mut start(&script).expect("it greets"), &mut unobserved);
+    let is_refused = matches!(error, Err(RunError::Positions { found: 2, .. }));
+    assert!(is_refused, "{error:?}");
+}

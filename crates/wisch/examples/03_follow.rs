@@ -1,0 +1,36 @@
+//! Follow the plan with a robot of one's own, and check the motion.
+//!
+//! An SRDF that lies beside the URDF says which group of joints wipes and where it starts.
+//!
+//! ```text
+//! cargo run -p wisch --example 03_follow
+//! ```
+
+use std::error::Error;
+use wisch::run::{NoExecutor, Stage, unobserved};
+use wisch_io::{LoadOptions, Robot, load_task};
+
+const TASK: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../scenarios/arm-board.toml"
+);
+const URDF: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../robots/arm7.urdf");
+
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+    let loaded = load_task(TASK.as_ref(), &LoadOptions::default())?;
+    let robot = Robot::load(URDF)?;
+    let mut session = loaded.session().with_robot(robot.performer());
+    session.run_until(Stage::Audited, &mut NoExecutor, &mut unobserved)?;
+
+    let (planned, audit) = session.first().ok_or("there is no motion")?;
+    let followed = &planned.followed;
+    println!(
+        "{} wipes for {:.0} s",
+        robot.model.name(),
+        followed.contact_time()
+    );
+    println!("it gives {} nodes up", followed.abandoned.len());
+    println!("it keeps {:.0} mm clear", 1e3 * audit.min_clearance);
+    println!("the check finds {} faults", audit.faults.len());
+    Ok(())
+}

@@ -1,0 +1,47 @@
+//! Remember a log as an episode, and ask the memory for it in Prolog.
+//!
+//! The engine is a program of its own: `cargo build -p wisch-prolog` makes it, in some minutes; SWI-Prolog does as well.
+//!
+//! ```text
+//! cargo run -p wisch --example 06_ask
+//! ```
+
+use std::error::Error;
+use wisch::geometry::Pose;
+use wisch::interpret::{Belief, InterpretConfig, TouchSample, interpret};
+use wisch_io::{LoadOptions, load_task};
+use wisch_memory::ask::{Asker, EngineCommand};
+use wisch_memory::{EpisodeHeader, Memory, remember_log};
+
+const TASK: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../scenarios/arm-board.toml"
+);
+const HOW: &str = "there is no Prolog engine: cargo build -p wisch-prolog makes one";
+
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
+    let loaded = load_task(TASK.as_ref(), &LoadOptions::default())?;
+    let (task, board) = (&loaded.task, loaded.task.surface.world_from_surface);
+    let touches = [0.0, 0.5, 1.0, 1.5, 2.0].map(|time| {
+        let world_from_tool = board * Pose::translation(0.1 * time - 0.1, -0.06, 0.0);
+        TouchSample::new(time, world_from_tool, task.surface_reaction())
+    });
+    let goal = task.goal().ok_or("the task leaves its goal open")?;
+    let believed = Belief::certain(task.particles.clone());
+    let config = InterpretConfig::of(task);
+    let told = interpret(&touches, task, &believed, &goal, &config)?;
+
+    let folder = tempfile::tempdir()?;
+    let memory = Memory::create(folder.path())?;
+    let header = EpisodeHeader::new(0.0, 0.85, task.seed, "tutorial");
+    let record = remember_log(&header, "a log", 2.0, task, &goal, &told);
+    memory.begin(&header.id)?.commit(&record)?;
+
+    let engine = EngineCommand::find().ok_or(HOW)?;
+    let mut asker = Asker::open(memory, engine)?;
+    let answers = asker.ask("low_performance_round(Round, Performance)")?;
+    for row in &answers.rows {
+        println!("{} of round {}", row[1], row[0]);
+    }
+    Ok(())
+}
