@@ -210,9 +210,9 @@ const ONCE_WRONG: [u64; 4] = [
     154,
 ];
 
-/// Of the problems below, how many at least are followed whole, and how many in part.
-const LEAST_WHOLE: usize = 10;
-const LEAST_FOLLOWED: usize = 16;
+/// Of the 24 problems below, how many at least are followed whole, and how many whole or in part: one less than are.
+const LEAST_WHOLE: usize = 13;
+const LEAST_FOLLOWED: usize = 19;
 
 #[test]
 fn random_problems_are_solved_without_faults() {
