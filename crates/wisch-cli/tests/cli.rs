@@ -39,7 +39,10 @@ fn names(folder: &Path) -> Vec<String> {
 #[test]
 fn run_writes_everything_and_says_where() {
     let folder = folder_with_task();
-    let (code, out, err) = output(folder.path(), &["run", "board.toml", "--out", "result"]);
+    let (code, out, err) = output(
+        folder.path(),
+        &["run", "board.toml", "--rounds", "1", "--out", "result"],
+    );
     assert!(code == 0 || code == 1, "{code}: {err}");
     assert_eq!(err, "", "nothing of the progress reaches a pipe");
     assert!(out.contains("performance"), "{out}");
@@ -71,7 +74,10 @@ fn run_writes_everything_and_says_where() {
 #[test]
 fn the_json_summary_is_one_object_with_its_keys() {
     let folder = folder_with_task();
-    let (_, out, _) = output(folder.path(), &["run", "board.toml", "--json"]);
+    let (_, out, _) = output(
+        folder.path(),
+        &["run", "board.toml", "--json", "--rounds", "1"],
+    );
     let summary = json(&out);
     for key in [
         "schema",
@@ -108,18 +114,16 @@ fn the_exit_code_follows_the_target() {
     let folder = folder_with_task();
     let run = |target: &str| {
         let setting = format!("target_performance={target}");
-        let (code, out, err) = output(
-            folder.path(),
-            &["run", "board.toml", "--json", "--set", &setting],
-        );
+        let one_round = ["run", "board.toml", "--json", "--rounds", "1", "--set"];
+        let (code, out, err) = output(folder.path(), &[&one_round[..], &[&setting]].concat());
         assert_eq!(err, "");
-        (code, json(&out)["goal_met"].as_bool().expect("a truth"))
+        let summary = json(&out);
+        // The template's plan leaves something: otherwise a target of all would say nothing.
+        let predicted = summary["predicted_performance"].as_f64();
+        assert!(predicted < Some(1.0), "{predicted:?}");
+        (code, summary["goal_met"].as_bool().expect("a truth"))
     };
     assert_eq!(run("0.0"), (0, true));
-    // The template's plan leaves something: otherwise this would say nothing.
-    let (_, out, _) = output(folder.path(), &["run", "board.toml", "--json"]);
-    let predicted = json(&out)["predicted_performance"].as_f64();
-    assert!(predicted < Some(1.0), "{predicted:?}");
     assert_eq!(run("1.0"), (1, false));
 }
 
@@ -175,27 +179,24 @@ fn a_plan_can_be_predicted_later_with_the_same_result() {
 #[test]
 fn the_same_task_and_seed_give_the_same_bytes_on_any_number_of_threads() {
     let folder = folder_with_task();
+    let run = |threads: &str, more: &[&str]| {
+        let args = ["run", "board.toml", "--threads", threads, "--out", "result"];
+        output(folder.path(), &[&args[..], more].concat());
+        let contents = contents(&folder.path().join("result"));
+        assert!(!contents.is_empty());
+        contents
+    };
     for strategy in ["grid", "rrt", "kde"] {
-        let run = |threads: &str| {
-            let args = [
-                "run",
-                "board.toml",
-                "--strategy",
-                strategy,
-                "--threads",
-                threads,
-                "--out",
-                "result",
-            ];
-            output(folder.path(), &args);
-            contents(&folder.path().join("result"))
-        };
-        let one = run("1");
-        assert!(!one.is_empty());
+        let planned = ["--strategy", strategy, "--robot", "none"];
+        let one = run("1", &planned);
         for threads in ["1", "2", "4"] {
-            assert!(one == run(threads), "{strategy} on {threads} threads");
+            let is_same = one == run(threads, &planned);
+            assert!(is_same, "{strategy} on {threads} threads");
         }
     }
+    // With the robot, once: following and interpreting are parallel too.
+    let executed = ["--rounds", "1"];
+    assert!(run("1", &executed) == run("4", &executed));
 }
 
 #[test]
@@ -206,7 +207,7 @@ fn another_seed_gives_other_particles() {
             folder.path(),
             &["plan", "board.toml", "--seed", seed, "--out", "result"],
         );
-        fs::read(folder.path().join("result/particles-before.csv")).expect("particles")
+        fs::read(folder.path().join("result/particles/particles-before.csv")).expect("particles")
     };
     assert_ne!(before("1"), before("2"));
 }
@@ -217,7 +218,16 @@ fn particles_are_conserved_in_the_files() {
     for action in ["absorb", "collect", "skim"] {
         output(
             folder.path(),
-            &["run", "board.toml", "--action", action, "--out", "result"],
+            &[
+                "run",
+                "board.toml",
+                "--robot",
+                "none",
+                "--action",
+                action,
+                "--out",
+                "result",
+            ],
         );
         let rows = |name: &str| {
             let mut csv =
@@ -247,7 +257,8 @@ fn particles_are_conserved_in_the_files() {
 #[test]
 fn results_of_an_earlier_run_are_replaced_and_nothing_else() {
     let folder = folder_with_task();
-    let run = || output(folder.path(), &["run", "board.toml", "--out", "result"]);
+    let args = ["run", "board.toml", "--robot", "none", "--out", "result"];
+    let run = || output(folder.path(), &args);
     let result = folder.path().join("result");
     run();
     assert_ne!(run().0, 2, "our own results are replaced");
@@ -277,7 +288,7 @@ fn results_of_an_earlier_run_are_replaced_and_nothing_else() {
     assert!(err.contains("a file stands there"), "{err}");
     assert_eq!(
         names(folder.path()),
-        ["board.toml", "episodes", "result"],
+        ["board.toml", "result"],
         "nothing is left behind"
     );
 }
@@ -285,22 +296,14 @@ fn results_of_an_earlier_run_are_replaced_and_nothing_else() {
 #[test]
 fn a_failed_run_leaves_earlier_results_alone() {
     let folder = folder_with_task();
-    output(folder.path(), &["run", "board.toml", "--out", "result"]);
+    let run = ["run", "board.toml", "--robot", "none", "--out", "result"];
+    output(folder.path(), &run);
     let before = contents(&folder.path().join("result"));
-    let (code, ..) = output(
-        folder.path(),
-        &[
-            "run",
-            "board.toml",
-            "--out",
-            "result",
-            "--set",
-            "no.such.key=1",
-        ],
-    );
+    let wrong = ["--set", "no.such.key=1"];
+    let (code, ..) = output(folder.path(), &[&run[..], &wrong].concat());
     assert_eq!(code, 2);
     assert!(before == contents(&folder.path().join("result")));
-    assert_eq!(names(folder.path()), ["board.toml", "episodes", "result"]);
+    assert_eq!(names(folder.path()), ["board.toml", "result"]);
 }
 
 #[test]
@@ -396,7 +399,11 @@ fn knowledge_may_come_from_a_folder() {
     let run = |extra: &[&str]| {
         output(
             folder.path(),
-            &[&["run", "board.toml", "--out", "result"], extra].concat(),
+            &[
+                &["run", "board.toml", "--robot", "none", "--out", "result"],
+                extra,
+            ]
+            .concat(),
         );
         contents(&folder.path().join("result"))
     };
@@ -423,7 +430,7 @@ fn knowledge_may_come_from_a_folder() {
 fn quiet_prints_nothing_and_color_is_obeyed() {
     let folder = folder_with_task();
     for args in [
-        &["run", "board.toml", "--quiet"][..],
+        &["run", "board.toml", "--quiet", "--rounds", "1"][..],
         &["check", "board.toml", "-q"],
         &["footprint", "sponge", "-q"],
     ] {
@@ -464,7 +471,7 @@ fn a_reader_that_goes_away_is_no_error() {
     for args in [
         "new",
         "check board.toml",
-        "run board.toml --json --set target_performance=0.0",
+        "run board.toml --json --robot none --set target_performance=0.0",
         "--help",
     ] {
         let (reader, writer) = std::io::pipe().expect("a pipe");

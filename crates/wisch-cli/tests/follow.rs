@@ -180,7 +180,7 @@ fn another_robot_takes_the_place_of_the_tasks() {
     assert_eq!((code, err.as_str()), (1, ""));
     assert!(out.contains("abandoned first"), "{out}");
     assert!(!out.contains("-0.0"), "{out}");
-    let yaml = read(&folder.path().join("result/trajectory.yaml"));
+    let yaml = read(&folder.path().join("result/trajectories/trajectory.yaml"));
     assert!(blocks(&yaml).iter().all(|block| block.points.is_empty()));
 }
 

@@ -151,7 +151,10 @@ fn a_goal_that_is_reached_exactly_is_reached() {
 fn the_estimate_is_what_the_next_log_begins_with() {
     let folder = folder(believed());
     interpreted(folder.path(), "log.mcap", &["--out", "first"]);
-    let next = ["--set", "particles.file=first/particles-estimated.csv"];
+    let next = [
+        "--set",
+        "particles.file=first/particles/particles-estimated.csv",
+    ];
     let (_, record) = interpreted(folder.path(), "log.mcap", &next);
     assert!((record["estimated"].as_f64().unwrap() - 0.8).abs() < 1e-9);
 }

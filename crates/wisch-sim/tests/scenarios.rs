@@ -13,6 +13,9 @@ const ESTIMATE: f64 = 0.10;
 /// How far beyond the 90 % interval the truth may be [1].
 const BESIDE: f64 = 0.05;
 
+/// How late or early a push may be felt [s].
+const FELT: f64 = 0.05;
+
 /// A round, what was true of it, and the true performance [1].
 type Executed = (Round, GroundTruth, f64);
 
@@ -93,56 +96,35 @@ fn collisions(round: &Round) -> Vec<[f64; 2]> {
 #[test]
 fn pushes_are_felt_when_they_happen_and_what_they_cost_is_wiped_again() {
     let (loaded, rounds) = executed("failure-human-push", 2);
-    for (r, t, p) in &rounds {
-        eprintln!(
-            "EST {:?} true {p} coll {:?} verdict {:?} dur {} F {:?} lost {}",
-            r.interpretation.performance,
-            collisions(r),
-            r.verdict,
-            r.execution.duration,
-            t.contact_force.mean(),
-            t.lost_share
-        );
-    }
     assert_eq!(all_faults(&rounds), [] as [String; 0]);
     assert_eq!(rounds.len(), 2);
     let (first, _, before) = &rounds[0];
     assert_eq!(first.verdict, Verdict::Again);
+    // The second of its pushes comes after this round has ended.
     let pushes = &loaded.file.execution().pushes;
+    let pushes = (pushes.iter()).filter(|push| push.start < first.execution.duration);
+    let pushed: Vec<[f64; 2]> = pushes
+        .map(|push| [push.start, push.start + push.duration])
+        .collect();
     let felt = collisions(first);
-    assert_eq!((pushes.len(), felt.len()), (2, 2), "{felt:?}");
-    for (push, [start, end]) in pushes.iter().zip(felt) {
-        let (from, to) = (push.start, push.start + push.duration);
-        // Felt within 0.2 s, and for most of the time.
+    assert_eq!((pushed.len(), felt.len()), (1, 1), "{felt:?}");
+    for (real, felt) in pushed[0].into_iter().zip(felt[0]) {
         assert!(
-            start >= from - 0.05 && start <= from + 0.2,
-            "{start} s, pushed from {from} s"
-        );
-        assert!(
-            end > 0.5 * (from + to) && end <= to + 0.5,
-            "{end} s, pushed to {to} s"
+            (real - felt).abs() <= FELT,
+            "felt at {felt} s, pushed at {real} s"
         );
     }
     let (second, _, after) = &rounds[1];
     assert_eq!(collisions(second), [] as [[f64; 2]; 0]);
-    assert!(after > before, "{before}, then {after}");
+    assert_eq!(second.verdict, Verdict::GoalMet);
+    assert!(*before < 0.9 && *after > 0.95, "{before}, then {after}");
 }
 
 #[test]
 fn the_wiper_cleans_the_solar_panel_as_far_as_it_believes() {
     let (loaded, rounds) = executed("solar-panel-wiper", 1);
-    for (r, t, p) in &rounds {
-        eprintln!(
-            "EST {:?} true {p} coll {:?} verdict {:?} dur {} F {:?} lost {}",
-            r.interpretation.performance,
-            collisions(r),
-            r.verdict,
-            r.execution.duration,
-            t.contact_force.mean(),
-            t.lost_share
-        );
-    }
     assert_eq!(all_faults(&rounds), [] as [String; 0]);
+    assert_eq!(rounds.len(), 1);
     let (round, truth, performance) = &rounds[0];
     assert_eq!(collisions(round), [] as [[f64; 2]; 0]);
     assert!(

@@ -1,5 +1,5 @@
 //! Random problems of following, planned, followed and audited: what becomes of them. Exits 1 on any fault
-//! or panic.
+//! or panic, and if fewer than 70 % of a hundred or more are followed, whole or in part.
 //!
 //! ```text
 //! cargo run --release --package wisch --example random_problems -- [count, default 1000] [first seed, default 0]
@@ -12,6 +12,11 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 use std::time::Instant;
 use wisch_testkit::{Outcome, Problem, Robot, robots};
+
+/// Share of many problems that is followed at least, whole or in part: where all is refused, nothing is wrong either.
+const LEAST_FOLLOWED: f64 = 0.7;
+/// So many problems are many.
+const MANY: usize = 100;
 
 /// A seed's robot and what became of it; nothing if it panicked.
 type Row = (usize, Option<Outcome>);
@@ -60,6 +65,14 @@ fn main() -> Result<ExitCode, Box<dyn Error + Send + Sync>> {
     for (row, [arm7, arm6, humanoid]) in &table {
         println!("{arm7:8} {arm6:8} {humanoid:8}  {}", &row[2..]);
     }
+    let is_followed =
+        |outcome: &Option<Outcome>| matches!(outcome, Some(Outcome::Whole | Outcome::Partly));
+    let followed = (outcomes.iter())
+        .filter(|(_, (_, outcome), _)| is_followed(outcome))
+        .count();
+    let share = followed as f64 / outcomes.len().max(1) as f64;
+    println!("{:.1} % followed, whole or in part", 100.0 * share);
+    sound &= outcomes.len() < MANY || share >= LEAST_FOLLOWED;
     let slowest = outcomes.iter().max_by(|a, b| a.2.total_cmp(&b.2));
     if let Some((seed, _, longest)) = slowest {
         println!("{count} problems in {seconds:.1} s, the longest {longest:.1} s (seed {seed})");

@@ -64,7 +64,10 @@ fn a_writer_that_does_not_end_by_itself() {
 fn what_a_killed_writer_leaves_is_read() {
     let (_folder, path) = in_folder();
     let mut writer = Command::new(std::env::current_exe().unwrap())
-        .args(["--exact", "damage::a_writer_that_does_not_end_by_itself"])
+        .args([
+            "--exact",
+            "telemetry::damage::a_writer_that_does_not_end_by_itself",
+        ])
         .env("WISCH_TEST_ENDLESS_BAG", &path)
         .stdout(Stdio::null())
         .spawn()
