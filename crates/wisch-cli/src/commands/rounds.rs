@@ -133,7 +133,7 @@ pub fn execute(
     let (planned, _) = (session.first()).ok_or_else(|| internal("no round was planned"))?;
     let (plan, prediction) = (planned.plan.clone(), planned.prediction.clone());
     let planning_s = watch.times(1).planning_s;
-    let predicted = Some((prediction, watch.take_frames()?));
+    let predicted = Some((prediction, watch.take_frames(&planned.wiped())));
     let done = (session.into_rounds().into_iter())
         .enumerate()
         .map(|(i, round)| {

@@ -252,7 +252,10 @@ fn simulate_effect(
     let task = &job.prepared.task;
     let predicted = match (extent, session.planned()) {
         (Extent::Plan, _) => None,
-        (_, Some(planned)) => Some((planned.prediction.clone(), watch.take_frames()?)),
+        (_, Some(planned)) => {
+            let frames = watch.take_frames(&planned.wiped());
+            Some((planned.prediction.clone(), frames))
+        }
         (_, None) => {
             let strokes = counted(plan.strokes.len(), "stroke");
             job.progress.say(format!("predicting {strokes}"));

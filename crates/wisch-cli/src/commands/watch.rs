@@ -1,12 +1,12 @@
 //! What looks on while a session goes on: progress and times, bags and checkpoints.
 
-use super::results::internal;
 use super::run::Job;
 use crate::failure::Failure;
 use crate::progress::Progress;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 use wisch::geometry::Point3;
+use wisch::plan::Plan;
 use wisch::represent::Task;
 use wisch::run::{PlannedRound, RunEvent, TelemetrySample};
 use wisch_io::{OutputFolder, RoundTimes};
@@ -55,10 +55,10 @@ impl<'a> Watch<'a> {
         &mut self.times[round - 1]
     }
 
-    /// What the first round was predicted to do, over time.
-    pub fn take_frames(&mut self) -> Result<EffectFrames, Failure> {
+    /// What the first round was predicted to do, over time; a plan without strokes does nothing.
+    pub fn take_frames(&mut self, wiped: &Plan) -> EffectFrames {
         let frames = self.frames.take();
-        frames.ok_or_else(|| internal("no effect was predicted"))
+        frames.unwrap_or_else(|| EffectFrames::new(self.task, wiped))
     }
 
     pub fn see(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
