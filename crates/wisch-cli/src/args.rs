@@ -13,9 +13,9 @@ pub use memory::{
 };
 pub use robot::{RobotCheckArgs, RobotCommand, RobotMapArgs};
 
-use crate::terminal::color_asked_for;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum, ValueHint};
+use std::ffi::OsString;
 use std::path::PathBuf;
 use wisch::plan::CoverageStrategy;
 use wisch::represent::Action;
@@ -394,6 +394,25 @@ fn package(text: &str) -> Result<(String, PathBuf), String> {
         }
         _ => Err("write the package's name, \"=\" and its folder".to_owned()),
     }
+}
+
+/// What `--color` says, read before the command line is parsed, for the parser's own messages.
+fn color_asked_for(args: impl IntoIterator<Item = OsString>) -> ColorChoice {
+    let mut args = args.into_iter().filter_map(|arg| arg.into_string().ok());
+    let mut color = ColorChoice::Auto;
+    while let Some(arg) = args.next() {
+        let value = match arg.strip_prefix("--color") {
+            Some("") => args.next(),
+            Some(value) => value.strip_prefix('=').map(str::to_owned),
+            None => None,
+        };
+        color = match value.as_deref() {
+            Some("always") => ColorChoice::Always,
+            Some("never") => ColorChoice::Never,
+            _ => color,
+        };
+    }
+    color
 }
 
 #[cfg(test)]

@@ -2,7 +2,6 @@
 
 use crate::args::{ColorChoice, GlobalArgs};
 use crate::failure::Failure;
-use std::ffi::OsString;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::panic::{self, AssertUnwindSafe};
 use std::process::ExitCode;
@@ -78,25 +77,6 @@ pub fn complain_of(failure: &Failure) {
         format!("\n  {green}help:{plain} {help}")
     });
     complain(&format!("{red}error:{plain} {failure}{help}"));
-}
-
-/// What `--color` says, read before the command line is parsed, for the parser's own messages.
-pub fn color_asked_for(args: impl IntoIterator<Item = OsString>) -> ColorChoice {
-    let mut args = args.into_iter().filter_map(|arg| arg.into_string().ok());
-    let mut color = ColorChoice::Auto;
-    while let Some(arg) = args.next() {
-        let value = match arg.strip_prefix("--color") {
-            Some("") => args.next(),
-            Some(value) => value.strip_prefix('=').map(str::to_owned),
-            None => None,
-        };
-        color = match value.as_deref() {
-            Some("always") => ColorChoice::Always,
-            Some("never") => ColorChoice::Never,
-            _ => color,
-        };
-    }
-    color
 }
 
 /// Prints to standard output. A reader that has gone away, as `head` does, is no error.

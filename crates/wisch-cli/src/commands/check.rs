@@ -2,8 +2,7 @@
 
 use super::follow::{Chosen, can_start, stand_in_words, workcell};
 use super::prepare::Prepared;
-use super::results::internal;
-use super::words::{counted, percent};
+use super::words::{counted, internal, percent};
 use crate::args::{CheckArgs, GlobalArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;

@@ -1,8 +1,8 @@
 //! A run kept as an episode: telemetry while it is executed, the rest when it is over.
 
+use super::job::Done;
 use super::prepare::Prepared;
-use super::results::{internal, json};
-use super::rounds::Done;
+use super::words::{internal, json};
 use crate::args::{KeepArgs, TaskArgs};
 use crate::failure::Failure;
 use serde::Serialize;

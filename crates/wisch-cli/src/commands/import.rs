@@ -3,8 +3,7 @@
 use super::episode::{PROGRAM, attach_task, begin, cannot_keep};
 use super::interpret::{goal, interpreted, read_log, task_args};
 use super::prepare::Prepared;
-use super::results::{internal, json};
-use super::words::{counted, percent};
+use super::words::{counted, internal, json, percent};
 use crate::args::{GlobalArgs, ImportArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;

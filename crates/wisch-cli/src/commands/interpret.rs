@@ -1,9 +1,9 @@
 //! `wisch interpret`: what a log of poses and forces says about the dirt and the surface.
 
 use super::prepare::Prepared;
-use super::results::{folder_name, internal, json};
+use super::results::folder_name;
 use super::run::given_plan;
-use super::words::{counted, percent};
+use super::words::{counted, internal, json, percent};
 use crate::args::{GlobalArgs, InterpretArgs, LogArgs, LoggedArgs, TaskArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;

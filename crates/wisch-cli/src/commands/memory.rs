@@ -1,7 +1,6 @@
 //! `wisch memory`: what is in the memory of episodes.
 
-use super::results::internal;
-use super::words::{counted, percent};
+use super::words::{counted, internal, percent};
 use crate::args::{EpisodeArgs, GlobalArgs, MemoryArgs, MemoryListArgs, MemoryVerifyArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print};

@@ -1,10 +1,10 @@
 //! The files with the results of the stages.
 
 use super::follow::Following;
+use super::job::Results;
 use super::prepare::Prepared;
-use super::rounds::{input, summary as summary_of_round, views};
-use super::run::Results;
-use super::words::percent;
+use super::round_views::{input, summary as summary_of_round, views};
+use super::words::{internal, json, percent};
 use crate::args::ResultArgs;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
@@ -199,18 +199,6 @@ fn facts(prepared: &Prepared, plan: &Plan, prediction: &Prediction) -> Vec<(Stri
         facts.push(("Steps".to_owned(), derived.steps.join(" ")));
     }
     facts
-}
-
-pub(super) fn json(record: &impl serde::Serialize) -> Result<String, Failure> {
-    let mut text = serde_json::to_string_pretty(record).map_err(internal)?;
-    text.push('\n');
-    Ok(text)
-}
-
-/// A failure that no input should bring about.
-pub(super) fn internal(error: impl std::fmt::Display) -> Failure {
-    Failure::new(format!("internal error: {error}"))
-        .with_help("this is a fault of wisch, not of your files; please report it")
 }
 
 #[cfg(test)]

@@ -2,11 +2,10 @@
 
 use super::episode::EpisodeRecorder;
 use super::follow::Following;
+use super::job::{Done, Job, Results};
 use super::prepare::Prepared;
-use super::results::{internal, json};
-use super::run::{Job, Results};
 use super::watch::{Recorder, Watch, bag_name};
-use super::words::{counted, percent};
+use super::words::{counted, internal, json};
 use crate::args::LoopArgs;
 use crate::failure::Failure;
 use crate::terminal::remark;
@@ -14,28 +13,11 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use wisch::interpret::EventKind;
 use wisch::plan::Plan;
-use wisch::represent::{ParticleDistribution, ParticleError};
-use wisch::run::{Ending, Executor, PlannedRound, Recording, Round, Stage};
-use wisch_io::{EventWriter, PlanRecord, ProcessExecutor, Robot, RoundSummary, RoundTimes};
-use wisch_report::{RoundView, RoundsInput};
+use wisch::run::{Executor, Recording, Stage};
+use wisch_io::{EventWriter, PlanRecord, ProcessExecutor, Robot};
 use wisch_sim::{Checkpoints, GroundTruth, KeptRound, World};
 use wisch_telemetry::WriteError;
-
-/// A round with how long its parts took.
-pub struct Done {
-    /// The round.
-    pub round: Round,
-    /// How long its parts took.
-    pub times: RoundTimes,
-    /// Where the dirt really lies after it; `None` where none was simulated.
-    pub truth: Option<ParticleDistribution>,
-    /// The true performance [1]; `None` where no dirt was simulated.
-    pub true_performance: Option<f64>,
-    /// When somebody pushed [s].
-    pub pushes: Vec<[f64; 2]>,
-}
 
 /// Wipes until the goal is met, or no more can be done; says where the episode is kept, if it is.
 pub fn execute(
@@ -225,109 +207,4 @@ fn no_event(path: &Path, error: &std::io::Error) -> Failure {
     let place = path.display();
     Failure::new(format!("{place}: cannot write there: {error}"))
         .with_help("choose another file with --events")
-}
-
-impl Done {
-    fn new(
-        round: Round,
-        truth: Option<&GroundTruth>,
-        times: RoundTimes,
-        prepared: &Prepared,
-    ) -> Result<Self, ParticleError> {
-        let PlannedRound {
-            number, task, plan, ..
-        } = &round.motion;
-        let pushes = prepared.reality.pushes.iter();
-        // Only the simulated world knows who pushed.
-        let pushes = pushes.filter(|push| truth.is_some() && push.round == *number);
-        let performance = |truth: &GroundTruth| truth.performance(&plan.graph.goal, &task.surface);
-        Ok(Self {
-            truth: (truth.map(GroundTruth::particles).transpose()?).flatten(),
-            true_performance: (truth.map(performance).transpose()?).flatten(),
-            pushes: pushes
-                .map(|push| [push.start, push.start + push.duration])
-                .collect(),
-            round,
-            times,
-        })
-    }
-}
-
-/// What `--json` says of a round.
-pub fn summary(done: &Done) -> RoundSummary {
-    RoundSummary::new(&done.round, &done.times, done.true_performance)
-}
-
-/// What the report shows of the rounds.
-pub fn views(done: &[Done]) -> Vec<RoundView<'_>> {
-    done.iter()
-        .map(|done| RoundView {
-            number: done.round.motion.number,
-            plan: &done.round.motion.plan,
-            believed: &done.round.motion.task.particles,
-            predicted: done.round.motion.prediction.performance.ratio(),
-            interpretation: &done.round.interpretation,
-            truth: done.truth.as_ref().zip(done.true_performance),
-            pushes: &done.pushes,
-        })
-        .collect()
-}
-
-/// The report's part about rounds.
-pub fn input<'a>(
-    done: &'a [Done],
-    views: &'a [RoundView<'a>],
-    prepared: &'a Prepared,
-) -> Option<RoundsInput<'a>> {
-    let first = done.first()?;
-    Some(RoundsInput {
-        task: &prepared.task,
-        goal: &first.round.motion.plan.graph.goal,
-        target: prepared.file.target_performance(),
-        rounds: views,
-    })
-}
-
-/// The rounds, one line each, for people.
-pub fn rounds_in_words(done: &[Done]) -> Vec<(&'static str, String)> {
-    done.iter()
-        .map(|done| {
-            let round = &done.round;
-            let interpretation = &round.interpretation;
-            let estimate = &interpretation.performance;
-            let mut text = format!(
-                "estimated {} ({} to {})",
-                percent(estimate.mean),
-                percent(estimate.low),
-                percent(estimate.high)
-            );
-            if let Some(truth) = done.true_performance {
-                text += &format!(", true {}", percent(truth));
-            }
-            let collisions = (interpretation.events.iter())
-                .filter(|event| event.kind == EventKind::Collision)
-                .count();
-            if collisions > 0 {
-                text += &format!(", {}", counted(collisions, "collision"));
-            }
-            if let wisch::interpret::Diagnosis::Relocalize { .. } = interpretation.diagnosis
-                && let Some(plane) = &interpretation.plane
-            {
-                text += &format!(
-                    ", surface found tilted by {:.1}° and {:.1} mm off",
-                    plane.tilt.to_degrees(),
-                    1e3 * plane.offset
-                );
-            }
-            if let Ending::ProtectiveStop { time, cause } = &round.execution.ending {
-                text += &format!(", stopped at {time:.1} s: {cause}");
-            }
-            text += &format!(": {}", round.verdict.as_str());
-            let number = round.motion.number;
-            (
-                if number == 1 { "rounds" } else { "" },
-                format!("{number}: {text}"),
-            )
-        })
-        .collect()
 }

@@ -1,12 +1,13 @@
 //! `wisch run`, `wisch plan`, `wisch predict` and `wisch follow`: the stages, and the folder with their results.
 
-use super::follow::{Chosen, Following, performer, workcell_config};
+use super::follow::{Chosen, Following, performer};
+use super::job::{Job, Results};
 use super::prepare::Prepared;
-use super::results::{internal, out_folder, write};
-use super::rounds::{Done, execute};
+use super::results::{out_folder, write};
+use super::rounds::execute;
 use super::summary::{in_words, summary};
 use super::watch::Watch;
-use super::words::counted;
+use super::words::{counted, internal};
 use crate::args::{
     FollowArgs, GlobalArgs, LoopArgs, PredictArgs, ResultArgs, RobotArgs, RunArgs, TaskArgs,
     WipeArgs,
@@ -15,17 +16,12 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, remark};
 use std::path::Path;
-use wisch::follow::WorkcellConfig;
-use wisch::plan::{Plan, Prediction, predict};
-use wisch::recover::Verdict;
-use wisch::run::{NoExecutor, Pace, RunConfig, RunError, RunEvent, Session, Stage};
+use wisch::plan::{Plan, predict};
+use wisch::run::{NoExecutor, RunEvent, Stage};
 use wisch_io::OutputFolder;
 use wisch_io::{Found, Leftover};
-use wisch_io::{PlanRecord, Robot, read_text};
+use wisch_io::{PlanRecord, read_text};
 use wisch_report::EffectFrames;
-
-/// Rounds of a single stroke that stand for one of a whole plan.
-const GREEDY_ROUNDS: usize = 10;
 
 /// How far to go.
 #[derive(Debug, Clone, Copy)]
@@ -74,29 +70,6 @@ pub fn plan_only(args: &RunArgs, global: &GlobalArgs) -> Result<Outcome, Failure
 pub fn predict_only(args: &PredictArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let plan = args.plan.as_deref();
     work(&args.task, &args.results, plan, Extent::Predict, global)
-}
-
-/// The outcome of the stages.
-pub(super) struct Results {
-    pub plan: Plan,
-    /// `None` where a plan was given.
-    pub planning_time_s: Option<f64>,
-    pub following: Option<Following>,
-    pub predicted: Option<(Prediction, EffectFrames)>,
-    /// What was executed.
-    pub rounds: Vec<Done>,
-}
-
-impl Results {
-    /// Whether the goal is met: by the estimate of the last round, or where no robot was to do it by the prediction.
-    pub fn is_goal_met(&self, target: f64) -> bool {
-        match (self.rounds.last(), &self.following, &self.predicted) {
-            (Some(last), ..) => last.round.verdict == Verdict::GoalMet,
-            (None, Some(following), _) if !following.audit.faults.is_empty() => false,
-            (None, _, Some((prediction, _))) => prediction.performance.ratio() >= target,
-            (None, _, None) => true,
-        }
-    }
 }
 
 fn work(
@@ -182,54 +155,6 @@ fn say_what_was_found(found: &Found, leftover: Leftover) {
     }
     if leftover == Leftover::TakeOver && !found.is_taken_over {
         remark("no killed run left anything to go on with: beginning with round 1");
-    }
-}
-
-/// What all commands work with that go through a session.
-pub(super) struct Job<'a> {
-    pub task_args: &'a TaskArgs,
-    pub prepared: &'a Prepared,
-    pub robot: Option<(&'a Chosen<'a>, &'a Robot)>,
-    pub folder: &'a OutputFolder,
-    pub progress: &'a Progress,
-}
-
-impl Job<'_> {
-    /// How the stages work, and when to stop.
-    pub fn config(&self, args: Option<&LoopArgs>) -> RunConfig {
-        let (pace, usual_rounds) = if args.is_some_and(|args| args.greedy) {
-            (Pace::Greedy, GREEDY_ROUNDS * self.prepared.max_rounds())
-        } else {
-            (Pace::Whole, self.prepared.max_rounds())
-        };
-        let rounds = args.and_then(|args| args.rounds);
-        RunConfig {
-            workcell: (self.robot.as_ref()).map_or_else(WorkcellConfig::default, |(chosen, _)| {
-                workcell_config(chosen, self.prepared)
-            }),
-            max_rounds: rounds.map_or(usual_rounds, usize::from),
-            pace,
-            ..self.prepared.run_config()
-        }
-    }
-
-    /// A session for the task that begins with this plan, if one is given.
-    pub fn session(&self, config: RunConfig, given: Option<Plan>) -> Session<'_> {
-        let session = Session::new(&self.prepared.task, config).with_plan(given);
-        match self.robot {
-            Some((_, robot)) => session.with_robot(robot.performer()),
-            None => session,
-        }
-    }
-
-    /// A failure of the session.
-    pub fn failed(&self, error: RunError) -> Failure {
-        match (error, &self.robot) {
-            (RunError::Follow(error), Some((chosen, _))) => {
-                chosen.cannot_follow(&error, self.task_args, self.prepared)
-            }
-            (error, _) => self.prepared.failure(self.task_args, error),
-        }
     }
 }
 

@@ -1,9 +1,9 @@
 //! What a command says in the end: one record, and its words for people.
 
 use super::follow::Following;
+use super::job::{Done, Results};
 use super::prepare::Prepared;
-use super::rounds::{Done, rounds_in_words, summary as summary_of_round};
-use super::run::Results;
+use super::round_views::{rounds_in_words, summary as summary_of_round};
 use super::words::{counted, percent};
 use std::path::Path;
 use wisch_io::{FOLLOWING_FILE, PLAN_FILE, REPORT_FILE, path_in_results};

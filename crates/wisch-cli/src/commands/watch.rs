@@ -1,6 +1,6 @@
 //! What looks on while a session goes on: progress and times, bags and checkpoints.
 
-use super::run::Job;
+use super::job::Job;
 use crate::failure::Failure;
 use crate::progress::Progress;
 use std::ops::ControlFlow;

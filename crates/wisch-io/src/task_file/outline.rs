@@ -1,8 +1,7 @@
 //! Outlines as typed: rings that bound an area and do not cross themselves or each other.
 
 use super::TaskError;
-use super::reader::Field;
-use super::record::POSITION_M;
+use super::reader::{Field, POSITION_M};
 use wisch::geometry::{Edge, Point2, Polygon, Vector2};
 
 /// Most points of an outline with its holes: every pair of edges is held against each other.

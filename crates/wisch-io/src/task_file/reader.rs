@@ -6,6 +6,9 @@ use std::ops::RangeInclusive;
 use wisch::geometry::Point2;
 use wisch::source_location::{Place, UnknownName};
 
+/// Coordinates of places [m].
+pub(super) const POSITION_M: RangeInclusive<f64> = -100.0..=100.0;
+
 /// A table whose keys are all known.
 #[derive(Clone, Copy)]
 pub(super) struct Section<'a> {

@@ -1,7 +1,7 @@
 //! From the tree of a task file to its checked contents.
 
 use super::outline::Outline;
-use super::reader::{Field, Section};
+use super::reader::{Field, POSITION_M, Section};
 use super::tree::Source;
 use super::{
     Frame, Intent, ObjectRecord, RobotDescription, RobotRecord, Shape, SurfaceRecord, TaskError,
@@ -20,8 +20,6 @@ pub(super) const SCHEMA: u64 = 1;
 
 /// Sizes of surfaces and objects [m].
 const SIZE_M: RangeInclusive<f64> = 1e-3..=100.0;
-/// Coordinates of places [m].
-pub(super) const POSITION_M: RangeInclusive<f64> = -100.0..=100.0;
 /// A full turn either way.
 const ANGLE_RAD: RangeInclusive<f64> = -TAU..=TAU;
 /// A component of a unit quaternion, with room for rounding.

@@ -1,0 +1,130 @@
+//! What the commands have in common that go through a session: what they are given, and what comes of it.
+
+use super::follow::{Chosen, Following, workcell_config};
+use super::prepare::Prepared;
+use crate::args::{LoopArgs, TaskArgs};
+use crate::failure::Failure;
+use crate::progress::Progress;
+use wisch::follow::WorkcellConfig;
+use wisch::plan::{Plan, Prediction};
+use wisch::recover::Verdict;
+use wisch::represent::{ParticleDistribution, ParticleError};
+use wisch::run::{Pace, PlannedRound, Round, RunConfig, RunError, Session};
+use wisch_io::{OutputFolder, Robot, RoundTimes};
+use wisch_report::EffectFrames;
+use wisch_sim::GroundTruth;
+
+/// Rounds of a single stroke that stand for one of a whole plan.
+const GREEDY_ROUNDS: usize = 10;
+
+/// What all commands work with that go through a session.
+pub(super) struct Job<'a> {
+    pub task_args: &'a TaskArgs,
+    pub prepared: &'a Prepared,
+    pub robot: Option<(&'a Chosen<'a>, &'a Robot)>,
+    pub folder: &'a OutputFolder,
+    pub progress: &'a Progress,
+}
+
+impl Job<'_> {
+    /// How the stages work, and when to stop.
+    pub fn config(&self, args: Option<&LoopArgs>) -> RunConfig {
+        let (pace, usual_rounds) = if args.is_some_and(|args| args.greedy) {
+            (Pace::Greedy, GREEDY_ROUNDS * self.prepared.max_rounds())
+        } else {
+            (Pace::Whole, self.prepared.max_rounds())
+        };
+        let rounds = args.and_then(|args| args.rounds);
+        RunConfig {
+            workcell: (self.robot.as_ref()).map_or_else(WorkcellConfig::default, |(chosen, _)| {
+                workcell_config(chosen, self.prepared)
+            }),
+            max_rounds: rounds.map_or(usual_rounds, usize::from),
+            pace,
+            ..self.prepared.run_config()
+        }
+    }
+
+    /// A session for the task that begins with this plan, if one is given.
+    pub fn session(&self, config: RunConfig, given: Option<Plan>) -> Session<'_> {
+        let session = Session::new(&self.prepared.task, config).with_plan(given);
+        match self.robot {
+            Some((_, robot)) => session.with_robot(robot.performer()),
+            None => session,
+        }
+    }
+
+    /// A failure of the session.
+    pub fn failed(&self, error: RunError) -> Failure {
+        match (error, &self.robot) {
+            (RunError::Follow(error), Some((chosen, _))) => {
+                chosen.cannot_follow(&error, self.task_args, self.prepared)
+            }
+            (error, _) => self.prepared.failure(self.task_args, error),
+        }
+    }
+}
+
+/// The outcome of the stages.
+pub(super) struct Results {
+    pub plan: Plan,
+    /// `None` where a plan was given.
+    pub planning_time_s: Option<f64>,
+    pub following: Option<Following>,
+    pub predicted: Option<(Prediction, EffectFrames)>,
+    /// What was executed.
+    pub rounds: Vec<Done>,
+}
+
+impl Results {
+    /// Whether the goal is met: by the estimate of the last round, or where no robot was to do it by the prediction.
+    pub fn is_goal_met(&self, target: f64) -> bool {
+        match (self.rounds.last(), &self.following, &self.predicted) {
+            (Some(last), ..) => last.round.verdict == Verdict::GoalMet,
+            (None, Some(following), _) if !following.audit.faults.is_empty() => false,
+            (None, _, Some((prediction, _))) => prediction.performance.ratio() >= target,
+            (None, _, None) => true,
+        }
+    }
+}
+
+/// A round with how long its parts took.
+pub struct Done {
+    /// The round.
+    pub round: Round,
+    /// How long its parts took.
+    pub times: RoundTimes,
+    /// Where the dirt really lies after it; `None` where none was simulated.
+    pub truth: Option<ParticleDistribution>,
+    /// The true performance [1]; `None` where no dirt was simulated.
+    pub true_performance: Option<f64>,
+    /// When somebody pushed [s].
+    pub pushes: Vec<[f64; 2]>,
+}
+
+impl Done {
+    /// A round that is over, with what the simulated world knows of it.
+    pub fn new(
+        round: Round,
+        truth: Option<&GroundTruth>,
+        times: RoundTimes,
+        prepared: &Prepared,
+    ) -> Result<Self, ParticleError> {
+        let PlannedRound {
+            number, task, plan, ..
+        } = &round.motion;
+        let pushes = prepared.reality.pushes.iter();
+        // Only the simulated world knows who pushed.
+        let pushes = pushes.filter(|push| truth.is_some() && push.round == *number);
+        let performance = |truth: &GroundTruth| truth.performance(&plan.graph.goal, &task.surface);
+        Ok(Self {
+            truth: (truth.map(GroundTruth::particles).transpose()?).flatten(),
+            true_performance: (truth.map(performance).transpose()?).flatten(),
+            pushes: pushes
+                .map(|push| [push.start, push.start + push.duration])
+                .collect(),
+            round,
+            times,
+        })
+    }
+}

@@ -1,0 +1,88 @@
+//! What is shown of rounds: to programs, to people, and in the report.
+
+use super::job::Done;
+use super::prepare::Prepared;
+use super::words::{counted, percent};
+use wisch::interpret::EventKind;
+use wisch::run::Ending;
+use wisch_io::RoundSummary;
+use wisch_report::{RoundView, RoundsInput};
+
+/// What `--json` says of a round.
+pub fn summary(done: &Done) -> RoundSummary {
+    RoundSummary::new(&done.round, &done.times, done.true_performance)
+}
+
+/// What the report shows of the rounds.
+pub fn views(done: &[Done]) -> Vec<RoundView<'_>> {
+    done.iter()
+        .map(|done| RoundView {
+            number: done.round.motion.number,
+            plan: &done.round.motion.plan,
+            believed: &done.round.motion.task.particles,
+            predicted: done.round.motion.prediction.performance.ratio(),
+            interpretation: &done.round.interpretation,
+            truth: done.truth.as_ref().zip(done.true_performance),
+            pushes: &done.pushes,
+        })
+        .collect()
+}
+
+/// The report's part about rounds.
+pub fn input<'a>(
+    done: &'a [Done],
+    views: &'a [RoundView<'a>],
+    prepared: &'a Prepared,
+) -> Option<RoundsInput<'a>> {
+    let first = done.first()?;
+    Some(RoundsInput {
+        task: &prepared.task,
+        goal: &first.round.motion.plan.graph.goal,
+        target: prepared.file.target_performance(),
+        rounds: views,
+    })
+}
+
+/// The rounds, one line each, for people.
+pub fn rounds_in_words(done: &[Done]) -> Vec<(&'static str, String)> {
+    done.iter()
+        .map(|done| {
+            let round = &done.round;
+            let interpretation = &round.interpretation;
+            let estimate = &interpretation.performance;
+            let mut text = format!(
+                "estimated {} ({} to {})",
+                percent(estimate.mean),
+                percent(estimate.low),
+                percent(estimate.high)
+            );
+            if let Some(truth) = done.true_performance {
+                text += &format!(", true {}", percent(truth));
+            }
+            let collisions = (interpretation.events.iter())
+                .filter(|event| event.kind == EventKind::Collision)
+                .count();
+            if collisions > 0 {
+                text += &format!(", {}", counted(collisions, "collision"));
+            }
+            if let wisch::interpret::Diagnosis::Relocalize { .. } = interpretation.diagnosis
+                && let Some(plane) = &interpretation.plane
+            {
+                text += &format!(
+                    ", surface found tilted by {:.1}° and {:.1} mm off",
+                    plane.tilt.to_degrees(),
+                    1e3 * plane.offset
+                );
+            }
+            if let Ending::ProtectiveStop { time, cause } = &round.execution.ending {
+                text += &format!(", stopped at {time:.1} s: {cause}");
+            }
+            text += &format!(": {}", round.verdict.as_str());
+            let number = round.motion.number;
+            (
+                if number == 1 { "rounds" } else { "" },
+                format!("{number}: {text}"),
+            )
+        })
+        .collect()
+}
