@@ -50,6 +50,9 @@ def main():
                 folder.parent.mkdir(parents=True, exist_ok=True)
             pairs = zip((args.old, args.new), folders)
             codes = [run(p.resolve(), scenario, seed, f, args.limit) for p, f in pairs]
+            if all(code.startswith("none") for code in codes):
+                print(f"{scenario.stem} seed {seed}: not compared, neither ended within {args.limit} s", flush=True)
+                continue
             old, new = map(files, folders)
             found = [f"exit code {codes[0]} became {codes[1]}"] if codes[0] != codes[1] else []
             found += [f"only old: {name}" for name in sorted(old.keys() - new.keys())]
