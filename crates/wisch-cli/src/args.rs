@@ -181,6 +181,35 @@ Examples:
   wisch new board.toml          write it
   wisch new board.toml --force  write over what is there")]
     New(NewArgs),
+    /// List the shipped scenarios, which every command takes by name in place of a task file
+    #[command(after_help = "\
+Examples:
+  wisch scenarios
+  wisch run chopping-board
+  wisch scenarios chopping-board > board.toml    to change it")]
+    Scenarios(ScenariosArgs),
+    /// Print the JSON Schema of task files, by which editors complete and check keys
+    #[command(after_help = "\
+Examples:
+  wisch schema > wisch-task.schema.json
+  wisch schema | jq '.properties | keys'
+
+An editor with a TOML plug-in (Taplo, Even Better TOML) follows the first line of a task file:
+  #:schema wisch-task.schema.json")]
+    Schema,
+    /// Print what makes a shell complete the commands and options of wisch
+    #[command(after_help = "\
+Examples:
+  wisch completions bash > ~/.local/share/bash-completion/completions/wisch
+  wisch completions zsh > ~/.zfunc/_wisch
+  wisch completions fish > ~/.config/fish/completions/wisch.fish")]
+    Completions(CompletionsArgs),
+    /// Write the manual pages
+    #[command(after_help = "\
+Examples:
+  wisch man ~/.local/share/man/man1
+  man wisch-run")]
+    Man(ManArgs),
     /// Check a task and say in words what it asks for
     #[command(after_help = "\
 Examples:
@@ -355,6 +384,29 @@ pub struct NewArgs {
     /// Overwrite an existing file
     #[arg(long, requires = "file")]
     pub force: bool,
+}
+
+/// Arguments of `scenarios`.
+#[derive(Debug, Args)]
+pub struct ScenariosArgs {
+    /// Print the task file of this one [default: list them all]
+    #[arg(value_name = "NAME")]
+    pub name: Option<String>,
+}
+
+/// Arguments of `completions`.
+#[derive(Debug, Args)]
+pub struct CompletionsArgs {
+    /// The shell
+    pub shell: clap_complete::Shell,
+}
+
+/// Arguments of `man`.
+#[derive(Debug, Args)]
+pub struct ManArgs {
+    /// The folder to write them into
+    #[arg(value_name = "FOLDER", value_hint = ValueHint::DirPath)]
+    pub folder: PathBuf,
 }
 
 /// Arguments of `check`.

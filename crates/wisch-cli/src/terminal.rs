@@ -18,6 +18,8 @@ pub enum Outcome {
 
 /// Whether errors are shown in colours.
 static COLOR: AtomicBool = AtomicBool::new(false);
+/// Whether only errors are shown.
+static QUIET: AtomicBool = AtomicBool::new(false);
 
 const EXIT_GOAL_NOT_MET: u8 = 1;
 const EXIT_ERROR: u8 = 2;
@@ -56,6 +58,7 @@ pub fn prepare(args: &GlobalArgs) -> Result<(), Failure> {
         }
     };
     COLOR.store(color, Ordering::Relaxed);
+    QUIET.store(args.quiet, Ordering::Relaxed);
     if let Some(threads) = args.threads {
         rayon::ThreadPoolBuilder::new()
             .num_threads(usize::from(threads))
@@ -90,9 +93,11 @@ pub fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Tells people something besides the results, on standard error.
+/// Tells people something besides the results, on standard error, unless only errors are asked for.
 pub fn remark(text: &str) {
-    complain(&format!("note: {text}"));
+    if !QUIET.load(Ordering::Relaxed) {
+        complain(&format!("note: {text}"));
+    }
 }
 
 /// Prints to standard error, where nobody may be listening.

@@ -13,6 +13,8 @@ fn folder_with_task() -> TempDir {
         .args(["new", "board.toml"])
         .assert()
         .code(0);
+    let schema = folder.path().join("wisch-task.schema.json");
+    fs::remove_file(schema).expect("the schema beside it");
     folder
 }
 
@@ -454,7 +456,18 @@ fn quiet_prints_nothing_and_color_is_obeyed() {
 #[test]
 fn every_help_ends_with_examples() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    for command in ["run", "plan", "predict", "footprint", "new", "check"] {
+    for command in [
+        "run",
+        "plan",
+        "predict",
+        "footprint",
+        "new",
+        "check",
+        "scenarios",
+        "schema",
+        "man",
+        "completions",
+    ] {
         let (code, out, _) = output(folder.path(), &[command, "--help"]);
         assert_eq!(code, 0);
         let (_, examples) = out.split_once("Examples:").expect("examples");
@@ -485,4 +498,76 @@ fn a_reader_that_goes_away_is_no_error() {
         assert_eq!(output.status.code(), Some(0), "{args}");
         assert_eq!(String::from_utf8_lossy(&output.stderr), "", "{args}");
     }
+}
+
+#[test]
+fn a_new_task_meets_its_goal() {
+    let folder = folder_with_task();
+    let (code, out, err) = output(folder.path(), &["run", "board.toml", "--json"]);
+    assert_eq!(code, 0, "{out}{err}");
+}
+
+#[test]
+fn scenarios_are_found_anywhere_by_name() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let (code, list, _) = output(folder.path(), &["scenarios"]);
+    assert_eq!(code, 0);
+    assert!(list.contains("\nchopping-board "), "{list}");
+    let (code, text, _) = output(folder.path(), &["scenarios", "chopping-board"]);
+    assert_eq!(code, 0);
+    fs::write(folder.path().join("copy.toml"), text).expect("a file");
+    let plan = |task: &str| {
+        let (code, out, err) = output(folder.path(), &["plan", task, "--out", task, "--quiet"]);
+        assert_eq!(code, 0, "{out}{err}");
+        fs::read(folder.path().join(task).join("plan.json")).expect("a plan")
+    };
+    let by_name = plan("chopping-board");
+    fs::rename(
+        folder.path().join("copy.toml"),
+        folder.path().join("it.toml"),
+    )
+    .expect("renamed");
+    let (code, _, _) = output(
+        folder.path(),
+        &["plan", "it.toml", "--out", "it", "--quiet"],
+    );
+    assert_eq!(code, 0);
+    assert!(by_name == fs::read(folder.path().join("it/plan.json")).expect("a plan"));
+    let (code, _, err) = output(folder.path(), &["plan", "chopping-bord"]);
+    assert_eq!(code, 2);
+    assert!(err.contains("did you mean chopping-board?"), "{err}");
+}
+
+#[test]
+fn the_schema_is_that_which_stands_beside_a_new_task() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    assert_eq!(output(folder.path(), &["new", "board.toml"]).0, 0);
+    let task = fs::read_to_string(folder.path().join("board.toml")).expect("a task");
+    let named = task
+        .lines()
+        .next()
+        .and_then(|line| line.strip_prefix("#:schema "));
+    let beside = folder
+        .path()
+        .join(named.expect("the schema in the first line"));
+    let (code, printed, _) = output(folder.path(), &["schema"]);
+    assert_eq!(code, 0);
+    assert_eq!(printed, fs::read_to_string(beside).expect("a schema"));
+    assert_eq!(
+        json(&printed)["properties"]["target_performance"]["maximum"],
+        1.0
+    );
+}
+
+#[test]
+fn shells_complete_the_commands_and_a_manual_shows_them() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let (code, script, _) = output(folder.path(), &["completions", shell]);
+        assert_eq!(code, 0);
+        assert!(script.contains("interpret"), "{shell}");
+    }
+    assert_eq!(output(folder.path(), &["man", "man1"]).0, 0);
+    let page = fs::read_to_string(folder.path().join("man1/wisch-run.1")).expect("a page");
+    assert!(page.contains("seed"), "{page}");
 }

@@ -97,5 +97,5 @@ fn what_is_no_urdf_is_an_error() {
     }
     let (code, _, err) = check(folder_with(ARM).path(), &["arn.urdf"]);
     assert_eq!(code, 2);
-    assert!(err.contains("nearest in that folder: arm.urdf"), "{err}");
+    assert!(err.contains("did you mean arm.urdf?"), "{err}");
 }

@@ -19,6 +19,9 @@ const LIKE: f64 = 0.6;
 /// The knowledge folder as it was when the program was built.
 static BUILT_IN: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../knowledge");
 
+/// The shipped scenarios as they were when the program was built.
+static SCENARIOS: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../scenarios");
+
 /// The file with the PDDL domain in a knowledge folder.
 const DOMAIN_FILE: &str = "wiping.pddl";
 
@@ -72,6 +75,43 @@ pub fn read_text(path: &Path) -> Result<String, Error> {
     })
 }
 
+/// The shipped scenarios, each with its name and the text of its task file, by name.
+///
+/// ```
+/// let names: Vec<&str> = wisch_io::shipped_scenarios().map(|(name, _)| name).collect();
+/// assert!(names.contains(&"chopping-board"));
+/// ```
+pub fn shipped_scenarios() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let mut scenarios: Vec<_> = (SCENARIOS.files())
+        .filter(|file| is_toml(file.path()))
+        .filter_map(|file| Some((file.path().file_stem()?.to_str()?, file.contents_utf8()?)))
+        .collect();
+    scenarios.sort_unstable();
+    scenarios.into_iter()
+}
+
+/// The text of a task file, or, where there is no such file, of the shipped scenario of that name.
+pub(crate) fn read_task_text(path: &Path) -> Result<String, Error> {
+    read_text(path).or_else(|error| {
+        let Error::NoSuchFile { path, nearest } = error else {
+            return Err(error);
+        };
+        let named = shipped_scenarios().find(|(name, _)| Path::new(name) == path);
+        let (_, text) = named.ok_or_else(|| Error::NoSuchFile {
+            nearest: nearest.or_else(|| nearest_scenario(&path)),
+            path,
+        })?;
+        Ok(text.to_owned())
+    })
+}
+
+/// The shipped scenario with the name nearest to the one asked for, if one is near.
+fn nearest_scenario(path: &Path) -> Option<String> {
+    let wanted = path.to_str()?;
+    let names = shipped_scenarios().map(|(name, _)| name.to_owned());
+    nearest_of(wanted, names)
+}
+
 /// The name in the same folder that is nearest to the one asked for, if one is near.
 fn nearest_name(path: &Path) -> Option<String> {
     let wanted = path.file_name()?.to_str()?;
@@ -79,9 +119,15 @@ fn nearest_name(path: &Path) -> Option<String> {
         parent if parent.as_os_str().is_empty() => Path::new("."),
         parent => parent,
     };
-    std::fs::read_dir(folder)
-        .ok()?
-        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+    let names = std::fs::read_dir(folder).ok()?;
+    nearest_of(
+        wanted,
+        names.filter_map(|entry| entry.ok()?.file_name().into_string().ok()),
+    )
+}
+
+fn nearest_of(wanted: &str, names: impl Iterator<Item = String>) -> Option<String> {
+    names
         .map(|name| (strsim::normalized_levenshtein(&name, wanted), name))
         .filter(|(likeness, _)| *likeness >= LIKE)
         .max_by(|a, b| a.0.total_cmp(&b.0).then_with(|| b.1.cmp(&a.1)))

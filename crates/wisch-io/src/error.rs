@@ -17,7 +17,7 @@ pub enum Error {
     NoSuchFile {
         /// Its path.
         path: PathBuf,
-        /// The name in the same folder that is nearest to it, if one is near.
+        /// The name in the same folder, or of a shipped scenario, that is nearest to it, if one is near.
         nearest: Option<String>,
     },
     /// A file or folder that cannot be read.
@@ -146,9 +146,13 @@ impl Error {
     /// What can be done about it, where that is known.
     pub fn help(&self) -> Option<String> {
         Some(match self {
-            Self::NoSuchFile { nearest, .. } => {
-                format!("nearest in that folder: {}", nearest.as_ref()?)
-            }
+            Self::NoSuchFile { path, nearest } => match nearest {
+                Some(nearest) => format!("did you mean {nearest}?"),
+                None if path.extension().is_none() => {
+                    "wisch scenarios lists the names of those that are shipped".to_owned()
+                }
+                None => return None,
+            },
             Self::NotText { .. } => "save the file as UTF-8; is it the right file?".to_owned(),
             Self::NoKnowledge { .. } => {
                 "knowledge is tools.toml, media.toml, surfaces.toml and interactions.toml"

@@ -16,7 +16,7 @@ mod records;
 mod robots;
 mod task_file;
 
-pub use assets::{KnowledgeSource, beside, read, read_text};
+pub use assets::{KnowledgeSource, beside, read, read_text, shipped_scenarios};
 pub use digest::InputDigest;
 pub use error::Error;
 pub use knowledge::{KnowledgeFileError, parse_knowledge};

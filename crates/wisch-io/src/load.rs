@@ -1,6 +1,6 @@
 //! From a task file to a task that can be planned.
 
-use crate::assets::{KnowledgeSource, beside, read_text};
+use crate::assets::{KnowledgeSource, beside, read_task_text};
 use crate::digest::InputDigest;
 use crate::error::Error;
 use crate::robots::Robot;
@@ -36,8 +36,12 @@ pub struct LoadOptions {
 pub struct LoadedTask {
     /// Where the file is.
     pub path: PathBuf,
+    /// The text of the file.
+    pub text: String,
     /// The task file.
     pub file: TaskFile,
+    /// What had to be assumed of a tool, medium or interaction that the file defines: a sentence each.
+    pub assumptions: Vec<String>,
     /// The task.
     pub task: Task,
     /// How to plan it.
@@ -99,8 +103,8 @@ struct Chosen {
     derived: Option<Derivation>,
 }
 
-/// Reads a task file and everything that it refers to: knowledge, meshes and particles, as paths from the file's
-/// folder.
+/// Reads a task file, or a shipped scenario by its name, and everything that it refers to: knowledge, meshes and
+/// particles, as paths from the file's folder.
 ///
 /// # Errors
 /// A file that cannot be read or is refused, a goal that no action reaches, or an unknown name.
@@ -116,10 +120,11 @@ struct Chosen {
 /// ```
 pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error> {
     let shown = path.display().to_string();
-    let text = read_text(path)?;
+    let text = read_task_text(path)?;
     let file = TaskFile::parse(&shown, &text, &options.settings)?;
     let source = KnowledgeSource::new(options.knowledge.as_deref());
-    let knowledge = source.base()?;
+    let mut knowledge = source.base()?;
+    let assumptions = file.extend(&mut knowledge)?;
     let chosen = choose(&file, &shown, options.action, &knowledge, &source)?;
     let seed = options.seed.unwrap_or(file.seed());
     let mut inputs = InputDigest::default();
@@ -161,6 +166,8 @@ pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error
     inputs.add("strategy", config.strategy.as_str());
     Ok(LoadedTask {
         path: path.to_owned(),
+        text,
+        assumptions,
         file,
         task,
         config,

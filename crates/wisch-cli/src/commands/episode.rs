@@ -12,7 +12,7 @@ use std::path::PathBuf;
 use std::time::{SystemTime, UNIX_EPOCH};
 use wisch::run::{PlannedRound, RunEvent};
 use wisch_io::{PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE};
-use wisch_io::{PlanRecord, RobotFiles, particles_to_csv, read_text};
+use wisch_io::{PlanRecord, RobotFiles, particles_to_csv};
 use wisch_memory::{
     EpisodeHeader, EpisodeRound, EpisodeWriter, Memory, MemoryError, RobotText, RoundLog,
     RoundScene, TelemetryWriter, episode_id, remember,
@@ -194,7 +194,7 @@ pub(super) fn attach_task(
     prepared: &Prepared,
     attach: &Attach<'_>,
 ) -> Result<(), Failure> {
-    attach("task.toml", read_text(&args.task)?.as_bytes())?;
+    attach("task.toml", prepared.text.as_bytes())?;
     let options = Options {
         task_file: args.task.display().to_string(),
         settings: &args.settings,

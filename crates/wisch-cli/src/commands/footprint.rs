@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
 use std::path::Path;
 use wisch::geometry::{Mesh, MeshFormat, Polygon, Region, Vector2, footprint as mesh_footprint};
-use wisch::represent::{AngleRange, AreaOfEffect, KnowledgeBase, Tool, ToolEntry};
+use wisch::represent::{AngleRange, AreaOfEffect, KnowledgeBase, Tool, ToolEntry, ToolMesh};
 use wisch_io::{KnowledgeSource, read};
 use wisch_report::footprint_drawing;
 
@@ -60,11 +60,17 @@ fn of_knowledge(args: &FootprintArgs) -> Result<Touch, Failure> {
     let source = KnowledgeSource::new(args.knowledge.as_deref());
     let knowledge = source.base()?;
     let entry = tool_entry(&args.tool, &knowledge)?;
-    let bytes = source.asset(&entry.mesh_file).map_err(Failure::new)?;
-    let format = MeshFormat::from_file_name(&entry.mesh_file).ok_or_else(|| {
+    let ToolMesh::InKnowledge(file) = &entry.mesh else {
+        return Err(Failure::new(format!(
+            "tool {:?} is not of the knowledge base",
+            entry.name
+        )));
+    };
+    let bytes = source.asset(file).map_err(Failure::new)?;
+    let format = MeshFormat::from_file_name(file).ok_or_else(|| {
         Failure::new(format!(
-            "tool {:?}: {:?} is no mesh file: it does not end in .stl, .obj or .dae",
-            entry.name, entry.mesh_file
+            "tool {:?}: {file:?} is no mesh file: it does not end in .stl, .obj or .dae",
+            entry.name
         ))
     })?;
     let depth = args

@@ -20,6 +20,8 @@ mod robot;
 mod round_views;
 mod rounds;
 mod run;
+mod scenarios;
+mod shell;
 mod summary;
 mod watch;
 mod words;
@@ -39,6 +41,10 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Interpret(args) => interpret::interpret(args, &cli.global),
         Command::Footprint(args) => footprint::footprint(args, &cli.global),
         Command::New(args) => new::new(args, &cli.global),
+        Command::Scenarios(args) => scenarios::scenarios(args),
+        Command::Schema => new::schema(),
+        Command::Completions(args) => shell::completions(args),
+        Command::Man(args) => shell::man(args),
         Command::Check(args) => check::check(args, &cli.global),
         Command::Memory(MemoryCommand::List(args)) => memory::list(args),
         Command::Memory(MemoryCommand::Show(args)) => memory::show(args),

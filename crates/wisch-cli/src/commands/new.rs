@@ -1,4 +1,4 @@
-//! `wisch new`: a task file to start from.
+//! `wisch new` and `wisch schema`: a task file to start from, and what editors check it against.
 
 use crate::args::{GlobalArgs, NewArgs};
 use crate::failure::Failure;
@@ -7,7 +7,16 @@ use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
 use wisch_io::TaskFile;
 
-/// Writes the template.
+/// The schema's file name, which the template's first line points editors to.
+const SCHEMA_FILE: &str = "wisch-task.schema.json";
+
+/// Prints the schema of task files.
+pub fn schema() -> Result<Outcome, Failure> {
+    print(&TaskFile::json_schema())?;
+    Ok(Outcome::Done)
+}
+
+/// Writes the template, and the schema beside it.
 pub fn new(args: &NewArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let Some(path) = &args.file else {
         print(TaskFile::TEMPLATE)?;
@@ -29,9 +38,14 @@ pub fn new(args: &NewArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
                 .with_help("choose another name, or write over it with --force"),
             _ => Failure::new(format!("{shown}: cannot write there: {error}")),
         })?;
+    let schema = path.with_file_name(SCHEMA_FILE);
+    std::fs::write(&schema, TaskFile::json_schema()).map_err(|error| {
+        Failure::new(format!("{}: cannot write there: {error}", schema.display()))
+    })?;
     if !global.quiet {
         print(&format!(
-            "wrote {shown}\nnext: wisch check {shown}, then wisch run {shown}\n"
+            "wrote {shown} and {}, by which editors check it\nnext: wisch check {shown}, then wisch run {shown}\n",
+            schema.display()
         ))?;
     }
     Ok(Outcome::Done)

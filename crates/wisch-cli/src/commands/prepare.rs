@@ -2,6 +2,7 @@
 
 use crate::args::TaskArgs;
 use crate::failure::Failure;
+use crate::terminal::remark;
 use std::ops::{Deref, DerefMut};
 use wisch::plan::CoverageStrategy;
 use wisch_io::{LoadOptions, LoadedTask, load_task};
@@ -40,6 +41,7 @@ impl Prepared {
             seed: args.seed,
         };
         let loaded = load_task(&args.task, &options)?;
+        loaded.assumptions.iter().for_each(|text| remark(text));
         let LoadedTask {
             file,
             task,

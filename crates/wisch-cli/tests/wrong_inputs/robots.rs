@@ -69,10 +69,7 @@ pub fn cases() -> Vec<Case> {
             "a URDF that is not there",
             "arn.urdf",
             "",
-            &[
-                "arm.urdf: there is no such file",
-                "nearest in that folder: arn.urdf",
-            ],
+            &["arm.urdf: there is no such file", "did you mean arn.urdf?"],
         ),
         task(
             "a URDF of the task that is not there",

@@ -4,7 +4,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::KnowledgeFileError;
-use super::record::{ANGLE_RAD, Limits, POINT_M, Source, UNIT_NORM};
+use super::source::{ANGLE_RAD, Limits, POINT_M, Source, UNIT_NORM};
 use nalgebra::{Translation3, Unit, UnitQuaternion};
 use std::f64::consts::FRAC_PI_2;
 use std::ops::Bound::Included;

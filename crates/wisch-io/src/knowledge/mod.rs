@@ -2,8 +2,11 @@
 
 mod grip;
 mod record;
+mod source;
 #[cfg(test)]
 mod tests;
+
+pub(crate) use record::is_entry_name;
 
 use wisch::represent::{KnowledgeBase, KnowledgeError, SurfaceScope};
 use wisch::source_location::Place;

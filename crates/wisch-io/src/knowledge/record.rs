@@ -1,19 +1,18 @@
 //! The knowledge files as they are written, and how they become knowledge.
 
 use std::collections::BTreeMap;
-use std::f64::consts::PI;
 use std::ops::Bound::{Excluded, Included};
-use std::ops::{Bound, RangeBounds};
 
 use serde::Deserialize;
 use toml::Spanned;
 
 use super::KnowledgeFileError;
 use super::grip::{GripRecord, SecondGripRecord};
+use super::source::{Limits, Source, UNIT_NORM};
 use wisch::geometry::Vector3;
 use wisch::represent::{
-    Action, AngleRange, AreaOfEffect, GrainSize, Interaction, KnowledgeBase, KnowledgeError,
-    LogNormal, MediumEntry, MediumKind, SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry,
+    Action, AreaOfEffect, GrainSize, Interaction, KnowledgeBase, KnowledgeError, LogNormal,
+    MediumEntry, MediumKind, SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry, ToolMesh,
 };
 use wisch::source_location::Place;
 
@@ -22,16 +21,10 @@ pub(super) const SCHEMA: i64 = 1;
 /// Longest name of a tool, medium or surface [bytes].
 pub(super) const NAME_MAX_LEN: usize = 64;
 
-pub(super) type Limits = (Bound<f64>, Bound<f64>);
-
 /// A tenth of a metre: no pad is thicker and no crumb larger.
 const LENGTH_M: Limits = (Excluded(0.0), Included(0.1));
 /// No tool acts further than two metres at once.
 const EXTENT_M: Limits = (Excluded(0.0), Included(2.0));
-/// A coordinate of a point of a tool: no tool reaches further.
-pub(super) const POINT_M: Limits = (Included(-3.0), Included(3.0));
-/// The two ends of a range of angles.
-pub(super) const ANGLE_RAD: Limits = (Included(-PI), Included(PI));
 /// Above what any arm of this class presses with.
 const FORCE_N: Limits = (Excluded(0.0), Included(200.0));
 /// Above what a compliance controller at 1 kHz keeps stable.
@@ -46,8 +39,6 @@ const FRICTION: Limits = (Included(0.0), Included(5.0));
 const MU: Limits = (Included(-10.0), Included(10.0));
 /// Wider than ten decades says nothing.
 const SIGMA: Limits = (Excluded(0.0), Included(10.0));
-/// Length of a direction, before it is made exactly one.
-pub(super) const UNIT_NORM: Limits = (Included(0.99), Included(1.01));
 
 #[derive(Deserialize)]
 struct SchemaRecord {
@@ -136,18 +127,16 @@ struct InteractionRecord {
     sigma: Spanned<f64>,
 }
 
-/// One text with its name; says where in it something stands.
-#[derive(Clone, Copy)]
-pub(super) struct Source<'a> {
-    name: &'a str,
-    text: &'a str,
+/// Whether something may be called so: a PDDL name that has no meaning of its own.
+pub(crate) fn is_entry_name(text: &str) -> bool {
+    text.starts_with(|c: char| c.is_ascii_lowercase())
+        && (text.bytes())
+            .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || b"_-".contains(&c))
+        && text.len() <= NAME_MAX_LEN
+        && text != SurfaceScope::ANY_NAME
 }
 
 impl Source<'_> {
-    pub(super) fn place<T>(self, spanned: &Spanned<T>) -> Place {
-        Place::at_offset(self.name, self.text, spanned.span().start)
-    }
-
     fn syntax_error(self, error: &toml::de::Error) -> KnowledgeFileError {
         let offset = error.span().map_or(0, |span| span.start);
         KnowledgeFileError::Syntax {
@@ -170,11 +159,7 @@ impl Source<'_> {
 
     fn new_name(self, name: &Spanned<String>) -> Result<String, KnowledgeFileError> {
         let text = name.get_ref();
-        let is_pddl_name = text.starts_with(|c: char| c.is_ascii_lowercase())
-            && text
-                .bytes()
-                .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || b"_-".contains(&c));
-        if is_pddl_name && text.len() <= NAME_MAX_LEN && text != SurfaceScope::ANY_NAME {
+        if is_entry_name(text) {
             Ok(text.clone())
         } else {
             Err(KnowledgeFileError::BadName {
@@ -196,70 +181,6 @@ impl Source<'_> {
         })
     }
 
-    pub(super) fn number(
-        self,
-        field: &'static str,
-        value: &Spanned<f64>,
-        limits: Limits,
-    ) -> Result<f64, KnowledgeFileError> {
-        self.within(field, self.place(value), *value.get_ref(), limits)
-    }
-
-    pub(super) fn within(
-        self,
-        field: &'static str,
-        at: Place,
-        value: f64,
-        limits: Limits,
-    ) -> Result<f64, KnowledgeFileError> {
-        if limits.contains(&value) {
-            return Ok(value);
-        }
-        let side = |bound, included: &str, excluded: &str| match bound {
-            Included(limit) => format!("{included} {limit}"),
-            Excluded(limit) => format!("{excluded} {limit}"),
-            Bound::Unbounded => "any".to_owned(),
-        };
-        Err(KnowledgeFileError::OutOfRange {
-            at,
-            field,
-            value,
-            limits: format!(
-                "{} and {}",
-                side(limits.0, "at least", "above"),
-                side(limits.1, "at most", "below")
-            ),
-        })
-    }
-
-    /// Two numbers in ascending order.
-    fn ascending(
-        self,
-        field: &'static str,
-        pair: &Spanned<[f64; 2]>,
-        limits: Limits,
-    ) -> Result<[f64; 2], KnowledgeFileError> {
-        let [min, max] = *pair.get_ref();
-        self.within(field, self.place(pair), min, limits)?;
-        self.within(field, self.place(pair), max, limits)?;
-        if min > max {
-            return Err(KnowledgeFileError::Inconsistent {
-                at: self.place(pair),
-                problem: format!("{field}: {min} comes before {max} but is larger"),
-            });
-        }
-        Ok([min, max])
-    }
-
-    fn angles(
-        self,
-        field: &'static str,
-        pair: &Spanned<[f64; 2]>,
-    ) -> Result<AngleRange, KnowledgeFileError> {
-        let [min_rad, max_rad] = self.ascending(field, pair, ANGLE_RAD)?;
-        Ok(AngleRange { min_rad, max_rad })
-    }
-
     fn tool(self, record: &ToolRecord) -> Result<ToolEntry, KnowledgeFileError> {
         if record.mesh_file.get_ref().is_empty() {
             return Err(KnowledgeFileError::Inconsistent {
@@ -269,7 +190,7 @@ impl Source<'_> {
         }
         Ok(ToolEntry {
             name: self.new_name(&record.name)?,
-            mesh_file: record.mesh_file.get_ref().clone(),
+            mesh: ToolMesh::InKnowledge(record.mesh_file.get_ref().clone()),
             compression_depth_m: self.number(
                 "compression_depth_m",
                 &record.compression_depth_m,

@@ -18,10 +18,7 @@ pub enum TaskError {
         message: String,
     },
     /// The file is of a schema that this version does not read.
-    #[error(
-        "{at}: schema {found} is not supported, only schema {}",
-        super::record::SCHEMA
-    )]
+    #[error("{at}: schema {found} is not supported, only schema {}", super::SCHEMA)]
     Schema {
         /// Where.
         at: Place,

@@ -1,25 +1,31 @@
 //! The task file: what the user writes, as typed and checked, and how it becomes a [`Task`].
 
+mod checked;
+mod definitions;
+mod deserialize;
 mod disturbance;
 mod error;
-mod execution;
 mod outline;
-mod reader;
-mod record;
 mod resolve;
+mod tables;
 #[cfg(test)]
 mod tests;
 mod tree;
+mod values;
 
 pub use disturbance::{FrictionChange, Push};
 pub use error::TaskError;
 pub use resolve::ReadFile;
 
 use crate::particles::ParticleSource;
+use definitions::Definitions;
 use wisch::follow::WorkcellConfig;
 use wisch::geometry::{Point2, Pose, Vector3};
 use wisch::represent::{Action, ScenePart, Surface, Task};
 use wisch::source_location::Place;
+
+/// The schema that this version reads.
+const SCHEMA: u64 = 1;
 
 /// What a task file asks for.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -107,6 +113,7 @@ pub struct TaskFile {
     bandwidth: Option<f64>,
     lift_height: f64,
     variants: usize,
+    definitions: Definitions,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -194,7 +201,20 @@ impl TaskFile {
     /// # Ok::<(), wisch_io::TaskError>(())
     /// ```
     pub fn parse(name: &str, text: &str, settings: &[(String, String)]) -> Result<Self, TaskError> {
-        record::read(&tree::Source::new(name, text, settings))
+        checked::read(&tree::Source::new(name, text, settings))
+    }
+
+    /// The JSON Schema of task files, by which editors complete and check keys: every key with its meaning, range
+    /// and default.
+    ///
+    /// ```
+    /// let schema: serde_json::Value = serde_json::from_str(&wisch_io::TaskFile::json_schema())?;
+    /// assert_eq!(schema["properties"]["seed"]["minimum"], 0);
+    /// # Ok::<(), serde_json::Error>(())
+    /// ```
+    pub fn json_schema() -> String {
+        let schema = schemars::schema_for!(tables::TaskTable);
+        format!("{:#}\n", schema.as_value())
     }
 
     /// What is asked for.

@@ -1,7 +1,10 @@
 //! Outlines as typed: rings that bound an area and do not cross themselves or each other.
 
 use super::TaskError;
-use super::reader::{Field, POSITION_M};
+use super::deserialize::At;
+use super::tables::RingPoints;
+use super::tree::Source;
+use super::values::point;
 use wisch::geometry::{Edge, Point2, Polygon, Vector2};
 
 /// Most points of an outline with its holes: every pair of edges is held against each other.
@@ -25,29 +28,30 @@ impl Outline {
         }
     }
 
-    pub(super) fn read(outer: &Field<'_>, holes: Option<&Field<'_>>) -> Result<Self, TaskError> {
-        let ring = ring(outer)?;
+    pub(super) fn read(outer: &At<RingPoints>, source: &Source<'_>) -> Result<Self, TaskError> {
+        let ring = ring(outer, source)?;
         let reversed = Polygon::new(ring.clone(), Vec::new()).outer() != ring;
-        Self {
+        Ok(Self {
             polygon: Polygon::new(ring, Vec::new()),
             reversed,
-        }
-        .with_holes(holes)
+        })
     }
 
-    pub(super) fn with_holes(self, holes: Option<&Field<'_>>) -> Result<Self, TaskError> {
-        let Some(holes) = holes else {
-            return Ok(self);
-        };
+    pub(super) fn with_holes(
+        self,
+        holes: &[At<RingPoints>],
+        source: &Source<'_>,
+    ) -> Result<Self, TaskError> {
         let mut rings: Vec<Vec<Point2>> = Vec::new();
         let mut points = self.polygon.outer().len();
-        for field in holes.items("an array of rings of points")? {
-            let hole = ring(&field)?;
+        for field in holes {
+            let hole = ring(field, source)?;
             points += hole.len();
             if points > MAX_POINTS {
-                return Err(field.inconsistent(format!(
-                    "the outline with its holes exceeds the limit of {MAX_POINTS} points"
-                )));
+                return Err(field.inconsistent(
+                    source,
+                    format!("the outline with its holes exceeds the limit of {MAX_POINTS} points"),
+                ));
             }
             let others =
                 std::iter::once(self.polygon.outer()).chain(rings.iter().map(Vec::as_slice));
@@ -57,11 +61,13 @@ impl Outline {
                     i => format!("hole {}", i - 1),
                 };
                 if edges(&hole).any(|a| edges(other).any(|b| meet(a, b))) {
-                    return Err(field.inconsistent(format!("the hole crosses or touches {name}")));
+                    return Err(
+                        field.inconsistent(source, format!("the hole crosses or touches {name}"))
+                    );
                 }
             }
             if !self.polygon.contains(hole[0]) {
-                return Err(field.inconsistent("the hole lies outside the outline"));
+                return Err(field.inconsistent(source, "the hole lies outside the outline"));
             }
             let inside =
                 |ring: &[Point2], point| Polygon::new(ring.to_vec(), Vec::new()).contains(point);
@@ -69,9 +75,10 @@ impl Outline {
                 .iter()
                 .position(|other| inside(other, hole[0]) || inside(&hole, other[0]));
             if let Some(other) = nested {
-                return Err(
-                    field.inconsistent(format!("the hole and hole {other} lie in each other"))
-                );
+                return Err(field.inconsistent(
+                    source,
+                    format!("the hole and hole {other} lie in each other"),
+                ));
             }
             rings.push(hole);
         }
@@ -93,26 +100,26 @@ impl Outline {
 }
 
 /// At least three points round an area, without self-intersection.
-fn ring(field: &Field<'_>) -> Result<Vec<Point2>, TaskError> {
-    let points = field
-        .items("an array of points [x, y]")?
-        .iter()
-        .map(|point| point.point(&POSITION_M))
-        .collect::<Result<Vec<_>, _>>()?;
+fn ring(field: &At<RingPoints>, source: &Source<'_>) -> Result<Vec<Point2>, TaskError> {
+    let points: Vec<Point2> = field.value.iter().map(|xy| point(*xy)).collect();
     if !(3..=MAX_POINTS).contains(&points.len()) {
-        return Err(field.inconsistent(format!(
-            "{} points, but a ring has at least 3 and at most {MAX_POINTS}",
-            points.len()
-        )));
+        return Err(field.inconsistent(
+            source,
+            format!(
+                "{} points, but a ring has at least 3 and at most {MAX_POINTS}",
+                points.len()
+            ),
+        ));
     }
     let edges: Vec<Edge> = edges(&points).collect();
     let count = edges.len();
     for i in 0..count {
         if edges[i].start == edges[i].end {
             let next = (i + 1) % count;
-            return Err(field.inconsistent(format!(
-                "points {i} and {next} are the same (a ring closes by itself)"
-            )));
+            return Err(field.inconsistent(
+                source,
+                format!("points {i} and {next} are the same (a ring closes by itself)"),
+            ));
         }
         for j in i + 1..count {
             let crosses = if j == i + 1 || (i == 0 && j == count - 1) {
@@ -123,7 +130,7 @@ fn ring(field: &Field<'_>) -> Result<Vec<Point2>, TaskError> {
                 meet(edges[i], edges[j])
             };
             if crosses {
-                return Err(field.inconsistent(format!(
+                return Err(field.inconsistent(source, format!(
                     "the ring crosses itself: edge {i} meets edge {j} (edge i runs from point i to the next)"
                 )));
             }
@@ -131,9 +138,10 @@ fn ring(field: &Field<'_>) -> Result<Vec<Point2>, TaskError> {
     }
     let area = Polygon::new(points.clone(), Vec::new()).area();
     if area < MIN_AREA {
-        return Err(field.inconsistent(format!(
-            "its area of {area} m2 is below the limit of {MIN_AREA} m2"
-        )));
+        return Err(field.inconsistent(
+            source,
+            format!("its area of {area} m2 is below the limit of {MIN_AREA} m2"),
+        ));
     }
     Ok(points)
 }

@@ -3,12 +3,13 @@
 use super::{Frame, ObjectRecord, Shape, TaskError, TaskFile};
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
 use wisch::geometry::{
-    Bounds2, Mesh, MeshFormat, Point2, Point3, Polygon, Region, Vector2, footprint,
+    Bounds2, Mesh, MeshError, MeshFormat, Point2, Point3, Polygon, Region, Vector2, Vector3,
+    footprint,
 };
 use wisch::represent::{
     Action, DirtArea, Interaction, KnowledgeBase, KnowledgeError, OccupiedArea,
-    ParticleDistribution, SceneObject, ScenePart, Task, Tool, ToolEntry, cluster_particles,
-    uniform_particles,
+    ParticleDistribution, SceneObject, ScenePart, Task, Tool, ToolEntry, ToolMesh,
+    cluster_particles, uniform_particles,
 };
 use wisch::source_location::Place;
 
@@ -84,7 +85,15 @@ impl TaskFile {
                 key: "skim_edges",
             });
         }
-        let tool = resolved_tool(entry, interaction, tool_at, knowledge_assets)?;
+        let mesh = match &entry.mesh {
+            ToolMesh::InKnowledge(file) => parsed_mesh(knowledge_assets, tool_at, file)?,
+            ToolMesh::BesideTask(file) => parsed_mesh(assets, tool_at, file)?,
+            ToolMesh::Cuboid(size) => cuboid_on_plane(*size).map_err(|error| TaskError::Mesh {
+                at: tool_at.clone(),
+                error,
+            })?,
+        };
+        let tool = resolved_tool(entry, mesh, interaction, tool_at)?;
         let scene = self.scene(assets)?;
         let mut task = Task {
             name: self.name.clone(),
@@ -215,13 +224,22 @@ impl ObjectRecord {
     }
 }
 
+/// A box that stands on z = 0 [m].
+fn cuboid_on_plane(size: Vector3) -> Result<Mesh, MeshError> {
+    let about_origin = Mesh::cuboid(size)?;
+    let up = Vector3::new(0.0, 0.0, size.z / 2.0);
+    let vertices = (about_origin.vertices().iter())
+        .map(|vertex| vertex + up)
+        .collect();
+    Mesh::new(vertices, about_origin.triangles().to_vec())
+}
+
 fn resolved_tool(
     entry: &ToolEntry,
+    mesh: Mesh,
     interaction: &Interaction,
     at: &Place,
-    knowledge_assets: &mut ReadFile<'_>,
 ) -> Result<Tool, TaskError> {
-    let mesh = parsed_mesh(knowledge_assets, at, &entry.mesh_file)?;
     let (footprint, area_of_effect) = match entry.area_of_effect {
         Some(area) => {
             let size = Vector2::new(area.depth_m, area.width_m);

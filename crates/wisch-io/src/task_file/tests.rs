@@ -96,10 +96,28 @@ fn the_template_is_a_task() {
 
 #[test]
 fn the_template_shows_every_key() {
-    for key in record::ALL_KEYS.into_iter().flatten() {
-        let shown = ["{key} = ", "[{key}]"].map(|form| form.replace("{key}", key));
+    let schema: serde_json::Value = serde_json::from_str(&TaskFile::json_schema()).unwrap();
+    let mut keys = Vec::new();
+    collect_keys(&schema, &mut keys);
+    assert!(keys.len() > 60, "{keys:?}");
+    for key in keys {
+        let shown = ["{key} = ", "[{key}]"].map(|form| form.replace("{key}", &key));
         let is_shown = shown.iter().any(|form| TaskFile::TEMPLATE.contains(form));
         assert!(is_shown, "{key} is not in the template");
+    }
+}
+
+/// The names of all properties in a schema.
+fn collect_keys(schema: &serde_json::Value, keys: &mut Vec<String>) {
+    match schema {
+        serde_json::Value::Object(fields) => {
+            if let Some(serde_json::Value::Object(properties)) = fields.get("properties") {
+                keys.extend(properties.keys().cloned());
+            }
+            fields.values().for_each(|value| collect_keys(value, keys));
+        }
+        serde_json::Value::Array(items) => items.iter().for_each(|item| collect_keys(item, keys)),
+        _ => {}
     }
 }
 
@@ -370,5 +388,131 @@ proptest! {
         if let Ok(file) = parsed(&text) {
             prop_assert!(file.surface.surface.outline.area() >= 1e-6);
         }
+    }
+}
+
+/// A task with a tool, a medium and a surface of its own.
+const OWN: &str = r#"schema = 1
+name = "own"
+action = "collect"
+[tool]
+name = "felt_pad"
+footprint_m = [0.06, 0.12]
+compression_depth_m = 0.002
+[medium]
+name = "sawdust"
+kind = "powder"
+[surface]
+name = "workbench"
+friction = 0.5
+size_m = [0.5, 0.4]
+[interaction]
+press_force_n = 12
+sigma = 0.4
+[particles]
+source = "uniform"
+count = 10
+"#;
+
+#[test]
+fn a_task_may_define_what_the_knowledge_does_not_have() {
+    let mut knowledge = KnowledgeSource::BuiltIn.base().unwrap();
+    let file = parsed(OWN).unwrap();
+    let assumed = file.extend(&mut knowledge).unwrap();
+    assert_eq!(
+        assumed,
+        [
+            "nothing is known of felt_pad on sawdust on workbench: assuming stiffness_n_per_m = 500, damping_ratio = 0.7, nullspace_posture_weight = 0.2, compression_depth_m = 0.002, mu = -1.05 (set them in [interaction])"
+        ]
+    );
+    let known = knowledge
+        .interaction("felt_pad", "sawdust", "workbench")
+        .unwrap();
+    assert_eq!((known.press_force_n, known.likelihood.sigma), (12.0, 0.4));
+    let mut none = |_: &str| Err("not needed".to_owned());
+    let mut no_mesh = |_: &str| Err("not needed".to_owned());
+    let (tool, medium) = ("felt_pad", "sawdust");
+    let task = file
+        .resolve(
+            Action::Collect,
+            tool,
+            medium,
+            1,
+            &knowledge,
+            &mut none,
+            &mut no_mesh,
+        )
+        .unwrap();
+    assert!((task.tool.footprint.area() - 0.06 * 0.12).abs() < 1e-8);
+    assert_eq!(knowledge.surface("workbench").unwrap().friction, 0.5);
+}
+
+#[test]
+fn a_task_may_override_what_the_knowledge_has() {
+    let text = format!("{SMALL}[interaction]\npress_force_n = 4\ncompression_depth_m = 0\n");
+    let file = parsed(&text).unwrap();
+    let mut knowledge = KnowledgeSource::BuiltIn.base().unwrap();
+    let before = (knowledge.interaction("sponge", "breadcrumbs", "table")).cloned();
+    assert_eq!(file.extend(&mut knowledge).unwrap(), [] as [String; 0]);
+    let now = knowledge
+        .interaction("sponge", "breadcrumbs", "table")
+        .unwrap();
+    assert_eq!((now.press_force_n, now.compression_depth_m), (4.0, 0.0));
+    assert_eq!(now.likelihood, before.unwrap().likelihood);
+    // Elsewhere it is what it was.
+    let board = knowledge
+        .interaction("sponge", "breadcrumbs", "chopping_board")
+        .unwrap();
+    assert_eq!(board.press_force_n, 10.0);
+}
+
+#[test]
+fn what_a_task_defines_must_hold_together() {
+    for (piece, by, expected) in [
+        (
+            "\"felt_pad\"",
+            "\"Felt pad\"",
+            "5:8: tool.name: \"Felt pad\" is no name of something new",
+        ),
+        ("kind = \"powder\"", "", "15:1: unknown medium \"sawdust\""),
+        (
+            "kind = \"powder\"",
+            "kind = \"liquid\"\ngrain_size_m = [0.1, 0.1]",
+            "11:16: medium.grain_size_m: a liquid has no grains",
+        ),
+        (
+            "kind = \"powder\"",
+            "kind = \"powder\"\ngrain_size_m = [0.01, 0.001]",
+            "11:16: medium.grain_size_m: 0.01 comes before 0.001 but is larger",
+        ),
+        (
+            "footprint_m = [0.06, 0.12]",
+            "footprint_m = [0.06, 0.12]\nmesh = \"pad.stl\"",
+            "7:8: tool.mesh: footprint_m and mesh exclude each other",
+        ),
+        (
+            "footprint_m = [0.06, 0.12]\n",
+            "",
+            "6:23: tool.compression_depth_m: it belongs to a tool of this task",
+        ),
+        (
+            "sigma = 0.4",
+            "sigma = 0",
+            "17:9: interaction.sigma = 0 is outside its limits",
+        ),
+        (
+            "sigma = 0.4",
+            "actions = []",
+            "17:11: interaction.actions: at least one action is needed",
+        ),
+    ] {
+        assert_eq!(OWN.matches(piece).count(), 1, "{piece} must occur once");
+        let mut knowledge = KnowledgeSource::BuiltIn.base().unwrap();
+        let extended = parsed(&OWN.replace(piece, by)).and_then(|file| file.extend(&mut knowledge));
+        let error = extended.expect_err(by).to_string();
+        assert!(
+            error.starts_with(&format!("small.toml:{expected}")),
+            "{by:?}: {error}"
+        );
     }
 }

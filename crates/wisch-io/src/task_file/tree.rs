@@ -6,7 +6,8 @@ use toml::de::{DeTable, DeValue};
 use wisch::source_location::Place;
 
 /// Keys of which one excludes the others: setting one drops the others from the file.
-const ALTERNATIVES: [&[&str]; 3] = [
+const ALTERNATIVES: [&[&str]; 4] = [
+    &["footprint_m", "mesh"],
     &["action", "goal"],
     &["size_m", "outline_m"],
     &["rpy_rad", "quaternion_xyzw"],
@@ -85,7 +86,8 @@ pub(super) enum Node {
     Float(f64),
     Array(Vec<Value>),
     Table(Vec<Entry>),
-    /// Booleans and dates, which no key of a task takes.
+    Boolean(bool),
+    /// Dates, which no key of a task takes.
     Other(&'static str),
 }
 
@@ -106,6 +108,7 @@ impl Node {
             Self::Float(number) => number.to_string(),
             Self::Array(items) => format!("an array of {}", items.len()),
             Self::Table(_) => "a table".to_owned(),
+            Self::Boolean(_) => "a boolean".to_owned(),
             Self::Other(what) => format!("a {what}"),
         }
     }
@@ -138,6 +141,7 @@ fn converted(value: &Spanned<DeValue<'_>>, start: usize) -> Value {
             Node::Array(items.iter().map(|item| converted(item, start)).collect())
         }
         DeValue::Table(table) => table_node(table, start),
+        DeValue::Boolean(is_on) => Node::Boolean(*is_on),
         other => Node::Other(other.type_str()),
     };
     Value {

@@ -21,7 +21,7 @@ pub use heap::{HEAP_DEPTH, heap_depth};
 pub use knowledge::{
     Action, AngleRange, AreaOfEffect, Effect, GrainSize, Grip, Interaction, KnowledgeBase,
     KnowledgeError, LogNormal, MediumEntry, MediumKind, Place, RankedTool, SecondGrip,
-    SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry, UnknownName,
+    SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry, ToolMesh, UnknownName,
 };
 pub use metrics::{GoalState, Performance};
 pub use motion::ToolMotion;

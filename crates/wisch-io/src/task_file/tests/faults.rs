@@ -45,7 +45,7 @@ fn a_fault_is_refused_with_its_place() {
         (
             source,
             "source = \"unifrom\"",
-            "13:10: unknown particle source \"unifrom\"; nearest: uniform",
+            "13:10: unknown source \"unifrom\"; nearest: uniform",
         ),
         (
             source,
@@ -65,7 +65,7 @@ fn a_fault_is_refused_with_its_place() {
         (
             source,
             "source = \"image\"\nfile = \"a.png\"\ncorners_px = [[0, 0]]\ncolor = [1, 2, 3]\ntolerance = 1\ncount = 1",
-            "15:14: particles.corners_px: 1 corners, but the surface has four",
+            "15:14: particles.corners_px: expected an array of 4, found an array of 1",
         ),
         (
             source,
@@ -142,7 +142,7 @@ fn a_fault_is_refused_with_its_place() {
         (
             size,
             "size_m = 0.5",
-            "10:10: surface.size_m: expected an array of 2 numbers, found 0.5",
+            "10:10: surface.size_m: expected an array of 2, found 0.5",
         ),
         (
             size,
@@ -252,7 +252,7 @@ fn a_fault_is_refused_with_its_place() {
         (
             "position_m = [0.1, 0.1, 0.05]",
             "position_m = [0.1, 0.1]",
-            "19:14: scene[0].position_m: expected an array of 3 numbers, found an array of 2",
+            "19:14: scene[0].position_m: expected an array of 3, found an array of 2",
         ),
         (
             "position_m = [0.1, 0.1, 0.05]",

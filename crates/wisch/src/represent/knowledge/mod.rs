@@ -117,13 +117,24 @@ pub struct TiltFreedom {
     pub range: AngleRange,
 }
 
+/// Where the mesh of a tool comes from; its frame is the tool's.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ToolMesh {
+    /// A file, by its path relative to the knowledge files.
+    InKnowledge(String),
+    /// A file, by its path relative to the task file.
+    BesideTask(String),
+    /// A box that stands on the contact plane, by its sides along x, y and z [m].
+    Cuboid(Vector3),
+}
+
 /// A tool that can be grasped.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ToolEntry {
     /// Its name, also in PDDL.
     pub name: String,
-    /// The mesh from which its footprint is cut, a path relative to the knowledge files.
-    pub mesh_file: String,
+    /// The mesh from which its footprint is cut.
+    pub mesh: ToolMesh,
     /// How deep it gives way under nominal force, δ [m].
     pub compression_depth_m: f64,
     /// The rectangle about the TCP on which it acts, where that is not its footprint: a nozzle

@@ -1,0 +1,466 @@
+//! From the keys of a task file to its checked contents.
+
+use super::deserialize::{At, record};
+use super::outline::Outline;
+use super::tables::{
+    ClusterTable, EdgeName, ExecutionTable, FrameName, ObjectTable, ParticlesTable, RobotTable,
+    SurfaceTable, TaskTable,
+};
+use super::tree::{Node, Source, Value};
+use super::values::{AngleRad, Name, PositionM, QuaternionPart, point};
+use super::{
+    ExecutionRecord, Frame, FrictionChange, Intent, ObjectRecord, Push, RobotDescription,
+    RobotRecord, SCHEMA, Shape, SurfaceRecord, TaskError, TaskFile,
+};
+use crate::particles::{MaskSource, ParticleSource};
+use nalgebra::{Quaternion, Translation3, UnitQuaternion};
+use wisch::geometry::{Pose, Vector2, Vector3};
+use wisch::represent::{Cluster, Surface};
+use wisch::source_location::{Place, UnknownName};
+
+/// How far a quaternion's norm may be from 1.
+const QUATERNION_NORM_TOLERANCE: f64 = 1e-3;
+/// How many clusters.
+const MAX_CLUSTERS: usize = 10_000;
+
+pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
+    let tree = source.tree()?;
+    // Another schema may well have other keys, so it is looked at first.
+    schema(&tree, source)?;
+    let file: At<TaskTable> = record(source, &tree)?;
+    let task = &file.value;
+    let (intent, intent_at) = intent(&file, source)?;
+    let named = |name: Option<&At<Name>>| name.map_or(intent_at.clone(), |name| name.place(source));
+    let tool = task.tool.as_ref().map(|tool| &tool.value);
+    let medium = task.medium.as_ref().map(|medium| &medium.value);
+    let scene = scene(&task.scene, source)?;
+    Ok(TaskFile {
+        name: task.name.0.clone(),
+        seed: task.seed.0,
+        strategy: task.strategy.as_ref().map(|name| name.0.clone()),
+        target_performance: task.target_performance.0,
+        tool_at: named(tool.and_then(|tool| tool.name.as_ref())),
+        tool_start: tool.and_then(|tool| tool.start_m).map(point),
+        medium_at: named(medium.and_then(|medium| medium.name.as_ref())),
+        surface: surface(&task.surface, &scene, source)?,
+        robot: task
+            .robot
+            .as_ref()
+            .map(|table| robot(table, source))
+            .transpose()?,
+        execution: ExecutionRecord::from(&task.execution),
+        max_rounds: task.execution.max_rounds.0 as usize,
+        collect_goal: (task.collect.as_ref())
+            .and_then(|collect| collect.goal_m)
+            .map(point),
+        particles_at: task.particles.place(source),
+        particles: particle_source(&task.particles.value, source)?,
+        scene,
+        bandwidth: task.plan.bandwidth_m.map(|h| h.0),
+        lift_height: task.plan.lift_height_m.0,
+        variants: task.plan.variants.0 as usize,
+        definitions: super::definitions::read(&file, source)?,
+        intent,
+    })
+}
+
+fn schema(tree: &Value, source: &Source<'_>) -> Result<(), TaskError> {
+    let Node::Table(entries) = &tree.node else {
+        return Ok(());
+    };
+    let Some(entry) = entries.iter().find(|entry| entry.key == "schema") else {
+        return Ok(());
+    };
+    match entry.value.node {
+        Node::Integer(found) if found == i128::from(SCHEMA) => Ok(()),
+        ref other => Err(TaskError::Schema {
+            at: source.place(entry.value.offset),
+            found: other.description(),
+        }),
+    }
+}
+
+fn intent(file: &At<TaskTable>, source: &Source<'_>) -> Result<(Intent, Place), TaskError> {
+    let task = &file.value;
+    let offset = |at: &At<_>| at.offset;
+    file.exactly_one(
+        source,
+        &[
+            ("action", task.action.as_ref().map(offset)),
+            ("goal", task.goal.as_ref().map(|goal| goal.offset)),
+        ],
+    )?;
+    let text = |name: &Name| name.0.clone();
+    let tool = task.tool.as_ref().map(|tool| &tool.value);
+    let tool_name = tool.and_then(|tool| tool.name.as_ref());
+    let tool_name = tool_name.map(|name| text(&name.value));
+    if let Some(goal) = &task.goal {
+        let in_hand = tool.and_then(|tool| tool.in_hand.as_ref()).map(text);
+        let available = tool.and_then(|tool| tool.available.as_ref());
+        let intent = Intent::Goal {
+            literal: text(&goal.value),
+            tool_in_hand: in_hand.or(tool_name),
+            available_tools: available
+                .map_or_else(Vec::new, |names| names.iter().map(text).collect()),
+        };
+        return Ok((intent, goal.place(source)));
+    }
+    let action = (task.action.as_ref()).ok_or_else(|| file.missing(source, "action"))?;
+    let at = action.place(source);
+    let missing = |table: &str| TaskError::Missing {
+        at: at.clone(),
+        table: table.to_owned(),
+        key: "name",
+    };
+    let medium = task.medium.as_ref();
+    let medium = medium.and_then(|medium| medium.value.name.as_ref());
+    let intent = Intent::Action {
+        action: action.value.into(),
+        tool: tool_name.ok_or_else(|| missing("tool"))?,
+        medium: text(&medium.ok_or_else(|| missing("medium"))?.value),
+    };
+    Ok((intent, at))
+}
+
+fn surface(
+    table: &At<SurfaceTable>,
+    scene: &[ObjectRecord],
+    source: &Source<'_>,
+) -> Result<SurfaceRecord, TaskError> {
+    let surface = &table.value;
+    table.exactly_one(
+        source,
+        &[
+            ("size_m", surface.size_m.as_ref().map(|size| size.offset)),
+            (
+                "outline_m",
+                surface.outline_m.as_ref().map(|outline| outline.offset),
+            ),
+        ],
+    )?;
+    let outline = match (&surface.size_m, &surface.outline_m) {
+        (Some(size), _) => Outline::rectangle(Vector2::from(size.value.map(|side| side.0))),
+        (None, Some(outline)) => Outline::read(outline, source)?,
+        (None, None) => return Err(table.missing(source, "size_m")),
+    }
+    .with_holes(&surface.holes_m, source)?;
+    let mut skim_edges = Vec::new();
+    for item in &surface.skim_edges {
+        let typed = match item.value {
+            EdgeName::OfRectangle(_) if surface.size_m.is_none() => {
+                return Err(item.inconsistent(
+                    source,
+                    "edges have names only where size_m gives a rectangle; an outline's are numbers",
+                ));
+            }
+            EdgeName::OfRectangle(edge) => edge,
+            EdgeName::FromPoint(point) => {
+                let last = outline.polygon.outer().len() - 1;
+                match usize::try_from(point) {
+                    Ok(point) if point <= last => point,
+                    _ => {
+                        return Err(TaskError::OutOfRange {
+                            at: item.place(source),
+                            key: item.path.clone(),
+                            value: point.to_string(),
+                            limits: format!("at least 0 and at most {last}"),
+                        });
+                    }
+                }
+            }
+        };
+        let edge = outline.edge(typed);
+        if skim_edges.contains(&edge) {
+            return Err(item.inconsistent(source, "the edge is named twice"));
+        }
+        skim_edges.push(edge);
+    }
+    let carried_by = match &surface.carried_by {
+        Some(name) => {
+            let index = scene.iter().position(|object| object.name == name.value);
+            Some(index.ok_or_else(|| TaskError::UnknownReference {
+                at: name.place(source),
+                unknown: Box::new(UnknownName::new(
+                    "scene object",
+                    &name.value,
+                    scene.iter().map(|object| object.name.as_str()),
+                )),
+            })?)
+        }
+        None => None,
+    };
+    Ok(SurfaceRecord {
+        at: surface.name.place(source),
+        surface: Surface {
+            name: surface.name.value.0.clone(),
+            outline: outline.polygon,
+            world_from_surface: pose(
+                table,
+                surface.position_m,
+                surface.rpy_rad,
+                surface.quaternion_xyzw.as_ref(),
+                source,
+            )?,
+            skim_edges,
+        },
+        carried_by,
+    })
+}
+
+fn robot(table: &At<RobotTable>, source: &Source<'_>) -> Result<RobotRecord, TaskError> {
+    let robot = &table.value;
+    table.exactly_one(
+        source,
+        &[
+            ("name", robot.name.as_ref().map(|name| name.offset)),
+            ("urdf", robot.urdf.as_ref().map(|urdf| urdf.offset)),
+        ],
+    )?;
+    let text = |name: &Option<Name>| name.as_ref().map(|name| name.0.clone());
+    let srdf = text(&robot.srdf);
+    let description = match (&robot.name, &robot.urdf) {
+        (Some(_), _) if srdf.is_some() => {
+            return Err(
+                table.inconsistent(source, "srdf goes with urdf; a robot by name has its own")
+            );
+        }
+        (Some(name), _) => RobotDescription::Named(name.value.0.clone()),
+        (None, Some(urdf)) => RobotDescription::Files {
+            urdf: urdf.value.0.clone(),
+            srdf,
+        },
+        (None, None) => return Err(table.missing(source, "name")),
+    };
+    let quaternion = robot.quaternion_xyzw.as_ref();
+    let is_turned = robot.rpy_rad.is_some() || quaternion.is_some();
+    Ok(RobotRecord {
+        description,
+        group: text(&robot.group),
+        second_group: text(&robot.second_group),
+        world_from_robot: match robot.position_m {
+            Some(position) => Some(pose(
+                table,
+                Some(position),
+                robot.rpy_rad,
+                quaternion,
+                source,
+            )?),
+            None if is_turned => {
+                return Err(table.inconsistent(source, "a rotation needs position_m beside it"));
+            }
+            None => None,
+        },
+    })
+}
+
+/// A pose from a position and one of two rotations, all optional, of a table.
+fn pose<T>(
+    table: &At<T>,
+    position: Option<[PositionM; 3]>,
+    rpy: Option<[AngleRad; 3]>,
+    quaternion: Option<&At<[QuaternionPart; 4]>>,
+    source: &Source<'_>,
+) -> Result<Pose, TaskError> {
+    let position = position.map_or_else(Vector3::zeros, |p| Vector3::from(p.map(|x| x.0)));
+    let rotation = match (rpy, quaternion) {
+        (None, None) => UnitQuaternion::identity(),
+        (Some([roll, pitch, yaw]), None) => {
+            UnitQuaternion::from_euler_angles(roll.0, pitch.0, yaw.0)
+        }
+        (None, Some(given)) => {
+            let [x, y, z, w] = given.value.map(|part| part.0);
+            let quaternion = Quaternion::new(w, x, y, z);
+            let norm = quaternion.norm();
+            if (norm - 1.0).abs() > QUATERNION_NORM_TOLERANCE {
+                return Err(given.inconsistent(
+                    source,
+                    format!(
+                        "its norm is {norm}, but must be within {QUATERNION_NORM_TOLERANCE} of 1"
+                    ),
+                ));
+            }
+            UnitQuaternion::from_quaternion(quaternion)
+        }
+        (Some(_), Some(_)) => {
+            return Err(
+                table.inconsistent(source, "rpy_rad and quaternion_xyzw exclude each other")
+            );
+        }
+    };
+    Ok(Pose::from_parts(Translation3::from(position), rotation))
+}
+
+fn scene(tables: &[At<ObjectTable>], source: &Source<'_>) -> Result<Vec<ObjectRecord>, TaskError> {
+    let mut objects: Vec<ObjectRecord> = Vec::new();
+    let mut places = std::collections::BTreeMap::new();
+    for table in tables {
+        let object = &table.value;
+        let name = object.name.value.0.clone();
+        let at = object.name.place(source);
+        if let Some(first) = places.insert(name.clone(), at.clone()) {
+            let problem = format!("{name:?} is already at {first}");
+            return Err(object.name.inconsistent(source, problem));
+        }
+        objects.push(ObjectRecord {
+            at,
+            name,
+            shape: shape(table, source)?,
+            frame: match object.frame {
+                FrameName::World => Frame::World,
+                FrameName::Surface => Frame::Surface,
+            },
+            frame_from_object: pose(
+                table,
+                object.position_m,
+                object.rpy_rad,
+                object.quaternion_xyzw.as_ref(),
+                source,
+            )?,
+            part: object.role.into(),
+        });
+    }
+    Ok(objects)
+}
+
+fn shape(table: &At<ObjectTable>, source: &Source<'_>) -> Result<Shape, TaskError> {
+    let object = &table.value;
+    table.exactly_one(
+        source,
+        &[
+            ("box_m", object.box_m.as_ref().map(|shape| shape.offset)),
+            (
+                "cylinder",
+                object.cylinder.as_ref().map(|shape| shape.offset),
+            ),
+            ("sphere", object.sphere.as_ref().map(|shape| shape.offset)),
+            ("capsule", object.capsule.as_ref().map(|shape| shape.offset)),
+            ("mesh", object.mesh.as_ref().map(|shape| shape.offset)),
+        ],
+    )?;
+    if let Some(size) = &object.box_m {
+        return Ok(Shape::Box(Vector3::from(size.value.map(|side| side.0))));
+    }
+    if let Some(At { value, .. }) = &object.cylinder {
+        return Ok(Shape::Cylinder {
+            radius: value.radius_m.0,
+            height: value.height_m.0,
+        });
+    }
+    if let Some(At { value, .. }) = &object.sphere {
+        return Ok(Shape::Sphere {
+            radius: value.radius_m.0,
+        });
+    }
+    if let Some(At { value, .. }) = &object.capsule {
+        return Ok(Shape::Capsule {
+            radius: value.radius_m.0,
+            height: value.height_m.0,
+        });
+    }
+    let mesh = (object.mesh.as_ref()).ok_or_else(|| table.missing(source, "mesh"))?;
+    Ok(Shape::Mesh {
+        at: mesh.value.file.place(source),
+        file: mesh.value.file.value.0.clone(),
+        scale: mesh.value.scale.0,
+    })
+}
+
+fn particle_source(
+    table: &ParticlesTable,
+    source: &Source<'_>,
+) -> Result<ParticleSource, TaskError> {
+    Ok(match table {
+        ParticlesTable::Uniform { count } => ParticleSource::Uniform {
+            count: count.0 as usize,
+        },
+        ParticlesTable::Clusters { count, clusters } => {
+            let found = clusters.value.len();
+            if !(1..=MAX_CLUSTERS).contains(&found) {
+                return Err(clusters.inconsistent(
+                    source,
+                    format!(
+                        "{found} clusters, but there are at least 1 and at most {MAX_CLUSTERS}"
+                    ),
+                ));
+            }
+            ParticleSource::Clusters {
+                count: count.0 as usize,
+                clusters: clusters.value.iter().map(Cluster::from).collect(),
+            }
+        }
+        ParticlesTable::Csv { file } => ParticleSource::Csv {
+            file: file.0.clone(),
+        },
+        ParticlesTable::Image {
+            file,
+            corners_px,
+            color,
+            tolerance,
+            count,
+        } => ParticleSource::Image(MaskSource {
+            file: file.0.clone(),
+            corners_px: corners_px.map(|corner| corner.map(|x| x.0).into()),
+            color: color.map(|channel| channel.0 as u8),
+            tolerance: tolerance.0,
+            count: count.0 as usize,
+        }),
+    })
+}
+
+impl From<&ClusterTable> for Cluster {
+    fn from(table: &ClusterTable) -> Self {
+        Self {
+            center: point(table.center_m),
+            sigma: table.sigma_m.0,
+            weight: table.weight.0,
+        }
+    }
+}
+
+impl From<&ExecutionTable> for ExecutionRecord {
+    fn from(table: &ExecutionTable) -> Self {
+        let [about_x, about_y] = table
+            .surface_tilt_rad
+            .map_or([0.0; 2], |tilt| tilt.map(|t| t.0));
+        let shift = table
+            .surface_shift_m
+            .map_or([0.0; 3], |shift| shift.map(|s| s.0));
+        let bias = table
+            .force_bias_n
+            .map_or([0.0; 3], |bias| bias.map(|b| b.0));
+        Self {
+            believed_from_real: Pose::from_parts(
+                Translation3::from(Vector3::from(shift)),
+                UnitQuaternion::from_scaled_axis(Vector3::new(about_x, about_y, 0.0)),
+            ),
+            friction: table.friction.map(|friction| friction.0),
+            friction_changes: (table.friction_change.iter())
+                .map(|change| FrictionChange {
+                    round: change.round.0 as usize,
+                    time: change.start_s.0,
+                    friction: change.friction.0,
+                })
+                .collect(),
+            pushes: (table.push.iter())
+                .map(|push| Push {
+                    round: push.round.0 as usize,
+                    start: push.start_s.0,
+                    duration: push.duration_s.0,
+                    force: Vector3::from(push.force_n.map(|axis| axis.0)),
+                    hand_speed: push.hand_speed_m_per_s.0,
+                })
+                .collect(),
+            force_noise: table.force_noise_n.0,
+            force_bias: Vector3::from(bias),
+            mu: table.mu.map(|mu| mu.0),
+            sigma: table.sigma.map(|sigma| sigma.0),
+            max_bodies: table.max_bodies.0 as usize,
+        }
+    }
+}
+
+impl Default for ExecutionRecord {
+    fn default() -> Self {
+        Self::from(&ExecutionTable::default())
+    }
+}

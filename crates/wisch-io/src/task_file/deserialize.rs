@@ -1,0 +1,512 @@
+//! Serde over the tree of a task file: records are derived, and every refusal still says where and which key.
+
+use super::TaskError;
+use super::tree::{Entry, Node, Source, Value};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::de::value::{StrDeserializer, U64Deserializer};
+use serde::de::{
+    self, DeserializeSeed, Deserializer, EnumAccess, Expected, IntoDeserializer, MapAccess,
+    SeqAccess, Unexpected, VariantAccess, Visitor,
+};
+use serde::{Deserialize, forward_to_deserialize_any};
+use std::borrow::Cow;
+use std::fmt;
+use wisch::source_location::{Place, UnknownName};
+
+/// The newtype by which [`At`] asks for the place of its value.
+const AT: &str = "At";
+
+/// Reads a record; its type says which keys there are, which are needed, and their ranges.
+pub(super) fn record<'de, T: Deserialize<'de>>(
+    source: &'de Source<'de>,
+    tree: &'de Value,
+) -> Result<T, TaskError> {
+    let root = Field {
+        source,
+        path: String::new(),
+        value: tree,
+    };
+    T::deserialize(root).map_err(|fault| match fault {
+        Fault::Placed(error) => *error,
+        // Every value is read by a field, which gives its faults their place.
+        Fault::Unplaced(problem) => TaskError::Inconsistent {
+            at: source.place(0),
+            key: String::new(),
+            problem: format!("{problem:?}"),
+        },
+    })
+}
+
+/// A value with where it stands, for checks that need more than itself.
+#[derive(Debug, Clone)]
+pub(super) struct At<T> {
+    pub(super) offset: usize,
+    /// The full key, such as `scene[1].position_m`; empty for the whole file.
+    pub(super) path: String,
+    pub(super) value: T,
+}
+
+impl<T> At<T> {
+    pub(super) fn place(&self, source: &Source<'_>) -> Place {
+        source.place(self.offset)
+    }
+
+    pub(super) fn inconsistent(
+        &self,
+        source: &Source<'_>,
+        problem: impl Into<String>,
+    ) -> TaskError {
+        TaskError::Inconsistent {
+            at: self.place(source),
+            key: self.path.clone(),
+            problem: problem.into(),
+        }
+    }
+
+    /// That a key of this table is needed and not there.
+    pub(super) fn missing(&self, source: &Source<'_>, key: &'static str) -> TaskError {
+        TaskError::Missing {
+            at: self.place(source),
+            table: self.path.clone(),
+            key,
+        }
+    }
+
+    /// Checks that exactly one of these keys of this table is there, given by name and offset.
+    pub(super) fn exactly_one(
+        &self,
+        source: &Source<'_>,
+        keys: &[(&str, Option<usize>)],
+    ) -> Result<(), TaskError> {
+        let names: Vec<&str> = keys.iter().map(|(name, _)| *name).collect();
+        let found: Vec<(&str, usize)> = (keys.iter())
+            .filter_map(|(name, offset)| Some((*name, (*offset)?)))
+            .collect();
+        let (offset, found) = match &found[..] {
+            [_] => return Ok(()),
+            [] => (self.offset, "none is there".to_owned()),
+            [(one, _), (other, second), ..] => (*second, format!("{one} and {other} are there")),
+        };
+        Err(TaskError::Inconsistent {
+            at: source.place(offset),
+            key: self.path.clone(),
+            problem: format!("exactly one of {} is needed, {found}", names.join(", ")),
+        })
+    }
+}
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for At<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Parts<T>(std::marker::PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for Parts<T> {
+            type Value = At<T>;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a value with its place")
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut parts: A) -> Result<At<T>, A::Error> {
+                let lacks = |index| de::Error::invalid_length(index, &"offset, path and value");
+                Ok(At {
+                    offset: parts.next_element::<u64>()?.ok_or_else(|| lacks(0))? as usize,
+                    path: parts.next_element()?.ok_or_else(|| lacks(1))?,
+                    value: parts.next_element()?.ok_or_else(|| lacks(2))?,
+                })
+            }
+        }
+        deserializer.deserialize_newtype_struct(AT, Parts(std::marker::PhantomData))
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for At<T> {
+    fn inline_schema() -> bool {
+        T::inline_schema()
+    }
+    fn schema_name() -> Cow<'static, str> {
+        T::schema_name()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        T::json_schema(generator)
+    }
+}
+
+/// Why a value is refused, before and after it is known where it stands.
+#[derive(Debug)]
+enum Fault {
+    Placed(Box<TaskError>),
+    Unplaced(Problem),
+}
+
+#[derive(Debug)]
+enum Problem {
+    /// Of another type than this.
+    Expected(String),
+    /// Outside these limits.
+    Limits(String),
+    MissingKey(&'static str),
+    UnknownKey(String, &'static [&'static str]),
+    UnknownName(String, &'static [&'static str]),
+    Other(String),
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Placed(error) => error.fmt(f),
+            Self::Unplaced(problem) => write!(f, "{problem:?}"),
+        }
+    }
+}
+
+impl std::error::Error for Fault {}
+
+impl de::Error for Fault {
+    fn custom<T: fmt::Display>(message: T) -> Self {
+        Self::Unplaced(Problem::Other(message.to_string()))
+    }
+    fn invalid_type(_: Unexpected<'_>, expected: &dyn Expected) -> Self {
+        Self::Unplaced(Problem::Expected(expected.to_string()))
+    }
+    fn invalid_value(_: Unexpected<'_>, limits: &dyn Expected) -> Self {
+        Self::Unplaced(Problem::Limits(limits.to_string()))
+    }
+    fn missing_field(key: &'static str) -> Self {
+        Self::Unplaced(Problem::MissingKey(key))
+    }
+    fn unknown_field(key: &str, known: &'static [&'static str]) -> Self {
+        Self::Unplaced(Problem::UnknownKey(key.to_owned(), known))
+    }
+    fn unknown_variant(name: &str, known: &'static [&'static str]) -> Self {
+        Self::Unplaced(Problem::UnknownName(name.to_owned(), known))
+    }
+}
+
+/// A value under its full key.
+#[derive(Clone)]
+struct Field<'de> {
+    source: &'de Source<'de>,
+    path: String,
+    value: &'de Value,
+}
+
+impl<'de> Field<'de> {
+    /// What is wrong with this value; `kind` is what a name in it names.
+    fn placed(&self, fault: Fault, kind: &'static str) -> Fault {
+        let Fault::Unplaced(problem) = fault else {
+            return fault;
+        };
+        let at = self.source.place(self.value.offset);
+        let key = self.path.clone();
+        Fault::Placed(Box::new(match problem {
+            Problem::Expected(expected) => TaskError::WrongType {
+                at,
+                key,
+                expected,
+                found: self.value.node.description(),
+            },
+            Problem::Limits(limits) => TaskError::OutOfRange {
+                at,
+                key,
+                value: self.value.node.description(),
+                limits,
+            },
+            Problem::MissingKey(missing) => TaskError::Missing {
+                at,
+                table: key,
+                key: missing,
+            },
+            Problem::UnknownKey(unknown, known) => TaskError::UnknownKey {
+                at,
+                table: key,
+                unknown: Box::new(UnknownName::new("key", &unknown, known.iter().copied())),
+            },
+            Problem::UnknownName(unknown, known) => TaskError::UnknownReference {
+                at,
+                unknown: Box::new(UnknownName::new(kind, &unknown, known.iter().copied())),
+            },
+            Problem::Other(problem) => TaskError::Inconsistent { at, key, problem },
+        }))
+    }
+
+    fn expected<T>(&self, expected: impl Into<String>) -> Result<T, Fault> {
+        Err(self.placed(Fault::Unplaced(Problem::Expected(expected.into())), ""))
+    }
+
+    fn visit<V: Visitor<'de>>(self, visitor: V, kind: &'static str) -> Result<V::Value, Fault> {
+        let result = match &self.value.node {
+            Node::String(text) => visitor.visit_str(text),
+            Node::Integer(number) => match u64::try_from(*number) {
+                Ok(number) => visitor.visit_u64(number),
+                Err(_) => visitor.visit_i128(*number),
+            },
+            Node::Float(number) => visitor.visit_f64(*number),
+            Node::Array(items) => visitor.visit_seq(Items {
+                array: &self,
+                items: items.iter().enumerate(),
+            }),
+            Node::Table(entries) => visitor.visit_map(Entries {
+                table: &self,
+                entries: entries.iter(),
+                left_out: "",
+                current: None,
+            }),
+            Node::Boolean(is_on) => visitor.visit_bool(*is_on),
+            Node::Other(_) => Err(de::Error::invalid_type(Unexpected::Unit, &visitor)),
+        };
+        result.map_err(|fault| self.placed(fault, kind))
+    }
+}
+
+impl<'de> Deserializer<'de> for Field<'de> {
+    type Error = Fault;
+
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        self.visit(visitor, "name")
+    }
+
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        visitor.visit_some(self)
+    }
+
+    fn deserialize_newtype_struct<V: Visitor<'de>>(
+        self,
+        name: &'static str,
+        visitor: V,
+    ) -> Result<V::Value, Fault> {
+        if name == AT {
+            visitor.visit_seq(Parts {
+                field: self,
+                next: 0,
+            })
+        } else {
+            visitor.visit_newtype_struct(self)
+        }
+    }
+
+    fn deserialize_seq<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        match self.value.node {
+            Node::Array(_) => self.visit(visitor, ""),
+            _ => self.expected("an array"),
+        }
+    }
+
+    fn deserialize_tuple<V: Visitor<'de>>(self, len: usize, visitor: V) -> Result<V::Value, Fault> {
+        match &self.value.node {
+            Node::Array(items) if items.len() == len => self.visit(visitor, ""),
+            _ => self.expected(format!("an array of {len}")),
+        }
+    }
+
+    fn deserialize_struct<V: Visitor<'de>>(
+        self,
+        _name: &'static str,
+        _fields: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Fault> {
+        match self.value.node {
+            Node::Table(_) => self.visit(visitor, ""),
+            _ => self.expected("a table"),
+        }
+    }
+
+    /// An enum without data is a string. One with data is a table whose key of the enum's name says which.
+    fn deserialize_enum<V: Visitor<'de>>(
+        self,
+        name: &'static str,
+        variants: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Fault> {
+        match &self.value.node {
+            Node::String(text) => {
+                let variant: StrDeserializer<'_, Fault> = text.as_str().into_deserializer();
+                (visitor.visit_enum(variant)).map_err(|fault| self.placed(fault, name))
+            }
+            Node::Table(entries) => {
+                let Some(tag) = entries.iter().find(|entry| entry.key == name) else {
+                    return Err(self.placed(Fault::Unplaced(Problem::MissingKey(name)), name));
+                };
+                let tag = self.entry(tag);
+                let Node::String(variant) = &tag.value.node else {
+                    return tag.expected("a string");
+                };
+                if !variants.contains(&variant.as_str()) {
+                    let unknown = Problem::UnknownName(variant.clone(), variants);
+                    return Err(tag.placed(Fault::Unplaced(unknown), name));
+                }
+                let tagged = Tagged {
+                    table: &self,
+                    variant,
+                    entries,
+                    tag: name,
+                };
+                (visitor.visit_enum(tagged)).map_err(|fault| self.placed(fault, name))
+            }
+            Node::Integer(number) if let Ok(number) = u64::try_from(*number) => {
+                (visitor.visit_u64(number)).map_err(|fault| self.placed(fault, name))
+            }
+            _ => self.expected("a string"),
+        }
+    }
+
+    forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf unit
+        unit_struct tuple_struct map identifier ignored_any
+    }
+}
+
+impl<'de> Field<'de> {
+    fn entry(&self, entry: &'de Entry) -> Field<'de> {
+        Field {
+            source: self.source,
+            path: match self.path.as_str() {
+                "" => entry.key.clone(),
+                path => format!("{path}.{}", entry.key),
+            },
+            value: &entry.value,
+        }
+    }
+}
+
+/// Offset, path and value, for [`At`].
+struct Parts<'de> {
+    field: Field<'de>,
+    next: usize,
+}
+
+impl<'de> SeqAccess<'de> for Parts<'de> {
+    type Error = Fault;
+
+    fn next_element_seed<T: DeserializeSeed<'de>>(
+        &mut self,
+        seed: T,
+    ) -> Result<Option<T::Value>, Fault> {
+        self.next += 1;
+        match self.next {
+            1 => {
+                let offset: U64Deserializer<Fault> =
+                    (self.field.value.offset as u64).into_deserializer();
+                seed.deserialize(offset).map(Some)
+            }
+            2 => seed
+                .deserialize(self.field.path.clone().into_deserializer())
+                .map(Some),
+            3 => seed.deserialize(self.field.clone()).map(Some),
+            _ => Ok(None),
+        }
+    }
+}
+
+struct Items<'a, 'de> {
+    array: &'a Field<'de>,
+    items: std::iter::Enumerate<std::slice::Iter<'de, Value>>,
+}
+
+impl<'de> SeqAccess<'de> for Items<'_, 'de> {
+    type Error = Fault;
+
+    fn next_element_seed<T: DeserializeSeed<'de>>(
+        &mut self,
+        seed: T,
+    ) -> Result<Option<T::Value>, Fault> {
+        let Some((index, value)) = self.items.next() else {
+            return Ok(None);
+        };
+        let item = Field {
+            source: self.array.source,
+            path: format!("{}[{index}]", self.array.path),
+            value,
+        };
+        seed.deserialize(item).map(Some)
+    }
+}
+
+struct Entries<'a, 'de> {
+    table: &'a Field<'de>,
+    entries: std::slice::Iter<'de, Entry>,
+    /// The key that has said which variant the table is.
+    left_out: &'static str,
+    current: Option<&'de Entry>,
+}
+
+impl<'de> MapAccess<'de> for Entries<'_, 'de> {
+    type Error = Fault;
+
+    fn next_key_seed<K: DeserializeSeed<'de>>(
+        &mut self,
+        seed: K,
+    ) -> Result<Option<K::Value>, Fault> {
+        let left_out = self.left_out;
+        self.current = self.entries.find(|entry| entry.key != left_out);
+        let Some(entry) = self.current else {
+            return Ok(None);
+        };
+        let key: StrDeserializer<'_, Fault> = entry.key.as_str().into_deserializer();
+        seed.deserialize(key).map(Some).map_err(|fault| {
+            // The key is at fault, not its value.
+            match self.table.placed(fault, "key") {
+                Fault::Placed(mut error) => {
+                    if let TaskError::UnknownKey { at, .. } = &mut *error {
+                        *at = self.table.source.place(entry.offset);
+                    }
+                    Fault::Placed(error)
+                }
+                unplaced => unplaced,
+            }
+        })
+    }
+
+    fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, Fault> {
+        match self.current {
+            Some(entry) => seed.deserialize(self.table.entry(entry)),
+            None => Err(de::Error::custom("a value without its key")),
+        }
+    }
+}
+
+/// A table whose tag has said which variant it is.
+struct Tagged<'a, 'de> {
+    table: &'a Field<'de>,
+    variant: &'de str,
+    entries: &'de [Entry],
+    tag: &'static str,
+}
+
+impl<'de> EnumAccess<'de> for Tagged<'_, 'de> {
+    type Error = Fault;
+    type Variant = Self;
+
+    fn variant_seed<V: DeserializeSeed<'de>>(
+        self,
+        seed: V,
+    ) -> Result<(V::Value, Self::Variant), Fault> {
+        let variant: StrDeserializer<'_, Fault> = self.variant.into_deserializer();
+        Ok((seed.deserialize(variant)?, self))
+    }
+}
+
+impl<'de> VariantAccess<'de> for Tagged<'_, 'de> {
+    type Error = Fault;
+
+    fn unit_variant(self) -> Result<(), Fault> {
+        self.table.expected("a string")
+    }
+
+    fn newtype_variant_seed<T: DeserializeSeed<'de>>(self, _: T) -> Result<T::Value, Fault> {
+        self.table.expected("a string")
+    }
+
+    fn tuple_variant<V: Visitor<'de>>(self, _: usize, _: V) -> Result<V::Value, Fault> {
+        self.table.expected("a string")
+    }
+
+    fn struct_variant<V: Visitor<'de>>(
+        self,
+        _fields: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Fault> {
+        visitor.visit_map(Entries {
+            table: self.table,
+            entries: self.entries.iter(),
+            left_out: self.tag,
+            current: None,
+        })
+    }
+}

@@ -1,0 +1,223 @@
+//! The values that keys of a task file take: each range stands here once, for the reader and the schema.
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::{Unexpected, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+use std::borrow::Cow;
+use std::f64::consts::TAU;
+use std::fmt;
+use wisch::geometry::Point2;
+use wisch::represent::MAX_PARTICLES;
+
+/// A type for each range: a number that is read only from within it.
+macro_rules! ranges {
+    ($number:ty, $visitor:ident; $($(#[$doc:meta])* $name:ident = $limits:expr;)*) => {$(
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+        pub(super) struct $name(pub(super) $number);
+
+        impl<'de> Deserialize<'de> for $name {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                let (min, max) = $limits;
+                deserializer.deserialize_any($visitor { min, max }).map(Self)
+            }
+        }
+
+        impl JsonSchema for $name {
+            fn inline_schema() -> bool {
+                true
+            }
+            fn schema_name() -> Cow<'static, str> {
+                stringify!($name).into()
+            }
+            fn json_schema(_: &mut SchemaGenerator) -> Schema {
+                let (min, max): ($number, $number) = $limits;
+                json_schema!({ "type": $visitor::TYPE, "minimum": min, "maximum": max })
+            }
+        }
+    )*};
+}
+
+ranges! { f64, NumberWithin;
+    /// Coordinates of places [m].
+    PositionM = (-100.0, 100.0);
+    /// Sizes of surfaces and objects [m].
+    SizeM = (1e-3, 100.0);
+    /// A full turn either way [rad].
+    AngleRad = (-TAU, TAU);
+    /// A component of a unit quaternion, with room for rounding.
+    QuaternionPart = (-1.001, 1.001);
+    /// From drawings in micrometres to drawings in kilometres.
+    Scale = (1e-6, 1e3);
+    /// Spread of a heap [m]: less than a crumb up to a room.
+    SigmaM = (1e-5, 10.0);
+    /// Shares relative to each other.
+    Weight = (1e-9, 1e9);
+    /// Bandwidths [m]: narrower than the grains, or wider than any surface, says nothing.
+    BandwidthM = (1e-3, 10.0);
+    /// Clear of the surface, within an arm's reach [m].
+    LiftHeightM = (1e-3, 1.0);
+    /// Distances between colours in RGB; black and white are 441.67 apart.
+    ColorDistance = (0.0, 442.0);
+    /// Coordinates in an image [px]; its true size is known once it is read.
+    Pixel = (0.0, 1e6);
+    /// Shares of a whole.
+    Share = (0.0, 1.0);
+    /// Tilts [rad]: beyond this a surface is another one, not one badly localised.
+    TiltRad = (-0.3, 0.3);
+    /// Shifts of a badly localised surface [m].
+    ShiftM = (-0.2, 0.2);
+    /// Coulomb coefficients, from ice to rubber.
+    Friction = (0.0, 2.0);
+    /// Times in executions of up to an hour [s].
+    TimeS = (0.0, 3600.0);
+    /// How long a push lasts [s].
+    DurationS = (1e-3, 60.0);
+    /// What people push with, along one axis [N].
+    PushForceN = (-200.0, 200.0);
+    /// Speeds of hands [m/s].
+    HandSpeed = (1e-3, 2.0);
+    /// Standard deviations of measured forces [N].
+    NoiseN = (0.0, 10.0);
+    /// Biases of measured forces, along one axis [N].
+    BiasN = (-20.0, 20.0);
+    /// Means of ln f′.
+    LogForce = (-20.0, 20.0);
+    /// Standard deviations of ln f′.
+    LogSpread = (1e-3, 20.0);
+    /// How deep a tool gives way [m]; a rigid one does not.
+    DepthM = (0.0, 0.1);
+    /// Sides of a tool's footprint [m].
+    FootprintM = (1e-3, 2.0);
+    /// Diameters of grains [m].
+    GrainM = (1e-7, 0.1);
+    /// Forces with which arms press [N].
+    PressForceN = (0.01, 200.0);
+    /// Cartesian stiffness that a compliance controller at 1 kHz keeps stable [N/m].
+    Stiffness = (1.0, 1e5);
+    /// Aperiodic at 1; far beyond, the arm no longer moves.
+    DampingRatio = (0.0, 10.0);
+    /// Weights relative to the Cartesian task.
+    PostureWeight = (0.0, 1e3);
+}
+
+ranges! { u64, IntegerWithin;
+    /// Any seed.
+    Seed = (0, u64::MAX);
+    /// How many particles.
+    ParticleCount = (1, MAX_PARTICLES as u64);
+    /// How many plans to choose from.
+    Variants = (1, 100);
+    /// A channel of a colour.
+    Channel = (0, 255);
+    /// How many particles are bodies of the physics world.
+    Bodies = (0, 2000);
+    /// Rounds, counted from 1.
+    Rounds = (1, 100);
+    /// The version of the file format.
+    SchemaVersion = (super::SCHEMA, super::SCHEMA);
+}
+
+struct NumberWithin {
+    min: f64,
+    max: f64,
+}
+
+impl NumberWithin {
+    const TYPE: &'static str = "number";
+}
+
+impl Visitor<'_> for NumberWithin {
+    type Value = f64;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a number")
+    }
+    fn visit_f64<E: serde::de::Error>(self, number: f64) -> Result<f64, E> {
+        // NaN lies in no range.
+        if (self.min..=self.max).contains(&number) {
+            return Ok(number);
+        }
+        let limits = format!("at least {} and at most {}", self.min, self.max);
+        Err(E::invalid_value(
+            Unexpected::Float(number),
+            &limits.as_str(),
+        ))
+    }
+    fn visit_u64<E: serde::de::Error>(self, number: u64) -> Result<f64, E> {
+        self.visit_f64(number as f64)
+    }
+    fn visit_i128<E: serde::de::Error>(self, number: i128) -> Result<f64, E> {
+        self.visit_f64(number as f64)
+    }
+}
+
+struct IntegerWithin {
+    min: u64,
+    max: u64,
+}
+
+impl IntegerWithin {
+    const TYPE: &'static str = "integer";
+}
+
+impl Visitor<'_> for IntegerWithin {
+    type Value = u64;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a whole number")
+    }
+    fn visit_i128<E: serde::de::Error>(self, number: i128) -> Result<u64, E> {
+        let whole = u64::try_from(number).ok();
+        whole
+            .filter(|whole| (self.min..=self.max).contains(whole))
+            .ok_or_else(|| {
+                let limits = format!("at least {} and at most {}", self.min, self.max);
+                E::invalid_value(Unexpected::Other("whole number"), &limits.as_str())
+            })
+    }
+    fn visit_u64<E: serde::de::Error>(self, number: u64) -> Result<u64, E> {
+        self.visit_i128(i128::from(number))
+    }
+}
+
+/// A string that is not empty.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub(super) struct Name(pub(super) String);
+
+impl<'de> Deserialize<'de> for Name {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct NotEmpty;
+        impl Visitor<'_> for NotEmpty {
+            type Value = Name;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a string")
+            }
+            fn visit_str<E: serde::de::Error>(self, name: &str) -> Result<Name, E> {
+                if name.trim().is_empty() {
+                    let expected = "a string that is not empty";
+                    return Err(E::invalid_type(Unexpected::Str(name), &expected));
+                }
+                Ok(Name(name.to_owned()))
+            }
+        }
+        deserializer.deserialize_any(NotEmpty)
+    }
+}
+
+impl JsonSchema for Name {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> Cow<'static, str> {
+        "Name".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "string", "pattern": "\\S" })
+    }
+}
+
+/// A place on the surface [m].
+pub(super) fn point([x, y]: [PositionM; 2]) -> Point2 {
+    Point2::new(x.0, y.0)
+}
