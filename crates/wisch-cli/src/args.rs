@@ -13,6 +13,7 @@ pub use memory::{
 };
 pub use robot::{RobotCheckArgs, RobotCommand, RobotMapArgs};
 
+use crate::terminal::print_json_error;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum, ValueHint};
 use std::ffi::OsString;
@@ -58,7 +59,17 @@ impl Cli {
             ColorChoice::Always => clap::ColorChoice::Always,
             ColorChoice::Never => clap::ColorChoice::Never,
         });
-        Self::from_arg_matches(&command.get_matches()).unwrap_or_else(|error| error.exit())
+        let parsed = command.try_get_matches();
+        parsed
+            .and_then(|matches| Self::from_arg_matches(&matches))
+            .unwrap_or_else(|error| {
+                if error.use_stderr() {
+                    let text = error.to_string();
+                    let sentence = text.lines().next().unwrap_or_default();
+                    print_json_error(sentence.trim_start_matches("error: "), None);
+                }
+                error.exit()
+            })
     }
 }
 
@@ -336,9 +347,13 @@ pub struct RobotArgs {
 /// Where the results go.
 #[derive(Debug, Args)]
 pub struct ResultArgs {
-    /// Output folder; one of an earlier run is replaced [default: out/NAME-OF-THE-TASK]
+    /// Output folder; that of a run is replaced by a run only [default: out/NAME-OF-THE-TASK, and for less
+    /// than a run with a robot out/NAME-planned, -predicted or -followed]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: Option<PathBuf>,
+    /// Replace an output folder that holds what a run measured, too
+    #[arg(long)]
+    pub force: bool,
     /// Print one JSON object instead of the summary
     #[arg(long)]
     pub json: bool,

@@ -76,10 +76,23 @@ pub fn complain_of(failure: &Failure) {
     } else {
         ("", "", "")
     };
+    print_json_error(&failure.to_string(), failure.help());
     let help = failure.help().map_or_else(String::new, |help| {
         format!("\n  {green}help:{plain} {help}")
     });
     complain(&format!("{red}error:{plain} {failure}{help}"));
+}
+
+/// Where one machine-readable result is asked for, prints the error as that.
+pub fn print_json_error(error: &str, help: Option<&str>) {
+    let asked = std::env::args_os().take_while(|arg| arg != "--");
+    if asked.skip(1).any(|arg| arg == "--json") {
+        // Whoever reads it may have gone away.
+        let _ = print(&format!(
+            "{}\n",
+            serde_json::json!({ "error": error, "help": help })
+        ));
+    }
 }
 
 /// Prints to standard output. A reader that has gone away, as `head` does, is no error.

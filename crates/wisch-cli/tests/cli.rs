@@ -571,3 +571,79 @@ fn shells_complete_the_commands_and_a_manual_shows_them() {
     let page = fs::read_to_string(folder.path().join("man1/wisch-run.1")).expect("a page");
     assert!(page.contains("seed"), "{page}");
 }
+
+#[test]
+fn what_a_run_measured_is_not_replaced_by_less() {
+    let folder = folder_with_task();
+    let run = [
+        "run",
+        "board.toml",
+        "--rounds",
+        "1",
+        "--quiet",
+        "--out",
+        "here",
+    ];
+    assert!(output(folder.path(), &run).0 < 2);
+    let bag = folder.path().join("here/telemetry/round-1.mcap");
+    assert!(bag.is_file());
+    for command in ["predict", "plan", "follow"] {
+        let (code, _, err) = output(folder.path(), &[command, "board.toml", "--out", "here"]);
+        assert_eq!(code, 2, "{command}");
+        assert!(
+            err.contains("what a run measured") && err.contains("--force"),
+            "{err}"
+        );
+        assert!(bag.is_file(), "{command}");
+    }
+    let forced = ["plan", "board.toml", "--out", "here", "--force", "--quiet"];
+    assert_eq!(output(folder.path(), &forced).0, 0);
+    assert!(!bag.exists());
+}
+
+#[test]
+fn an_error_is_one_json_object_where_one_is_asked_for() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for (args, expected) in [
+        (
+            &["run", "none.toml", "--json"][..],
+            "none.toml: there is no such file",
+        ),
+        (
+            &["run", "--json", "--bla"],
+            "unexpected argument '--bla' found",
+        ),
+    ] {
+        let (code, out, err) = output(folder.path(), args);
+        assert_eq!(code, 2);
+        assert_eq!(json(&out)["error"], expected);
+        assert!(err.contains(expected), "{err}");
+    }
+    let (_, out, _) = output(folder.path(), &["run", "none.toml"]);
+    assert_eq!(out, "");
+}
+
+#[test]
+#[cfg(unix)]
+fn a_pipe_that_nobody_writes_into_is_not_waited_for_for_ever() {
+    let folder = folder_with_task();
+    let task = fs::read(folder.path().join("board.toml")).expect("a task");
+    let pipe = folder.path().join("pipe.toml");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.expect("mkfifo").success());
+    let writer = std::thread::spawn({
+        let pipe = pipe.clone();
+        move || fs::write(pipe, task)
+    });
+    assert_eq!(
+        output(folder.path(), &["plan", "pipe.toml", "--quiet"]).0,
+        0
+    );
+    writer.join().expect("a writer").expect("written");
+    let (code, _, err) = output(folder.path(), &["plan", "pipe.toml"]);
+    assert_eq!(code, 2);
+    assert!(
+        err.contains("pipe.toml: this is a pipe into which nobody wrote"),
+        "{err}"
+    );
+}

@@ -37,6 +37,9 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Error> {
         },
         _ => Error::unusable(path, error),
     };
+    if is_pipe(path) {
+        return read_pipe(path);
+    }
     let file = File::open(path).map_err(failed)?;
     let metadata = file.metadata().map_err(failed)?;
     if metadata.is_dir() {
@@ -53,6 +56,62 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Error> {
         return Err(Error::unusable(path, problem));
     }
     Ok(bytes)
+}
+
+/// How long a pipe that nobody writes into is waited for.
+#[cfg(unix)]
+const PATIENCE: std::time::Duration = std::time::Duration::from_secs(10);
+
+#[cfg(unix)]
+fn is_pipe(path: &Path) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+    std::fs::metadata(path).is_ok_and(|metadata| metadata.file_type().is_fifo())
+}
+
+#[cfg(not(unix))]
+fn is_pipe(_: &Path) -> bool {
+    false
+}
+
+#[cfg(not(unix))]
+fn read_pipe(path: &Path) -> Result<Vec<u8>, Error> {
+    Err(Error::unusable(path, "this is no file"))
+}
+
+/// Reads a named pipe to its end; gives up where nothing comes.
+#[cfg(unix)]
+fn read_pipe(path: &Path) -> Result<Vec<u8>, Error> {
+    use std::os::unix::fs::OpenOptionsExt;
+    let failed = |error: std::io::Error| Error::unusable(path, error);
+    let mut pipe = File::options()
+        .read(true)
+        .custom_flags(libc::O_NONBLOCK)
+        .open(path)
+        .map_err(failed)?;
+    let mut bytes = Vec::new();
+    let mut since = std::time::Instant::now();
+    let mut part = [0; 1 << 16];
+    loop {
+        match pipe.read(&mut part) {
+            // Its end, or nobody has opened the other side yet.
+            Ok(0) if !bytes.is_empty() => return Ok(bytes),
+            Ok(count) if count > 0 => {
+                bytes.extend_from_slice(&part[..count]);
+                since = std::time::Instant::now();
+            }
+            Err(error) if error.kind() != ErrorKind::WouldBlock => return Err(failed(error)),
+            _ => std::thread::sleep(std::time::Duration::from_millis(10)),
+        }
+        if bytes.len() as u64 > MAX_FILE_LEN {
+            let problem = format!("it exceeds the limit of {MAX_FILE_LEN} bytes");
+            return Err(Error::unusable(path, problem));
+        }
+        if since.elapsed() > PATIENCE {
+            let waited = PATIENCE.as_secs();
+            let problem = format!("this is a pipe into which nobody wrote for {waited} s");
+            return Err(Error::unusable(path, problem));
+        }
+    }
 }
 
 /// Reads a whole file as text.

@@ -22,6 +22,6 @@ pub use checkpoint::{Checkpoints, KeptRound};
 pub use dirt::{Dirt, Grain};
 pub use error::SimulationError;
 pub use period::execute;
-pub use settings::SimulationSettings;
+pub use settings::{Schedule, SimulationSettings};
 pub use truth::{GroundTruth, Spread};
 pub use world::World;

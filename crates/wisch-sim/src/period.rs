@@ -16,7 +16,7 @@ use wisch::random::normal;
 use wisch::represent::Task;
 use wisch::robot::{Articulation, ArticulationState, Range};
 use wisch::run::{Ending, Execution, MotionOrder, SampleSink, StopCause, TelemetrySample, Wrench};
-use wisch_io::{FrictionChange, Push};
+use wisch_io::Push;
 
 /// Faster than this no robot moves [rad/s or m/s].
 const MAX_VELOCITY: f64 = 100.0;
@@ -66,8 +66,9 @@ struct Simulation<'a> {
     followed: &'a Followed,
     config: &'a ControlConfig,
     settings: &'a SimulationSettings,
-    pushes: Vec<Push>,
-    friction_changes: Vec<FrictionChange>,
+    /// With when they begin [s].
+    pushes: Vec<(f64, Push)>,
+    friction_changes: Vec<(f64, f64)>,
     plant: Plant,
     grains: GrainBodies,
     dirt: Dirt,
@@ -155,9 +156,9 @@ impl<'a> Simulation<'a> {
         let interaction = &task.interaction;
         let controller = ImpedanceController::new(compliant, ranges, interaction, surface, config);
         let count = articulation.dof();
-        let mut friction_changes = settings.friction_changes.clone();
-        friction_changes.retain(|change| change.round == round);
-        friction_changes.sort_by(|a, b| b.time.total_cmp(&a.time));
+        let schedule = settings.schedule(round, followed);
+        let mut friction_changes = schedule.friction_changes;
+        friction_changes.reverse();
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         random.set_stream(NOISE_STREAM ^ round as u64);
         Ok(Self {
@@ -166,10 +167,7 @@ impl<'a> Simulation<'a> {
             followed,
             config,
             settings,
-            pushes: (settings.pushes.iter())
-                .filter(|push| push.round == round)
-                .copied()
-                .collect(),
+            pushes: schedule.pushes,
             friction_changes,
             plant,
             grains,
@@ -418,19 +416,20 @@ impl<'a> Simulation<'a> {
         while self
             .friction_changes
             .last()
-            .is_some_and(|change| change.time <= time)
+            .is_some_and(|(start, _)| *start <= time)
         {
-            if let Some(change) = self.friction_changes.pop() {
-                self.plant.set_friction(change.friction);
+            if let Some((_, friction)) = self.friction_changes.pop() {
+                self.plant.set_friction(friction);
             }
         }
         let mut is_pushed = false;
-        for push in &self.pushes {
-            if !(push.start..push.start + push.duration + SETTLING).contains(&time) {
+        for (start, push) in &self.pushes {
+            let end = start + push.duration;
+            if !(*start..end + SETTLING).contains(&time) {
                 continue;
             }
             is_pushed = true;
-            if time >= push.start + push.duration {
+            if time >= end {
                 continue;
             }
             let size = push.force.norm();

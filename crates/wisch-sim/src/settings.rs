@@ -1,5 +1,6 @@
 //! How the simulated world really is, which neither the plan nor the interpretation is told.
 
+use wisch::follow::Followed;
 use wisch::geometry::{Pose, Vector3};
 use wisch::represent::{GrainSize, KnowledgeBase, KnowledgeError, LogNormal, MediumKind, Task};
 use wisch_io::{ExecutionRecord, FrictionChange, Push};
@@ -80,4 +81,38 @@ impl SimulationSettings {
             max_bodies: record.max_bodies,
         })
     }
+
+    /// What disturbs a round's motion, and when.
+    pub fn schedule(&self, round: usize, followed: &Followed) -> Schedule {
+        let mut schedule = Schedule::default();
+        for push in self.pushes.iter().filter(|push| push.round == round) {
+            match push.start.time(followed) {
+                Some(start) => schedule.pushes.push((start, *push)),
+                None => schedule.missed.push(format!("a push at {}", push.start)),
+            }
+        }
+        let changes = self.friction_changes.iter();
+        for change in changes.filter(|change| change.round == round) {
+            match change.start.time(followed) {
+                Some(start) => schedule.friction_changes.push((start, change.friction)),
+                None => {
+                    let text = format!("a change of friction at {}", change.start);
+                    schedule.missed.push(text);
+                }
+            }
+        }
+        (schedule.friction_changes).sort_by(|a, b| a.0.total_cmp(&b.0));
+        schedule
+    }
+}
+
+/// What disturbs one motion.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Schedule {
+    /// Pushes, each with its start [s].
+    pub pushes: Vec<(f64, Push)>,
+    /// From when on [s] which coefficient of friction [1], by time.
+    pub friction_changes: Vec<(f64, f64)>,
+    /// In words, what never happens because the motion ends before.
+    pub missed: Vec<String>,
 }

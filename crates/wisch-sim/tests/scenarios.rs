@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use wisch::interpret::EventKind;
 use wisch::recover::Verdict;
 use wisch::run::{Ending, Round, RunConfig, Session};
-use wisch_io::{LoadedTask, load_task};
+use wisch_io::{LoadedTask, Moment, load_task};
 use wisch_sim::{GroundTruth, SimulationSettings, World};
 use wisch_testkit::{by_density, humanoid, run_config, scenario};
 
@@ -19,11 +19,14 @@ const FELT: f64 = 0.05;
 /// A round, what was true of it, and the true performance [1].
 type Executed = (Round, GroundTruth, f64);
 
+fn settings(loaded: &LoadedTask) -> SimulationSettings {
+    SimulationSettings::of(loaded.file.execution(), &loaded.task, &loaded.knowledge).unwrap()
+}
+
 /// The first rounds of a scenario with the humanoid, seed 1.
 fn executed(name: &str, most: usize) -> (LoadedTask, Vec<Executed>) {
     let loaded = load_task(&scenario(name), &by_density(1)).unwrap();
-    let settings = SimulationSettings::of(loaded.file.execution(), &loaded.task, &loaded.knowledge);
-    let mut world = World::new(&loaded.task, settings.unwrap());
+    let mut world = World::new(&loaded.task, settings(&loaded));
     let robot = humanoid();
     let config = RunConfig {
         max_rounds: most,
@@ -100,15 +103,23 @@ fn pushes_are_felt_when_they_happen_and_what_they_cost_is_wiped_again() {
     assert_eq!(rounds.len(), 2);
     let (first, _, before) = &rounds[0];
     assert_eq!(first.verdict, Verdict::Again);
-    // The second of its pushes comes after this round has ended.
-    let pushes = &loaded.file.execution().pushes;
-    let pushes = (pushes.iter()).filter(|push| push.start < first.execution.duration);
+    let settings = settings(&loaded);
+    let schedule = settings.schedule(1, &first.motion.followed);
+    assert_eq!(schedule.missed, [] as [String; 0]);
+    let mut too_late = settings.clone();
+    too_late.pushes[0].start = Moment::Seconds(1000.0);
+    too_late.pushes[1].start = Moment::Stroke(500);
+    assert_eq!(
+        too_late.schedule(1, &first.motion.followed).missed,
+        ["a push at 1000.0 s", "a push at stroke 500"]
+    );
+    let pushes = schedule.pushes.iter();
     let pushed: Vec<[f64; 2]> = pushes
-        .map(|push| [push.start, push.start + push.duration])
+        .map(|(start, push)| [*start, start + push.duration])
         .collect();
     let felt = collisions(first);
-    assert_eq!((pushed.len(), felt.len()), (1, 1), "{felt:?}");
-    for (real, felt) in pushed[0].into_iter().zip(felt[0]) {
+    assert_eq!((pushed.len(), felt.len()), (2, 2), "{felt:?}");
+    for (real, felt) in pushed.into_iter().flatten().zip(felt.into_iter().flatten()) {
         assert!(
             (real - felt).abs() <= FELT,
             "felt at {felt} s, pushed at {real} s"
@@ -117,7 +128,11 @@ fn pushes_are_felt_when_they_happen_and_what_they_cost_is_wiped_again() {
     let (second, _, after) = &rounds[1];
     assert_eq!(collisions(second), [] as [[f64; 2]; 0]);
     assert_eq!(second.verdict, Verdict::GoalMet);
-    assert!(*before < 0.9 && *after > 0.95, "{before}, then {after}");
+    let predicted = first.motion.prediction.performance.ratio();
+    assert!(
+        *before < predicted - 0.05 && *after > 0.95,
+        "{predicted} predicted, {before}, then {after}"
+    );
 }
 
 #[test]

@@ -16,6 +16,9 @@ pub struct InterpretArgs {
     /// Output folder; one of an earlier run is replaced [default: out/NAME-OF-THE-TASK-interpreted]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: Option<PathBuf>,
+    /// Replace an output folder that holds what a run measured, too
+    #[arg(long)]
+    pub force: bool,
     /// Print one JSON object instead of the summary
     #[arg(long)]
     pub json: bool,

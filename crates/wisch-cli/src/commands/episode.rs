@@ -7,7 +7,6 @@ use crate::args::{KeepArgs, TaskArgs};
 use crate::failure::Failure;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::{SystemTime, UNIX_EPOCH};
 use wisch::run::{PlannedRound, RunEvent};
@@ -86,24 +85,13 @@ impl EpisodeRecorder {
         Ok(Self { kept: Some(kept) })
     }
 
-    /// Looks on while the loop runs; stops it where nothing more can be written.
-    pub fn see(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
-        let Some(kept) = &mut self.kept else {
-            return ControlFlow::Continue(());
-        };
-        match kept.see(event) {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(error) => {
-                kept.failure.get_or_insert(error);
-                ControlFlow::Break(())
-            }
+    /// Looks on while the loop runs. Where nothing more can be written, the loop goes on without.
+    pub fn see(&mut self, event: &RunEvent<'_>) {
+        if let Some(kept) = &mut self.kept
+            && kept.failure.is_none()
+        {
+            kept.failure = kept.see(event).err();
         }
-    }
-
-    /// Whether all could be written so far.
-    pub fn check(&self) -> Result<(), Failure> {
-        let failure = self.kept.as_ref().and_then(|kept| kept.failure.as_ref());
-        failure.map_or(Ok(()), |error| Err(cannot_keep(error)))
     }
 
     /// Puts the episode into the memory; says where.
@@ -117,6 +105,9 @@ impl EpisodeRecorder {
         let Some(kept) = self.kept else {
             return Ok(None);
         };
+        if let Some(error) = &kept.failure {
+            return Err(cannot_keep(error));
+        }
         let attach = |name: &str, contents: &[u8]| {
             let attached = kept.writer.attach(name, contents);
             attached.map_err(|error| cannot_keep(&error))

@@ -14,7 +14,7 @@ use wisch::geometry::Pose;
 use wisch::interpret::{Belief, InterpretConfig, Interpretation, interpret as conclude};
 use wisch::represent::GoalState;
 use wisch_io::Leftover;
-use wisch_io::{INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE};
+use wisch_io::{INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE, Replaceable};
 use wisch_io::{InterpretationRecord, LogRecord, particles_to_csv};
 use wisch_telemetry::{AxesChoice, AxesSource, Log, LogOptions, ReadFault, TopicChoice, read};
 
@@ -28,7 +28,12 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
     let out = (args.out.clone()).unwrap_or_else(|| default_out(&prepared));
     check_apart(&args.source.log, &out)?;
     // Before the long part: nobody likes to wait for "permission denied".
-    let folder = OutputFolder::begin(&out, Leftover::Remove)?;
+    let replaceable = if args.force {
+        Replaceable::All
+    } else {
+        Replaceable::AllButRuns
+    };
+    let folder = OutputFolder::begin(&out, Leftover::Remove, replaceable)?;
 
     progress.say("reading the log");
     let log = read_log(&args.source, &prepared)?;

@@ -12,7 +12,7 @@ use wisch::represent::{ParticleDistribution, ParticleError};
 use wisch::run::{Pace, PlannedRound, Round, RunConfig, RunError, Session};
 use wisch_io::{OutputFolder, Robot, RoundTimes};
 use wisch_report::EffectFrames;
-use wisch_sim::GroundTruth;
+use wisch_sim::{GroundTruth, Schedule};
 
 /// Rounds of a single stroke that stand for one of a whole plan.
 const GREEDY_ROUNDS: usize = 10;
@@ -100,6 +100,8 @@ pub struct Done {
     pub true_performance: Option<f64>,
     /// When somebody pushed [s].
     pub pushes: Vec<[f64; 2]>,
+    /// In words, what the task has disturb the round and did not, because the motion ended before.
+    pub missed: Vec<String>,
 }
 
 impl Done {
@@ -111,18 +113,25 @@ impl Done {
         prepared: &Prepared,
     ) -> Result<Self, ParticleError> {
         let PlannedRound {
-            number, task, plan, ..
+            number,
+            task,
+            plan,
+            followed,
+            ..
         } = &round.motion;
-        let pushes = prepared.reality.pushes.iter();
         // Only the simulated world knows who pushed.
-        let pushes = pushes.filter(|push| truth.is_some() && push.round == *number);
+        let schedule = match truth {
+            Some(_) => prepared.reality.schedule(*number, followed),
+            None => Schedule::default(),
+        };
         let performance = |truth: &GroundTruth| truth.performance(&plan.graph.goal, &task.surface);
         Ok(Self {
             truth: (truth.map(GroundTruth::particles).transpose()?).flatten(),
             true_performance: (truth.map(performance).transpose()?).flatten(),
-            pushes: pushes
-                .map(|push| [push.start, push.start + push.duration])
+            pushes: (schedule.pushes.iter())
+                .map(|(start, push)| [*start, start + push.duration])
                 .collect(),
+            missed: schedule.missed,
             round,
             times,
         })

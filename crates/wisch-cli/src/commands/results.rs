@@ -24,12 +24,13 @@ const PNG_SCALE: f32 = 2.0;
 /// Longest name of a folder that is derived from a task's [characters]; file systems take 255 bytes.
 const MAX_NAME_LEN: usize = 60;
 
-/// Where the results go.
-pub(super) fn out_folder(results: &ResultArgs, prepared: &Prepared) -> PathBuf {
-    results
-        .out
-        .clone()
-        .unwrap_or_else(|| Path::new("out").join(folder_name(&prepared.task.name)))
+/// Where the results go: those of a run into a folder of the task's name, those of less beside it, under that name and
+/// what was done.
+pub(super) fn out_folder(results: &ResultArgs, prepared: &Prepared, done: &str) -> PathBuf {
+    results.out.clone().unwrap_or_else(|| {
+        let name = folder_name(&prepared.task.name);
+        Path::new("out").join(format!("{name}{done}"))
+    })
 }
 
 /// A task's name as that of a folder: a name may be anything, a path may not.

@@ -77,6 +77,11 @@ pub fn rounds_in_words(done: &[Done]) -> Vec<(&'static str, String)> {
             if let Ending::ProtectiveStop { time, cause } = &round.execution.ending {
                 text += &format!(", stopped at {time:.1} s: {cause}");
             }
+            if !done.missed.is_empty() {
+                let ended = round.motion.followed.duration();
+                let missed = done.missed.join(" and ");
+                text += &format!(", {missed} did not happen: the motion ended at {ended:.1} s");
+            }
             text += &format!(": {}", round.verdict.as_str());
             let number = round.motion.number;
             (

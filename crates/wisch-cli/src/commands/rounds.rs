@@ -14,17 +14,18 @@ use std::io::{BufWriter, Write};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use wisch::plan::Plan;
-use wisch::run::{Executor, Recording, Stage};
+use wisch::run::{Executor, Recording, Session, Stage};
 use wisch_io::{EventWriter, PlanRecord, ProcessExecutor, Robot};
 use wisch_sim::{Checkpoints, GroundTruth, KeptRound, World};
 use wisch_telemetry::WriteError;
 
-/// Wipes until the goal is met, or no more can be done; says where the episode is kept, if it is.
+/// Wipes until the goal is met, or no more can be done; says where the episode is kept, if it is, or why it could not be:
+/// results and episode do not depend on each other.
 pub fn execute(
     job: &Job<'_>,
     args: &LoopArgs,
     given: Option<Plan>,
-) -> Result<(Results, Option<PathBuf>), Failure> {
+) -> Result<(Results, Result<Option<PathBuf>, Failure>), Failure> {
     let Job {
         task_args,
         prepared,
@@ -82,7 +83,7 @@ pub fn execute(
             if recorder.is_taken_over() {
                 return ControlFlow::Continue(());
             }
-            episode.see(event)?;
+            episode.see(event);
             let seen = recorder.see(event);
             watch.flow(seen.map_err(cannot_write))
         });
@@ -101,14 +102,24 @@ pub fn execute(
         }
         match stage {
             Ok(Stage::Ended) => break Ok(()),
-            Ok(_) if watch.failure.is_some() || episode.check().is_err() => break Ok(()),
+            Ok(_) if watch.failure.is_some() => break Ok(()),
             Ok(_) => {}
             Err(error) => break Err(error),
         }
     };
-    episode.check()?;
-    if let Some(failure) = watch.failure {
-        return Err(failure);
+    if let Some(failure) = watch.failure.take() {
+        // What was measured in whole rounds is kept, though the results are not.
+        let rounds = done_rounds(session, &mut watch, executor.truth(), job)?;
+        return Err(
+            match episode.commit(&rounds, prepared, task_args, &robot.files) {
+                Ok(Some(place)) if !rounds.is_empty() => failure.with_help(format!(
+                    "the episode of {} is kept: {}",
+                    counted(rounds.len(), "whole round"),
+                    place.display()
+                )),
+                _ => failure,
+            },
+        );
     }
     result.map_err(|error| job.failed(error))?;
     let following = Following::of(&session, watch.times(1).following_s);
@@ -116,15 +127,18 @@ pub fn execute(
     let (plan, prediction) = (planned.plan.clone(), planned.prediction.clone());
     let planning_s = watch.times(1).planning_s;
     let predicted = Some((prediction, watch.take_frames(&planned.wiped())));
-    let done = (session.into_rounds().into_iter())
-        .enumerate()
-        .map(|(i, round)| {
-            let times = *watch.times_mut(round.motion.number);
-            Done::new(round, executor.truth().get(i), times, prepared)
-                .map_err(|error| prepared.failure(task_args, error))
+    let rounds = done_rounds(session, &mut watch, executor.truth(), job)?;
+    let later = prepared.reality.pushes.iter().map(|push| push.round);
+    let later = later.filter(|_| args.executor.is_none());
+    for round in later.filter(|round| *round > rounds.len()) {
+        let count = counted(rounds.len(), "round");
+        progress.aside(|| {
+            remark(&format!(
+                "the push of round {round} did not happen: the run ended after {count}"
+            ))
         });
-    let rounds: Vec<Done> = done.collect::<Result<_, Failure>>()?;
-    let kept = episode.commit(&rounds, prepared, task_args, &robot.files)?;
+    }
+    let kept = episode.commit(&rounds, prepared, task_args, &robot.files);
     let results = Results {
         plan,
         planning_time_s: (!is_given).then_some(planning_s),
@@ -133,6 +147,23 @@ pub fn execute(
         rounds,
     };
     Ok((results, kept))
+}
+
+/// The rounds of a session that is over, with what the simulated world knows of them.
+fn done_rounds(
+    session: Session<'_>,
+    watch: &mut Watch<'_>,
+    truth: &[GroundTruth],
+    job: &Job<'_>,
+) -> Result<Vec<Done>, Failure> {
+    let rounds = session.into_rounds().into_iter().enumerate();
+    rounds
+        .map(|(i, round)| {
+            let times = *watch.times_mut(round.motion.number);
+            Done::new(round, truth.get(i), times, job.prepared)
+                .map_err(|error| job.prepared.failure(job.task_args, error))
+        })
+        .collect()
 }
 
 /// What tells this run from others. More or fewer rounds are no other run.

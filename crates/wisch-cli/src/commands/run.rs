@@ -19,7 +19,7 @@ use std::path::Path;
 use wisch::plan::{Plan, predict};
 use wisch::run::{NoExecutor, RunEvent, Stage};
 use wisch_io::OutputFolder;
-use wisch_io::{Found, Leftover};
+use wisch_io::{Found, Leftover, Replaceable};
 use wisch_io::{PlanRecord, read_text};
 use wisch_report::EffectFrames;
 
@@ -94,13 +94,24 @@ fn work(
     let given = plan_file
         .map(|path| given_plan(path, &mut prepared))
         .transpose()?;
-    let out = out_folder(results, &prepared);
+    let done = match (extent, &chosen) {
+        (Extent::Run(..), Some(_)) => "",
+        (Extent::Run(..) | Extent::Predict, _) => "-predicted",
+        (Extent::Follow(_), _) => "-followed",
+        (Extent::Plan, _) => "-planned",
+    };
+    let out = out_folder(results, &prepared, done);
     // Before the long part: nobody likes to wait for "permission denied".
     let leftover = match extent {
         Extent::Run(_, rounds) if rounds.resume => Leftover::TakeOver,
         _ => Leftover::Remove,
     };
-    let folder = OutputFolder::begin(&out, leftover)?;
+    let replaceable = match (extent, &chosen) {
+        (Extent::Run(..), Some(_)) => Replaceable::All,
+        _ if results.force => Replaceable::All,
+        _ => Replaceable::AllButRuns,
+    };
+    let folder = OutputFolder::begin(&out, leftover, replaceable)?;
     if !global.quiet {
         progress.aside(|| say_what_was_found(folder.found(), leftover));
     }
@@ -120,12 +131,26 @@ fn work(
     };
     let (results_of, episode) = match (extent, &robot) {
         (Extent::Run(_, rounds), Some(_)) => execute(&job, rounds, given)?,
-        _ => (simulate_effect(&job, extent, given)?, None),
+        _ => (simulate_effect(&job, extent, given)?, Ok(None)),
     };
     progress.say("writing the results");
-    write(&folder, &prepared, &results_of)?;
-    folder.finish()?;
+    let written = write(&folder, &prepared, &results_of);
+    let written = written.and_then(|()| Ok(folder.finish()?));
+    written.map_err(|failure| match &episode {
+        Ok(Some(place)) => failure.with_help(format!(
+            "the episode of the run is kept: {}",
+            place.display()
+        )),
+        _ => failure,
+    })?;
     drop(progress);
+    // The results stand, whatever became of the episode.
+    let episode = episode.map_err(|failure| {
+        failure.with_help(format!(
+            "the results are written all the same: {}",
+            out.display()
+        ))
+    })?;
 
     let summary = summary(&prepared, &results_of, &out);
     if results.json {

@@ -133,6 +133,15 @@ impl Drop for MadeFolders {
     }
 }
 
+/// Which earlier results may be replaced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Replaceable {
+    /// Any.
+    All,
+    /// Those that take no run to make.
+    AllButRuns,
+}
+
 /// A folder of results in the making. Dropped unfinished, it leaves nothing behind.
 pub struct OutputFolder {
     target: PathBuf,
@@ -147,10 +156,28 @@ impl OutputFolder {
     /// Begins a folder that is to stand at `target`, or goes on with one that a killed run left behind.
     ///
     /// # Errors
-    /// If something else than results of an earlier run stands there, or nothing can be written.
-    pub fn begin(target: &Path, leftover: Leftover) -> Result<Self, Error> {
+    /// If something else than results of an earlier run stands there, or a run's that may not be replaced, if another
+    /// process makes results of that name, or if nothing can be written.
+    pub fn begin(
+        target: &Path,
+        leftover: Leftover,
+        replaceable: Replaceable,
+    ) -> Result<Self, Error> {
         let target = resolved(target)?;
         check_replaceable(&target)?;
+        let is_run = [
+            path_in_results(ROUNDS_FILE),
+            path_in_results("round-1.mcap"),
+        ]
+        .iter()
+        .any(|name| target.join(name).exists());
+        if is_run && replaceable == Replaceable::AllButRuns {
+            return Err(refused(
+                &target,
+                "the folder holds what a run measured, which this command does not make anew, so it is not replaced",
+                "choose another folder with --out, or replace it with --force",
+            ));
+        }
         let (Some(parent), Some(name)) = (target.parent(), target.file_name()) else {
             return Err(refused(
                 &target,
@@ -160,7 +187,14 @@ impl OutputFolder {
         };
         let made = MadeFolders::make(parent).map_err(|error| cannot_write(parent, &error))?;
         let (staging, found) = StagingDir::begin(parent, &name.to_string_lossy(), leftover)
-            .map_err(|error| cannot_write(parent, &error))?;
+            .map_err(|error| match error.kind() {
+                ErrorKind::ResourceBusy => refused(
+                    &target,
+                    "another wisch is making results there",
+                    "wait for it, or choose another folder with --out",
+                ),
+                _ => cannot_write(parent, &error),
+            })?;
         let folder = Self {
             target,
             staging,

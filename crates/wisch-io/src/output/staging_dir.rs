@@ -36,10 +36,10 @@ impl StagingDir {
     /// A staging folder for what is to be called `name` in `parent`, and what was there of dead runs.
     ///
     /// # Errors
-    /// What the system says.
+    /// [`io::ErrorKind::ResourceBusy`] if a living run makes results of that name, and what the system says.
     pub fn begin(parent: &Path, name: &str, leftover: Leftover) -> io::Result<(Self, Found)> {
         let prefix = format!(".{name}.");
-        let mut dead = abandoned(parent, &prefix)?;
+        let (mut dead, _) = staging_dirs(parent, &prefix)?;
         let taken = match leftover {
             Leftover::Remove => None,
             Leftover::TakeOver => dead.pop(),
@@ -55,6 +55,11 @@ impl StagingDir {
             Some(place) => place,
             None => Self::new(parent, &prefix)?,
         };
+        // Looked at with the own lock held: of two that begin at once, at least one sees the other.
+        let (_, living) = staging_dirs(parent, &prefix)?;
+        if living.iter().any(|other| *other != place.path) {
+            return Err(io::ErrorKind::ResourceBusy.into());
+        }
         Ok((place, found))
     }
 
@@ -85,31 +90,32 @@ impl Drop for StagingDir {
     }
 }
 
-/// Staging folders that no living process holds, now held by this one, the newest last.
-fn abandoned(parent: &Path, prefix: &str) -> io::Result<Vec<StagingDir>> {
-    let mut found = Vec::new();
+/// Staging folders that no living process held, now held by this one, the newest last; and those that one holds.
+fn staging_dirs(parent: &Path, prefix: &str) -> io::Result<(Vec<StagingDir>, Vec<PathBuf>)> {
+    let (mut dead, mut living) = (Vec::new(), Vec::new());
     for entry in fs::read_dir(parent)? {
         let entry = entry?;
         let name = entry.file_name().to_string_lossy().into_owned();
         let is_ours = (name.strip_prefix(prefix))
             .is_some_and(|rest| !rest.is_empty() && rest.chars().all(char::is_alphanumeric));
-        let lock = entry.path().join(LOCK_FILE);
-        if !is_ours || !lock.is_file() {
-            continue;
-        }
-        let lock = File::options().write(true).open(&lock)?;
+        let path = entry.path();
+        let lock = match File::options().write(true).open(path.join(LOCK_FILE)) {
+            Ok(lock) if is_ours => lock,
+            Err(error) if is_ours && error.kind() != io::ErrorKind::NotFound => return Err(error),
+            _ => continue,
+        };
         match lock.try_lock() {
             Ok(()) => {
                 let modified = lock.metadata()?.modified()?;
-                let path = entry.path();
-                found.push((modified, StagingDir { path, _lock: lock }));
+                dead.push((modified, StagingDir { path, _lock: lock }));
             }
-            Err(TryLockError::WouldBlock) => {}
+            Err(TryLockError::WouldBlock) => living.push(path),
             Err(TryLockError::Error(error)) => return Err(error),
         }
     }
-    found.sort_by(|a, b| (a.0, &a.1.path).cmp(&(b.0, &b.1.path)));
-    Ok(found.into_iter().map(|(_, place)| place).collect())
+    dead.sort_by(|a, b| (a.0, &a.1.path).cmp(&(b.0, &b.1.path)));
+    let dead = dead.into_iter().map(|(_, place)| place).collect();
+    Ok((dead, living))
 }
 
 #[cfg(test)]
@@ -135,10 +141,12 @@ mod tests {
         assert_eq!(found.removed, std::slice::from_ref(&dead));
         assert!(!dead.exists() && others.exists() && foreign.exists());
 
-        let (next, found) =
-            StagingDir::begin(parent.path(), "board", Leftover::TakeOver).expect("another");
-        assert_eq!(found, Found::default(), "the first is held");
-        assert_ne!(living.path(), next.path());
+        for leftover in [Leftover::TakeOver, Leftover::Remove] {
+            let error = StagingDir::begin(parent.path(), "board", leftover);
+            let error = error.expect_err("the first is held");
+            assert_eq!(error.kind(), io::ErrorKind::ResourceBusy);
+        }
+        assert_eq!(fs::read_dir(parent.path()).expect("a folder").count(), 3);
         let path = living.path().to_path_buf();
         drop(living);
         assert!(!path.exists());

@@ -7,9 +7,9 @@ use super::tables::{
     SurfaceTable, TaskTable,
 };
 use super::tree::{Node, Source, Value};
-use super::values::{AngleRad, Name, PositionM, QuaternionPart, point};
+use super::values::{AngleRad, Name, PositionM, QuaternionPart, Share, StrokeNumber, TimeS, point};
 use super::{
-    ExecutionRecord, Frame, FrictionChange, Intent, ObjectRecord, Push, RobotDescription,
+    ExecutionRecord, Frame, FrictionChange, Intent, Moment, ObjectRecord, Push, RobotDescription,
     RobotRecord, SCHEMA, Shape, SurfaceRecord, TaskError, TaskFile,
 };
 use crate::particles::{MaskSource, ParticleSource};
@@ -48,7 +48,7 @@ pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
             .as_ref()
             .map(|table| robot(table, source))
             .transpose()?,
-        execution: ExecutionRecord::from(&task.execution),
+        execution: execution(&task.execution, source)?,
         max_rounds: task.execution.max_rounds.0 as usize,
         collect_goal: (task.collect.as_ref())
             .and_then(|collect| collect.goal_m)
@@ -417,39 +417,79 @@ impl From<&ClusterTable> for Cluster {
     }
 }
 
-impl From<&ExecutionTable> for ExecutionRecord {
-    fn from(table: &ExecutionTable) -> Self {
-        let [about_x, about_y] = table
-            .surface_tilt_rad
-            .map_or([0.0; 2], |tilt| tilt.map(|t| t.0));
-        let shift = table
-            .surface_shift_m
-            .map_or([0.0; 3], |shift| shift.map(|s| s.0));
-        let bias = table
-            .force_bias_n
-            .map_or([0.0; 3], |bias| bias.map(|b| b.0));
+fn execution(table: &ExecutionTable, source: &Source<'_>) -> Result<ExecutionRecord, TaskError> {
+    let mut record = ExecutionRecord::undisturbed(table);
+    for change in &table.friction_change {
+        let given = &change.value;
+        record.friction_changes.push(FrictionChange {
+            round: given.round.0 as usize,
+            start: moment(
+                change,
+                (given.start_s, given.start_share, given.start_stroke),
+                source,
+            )?,
+            friction: given.friction.0,
+        });
+    }
+    for push in &table.push {
+        let given = &push.value;
+        record.pushes.push(Push {
+            round: given.round.0 as usize,
+            start: moment(
+                push,
+                (given.start_s, given.start_share, given.start_stroke),
+                source,
+            )?,
+            duration: given.duration_s.0,
+            force: Vector3::from(given.force_n.map(|axis| axis.0)),
+            hand_speed: given.hand_speed_m_per_s.0,
+        });
+    }
+    Ok(record)
+}
+
+/// The one way in which a table says when something begins.
+fn moment<T>(
+    table: &At<T>,
+    starts: (Option<TimeS>, Option<Share>, Option<StrokeNumber>),
+    source: &Source<'_>,
+) -> Result<Moment, TaskError> {
+    Ok(match starts {
+        (Some(time), None, None) => Moment::Seconds(time.0),
+        (None, Some(share), None) => Moment::Share(share.0),
+        (None, None, Some(stroke)) => Moment::Stroke(stroke.0 as usize),
+        (time, share, stroke) => {
+            let offset = |is_there: bool| is_there.then_some(table.offset);
+            let keys = [
+                ("start_s", offset(time.is_some())),
+                ("start_share", offset(share.is_some())),
+                ("start_stroke", offset(stroke.is_some())),
+            ];
+            return Err(match table.exactly_one(source, &keys) {
+                Err(error) => error,
+                Ok(()) => table.missing(source, "start_s"),
+            });
+        }
+    })
+}
+
+impl ExecutionRecord {
+    /// What a table says, but for who pushes and where friction changes.
+    fn undisturbed(table: &ExecutionTable) -> Self {
+        let tilt = table.surface_tilt_rad;
+        let [about_x, about_y] = tilt.map_or([0.0; 2], |tilt| tilt.map(|angle| angle.0));
+        let shift = table.surface_shift_m;
+        let shift = shift.map_or([0.0; 3], |shift| shift.map(|axis| axis.0));
+        let bias = table.force_bias_n;
+        let bias = bias.map_or([0.0; 3], |bias| bias.map(|axis| axis.0));
         Self {
             believed_from_real: Pose::from_parts(
                 Translation3::from(Vector3::from(shift)),
                 UnitQuaternion::from_scaled_axis(Vector3::new(about_x, about_y, 0.0)),
             ),
             friction: table.friction.map(|friction| friction.0),
-            friction_changes: (table.friction_change.iter())
-                .map(|change| FrictionChange {
-                    round: change.round.0 as usize,
-                    time: change.start_s.0,
-                    friction: change.friction.0,
-                })
-                .collect(),
-            pushes: (table.push.iter())
-                .map(|push| Push {
-                    round: push.round.0 as usize,
-                    start: push.start_s.0,
-                    duration: push.duration_s.0,
-                    force: Vector3::from(push.force_n.map(|axis| axis.0)),
-                    hand_speed: push.hand_speed_m_per_s.0,
-                })
-                .collect(),
+            friction_changes: Vec::new(),
+            pushes: Vec::new(),
             force_noise: table.force_noise_n.0,
             force_bias: Vector3::from(bias),
             mu: table.mu.map(|mu| mu.0),
@@ -461,6 +501,6 @@ impl From<&ExecutionTable> for ExecutionRecord {
 
 impl Default for ExecutionRecord {
     fn default() -> Self {
-        Self::from(&ExecutionTable::default())
+        Self::undisturbed(&ExecutionTable::default())
     }
 }

@@ -1,6 +1,45 @@
 //! What disturbs an execution, as a task file tells it.
 
+use std::fmt;
+use wisch::follow::Followed;
 use wisch::geometry::Vector3;
+
+/// An instant of a round's motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Moment {
+    /// So long after its start [s].
+    Seconds(f64),
+    /// When this share of its duration has passed, in [0, 1].
+    Share(f64),
+    /// When the stroke of this number, counted from 1, begins to wipe.
+    Stroke(usize),
+}
+
+impl Moment {
+    /// When that is, counted from the start of the motion [s]; `None` if the motion is over before.
+    pub fn time(self, followed: &Followed) -> Option<f64> {
+        let duration = followed.duration();
+        match self {
+            Self::Seconds(time) => (time < duration).then_some(time),
+            Self::Share(share) => (share < 1.0).then_some(share * duration),
+            Self::Stroke(number) => {
+                let mut motions = followed.motions.iter();
+                let wipes = motions.find(|motion| motion.phase.stroke() == Some(number - 1));
+                wipes.map(|motion| motion.start)
+            }
+        }
+    }
+}
+
+impl fmt::Display for Moment {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Seconds(time) => write!(f, "{time:.1} s"),
+            Self::Share(share) => write!(f, "{share} of the motion"),
+            Self::Stroke(number) => write!(f, "stroke {number}"),
+        }
+    }
+}
 
 /// A hand that pushes the tool.
 ///
@@ -11,8 +50,8 @@ use wisch::geometry::Vector3;
 pub struct Push {
     /// In which round of the task, from 1.
     pub round: usize,
-    /// When it begins [s].
-    pub start: f64,
+    /// When it begins.
+    pub start: Moment,
     /// How long it lasts [s].
     pub duration: f64,
     /// The force on a tool at rest, in the axes of the world [N].
@@ -26,8 +65,8 @@ pub struct Push {
 pub struct FrictionChange {
     /// In which round of the task, from 1.
     pub round: usize,
-    /// From when on [s].
-    pub time: f64,
+    /// From when on.
+    pub start: Moment,
     /// Coulomb coefficient [1].
     pub friction: f64,
 }

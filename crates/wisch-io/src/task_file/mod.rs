@@ -13,7 +13,7 @@ mod tests;
 mod tree;
 mod values;
 
-pub use disturbance::{FrictionChange, Push};
+pub use disturbance::{FrictionChange, Moment, Push};
 pub use error::TaskError;
 pub use resolve::ReadFile;
 

@@ -5,8 +5,8 @@ use super::values::{
     AngleRad, BandwidthM, BiasN, Bodies, Channel, ColorDistance, DampingRatio, DepthM, DurationS,
     FootprintM, Friction, GrainM, HandSpeed, LiftHeightM, LogForce, LogSpread, Name, NoiseN,
     ParticleCount, Pixel, PositionM, PostureWeight, PressForceN, PushForceN, QuaternionPart,
-    Rounds, Scale, SchemaVersion, Seed, Share, ShiftM, SigmaM, SizeM, Stiffness, TiltRad, TimeS,
-    Variants, Weight,
+    Rounds, Scale, SchemaVersion, Seed, Share, ShiftM, SigmaM, SizeM, Stiffness, StrokeNumber,
+    TiltRad, TimeS, Variants, Weight,
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{EnumAccess, Error as _, VariantAccess, Visitor};
@@ -465,9 +465,9 @@ pub(super) struct ExecutionTable {
     /// Coulomb coefficient between tool and surface; default: from the knowledge base.
     pub(super) friction: Option<Friction>,
     /// Changes of it.
-    pub(super) friction_change: Vec<FrictionChangeTable>,
+    pub(super) friction_change: Vec<At<FrictionChangeTable>>,
     /// People who push the tool.
-    pub(super) push: Vec<PushTable>,
+    pub(super) push: Vec<At<PushTable>>,
     /// Standard deviation of the measured force, per axis [N].
     pub(super) force_noise_n: NoiseN,
     /// Constant bias of the measured force, world axes [N].
@@ -506,13 +506,22 @@ impl Default for ExecutionTable {
 /// The friction between tool and surface from some time on.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(rename = "FrictionChange")]
+#[schemars(
+    rename = "FrictionChange",
+    extend("oneOf" = [
+        { "required": ["start_s"] }, { "required": ["start_share"] }, { "required": ["start_stroke"] }
+    ])
+)]
 pub(super) struct FrictionChangeTable {
     /// In which round.
     #[serde(default = "first_round")]
     pub(super) round: Rounds,
-    /// From when on, counted from the start of the motion [s].
-    pub(super) start_s: TimeS,
+    /// When it begins, counted from the start of the motion [s]; excludes `start_share` and `start_stroke`.
+    pub(super) start_s: Option<TimeS>,
+    /// The share of the motion after which it begins; excludes the others.
+    pub(super) start_share: Option<Share>,
+    /// The stroke, counted from 1, with which it begins; excludes the others.
+    pub(super) start_stroke: Option<StrokeNumber>,
     /// Coulomb coefficient.
     pub(super) friction: Friction,
 }
@@ -520,13 +529,22 @@ pub(super) struct FrictionChangeTable {
 /// A hand that pushes the tool.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(rename = "Push")]
+#[schemars(
+    rename = "Push",
+    extend("oneOf" = [
+        { "required": ["start_s"] }, { "required": ["start_share"] }, { "required": ["start_stroke"] }
+    ])
+)]
 pub(super) struct PushTable {
     /// In which round.
     #[serde(default = "first_round")]
     pub(super) round: Rounds,
-    /// When it begins, counted from the start of the motion [s].
-    pub(super) start_s: TimeS,
+    /// When it begins, counted from the start of the motion [s]; excludes `start_share` and `start_stroke`.
+    pub(super) start_s: Option<TimeS>,
+    /// The share of the motion after which it begins; excludes the others.
+    pub(super) start_share: Option<Share>,
+    /// The stroke, counted from 1, with which it begins; excludes the others.
+    pub(super) start_stroke: Option<StrokeNumber>,
     /// How long it lasts [s].
     pub(super) duration_s: DurationS,
     /// Force on a tool at rest, world axes [N].

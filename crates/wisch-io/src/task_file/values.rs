@@ -112,6 +112,8 @@ ranges! { u64, IntegerWithin;
     Channel = (0, 255);
     /// How many particles are bodies of the physics world.
     Bodies = (0, 2000);
+    /// Strokes of a plan, counted from 1.
+    StrokeNumber = (1, 100_000);
     /// Rounds, counted from 1.
     Rounds = (1, 100);
     /// The version of the file format.
@@ -181,7 +183,7 @@ impl Visitor<'_> for IntegerWithin {
     }
 }
 
-/// A string that is not empty.
+/// A string that is not empty and has no control characters.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub(super) struct Name(pub(super) String);
 
@@ -196,6 +198,10 @@ impl<'de> Deserialize<'de> for Name {
             fn visit_str<E: serde::de::Error>(self, name: &str) -> Result<Name, E> {
                 if name.trim().is_empty() {
                     let expected = "a string that is not empty";
+                    return Err(E::invalid_type(Unexpected::Str(name), &expected));
+                }
+                if name.contains(char::is_control) {
+                    let expected = "a string without control characters";
                     return Err(E::invalid_type(Unexpected::Str(name), &expected));
                 }
                 Ok(Name(name.to_owned()))

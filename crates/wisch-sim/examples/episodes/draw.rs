@@ -5,7 +5,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::{PI, TAU};
 use wisch::geometry::{Pose, Vector3};
-use wisch_io::Push;
+use wisch_io::{Moment, Push};
 use wisch_sim::SimulationSettings;
 
 /// Tilt of the real surface about its x and y, at most [rad].
@@ -46,7 +46,7 @@ pub fn disturbed(reality: &SimulationSettings, seed: u64) -> SimulationSettings 
         let direction = Vector3::new(across * angle.cos(), across * angle.sin(), up);
         Push {
             round: 1,
-            start: between(PUSH_START),
+            start: Moment::Seconds(between(PUSH_START)),
             duration: between(PUSH_DURATION),
             force: between(PUSH_FORCE) * direction,
             hand_speed: between(HAND_SPEED),

@@ -20,7 +20,7 @@ use summary::{Episode, Fate, Pass, Summary};
 use wisch::interpret::EventKind;
 use wisch::represent::ParticleError;
 use wisch::run::{PlannedRound, Round, RunEvent, Session, TelemetrySample};
-use wisch_io::load_task;
+use wisch_io::{Moment, load_task};
 use wisch_sim::{GroundTruth, SimulationSettings, World};
 use wisch_testkit::{AnyError, Robot, by_density, humanoid, run_config, scenario};
 
@@ -96,7 +96,10 @@ impl Stage {
             pushes: reality.map_or_else(Vec::new, |reality| {
                 let pushes = reality.pushes.iter();
                 pushes
-                    .map(|push| [push.start, push.start + push.duration])
+                    .filter_map(|push| match push.start {
+                        Moment::Seconds(start) => Some([start, start + push.duration]),
+                        Moment::Share(_) | Moment::Stroke(_) => None,
+                    })
                     .collect()
             }),
             bad_samples,
@@ -173,8 +176,8 @@ fn in_words(reality: &SimulationSettings) -> String {
     let pushes: Vec<String> = (reality.pushes.iter())
         .map(|push| {
             let [x, y, z]: [f64; 3] = push.force.into();
-            let end = push.start + push.duration;
-            format!("{:.1}-{end:.1} s ({x:.0} {y:.0} {z:.0}) N", push.start)
+            let (start, duration) = (push.start, push.duration);
+            format!("{start} for {duration:.1} s ({x:.0} {y:.0} {z:.0}) N")
         })
         .collect();
     format!(

@@ -16,7 +16,7 @@ use wisch::interpret::{
 use wisch::plan::{CoverageStrategy, plan};
 use wisch::represent::{Action, GoalState, Task};
 use wisch::run::MotionOrder;
-use wisch_io::{LoadOptions, LoadedTask, Push, load_task};
+use wisch_io::{LoadOptions, LoadedTask, Moment, Push, load_task};
 use wisch_sim::{Dirt, SimulationSettings, execute};
 use wisch_testkit::{AnyError, humanoid, scenario};
 
@@ -105,11 +105,7 @@ fn print_plane(interpretation: &Interpretation) {
 
 fn print_events(interpretation: &Interpretation, pushes: &[Push]) {
     for push in pushes {
-        println!(
-            "    pushed {:.3} to {:.3} s",
-            push.start,
-            push.start + push.duration
-        );
+        println!("    pushed at {} for {:.3} s", push.start, push.duration);
     }
     for event in interpretation
         .events
@@ -188,7 +184,7 @@ fn main() -> Result<(), AnyError> {
     ] {
         let push = Push {
             round: 1,
-            start: trial.amid(),
+            start: Moment::Seconds(trial.amid()),
             duration,
             force: world_from_surface * direction * size,
             hand_speed: 0.5,

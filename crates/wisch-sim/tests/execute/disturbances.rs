@@ -5,7 +5,7 @@ use nalgebra::UnitQuaternion;
 use wisch::geometry::Vector3;
 use wisch::represent::{Action, ScenePart};
 use wisch::run::{Ending, StopCause};
-use wisch_io::{FrictionChange, Push};
+use wisch_io::{FrictionChange, Moment, Push};
 use wisch_testkit::block;
 
 /// What a person who pushes with 40 N may meet at most [N].
@@ -16,7 +16,7 @@ fn pushed(force: Vector3, hand_speed: f64) -> Wiping {
     let mut wiping = Wiping::of_one_stroke(Action::Absorb);
     wiping.settings.pushes = vec![Push {
         round: 1,
-        start: wiping.midst(),
+        start: Moment::Seconds(wiping.midst()),
         duration: 0.6,
         force,
         hand_speed,
@@ -143,7 +143,7 @@ fn friction_changes_when_reality_says_so() {
     let (change, round) = (wiping.midst(), 1);
     wiping.settings.friction_changes = vec![FrictionChange {
         round,
-        time: change,
+        start: Moment::Seconds(change),
         friction: 0.8,
     }];
     let log = wiping.execute();

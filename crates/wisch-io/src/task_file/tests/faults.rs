@@ -86,6 +86,11 @@ fn a_fault_is_refused_with_its_place() {
         ),
         (
             "name = \"small\"",
+            "name = \"sm\\u0007ll\"",
+            "2:8: name: expected a string without control characters, found the string",
+        ),
+        (
+            "name = \"small\"",
             "name = \"small\"\nseed = -1",
             "3:8: seed = -1 is outside its limits: at least 0",
         ),
@@ -263,6 +268,21 @@ fn a_fault_is_refused_with_its_place() {
             "position_m = [0.1, 0.1, 0.05]",
             "[plan]\nlift_height_m = 5",
             "20:17: plan.lift_height_m = 5 is outside its limits: at least 0.001 and at most 1",
+        ),
+        (
+            "position_m = [0.1, 0.1, 0.05]",
+            "[execution]\npush = [{ start_s = 1, start_share = 0.5, duration_s = 1, force_n = [0, 0, 9] }]",
+            "20:9: execution.push[0]: exactly one of start_s, start_share, start_stroke is needed, start_s and start_share are there",
+        ),
+        (
+            "position_m = [0.1, 0.1, 0.05]",
+            "[execution]\nfriction_change = [{ friction = 0.5 }]",
+            "20:20: execution.friction_change[0]: exactly one of start_s, start_share, start_stroke is needed, none is there",
+        ),
+        (
+            "position_m = [0.1, 0.1, 0.05]",
+            "[execution]\npush = [{ start_stroke = 0, duration_s = 1, force_n = [0, 0, 9] }]",
+            "20:26: execution.push[0].start_stroke = 0 is outside its limits: at least 1",
         ),
     ] {
         let error = parsed(&small_with(&[(piece, by)]))
