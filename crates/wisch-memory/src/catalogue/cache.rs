@@ -2,6 +2,7 @@
 //! need not read them one by one.
 
 use super::{Catalogue, EpisodeRow, IndividualId, Interned, NONE, Node, at};
+use crate::checked_file::CheckedFile;
 use crate::columns::{Kind, Values, open, read_chunk, schema, with_encodings, write_group};
 use parquet::basic::{Compression, ZstdLevel};
 use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int32Type};
@@ -232,13 +233,13 @@ impl Output {
 /// A table that is being read.
 struct Input {
     path: PathBuf,
-    file: SerializedFileReader<File>,
+    file: SerializedFileReader<CheckedFile>,
 }
 
 impl Input {
     fn open(folder: &Path, table: &Table) -> Result<Self, CacheError> {
         let path = folder.join(table.file);
-        let file = File::open(&path).map_err(|error| CacheError::File {
+        let file = CheckedFile::open(&path, None).map_err(|error| CacheError::File {
             path: path.clone(),
             error,
         })?;
