@@ -7,7 +7,6 @@ use crate::args::{KeepArgs, TaskArgs};
 use crate::failure::Failure;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::{SystemTime, UNIX_EPOCH};
 use wisch::run::{PlannedRound, RunEvent};
@@ -41,7 +40,16 @@ struct Kept {
     /// By number of the round.
     logs: BTreeMap<usize, RoundLog>,
     round: usize,
-    failure: Option<MemoryError>,
+    /// Rounds of which the telemetry could not be written, and why.
+    lost: Vec<(usize, MemoryError)>,
+}
+
+/// An episode that is in the memory.
+pub struct KeptEpisode {
+    /// Where.
+    pub place: PathBuf,
+    /// What it is without, in words.
+    pub without: Vec<String>,
 }
 
 /// How a run was asked for, beside its task file.
@@ -81,39 +89,33 @@ impl EpisodeRecorder {
             telemetry: None,
             logs: BTreeMap::new(),
             round: 0,
-            failure: None,
+            lost: Vec::new(),
         };
         Ok(Self { kept: Some(kept) })
     }
 
-    /// Looks on while the loop runs; stops it where nothing more can be written.
-    pub fn see(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
+    /// Looks on while the loop runs. A round whose telemetry cannot be written, as on a full disk, is kept without: the
+    /// results of a run do not depend on its memory.
+    pub fn see(&mut self, event: &RunEvent<'_>) {
         let Some(kept) = &mut self.kept else {
-            return ControlFlow::Continue(());
+            return;
         };
-        match kept.see(event) {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(error) => {
-                kept.failure.get_or_insert(error);
-                ControlFlow::Break(())
+        if let Err(error) = kept.see(event) {
+            if let Some(telemetry) = kept.telemetry.take() {
+                telemetry.abandon();
             }
+            kept.lost.push((kept.round, error));
         }
     }
 
-    /// Whether all could be written so far.
-    pub fn check(&self) -> Result<(), Failure> {
-        let failure = self.kept.as_ref().and_then(|kept| kept.failure.as_ref());
-        failure.map_or(Ok(()), |error| Err(cannot_keep(error)))
-    }
-
-    /// Puts the episode into the memory; says where.
+    /// Puts the episode into the memory.
     pub fn commit(
         self,
         done: &[Done],
         prepared: &Prepared,
         task_args: &TaskArgs,
         robot: &RobotFiles,
-    ) -> Result<Option<PathBuf>, Failure> {
+    ) -> Result<Option<KeptEpisode>, Failure> {
         let Some(kept) = self.kept else {
             return Ok(None);
         };
@@ -157,7 +159,12 @@ impl EpisodeRecorder {
             .collect();
         let record = remember(&header, &rounds);
         (kept.writer.commit(&record)).map_err(|error| cannot_keep(&error))?;
-        Ok(Some(kept.place))
+        let lost = kept.lost.iter();
+        let without = lost.map(|(round, error)| format!("the telemetry of round {round}: {error}"));
+        Ok(Some(KeptEpisode {
+            place: kept.place,
+            without: without.collect(),
+        }))
     }
 }
 

@@ -1,6 +1,6 @@
 //! The closed loop of `wisch run`: rounds of planning, wiping and interpreting, with a bag of each.
 
-use super::episode::EpisodeRecorder;
+use super::episode::{EpisodeRecorder, KeptEpisode};
 use super::follow::Following;
 use super::job::{Done, Job, Results};
 use super::prepare::Prepared;
@@ -12,19 +12,22 @@ use crate::terminal::remark;
 use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use wisch::plan::Plan;
 use wisch::run::{Executor, Recording, Stage};
 use wisch_io::{EventWriter, PlanRecord, ProcessExecutor, Robot};
 use wisch_sim::{Checkpoints, GroundTruth, KeptRound, World};
 use wisch_telemetry::WriteError;
 
-/// Wipes until the goal is met, or no more can be done; says where the episode is kept, if it is.
+/// An episode that is kept, if one is wanted, or why it is not.
+pub type Kept = Result<Option<KeptEpisode>, Failure>;
+
+/// Wipes until the goal is met, or no more can be done, and keeps the episode.
 pub fn execute(
     job: &Job<'_>,
     args: &LoopArgs,
     given: Option<Plan>,
-) -> Result<(Results, Option<PathBuf>), Failure> {
+) -> Result<(Results, Kept), Failure> {
     let Job {
         task_args,
         prepared,
@@ -82,7 +85,7 @@ pub fn execute(
             if recorder.is_taken_over() {
                 return ControlFlow::Continue(());
             }
-            episode.see(event)?;
+            episode.see(event);
             let seen = recorder.see(event);
             watch.flow(seen.map_err(cannot_write))
         });
@@ -101,12 +104,11 @@ pub fn execute(
         }
         match stage {
             Ok(Stage::Ended) => break Ok(()),
-            Ok(_) if watch.failure.is_some() || episode.check().is_err() => break Ok(()),
+            Ok(_) if watch.failure.is_some() => break Ok(()),
             Ok(_) => {}
             Err(error) => break Err(error),
         }
     };
-    episode.check()?;
     if let Some(failure) = watch.failure {
         return Err(failure);
     }
@@ -124,7 +126,7 @@ pub fn execute(
                 .map_err(|error| prepared.failure(task_args, error))
         });
     let rounds: Vec<Done> = done.collect::<Result<_, Failure>>()?;
-    let kept = episode.commit(&rounds, prepared, task_args, &robot.files)?;
+    let kept = episode.commit(&rounds, prepared, task_args, &robot.files);
     let results = Results {
         plan,
         planning_time_s: (!is_given).then_some(planning_s),

@@ -120,7 +120,7 @@ fn work(
     };
     let (results_of, episode) = match (extent, &robot) {
         (Extent::Run(_, rounds), Some(_)) => execute(&job, rounds, given)?,
-        _ => (simulate_effect(&job, extent, given)?, None),
+        _ => (simulate_effect(&job, extent, given)?, Ok(None)),
     };
     progress.say("writing the results");
     write(&folder, &prepared, &results_of)?;
@@ -135,9 +135,13 @@ fn work(
         ))?;
     } else if !global.quiet && !extent.has_events_on_stdout() {
         print(&in_words(&summary, &results_of.rounds, &out))?;
-        if let Some(place) = episode {
-            print(&format!("  {:<18} {}\n", "episode", place.display()))?;
+        if let Ok(Some(kept)) = &episode {
+            print(&format!("  {:<18} {}\n", "episode", kept.place.display()))?;
         }
+    }
+    // The results are there by now, whatever became of the episode.
+    for what in episode?.iter().flat_map(|kept| &kept.without) {
+        remark(&format!("the episode is kept without {what}"));
     }
     let is_met = results_of.is_goal_met(prepared.file.target_performance());
     Ok(if is_met {
