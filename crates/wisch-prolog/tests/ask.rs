@@ -1,6 +1,7 @@
 //! Questions to a memory whose answers can be told by looking at it, from both engines.
 
 mod memory;
+mod mutated;
 mod random;
 mod stored;
 mod tell;
