@@ -27,7 +27,8 @@ const RESUMED: f64 = 0.1;
 /// Set for all processes of one kill, which inherit it.
 const MARK: &str = "WISCH_KILL";
 
-const SIGNALS: [Signal; 8] = [
+/// All that end a program which does nothing about them, but for SIGPIPE, which it ignores.
+const SIGNALS: [Signal; 9] = [
     Signal::KILL,
     Signal::TERM,
     Signal::HUP,
@@ -35,7 +36,8 @@ const SIGNALS: [Signal; 8] = [
     Signal::QUIT,
     Signal::ABORT,
     Signal::SEGV,
-    Signal::PIPE,
+    Signal::ALARM,
+    Signal::USR1,
 ];
 const QUERIES: [&str; 5] = [
     "forall(between(1, 1000000000000, X), X > 0)",

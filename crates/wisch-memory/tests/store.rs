@@ -267,15 +267,25 @@ fn the_catalogue_from_tables_is_that_from_the_folders() {
     agrees();
 
     // Broken tables are made anew.
-    for file in std::fs::read_dir(tables.join(current())).unwrap() {
-        let path = file.unwrap().path();
-        let path = tables.join(current()).join(path.file_name().unwrap());
-        let bytes = std::fs::read(&path).unwrap();
-        std::fs::write(&path, &bytes[..bytes.len() / 2]).unwrap();
-        let before = current();
-        agrees();
-        assert_ne!(current(), before, "{} is broken", path.display());
-        agrees();
+    let damages: [fn(&mut Vec<u8>); 2] = [
+        |bytes| bytes.truncate(bytes.len() / 2),
+        |bytes| {
+            let middle = bytes.len() / 2;
+            bytes[middle] ^= 1;
+        },
+    ];
+    for damage in damages {
+        for file in std::fs::read_dir(tables.join(current())).unwrap() {
+            let path = file.unwrap().path();
+            let path = tables.join(current()).join(path.file_name().unwrap());
+            let mut bytes = std::fs::read(&path).unwrap();
+            damage(&mut bytes);
+            std::fs::write(&path, &bytes).unwrap();
+            let before = current();
+            agrees();
+            assert_ne!(current(), before, "{} is broken", path.display());
+            agrees();
+        }
     }
 }
 

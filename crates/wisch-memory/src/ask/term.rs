@@ -438,6 +438,10 @@ impl<'a> Reader<'a> {
             return self.pairs(depth);
         }
         self.at += 1;
+        if self.take(')') {
+            // Only SWI-Prolog has these.
+            return Ok(Term::Compound(name, Vec::new()));
+        }
         let mut arguments = vec![self.term(depth + 1)?];
         while self.take(',') {
             arguments.push(self.term(depth + 1)?);
@@ -535,6 +539,11 @@ mod tests {
         let [a, b] = [scryer, swi].map(shown);
         assert_eq!(a, b);
         assert_eq!(a, "row([a, 1, -2.5], semco:'Collision', _, 1-2, {}(x))");
+    }
+
+    #[test]
+    fn a_term_may_be_without_arguments() {
+        assert_eq!(shown("row(goal_met(),[f()])"), "row(goal_met(), [f()])");
     }
 
     #[test]
