@@ -308,6 +308,15 @@ impl<'a> Reader<'a> {
                 self.at += 2;
                 self.compound("{}".to_owned(), depth)
             }
+            // As SWI-Prolog writes {}(a).
+            Some('{') => {
+                self.at += 1;
+                let inner = self.term(depth + 1)?;
+                if !self.take('}') {
+                    return Err(self.expected("}"));
+                }
+                Ok(Term::Compound("{}".to_owned(), vec![inner]))
+            }
             Some(c @ ('!' | ';' | ',')) => {
                 self.at += 1;
                 self.compound(c.to_string(), depth)
@@ -539,6 +548,11 @@ mod tests {
         let [a, b] = [scryer, swi].map(shown);
         assert_eq!(a, b);
         assert_eq!(a, "row([a, 1, -2.5], semco:'Collision', _, 1-2, {}(x))");
+    }
+
+    #[test]
+    fn a_term_in_braces_is_one_with_their_name() {
+        assert_eq!(shown("row({','(a,b)},{})"), "row({}(','(a, b)), {})");
     }
 
     #[test]
