@@ -302,4 +302,21 @@ fn on_a_full_disk_the_results_are_kept_and_of_the_episode_what_can_be() {
             );
         }
     }
+    // The other way round: the episode does not depend on where the results go.
+    let script = "mount -t tmpfs -o size=256k tmpfs disk
+        $0 run task.toml --rounds 1 --out disk/out; echo code $?
+        $0 memory verify";
+    let output = Command::new("unshare")
+        .current_dir(folder.path())
+        .args(["-rm", "sh", "-c", script])
+        .arg(crate::program::path())
+        .output()
+        .unwrap();
+    let [out, err] = [&output.stdout, &output.stderr].map(|b| String::from_utf8_lossy(b));
+    assert!(out.contains("code 2\n1 episode: all well"), "{out}{err}");
+    let says = "note: the episode is kept all the same, in episodes/";
+    assert!(err.contains(says) && err.contains("round-1.mcap"), "{err}");
+    let memory = Memory::open(&folder.path().join("episodes")).unwrap();
+    let id = &memory.episodes().unwrap()[0];
+    assert!(memory.episode(id).unwrap().telemetry(1).is_ok());
 }

@@ -94,6 +94,11 @@ impl EpisodeRecorder {
         Ok(Self { kept: Some(kept) })
     }
 
+    /// Whether there is one.
+    pub fn is_kept(&self) -> bool {
+        self.kept.is_some()
+    }
+
     /// Looks on while the loop runs. A round whose telemetry cannot be written, as on a full disk, is kept without: the
     /// results of a run do not depend on its memory.
     pub fn see(&mut self, event: &RunEvent<'_>) {

@@ -73,6 +73,7 @@ pub fn execute(
     let mut watch = Watch::new(job);
     let mut recorder = Recorder::new(job, checkpoints, executed_s.len(), args.realtime);
     let mut session = job.session(config, given);
+    let mut no_bag: Option<Failure> = None;
     let result = loop {
         let finished = session.rounds().len();
         let stage = session.step(executor.as_dyn(), &mut |event| {
@@ -86,20 +87,35 @@ pub fn execute(
                 return ControlFlow::Continue(());
             }
             episode.see(event);
-            let seen = recorder.see(event);
-            watch.flow(seen.map_err(cannot_write))
+            // An episode does not depend on the results, nor on where they go.
+            match recorder.see(event).map_err(cannot_write) {
+                Err(failure) if episode.is_kept() => {
+                    recorder.give_up();
+                    no_bag.get_or_insert(failure);
+                    ControlFlow::Continue(())
+                }
+                seen => watch.flow(seen),
+            }
         });
         if let [.., round] = &session.rounds()[finished..] {
             let number = round.motion.number;
             if let Some(seconds) = executed_s.get(finished) {
                 watch.times_mut(number).executing_s = *seconds;
-            } else if let (None, Some(truth)) = (&watch.failure, executor.truth().last()) {
+            } else if let (None, None, Some(truth)) =
+                (&watch.failure, &no_bag, executor.truth().last())
+            {
                 let seconds = watch.times(number).executing_s;
-                (recorder.checkpoints.keep(round, truth, seconds)).map_err(|error| {
+                if let Err(error) = recorder.checkpoints.keep(round, truth, seconds) {
                     let place = folder.state();
-                    Failure::new(format!("{}: cannot write there: {error}", place.display()))
-                        .with_help("choose another folder with --out")
-                })?;
+                    let failure =
+                        Failure::new(format!("{}: cannot write there: {error}", place.display()))
+                            .with_help("choose another folder with --out");
+                    if !episode.is_kept() {
+                        return Err(failure);
+                    }
+                    recorder.give_up();
+                    no_bag = Some(failure);
+                }
             }
         }
         match stage {
@@ -127,6 +143,10 @@ pub fn execute(
         });
     let rounds: Vec<Done> = done.collect::<Result<_, Failure>>()?;
     let kept = episode.commit(&rounds, prepared, task_args, &robot.files);
+    if let Some(failure) = no_bag {
+        say_where(&kept);
+        return Err(failure);
+    }
     let results = Results {
         plan,
         planning_time_s: (!is_given).then_some(planning_s),
@@ -135,6 +155,14 @@ pub fn execute(
         rounds,
     };
     Ok((results, kept))
+}
+
+/// Says where an episode is kept whose results are not.
+pub fn say_where(kept: &Kept) {
+    if let Ok(Some(kept)) = kept {
+        let place = kept.place.display();
+        remark(&format!("the episode is kept all the same, in {place}"));
+    }
 }
 
 /// What tells this run from others. More or fewer rounds are no other run.

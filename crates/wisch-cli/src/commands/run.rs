@@ -4,7 +4,7 @@ use super::follow::{Chosen, Following, performer};
 use super::job::{Job, Results};
 use super::prepare::Prepared;
 use super::results::{out_folder, write};
-use super::rounds::execute;
+use super::rounds::{execute, say_where};
 use super::summary::{in_words, summary};
 use super::watch::Watch;
 use super::words::{counted, internal};
@@ -123,9 +123,13 @@ fn work(
         _ => (simulate_effect(&job, extent, given)?, Ok(None)),
     };
     progress.say("writing the results");
-    write(&folder, &prepared, &results_of)?;
-    folder.finish()?;
+    let written = write(&folder, &prepared, &results_of);
+    let written = written.and_then(|()| Ok(folder.finish()?));
     drop(progress);
+    if written.is_err() {
+        say_where(&episode);
+    }
+    written?;
 
     let summary = summary(&prepared, &results_of, &out);
     if results.json {
