@@ -2,6 +2,10 @@
 
 #[cfg(unix)]
 mod engine;
+#[cfg(target_os = "linux")]
+mod interactive;
+#[cfg(target_os = "linux")]
+mod killed;
 mod view;
 
 use crate::program::{ended, path as program};

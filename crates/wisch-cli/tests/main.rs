@@ -6,6 +6,8 @@ mod executor;
 mod export;
 mod follow;
 mod interpret;
+#[cfg(target_os = "linux")]
+mod kills;
 mod memory;
 mod plans;
 mod program;

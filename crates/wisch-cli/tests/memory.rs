@@ -235,3 +235,88 @@ fn without_a_memory_or_a_robot_nothing_is_kept() {
     }
     assert!(!folder.path().join("episodes").exists());
 }
+
+/// A full disk, where this system lets anybody mount a small one for a command.
+#[cfg(target_os = "linux")]
+#[test]
+fn on_a_full_disk_the_results_are_kept_and_of_the_episode_what_can_be() {
+    use std::process::Command;
+    let can_mount = Command::new("unshare")
+        .args(["-rm", "mount", "-t", "tmpfs", "tmpfs", "/mnt"])
+        .output()
+        .is_ok_and(|output| output.status.success());
+    if !can_mount {
+        eprintln!("SKIPPED: no small disk can be mounted");
+        return;
+    }
+    let folder = folder_with("arm-board.toml");
+    fs::create_dir(folder.path().join("disk")).unwrap();
+    // The telemetry of a round takes some megabytes, the rest of the episode far less than one.
+    for (size, is_kept) in [("1m", true), ("16k", false)] {
+        let script = format!(
+            "mount -t tmpfs -o size={size} tmpfs disk
+             $0 run task.toml --rounds 1 --memory disk/episodes --out {size}; echo code $?
+             $0 memory verify --memory disk/episodes
+             $0 memory list --memory disk/episodes --json"
+        );
+        let output = Command::new("unshare")
+            .current_dir(folder.path())
+            .args(["-rm", "sh", "-c", &script])
+            .arg(crate::program::path())
+            .output()
+            .unwrap();
+        let [out, err] = [&output.stdout, &output.stderr].map(|b| String::from_utf8_lossy(b));
+        assert!(
+            err.contains("No space left on device"),
+            "{size}: {out}{err}"
+        );
+        for file in [
+            "report.html",
+            "plan.json",
+            "rounds.json",
+            "telemetry/round-1.mcap",
+        ] {
+            assert!(
+                folder.path().join(size).join(file).is_file(),
+                "{size}: {file}\n{err}"
+            );
+        }
+        let episodes = if is_kept {
+            "1 episode: all well"
+        } else {
+            "0 episodes: all well"
+        };
+        assert!(out.contains(episodes), "{size}: {out}{err}");
+        assert_eq!(out.contains("\"task\""), is_kept, "{out}");
+        if is_kept {
+            assert!(
+                out.contains("code 0") || out.contains("code 1"),
+                "{out}{err}"
+            );
+            let says = "note: the episode is kept without the telemetry of round 1";
+            assert!(err.contains(says), "{err}");
+        } else {
+            assert!(
+                out.contains("code 2") && err.contains("error: "),
+                "{out}{err}"
+            );
+        }
+    }
+    // The other way round: the episode does not depend on where the results go.
+    let script = "mount -t tmpfs -o size=256k tmpfs disk
+        $0 run task.toml --rounds 1 --out disk/out; echo code $?
+        $0 memory verify";
+    let output = Command::new("unshare")
+        .current_dir(folder.path())
+        .args(["-rm", "sh", "-c", script])
+        .arg(crate::program::path())
+        .output()
+        .unwrap();
+    let [out, err] = [&output.stdout, &output.stderr].map(|b| String::from_utf8_lossy(b));
+    assert!(out.contains("code 2\n1 episode: all well"), "{out}{err}");
+    let says = "note: the episode is kept all the same, in episodes/";
+    assert!(err.contains(says) && err.contains("round-1.mcap"), "{err}");
+    let memory = Memory::open(&folder.path().join("episodes")).unwrap();
+    let id = &memory.episodes().unwrap()[0];
+    assert!(memory.episode(id).unwrap().telemetry(1).is_ok());
+}

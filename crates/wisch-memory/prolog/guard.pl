@@ -15,6 +15,10 @@ guarded(Goal, Guarded) :-
         Goal =.. [_|Arguments],
         guarded_arguments(Kinds, Arguments, Safe),
         Guarded =.. [Name|Safe]
+    ; printing(Goal, Format, Arguments) ->
+        Guarded = printed(Format, Arguments)
+    ; formatting(Goal, Sink, Format, Arguments) ->
+        Guarded = formatted(Sink, Format, Arguments)
     ; listed(Name, Arity) ->
         Guarded = Goal
     ; throw(unknown_predicate(Name, Arity))
@@ -44,6 +48,7 @@ run(G, A, B) :- extended(G, [A, B], H), run(H).
 run(G, A, B, C) :- extended(G, [A, B, C], H), run(H).
 run(G, A, B, C, D) :- extended(G, [A, B, C, D], H), run(H).
 run(G, A, B, C, D, E) :- extended(G, [A, B, C, D, E], H), run(H).
+run(G, A, B, C, D, E, F) :- extended(G, [A, B, C, D, E, F], H), run(H).
 
 extended(Goal, _, _) :- var(Goal), !, throw(error(instantiation_error, query)).
 extended(Goal, More, Extended) :-
@@ -56,17 +61,29 @@ meta(call, 1, [goal]).
 meta(call, 2, [closure, value]).
 meta(call, 3, [closure, value, value]).
 meta(call, 4, [closure, value, value, value]).
+meta(call, 5, [closure, value, value, value, value]).
+meta(call, 6, [closure, value, value, value, value, value]).
+meta(call, 7, [closure, value, value, value, value, value, value]).
+meta(catch, 3, [goal, value, goal]).
+meta(not, 1, [goal]).
 meta(once, 1, [goal]).
 meta(ignore, 1, [goal]).
 meta(forall, 2, [goal, goal]).
 meta(findall, 3, [value, goal, value]).
+meta(findall, 4, [value, goal, value, value]).
 meta(bagof, 3, [value, solutions, value]).
 meta(setof, 3, [value, solutions, value]).
 meta(aggregate_all, 3, [value, goal, value]).
 meta(maplist, 2, [closure, value]).
 meta(maplist, 3, [closure, value, value]).
 meta(maplist, 4, [closure, value, value, value]).
+meta(maplist, 5, [closure, value, value, value, value]).
 meta(foldl, 4, [closure, value, value, value]).
+meta(foldl, 5, [closure, value, value, value, value]).
+meta(foldl, 6, [closure, value, value, value, value, value]).
+meta(include, 3, [closure, value, value]).
+meta(exclude, 3, [closure, value, value]).
+meta(partition, 4, [closure, value, value, value]).
 meta(kb_call, 1, [goal]).
 meta(ask, 1, [goal]).
 meta(during, 2, [goal, value]).
@@ -76,6 +93,41 @@ meta(until, 2, [goal, value]).
 listed(Name, Arity) :- builtin(Name, Arity).
 listed(Name, Arity) :- predicate(Name, Arity, _).
 
+% What is printed is told to the program: standard output is the conversation with it.
+printing(format(F), F, []).
+printing(format(F, As), F, As).
+printing(write(T), '~w', [T]).
+printing(writeln(T), '~w~n', [T]).
+printing(print(T), '~q', [T]).
+printing(writeq(T), '~q', [T]).
+printing(write_canonical(T), '~q', [T]).
+printing(nl, '~n', []).
+
+printed(Format, Arguments) :- need(print(Format, Arguments), _).
+
+formatting(format(Sink, F, As), Sink, F, As).
+
+formatted(Sink, Format, Arguments) :-
+    ( nonvar(Sink), member(Sink-How, [atom(A)-A, chars(Cs)-Cs, codes(Cs)-Cs]) -> true
+    ; throw(error(domain_error(output_sink, Sink), format))
+    ),
+    need(format(Format, Arguments), [Text]),
+    functor(Sink, Kind, _),
+    text_as(Kind, Text, How).
+
+text_as(atom, Text, Text).
+text_as(chars, Text, Cs) :- atom_chars(Text, Cs).
+text_as(codes, Text, Cs) :- atom_codes(Text, Cs).
+
+builtin(format, 1).
+builtin(format, 2).
+builtin(format, 3).
+builtin(write, 1).
+builtin(writeln, 1).
+builtin(print, 1).
+builtin(writeq, 1).
+builtin(write_canonical, 1).
+builtin(nl, 0).
 builtin(true, 0).
 builtin(fail, 0).
 builtin(false, 0).
@@ -95,6 +147,13 @@ builtin(<, 2).
 builtin(>, 2).
 builtin(=<, 2).
 builtin(>=, 2).
+builtin(throw, 1).
+builtin(repeat, 0).
+builtin(succ, 2).
+builtin(plus, 3).
+builtin(subsumes_term, 2).
+builtin(unify_with_occurs_check, 2).
+builtin(term_variables, 2).
 builtin(var, 1).
 builtin(nonvar, 1).
 builtin(atom, 1).
@@ -123,12 +182,31 @@ builtin(between, 3).
 builtin(length, 2).
 builtin(member, 2).
 builtin(memberchk, 2).
+builtin(append, 2).
 builtin(append, 3).
+builtin(last, 2).
+builtin(delete, 3).
+builtin(permutation, 2).
+builtin(list_to_set, 2).
+builtin(subtract, 3).
+builtin(intersection, 3).
+builtin(union, 3).
+builtin(numlist, 3).
+builtin(flatten, 2).
+builtin(msort, 2).
+builtin(pairs_keys, 2).
+builtin(pairs_values, 2).
+builtin(pairs_keys_values, 3).
+builtin(atomic_list_concat, 2).
+builtin(atomic_list_concat, 3).
 builtin(reverse, 2).
 builtin(nth0, 3).
 builtin(nth1, 3).
 builtin(select, 3).
 builtin(sum_list, 2).
+builtin(sumlist, 2).
+builtin(max_list, 2).
+builtin(min_list, 2).
 builtin(sort, 2).
 builtin(keysort, 2).
 

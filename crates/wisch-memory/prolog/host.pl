@@ -1,7 +1,7 @@
 % The conversation with the program: it sends queries, and the facts that they need.
 %
 % Terms go both ways, one a line. The program says ask(Query, Limit), where Query is a string; this says
-% names(Names), then rows([row(Value, ...), ...]) with the answers, and ends with done(all), done(limit) or error(Error). On the
+% names(Names), then rows([row(values(Value, ...), ...), ...]) with the answers, and ends with done(all), done(limit) or error(Error). On the
 % way it may say need(Request), which the program answers with rows(Facts), chunk(Cursor, Rows) or
 % fault(Error), and view(Command), which it does not answer.
 
@@ -18,7 +18,7 @@
 main :-
     open_host,
     repeat,
-    read_term(host, Order, []),
+    hear(Order),
     once(obey(Order)),
     Order == halt,
     !.
@@ -32,6 +32,7 @@ obey(ask(Query, Limit)) :-
     flush_output.
 
 % Engines say where an error happened in ways of their own.
+plain(Error, cyclic) :- catch(( finite(Error), fail ), cyclic, true), !.
 plain(error(Formal, _), error(Formal, none)) :- !.
 plain(Error, Error).
 
@@ -41,18 +42,44 @@ answer(Query, Limit, End) :-
     say(names(Atoms)),
     guarded(Goal, Guarded),
     counter_set(0),
-    Row =.. [row|Values],
-    findall(Row, at_most(Limit, Guarded), Rows),
+    groups(Values, Groups),
+    Row =.. [row|Groups],
+    findall(Row, at_most(Limit, Guarded, Row), Rows),
     say_rows(Rows),
     counter_get(Count),
     ( Count >= Limit -> End = done(limit) ; End = done(all) ).
 
-at_most(Limit, Goal) :-
-    call(Goal),
+% groups(+Values, -Groups): values in terms of not too many arguments, of which systems take only so many.
+groups([], []) :- !.
+groups(Values, [Group|Groups]) :-
+    first(200, Values, Some, Rest),
+    Group =.. [values|Some],
+    groups(Rest, Groups).
+
+at_most(Limit, Goal, Row) :-
+    in_pieces(Goal),
+    finite(Row),
     counter_get(Before),
     Count is Before + 1,
     counter_set(Count),
     ( Count >= Limit -> ! ; true ).
+
+% A goal is compiled before it is called, which may take more than twice as long for twice as many goals: long
+% conjunctions are called in pieces. A cut belongs to all of them together.
+in_pieces(Goal) :- has_cut(Goal), !, call(Goal).
+in_pieces(Goal) :- pieces(Goal).
+
+pieces(Goal) :- piece(64, Goal, Some, Rest), ( Rest == none -> call(Some) ; call(Some), pieces(Rest) ).
+
+piece(N, (A, B), (A, C), Rest) :- N > 1, !, M is N - 1, piece(M, B, C, Rest).
+piece(_, (A, B), A, B) :- !.
+piece(_, A, A, none).
+
+has_cut(A) :- var(A), !, fail.
+has_cut(!).
+has_cut((A, B)) :- ( has_cut(A) -> true ; has_cut(B) ).
+has_cut((A ; B)) :- ( has_cut(A) -> true ; has_cut(B) ).
+has_cut((A -> B)) :- ( has_cut(A) -> true ; has_cut(B) ).
 
 % Writing costs by the term: many rows go into one.
 say_rows([]) :- !.
@@ -85,12 +112,19 @@ say(Term) :-
 % need(+Request, -Rows): what the program knows of it.
 need(Request, Rows) :-
     converse(need(Request), Reply),
-    reply(Reply, Rows).
+    whole(Reply, Rows).
+
+whole(chunk(Cursor, Some), Rows) :- !,
+    converse(need(more(Cursor)), Reply),
+    whole(Reply, Rest),
+    append(Some, Rest, Rows).
+whole(Reply, Rows) :- reply(Reply, Rows).
 
 converse(Said, Reply) :-
+    finite(Said),
     say(Said),
     flush_output,
-    read_term(host, Reply, []).
+    hear(Reply).
 
 reply(rows(Rows), Rows).
 reply(fault(Error), _) :- throw(Error).

@@ -149,13 +149,17 @@ action_status(Action, Status) :- triple(Action, soma:hasExecutionState, Status).
 action_succeeded(Action) :- triple(Action, soma:hasExecutionState, soma:'ExecutionState_Succeeded').
 action_failed(Action) :- triple(Action, soma:hasExecutionState, soma:'ExecutionState_Failed').
 
-% tell(+Statement): keeps it in this memory, as has_type(I, C) or holds(S, P, O).
-tell(Statement) :- var(Statement), !, throw(error(instantiation_error, tell)).
+% tell(+Statement): keeps it in this memory when the query has ended well, as holds(S, P, O) or a list of these.
+tell(Statement) :- \+ ground(Statement), !, throw(error(instantiation_error, tell)).
 tell([]) :- !.
 tell([S|Ss]) :- !, tell(S), tell(Ss).
-tell(holds(S, P, O)) :- !, known(thing, S, S1), known(property, P, P1), object(O, O1), told(S1, P1, O1).
+tell(holds(S, P, O)) :- !, known(thing, S, S1), known(property, P, P1), tellable(P1), object(O, O1), told(S1, P1, O1).
 tell(triple(S, P, O)) :- !, tell(holds(S, P, O)).
+tell(has_type(_, _)) :- throw(untold('rdf:type')).
 tell(Statement) :- throw(error(domain_error(statement, Statement), tell)).
+
+% These are answered from what episodes are, not from what is said of them.
+tellable(P) :- ( member(P, ['rdf:type', 'rdfs:subClassOf', 'dul:hasConstituent', 'dul:isConstituentOf']) -> throw(untold(P)) ; true ).
 
 told(S, P, O) :- ( exactly(S, P, O) -> true ; need(tell(S, P, O), Facts), store(Facts) ).
 

@@ -27,7 +27,7 @@ predicate(is_classified_by, 2, 'is_classified_by(Event, Concept): Concept says w
 predicate(action_status, 2, 'action_status(Action, State): how Action ended').
 predicate(action_succeeded, 1, 'action_succeeded(Action): the goal was met').
 predicate(action_failed, 1, 'action_failed(Action): the goal was not met').
-predicate(tell, 1, 'tell(holds(S, P, O)): keeps a statement in this memory').
+predicate(tell, 1, 'tell(holds(S, P, O)): keeps a statement in this memory, when the query has ended and holds').
 predicate(occurs, 1, 'occurs(Event): Event has a time').
 predicate(occurs, 2, 'occurs(Event, [S, E]): Event lasts from S to E [s since 1970]').
 predicate(event_interval, 3, 'event_interval(Event, S, E): the same').
@@ -50,9 +50,11 @@ predicate(is_at, 2, 'is_at(O, [Frame, [X, Y, Z], [Qx, Qy, Qz, Qw]]): the last kn
 predicate(mng_lookup_position, 4, 'mng_lookup_position(O, Frame, Time, [P, Q]): where O was').
 predicate(tf, 2, 'tf(O, Pose): the last known pose').
 predicate(tf, 4, 'tf(O, Time, P, Q): where O was').
-predicate(object_trajectory, 4, 'object_trajectory(O, [S, E], dt(D), T): poses of O as Time-Pose; or num_samples(N)').
+predicate(object_trajectory, 4, 'object_trajectory(O, When, dt(D), T): poses of O as Time-Pose over [S, E] or an event; or num_samples(N)').
+predicate(object_trajectory_in, 5, 'object_trajectory_in(Episode, O, When, dt(D), T): the same, of one episode').
 predicate(tf_mng_trajectory, 4, 'tf_mng_trajectory(O, S, E, T): the same every 0.1 s').
-predicate(telemetry, 4, 'telemetry(Channel, [S, E], Statistic, V): max, min, mean or rms of force, vertical_force, speed, a joint or a column of the telemetry').
+predicate(telemetry, 4, 'telemetry(Channel, When, Statistic, V): max, min, mean or rms of force, vertical_force, speed, a joint or a column of the telemetry over [S, E] or an event; by episode').
+predicate(telemetry_in, 5, 'telemetry_in(Episode, Channel, When, Statistic, V): the same, of one episode').
 predicate(show, 0, 'show: the scene').
 predicate(show, 1, 'show(What): a thing, trajectory(O), particles(O), or a list of these').
 predicate(show, 2, 'show(What, When): at a time, or over interval(S, E) or interval(S, E, dt(D))').

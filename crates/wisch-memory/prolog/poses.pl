@@ -1,6 +1,7 @@
-% Where things were: poses are [Frame, [X, Y, Z], [Qx, Qy, Qz, Qw]], computed from the joints that are stored.
+% Where things were: poses are [Frame, [X, Y, Z], [Qx, Qy, Qz, Qw]], computed from the joints that are stored. What is
+% asked of a time is answered by episode: runs at once overlap.
 
-is_at_time(O, Time, Pose) :- number(Time), known(thing, O, Name), need(pose(Name, Time), [Found]), Pose = Found.
+is_at_time(O, Time, Pose) :- number(Time), known(thing, O, Name), need(pose(Name, Time), Found), member(_-Pose, Found).
 
 % Without a time, the last that is known.
 is_at(O, Pose) :- known(thing, O, Name), need(last_pose(Name), [Found]), Pose = Found.
@@ -10,19 +11,32 @@ mng_lookup_position(O, Frame, Time, [P, Q]) :- number(Time), is_at_time(O, Time,
 tf(O, Pose) :- is_at(O, Pose).
 tf(O, Time, P, Q) :- number(Time), is_at_time(O, Time, [_, P, Q]).
 
-% object_trajectory(+O, +[S, E], +dt(D), -Trajectory): a list of Time-Pose; or num_samples(N).
-object_trajectory(O, [S, E], Sampling, Trajectory) :-
-    number(S),
-    number(E),
+% object_trajectory(+O, +When, +dt(D), -Trajectory): a list of Time-Pose; or num_samples(N).
+object_trajectory(O, When, Sampling, Trajectory) :- object_trajectory_in(_, O, When, Sampling, Trajectory).
+
+object_trajectory_in(Episode, O, When, Sampling, Trajectory) :-
+    during_what(Episode, When, S, E, Of),
     known(thing, O, Name),
-    need(trajectory(Name, S, E, Sampling), Trajectory).
+    need(trajectory(Name, S, E, Sampling, Of), Found),
+    episode_and(Episode, Trajectory, Found).
 
 tf_mng_trajectory(O, S, E, Trajectory) :- object_trajectory(O, [S, E], dt(0.1), Trajectory).
 
-% telemetry(+Channel, +[S, E], +Statistic, -Value): of force, vertical_force, speed, a joint or a column of the telemetry;
+% telemetry(+Channel, +When, +Statistic, -Value): of force, vertical_force, speed, a joint or a column of the telemetry;
 % the statistic is max, min, mean or rms.
-telemetry(Channel, [S, E], Statistic, Value) :-
-    number(S),
-    number(E),
-    need(telemetry(Channel, S, E, Statistic), [Found]),
-    Value = Found.
+telemetry(Channel, When, Statistic, Value) :- telemetry_in(_, Channel, When, Statistic, Value).
+
+telemetry_in(Episode, Channel, When, Statistic, Value) :-
+    during_what(Episode, When, S, E, Of),
+    need(telemetry(Channel, S, E, Statistic, Of), Found),
+    episode_and(Episode, Value, Found).
+
+% during_what(?Episode, +When, -S, -E, -Of): When is [S, E] or an event; Of is something of the only episode that is
+% meant, or any.
+during_what(Episode, [S, E], S, E, Of) :- !, number(S), number(E), ( var(Episode) -> Of = any ; known(thing, Episode, Of) ).
+during_what(_, Event, S, E, Name) :- known(thing, Event, Name), timed(Name, S, E).
+
+episode_and(Episode, Answer, Found) :-
+    thing(Episode, Name),
+    member(Name-Answer0, Found),
+    Answer = Answer0.

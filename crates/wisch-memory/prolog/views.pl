@@ -30,4 +30,4 @@ data_vis(Diagram, Properties) :-
     ( is_list(Properties) -> true ; throw(error(type_error(list, Properties), data_vis)) ),
     view(data_vis(Diagram, Properties)).
 
-view(Command) :- ( ground(Command) -> say(view(Command)) ; throw(error(instantiation_error, Command)) ).
+view(Command) :- finite(Command), ( ground(Command) -> say(view(Command)) ; throw(error(instantiation_error, Command)) ).

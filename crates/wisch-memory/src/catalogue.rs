@@ -31,6 +31,7 @@ pub struct Catalogue {
     values: Vec<Column>,
     texts: Vec<Vec<(IndividualId, String)>>,
     relations: Vec<Vec<(IndividualId, Node)>>,
+    left_out: Vec<String>,
 }
 
 /// An episode in the catalogue.
@@ -194,6 +195,35 @@ impl Catalogue {
             })
             .collect();
         kept
+    }
+
+    /// What is not in it because it cannot be read: each episode with the reason.
+    pub fn left_out(&self) -> &[String] {
+        &self.left_out
+    }
+
+    /// Takes down that an episode cannot be read.
+    pub(crate) fn leave_out(&mut self, why: String) {
+        self.left_out.push(why);
+    }
+
+    /// The episodes during which, at least in part, a time lies [s since 1970]. Runs at once have episodes that
+    /// overlap; if something of one of them lasted from exactly then to exactly then, that one is meant.
+    pub fn episodes_during(&self, interval: [f64; 2]) -> Vec<&EpisodeRow> {
+        let [from, to] = interval;
+        let rows = self.episodes.iter();
+        let during: Vec<&EpisodeRow> = rows
+            .filter(|row| row.interval[0] <= to && row.interval[1] >= from)
+            .collect();
+        let is_meant = |row: &&&EpisodeRow| {
+            let mut all = row.first..row.first + row.len;
+            all.any(|id| self.interval(id) == Some(interval))
+        };
+        let meant: Vec<&EpisodeRow> = match during.len() {
+            0 | 1 => Vec::new(),
+            _ => during.iter().filter(is_meant).copied().collect(),
+        };
+        if meant.is_empty() { during } else { meant }
     }
 
     /// Its episodes, in the order in which they came in.

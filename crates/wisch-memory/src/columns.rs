@@ -1,5 +1,6 @@
 //! Columns of numbers and texts in Parquet files, row group by row group: the part that all our files share.
 
+use crate::checked_file::CheckedFile;
 use parquet::basic::{Encoding, LogicalType, Repetition, Type as PhysicalType};
 use parquet::column::reader::get_typed_column_reader;
 use parquet::data_type::{
@@ -11,7 +12,6 @@ use parquet::file::reader::FileReader;
 use parquet::file::serialized_reader::SerializedFileReader;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{ColumnPath, Type, TypePtr};
-use std::fs::File;
 use std::io::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
@@ -134,7 +134,7 @@ pub(crate) fn write_group<'a, W: Write + Send>(
 ///
 /// # Errors
 /// A file that is cut off or broken.
-pub(crate) fn open(file: File) -> Result<SerializedFileReader<File>, ParquetError> {
+pub(crate) fn open(file: CheckedFile) -> Result<SerializedFileReader<CheckedFile>, ParquetError> {
     guarded(|| SerializedFileReader::new(file))
 }
 
@@ -143,7 +143,7 @@ pub(crate) fn open(file: File) -> Result<SerializedFileReader<File>, ParquetErro
 /// # Errors
 /// A column of another kind, or broken pages.
 pub(crate) fn read_chunk<T: DataType>(
-    file: &SerializedFileReader<File>,
+    file: &SerializedFileReader<CheckedFile>,
     group: usize,
     column: usize,
 ) -> Result<Vec<T::T>, ParquetError> {
@@ -164,7 +164,7 @@ fn guarded<T>(read: impl FnOnce() -> Result<T, ParquetError>) -> Result<T, Parqu
 }
 
 fn decode<T: DataType>(
-    file: &SerializedFileReader<File>,
+    file: &SerializedFileReader<CheckedFile>,
     group: usize,
     column: usize,
 ) -> Result<Vec<T::T>, ParquetError> {

@@ -5,6 +5,7 @@
 
 pub mod ask;
 pub mod catalogue;
+mod checked_file;
 mod columns;
 pub mod frames;
 mod id;

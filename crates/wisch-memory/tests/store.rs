@@ -209,6 +209,31 @@ fn every_scratch_and_cut_is_named_by_file() {
 }
 
 #[test]
+fn who_reads_telemetry_notices_every_scratch() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = memory(folder.path());
+    let record = one_round(0);
+    store(&memory, &record).unwrap();
+    let episode = memory.episode(&record.id).unwrap();
+    let read = || -> Result<Vec<f64>, MemoryError> {
+        let telemetry = episode.telemetry(1)?;
+        Ok(telemetry.values("v", 0..telemetry.rows())?)
+    };
+    assert_eq!(read().unwrap().len(), 100);
+    let path = episode.folder().join("round-1.parquet");
+    let whole = std::fs::read(&path).unwrap();
+    for place in 0..whole.len() {
+        let mut bytes = whole.clone();
+        bytes[place] ^= 1;
+        std::fs::write(&path, &bytes).unwrap();
+        let error = read().expect_err(&format!("byte {place}"));
+        assert!(error.to_string().contains("round-1.parquet"), "{error}");
+    }
+    std::fs::write(&path, &whole[..whole.len() - 1]).unwrap();
+    assert!(read().is_err(), "cut off");
+}
+
+#[test]
 fn the_catalogue_from_tables_is_that_from_the_folders() {
     let folder = tempfile::tempdir().unwrap();
     let memory = memory(folder.path());
@@ -242,15 +267,25 @@ fn the_catalogue_from_tables_is_that_from_the_folders() {
     agrees();
 
     // Broken tables are made anew.
-    for file in std::fs::read_dir(tables.join(current())).unwrap() {
-        let path = file.unwrap().path();
-        let path = tables.join(current()).join(path.file_name().unwrap());
-        let bytes = std::fs::read(&path).unwrap();
-        std::fs::write(&path, &bytes[..bytes.len() / 2]).unwrap();
-        let before = current();
-        agrees();
-        assert_ne!(current(), before, "{} is broken", path.display());
-        agrees();
+    let damages: [fn(&mut Vec<u8>); 2] = [
+        |bytes| bytes.truncate(bytes.len() / 2),
+        |bytes| {
+            let middle = bytes.len() / 2;
+            bytes[middle] ^= 1;
+        },
+    ];
+    for damage in damages {
+        for file in std::fs::read_dir(tables.join(current())).unwrap() {
+            let path = file.unwrap().path();
+            let path = tables.join(current()).join(path.file_name().unwrap());
+            let mut bytes = std::fs::read(&path).unwrap();
+            damage(&mut bytes);
+            std::fs::write(&path, &bytes).unwrap();
+            let before = current();
+            agrees();
+            assert_ne!(current(), before, "{} is broken", path.display());
+            agrees();
+        }
     }
 }
 

@@ -133,8 +133,9 @@ impl Shown {
         gather(&said, &[], &self.memory, &self.catalogue, &mut around)
     }
 
-    fn refusal(&self, said: &str) -> String {
-        self.view(&[said]).expect_err(said).to_string()
+    /// Why something is not drawn.
+    fn remarks(&self, said: &str) -> Vec<String> {
+        self.view(&[said]).unwrap().remarks
     }
 }
 
@@ -268,6 +269,15 @@ fn of_too_many_answers_the_first_are_shown() {
 }
 
 #[test]
+fn what_cannot_be_drawn_takes_nothing_else_away() {
+    let shown = memory_with(AFTER);
+    let view = shown
+        .view(&["show('semco:spong',1002)", "show('semco:sponge',1002)"])
+        .unwrap();
+    assert_eq!((view.remarks.len(), view.bodies.len()), (1, 1));
+}
+
+#[test]
 fn what_was_not_recorded_is_named() {
     let shown = memory_with("x\n1\n");
     for (said, says) in [
@@ -277,21 +287,23 @@ fn what_was_not_recorded_is_named() {
         ),
         (
             "show('semco:spong',1002)",
-            "there is no frame \"spong\"; the nearest is \"sponge\"".to_owned(),
+            format!(
+                "episode {ID}, round 1: there is no frame \"spong\"; the nearest is \"sponge\""
+            ),
         ),
         (
             "show('semco:sponge',interval(1000,1010,dt(0.1)))",
             format!(
-                "semco:sponge: 101 poses are more than the limit of {MAX_POSES}: ask for fewer times"
+                "episode {ID}, round 1: semco:sponge: 101 poses are more than the limit of {MAX_POSES}: ask for fewer times"
             ),
         ),
         (
             "show(particles('semco:breadcrumbs'))",
             format!(
-                "episode {ID}: round-1/particles-estimated.csv: line 1: x names no x_m and y_m"
+                "episode {ID}, round 1: round-1/particles-estimated.csv: line 1: x names no x_m and y_m"
             ),
         ),
     ] {
-        assert_eq!(shown.refusal(said), says);
+        assert_eq!(shown.remarks(said), [says]);
     }
 }

@@ -1,7 +1,8 @@
 //! The Prolog engine of `wisch ask`: Scryer Prolog in a process of its own, so that a runaway or a panic ends a query
 //! and not the program.
 //!
-//! `wisch ask` begins it, hands it the predicates as a file, and asks it over its standard streams.
+//! `wisch ask` begins it, hands it the predicates as a file, and asks it over its standard streams. It ends with whoever
+//! began it, however that ends and whatever query it is at.
 
 use scryer_prolog::{MachineBuilder, StreamConfig};
 use std::process::ExitCode;
@@ -27,6 +28,8 @@ fn main() -> ExitCode {
 /// Answers queries from standard input to standard output until it ends, with the predicates of a file, in so much
 /// memory [bytes].
 fn work(memory: &str, program: &str) -> Result<(), String> {
+    #[cfg(unix)]
+    end_with_the_program().map_err(|error| format!("standard input: {error}"))?;
     let bytes = memory.parse::<u64>();
     let bytes = bytes.map_err(|error| format!("memory limit {memory:?}: {error}"))?;
     rlimit::setrlimit(rlimit::Resource::AS, bytes, bytes)
@@ -37,4 +40,29 @@ fn work(memory: &str, program: &str) -> Result<(), String> {
     machine.load_module_string("user", text);
     for _ in machine.run_query("main.") {}
     Ok(())
+}
+
+/// Ends this process, at once, when nobody holds the other end of its standard input any more. On Linux the kernel ends
+/// it, too, when the thread that began it ends.
+#[cfg(unix)]
+fn end_with_the_program() -> std::io::Result<()> {
+    use rustix::event::{PollFd, PollFlags, poll};
+    use rustix::process::{Signal, getpid, kill_process};
+    #[cfg(target_os = "linux")]
+    rustix::process::set_parent_process_death_signal(Some(Signal::KILL))?;
+    // If the program has ended before that, the stream has as well.
+    let watch = move || {
+        let input = std::io::stdin();
+        let gone = PollFlags::HUP | PollFlags::ERR;
+        loop {
+            // What comes in does not wake it.
+            let mut streams = [PollFd::new(&input, PollFlags::empty())];
+            let woken = poll(&mut streams, None);
+            if woken.is_ok() && streams[0].revents().intersects(gone) {
+                // Not by returning: queries are answered on another thread.
+                let _ = kill_process(getpid(), Signal::KILL);
+            }
+        }
+    };
+    std::thread::Builder::new().spawn(watch).map(drop)
 }

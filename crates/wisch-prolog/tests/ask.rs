@@ -1,7 +1,10 @@
 //! Questions to a memory whose answers can be told by looking at it, from both engines.
 
 mod memory;
+mod mutated;
 mod random;
+mod stored;
+mod tell;
 
 use std::io::Write;
 use std::sync::{Arc, LazyLock};
@@ -468,6 +471,181 @@ fn what_is_no_prolog_is_an_error() {
             );
         }
         assert!(asker.ask("true. ").unwrap().holds());
+    }
+}
+
+#[test]
+fn one_query_is_asked_at_a_time() {
+    for command in engines() {
+        let mut asker = asker(command);
+        for query in [
+            "true. foo",
+            "true. true.",
+            "goal_met(A). % why\n goal_met(B).",
+        ] {
+            let error = asker.ask(query).expect_err(query);
+            assert!(error.to_string().contains("full stop"), "{query}: {error}");
+        }
+        for query in [
+            "X = 'a. b'.",
+            "true. % why",
+            "% which\ntrue /* . */ .",
+            "X = 0'a. ",
+        ] {
+            assert!(asker.ask(query).unwrap().holds(), "{query}");
+        }
+    }
+}
+
+#[test]
+fn harmless_predicates_of_prolog_can_be_called() {
+    for command in engines() {
+        let mut asker = asker(command);
+        for (query, answers) in [
+            ("X is 1e308", &["1.0e308"][..]),
+            (
+                "catch(X is foo + 1, error(type_error(E, _), _), true)",
+                &["_ evaluable"],
+            ),
+            ("catch(throw(ball), B, true)", &["ball"]),
+            ("findall(N, between(1, 3, N), L)", &["_ [1, 2, 3]"]),
+            ("format(atom(A), '~w-~2f', [x, 1.5])", &["'x-1.50'"]),
+            (
+                "atomic_list_concat([a, 1, b], '-', X), atomic_list_concat(P, '-', X)",
+                &["'a-1-b' [a, '1', b]"],
+            ),
+            (
+                "numlist(1, 4, L), last(L, X), sumlist(L, S), max_list(L, M)",
+                &["[1, 2, 3, 4] 4 10 4"],
+            ),
+            ("msort([c, a, b, a], L)", &["[a, a, b, c]"]),
+            (
+                "include(atom, [a, 1, b], L), exclude(atom, [a, 1, b], M)",
+                &["[a, b] [1]"],
+            ),
+            ("partition(number, [1, a, 2], I, O)", &["[1, 2] [a]"]),
+            (
+                "flatten([a, [b, [c]], []], F), delete([a, b, a], a, D)",
+                &["[a, b, c] [b]"],
+            ),
+            (
+                "subtract([a, b], [a], S), union([a], [b], U), intersection([a, b], [b], I)",
+                &["[b] [a, b] [b]"],
+            ),
+            (
+                "succ(X, 3), succ(3, Y), plus(1, Z, 3), not(fail)",
+                &["2 4 2"],
+            ),
+            (
+                "call(plus, 1, 2, X), foldl(plus, [1, 2, 3], 0, S)",
+                &["3 6"],
+            ),
+            ("repeat, !, X = \"abc\"", &["[a, b, c]"]),
+            (
+                "pairs_keys_values(P, [a, b], [1, 2]), pairs_keys(P, K)",
+                &["[a-1, b-2] [a, b]"],
+            ),
+        ] {
+            let found = asker
+                .ask(query)
+                .unwrap_or_else(|error| panic!("{query}: {error}"));
+            assert_eq!(shown(&found), answers, "{query}");
+        }
+        let printed = asker.ask("format(\"~w is ~d~n\", [a, 1]), writeln(hi), write(b), nl");
+        assert_eq!(printed.unwrap().printed, "a is 1\nhi\nb\n");
+        assert_eq!(
+            asker.ask("true").unwrap().printed,
+            "",
+            "each query prints its own"
+        );
+    }
+}
+
+#[test]
+fn long_queries_are_answered() {
+    let goals =
+        |goal: &dyn Fn(usize) -> String, count| (0..count).map(goal).collect::<Vec<_>>().join(", ");
+    for command in engines() {
+        // Were it compiled as one goal, Scryer Prolog would take a minute and more.
+        let limits = Limits {
+            time: Duration::from_secs(30),
+            ..Limits::default()
+        };
+        let mut asker = asker_with(command, limits);
+        assert!(
+            asker
+                .ask(&goals(&|_| "true".to_owned(), 20_000))
+                .unwrap()
+                .holds()
+        );
+        let found = asker
+            .ask(&goals(&|k| format!("X{k} = {k}"), 2_000))
+            .unwrap();
+        assert_eq!(found.rows[0].len(), 2_000);
+        let cut = format!(
+            "{}, member(X, [1, 2]), !",
+            goals(&|_| "true".to_owned(), 300)
+        );
+        assert_eq!(shown(&asker.ask(&cut).unwrap()), ["1"]);
+    }
+}
+
+#[test]
+fn terms_that_contain_themselves_are_errors_of_the_query() {
+    for command in engines() {
+        let mut asker = asker(command);
+        for query in [
+            "X = f(X)",
+            "X = [a|X]",
+            "X = f(X), has_type(X, 'Stroke')",
+            "X = f(X), throw(X)",
+            "X = f(X), show(X)",
+        ] {
+            let result = asker.ask(query);
+            assert!(
+                matches!(result, Err(AskError::Fault(_))),
+                "{query}: {result:?}"
+            );
+            assert!(asker.ask("true").unwrap().holds(), "{query}");
+        }
+    }
+}
+
+#[test]
+fn hints_name_only_what_is_nearly_the_same() {
+    for command in engines() {
+        let mut asker = asker(command);
+        for (query, hint) in [
+            ("open(a, b, c)", None),
+            ("shell(ls)", None),
+            ("halt", None),
+            ("memberchck(a, [a])", Some("memberchk/2")),
+            ("between(1, 2)", Some("between/3")),
+            ("has_tpye(X, Y)", Some("has_type/2")),
+        ] {
+            match asker.ask(query) {
+                Err(AskError::Fault(QueryFault::Unknown { nearest, .. })) => {
+                    assert_eq!(nearest.as_deref(), hint, "{query}");
+                }
+                other => panic!("{query}: {other:?}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn an_interrupt_ends_the_query_and_not_the_memory() {
+    for command in engines() {
+        let mut asker = asker(command);
+        let interrupt = asker.interrupt();
+        let soon = std::thread::spawn(move || {
+            std::thread::sleep(Duration::from_millis(500));
+            interrupt.store(true, std::sync::atomic::Ordering::Relaxed);
+        });
+        let forever = asker.ask("forall(between(1, 1000000000000, X), X > 0)");
+        assert!(matches!(forever, Err(AskError::Interrupted)), "{forever:?}");
+        soon.join().unwrap();
+        assert!(asker.ask("true").unwrap().holds());
     }
 }
 

@@ -9,13 +9,15 @@ use rustyline::error::ReadlineError;
 use rustyline::history::DefaultHistory;
 use rustyline::{Context, Editor, Helper, Highlighter, Hinter, Validator};
 use serde_json::{Map, Value, json};
+use signal_hook::consts::SIGINT;
+use signal_hook::flag::register;
 use std::io::IsTerminal;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 use wisch_memory::ask::{
     Answers, AskError, Asker, Assertions, Limits, Predicate, QueryFault, TelemetryPredicates, Term,
-    predicates,
+    builtins, predicates,
 };
 use wisch_memory::{Catalogue, Memory};
 
@@ -51,6 +53,13 @@ impl Asked {
             Failure::new(error).with_help("wisch run makes a memory; --memory names another one")
         })?;
         let catalogue = Arc::new(memory.catalogue().map_err(Failure::new)?);
+        if !global.quiet {
+            for why in catalogue.left_out() {
+                remark(&format!(
+                    "{why}: left out; wisch memory verify says what is broken"
+                ));
+            }
+        }
         Ok(Self {
             asker: asker(args, global, memory.clone(), Arc::clone(&catalogue))?,
             memory,
@@ -92,12 +101,18 @@ fn answer(
     } else if args.csv {
         print(&in_csv(&answers))?;
     } else if !global.quiet {
+        print(&answers.printed)?;
         print(&in_words(&answers))?;
     }
+    let mut remarks = answers.remarks.clone();
     if let Some(page) = page {
-        look::draw(page, query, &answers, &asked.memory, &asked.catalogue)?;
+        let not_shown = look::draw(page, query, &answers, &asked.memory, &asked.catalogue)?;
+        remarks.extend(not_shown);
     } else if !answers.views.is_empty() && !global.quiet {
         remark("the query shows something; --view FILE draws it");
+    }
+    if !global.quiet {
+        remarks.iter().for_each(|what| remark(what));
     }
     Ok(if answers.holds() {
         Outcome::Done
@@ -178,12 +193,16 @@ fn interactive(asked: &mut Asked, args: &AskArgs, global: &GlobalArgs) -> Result
     // A history that is not there yet, or cannot be read, is none.
     let _ = editor.load_history(&history);
     if !global.quiet {
-        print("Ask in Prolog, or type help; quit ends it.\n")?;
+        print("Ask in Prolog, or type help; quit ends it, Ctrl-C a query.\n")?;
     }
+    // While a line is typed, the editor sees to it.
+    register(SIGINT, asked.asker.interrupt())
+        .map_err(|error| Failure::new(format!("Ctrl-C: {error}")))?;
     loop {
         let line = match editor.readline("?- ") {
             Ok(line) => line,
-            Err(ReadlineError::Eof | ReadlineError::Interrupted) => break,
+            Err(ReadlineError::Eof) => break,
+            Err(ReadlineError::Interrupted) => continue,
             Err(error) => return Err(terminal(error)),
         };
         let query = line.trim().trim_end_matches('.');
@@ -248,6 +267,8 @@ fn in_json(query: &str, answers: &Answers) -> Value {
         "query": query,
         "answers": rows.collect::<Vec<_>>(),
         "is_cut": answers.is_cut,
+        "printed": answers.printed,
+        "remarks": answers.remarks,
     })
 }
 
@@ -292,5 +313,6 @@ fn listing(predicates: &[Predicate]) -> String {
             None => format!("  {meaning}\n"),
         }
     });
-    lines.collect()
+    let own = lines.collect::<String>();
+    own + &format!("  Prolog's own\n      {}\n", builtins().join(" "))
 }

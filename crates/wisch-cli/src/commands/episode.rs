@@ -40,7 +40,16 @@ struct Kept {
     /// By number of the round.
     logs: BTreeMap<usize, RoundLog>,
     round: usize,
-    failure: Option<MemoryError>,
+    /// Rounds of which the telemetry could not be written, and why.
+    lost: Vec<(usize, MemoryError)>,
+}
+
+/// An episode that is in the memory.
+pub struct KeptEpisode {
+    /// Where.
+    pub place: PathBuf,
+    /// What it is without, in words.
+    pub without: Vec<String>,
 }
 
 /// How a run was asked for, beside its task file.
@@ -80,34 +89,41 @@ impl EpisodeRecorder {
             telemetry: None,
             logs: BTreeMap::new(),
             round: 0,
-            failure: None,
+            lost: Vec::new(),
         };
         Ok(Self { kept: Some(kept) })
     }
 
-    /// Looks on while the loop runs. Where nothing more can be written, the loop goes on without.
+    /// Whether there is one.
+    pub fn is_kept(&self) -> bool {
+        self.kept.is_some()
+    }
+
+    /// Looks on while the loop runs. A round whose telemetry cannot be written, as on a full disk, is kept without: the
+    /// results of a run do not depend on its memory.
     pub fn see(&mut self, event: &RunEvent<'_>) {
-        if let Some(kept) = &mut self.kept
-            && kept.failure.is_none()
-        {
-            kept.failure = kept.see(event).err();
+        let Some(kept) = &mut self.kept else {
+            return;
+        };
+        if let Err(error) = kept.see(event) {
+            if let Some(telemetry) = kept.telemetry.take() {
+                telemetry.abandon();
+            }
+            kept.lost.push((kept.round, error));
         }
     }
 
-    /// Puts the episode into the memory; says where.
+    /// Puts the episode into the memory.
     pub fn commit(
         self,
         done: &[Done],
         prepared: &Prepared,
         task_args: &TaskArgs,
         robot: &RobotFiles,
-    ) -> Result<Option<PathBuf>, Failure> {
+    ) -> Result<Option<KeptEpisode>, Failure> {
         let Some(kept) = self.kept else {
             return Ok(None);
         };
-        if let Some(error) = &kept.failure {
-            return Err(cannot_keep(error));
-        }
         let attach = |name: &str, contents: &[u8]| {
             let attached = kept.writer.attach(name, contents);
             attached.map_err(|error| cannot_keep(&error))
@@ -148,7 +164,12 @@ impl EpisodeRecorder {
             .collect();
         let record = remember(&header, &rounds);
         (kept.writer.commit(&record)).map_err(|error| cannot_keep(&error))?;
-        Ok(Some(kept.place))
+        let lost = kept.lost.iter();
+        let without = lost.map(|(round, error)| format!("the telemetry of round {round}: {error}"));
+        Ok(Some(KeptEpisode {
+            place: kept.place,
+            without: without.collect(),
+        }))
     }
 }
 

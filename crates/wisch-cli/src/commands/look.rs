@@ -26,14 +26,14 @@ pub(super) fn begin(file: &Path) -> Result<OutputFile, Failure> {
 
 const OTHER_FILE: &str = "choose another file with --view";
 
-/// Writes the page.
+/// Writes the page; gives what it does not show, and why.
 pub(super) fn draw(
     file: OutputFile,
     query: &str,
     answers: &Answers,
     memory: &Memory,
     catalogue: &Catalogue,
-) -> Result<(), Failure> {
+) -> Result<Vec<String>, Failure> {
     let view = gather(
         &answers.views,
         &answers.rows,
@@ -51,7 +51,8 @@ pub(super) fn draw(
     };
     let page = answers_page(&input);
     let written = file.finish(page.as_bytes());
-    written.map_err(|error| Failure::from(error).with_help(OTHER_FILE))
+    written.map_err(|error| Failure::from(error).with_help(OTHER_FILE))?;
+    Ok(view.remarks)
 }
 
 /// What stood round the robot, by the episode's task. A task that is not there, or refers to files that are not,

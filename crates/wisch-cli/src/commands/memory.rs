@@ -3,7 +3,7 @@
 use super::words::{counted, internal, percent};
 use crate::args::{EpisodeArgs, GlobalArgs, MemoryArgs, MemoryListArgs, MemoryVerifyArgs};
 use crate::failure::Failure;
-use crate::terminal::{Outcome, print};
+use crate::terminal::{Outcome, print, remark};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use wisch_memory::catalogue::{EpisodeRow, entries};
@@ -30,6 +30,11 @@ struct Listed<'a> {
 /// Lists the episodes.
 pub fn list(args: &MemoryListArgs) -> Result<Outcome, Failure> {
     let catalogue = open(&args.memory)?.catalogue().map_err(broken)?;
+    for why in catalogue.left_out() {
+        remark(&format!(
+            "{why}: left out; wisch memory verify says what is broken"
+        ));
+    }
     let actions = actions(&catalogue);
     let collisions = counts(&catalogue, "semco:HumanCollision");
     let mut listed: Vec<Listed<'_>> = catalogue

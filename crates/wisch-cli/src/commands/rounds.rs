@@ -1,6 +1,6 @@
 //! The closed loop of `wisch run`: rounds of planning, wiping and interpreting, with a bag of each.
 
-use super::episode::EpisodeRecorder;
+use super::episode::{EpisodeRecorder, KeptEpisode};
 use super::follow::Following;
 use super::job::{Done, Job, Results};
 use super::prepare::Prepared;
@@ -12,12 +12,15 @@ use crate::terminal::remark;
 use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use wisch::plan::Plan;
 use wisch::run::{Executor, Recording, Session, Stage};
 use wisch_io::{EventWriter, PlanRecord, ProcessExecutor, Robot};
 use wisch_sim::{Checkpoints, GroundTruth, KeptRound, World};
 use wisch_telemetry::WriteError;
+
+/// An episode that is kept, if one is wanted, or why it is not.
+pub type Kept = Result<Option<KeptEpisode>, Failure>;
 
 /// Wipes until the goal is met, or no more can be done; says where the episode is kept, if it is, or why it could not be:
 /// results and episode do not depend on each other.
@@ -25,7 +28,7 @@ pub fn execute(
     job: &Job<'_>,
     args: &LoopArgs,
     given: Option<Plan>,
-) -> Result<(Results, Result<Option<PathBuf>, Failure>), Failure> {
+) -> Result<(Results, Kept), Failure> {
     let Job {
         task_args,
         prepared,
@@ -112,7 +115,7 @@ pub fn execute(
         let rounds = done_rounds(session, &mut watch, executor.truth(), job)?;
         return Err(
             match episode.commit(&rounds, prepared, task_args, &robot.files) {
-                Ok(Some(place)) if !rounds.is_empty() => failure.with_help(format!(
+                Ok(Some(kept)) if !rounds.is_empty() => failure.with_help(format!(
                     "the episode of {} is kept: {}",
                     counted(rounds.len(), "whole round"),
                     place.display()

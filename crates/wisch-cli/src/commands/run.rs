@@ -4,7 +4,7 @@ use super::follow::{Chosen, Following, performer};
 use super::job::{Job, Results};
 use super::prepare::Prepared;
 use super::results::{out_folder, write};
-use super::rounds::execute;
+use super::rounds::{execute, say_where};
 use super::summary::{in_words, summary};
 use super::watch::Watch;
 use super::words::{counted, internal};
@@ -136,21 +136,11 @@ fn work(
     progress.say("writing the results");
     let written = write(&folder, &prepared, &results_of);
     let written = written.and_then(|()| Ok(folder.finish()?));
-    written.map_err(|failure| match &episode {
-        Ok(Some(place)) => failure.with_help(format!(
-            "the episode of the run is kept: {}",
-            place.display()
-        )),
-        _ => failure,
-    })?;
     drop(progress);
-    // The results stand, whatever became of the episode.
-    let episode = episode.map_err(|failure| {
-        failure.with_help(format!(
-            "the results are written all the same: {}",
-            out.display()
-        ))
-    })?;
+    if written.is_err() {
+        say_where(&episode);
+    }
+    written?;
 
     let summary = summary(&prepared, &results_of, &out);
     if results.json {
@@ -160,9 +150,13 @@ fn work(
         ))?;
     } else if !global.quiet && !extent.has_events_on_stdout() {
         print(&in_words(&summary, &results_of.rounds, &out))?;
-        if let Some(place) = episode {
-            print(&format!("  {:<18} {}\n", "episode", place.display()))?;
+        if let Ok(Some(kept)) = &episode {
+            print(&format!("  {:<18} {}\n", "episode", kept.place.display()))?;
         }
+    }
+    // The results are there by now, whatever became of the episode.
+    for what in episode?.iter().flat_map(|kept| &kept.without) {
+        remark(&format!("the episode is kept without {what}"));
     }
     let is_met = results_of.is_goal_met(prepared.file.target_performance());
     Ok(if is_met {

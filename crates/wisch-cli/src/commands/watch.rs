@@ -132,6 +132,7 @@ pub struct Recorder<'a> {
     taken_over: usize,
     is_realtime: bool,
     bag: Option<BagWriter>,
+    has_given_up: bool,
     samples: usize,
     round: usize,
     begin: Instant,
@@ -154,6 +155,7 @@ impl<'a> Recorder<'a> {
             taken_over,
             is_realtime,
             bag: None,
+            has_given_up: false,
             samples: 0,
             round: 0,
             begin: Instant::now(),
@@ -171,8 +173,15 @@ impl<'a> Recorder<'a> {
         self.round <= self.taken_over
     }
 
+    /// Writes nothing more, as where it cannot.
+    pub fn give_up(&mut self) {
+        self.bag = None;
+        self.has_given_up = true;
+    }
+
     pub fn see(&mut self, event: &RunEvent<'_>) -> Result<(), WriteError> {
         match event {
+            _ if self.has_given_up => Ok(()),
             RunEvent::Executing(planned) => self.begin(planned),
             RunEvent::Sample(sample) => self.sample(sample),
             RunEvent::Interpreting { .. } => self.bag.take().map_or(Ok(()), BagWriter::finish),

@@ -40,8 +40,7 @@ fn what_cannot_be_drawn_leaves_no_page() {
             "data_vis(piechart(p), [data: [[a, b], [1]]])",
             "piechart: data has 2 Xs, but 1 Ys",
         ),
-        ("show(sponge, 5)", "nothing was recorded between 5 and 5 s"),
-        ("show(sponge, 1003)", "round-1.parquet"),
+        ("show(sponge, 5, plaid)", "plaid is no color"),
     ] {
         let (code, _, err) = ask(folder.path(), &[query, "--view", "seen.html"]);
         assert_eq!(code, 2, "{query}");
@@ -52,6 +51,24 @@ fn what_cannot_be_drawn_leaves_no_page() {
     assert!(err.contains("--view"), "{err}");
     let files = fs::read_dir(folder.path()).unwrap();
     assert_eq!(files.count(), 1, "only the memory");
+}
+
+#[test]
+fn what_the_memory_does_not_have_is_a_remark() {
+    let folder = memory();
+    for (query, says) in [
+        ("show(sponge, 5)", "nothing was recorded between 5 and 5 s"),
+        ("show(sponge, 1003)", "round-1.parquet"),
+    ] {
+        let (code, out, err) = ask(folder.path(), &[query, "--view", "seen.html"]);
+        assert_eq!((code, out.as_str()), (0, "true\n"), "{query}: {err}");
+        assert!(
+            err.starts_with("note: ") && err.contains(says),
+            "{query}: {err}"
+        );
+        let page = fs::read_to_string(folder.path().join("seen.html")).unwrap();
+        assert!(page.contains(says), "{query}");
+    }
 }
 
 #[test]

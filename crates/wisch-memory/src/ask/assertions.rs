@@ -1,10 +1,10 @@
 //! Statements that people added to a memory, kept beside its episodes.
 
-use super::error::AskError;
+use super::error::{AskError, QueryFault};
 use super::term::Term;
-use std::fs::{self, OpenOptions};
-use std::io::Write;
-use std::path::PathBuf;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
 
 /// The file that they are kept in.
 const FILE: &str = "told.jsonl";
@@ -12,11 +12,13 @@ const FILE: &str = "told.jsonl";
 /// One statement: subject, property, and a name or a value.
 type Statement = (String, String, serde_json::Value);
 
-/// What people added.
+/// What people added. What a query adds is known at once, and kept when the query has ended well.
 #[derive(Debug, Clone, Default)]
 pub struct Assertions {
     file: Option<PathBuf>,
     statements: Vec<Statement>,
+    /// How many of them are kept; those after them were added by the query that is being answered.
+    kept: usize,
 }
 
 impl Assertions {
@@ -24,57 +26,80 @@ impl Assertions {
     ///
     /// # Errors
     /// If its file cannot be read, or holds something else.
-    pub fn read(memory: &std::path::Path) -> Result<Self, AskError> {
+    pub fn read(memory: &Path) -> Result<Self, AskError> {
         let file = memory.join(FILE);
-        let failed = |what: String| AskError::Assertions {
-            file: file.display().to_string(),
-            what,
-        };
         let text = match fs::read_to_string(&file) {
             Ok(text) => text,
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => String::new(),
-            Err(error) => return Err(failed(error.to_string())),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
+            Err(error) => return Err(failed(&file, error)),
         };
-        let statements = text.lines().enumerate().map(|(number, line)| {
-            serde_json::from_str(line)
-                .map_err(|error| failed(format!("line {}: {error}", number + 1)))
-        });
+        let statements = text[..whole_lines(text.as_bytes())]
+            .lines()
+            .enumerate()
+            .map(|(number, line)| {
+                serde_json::from_str(line)
+                    .map_err(|error| failed(&file, format!("line {}: {error}", number + 1)))
+            });
+        let statements: Vec<Statement> = statements.collect::<Result<_, _>>()?;
         Ok(Self {
-            statements: statements.collect::<Result<_, _>>()?,
+            kept: statements.len(),
+            statements,
             file: Some(file),
         })
     }
 
-    /// Keeps a statement, and gives it as a fact.
-    pub fn add(&mut self, subject: &str, property: &str, object: &Term) -> Result<Term, AskError> {
+    /// Adds a statement for the query that is being answered, and gives it as a fact.
+    ///
+    /// # Errors
+    /// If the query has added as many as it may.
+    pub fn add(
+        &mut self,
+        subject: &str,
+        property: &str,
+        object: &Term,
+        most: usize,
+    ) -> Result<Term, QueryFault> {
+        if self.statements.len() - self.kept >= most {
+            return Err(QueryFault::TooMuch {
+                what: "statements told",
+                limit: most,
+            });
+        }
         let value = match object {
             Term::Atom(name) => serde_json::Value::from(name.as_str()),
-            other => other
-                .as_number()
-                .map_or(serde_json::Value::Null, Into::into),
+            other => (other.as_number().filter(|number| number.is_finite()))
+                .ok_or_else(|| QueryFault::no_name(other))?
+                .into(),
         };
         let statement = (subject.to_owned(), property.to_owned(), value);
-        if let Some(file) = &self.file {
-            let failed = |error: std::io::Error| AskError::Assertions {
-                file: file.display().to_string(),
-                what: error.to_string(),
-            };
-            let line = serde_json::to_string(&statement).unwrap_or_default() + "\n";
-            let mut open = OpenOptions::new()
-                .create(true)
-                .append(true)
-                .open(file)
-                .map_err(failed)?;
-            open.write_all(line.as_bytes()).map_err(failed)?;
-        }
         let fact = fact(&statement);
         self.statements.push(statement);
         Ok(fact)
     }
 
-    /// Whether nothing was added.
-    pub fn is_empty(&self) -> bool {
-        self.statements.is_empty()
+    /// Keeps what the query has added: all of it, or, on an error, nothing.
+    ///
+    /// # Errors
+    /// If its file cannot be written.
+    pub fn keep(&mut self) -> Result<(), AskError> {
+        let new = &self.statements[self.kept..];
+        if let (Some(file), false) = (&self.file, new.is_empty()) {
+            let lines = new.iter().map(|statement| {
+                // Texts and finite numbers always have a form in JSON.
+                serde_json::to_string(statement).unwrap_or_default() + "\n"
+            });
+            let lines: String = lines.collect();
+            append(file, &lines).map_err(|error| failed(file, error))?;
+        }
+        self.kept = self.statements.len();
+        Ok(())
+    }
+
+    /// Takes back what the query has added, if anything.
+    pub fn take_back(&mut self) -> bool {
+        let has_new = self.statements.len() > self.kept;
+        self.statements.truncate(self.kept);
+        has_new
     }
 
     /// What was added of a thing, as facts.
@@ -113,6 +138,45 @@ impl Assertions {
         let added = added.filter(|(_, _, to)| to.as_str() == Some(object));
         added.map(fact).filter(is_relation).collect()
     }
+}
+
+fn failed(file: &Path, what: impl ToString) -> AskError {
+    AskError::Assertions {
+        file: file.display().to_string(),
+        what: what.to_string(),
+    }
+}
+
+/// The length of the lines that end [bytes]: a program that was killed may have left part of one behind.
+fn whole_lines(text: &[u8]) -> usize {
+    text.iter()
+        .rposition(|byte| *byte == b'\n')
+        .map_or(0, |place| place + 1)
+}
+
+/// Adds lines to a file, all or none.
+fn append(file: &Path, lines: &str) -> io::Result<()> {
+    let mut options = OpenOptions::new();
+    let mut open: File = options
+        .create(true)
+        .truncate(false)
+        .read(true)
+        .write(true)
+        .open(file)?;
+    // Others may tell something to the same memory; the lock ends with the file.
+    open.lock()?;
+    let mut before = Vec::new();
+    open.read_to_end(&mut before)?;
+    let whole = whole_lines(&before) as u64;
+    open.set_len(whole)?;
+    open.seek(SeekFrom::Start(whole))?;
+    let written = open
+        .write_all(lines.as_bytes())
+        .and_then(|()| open.sync_all());
+    written.inspect_err(|_| {
+        // A part of a line would be passed over by the next who reads; part of the lines would not.
+        let _ = open.set_len(whole);
+    })
 }
 
 fn is_relation(fact: &Term) -> bool {

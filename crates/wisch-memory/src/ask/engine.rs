@@ -4,17 +4,27 @@ use super::error::AskError;
 use super::term::Term;
 use std::env::consts::EXE_SUFFIX;
 use std::io::{BufRead, BufReader, Read, Write};
+#[cfg(unix)]
+use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
-use tempfile::NamedTempFile;
+use tempfile::{NamedTempFile, TempPath};
 
 /// Lines that an engine may be ahead of the program.
 const LINES_AHEAD: usize = 1024;
 /// What is read of an engine's standard error [bytes].
 const LONGEST_ERROR: u64 = 1 << 20;
+
+/// What SWI-Prolog maps beside the stacks of queries: code, atoms, facts, stacks of its threads [bytes].
+const SWI_ITSELF: u64 = 1 << 30;
+/// Between two looks whether the query is interrupted.
+const LOOK_UP: Duration = Duration::from_millis(50);
+/// Processor time for what is no query: beginning, reading the predicates [s].
+const PROCESSOR_SPARE_S: u64 = 30;
 
 /// What differs between Prolog systems.
 const SCRYER: &str = include_str!("../../prolog/engine_scryer.pl");
@@ -101,6 +111,19 @@ impl EngineCommand {
         }
     }
 
+    /// Whether it writes `...` for what it cannot write down, a term that contains itself.
+    pub(super) fn cuts_short(&self) -> bool {
+        matches!(self, Self::Scryer(_))
+    }
+
+    /// What its process may map of memory [bytes]: what queries may use, and what the system itself takes.
+    fn address_space(&self, limits: &Limits) -> u64 {
+        match self {
+            Self::Scryer(_) => limits.memory,
+            Self::Swi(_) => limits.memory.saturating_add(SWI_ITSELF),
+        }
+    }
+
     /// The predicates, as this system reads them.
     fn predicates(&self) -> String {
         let dialect = match self {
@@ -122,7 +145,7 @@ fn search_path() -> Vec<PathBuf> {
     std::env::split_paths(&path).collect()
 }
 
-/// A running engine. Dropped, it ends.
+/// A running engine. Dropped, it ends; it also ends by itself when its standard input does, with whoever began it.
 #[derive(Debug)]
 pub struct Engine {
     child: Child,
@@ -130,7 +153,10 @@ pub struct Engine {
     lines: Receiver<String>,
     /// What it writes to its standard error until it ends.
     errors: Option<JoinHandle<String>>,
-    _program: NamedTempFile,
+    /// The predicates, until it has read them.
+    program: Option<TempPath>,
+    /// Processor time that its queries may take, all of them together [s].
+    processor_s: u64,
 }
 
 impl Engine {
@@ -142,12 +168,17 @@ impl Engine {
         let mut program = NamedTempFile::with_suffix(".pl").map_err(AskError::CannotStart)?;
         let written = program.write_all(command.predicates().as_bytes());
         written.map_err(AskError::CannotStart)?;
-        let mut process = command.process(program.path(), limits);
+        let program = program.into_temp_path();
+        let mut process = command.process(&program, limits);
         process
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped());
+        // What a terminal interrupts is the program, which knows what to do about its engine.
+        #[cfg(unix)]
+        process.process_group(0);
         let mut child = process.spawn().map_err(AskError::CannotStart)?;
+        limit(&child, Resource::Memory, command.address_space(limits));
         let (Some(input), Some(output), Some(errors)) =
             (child.stdin.take(), child.stdout.take(), child.stderr.take())
         else {
@@ -173,8 +204,21 @@ impl Engine {
             input,
             lines,
             errors: Some(errors),
-            _program: program,
+            program: Some(program),
+            processor_s: PROCESSOR_SPARE_S,
         })
+    }
+
+    /// Sends a query, which may take so much time.
+    ///
+    /// # Errors
+    /// If the engine has ended.
+    pub fn begin_query(&mut self, order: &str, time: Duration) -> Result<(), AskError> {
+        // In case nobody is left to end it. A query keeps one core busy, and SWI-Prolog's collection of garbage another.
+        let most = time.as_secs().saturating_mul(2).saturating_add(1);
+        self.processor_s = self.processor_s.saturating_add(most);
+        limit(&self.child, Resource::Processor, self.processor_s);
+        self.send(order)
     }
 
     /// Sends a line.
@@ -193,13 +237,24 @@ impl Engine {
     /// The next term that it writes; `None` if it writes nothing until the deadline.
     ///
     /// # Errors
-    /// If the engine has ended.
-    pub fn receive(&mut self, deadline: Instant) -> Result<Option<Term>, AskError> {
+    /// If the engine has ended, or somebody says so.
+    pub fn receive(
+        &mut self,
+        deadline: Instant,
+        interrupt: &AtomicBool,
+    ) -> Result<Option<Term>, AskError> {
         loop {
+            if interrupt.swap(false, Ordering::Relaxed) {
+                return Err(AskError::Interrupted);
+            }
             let left = deadline.saturating_duration_since(Instant::now());
-            match self.lines.recv_timeout(left) {
+            match self.lines.recv_timeout(left.min(LOOK_UP)) {
                 Ok(line) if line.trim().is_empty() => {}
-                Ok(line) => return Ok(Some(Term::parse(&line)?)),
+                Ok(line) => {
+                    self.program = None;
+                    return Ok(Some(Term::parse(&line)?));
+                }
+                Err(RecvTimeoutError::Timeout) if left > LOOK_UP => {}
                 Err(RecvTimeoutError::Timeout) => return Ok(None),
                 Err(RecvTimeoutError::Disconnected) => return Err(self.ended()),
             }
@@ -223,6 +278,34 @@ impl Engine {
         }
     }
 }
+
+/// What a process uses.
+#[derive(Debug, Clone, Copy)]
+enum Resource {
+    /// Address space [bytes].
+    Memory,
+    /// Processor time [s].
+    Processor,
+}
+
+/// Limits what a process may use, where the system can. It is a second line: a process that has just ended, or cannot
+/// be limited, is no error.
+#[cfg(target_os = "linux")]
+fn limit(child: &Child, of: Resource, most: u64) {
+    use rustix::process::{Pid, Resource as Of, Rlimit, prlimit};
+    let of = match of {
+        Resource::Memory => Of::As,
+        Resource::Processor => Of::Cpu,
+    };
+    let limit = Rlimit {
+        current: Some(most),
+        maximum: None,
+    };
+    let _ = prlimit(Some(Pid::from_child(child)), of, limit);
+}
+
+#[cfg(not(target_os = "linux"))]
+fn limit(_: &Child, _: Resource, _: u64) {}
 
 impl Drop for Engine {
     fn drop(&mut self) {

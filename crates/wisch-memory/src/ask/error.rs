@@ -1,11 +1,9 @@
 //! Why there is no answer.
 
-use super::listing::Predicate;
 use super::term::{Term, TermError};
 use crate::store::MemoryError;
 use std::fmt::Display;
 use std::time::Duration;
-use wisch::source_location::UnknownName;
 
 /// What is wrong with a query.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -25,6 +23,14 @@ pub enum QueryFault {
     NoName {
         /// What stands there.
         term: String,
+    },
+    /// More than a query may do.
+    #[error("more than {limit} {what}")]
+    TooMuch {
+        /// Of what.
+        what: &'static str,
+        /// How much there may be.
+        limit: usize,
     },
     /// There is no such telemetry.
     #[error("{what}")]
@@ -50,6 +56,12 @@ impl QueryFault {
         }
     }
 
+    pub(super) fn cyclic() -> Self {
+        Self::Prolog {
+            what: "a term that contains itself cannot be written down".to_owned(),
+        }
+    }
+
     pub(super) fn no_name(term: &Term) -> Self {
         Self::NoName {
             term: term.to_string(),
@@ -69,12 +81,14 @@ impl QueryFault {
             }
             Self::NoName { term } => Term::compound("no_name", [Term::atom(term)]),
             Self::Telemetry { what } => Term::compound("telemetry", [Term::atom(what)]),
-            Self::Prolog { what } => Term::compound("prolog", [Term::atom(what)]),
+            Self::TooMuch { .. } | Self::Prolog { .. } => {
+                Term::compound("prolog", [Term::atom(self.to_string())])
+            }
         }
     }
 
     /// From what the engine threw.
-    pub(super) fn of(error: &Term, predicates: &[Predicate]) -> Self {
+    pub(super) fn of(error: &Term, callable: &[String]) -> Self {
         let text = |term: &Term| {
             term.as_atom()
                 .map_or_else(|| term.to_string(), str::to_owned)
@@ -87,32 +101,39 @@ impl QueryFault {
             },
             Some(("no_name", [term])) => Self::NoName { term: text(term) },
             Some(("telemetry", [what])) => Self::Telemetry { what: text(what) },
+            Some(("prolog", [what])) => Self::Prolog { what: text(what) },
+            Some(("untold", [property])) => Self::Prolog {
+                what: format!(
+                    "{property} cannot be told: classes and parts are what episodes say they are"
+                ),
+            },
             Some(("unknown_predicate", [Term::Atom(name), Term::Integer(arity)])) => {
-                Self::unknown_predicate(name, *arity, predicates)
+                Self::unknown_predicate(name, *arity, callable)
             }
+            Some(("cyclic", [])) => Self::cyclic(),
             Some(("error", [what, _])) => Self::Prolog {
                 what: in_words(what),
             },
             _ => Self::Prolog {
-                what: error.to_string(),
+                what: format!("the query threw {error}"),
             },
         }
     }
 
-    fn unknown_predicate(name: &str, arity: i64, predicates: &[Predicate]) -> Self {
-        let same = predicates.iter().find(|predicate| predicate.name == name);
-        let nearest = same.or_else(|| {
-            let names = predicates.iter().map(|predicate| predicate.name.as_str());
-            let error = UnknownName::new("predicate", name, names);
-            let nearest = error.nearest()?;
-            predicates
-                .iter()
-                .find(|predicate| predicate.name == nearest)
-        });
+    /// With one of the same name, or one that is nearly written so.
+    fn unknown_predicate(name: &str, arity: i64, known: &[String]) -> Self {
+        let distance = |other: &String| {
+            let other = other
+                .rsplit_once('/')
+                .map_or(other.as_str(), |(name, _)| name);
+            strsim::levenshtein(name, other)
+        };
+        let likely = name.chars().count() / 3;
+        let nearest = known.iter().min_by_key(|other| distance(other));
         Self::Unknown {
             kind: "predicate".to_owned(),
             name: format!("{name}/{arity}"),
-            nearest: nearest.map(|predicate| format!("{}/{}", predicate.name, predicate.arity)),
+            nearest: nearest.filter(|other| distance(other) <= likely).cloned(),
         }
     }
 }
@@ -132,6 +153,8 @@ fn in_words(error: &Term) -> String {
         Some(("domain_error", [domain, culprit])) => format!("{culprit} is no {domain}"),
         Some(("evaluation_error", [what])) => format!("arithmetic: {what}").replace('_', " "),
         Some(("resource_error", [what])) => format!("out of {what}"),
+        Some(("existence_error", [kind, what])) => format!("there is no {kind} {what}"),
+        Some(("representation_error", [what])) => format!("{what} is exceeded").replace('_', " "),
         _ => error.to_string(),
     }
 }
@@ -145,6 +168,9 @@ pub enum AskError {
     /// It took too long.
     #[error("the query took longer than {0:?}")]
     Time(Duration),
+    /// Somebody interrupted it.
+    #[error("the query was interrupted")]
+    Interrupted,
     /// The engine cannot be begun.
     #[error("the Prolog engine cannot be begun: {0}")]
     CannotStart(std::io::Error),

@@ -114,11 +114,12 @@ impl SentFacts {
     }
 
     /// What people said of a thing.
-    fn assertions(&mut self, known: &Knowledge, name: &str) -> Vec<Term> {
-        if known.assertions.is_empty() || !self.assertions.insert(name.to_owned()) {
-            return Vec::new();
+    pub fn assertions(&mut self, known: &Knowledge, name: &str) -> Vec<Term> {
+        if self.assertions.insert(name.to_owned()) {
+            known.assertions.about(name)
+        } else {
+            Vec::new()
         }
-        known.assertions.about(name)
     }
 
     fn is_new_value(&mut self, property: &str, id: IndividualId) -> bool {

@@ -1,10 +1,11 @@
 //! What the engine asks for, answered from the catalogue, the ontology and the telemetry.
 
 use super::assertions::Assertions;
-use super::error::AskError;
+use super::error::{AskError, QueryFault};
 use super::facts::{SentFacts, in_lists};
 use super::intervals::{IntervalIndex, Relation};
 use super::names::Names;
+use super::printed::formatted;
 use super::reply::{Cursor, Refusal, Reply, Rows};
 use super::rows::name_of;
 use super::streams::Knowledge;
@@ -24,6 +25,9 @@ const FILTERED_FACTS: usize = 20_000;
 /// Most members of a class that the engine keeps, with times and parents; more are named one after the other.
 const MOST_MEMBERS: usize = 30_000;
 
+/// Most that a query may print [bytes].
+const MOST_PRINTED: usize = 1 << 20;
+
 /// Answers the needs of one engine; knows what that engine already has.
 pub struct Host {
     known: Knowledge,
@@ -32,6 +36,10 @@ pub struct Host {
     sent: SentFacts,
     cursors: HashMap<i64, Cursor>,
     next_cursor: i64,
+    /// Most statements that a query may tell.
+    most_told: usize,
+    /// What the query has printed.
+    printed: String,
 }
 
 impl Host {
@@ -40,6 +48,7 @@ impl Host {
         catalogue: Arc<Catalogue>,
         telemetry: TelemetryPredicates,
         assertions: Assertions,
+        most_told: usize,
     ) -> Self {
         Self {
             known: Knowledge {
@@ -52,7 +61,32 @@ impl Host {
             sent: SentFacts::default(),
             cursors: HashMap::new(),
             next_cursor: 0,
+            most_told,
+            printed: String::new(),
         }
+    }
+
+    /// What the query has printed.
+    pub fn take_printed(&mut self) -> String {
+        std::mem::take(&mut self.printed)
+    }
+
+    /// What was left out since this was asked last, and why.
+    pub fn take_remarks(&mut self) -> Vec<String> {
+        self.telemetry.take_remarks()
+    }
+
+    /// Keeps what the query has told.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn keep_told(&mut self) -> Result<(), AskError> {
+        self.known.assertions.keep()
+    }
+
+    /// Takes back what the query has told, and says whether the engine knows any of it.
+    pub fn take_back_told(&mut self) -> bool {
+        self.known.assertions.take_back()
     }
 
     /// The same for an engine that knows nothing yet.
@@ -134,9 +168,23 @@ impl Host {
                 in_lists("f", request, known.named(found).collect())
             }
             ("last_episode", []) => self.last_episode(),
+            ("format", [format, arguments]) => vec![Term::Atom(formatted(format, arguments)?)],
+            ("print", [format, arguments]) => {
+                let text = formatted(format, arguments)?;
+                if self.printed.len() + text.len() > MOST_PRINTED {
+                    let (what, limit) = ("bytes printed", MOST_PRINTED);
+                    return Err(QueryFault::TooMuch { what, limit }.into());
+                }
+                self.printed.push_str(&text);
+                Vec::new()
+            }
             ("tell", [subject, Term::Atom(property), object]) => {
                 let subject = subject.as_atom().ok_or_else(malformed)?;
-                vec![self.known.assertions.add(subject, property, object)?]
+                // What was told before comes along: each statement is sent once.
+                let mut facts = self.sent.assertions(&self.known, subject);
+                let told = &mut self.known.assertions;
+                facts.push(told.add(subject, property, object, self.most_told)?);
+                facts
             }
             _ => match self.stream(request)? {
                 Some(rows) => return Ok(Reply::Stream(rows)),

@@ -13,6 +13,26 @@ pub struct Predicate {
     pub meaning: String,
 }
 
+/// Prolog's own predicates that queries may call, as `member/2`, sorted.
+pub fn builtins() -> Vec<String> {
+    let text = include_str!("../../prolog/guard.pl");
+    let facts =
+        (text.lines()).filter(|line| line.starts_with("builtin(") || line.starts_with("meta("));
+    let parsed = facts.filter_map(|line| Term::parse(line).ok());
+    let names = parsed.filter_map(|fact| match fact.parts()? {
+        (_, [Term::Atom(name), Term::Integer(arity), ..]) => Some(format!("{name}/{arity}")),
+        _ => None,
+    });
+    let mut names: Vec<String> = names.collect();
+    let own = predicates();
+    names.retain(|name| {
+        !own.iter()
+            .any(|p| *name == format!("{}/{}", p.name, p.arity))
+    });
+    names.sort_unstable();
+    names
+}
+
 /// The predicates of this memory, in the order of its manual; Prolog's own are not among them.
 pub fn predicates() -> Vec<Predicate> {
     let text = include_str!("../../prolog/listing.pl");

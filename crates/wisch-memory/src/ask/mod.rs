@@ -11,6 +11,8 @@ mod host;
 mod intervals;
 mod listing;
 mod names;
+mod printed;
+mod query_text;
 mod reply;
 mod rows;
 mod streams;
@@ -20,7 +22,7 @@ mod term;
 pub use assertions::Assertions;
 pub use engine::{EngineCommand, Limits};
 pub use error::{AskError, QueryFault};
-pub use listing::{Predicate, predicates};
+pub use listing::{Predicate, builtins, predicates};
 pub use telemetry_predicates::TelemetryPredicates;
 pub use term::{Term, TermError};
 
@@ -29,6 +31,7 @@ use crate::store::Memory;
 use engine::Engine;
 use host::Host;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 /// What a query found.
@@ -42,6 +45,10 @@ pub struct Answers {
     pub is_cut: bool,
     /// What is to be looked at, in the order in which the query said so.
     pub views: Vec<Term>,
+    /// What the query printed.
+    pub printed: String,
+    /// What was left out, and why.
+    pub remarks: Vec<String>,
 }
 
 impl Answers {
@@ -57,7 +64,9 @@ pub struct Asker {
     limits: Limits,
     host: Host,
     engine: Option<Engine>,
-    predicates: Vec<Predicate>,
+    /// What queries may call, as `member/2`.
+    callable: Vec<String>,
+    interrupt: Arc<AtomicBool>,
 }
 
 impl Asker {
@@ -84,22 +93,39 @@ impl Asker {
         Self {
             command,
             limits,
-            host: Host::new(catalogue, telemetry, assertions),
+            host: Host::new(catalogue, telemetry, assertions, limits.answers),
             engine: None,
-            predicates: predicates(),
+            callable: callable(),
+            interrupt: Arc::default(),
         }
     }
 
+    /// What, set to true, ends the query that is being answered; the memory can be asked on.
+    pub fn interrupt(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.interrupt)
+    }
+
     /// The answers to a query such as `owl_individual_of(C, semco:'Collision'), occurs(C, [S, E])`.
+    ///
+    /// What it tells is kept if it has answers, at most as many statements as there may be answers; otherwise nothing is.
     ///
     /// # Errors
     /// The query is no Prolog, names something that is not known, or uses more than it may. The memory can be asked
     /// on after each of these.
     pub fn ask(&mut self, query: &str) -> Result<Answers, AskError> {
-        let result = self.converse(query);
+        let mut result = self.converse(query);
         self.host.end_query();
-        if !matches!(result, Ok(_) | Err(AskError::Fault(_))) {
-            // Nobody knows what it is at: the next query begins with a new one.
+        self.host.take_printed();
+        self.host.take_remarks();
+        if let Ok(answers) = &result
+            && answers.holds()
+            && let Err(error) = self.host.keep_told()
+        {
+            result = Err(error);
+        }
+        let is_taken_back = self.host.take_back_told();
+        if is_taken_back || !matches!(result, Ok(_) | Err(AskError::Fault(_))) {
+            // It knows what does not hold, or nobody knows what it is at: the next query begins with a new one.
             self.engine = None;
             self.host.forget();
         }
@@ -107,23 +133,27 @@ impl Asker {
     }
 
     fn converse(&mut self, query: &str) -> Result<Answers, AskError> {
+        let text = query_text::prepared(query)?;
         let deadline = Instant::now() + self.limits.time;
         let engine = match &mut self.engine {
             Some(engine) => engine,
             none => none.insert(Engine::start(&self.command, &self.limits)?),
         };
-        let text = query.trim().trim_end_matches('.');
-        engine.send(&asking(text, self.limits.answers))?;
+        self.interrupt.store(false, Ordering::Relaxed);
+        engine.begin_query(&asking(&text, self.limits.answers), self.limits.time)?;
         let mut answers = Answers::default();
         let mut reply = String::new();
+        let mut is_cut_short = false;
         loop {
-            let Some(message) = engine.receive(deadline)? else {
+            let Some(message) = engine.receive(deadline, &self.interrupt)? else {
                 return Err(AskError::Time(self.limits.time));
             };
             match message {
                 Term::Compound(name, mut arguments) => match (name.as_str(), arguments.len()) {
                     ("rows", 1) => {
                         if let Term::List(rows) = arguments.remove(0) {
+                            is_cut_short |=
+                                self.command.cuts_short() && rows.iter().any(Term::is_cut_short);
                             answers.rows.extend(rows.into_iter().map(values));
                         }
                     }
@@ -139,12 +169,15 @@ impl Asker {
                             answers.names = names.map(str::to_owned).collect();
                         }
                     }
+                    ("done", 1) if is_cut_short => return Err(QueryFault::cyclic().into()),
                     ("done", 1) => {
                         answers.is_cut = arguments[0].as_atom() == Some("limit");
+                        answers.printed = self.host.take_printed();
+                        answers.remarks = self.host.take_remarks();
                         return Ok(answers);
                     }
                     ("error", 1) => {
-                        return Err(QueryFault::of(&arguments[0], &self.predicates).into());
+                        return Err(QueryFault::of(&arguments[0], &self.callable).into());
                     }
                     _ => {
                         return Err(AskError::unexpected(Term::Compound(name, arguments)));
@@ -156,15 +189,23 @@ impl Asker {
     }
 }
 
-/// The values of a row; one without variables is an atom.
-fn values(row: Term) -> Vec<Term> {
-    match row {
-        Term::Compound(_, values) => values,
-        _ => Vec::new(),
-    }
+/// What queries may call, this memory's own before Prolog's.
+fn callable() -> Vec<String> {
+    let own = predicates().into_iter();
+    let own = own.map(|predicate| format!("{}/{}", predicate.name, predicate.arity));
+    own.chain(builtins()).collect()
 }
 
-/// The order to answer a query.
+/// The values of a row, which come in groups; one without any is an atom.
+fn values(row: Term) -> Vec<Term> {
+    let arguments = |term| match term {
+        Term::Compound(_, arguments) => arguments,
+        _ => Vec::new(),
+    };
+    arguments(row).into_iter().flat_map(arguments).collect()
+}
+
+/// The order to answer a query, which has no full stop.
 fn asking(query: &str, answers: usize) -> String {
     let mut text = String::from("ask(\"");
     for c in query.chars() {
@@ -177,6 +218,6 @@ fn asking(query: &str, answers: usize) -> String {
             c => text.push(c),
         }
     }
-    text.push_str(&format!("\",{answers})"));
+    text.push_str(&format!(" .\",{answers})"));
     text
 }

@@ -2,6 +2,7 @@
 
 use super::error::{AskError, QueryFault};
 use super::reply::Refusal;
+use super::rows::name_of;
 use super::term::Term;
 use crate::catalogue::{Catalogue, EpisodeRow};
 use crate::frames::{Frames, PoseAt, Sampling};
@@ -14,6 +15,8 @@ use wisch::robot::RobotModel;
 
 /// The robot's description among an episode's files.
 const ROBOT_FILE: &str = "robot.urdf";
+/// What stands for no episode in particular.
+const ANY: &str = "any";
 /// Most poses of one trajectory that a query gets.
 const MAX_POSES: usize = 200_000;
 
@@ -21,8 +24,10 @@ const MAX_POSES: usize = 200_000;
 #[derive(Default)]
 pub struct TelemetryPredicates {
     memory: Option<Memory>,
-    rounds: HashMap<(String, usize), Rc<Telemetry>>,
+    /// Of each round, or why it cannot be read.
+    rounds: HashMap<(String, usize), Result<Rc<Telemetry>, QueryFault>>,
     robots: HashMap<String, Rc<RobotModel>>,
+    remarks: Vec<String>,
 }
 
 /// A part of a round, in its own time [s].
@@ -44,6 +49,12 @@ impl TelemetryPredicates {
         }
     }
 
+    /// What was left out of answers since this was asked last, and why.
+    pub(super) fn take_remarks(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.remarks)
+    }
+
+    /// What is asked of telemetry is answered by episode: `Episode-Answer` for each that has one.
     pub(super) fn rows(
         &mut self,
         catalogue: &Catalogue,
@@ -55,126 +66,129 @@ impl TelemetryPredicates {
         let facts = match (name, arguments) {
             ("pose", [Term::Atom(thing), time]) => {
                 let time = number(time)?;
-                let found = self.trajectory(catalogue, thing, [time, time], Sampling::Count(1))?;
-                found.into_iter().take(1).map(|(_, pose)| pose).collect()
+                let sampling = Sampling::Count(1);
+                self.by_episode(catalogue, [time, time], None, |spans| {
+                    let found = trajectory(spans, thing, sampling)?;
+                    let first = found.into_iter().next().map(|(_, pose)| pose);
+                    first.ok_or_else(|| fault("there is no sample in this time".to_owned()))
+                })?
             }
             ("last_pose", [Term::Atom(thing)]) => vec![self.last_pose(catalogue, thing)?],
-            ("trajectory", [Term::Atom(thing), from, to, sampling]) => {
+            ("trajectory", [Term::Atom(thing), from, to, sampling, Term::Atom(of)]) => {
                 let interval = [number(from)?, number(to)?];
-                let found = self.trajectory(catalogue, thing, interval, sampling_of(sampling)?)?;
-                let timed = found.into_iter();
-                timed
-                    .map(|(time, pose)| Term::compound("-", [Term::Float(time), pose]))
-                    .collect()
+                let sampling = sampling_of(sampling)?;
+                self.by_episode(catalogue, interval, Some(of), |spans| {
+                    let timed = trajectory(spans, thing, sampling)?.into_iter();
+                    let timed =
+                        timed.map(|(time, pose)| Term::compound("-", [Term::Float(time), pose]));
+                    Ok(Term::List(timed.collect()))
+                })?
             }
-            ("telemetry", [Term::Atom(channel), from, to, Term::Atom(statistic)]) => {
+            (
+                "telemetry",
+                [
+                    Term::Atom(channel),
+                    from,
+                    to,
+                    Term::Atom(statistic),
+                    Term::Atom(of),
+                ],
+            ) => {
                 let interval = [number(from)?, number(to)?];
-                vec![Term::Float(
-                    self.statistic(catalogue, channel, interval, statistic)?,
-                )]
+                self.by_episode(catalogue, interval, Some(of), |spans| {
+                    let mut values = Vec::new();
+                    for span in spans {
+                        values.extend(channel_values(span, channel)?);
+                    }
+                    Ok(Term::Float(statistic_of(&values, statistic)?))
+                })?
             }
             _ => return Err(AskError::unexpected(request).into()),
         };
         Ok(facts)
     }
 
-    /// Times [s since 1970] and poses of a thing in the world.
-    fn trajectory(
-        &mut self,
-        catalogue: &Catalogue,
-        thing: &str,
-        interval: [f64; 2],
-        sampling: Sampling,
-    ) -> Result<Vec<(f64, Term)>, QueryFault> {
-        let mut found = Vec::new();
-        for span in self.spans(catalogue, interval)? {
-            let began = span.began;
-            let poses = poses(&span, thing, sampling)?;
-            found.extend(poses.iter().map(|at| (began + at.time, pose(at))));
-            if found.len() > MAX_POSES {
-                return Err(fault(format!(
-                    "the trajectory has more than {MAX_POSES} poses: ask for a longer dt"
-                )));
-            }
-        }
-        Ok(found)
-    }
-
     fn last_pose(&mut self, catalogue: &Catalogue, thing: &str) -> Result<Term, QueryFault> {
         let mut episodes: Vec<&EpisodeRow> = catalogue.episodes().iter().collect();
         episodes.sort_by(|a, b| b.interval[1].total_cmp(&a.interval[1]));
+        let mut first = None;
         for episode in episodes {
             for round in (1..=episode.rounds.len()).rev() {
-                let Ok(span) = self.span(episode, round, [f64::NEG_INFINITY, f64::INFINITY]) else {
-                    continue;
-                };
-                if let Some(span) = span
-                    && let Some(last) = poses(
-                        &Span {
-                            from: span.to,
-                            ..span
-                        },
-                        thing,
-                        Sampling::Count(1),
-                    )?
-                    .first()
-                {
-                    return Ok(pose(last));
+                let span = self.span(episode, round, [f64::NEG_INFINITY, f64::INFINITY]);
+                let found = span.and_then(|span| match span {
+                    Some(span) => {
+                        let from = span.to;
+                        poses(&Span { from, ..span }, thing, Sampling::Count(1))
+                    }
+                    None => Ok(Vec::new()),
+                });
+                match found {
+                    Ok(found) if found.is_empty() => {}
+                    Ok(found) => return Ok(pose(&found[0])),
+                    // It may have been seen before.
+                    Err(error) => {
+                        first.get_or_insert(error);
+                    }
                 }
             }
         }
-        Err(fault("no episode has telemetry".to_owned()))
+        Err(first.unwrap_or_else(|| fault("no episode has telemetry".to_owned())))
     }
 
-    /// max, min, mean or root mean square of a channel.
-    fn statistic(
+    /// An answer of each episode that has telemetry of a time [s since 1970], with the episode's name; of one episode
+    /// only, if something of it is named. An episode that cannot answer is left out, and said so, if another can.
+    fn by_episode(
         &mut self,
         catalogue: &Catalogue,
-        channel: &str,
         interval: [f64; 2],
-        statistic: &str,
-    ) -> Result<f64, QueryFault> {
-        let mut values = Vec::new();
-        for span in self.spans(catalogue, interval)? {
-            values.extend(channel_values(&span, channel)?);
-        }
-        if values.is_empty() {
-            return Err(fault("there is no sample in this time".to_owned()));
-        }
-        let count = values.len() as f64;
-        match statistic {
-            "max" => Ok(values.into_iter().fold(f64::NEG_INFINITY, f64::max)),
-            "min" => Ok(values.into_iter().fold(f64::INFINITY, f64::min)),
-            "mean" => Ok(values.iter().sum::<f64>() / count),
-            "rms" => Ok((values.iter().map(|v| v * v).sum::<f64>() / count).sqrt()),
-            other => Err(fault(format!(
-                "{other} is no statistic: there are max, min, mean and rms"
-            ))),
-        }
-    }
-
-    /// The parts of rounds within a time [s since 1970].
-    fn spans(
-        &mut self,
-        catalogue: &Catalogue,
-        [from, to]: [f64; 2],
-    ) -> Result<Vec<Span>, QueryFault> {
+        of: Option<&str>,
+        answer: impl Fn(&[Span]) -> Result<Term, QueryFault>,
+    ) -> Result<Vec<Term>, QueryFault> {
         if self.memory.is_none() {
             return Err(fault("this memory has no telemetry".to_owned()));
         }
-        let mut spans = Vec::new();
-        for episode in catalogue.episodes() {
-            if episode.interval[0] > to || episode.interval[1] < from {
-                continue;
-            }
-            for round in 1..=episode.rounds.len() {
-                spans.extend(self.span(episode, round, [from, to])?);
+        let of = of.filter(|of| *of != ANY);
+        let only = of.and_then(|of| catalogue.find(of.strip_prefix("semco:")?));
+        let rows = match only {
+            Some(id) => vec![catalogue.episode_of(id)],
+            None => catalogue.episodes_during(interval),
+        };
+        let (mut answers, mut faults) = (Vec::new(), Vec::new());
+        for row in rows {
+            let found = self.spans(row, interval);
+            match found.and_then(|spans| (!spans.is_empty()).then(|| answer(&spans)).transpose()) {
+                Ok(Some(found)) => {
+                    let name = name_of(catalogue, row.first);
+                    answers.push(Term::compound("-", [name, found]));
+                }
+                Ok(None) => {}
+                Err(error) => faults.push((row.id.clone(), error)),
             }
         }
-        if spans.is_empty() {
-            return Err(fault(format!(
-                "no telemetry was recorded between {from} and {to} s"
-            )));
+        if answers.is_empty() {
+            let [from, to] = interval;
+            let nothing = || {
+                fault(format!(
+                    "no telemetry was recorded between {from} and {to} s"
+                ))
+            };
+            let first = faults.into_iter().next();
+            return Err(first.map_or_else(nothing, |(_, error)| error));
+        }
+        for (id, error) in faults {
+            let remark = format!("episode {id} is left out: {error}");
+            if !self.remarks.contains(&remark) {
+                self.remarks.push(remark);
+            }
+        }
+        Ok(answers)
+    }
+
+    /// The parts of an episode's rounds within a time [s since 1970].
+    fn spans(&mut self, episode: &EpisodeRow, interval: [f64; 2]) -> Result<Vec<Span>, QueryFault> {
+        let mut spans = Vec::new();
+        for round in 1..=episode.rounds.len() {
+            spans.extend(self.span(episode, round, interval)?);
         }
         Ok(spans)
     }
@@ -219,15 +233,16 @@ impl TelemetryPredicates {
     ) -> Result<Rc<Telemetry>, QueryFault> {
         let key = (episode.id.clone(), round);
         if let Some(telemetry) = self.rounds.get(&key) {
-            return Ok(Rc::clone(telemetry));
+            return telemetry.clone();
         }
         let Some(memory) = &self.memory else {
             return Err(fault("this memory has no telemetry".to_owned()));
         };
-        let opened = memory.episode(&episode.id).map_err(fault)?;
-        let telemetry = Rc::new(opened.telemetry(round).map_err(fault)?);
-        self.rounds.insert(key, Rc::clone(&telemetry));
-        Ok(telemetry)
+        let opened = memory.episode(&episode.id);
+        let telemetry = opened.and_then(|opened| opened.telemetry(round));
+        let telemetry = telemetry.map(Rc::new).map_err(fault);
+        self.rounds.insert(key, telemetry.clone());
+        telemetry
     }
 
     /// The robot of an episode; `None` of one that was imported without.
@@ -271,6 +286,43 @@ fn sampling_of(term: &Term) -> Result<Sampling, QueryFault> {
         )),
         _ => Err(fault(format!(
             "{term} is no way to sample: there are dt(Seconds) and num_samples(N), both positive"
+        ))),
+    }
+}
+
+/// Times [s since 1970] and poses of a thing in the world.
+fn trajectory(
+    spans: &[Span],
+    thing: &str,
+    sampling: Sampling,
+) -> Result<Vec<(f64, Term)>, QueryFault> {
+    let mut found = Vec::new();
+    for span in spans {
+        let poses = poses(span, thing, sampling)?;
+        found.extend(poses.iter().map(|at| (span.began + at.time, pose(at))));
+        if found.len() > MAX_POSES {
+            return Err(fault(format!(
+                "the trajectory has more than {MAX_POSES} poses: ask for a longer dt"
+            )));
+        }
+    }
+    Ok(found)
+}
+
+/// max, min, mean or root mean square.
+fn statistic_of(values: &[f64], statistic: &str) -> Result<f64, QueryFault> {
+    if values.is_empty() {
+        return Err(fault("there is no sample in this time".to_owned()));
+    }
+    let count = values.len() as f64;
+    let all = values.iter().copied();
+    match statistic {
+        "max" => Ok(all.fold(f64::NEG_INFINITY, f64::max)),
+        "min" => Ok(all.fold(f64::INFINITY, f64::min)),
+        "mean" => Ok(all.sum::<f64>() / count),
+        "rms" => Ok((all.map(|v| v * v).sum::<f64>() / count).sqrt()),
+        other => Err(fault(format!(
+            "{other} is no statistic: there are max, min, mean and rms"
         ))),
     }
 }

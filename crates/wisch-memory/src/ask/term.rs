@@ -63,6 +63,15 @@ impl Term {
         }
     }
 
+    /// Whether `...` stands in it for a part.
+    pub(super) fn is_cut_short(&self) -> bool {
+        match self {
+            Self::Atom(name) => name == "...",
+            Self::Compound(_, parts) | Self::List(parts) => parts.iter().any(Self::is_cut_short),
+            Self::Variable(_) | Self::Integer(_) | Self::Float(_) => false,
+        }
+    }
+
     /// Reads a term in canonical notation, with or without the full stop at its end.
     ///
     /// # Errors
@@ -299,6 +308,15 @@ impl<'a> Reader<'a> {
                 self.at += 2;
                 self.compound("{}".to_owned(), depth)
             }
+            // As SWI-Prolog writes {}(a).
+            Some('{') => {
+                self.at += 1;
+                let inner = self.term(depth + 1)?;
+                if !self.take('}') {
+                    return Err(self.expected("}"));
+                }
+                Ok(Term::Compound("{}".to_owned(), vec![inner]))
+            }
             Some(c @ ('!' | ';' | ',')) => {
                 self.at += 1;
                 self.compound(c.to_string(), depth)
@@ -332,16 +350,37 @@ impl<'a> Reader<'a> {
         }
         let digits = &self.text[start..self.at];
         let sign = if negative { -1.0 } else { 1.0 };
-        if self.rest().starts_with("Inf") || self.rest().starts_with("NaN") {
-            return Err(self.expected("a finite number"));
+        for (name, value) in [("Inf", f64::INFINITY), ("NaN", f64::NAN)] {
+            if is_float && self.rest().starts_with(name) {
+                self.at += name.len();
+                return Ok(Term::Float(sign * value));
+            }
         }
-        if !is_float
-            && let Ok(value) = format!("{}{digits}", if negative { "-" } else { "" }).parse()
-        {
-            return Ok(Term::Integer(value));
+        let signed = || format!("{}{digits}", if negative { "-" } else { "" });
+        if !is_float && let Ok(value) = signed().parse() {
+            return self.divided(Term::Integer(value));
         }
         let value: f64 = digits.parse().map_err(|_| self.expected("a number"))?;
-        Ok(Term::Float(sign * value))
+        if value.is_infinite() {
+            // A whole number of hundreds of digits: they can still be shown.
+            return Ok(Term::Atom(signed()));
+        }
+        self.divided(Term::Float(sign * value))
+    }
+
+    /// A number, or the ratio that it begins, as SWI-Prolog writes 1r3.
+    fn divided(&mut self, numerator: Term) -> Result<Term, TermError> {
+        let by = |rest: &str| rest[1..].starts_with(|c: char| c.is_ascii_digit());
+        if !self.rest().starts_with('r') || !by(self.rest()) {
+            return Ok(numerator);
+        }
+        self.at += 1;
+        let ratio = (numerator.as_number())
+            .zip(self.number(false)?.as_number())
+            .map(|(above, below)| above / below);
+        ratio
+            .map(Term::Float)
+            .ok_or_else(|| self.expected("a ratio of numbers"))
     }
 
     fn quoted(&mut self, mark: char) -> Result<String, TermError> {
@@ -408,6 +447,10 @@ impl<'a> Reader<'a> {
             return self.pairs(depth);
         }
         self.at += 1;
+        if self.take(')') {
+            // Only SWI-Prolog has these.
+            return Ok(Term::Compound(name, Vec::new()));
+        }
         let mut arguments = vec![self.term(depth + 1)?];
         while self.take(',') {
             arguments.push(self.term(depth + 1)?);
@@ -508,6 +551,16 @@ mod tests {
     }
 
     #[test]
+    fn a_term_in_braces_is_one_with_their_name() {
+        assert_eq!(shown("row({','(a,b)},{})"), "row({}(','(a, b)), {})");
+    }
+
+    #[test]
+    fn a_term_may_be_without_arguments() {
+        assert_eq!(shown("row(goal_met(),[f()])"), "row(goal_met(), [f()])");
+    }
+
+    #[test]
     fn names_of_the_memory_show_their_prefix() {
         assert_eq!(
             shown("'semco:Collision_2026-1'"),
@@ -516,6 +569,21 @@ mod tests {
         assert_eq!(shown("'semco:sponge'"), "semco:sponge");
         assert_eq!(shown("'it\\'s'"), "'it\\'s'");
         assert_eq!(shown("'a\\x41\\b'"), "aAb");
+    }
+
+    #[test]
+    fn numbers_of_every_kind_are_read() {
+        for (text, shown_as) in [
+            ("1.0Inf", "inf"),
+            ("-1.0Inf", "-inf"),
+            ("1r4", "0.25"),
+            ("-3r2", "-1.5"),
+            ("99999999999999999999", "1.0e20"),
+        ] {
+            assert_eq!(shown(text), shown_as, "{text}");
+        }
+        let digits = "9".repeat(400);
+        assert_eq!(Term::parse(&digits).unwrap(), Term::atom(digits));
     }
 
     #[test]
@@ -547,7 +615,7 @@ mod tests {
 
     #[test]
     fn what_is_no_term_is_an_error() {
-        for text in ["f(", "f(a", "'a", "[a|", ")", "", "f(a) b", "1.0Inf"] {
+        for text in ["f(", "f(a", "'a", "[a|", ")", "", "f(a) b", "1Inf"] {
             assert!(Term::parse(text).is_err(), "{text}");
         }
         let deep = format!("{}a{}", "f(".repeat(5000), ")".repeat(5000));

@@ -2,6 +2,7 @@
 //! need not read them one by one.
 
 use super::{Catalogue, EpisodeRow, IndividualId, Interned, NONE, Node, at};
+use crate::checked_file::CheckedFile;
 use crate::columns::{Kind, Values, open, read_chunk, schema, with_encodings, write_group};
 use parquet::basic::{Compression, ZstdLevel};
 use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int32Type};
@@ -10,8 +11,9 @@ use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::reader::FileReader;
 use parquet::file::serialized_reader::SerializedFileReader;
 use parquet::file::writer::SerializedFileWriter;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -20,6 +22,8 @@ use std::sync::Arc;
 /// Version of these files.
 const CACHE_SCHEMA: u32 = 1;
 const HEAD_FILE: &str = "head.json";
+/// Says the CRC-32 of each of the others.
+const SUMS_FILE: &str = "checksums.json";
 const EPISODES: Table = Table {
     file: "episodes.parquet",
     columns: &[
@@ -121,13 +125,43 @@ pub(crate) fn write(catalogue: &Catalogue, folder: &Path) -> Result<(), CacheErr
             group(&subjects(column), Values::Ints(&objects))
         })?,
     };
-    let path = folder.join(HEAD_FILE);
-    let bytes = serde_json::to_vec(&head).map_err(|error| broken(&path, error))?;
-    let written = File::create(&path).and_then(|mut file| {
+    write_json(&folder.join(HEAD_FILE), &head)?;
+    write_json(&folder.join(SUMS_FILE), &sums(folder)?)
+}
+
+fn write_json(path: &Path, what: &impl Serialize) -> Result<(), CacheError> {
+    let bytes = serde_json::to_vec(what).map_err(|error| broken(path, error))?;
+    let written = File::create(path).and_then(|mut file| {
         file.write_all(&bytes)?;
         file.sync_all()
     });
-    written.map_err(|error| CacheError::File { path, error })
+    written.map_err(|error| CacheError::File {
+        path: path.to_path_buf(),
+        error,
+    })
+}
+
+fn read_json<T: DeserializeOwned>(path: &Path) -> Result<T, CacheError> {
+    let bytes = bytes_of(path)?;
+    serde_json::from_slice(&bytes).map_err(|error| broken(path, error))
+}
+
+fn bytes_of(path: &Path) -> Result<Vec<u8>, CacheError> {
+    fs::read(path).map_err(|error| CacheError::File {
+        path: path.to_path_buf(),
+        error,
+    })
+}
+
+/// Of all files but that of the sums.
+fn sums(folder: &Path) -> Result<BTreeMap<String, u32>, CacheError> {
+    let tables = [EPISODES, INDIVIDUALS, NUMBERS, TEXTS, RELATIONS];
+    let names = tables.iter().map(|table| table.file).chain([HEAD_FILE]);
+    let sums = names.map(|name| {
+        let sum = crc32fast::hash(&bytes_of(&folder.join(name))?);
+        Ok((name.to_owned(), sum))
+    });
+    sums.collect()
 }
 
 fn write_episodes(catalogue: &Catalogue, folder: &Path) -> Result<(), CacheError> {
@@ -232,13 +266,13 @@ impl Output {
 /// A table that is being read.
 struct Input {
     path: PathBuf,
-    file: SerializedFileReader<File>,
+    file: SerializedFileReader<CheckedFile>,
 }
 
 impl Input {
     fn open(folder: &Path, table: &Table) -> Result<Self, CacheError> {
         let path = folder.join(table.file);
-        let file = File::open(&path).map_err(|error| CacheError::File {
+        let file = CheckedFile::open(&path, None).map_err(|error| CacheError::File {
             path: path.clone(),
             error,
         })?;
@@ -292,12 +326,16 @@ impl Input {
 
 /// Reads a catalogue from the files in a folder.
 pub(crate) fn read(folder: &Path) -> Result<Catalogue, CacheError> {
+    // All of it is read anyway, and what is wrong here would be wrong in every answer.
+    let path = folder.join(SUMS_FILE);
+    if read_json::<BTreeMap<String, u32>>(&path)? != sums(folder)? {
+        return Err(broken(
+            &path,
+            "these are not the sums of the files beside it",
+        ));
+    }
     let path = folder.join(HEAD_FILE);
-    let bytes = fs::read(&path).map_err(|error| CacheError::File {
-        path: path.clone(),
-        error,
-    })?;
-    let head: Head = serde_json::from_slice(&bytes).map_err(|error| broken(&path, error))?;
+    let head: Head = read_json(&path)?;
     if head.schema != CACHE_SCHEMA {
         return Err(broken(&path, format!("schema {}", head.schema)));
     }

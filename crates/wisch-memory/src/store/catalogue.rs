@@ -30,8 +30,10 @@ impl Memory {
     /// Tables on disk hold most of them. They are written anew when they are broken or much is missing; where
     /// that fails, as in a folder that may only be read, the answer is the same, if later.
     ///
+    /// Episodes that cannot be read are named in [`Catalogue::left_out`].
+    ///
     /// # Errors
-    /// A record that cannot be read.
+    /// If the folder cannot be listed.
     pub fn catalogue(&self) -> Result<Catalogue, MemoryError> {
         let forgotten = self.forgotten()?;
         let ids = self.episodes()?;
@@ -53,7 +55,7 @@ impl Memory {
                 Ok(record) => catalogue.push(&record),
                 // Forgotten meanwhile.
                 Err(_) if !self.folder().join(id).exists() => {}
-                Err(error) => return Err(error),
+                Err(error) => catalogue.leave_out(format!("episode {id}: {error}")),
             }
         }
         let read = catalogue.episodes().len() - known;

@@ -2,7 +2,7 @@
 
 use super::RECORD_FILE;
 use super::error::{MemoryError, at};
-use super::sums::SUMS_FILE;
+use super::sums::{FileSum, SUMS_FILE, Sums};
 use crate::record::EpisodeRecord;
 use crate::telemetry::Telemetry;
 use std::fs;
@@ -36,9 +36,14 @@ impl Episode {
     /// Its record.
     ///
     /// # Errors
-    /// A record that cannot be read, or contradicts itself.
+    /// A record that cannot be read, is not what was written, or contradicts itself.
     pub fn record(&self) -> Result<EpisodeRecord, MemoryError> {
         let path = self.folder.join(RECORD_FILE);
+        if let Some(written) = self.sums()?.get(RECORD_FILE)
+            && let Some(what) = written.difference(&FileSum::of(&path)?)
+        {
+            return Err(MemoryError::Changed { path, what });
+        }
         let bytes = fs::read(&path).map_err(at(&path))?;
         let record: EpisodeRecord =
             serde_json::from_slice(&bytes).map_err(|error| MemoryError::Json {
@@ -58,12 +63,26 @@ impl Episode {
         }
     }
 
-    /// The telemetry of a round, from 1.
+    /// The telemetry of a round, from 1. What is read of it is held against its check sums.
     ///
     /// # Errors
     /// If there is none, or it cannot be read.
     pub fn telemetry(&self, round: usize) -> Result<Telemetry, MemoryError> {
-        Ok(Telemetry::open(&self.folder.join(telemetry_file(round)))?)
+        let name = telemetry_file(round);
+        let path = self.folder.join(&name);
+        let sums = self.sums()?;
+        let sums = sums.get(&name).map(|written| written.of_blocks(&path));
+        Ok(Telemetry::open_checked(&path, sums.transpose()?)?)
+    }
+
+    /// What each of its files was when it was written.
+    pub(super) fn sums(&self) -> Result<Sums, MemoryError> {
+        let path = self.folder.join(SUMS_FILE);
+        let bytes = fs::read(&path).map_err(at(&path))?;
+        serde_json::from_slice(&bytes).map_err(|error| MemoryError::Json {
+            path,
+            what: error.to_string(),
+        })
     }
 
     /// The contents of a file, such as `task.toml` or `round-1/plan.json`.

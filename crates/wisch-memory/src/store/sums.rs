@@ -1,6 +1,7 @@
 //! Check sums of an episode's files.
 
 use super::error::{MemoryError, at};
+use crate::checked_file::BLOCK;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -10,19 +11,19 @@ use std::path::Path;
 /// Where they stand in an episode.
 pub(super) const SUMS_FILE: &str = "checksums.json";
 
-/// Read at a time [bytes].
-const BLOCK: usize = 1 << 16;
-
 /// Of every file by name.
 pub(super) type Sums = BTreeMap<String, FileSum>;
 
 /// What a file was when it was written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct FileSum {
     /// Its length [bytes].
     bytes: u64,
     /// Its CRC-32, as in zip files.
     crc32: u32,
+    /// The same of each block, of files that are read in parts; older episodes have none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    blocks: Vec<u32>,
 }
 
 impl FileSum {
@@ -31,20 +32,42 @@ impl FileSum {
         let mut file = File::open(path).map_err(at(path))?;
         let mut hasher = crc32fast::Hasher::new();
         let mut bytes = 0;
-        let mut block = vec![0; BLOCK];
+        let mut blocks = Vec::new();
+        let mut block = Vec::with_capacity(BLOCK);
         loop {
-            match file.read(&mut block).map_err(at(path))? {
-                0 => break,
-                read => {
-                    hasher.update(&block[..read]);
-                    bytes += read as u64;
-                }
+            block.clear();
+            let mut part = file.by_ref().take(BLOCK as u64);
+            let read = part.read_to_end(&mut block).map_err(at(path))?;
+            if read == 0 {
+                break;
             }
+            hasher.update(&block);
+            blocks.push(crc32fast::hash(&block));
+            bytes += read as u64;
+        }
+        if !is_read_in_parts(path) {
+            blocks.clear();
         }
         Ok(Self {
             bytes,
             crc32: hasher.finalize(),
+            blocks,
         })
+    }
+
+    /// Check sums by which the file can be read in parts. Of older episodes the whole file is read for them.
+    pub(super) fn of_blocks(&self, path: &Path) -> Result<Vec<u32>, MemoryError> {
+        if !self.blocks.is_empty() || self.bytes == 0 {
+            return Ok(self.blocks.clone());
+        }
+        let now = Self::of(path)?;
+        match self.difference(&now) {
+            None => Ok(now.blocks),
+            Some(what) => Err(MemoryError::Changed {
+                path: path.to_path_buf(),
+                what,
+            }),
+        }
     }
 
     /// How a file differs from this.
@@ -58,4 +81,9 @@ impl FileSum {
             format!("its check sum is {now:08x}, but {then:08x} was written")
         })
     }
+}
+
+/// Whether a file is read in parts, as telemetry is.
+fn is_read_in_parts(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending == "parquet")
 }

@@ -1,10 +1,8 @@
 //! Whether all that is stored is what was written, and can be read.
 
 use super::episode::Episode;
-use super::error::at;
-use super::sums::{FileSum, SUMS_FILE, Sums};
+use super::sums::FileSum;
 use super::{Memory, MemoryError, RECORD_FILE};
-use std::fs;
 
 /// Something wrong with a file of an episode.
 #[derive(Debug)]
@@ -45,7 +43,7 @@ impl Memory {
 }
 
 fn faults_of(episode: &Episode) -> Vec<MemoryError> {
-    let sums = match sums_of(episode) {
+    let sums = match episode.sums() {
         Ok(sums) => sums,
         Err(error) => return vec![error],
     };
@@ -58,15 +56,6 @@ fn faults_of(episode: &Episode) -> Vec<MemoryError> {
         faults.extend(fault_of(episode, name, written).err());
     }
     faults
-}
-
-fn sums_of(episode: &Episode) -> Result<Sums, MemoryError> {
-    let path = episode.folder().join(SUMS_FILE);
-    let bytes = fs::read(&path).map_err(at(&path))?;
-    serde_json::from_slice(&bytes).map_err(|error| MemoryError::Json {
-        path,
-        what: error.to_string(),
-    })
 }
 
 fn fault_of(episode: &Episode, name: &str, written: &FileSum) -> Result<(), MemoryError> {

@@ -5,6 +5,7 @@ use super::{
     FIXED, JOINTS_KEY, NANOSECONDS_PER_SECOND, NOTE_PREFIX, SCHEMA_KEY, TELEMETRY_SCHEMA, TIME,
     TelemetryError, seconds,
 };
+use crate::checked_file::CheckedFile;
 use crate::columns::{find_column, open, read_chunk};
 use parquet::data_type::{FloatType, Int32Type, Int64Type};
 use parquet::errors::ParquetError;
@@ -12,7 +13,6 @@ use parquet::file::reader::FileReader;
 use parquet::file::serialized_reader::SerializedFileReader;
 use parquet::file::statistics::Statistics;
 use std::collections::{BTreeMap, HashMap};
-use std::fs::File;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -43,7 +43,7 @@ pub struct Telemetry {
 }
 
 struct Source {
-    reader: SerializedFileReader<File>,
+    reader: SerializedFileReader<CheckedFile>,
     cache: PieceCache,
 }
 
@@ -61,7 +61,16 @@ impl Telemetry {
     /// # Errors
     /// A file that cannot be read, is cut off, or was not written by [`TelemetryWriter`](super::TelemetryWriter).
     pub fn open(path: &Path) -> Result<Self, TelemetryError> {
-        let file = File::open(path).map_err(|error| TelemetryError::File {
+        Self::open_checked(path, None)
+    }
+
+    /// The same of a file of which the check sums of all blocks are known: what is read that was not written is an
+    /// error.
+    pub(crate) fn open_checked(
+        path: &Path,
+        sums: Option<Vec<u32>>,
+    ) -> Result<Self, TelemetryError> {
+        let file = CheckedFile::open(path, sums).map_err(|error| TelemetryError::File {
             path: path.to_path_buf(),
             error,
         })?;
@@ -353,7 +362,7 @@ impl Source {
 }
 
 fn decode(
-    reader: &SerializedFileReader<File>,
+    reader: &SerializedFileReader<CheckedFile>,
     path: &Path,
     (group, column): Place,
 ) -> Result<Piece, TelemetryError> {
@@ -371,7 +380,7 @@ fn decode(
     })
 }
 
-fn groups(reader: &SerializedFileReader<File>) -> Result<Vec<Group>, ParquetError> {
+fn groups(reader: &SerializedFileReader<CheckedFile>) -> Result<Vec<Group>, ParquetError> {
     let mut groups: Vec<Group> = Vec::new();
     for (index, metadata) in reader.metadata().row_groups().iter().enumerate() {
         let start = groups.last().map_or(0, |group| group.rows.end);

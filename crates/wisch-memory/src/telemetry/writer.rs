@@ -259,6 +259,13 @@ impl TelemetryWriter {
         })
     }
 
+    /// Gives the file up: what is there of it goes.
+    pub fn abandon(self) {
+        drop(self.file);
+        // What cannot be removed keeps the ending that says what it is.
+        let _ = fs::remove_file(&self.active);
+    }
+
     fn check(&self, time: f64) -> Result<i64, TelemetryError> {
         if !(0.0..MAX_TIME).contains(&time) {
             return Err(TelemetryError::Time {

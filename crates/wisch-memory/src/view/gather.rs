@@ -40,8 +40,10 @@ pub struct Surroundings {
 
 /// What the memory has to show for what a query says; `rows` are its answers, whose events are shown over time.
 ///
+/// What the memory does not have, such as a thing that an episode did without, is a remark.
+///
 /// # Errors
-/// What cannot be drawn, or was not recorded, by name.
+/// What is no command to show anything.
 pub fn gather(
     said: &[Term],
     rows: &[Vec<Term>],
@@ -79,7 +81,7 @@ pub fn gather(
         if gathering.is_full() {
             gathering.view.left_out += 1;
         } else {
-            gathering.wish(wish)?;
+            gathering.wish(wish);
         }
     }
     gathering.mention(rows);
@@ -124,7 +126,14 @@ impl Gathering<'_> {
             || view.rounds.len() > MAX_ROUNDS
     }
 
-    fn wish(&mut self, wish: &Wish) -> Result<(), ViewError> {
+    fn remark(&mut self, what: String) {
+        let remarks = &mut self.view.remarks;
+        if !remarks.contains(&what) {
+            remarks.push(what);
+        }
+    }
+
+    fn wish(&mut self, wish: &Wish) {
         let (Subject::Thing(name) | Subject::Trajectory(name) | Subject::Particles(name)) =
             &wish.subject;
         // An event is looked at where the tool was while it lasted.
@@ -141,19 +150,27 @@ impl Gathering<'_> {
         }
         let highlighted = self.emphasize(name, wish);
         if highlighted {
-            return Ok(());
+            return;
         }
-        for stretch in self.stretches(name, wish.when)? {
-            match &wish.subject {
-                Subject::Particles(_) => self.particles(wish, stretch)?,
+        let stretches = match self.stretches(name, wish.when) {
+            Ok(stretches) => stretches,
+            Err(error) => return self.remark(error.to_string()),
+        };
+        for stretch in stretches {
+            let drawn = match &wish.subject {
+                Subject::Particles(_) => self.particles(wish, stretch),
                 Subject::Thing(_) if self.is_medium(stretch.round, name) => {
-                    self.particles(wish, stretch)?;
+                    self.particles(wish, stretch)
                 }
-                Subject::Thing(_) => self.bodies(name, wish, stretch)?,
-                Subject::Trajectory(_) => self.track(name, wish, stretch)?,
+                Subject::Thing(_) => self.bodies(name, wish, stretch),
+                Subject::Trajectory(_) => self.track(name, wish, stretch),
+            };
+            if let Err(error) = drawn {
+                let round = &self.view.rounds[stretch.round];
+                let (number, episode) = (round.number, &self.view.episodes[round.episode].id);
+                self.remark(format!("episode {episode}, round {number}: {error}"));
             }
         }
-        Ok(())
     }
 
     /// Makes what is there already stand out, if only that is asked for.
@@ -215,18 +232,22 @@ impl Gathering<'_> {
             When::During(interval) | When::Every(interval, _) => interval,
             When::Latest => return self.latest(thing),
         };
-        let mut found = Vec::new();
-        for row in catalogue.episodes() {
-            if row.interval[0] > to || row.interval[1] < from {
-                continue;
-            }
+        let (mut found, mut has_faults) = (Vec::new(), false);
+        for row in catalogue.episodes_during([from, to]) {
             for number in 1..=row.rounds.len() {
                 let began = row.rounds[number - 1];
                 let ended = row.rounds.get(number).copied().unwrap_or(row.interval[1]);
                 if began > to || ended < from {
                     continue;
                 }
-                let round = self.open(row, number)?;
+                let round = match self.open(row, number) {
+                    Ok(round) => round,
+                    Err(error) => {
+                        has_faults = true;
+                        self.remark(format!("episode {} is left out: {error}", row.id));
+                        continue;
+                    }
+                };
                 let telemetry = &self.opened[round].telemetry;
                 let Some([first, last]) = telemetry.interval() else {
                     continue;
@@ -237,7 +258,7 @@ impl Gathering<'_> {
                 }
             }
         }
-        if found.is_empty() {
+        if found.is_empty() && !has_faults {
             return Err(ViewError::NoRecord {
                 thing: thing.to_owned(),
                 from,
@@ -427,11 +448,7 @@ impl Gathering<'_> {
         };
         let file = format!("round-{}/{name}", round.number);
         let bytes = self.memory.episode(&id)?.attachment(&file)?;
-        let positions = positions(&bytes).map_err(|what| ViewError::Particles {
-            episode: id,
-            file,
-            what,
-        })?;
+        let positions = positions(&bytes).map_err(|what| ViewError::Particles { file, what })?;
         let dirt = Dirt {
             round: stretch.round,
             state,

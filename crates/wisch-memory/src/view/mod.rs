@@ -109,10 +109,8 @@ pub enum ViewError {
         to: f64,
     },
     /// Particles that cannot be read.
-    #[error("episode {episode}: {file}: {what}")]
+    #[error("{file}: {what}")]
     Particles {
-        /// Its name.
-        episode: String,
         /// The file.
         file: String,
         /// What is wrong.
@@ -143,6 +141,8 @@ pub struct View {
     pub plots: Vec<Plot>,
     /// How many of the things that were to be shown are not, because there are too many of them.
     pub left_out: usize,
+    /// What was to be shown and is not, because the memory does not have it.
+    pub remarks: Vec<String>,
 }
 
 /// An episode that something is shown of.

@@ -47,6 +47,9 @@ pub fn answers_page(input: &AnswersInput) -> String {
         @if view.left_out > 0 {
             p class="note" { "The picture is full: " (view.left_out) " more of what the query shows is left out." }
         }
+        @for remark in input.answers.remarks.iter().chain(&view.remarks) {
+            p class="note" { (remark) }
+        }
         @if !view.plots.is_empty() {
             h2 { "In numbers" }
             div class="plots" {

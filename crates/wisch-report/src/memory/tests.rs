@@ -18,6 +18,8 @@ fn answers() -> Answers {
         ]],
         is_cut: false,
         views: Vec::new(),
+        printed: String::new(),
+        remarks: vec!["an episode is left out".to_owned()],
     }
 }
 
@@ -96,6 +98,7 @@ fn view() -> View {
         }],
         plots: vec![plot],
         left_out: 3,
+        remarks: vec!["there is no spoon".to_owned()],
     }
 }
 
@@ -198,6 +201,7 @@ fn collisions_are_marked_over_time() {
 fn diagrams_and_what_is_left_out_are_told() {
     let page = page();
     assert!(page.contains("The picture is full: 3 more"));
+    assert!(page.contains("an episode is left out") && page.contains("there is no spoon"));
     assert!(page.contains("<h3>How hard</h3>"));
     assert!(page.contains(">20.5</text>"));
 }

@@ -1,0 +1,173 @@
+//! Questions to episodes with telemetry: of runs at once, and of files that were damaged.
+
+use super::{engines, shown};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use tempfile::TempDir;
+use wisch::follow::Phase;
+use wisch_memory::ask::{AskError, Asker, EngineCommand};
+use wisch_memory::{
+    EPISODE_SCHEMA, EpisodeRecord, Individual, Mark, Memory, Origin, TelemetryHead,
+};
+
+/// When both runs began and ended [s since 1970].
+const RUNS: [[f64; 2]; 2] = [[1000.0, 1010.0], [1004.0, 1014.0]];
+/// When somebody pushed during each [s since 1970], and the force throughout [N].
+const PUSHES: [[f64; 2]; 2] = [[1005.0, 1006.25], [1005.5, 1006.5]];
+const FORCES: [f64; 2] = [5.0, 7.0];
+const PERIOD: f64 = 0.01;
+
+fn store(memory: &Memory, run: usize) {
+    let id = format!("run-{run}");
+    let writer = memory.begin(&id).unwrap();
+    let columns = ["external/fx", "external/fy", "external/fz"].map(str::to_owned);
+    let mut telemetry = writer
+        .telemetry_with_columns(1, TelemetryHead::default(), &columns)
+        .unwrap();
+    let [begin, end] = RUNS[run];
+    let mark = Mark {
+        motion: 0,
+        phase: Phase::Wipe(0),
+    };
+    for k in 0..((end - begin) / PERIOD) as usize {
+        let values = [0.0, 0.0, FORCES[run]];
+        telemetry.push(k as f64 * PERIOD, mark, values).unwrap();
+    }
+    telemetry.finish().unwrap();
+    let individual = |class: &str, parent, interval| Individual {
+        class: format!("semco:{class}"),
+        interval: Some(interval),
+        parent,
+        relations: BTreeMap::new(),
+        values: BTreeMap::new(),
+    };
+    let record = EpisodeRecord {
+        schema: EPISODE_SCHEMA,
+        id,
+        task: "board".to_owned(),
+        interval: RUNS[run],
+        origin: Origin::Simulated,
+        program: "test".to_owned(),
+        seed: 1,
+        rounds: vec![begin],
+        individuals: vec![
+            individual("WipingEpisode", None, RUNS[run]),
+            individual("HumanCollision", Some(0), PUSHES[run]),
+        ],
+    };
+    writer.commit(&record).unwrap();
+}
+
+/// Two runs that wiped at the same time.
+fn two_runs() -> (TempDir, Memory) {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = Memory::create(&folder.path().join("episodes")).unwrap();
+    (0..RUNS.len()).for_each(|run| store(&memory, run));
+    (folder, memory)
+}
+
+fn asked(memory: &Memory, command: EngineCommand, query: &str) -> Vec<String> {
+    let mut asker = Asker::open(memory.clone(), command).unwrap();
+    shown(
+        &asker
+            .ask(query)
+            .unwrap_or_else(|error| panic!("{query}: {error}")),
+    )
+}
+
+#[test]
+fn runs_at_once_are_not_mixed() {
+    let (_folder, memory) = two_runs();
+    for command in engines() {
+        for (query, answers) in [
+            // As the paper asks: each push is of its own run, by its times.
+            (
+                "has_type(C, 'Collision'), occurs(C, [S, E]), telemetry(force, [S, E], mean, F)",
+                [
+                    "semco:'HumanCollision_run-0-1' 1005.0 1006.25 5.0",
+                    "semco:'HumanCollision_run-1-1' 1005.5 1006.5 7.0",
+                ]
+                .as_slice(),
+            ),
+            // An event brings its run along.
+            (
+                "has_type(C, 'Collision'), telemetry(force, C, mean, F)",
+                &[
+                    "semco:'HumanCollision_run-0-1' 5.0",
+                    "semco:'HumanCollision_run-1-1' 7.0",
+                ],
+            ),
+            // Any other time is answered run by run.
+            ("telemetry(force, [1005, 1006], mean, F)", &["5.0", "7.0"]),
+            ("telemetry(force, [0, 1003], max, F)", &["5.0"]),
+            (
+                "telemetry_in(R, force, [1005, 1006], max, F)",
+                &[
+                    "semco:'WipingEpisode_run-0-0' 5.0",
+                    "semco:'WipingEpisode_run-1-0' 7.0",
+                ],
+            ),
+            (
+                "telemetry_in('WipingEpisode_run-1-0', force, [1005, 1006], max, F)",
+                &["7.0"],
+            ),
+        ] {
+            assert_eq!(asked(&memory, command.clone(), query), answers, "{query}");
+        }
+    }
+}
+
+#[test]
+fn a_damaged_episode_is_named_and_left_out() {
+    let (_folder, memory) = two_runs();
+    let file = memory.folder().join("run-1/round-1.parquet");
+    let mut bytes = fs::read(&file).unwrap();
+    let middle = bytes.len() / 3;
+    bytes[middle] ^= 1;
+    fs::write(&file, bytes).unwrap();
+    for command in engines() {
+        let mut asker = Asker::open(memory.clone(), command).unwrap();
+        let answers = asker
+            .ask("telemetry(force, [1005, 1006], mean, F)")
+            .unwrap();
+        assert_eq!(shown(&answers), ["5.0"]);
+        assert_eq!(answers.remarks.len(), 1);
+        let remark = &answers.remarks[0];
+        assert!(
+            remark.contains("run-1") && remark.contains("check sum"),
+            "{remark}"
+        );
+        let error = asker
+            .ask("telemetry(force, [1012, 1013], mean, F)")
+            .unwrap_err();
+        assert!(matches!(&error, AskError::Fault(_)), "{error}");
+        assert!(error.to_string().contains("round-1.parquet"), "{error}");
+        assert_eq!(
+            shown(&asker.ask("has_type(X, 'Collision')").unwrap()).len(),
+            2
+        );
+    }
+}
+
+#[test]
+fn an_episode_whose_record_is_damaged_is_named_and_left_out() {
+    for damage in [
+        |file: &Path| fs::write(file, "{").unwrap(),
+        |file: &Path| {
+            // Still JSON, and a number still.
+            let text = fs::read_to_string(file).unwrap();
+            fs::write(file, text.replace("1005.5", "1005.7")).unwrap();
+        },
+    ] {
+        let (_folder, memory) = two_runs();
+        damage(&memory.folder().join("run-1/episode.json"));
+        let catalogue = memory.catalogue().unwrap();
+        assert_eq!(catalogue.left_out().len(), 1);
+        assert!(catalogue.left_out()[0].contains("run-1"));
+        for command in engines() {
+            let found = asked(&memory, command, "has_type(X, 'Collision')");
+            assert_eq!(found, ["semco:'HumanCollision_run-0-1'"]);
+        }
+    }
+}

@@ -1,0 +1,38 @@
+//! Queries to an empty memory. The engine is the first in `PATH`: `wisch-prolog`, else `swipl`. Whatever is asked, the
+//! answer is one, or says what is wrong with the query.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use std::cell::RefCell;
+use std::sync::Arc;
+use std::time::Duration;
+use wisch_memory::Catalogue;
+use wisch_memory::ask::{AskError, Asker, Assertions, EngineCommand, Limits, TelemetryPredicates};
+
+thread_local! {
+    static ASKER: RefCell<Asker> = RefCell::new(asker());
+}
+
+fn asker() -> Asker {
+    let limits = Limits {
+        time: Duration::from_secs(2),
+        memory: 1 << 30,
+        answers: 100,
+    };
+    Asker::new(
+        EngineCommand::find().expect("wisch-prolog or swipl in PATH"),
+        limits,
+        Arc::new(Catalogue::default()),
+        TelemetryPredicates::default(),
+        Assertions::default(),
+    )
+}
+
+fuzz_target!(|query: &str| {
+    ASKER.with_borrow_mut(|asker| match asker.ask(query) {
+        // Out of time or of memory.
+        Ok(_) | Err(AskError::Fault(_) | AskError::Time(_)) => {}
+        Err(AskError::EngineEnded { words }) if words.contains("memory") => {}
+        Err(error) => panic!("{error}"),
+    });
+});
