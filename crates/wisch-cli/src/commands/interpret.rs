@@ -243,7 +243,10 @@ fn in_words(record: &InterpretationRecord, out: &Path) -> String {
         ("surface", surface_in_words(record)),
         (
             "force bias",
-            format!("{:.2} N along the normal, taken off", record.force_bias_n),
+            format!(
+                "{:+.2} N on the tool along the normal, taken off",
+                record.force_bias_n
+            ),
         ),
         ("events", events_in_words(record)),
     ];

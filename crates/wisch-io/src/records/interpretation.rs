@@ -49,7 +49,7 @@ pub struct InterpretationRecord {
     pub diagnosis: &'static str,
     /// Where the surface is, if it is not where it was believed; else null.
     pub world_from_surface: Option<PoseRecord>,
-    /// Bias of the normal force that was taken off.
+    /// What the sensor adds to the force on the tool along the surface's outward normal, which was taken off.
     pub force_bias_n: f64,
     /// What happened, by start.
     pub events: Vec<EventRecord>,

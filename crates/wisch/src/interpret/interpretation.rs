@@ -30,7 +30,8 @@ pub struct Interpretation {
     pub diagnosis: Diagnosis,
     /// What happened, by start.
     pub events: Vec<Event>,
-    /// Bias of the normal force that was found in free motion and taken off [N].
+    /// What the sensor adds to the force on the tool along the surface's outward normal, as found in free motion and
+    /// taken off [N]; 0 where the log shows no free motion.
     pub force_bias: f64,
     /// Time in contact over the time that the tool was on or near the surface.
     pub contact_share: f64,

@@ -178,7 +178,7 @@ impl Interpreter {
             events,
             contact_share,
             diagnosis: self.diagnosis(&classified, &believed_from_real),
-            force_bias: -classified.bias.z,
+            force_bias: classified.bias.z,
             performance,
             belief,
             plane: classified.plane.map(|(_, described)| described),
