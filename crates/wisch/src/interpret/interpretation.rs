@@ -2,6 +2,7 @@
 
 use super::belief::{Belief, Estimate};
 use super::contact::{FittedPlane, PathPiece};
+use super::doubt::Doubt;
 use super::events::Event;
 use crate::geometry::Pose;
 
@@ -28,6 +29,8 @@ pub struct Interpretation {
     pub plane: Option<FittedPlane>,
     /// Whether the surface is where it was believed.
     pub diagnosis: Diagnosis,
+    /// Why the log does not look like wiping of this surface; nothing where it does.
+    pub doubts: Vec<Doubt>,
     /// What happened, by start.
     pub events: Vec<Event>,
     /// What the sensor adds to the force on the tool along the surface's outward normal, as found in free motion and
