@@ -9,7 +9,7 @@ use wiping::{FORCE, Wiping, faults};
 use wisch::control::ControlConfig;
 use wisch::follow::Phase;
 use wisch::geometry::Vector3;
-use wisch::interpret::{Belief, InterpretConfig, TouchSample, interpret};
+use wisch::interpret::{Belief, Diagnosis, InterpretConfig, TouchSample, interpret};
 use wisch::represent::{Action, GoalState};
 use wisch::run::Ending;
 
@@ -118,6 +118,23 @@ fn the_bias_that_is_set_is_the_one_that_is_found() {
         let found = found.unwrap().force_bias;
         assert!((found - bias).abs() < 0.05, "{found} N of {bias} N");
     }
+}
+
+#[test]
+fn a_rigid_tool_wipes_and_is_understood() {
+    let mut wiping = Wiping::of_one_stroke(Action::Absorb);
+    wiping.task.interaction.compression_depth_m = 0.0;
+    let log = wiping.execute();
+    assert_eq!(faults(&log), [] as [String; 0]);
+    let samples: Vec<TouchSample> = (log.rows.iter())
+        .map(|row| TouchSample::new(row.time, row.world_from_tool, row.external))
+        .collect();
+    let believed = Belief::certain(wiping.task.particles.clone());
+    let config = InterpretConfig::of(&wiping.task);
+    let goal = GoalState::Absorbed;
+    let found = interpret(&samples, &wiping.task, &believed, &goal, &config).unwrap();
+    assert_eq!(found.diagnosis, Diagnosis::Localized);
+    assert!(found.contact_share > 0.8, "{}", found.contact_share);
 }
 
 fn median(mut values: Vec<f64>) -> f64 {

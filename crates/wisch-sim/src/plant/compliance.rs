@@ -27,6 +27,15 @@ const TOOL_DAMPING: [f64; 2] = [0.2, 5.0];
 /// Least stiffness against rocking, for tools as narrow as a blade [Nm/rad].
 const LEAST_ROCKING: f64 = 0.3;
 
+/// What a rigid tool gives way by at nominal force all the same [m]: a contact of two stiff bodies is not resolved
+/// at 1 kHz.
+const LEAST_DEPTH: f64 = 1e-3;
+
+/// How far the simulated tool gives way at nominal force [m].
+pub(crate) fn nominal_depth(task: &Task) -> f64 {
+    task.interaction.compression_depth_m.max(LEAST_DEPTH)
+}
+
 /// How the tool gives way: the plate against its frame at rest.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Compression {
@@ -81,14 +90,14 @@ impl Plant {
 /// Thickness of the tool's plate [m]: a tool that gives way far comes down the deeper.
 pub(super) fn plate_thickness(task: &Task) -> f64 {
     let [least, most] = PLATE_THICKNESS;
-    (2.0 * task.interaction.compression_depth_m).clamp(least, most)
+    (2.0 * nominal_depth(task)).clamp(least, most)
 }
 
 /// Stiffness and damping of the tool's compliance: in depth, and rocking about its x and y, as a bed of
 /// springs under the whole footprint has them.
 pub(super) fn foam_springs(task: &Task) -> [[f64; 2]; 3] {
     let interaction = &task.interaction;
-    let stiffness = interaction.press_force_n / interaction.compression_depth_m;
+    let stiffness = interaction.press_force_n / nominal_depth(task);
     let [ratio, mass] = TOOL_DAMPING;
     let damping = 2.0 * ratio * (stiffness * mass).sqrt();
     let size = (task.tool.footprint.bounds()).map_or(task.tool.area_of_effect, |b| b.size());
@@ -110,7 +119,7 @@ pub(super) fn compliance(
     joint_from_tool: &Pose,
     task: &Task,
 ) -> Result<(RigidBodyHandle, [RigidBodyHandle; 3], MultibodyJointHandle), SimulationError> {
-    let depth = task.interaction.compression_depth_m;
+    let depth = nominal_depth(task);
     // At nominal force the plate lies at the tool centre point.
     let joint_from_rest = joint_from_tool * Translation3::new(0.0, 0.0, -depth);
     let size = (task.tool.footprint.bounds()).map_or(task.tool.area_of_effect, |b| b.size());

@@ -7,7 +7,7 @@ mod compliance;
 mod drives;
 mod shapes;
 
-pub(super) use compliance::{firm_load, tool_load};
+pub(super) use compliance::{firm_load, nominal_depth, tool_load};
 
 use self::compliance::{compliance, foam_springs, plate_thickness};
 use self::drives::{Coupling, Link, add_bodies};
