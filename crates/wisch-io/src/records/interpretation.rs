@@ -121,6 +121,12 @@ pub struct LogRecord {
     pub unpaired: usize,
     /// Whether the log ends where its writer was killed, or is still writing.
     pub unfinished: bool,
+    /// Poses or forces left out, as they are none.
+    pub skipped: usize,
+    /// From when to when nothing was recorded for longer than is interpolated.
+    pub gaps_s: Vec<[f64; 2]>,
+    /// What is odd about the log, in words.
+    pub remarks: Vec<String>,
 }
 
 impl InterpretationRecord {
