@@ -241,10 +241,86 @@ fn a_table_says_the_same_as_the_bag() {
         "log",
     ];
     let (_, from_table) = interpreted(folder.path(), "log.csv", &understood);
-    for key in ["estimated", "diagnosis", "collisions"] {
-        assert_eq!(from_table[key], from_bag[key], "{key}");
+    let same = |from_table: &Value| {
+        for key in ["estimated", "diagnosis", "collisions"] {
+            assert_eq!(from_table[key], from_bag[key], "{key}");
+        }
+        assert_eq!(from_table["log"]["samples"], from_bag["log"]["samples"]);
+    };
+    same(&from_table);
+    assert_eq!(from_table["log"]["remarks"], Value::Array(vec![]));
+    // The line of units says the same as the options.
+    let said = [&understood[..2], &understood[8..]].concat();
+    let (_, from_table) = interpreted(folder.path(), "log.csv", &said);
+    same(&from_table);
+    assert_eq!(
+        from_table["log"]["remarks"][0],
+        "by its line of units: t in ms, x in mm, y in mm, z in mm, fx in kp, fy in kp, fz in kp"
+    );
+}
+
+#[test]
+fn what_is_odd_about_a_log_is_said() {
+    let folder = folder(believed());
+    let path = folder.path();
+    let log = read(&path.join("log.mcap"), &LogOptions::default()).unwrap();
+    let mut table = "t,x,y,z,qx,qy,qz,qw,fx,fy,fz\n".to_owned();
+    for (index, sample) in log.samples.iter().enumerate() {
+        let (p, q, f) = (
+            sample.world_from_tool.translation.vector,
+            sample.world_from_tool.rotation.coords,
+            sample.force,
+        );
+        // Two seconds are missing, and one number is none.
+        if (2.0..4.0).contains(&sample.time) {
+            continue;
+        }
+        let z = if index == 100 { f64::NAN } else { p.z };
+        writeln!(
+            table,
+            "{},{},{},{z},{},{},{},{},{},{},{}",
+            sample.time, p.x, p.y, q.x, q.y, q.z, q.w, f.x, f.y, f.z
+        )
+        .unwrap();
     }
-    assert_eq!(from_table["log"]["samples"], from_bag["log"]["samples"]);
+    fs::write(path.join("log.csv"), table).unwrap();
+    let frame = ["--wrench-frame", "log"];
+    let (_, record) = interpreted(path, "log.csv", &frame);
+    let log = &record["log"];
+    assert_eq!(log["skipped"], 1);
+    let gap = &log["gaps_s"][0];
+    assert!((gap[1].as_f64().unwrap() - gap[0].as_f64().unwrap() - 2.0).abs() < 0.01);
+    let (_, words, _) = wisch(
+        path,
+        &[&["interpret", "log.csv", "--task", "task.toml"], &frame[..]].concat(),
+    );
+    for part in [
+        "left out: 1 sample, the first of them line 102: z is NaN",
+        "nothing was recorded for 2.0",
+    ] {
+        assert!(words.contains(part), "{part} in {words}");
+    }
+
+    // The bag of another task, whose surface is 0.2 m lower: where it pressed is told.
+    let elsewhere = "surface.position_m=[0.6, 0.1, 0.95]";
+    let args = [
+        "interpret",
+        "log.mcap",
+        "--task",
+        "task.toml",
+        "--set",
+        elsewhere,
+    ];
+    let (code, words, _) = wisch(path, &args);
+    assert_eq!(code, 1);
+    for part in [
+        "the log has its surface 0.200 m and 0.0° from the task's: is it another task's?",
+        "the tool pressed 0.200 m below the believed surface",
+        "is surface.position_m right",
+    ] {
+        assert!(words.contains(part), "{part} in {words}");
+    }
+    assert!(!words.contains("--wrench-sign"), "{words}");
 }
 
 #[test]
@@ -296,10 +372,9 @@ fn wrong_inputs_are_told_with_what_to_do() {
             "text.csv",
             format!("{good_names}{good_line}1,0,zero,0,0,0,0,1,0,0,0\n"),
         ),
-        (
-            "nan.csv",
-            format!("{good_names}{good_line}1,0,NaN,0,0,0,0,1,0,0,0\n"),
-        ),
+        ("nan.csv", format!("{good_names}0,0,NaN,0,0,0,0,1,0,0,0\n")),
+        ("old.bag", "#ROSBAG V2.0\n".to_owned()),
+        ("log.db3", "SQLite format 3\0".to_owned()),
         ("back.csv", format!("{good_names}1{good_line}{good_line}",)),
         ("late.csv", format!("{good_names}1e300{}", &good_line[1..])),
         ("turn.csv", format!("{good_names}0,0,0,0,0,0,0,2,0,0,0\n")),
@@ -343,7 +418,7 @@ fn wrong_inputs_are_told_with_what_to_do() {
         (
             "nan.csv",
             &[],
-            &["nan.csv: line 3: y is NaN, which is not finite"],
+            &["nan.csv: line 2: y is NaN, which is not finite"],
         ),
         (
             "back.csv",
@@ -369,6 +444,12 @@ fn wrong_inputs_are_told_with_what_to_do() {
             &["bytes.csv: byte 4: the table is not UTF-8 text"],
         ),
         ("cut.mcap", &[], &["cut.mcap: this is no bag"]),
+        (
+            "old.bag",
+            &[],
+            &["a bag of ROS 1", "rosbags-convert", "--dst-storage mcap"],
+        ),
+        ("log.db3", &[], &["(.db3)", "mcap convert"]),
         ("none.mcap", &[], &["none.mcap: No such file"]),
         (
             "log.mcap",

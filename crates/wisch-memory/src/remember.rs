@@ -337,6 +337,10 @@ impl RoundContext<'_> {
             EventKind::Contact => "semco:ToolContact",
             EventKind::ContactLoss => "semco:ContactLoss",
             EventKind::Collision => "semco:HumanCollision",
+            EventKind::HandGuiding => "semco:HandGuiding",
+            EventKind::Landing => "semco:Landing",
+            EventKind::Overload => "semco:Overload",
+            EventKind::Vibration => "semco:Vibration",
             EventKind::StickSlip => "semco:StickSlip",
             EventKind::Approach | EventKind::Stroke | EventKind::Lift | EventKind::Retreat => {
                 return None;

@@ -7,7 +7,7 @@
 //! roll. Pressure is that of the tool's compliance, uneven where the tool is tilted.
 
 use super::Dirt;
-use super::plant::{Plant, groups_of_grains, vector};
+use super::plant::{Plant, groups_of_grains, nominal_depth, vector};
 use crate::SimulationSettings;
 use rapier3d_f64::dynamics::{CoefficientCombineRule, RigidBodyBuilder, RigidBodyHandle};
 use rapier3d_f64::geometry::ColliderBuilder;
@@ -98,7 +98,7 @@ impl GrainBodies {
             bodies,
             world_from_real,
             effect: task.action.effect(),
-            nominal_depth: task.interaction.compression_depth_m,
+            nominal_depth: nominal_depth(task),
             reach: corners
                 .map(|edge| edge.start.coords.norm())
                 .fold(0.0, f64::max),

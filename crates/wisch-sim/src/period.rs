@@ -1,7 +1,7 @@
 //! The loop of control, simulation and telemetry.
 
 use crate::grains::GrainBodies;
-use crate::plant::{GRAVITY, Plant, tool_load};
+use crate::plant::{GRAVITY, Plant, firm_load, tool_load};
 use crate::{Dirt, GroundTruth, SimulationError, SimulationSettings, Spread};
 use nalgebra::{Matrix6xX, Translation3, Vector6};
 use rand::SeedableRng;
@@ -125,14 +125,11 @@ impl<'a> Simulation<'a> {
         let moving: Vec<bool> = (0..robot.dof())
             .map(|i| chain.contains(&i) || base.contains(&i) || varies(followed, i, start[i]))
             .collect();
-        let load = tool_load(cell, task);
-        let articulation = Articulation::new(
-            robot,
-            cell.world_from_root(),
-            &start,
-            &moving,
-            &[(cell.tip(), load)],
-        )?;
+        let loaded = |load| {
+            let loads = [(cell.tip(), load)];
+            Articulation::new(robot, cell.world_from_root(), &start, &moving, &loads)
+        };
+        let articulation = loaded(tool_load(cell, task))?;
         let compliant: Vec<usize> = (0..articulation.dof())
             .filter(|&i| {
                 let variable = articulation.variables()[i];
@@ -146,7 +143,8 @@ impl<'a> Simulation<'a> {
         };
         let joint_from_tool = joint_from_tip * cell.tip_from_tool();
         let q: Vec<f64> = articulation.variables().iter().map(|&i| start[i]).collect();
-        let mut plant = Plant::new(cell, task, settings, &articulation, &compliant, &q, config)?;
+        let firm = loaded(firm_load(cell, task))?;
+        let mut plant = Plant::new(cell, task, settings, &firm, &compliant, &q, config)?;
         let grains = GrainBodies::new(&mut plant, dirt, task, settings);
         let (state, planned) = (articulation.state(), articulation.state());
         let observer = MomentumObserver::new(&compliant, articulation.dof(), config.observer_gain);

@@ -7,8 +7,10 @@ mod wiping;
 
 use wiping::{FORCE, Wiping, faults};
 use wisch::control::ControlConfig;
+use wisch::follow::Phase;
 use wisch::geometry::Vector3;
-use wisch::represent::Action;
+use wisch::interpret::{Belief, Diagnosis, InterpretConfig, TouchSample, interpret};
+use wisch::represent::{Action, GoalState};
 use wisch::run::Ending;
 
 #[test]
@@ -85,6 +87,54 @@ fn the_force_that_is_felt_is_that_of_pressing_and_of_friction() {
             "{along} N at {friction}"
         );
     }
+}
+
+#[test]
+fn nothing_is_felt_where_nothing_is_touched() {
+    let mut wiping = Wiping::of_one_stroke(Action::Absorb);
+    wiping.settings.force_bias = Vector3::zeros();
+    let log = wiping.execute();
+    let free = log.rows.iter().filter(|row| row.phase == Phase::FreeMotion);
+    for axis in 0..3 {
+        let felt = median(free.clone().map(|row| row.external[axis]).collect());
+        assert!(felt.abs() < 0.02, "axis {axis}: {felt} N");
+    }
+}
+
+#[test]
+fn the_bias_that_is_set_is_the_one_that_is_found() {
+    let mut wiping = Wiping::of_one_stroke(Action::Absorb);
+    for bias in [0.0, -1.5, 2.0] {
+        wiping.settings.force_bias = Vector3::new(0.3, 0.0, bias);
+        let log = wiping.execute();
+        let samples: Vec<TouchSample> = (log.rows.iter())
+            .map(|row| TouchSample::new(row.time, row.world_from_tool, row.external))
+            .collect();
+        let believed = Belief::certain(wiping.task.particles.clone());
+        let config = InterpretConfig::of(&wiping.task);
+        let goal = GoalState::Absorbed;
+        let found = interpret(&samples, &wiping.task, &believed, &goal, &config);
+        // The surface lies level: its normal is the world's z.
+        let found = found.unwrap().force_bias;
+        assert!((found - bias).abs() < 0.05, "{found} N of {bias} N");
+    }
+}
+
+#[test]
+fn a_rigid_tool_wipes_and_is_understood() {
+    let mut wiping = Wiping::of_one_stroke(Action::Absorb);
+    wiping.task.interaction.compression_depth_m = 0.0;
+    let log = wiping.execute();
+    assert_eq!(faults(&log), [] as [String; 0]);
+    let samples: Vec<TouchSample> = (log.rows.iter())
+        .map(|row| TouchSample::new(row.time, row.world_from_tool, row.external))
+        .collect();
+    let believed = Belief::certain(wiping.task.particles.clone());
+    let config = InterpretConfig::of(&wiping.task);
+    let goal = GoalState::Absorbed;
+    let found = interpret(&samples, &wiping.task, &believed, &goal, &config).unwrap();
+    assert_eq!(found.diagnosis, Diagnosis::Localized);
+    assert!(found.contact_share > 0.8, "{}", found.contact_share);
 }
 
 fn median(mut values: Vec<f64>) -> f64 {

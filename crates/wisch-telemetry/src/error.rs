@@ -83,6 +83,12 @@ pub enum ReadFault {
         /// Its first bytes.
         found: String,
     },
+    /// It is a recording of another format, which other programs convert.
+    #[error("this is {kind}, and only MCAP files are read")]
+    OtherRecording {
+        /// Which.
+        kind: RecordingKind,
+    },
     /// It ends too early.
     #[error(
         "the bag ends at byte {byte} in the middle of a record, as one that is being written does"
@@ -198,6 +204,14 @@ pub enum ReadFault {
         /// Their names.
         topics: Vec<String>,
     },
+    /// Transforms that are known at none of the log's times.
+    #[error(
+        "at no time are the transforms known that lead to the task's world: they are told more than {limit} s apart"
+    )]
+    Transforms {
+        /// The limit [s].
+        limit: f64,
+    },
     /// Poses and forces of different times.
     #[error(
         "{pose} covers {:.3} to {:.3} s and {wrench} {:.3} to {:.3} s: at no time are there both, at most {limit} s apart",
@@ -262,6 +276,24 @@ pub enum ReadFault {
         /// The value.
         text: String,
     },
+}
+
+/// Recordings that are not read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RecordingKind {
+    /// A bag of ROS 2 in a SQLite database (.db3).
+    Sqlite,
+    /// A bag of ROS 1.
+    Ros1,
+}
+
+impl std::fmt::Display for RecordingKind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Sqlite => "a bag of ROS 2 in a SQLite database (.db3)",
+            Self::Ros1 => "a bag of ROS 1",
+        })
+    }
 }
 
 /// How many topics a message lists.

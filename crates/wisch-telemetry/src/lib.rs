@@ -8,10 +8,11 @@
 //! A bag that is written goes from `bag::writer` through `ros2::messages` (as CDR lays them out) and
 //! `ros2::definitions` (their schemas). One that is read goes through `bag::container` (records, packed or not),
 //! `bag::reader` (topics), `ros2::schema` and `ros2::walk` (messages of any type), `bag::locator` (where in them a
-//! pose or force stands), `track` (pairing in time) and `log` (frames, signs, units); a table joins at `track`.
+//! pose or force stands), `track` (pairing in time), `frames` (transforms) and `log` (frames, signs, units); a table joins at `track`.
 
 mod bag;
 mod error;
+mod frames;
 mod log;
 mod options;
 mod quantity;
@@ -20,8 +21,9 @@ mod table;
 mod track;
 
 pub use bag::{BagHead, BagWriter, active_path};
-pub use error::{ReadError, ReadFault, WriteError};
-pub use log::{AxesSource, Log, read};
+pub use error::{ReadError, ReadFault, RecordingKind, WriteError};
+pub use log::{AxesSource, Log, Skipped, read};
 pub use options::{Axes, AxesChoice, LogOptions, TopicChoice, WrenchSign};
 pub use quantity::QuantityError;
 pub use ros2::{MessageError, SchemaError};
+pub use track::UnitsLine;

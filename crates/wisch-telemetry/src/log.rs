@@ -1,14 +1,19 @@
 //! Logs of a tool that wipes, from whatever wrote them, as what the interpretation takes.
 
-use super::bag::{BagReader, active_path};
-use super::error::{ReadError, ReadFault};
+use super::bag::{BagReader, FRAME_SURFACE, FRAME_WORLD, active_path};
+use super::error::{ReadError, ReadFault, RecordingKind};
+use super::frames::Chain;
 use super::options::{Axes, AxesChoice, LogOptions, WrenchSign};
+use super::quantity::QuantityError;
 use super::table;
-use super::track::{RawLog, paired, seconds};
+use super::track::{RawLog, UnitsLine, paired, seconds};
+use nalgebra::UnitQuaternion;
 use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
-use wisch::geometry::Pose;
+use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::TouchSample;
+use wisch::represent::UnknownName;
+use wisch::robot::FixedJoint;
 
 /// How the axes of a force were found out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,12 +41,40 @@ pub struct Log {
     pub axes: Axes,
     /// How that was found out.
     pub axes_source: AxesSource,
+    /// What the log's transforms were used for, in words.
+    pub frames_used: Vec<String>,
+    /// Where the log has the target surface at its beginning: bags of our own say so.
+    pub world_from_surface: Option<Pose>,
+    /// A table's line of units.
+    pub units: Option<UnitsLine>,
+    /// From when to when nothing was recorded for longer than is interpolated [s].
+    pub gaps: Vec<[f64; 2]>,
+    /// Poses and forces that are none and were left out.
+    pub skipped: Vec<Skipped>,
     /// How many poses or forces were left out, as they bore the time of the one before.
     pub repeated: usize,
     /// How many times of the more frequent one were left out, as the other was not known.
     pub unpaired: usize,
     /// Whether the log ends where its writer was killed, or is still writing.
     pub is_unfinished: bool,
+}
+
+/// Poses or forces that were left out, as they are none.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Skipped {
+    /// How many.
+    pub count: usize,
+    /// Where the first one stands, and what is wrong with it.
+    pub first: String,
+}
+
+impl Skipped {
+    fn of(first: &Option<(String, QuantityError)>, count: usize) -> Option<Self> {
+        first.as_ref().map(|(place, error)| Self {
+            count,
+            first: format!("{place}: {error}"),
+        })
+    }
 }
 
 /// Reads a log: a bag, a folder with the parts of one, or a table. Where there is no such file but a bag of that
@@ -61,6 +94,11 @@ pub fn read(path: &Path, options: &LogOptions) -> Result<Log, ReadError> {
         fault,
     };
     let parts = parts(path).map_err(|error| within(path, ReadFault::System(error)))?;
+    if let Some(kind) =
+        other_recording(&parts[0]).map_err(|error| within(path, ReadFault::System(error)))?
+    {
+        return Err(within(path, ReadFault::OtherRecording { kind }));
+    }
     let raw = if is_bag(&parts[0]).map_err(|error| within(path, ReadFault::System(error)))? {
         let mut reader = BagReader::new(&options.pose_topic, &options.wrench_topic);
         for part in &parts {
@@ -70,7 +108,7 @@ pub fn read(path: &Path, options: &LogOptions) -> Result<Log, ReadError> {
     } else {
         bytes(path).and_then(|bytes| table::read(&bytes, options))
     };
-    raw.and_then(|raw| understood(&raw, options))
+    raw.and_then(|raw| understood(raw, options))
         .map_err(|fault| within(path, fault))
 }
 
@@ -97,12 +135,17 @@ fn parts(path: &Path) -> std::io::Result<Vec<PathBuf>> {
     if !path.is_dir() {
         return Ok(vec![path.to_path_buf()]);
     }
-    let mut parts = Vec::new();
+    let (mut parts, mut others) = (Vec::new(), Vec::new());
     for entry in std::fs::read_dir(path)? {
         let path = entry?.path();
         if has_bag_ending(&path) {
             parts.push(path);
+        } else if path.extension().is_some_and(|ending| ending == "db3") {
+            others.push(path);
         }
+    }
+    if parts.is_empty() {
+        parts = others;
     }
     // Recorders number the parts without zeros in front: bag_2 before bag_10.
     parts.sort_by_key(|path| (path.as_os_str().len(), path.clone()));
@@ -120,6 +163,24 @@ fn has_bag_ending(path: &Path) -> bool {
     name.ends_with(".mcap") || name.ends_with(".mcap.active")
 }
 
+/// The kind of a recording that is not read but can be converted, by what it begins with.
+fn other_recording(path: &Path) -> std::io::Result<Option<RecordingKind>> {
+    let mut begin = Vec::new();
+    let file = std::fs::File::open(path)?;
+    file.take(SQLITE.len() as u64).read_to_end(&mut begin)?;
+    Ok(if begin.starts_with(SQLITE) {
+        Some(RecordingKind::Sqlite)
+    } else if begin.starts_with(ROS1) {
+        Some(RecordingKind::Ros1)
+    } else {
+        None
+    })
+}
+
+/// What a SQLite database and a bag of ROS 1 begin with.
+const SQLITE: &[u8] = b"SQLite format 3\0";
+const ROS1: &[u8] = b"#ROSBAG V";
+
 /// By its ending, or by what it begins with.
 fn is_bag(path: &Path) -> std::io::Result<bool> {
     let mut begin = Vec::new();
@@ -130,52 +191,212 @@ fn is_bag(path: &Path) -> std::io::Result<bool> {
 }
 
 /// Poses and forces together, in the task's world.
-fn understood(raw: &RawLog, options: &LogOptions) -> Result<Log, ReadFault> {
+fn understood(mut raw: RawLog, options: &LogOptions) -> Result<Log, ReadFault> {
+    for joint in &options.fixed_joints {
+        let FixedJoint { parent, child, .. } = joint;
+        // What the log itself says of a frame holds.
+        if raw.frames.parent(child).is_none() {
+            (raw.frames).insert(parent, child, 0, joint.parent_from_child, true);
+        }
+    }
     let pairs = paired(&raw.poses, &raw.wrenches, options.max_gap)?;
-    let (axes, axes_source) = axes(raw, options.axes);
+    let world = World::of(&raw, options)?;
+    let sensor = Sensor::of(&raw, options)?;
     let start = raw.start.unwrap_or(pairs[0].0);
+    let length = options.length_unit.unwrap_or(1.0);
+    let force_unit = options.force_unit.unwrap_or(1.0);
     let scale = match options.sign {
-        WrenchSign::OnTool => options.force_unit,
-        WrenchSign::ByTool => -options.force_unit,
+        WrenchSign::OnTool => force_unit,
+        WrenchSign::ByTool => -force_unit,
     };
-    let samples = pairs.iter().map(|&(time, mut log_from_logged, force)| {
-        log_from_logged.translation.vector *= options.length_unit;
-        let world_from_logged = options.world_from_log * log_from_logged;
-        let world_from_axes = match axes {
-            Axes::World => Pose::identity(),
-            Axes::Log => options.world_from_log,
-            Axes::Tool => world_from_logged,
-            Axes::Surface => options.world_from_surface,
+    let sample = |&(time, mut log_from_logged, force): &(i64, Pose, Vector3)| {
+        log_from_logged.translation.vector *= length;
+        let world_from_log = world.at(time, options)?;
+        let world_from_logged = world_from_log * log_from_logged;
+        let world_from_axes = match sensor.axes {
+            Axes::World => UnitQuaternion::identity(),
+            Axes::Log => world_from_log.rotation,
+            Axes::Tool => world_from_logged.rotation,
+            Axes::Surface => options.world_from_surface.rotation,
+            Axes::Named => {
+                let log_from_sensor = sensor.chain.as_ref()?.at(time, options.max_gap)?;
+                world_from_log.rotation * log_from_sensor.rotation
+            }
         };
-        TouchSample {
+        Some(TouchSample {
             time: seconds(time.saturating_sub(start)),
             world_from_tool: world_from_logged * options.logged_from_tool,
-            force: world_from_axes.rotation * (force * scale),
-        }
-    });
+            force: world_from_axes * sensor.turned * (force * scale),
+        })
+    };
+    let samples: Vec<TouchSample> = pairs.iter().filter_map(sample).collect();
+    if samples.is_empty() {
+        return Err(ReadFault::Transforms {
+            limit: options.max_gap,
+        });
+    }
     let frequent = raw.poses.entries.len().max(raw.wrenches.entries.len());
+    let skipped = [
+        Skipped::of(&raw.poses.first_skipped, raw.poses.skipped),
+        Skipped::of(&raw.wrenches.first_skipped, raw.wrenches.skipped),
+    ];
     Ok(Log {
-        samples: samples.collect(),
         start,
+        gaps: gaps(&samples, options.max_gap),
+        unpaired: frequent - samples.len(),
+        samples,
         pose_name: raw.poses.name.clone(),
         wrench_name: raw.wrenches.name.clone(),
-        axes,
-        axes_source,
+        axes: sensor.axes,
+        axes_source: sensor.source,
+        frames_used: [world.said, sensor.said].into_iter().flatten().collect(),
+        world_from_surface: surface(&raw, start),
+        units: raw.units.clone(),
         repeated: raw.poses.repeated + raw.wrenches.repeated,
-        unpaired: frequent - pairs.len(),
+        skipped: skipped.into_iter().flatten().collect(),
         is_unfinished: raw.unfinished,
     })
 }
 
-fn axes(raw: &RawLog, choice: AxesChoice) -> (Axes, AxesSource) {
-    if let AxesChoice::Given(axes) = choice {
-        return (axes, AxesSource::Given);
+/// Where the frame in which the poses are given is in the task's world.
+struct World<'a> {
+    chain: Option<Chain<'a>>,
+    /// How that was found out, if by transforms.
+    said: Option<String>,
+}
+
+impl<'a> World<'a> {
+    fn of(raw: &'a RawLog, options: &'a LogOptions) -> Result<Self, ReadFault> {
+        let (world, frame) = (&options.world_frame, &raw.poses.frame);
+        let is_default = world == Axes::World.as_str();
+        if !is_default && !raw.frames.knows(world) {
+            let known = raw.frames.names();
+            return Err(ReadFault::Unknown(UnknownName::new("frame", world, known)));
+        }
+        let chain = match options.world_from_log {
+            Some(_) => None,
+            None => raw.frames.between(world, frame),
+        };
+        let chain = chain.filter(|_| !frame.is_empty() && frame != world);
+        let said = chain.as_ref().map(|_| {
+            format!("poses in {frame:?} are brought into {world:?} by the log's transforms")
+        });
+        Ok(Self { chain, said })
     }
-    let named = |name: &str| Axes::ALL.into_iter().find(|axes| axes.as_str() == name);
-    let frame = &raw.wrenches.frame;
-    match raw.axes.as_deref().and_then(named) {
-        Some(axes) => (axes, AxesSource::Logged),
-        None if !frame.is_empty() && *frame == raw.poses.frame => (Axes::Log, AxesSource::Logged),
-        None => (Axes::Tool, AxesSource::Assumed),
+
+    fn at(&self, time: i64, options: &LogOptions) -> Option<Pose> {
+        match &self.chain {
+            Some(chain) => chain.at(time, options.max_gap),
+            None => Some(options.world_from_log.unwrap_or_else(Pose::identity)),
+        }
     }
 }
+
+/// In whose axes the forces are given.
+struct Sensor<'a> {
+    axes: Axes,
+    source: AxesSource,
+    /// From the frame of the forces to that in which the poses are given, for [`Axes::Named`].
+    chain: Option<Chain<'a>>,
+    /// How the sensor is turned in the axes.
+    turned: UnitQuaternion<f64>,
+    /// How that was found out, if by transforms.
+    said: Option<String>,
+}
+
+impl<'a> Sensor<'a> {
+    fn of(raw: &'a RawLog, options: &'a LogOptions) -> Result<Self, ReadFault> {
+        let of = |axes, source| Self {
+            axes,
+            source,
+            chain: None,
+            turned: UnitQuaternion::identity(),
+            said: None,
+        };
+        if let Some(turned) = options.logged_from_sensor {
+            return Ok(Self {
+                turned,
+                ..of(Axes::Tool, AxesSource::Given)
+            });
+        }
+        if let AxesChoice::Given(axes) = options.axes {
+            return Ok(of(axes, AxesSource::Given));
+        }
+        let named = |name: &str| Axes::ALL.into_iter().find(|axes| axes.as_str() == name);
+        if let Some(axes) = raw.axes.as_deref().and_then(named) {
+            return Ok(of(axes, AxesSource::Logged));
+        }
+        let (frame, poses) = (raw.wrenches.frame.as_str(), raw.poses.frame.as_str());
+        if !frame.is_empty() && frame == poses {
+            return Ok(of(Axes::Log, AxesSource::Logged));
+        }
+        // The frame whose pose is logged, and that of the forces in it.
+        let logged = options.pose_frame.as_deref();
+        let logged = logged.or((!raw.poses.child.is_empty()).then_some(raw.poses.child.as_str()));
+        if let Some(name) = options.pose_frame.as_deref()
+            && !raw.frames.knows(name)
+        {
+            let known = raw.frames.names();
+            return Err(ReadFault::Unknown(UnknownName::new("frame", name, known)));
+        }
+        let rigid = |logged: &'a str| {
+            let chain = raw.frames.between(logged, frame)?;
+            // At no time of the log's: a chain that does not move is known at all times.
+            Some(chain.at(i64::MIN / 2, 0.0)?.rotation)
+        };
+        if let Some(logged) = logged
+            && let Some(turned) = rigid(logged)
+        {
+            return Ok(Self {
+                turned,
+                said: Some(format!(
+                    "forces in {frame:?} are turned into {logged:?} by the log's transforms"
+                )),
+                ..of(Axes::Tool, AxesSource::Logged)
+            });
+        }
+        if let Some(chain) = raw.frames.between(poses, frame) {
+            return Ok(Self {
+                chain: Some(chain),
+                said: Some(format!(
+                    "forces in {frame:?} are turned into {poses:?} by the log's transforms"
+                )),
+                ..of(Axes::Named, AxesSource::Logged)
+            });
+        }
+        // Of a sensor that is bolted to something, that is most likely what the pose is of.
+        if let Some(root) = raw.frames.rigid_root(frame)
+            && let Some(turned) = rigid(root)
+        {
+            return Ok(Self {
+                turned,
+                said: Some(format!(
+                    "forces in {frame:?} are turned into {root:?}, which is taken for the frame whose pose is logged"
+                )),
+                ..of(Axes::Tool, AxesSource::Assumed)
+            });
+        }
+        Ok(of(Axes::Tool, AxesSource::Assumed))
+    }
+}
+
+/// Where the log itself has the target surface, if it is one of our own.
+fn surface(raw: &RawLog, time: i64) -> Option<Pose> {
+    let chain = raw.frames.between(FRAME_WORLD, FRAME_SURFACE)?;
+    chain.at(time, f64::INFINITY)
+}
+
+/// Between which times there is nothing for longer than a limit [s].
+fn gaps(samples: &[TouchSample], limit: f64) -> Vec<[f64; 2]> {
+    let times = samples.windows(2).map(|pair| [pair[0].time, pair[1].time]);
+    let steps = times.clone().map(|[start, end]| end - start);
+    let mut steps: Vec<f64> = steps.collect();
+    steps.sort_unstable_by(f64::total_cmp);
+    let usual = steps.get(steps.len() / 2).copied().unwrap_or(0.0);
+    // A slow log has no gap at each of its samples.
+    let least = limit.max(UNUSUAL * usual);
+    times.filter(|[start, end]| end - start > least).collect()
+}
+
+/// From this many of a log's usual periods on, nothing is missing by chance [1].
+const UNUSUAL: f64 = 5.0;

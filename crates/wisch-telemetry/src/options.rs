@@ -1,6 +1,8 @@
 //! How a log is to be understood: its topics, frames, signs and units.
 
+use nalgebra::UnitQuaternion;
 use wisch::geometry::Pose;
+use wisch::robot::FixedJoint;
 
 /// Which topic of a bag is meant.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -22,10 +24,12 @@ pub enum Axes {
     Tool,
     /// The target surface.
     Surface,
+    /// The frame that the log names, which its transforms lead to.
+    Named,
 }
 
 impl Axes {
-    /// All of them.
+    /// All that can be given; a frame that the log names is found, not given.
     pub const ALL: [Self; 4] = [Self::World, Self::Log, Self::Tool, Self::Surface];
 
     /// Its name.
@@ -35,6 +39,7 @@ impl Axes {
             Self::Log => "log",
             Self::Tool => "tool",
             Self::Surface => "surface",
+            Self::Named => "named",
         }
     }
 }
@@ -70,16 +75,25 @@ pub struct LogOptions {
     pub axes: AxesChoice,
     /// Who does it to whom.
     pub sign: WrenchSign,
-    /// The log's unit of force [N].
-    pub force_unit: f64,
-    /// The log's unit of length [m].
-    pub length_unit: f64,
-    /// A table's unit of time [s].
-    pub time_unit: f64,
+    /// The log's unit of force [N]; `None` as a table's line of units says, or 1.
+    pub force_unit: Option<f64>,
+    /// The log's unit of length [m]; `None` as a table's line of units says, or 1.
+    pub length_unit: Option<f64>,
+    /// A table's unit of time [s]; `None` as its line of units says, or 1.
+    pub time_unit: Option<f64>,
     /// The tool, its tool centre point at the origin, in the frame whose pose the log gives.
     pub logged_from_tool: Pose,
-    /// The frame in which the log gives its poses, in the task's world.
-    pub world_from_log: Pose,
+    /// How the axes of a force sensor are turned in the frame whose pose the log gives; it stands for the transforms.
+    pub logged_from_sensor: Option<UnitQuaternion<f64>>,
+    /// Name of the frame whose pose the log gives, where the log does not say it.
+    pub pose_frame: Option<String>,
+    /// The frame in which the log gives its poses, in the task's world; `None` as the log's transforms say, else the
+    /// world itself.
+    pub world_from_log: Option<Pose>,
+    /// The frame of the log's transforms that is the task's world.
+    pub world_frame: String,
+    /// Links of the robot that never move in others, beside those of the log.
+    pub fixed_joints: Vec<FixedJoint>,
     /// The target surface, for forces in its axes.
     pub world_from_surface: Pose,
     /// Between which times the rarer of pose and force may be interpolated [s].
@@ -95,11 +109,15 @@ impl Default for LogOptions {
             columns: Vec::new(),
             axes: AxesChoice::AsLogged,
             sign: WrenchSign::OnTool,
-            force_unit: 1.0,
-            length_unit: 1.0,
-            time_unit: 1.0,
+            force_unit: None,
+            length_unit: None,
+            time_unit: None,
             logged_from_tool: Pose::identity(),
-            world_from_log: Pose::identity(),
+            logged_from_sensor: None,
+            pose_frame: None,
+            world_from_log: None,
+            world_frame: Axes::World.as_str().to_owned(),
+            fixed_joints: Vec::new(),
             world_from_surface: Pose::identity(),
             max_gap: 0.1,
         }

@@ -31,7 +31,7 @@ pub enum QuantityError {
 }
 
 /// A pose or a force: what a log says at an instant.
-pub(crate) trait Quantity: Sized + Copy {
+pub(crate) trait Quantity: Sized + Copy + PartialEq {
     /// What it is called in messages to the user.
     const NAME: &'static str;
     /// The numbers that it is made of, in order.

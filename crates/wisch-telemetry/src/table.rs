@@ -1,10 +1,11 @@
 //! Logs as tables of numbers, with a line of names above them.
 
 use super::error::ReadFault;
+use super::frames::Frames;
 use super::options::LogOptions;
 use super::quantity::Quantity;
 use super::ros2::NANOSECONDS_PER_SECOND;
-use super::track::{RawLog, Track};
+use super::track::{RawLog, Track, UnitsLine};
 use wisch::geometry::{Pose, Vector3};
 use wisch::represent::UnknownName;
 
@@ -73,25 +74,35 @@ pub(crate) fn read(bytes: &[u8], options: &LogOptions) -> Result<RawLog, ReadFau
     let mut poses = Track::new("the table's pose".to_owned());
     let mut wrenches = Track::new("the table's force".to_owned());
     let mut is_first = true;
+    let mut units = None;
+    let mut scales = vec![1.0; columns.len()];
     for (line, text) in lines.filter(|(_, line)| !line.starts_with('#')) {
         let values = separator.split(text);
         let may_be_units = std::mem::take(&mut is_first);
         if may_be_units && are_units(&values, &columns) {
+            let (said, sizes) = units_line(&values, &columns, options);
+            (units, scales) = (Some(said), sizes);
             continue;
         }
-        let numbers = numbers(line, &values, &columns)?;
-        let time = nanoseconds(line, numbers[0] * options.time_unit)?;
+        let mut numbers = numbers(line, &values, &columns)?;
+        for (number, scale) in numbers.iter_mut().zip(&scales) {
+            *number *= scale;
+        }
+        let time = nanoseconds(line, numbers[0] * options.time_unit.unwrap_or(1.0))?;
         let (pose, force) = numbers[1..].split_at(Pose::NUMBERS.len());
         let place = || format!("line {line}");
         poses.push(time, Pose::from_numbers(pose), place)?;
         wrenches.push(time, Vector3::from_numbers(force), place)?;
     }
+    let (poses, wrenches) = (poses.filled()?, wrenches.filled()?);
     if poses.entries.is_empty() {
         return Err(ReadFault::Empty);
     }
     Ok(RawLog {
         poses,
         wrenches,
+        frames: Frames::default(),
+        units,
         axes: None,
         start: None,
         unfinished: false,
@@ -135,6 +146,64 @@ fn columns(names: &[&str], renamed: &[(String, String)]) -> Result<Vec<Column>, 
         })
         .collect()
 }
+
+/// What a line of units says of the columns that are read, and by what their numbers are to be multiplied. Of what the
+/// options give a unit for, the line says nothing.
+fn units_line(values: &[&str], columns: &[Column], options: &LogOptions) -> (UnitsLine, Vec<f64>) {
+    let mut said = UnitsLine {
+        units: Vec::new(),
+        unknown: Vec::new(),
+    };
+    let scale = |(ours, column): (&str, &Column)| {
+        let text = values.get(column.index).copied().unwrap_or_default();
+        let unit = text.trim_matches(['[', ']', '(', ')']);
+        let (known, given): (&[(&str, f64)], _) = match ours {
+            TIME => (&TIME_UNITS, options.time_unit),
+            "x" | "y" | "z" => (&LENGTH_UNITS, options.length_unit),
+            "fx" | "fy" | "fz" => (&FORCE_UNITS, options.force_unit),
+            _ => return 1.0,
+        };
+        if unit.is_empty() || given.is_some() {
+            return 1.0;
+        }
+        let found = known.iter().find(|(name, _)| *name == unit);
+        let list = match found {
+            Some(_) => &mut said.units,
+            None => &mut said.unknown,
+        };
+        list.push((ours.to_owned(), unit.to_owned()));
+        found.map_or(1.0, |(_, size)| *size)
+    };
+    let scales = column_names().zip(columns).map(scale).collect();
+    (said, scales)
+}
+
+/// Units of time [s], length [m] and force [N] that a line of units may name.
+const TIME_UNITS: [(&str, f64); 8] = [
+    ("s", 1.0),
+    ("sec", 1.0),
+    ("ms", 1e-3),
+    ("us", 1e-6),
+    ("µs", 1e-6),
+    ("ns", 1e-9),
+    ("min", 60.0),
+    ("h", 3600.0),
+];
+const LENGTH_UNITS: [(&str, f64); 5] = [
+    ("m", 1.0),
+    ("cm", 1e-2),
+    ("mm", 1e-3),
+    ("um", 1e-6),
+    ("in", 0.0254),
+];
+const FORCE_UNITS: [(&str, f64); 6] = [
+    ("N", 1.0),
+    ("kN", 1e3),
+    ("mN", 1e-3),
+    ("kp", 9.80665),
+    ("kgf", 9.80665),
+    ("lbf", 4.448_221_615_260_5),
+];
 
 /// Whether none of the values that are read is a number.
 fn are_units(values: &[&str], columns: &[Column]) -> bool {

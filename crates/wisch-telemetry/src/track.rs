@@ -1,6 +1,7 @@
 //! Poses or forces over time, and the two of them together.
 
 use super::error::ReadFault;
+use super::frames::Frames;
 use super::quantity::{Quantity, QuantityError};
 use super::ros2::NANOSECONDS_PER_SECOND;
 use wisch::geometry::{Pose, Vector3};
@@ -12,10 +13,16 @@ pub(crate) struct Track<Q> {
     pub name: String,
     /// The frame that it is said to be in; empty where nothing is said.
     pub frame: String,
+    /// The frame whose pose it is; empty where nothing is said.
+    pub child: String,
     /// Times [ns], each later than the one before, and values.
     pub entries: Vec<(i64, Q)>,
     /// How many entries were left out, as they bore the time of the one before.
     pub repeated: usize,
+    /// How many entries were left out, as they are no such quantity.
+    pub skipped: usize,
+    /// The first of these.
+    pub first_skipped: Option<(String, QuantityError)>,
 }
 
 /// What a file says, before it is understood.
@@ -25,6 +32,19 @@ pub(crate) struct RawLog {
     pub axes: Option<String>,
     pub start: Option<i64>,
     pub unfinished: bool,
+    /// Which frame is where in which other.
+    pub frames: Frames,
+    /// A table's line of units, and what it means by columns that are read.
+    pub units: Option<UnitsLine>,
+}
+
+/// A line of units in a table.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UnitsLine {
+    /// The units of the columns that are read, in our order, each with our name of the column.
+    pub units: Vec<(String, String)>,
+    /// Those that are not known, which are taken for SI units.
+    pub unknown: Vec<(String, String)>,
 }
 
 impl<Q: Quantity> Track<Q> {
@@ -33,22 +53,29 @@ impl<Q: Quantity> Track<Q> {
         Self {
             name,
             frame: String::new(),
+            child: String::new(),
             entries: Vec::new(),
             repeated: 0,
+            skipped: 0,
+            first_skipped: None,
         }
     }
 
-    /// Adds what the log says next; `place` tells where it says so.
+    /// Adds what the log says next; `place` tells where it says so. What is no such quantity is left out and counted.
     pub fn push(
         &mut self,
         time: i64,
         value: Result<Q, QuantityError>,
         place: impl Fn() -> String,
     ) -> Result<(), ReadFault> {
-        let value = value.map_err(|error| ReadFault::Quantity {
-            place: place(),
-            error,
-        })?;
+        let value = match value {
+            Ok(value) => value,
+            Err(error) => {
+                self.skipped += 1;
+                self.first_skipped.get_or_insert_with(|| (place(), error));
+                return Ok(());
+            }
+        };
         match self.entries.last() {
             Some(&(last, _)) if time < last => Err(ReadFault::Backwards {
                 place: place(),
@@ -64,6 +91,24 @@ impl<Q: Quantity> Track<Q> {
                 Ok(())
             }
         }
+    }
+
+    /// The same track if there is anything in it.
+    ///
+    /// # Errors
+    /// What the first entry is instead, if none is such a quantity.
+    pub fn filled(self) -> Result<Self, ReadFault> {
+        match self.first_skipped {
+            Some((place, error)) if self.entries.is_empty() => {
+                Err(ReadFault::Quantity { place, error })
+            }
+            _ => Ok(self),
+        }
+    }
+
+    /// Whether it says different things at different times.
+    pub fn changes(&self) -> bool {
+        self.entries.windows(2).any(|pair| pair[0].1 != pair[1].1)
     }
 
     /// First and last time [s]; 0 where there is none.

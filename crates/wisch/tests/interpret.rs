@@ -226,9 +226,8 @@ fn a_bias_of_the_sensor_is_found_and_taken_off() {
             bias,
             ..Script::default()
         });
-        // f_ext,n is negative where the tool presses: what pushes it up counts as negative.
         assert!(
-            (interpretation.force_bias + bias).abs() < 0.1,
+            (interpretation.force_bias - bias).abs() < 0.1,
             "{}",
             interpretation.force_bias
         );

@@ -73,19 +73,38 @@ pub struct LogArgs {
     /// Sign convention: force acting on the tool, or exerted by the tool
     #[arg(long, value_name = "SIGN", default_value = "on-tool", value_parser = sign_parser())]
     pub wrench_sign: WrenchSign,
-    /// Unit of force in the log [N]
-    #[arg(long, value_name = "NEWTONS", default_value_t = 1.0, value_parser = unit)]
-    pub force_unit_n: f64,
-    /// Unit of length in the log [m]
-    #[arg(long, value_name = "METRES", default_value_t = 1.0, value_parser = unit)]
-    pub length_unit_m: f64,
-    /// Unit of time in a table [s]
-    #[arg(long, value_name = "SECONDS", default_value_t = 1.0, value_parser = unit)]
-    pub time_unit_s: f64,
+    /// How the force sensor's axes are turned in the frame whose pose is logged: roll, pitch, yaw [rad]
+    /// [default: as the log's transforms say]
+    #[arg(long, num_args = 3, value_names = TURN_NAMES, allow_negative_numbers = true, value_parser = finite, conflicts_with = "wrench_frame")]
+    pub sensor_frame: Vec<f64>,
+    /// Name of the frame whose pose is logged, if the log does not say it
+    #[arg(long, value_name = "FRAME")]
+    pub pose_frame: Option<String>,
+    /// Frame of the log's transforms that is the task's world
+    #[arg(
+        long,
+        value_name = "FRAME",
+        default_value = "world",
+        conflicts_with = "world_from_log"
+    )]
+    pub world_frame: String,
+    /// URDF of the robot: its fixed joints are transforms, too
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub urdf: Option<PathBuf>,
+    /// Unit of force in the log [N] [default: as a table's line of units says, or 1]
+    #[arg(long, value_name = "NEWTONS", value_parser = unit)]
+    pub force_unit_n: Option<f64>,
+    /// Unit of length in the log [m] [default: as a table's line of units says, or 1]
+    #[arg(long, value_name = "METRES", value_parser = unit)]
+    pub length_unit_m: Option<f64>,
+    /// Unit of time in a table [s] [default: as its line of units says, or 1]
+    #[arg(long, value_name = "SECONDS", value_parser = unit)]
+    pub time_unit_s: Option<f64>,
     /// Pose of the tool frame (contact point) in the logged frame: position [m], roll, pitch, yaw [rad]
     #[arg(long, num_args = 6, value_names = POSE_NAMES, allow_negative_numbers = true, value_parser = finite)]
     pub pose_offset: Vec<f64>,
-    /// Pose of the log's reference frame in the task's world: position [m], roll, pitch, yaw [rad]
+    /// Pose of the frame in which the log gives its poses, in the task's world: position [m], roll, pitch, yaw [rad]
+    /// [default: as the log's transforms say, else the world itself]
     #[arg(long, num_args = 6, value_names = POSE_NAMES, allow_negative_numbers = true, value_parser = finite)]
     pub world_from_log: Vec<f64>,
     /// Longest gap to interpolate [s]
@@ -95,6 +114,8 @@ pub struct LogArgs {
 
 /// What six numbers of a pose are.
 const POSE_NAMES: [&str; 6] = ["X", "Y", "Z", "ROLL", "PITCH", "YAW"];
+/// What three numbers of a turn are.
+const TURN_NAMES: [&str; 3] = ["ROLL", "PITCH", "YAW"];
 
 fn axes_parser() -> impl TypedValueParser<Value = Axes> {
     PossibleValuesParser::new(Axes::ALL.map(Axes::as_str)).map(|name| {

@@ -4,7 +4,9 @@ use crate::args::{FootprintArgs, GlobalArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
 use std::path::Path;
-use wisch::geometry::{Mesh, MeshFormat, Polygon, Region, Vector2, footprint as mesh_footprint};
+use wisch::geometry::{
+    Mesh, MeshFormat, Polygon, RIGID_DEPTH, Region, Vector2, footprint as mesh_footprint,
+};
 use wisch::represent::{AngleRange, AreaOfEffect, KnowledgeBase, Tool, ToolEntry, ToolMesh};
 use wisch_io::{KnowledgeSource, read};
 use wisch_report::footprint_drawing;
@@ -75,7 +77,7 @@ fn of_knowledge(args: &FootprintArgs) -> Result<Touch, Failure> {
     })?;
     let depth = args
         .compression_depth_m
-        .unwrap_or(entry.compression_depth_m);
+        .unwrap_or(entry.compression_depth_m.max(RIGID_DEPTH));
     touch_of(&entry.name, &bytes, format, depth, entry.area_of_effect)
 }
 

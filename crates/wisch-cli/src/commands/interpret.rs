@@ -11,12 +11,15 @@ use crate::terminal::{Outcome, print};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
-use wisch::interpret::{Belief, InterpretConfig, Interpretation, interpret as conclude};
+use wisch::interpret::{Belief, EventKind, InterpretConfig, Interpretation, interpret as conclude};
 use wisch::represent::GoalState;
+use wisch::robot::fixed_joints;
 use wisch_io::Leftover;
 use wisch_io::{INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE, Replaceable};
 use wisch_io::{InterpretationRecord, LogRecord, particles_to_csv};
-use wisch_telemetry::{AxesChoice, AxesSource, Log, LogOptions, ReadFault, TopicChoice, read};
+use wisch_telemetry::{
+    AxesChoice, AxesSource, Log, LogOptions, ReadFault, RecordingKind, TopicChoice, UnitsLine, read,
+};
 
 /// Reads the log, interprets it, and writes what it says.
 pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
@@ -42,11 +45,12 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
         counted(log.samples.len(), "sample")
     ));
     let interpretation = interpreted(&args.source, &prepared, &log, &goal)?;
+    let remarks = remarks(&log, &prepared, &interpretation);
     let record = InterpretationRecord::new(
         &prepared.task,
         &interpretation,
         prepared.file.target_performance(),
-        log_record(&args.source.log, &log),
+        log_record(&args.source.log, &log, remarks),
     );
     let particles = (interpretation.belief.sample(prepared.task.seed)).map_err(internal)?;
     folder.write(INTERPRETATION_FILE, json(&record)?)?;
@@ -68,7 +72,7 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
 }
 
 /// What is written of a log that was read from a file.
-fn log_record(file: &Path, log: &Log) -> LogRecord {
+fn log_record(file: &Path, log: &Log, remarks: Vec<String>) -> LogRecord {
     let times = [log.samples.first(), log.samples.last()]
         .map(|sample| sample.map_or(0.0, |sample| sample.time));
     LogRecord {
@@ -83,8 +87,87 @@ fn log_record(file: &Path, log: &Log) -> LogRecord {
         repeated: log.repeated,
         unpaired: log.unpaired,
         unfinished: log.is_unfinished,
+        skipped: log.skipped.iter().map(|skipped| skipped.count).sum(),
+        gaps_s: log.gaps.clone(),
+        remarks,
     }
 }
+
+/// What is odd about a log, in words.
+fn remarks(log: &Log, prepared: &Prepared, interpretation: &Interpretation) -> Vec<String> {
+    let mut remarks = log.frames_used.clone();
+    remarks.extend(log.units.iter().flat_map(units_in_words));
+    let skipped = log.skipped.iter().map(|skipped| {
+        let count = counted(skipped.count, "sample");
+        format!("left out: {count}, the first of them {}", skipped.first)
+    });
+    remarks.extend(skipped);
+    remarks.extend(gaps_in_words(&log.gaps));
+    if let Some(logged) = log.world_from_surface {
+        let apart = logged.inverse() * prepared.task.surface.world_from_surface;
+        let (distance, angle) = (apart.translation.vector.norm(), apart.rotation.angle());
+        // A later round of a run may plan on a surface that touch has found elsewhere.
+        if distance > ELSEWHERE_M || angle > ELSEWHERE_RAD {
+            remarks.push(format!(
+                "the log has its surface {distance:.3} m and {:.1}° from the task's: is it another task's?",
+                angle.to_degrees()
+            ));
+        }
+    }
+    // Where no plane was found, the surface's line says why.
+    if interpretation.plane.is_some() && !interpretation.doubts.is_empty() {
+        let doubts = interpretation.doubts.iter().map(ToString::to_string);
+        let doubts: Vec<String> = doubts.collect();
+        let doubts = doubts.join("; ");
+        remarks.push(format!(
+            "this does not look like wiping of this surface: {doubts}"
+        ));
+    }
+    remarks
+}
+
+/// How far a log's surface may be from the task's to be the same [m] and [rad].
+const ELSEWHERE_M: f64 = 0.05;
+const ELSEWHERE_RAD: f64 = 0.18;
+
+fn units_in_words(line: &UnitsLine) -> Vec<String> {
+    let listed = |units: &[(String, String)]| {
+        let units: Vec<String> = (units.iter())
+            .map(|(column, unit)| format!("{column} in {unit}"))
+            .collect();
+        units.join(", ")
+    };
+    let mut words = Vec::new();
+    if !line.units.is_empty() {
+        words.push(format!("by its line of units: {}", listed(&line.units)));
+    }
+    if !line.unknown.is_empty() {
+        words.push(format!(
+            "its line of units names what is not known and was taken for SI units: {}",
+            listed(&line.unknown)
+        ));
+    }
+    words
+}
+
+fn gaps_in_words(gaps: &[[f64; 2]]) -> Option<String> {
+    let shown: Vec<String> = (gaps.iter().take(GAPS_SHOWN))
+        .map(|[start, end]| format!("{:.2} s from {start:.2} s on", end - start))
+        .collect();
+    let more = match gaps.len().saturating_sub(GAPS_SHOWN) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    (!gaps.is_empty()).then(|| {
+        format!(
+            "nothing was recorded for {}{more}: what was wiped meanwhile is not counted",
+            shown.join(", ")
+        )
+    })
+}
+
+/// How many gaps are told one by one.
+const GAPS_SHOWN: usize = 5;
 
 /// The part of the arguments that says which task it was.
 pub(super) fn task_args(args: &LoggedArgs) -> TaskArgs {
@@ -142,7 +225,7 @@ fn check_apart(log: &Path, out: &Path) -> Result<(), Failure> {
 
 /// Reads the log, as the arguments and the task say.
 pub(super) fn read_log(args: &LoggedArgs, prepared: &Prepared) -> Result<Log, Failure> {
-    let options = log_options(&args.reading, prepared);
+    let options = log_options(&args.reading, prepared)?;
     read(&args.log, &options).map_err(|error| {
         let advice = advice(&error.fault);
         let failure = Failure::new(error);
@@ -153,12 +236,20 @@ pub(super) fn read_log(args: &LoggedArgs, prepared: &Prepared) -> Result<Log, Fa
     })
 }
 
-fn log_options(args: &LogArgs, prepared: &Prepared) -> LogOptions {
+fn log_options(args: &LogArgs, prepared: &Prepared) -> Result<LogOptions, Failure> {
     let topic = |name: &Option<String>| match name {
         Some(name) => TopicChoice::Named(name.clone()),
         None => TopicChoice::Sole,
     };
-    LogOptions {
+    let fixed_joints = match &args.urdf {
+        Some(path) => {
+            let text = std::fs::read_to_string(path)
+                .map_err(|error| Failure::new(format!("{}: {error}", path.display())))?;
+            fixed_joints(&path.display().to_string(), &text).map_err(Failure::new)?
+        }
+        None => Vec::new(),
+    };
+    Ok(LogOptions {
         pose_topic: topic(&args.pose_topic),
         wrench_topic: topic(&args.wrench_topic),
         columns: args.csv_columns.clone(),
@@ -167,22 +258,29 @@ fn log_options(args: &LogArgs, prepared: &Prepared) -> LogOptions {
         force_unit: args.force_unit_n,
         length_unit: args.length_unit_m,
         time_unit: args.time_unit_s,
-        logged_from_tool: pose(&args.pose_offset),
+        logged_from_tool: pose(&args.pose_offset).unwrap_or_else(Pose::identity),
+        logged_from_sensor: match args.sensor_frame[..] {
+            [roll, pitch, yaw] => Some(UnitQuaternion::from_euler_angles(roll, pitch, yaw)),
+            _ => None,
+        },
+        pose_frame: args.pose_frame.clone(),
         world_from_log: pose(&args.world_from_log),
+        world_frame: args.world_frame.clone(),
+        fixed_joints,
         world_from_surface: prepared.task.surface.world_from_surface,
         max_gap: args.max_gap_s,
-    }
+    })
 }
 
-/// A pose of six numbers; of none, that which changes nothing.
-fn pose(numbers: &[f64]) -> Pose {
-    match *numbers {
-        [x, y, z, roll, pitch, yaw] => Pose::from_parts(
-            Translation3::new(x, y, z),
-            UnitQuaternion::from_euler_angles(roll, pitch, yaw),
-        ),
-        _ => Pose::identity(),
-    }
+/// A pose of six numbers, if they are given.
+fn pose(numbers: &[f64]) -> Option<Pose> {
+    let [x, y, z, roll, pitch, yaw] = *numbers else {
+        return None;
+    };
+    Some(Pose::from_parts(
+        Translation3::new(x, y, z),
+        UnitQuaternion::from_euler_angles(roll, pitch, yaw),
+    ))
 }
 
 /// What the user can do about a log that cannot be read.
@@ -195,6 +293,14 @@ fn advice(fault: &ReadFault) -> Option<String> {
         ReadFault::Truncated { .. } => {
             "with .active appended to its name, it is read as far as it goes".to_owned()
         }
+        ReadFault::OtherRecording {
+            kind: RecordingKind::Sqlite,
+        } => "mcap convert LOG.db3 LOG.mcap makes an MCAP file of it (https://mcap.dev/guides/cli)"
+            .to_owned(),
+        ReadFault::OtherRecording {
+            kind: RecordingKind::Ros1,
+        } => "rosbags-convert --src LOG.bag --dst FOLDER --dst-storage mcap makes a bag of ROS 2 of it (pip install rosbags)"
+            .to_owned(),
         ReadFault::Compression { .. } => "mcap compress --compression lz4 packs it anew".to_owned(),
         ReadFault::Apart { .. } => "see --max-gap-s".to_owned(),
         ReadFault::Unknown(error) if error.kind == "column" => {
@@ -248,13 +354,19 @@ fn in_words(record: &InterpretationRecord, out: &Path) -> String {
         ("surface", surface_in_words(record)),
         (
             "force bias",
-            format!("{:.2} N along the normal, taken off", record.force_bias_n),
+            format!(
+                "{:+.2} N on the tool along the normal, taken off",
+                record.force_bias_n
+            ),
         ),
         ("events", events_in_words(record)),
     ];
     if log.unfinished {
         let line = "the log ends before its writer was done".to_owned();
         lines.insert(1, ("", line));
+    }
+    for remark in log.remarks.iter().rev() {
+        lines.insert(1, ("", remark.clone()));
     }
     if log.repeated + log.unpaired > 0 {
         let line = format!(
@@ -289,16 +401,27 @@ fn surface_in_words(record: &InterpretationRecord) -> String {
     let (Some(plane), Some(tilt), Some(offset)) =
         (&record.plane, record.plane_tilt_rad, record.plane_offset_m)
     else {
-        let advice = "did the tool press? then see --wrench-frame and --wrench-sign";
-        return format!("not found: too few confident contacts ({advice})");
+        if record.doubts.is_empty() {
+            let advice = "did the tool press? then see --wrench-frame and --wrench-sign";
+            return format!("not found: too few confident contacts ({advice})");
+        }
+        let advice = "is surface.position_m right, or --world-from-log missing?";
+        return format!("not found: {} ({advice})", record.doubts.join("; "));
+    };
+    let tilt = match plane.tilt_directions {
+        0 => "tilt unknown, as the contacts lie in one place".to_owned(),
+        1 => format!(
+            "tilted by {:.2}° along the line of the contacts, unknown across it",
+            tilt.to_degrees()
+        ),
+        _ => format!("tilted by {:.2}°", tilt.to_degrees()),
     };
     let verdict = match record.world_from_surface {
         Some(_) => "elsewhere than believed",
         None => "where it was believed",
     };
     format!(
-        "{verdict}: tilted by {:.2}°, {:+.1} mm off ({} of {} confident contacts, {:.2} mm rms)",
-        tilt.to_degrees(),
+        "{verdict}: {tilt}, {:+.1} mm off ({} of {} confident contacts, {:.2} mm rms)",
         1e3 * offset,
         plane.inliers,
         plane.confident,
@@ -307,12 +430,12 @@ fn surface_in_words(record: &InterpretationRecord) -> String {
 }
 
 fn events_in_words(record: &InterpretationRecord) -> String {
-    let kinds = ["contact", "contact_loss", "collision", "stick_slip"];
+    let kinds = EventKind::ALL.into_iter().filter(|kind| !kind.is_phase());
     let counts = kinds.map(|kind| {
-        let those = record.events.iter().filter(|event| event.kind == kind);
-        (kind.replace('_', " "), those.count())
+        let those = (record.events.iter()).filter(|event| event.kind == kind.as_str());
+        (kind.as_str().replace('_', " "), those.count())
     });
-    let mut counts: Vec<String> = (counts.iter())
+    let mut counts: Vec<String> = counts
         .filter(|(_, count)| *count > 0)
         .map(|(kind, count)| format!("{count} {kind}"))
         .collect();

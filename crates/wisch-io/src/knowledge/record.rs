@@ -23,6 +23,8 @@ pub(super) const NAME_MAX_LEN: usize = 64;
 
 /// A tenth of a metre: no pad is thicker and no crumb larger.
 const LENGTH_M: Limits = (Excluded(0.0), Included(0.1));
+/// How far a tool gives way; a rigid one not at all.
+const DEPTH_M: Limits = (Included(0.0), Included(0.1));
 /// No tool acts further than two metres at once.
 const EXTENT_M: Limits = (Excluded(0.0), Included(2.0));
 /// Above what any arm of this class presses with.
@@ -194,7 +196,7 @@ impl Source<'_> {
             compression_depth_m: self.number(
                 "compression_depth_m",
                 &record.compression_depth_m,
-                LENGTH_M,
+                DEPTH_M,
             )?,
             area_of_effect: (record.area_of_effect.as_ref())
                 .map(|area| self.area_of_effect(area))
@@ -287,7 +289,7 @@ impl Source<'_> {
             SurfaceScope::Named(self.found(&record.surface, surface)?.name.clone())
         };
         let compression_depth_m = match &record.compression_depth_m {
-            Some(depth) => self.number("compression_depth_m", depth, LENGTH_M)?,
+            Some(depth) => self.number("compression_depth_m", depth, DEPTH_M)?,
             None => tool.compression_depth_m,
         };
         let actions = (record.actions.get_ref().iter())

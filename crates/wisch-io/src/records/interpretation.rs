@@ -45,11 +45,13 @@ pub struct InterpretationRecord {
     pub plane_offset_m: Option<f64>,
     /// More about that plane; null as above.
     pub plane: Option<PlaneRecord>,
+    /// Why the log does not look like wiping of this surface, in words; none where it does.
+    pub doubts: Vec<String>,
     /// localized, relocalize or no_contact.
     pub diagnosis: &'static str,
     /// Where the surface is, if it is not where it was believed; else null.
     pub world_from_surface: Option<PoseRecord>,
-    /// Bias of the normal force that was taken off.
+    /// What the sensor adds to the force on the tool along the surface's outward normal, which was taken off.
     pub force_bias_n: f64,
     /// What happened, by start.
     pub events: Vec<EventRecord>,
@@ -64,18 +66,21 @@ pub struct PlaneRecord {
     pub point_m: [f64; 3],
     /// Its outward unit normal.
     pub normal: [f64; 3],
-    /// Confident positions that it was fitted to.
+    /// In how many directions along the surface its tilt could be told: 2, 1 or 0.
+    pub tilt_directions: usize,
+    /// Confident positions on it.
     pub inliers: usize,
     /// Confident positions in all.
     pub confident: usize,
-    /// Root mean square distance of the inliers.
+    /// Root mean square distance of the contacts that it was fitted to, weaker ones included.
     pub rms_m: f64,
 }
 
 /// Something that happened.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EventRecord {
-    /// contact, contact_loss, collision or stick_slip; or a phase: approach, stroke, lift or retreat.
+    /// contact, contact_loss, collision (a person's push), hand_guiding, landing, overload, vibration or stick_slip;
+    /// or a phase: approach, stroke, lift or retreat.
     pub kind: &'static str,
     /// From.
     pub start_s: f64,
@@ -116,6 +121,12 @@ pub struct LogRecord {
     pub unpaired: usize,
     /// Whether the log ends where its writer was killed, or is still writing.
     pub unfinished: bool,
+    /// Poses or forces left out, as they are none.
+    pub skipped: usize,
+    /// From when to when nothing was recorded for longer than is interpolated.
+    pub gaps_s: Vec<[f64; 2]>,
+    /// What is odd about the log, in words.
+    pub remarks: Vec<String>,
 }
 
 impl InterpretationRecord {
@@ -144,6 +155,9 @@ impl InterpretationRecord {
             plane_tilt_rad: interpretation.plane.map(|plane| plane.tilt),
             plane_offset_m: interpretation.plane.map(|plane| plane.offset),
             plane: interpretation.plane.as_ref().map(PlaneRecord::new),
+            doubts: (interpretation.doubts.iter())
+                .map(ToString::to_string)
+                .collect(),
             diagnosis: diagnosis(&interpretation.diagnosis),
             world_from_surface: match &interpretation.diagnosis {
                 Diagnosis::Relocalize { world_from_surface } => Some(world_from_surface.into()),
@@ -162,6 +176,7 @@ impl PlaneRecord {
         Self {
             point_m: plane.point.coords.into(),
             normal: plane.normal.into(),
+            tilt_directions: plane.directions,
             inliers: plane.inliers,
             confident: plane.confident,
             rms_m: plane.rms,
@@ -172,16 +187,7 @@ impl PlaneRecord {
 impl EventRecord {
     fn new(event: &Event) -> Self {
         Self {
-            kind: match event.kind {
-                EventKind::Contact => "contact",
-                EventKind::ContactLoss => "contact_loss",
-                EventKind::Collision => "collision",
-                EventKind::StickSlip => "stick_slip",
-                EventKind::Approach => "approach",
-                EventKind::Stroke => "stroke",
-                EventKind::Lift => "lift",
-                EventKind::Retreat => "retreat",
-            },
+            kind: event.kind.as_str(),
             start_s: event.start,
             end_s: event.end,
             samples: event.samples,

@@ -3,8 +3,8 @@
 use super::{Frame, ObjectRecord, Shape, TaskError, TaskFile};
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
 use wisch::geometry::{
-    Bounds2, Mesh, MeshError, MeshFormat, Point2, Point3, Polygon, Region, Vector2, Vector3,
-    footprint,
+    Bounds2, Mesh, MeshError, MeshFormat, Point2, Point3, Polygon, RIGID_DEPTH, Region, Vector2,
+    Vector3, footprint,
 };
 use wisch::represent::{
     Action, DirtArea, Interaction, KnowledgeBase, KnowledgeError, OccupiedArea,
@@ -251,7 +251,8 @@ fn resolved_tool(
                 tool: entry.name.clone(),
                 error,
             };
-            let region = footprint(&mesh, interaction.compression_depth_m).map_err(fault)?;
+            let region = footprint(&mesh, interaction.compression_depth_m.max(RIGID_DEPTH))
+                .map_err(fault)?;
             // A footprint is never empty, so it has bounds.
             let size = region.bounds().map_or_else(Vector2::zeros, |b| b.size());
             (region, size)

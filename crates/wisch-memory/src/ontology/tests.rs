@@ -1,7 +1,7 @@
 use super::*;
 
 /// Every class of an episode's record.
-const CLASSES: [&str; 42] = [
+const CLASSES: [&str; 46] = [
     "WipingEpisode",
     "WipingAction",
     "WipingRound",
@@ -15,6 +15,10 @@ const CLASSES: [&str; 42] = [
     "ContactLoss",
     "Collision",
     "HumanCollision",
+    "HandGuiding",
+    "Landing",
+    "Overload",
+    "Vibration",
     "StickSlip",
     "ProtectiveStop",
     "Relocalization",

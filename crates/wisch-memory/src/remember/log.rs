@@ -61,10 +61,7 @@ impl Span {
             EventKind::Stroke => Part::Stroke,
             EventKind::Lift => Part::Transfer,
             EventKind::Retreat => Part::Retreat,
-            EventKind::Contact
-            | EventKind::ContactLoss
-            | EventKind::Collision
-            | EventKind::StickSlip => return None,
+            _ => return None,
         };
         Some(Self {
             part,

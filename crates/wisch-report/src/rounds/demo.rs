@@ -305,10 +305,12 @@ fn interpretation(
             normal: Vector3::new(tilt.sin(), 0.0, tilt.cos()),
             tilt,
             offset: 2e-4,
+            directions: 2,
             inliers: confident * 95 / 100,
             confident,
             rms: 3e-4,
         }),
+        doubts: vec![],
         diagnosis: if tilt > 0.01 {
             Diagnosis::Relocalize {
                 world_from_surface: Pose::identity(),

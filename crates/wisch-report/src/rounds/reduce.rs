@@ -1,7 +1,7 @@
 //! Minutes of a log at 1 kHz as few enough points for a picture, without losing what stands out.
 
 use wisch::geometry::Point3;
-use wisch::interpret::{EventKind, Interpretation, PathPiece, Touch};
+use wisch::interpret::{Interpretation, PathPiece, Touch};
 
 /// Most points that a curve is drawn with.
 const MAX_POINTS: usize = 2_600;
@@ -187,7 +187,7 @@ impl Stretch {
 pub(crate) fn drawable(interpretation: &Interpretation) -> Vec<PathPiece> {
     let mut path = usable(&interpretation.path);
     let spans: Vec<[f64; 2]> = (interpretation.events.iter())
-        .filter(|event| event.kind == EventKind::Collision)
+        .filter(|event| event.kind.is_by_hand())
         .map(|event| [event.start, event.end])
         .collect();
     for piece in &mut path {

@@ -5,10 +5,14 @@ use crate::draw::{metres, percent};
 use wisch::interpret::{Diagnosis, Estimate, Event, EventKind, Interpretation};
 
 /// All kinds of events but phases, in the order in which they are shown.
-pub(crate) const KINDS: [EventKind; 4] = [
+pub(crate) const KINDS: [EventKind; 8] = [
     EventKind::Contact,
     EventKind::ContactLoss,
     EventKind::Collision,
+    EventKind::HandGuiding,
+    EventKind::Landing,
+    EventKind::Overload,
+    EventKind::Vibration,
     EventKind::StickSlip,
 ];
 
@@ -17,6 +21,10 @@ pub(crate) const fn kind(kind: EventKind) -> &'static str {
         EventKind::Contact => "contact",
         EventKind::ContactLoss => "contact loss",
         EventKind::Collision => "collision",
+        EventKind::HandGuiding => "hand guiding",
+        EventKind::Landing => "landing",
+        EventKind::Overload => "overload",
+        EventKind::Vibration => "vibration",
         EventKind::StickSlip => "stick–slip",
         EventKind::Approach => "approach",
         EventKind::Stroke => "stroke",
@@ -134,7 +142,7 @@ pub(crate) fn tally(events: &[Event]) -> String {
         let name = match (of, many) {
             (_, 0) => return None,
             (EventKind::ContactLoss, 2..) => "contact losses".to_owned(),
-            (EventKind::StickSlip, _) | (_, 1) => kind(of).to_owned(),
+            (EventKind::StickSlip | EventKind::HandGuiding, _) | (_, 1) => kind(of).to_owned(),
             _ => format!("{}s", kind(of)),
         };
         Some(format!("{many} {name}"))

@@ -1,6 +1,6 @@
 //! The tool: how it gives way, its plate on springs, and the load that it is to the robot.
 
-use super::{Plant, free_axis, to_engine};
+use super::{GRAVITY, Plant, free_axis, to_engine};
 use crate::SimulationError;
 use nalgebra::{Matrix3, Translation3};
 use rapier3d_f64::dynamics::{
@@ -17,8 +17,8 @@ use wisch::robot::Body;
 /// Thickness of the tool's plate at least and at most [m]: so much that it is never pushed out on the far
 /// side of what it meets.
 const PLATE_THICKNESS: [f64; 2] = [0.01, 0.03];
-/// Mass of the tool and of the part of it that gives way [kg].
-const TOOL_MASS: f64 = 0.1;
+/// Mass of the firm part of the tool and of the part that gives way [kg].
+const FIRM_MASS: f64 = 0.1;
 const PLATE_MASS: f64 = 0.05;
 /// Mass of a link that only stands between two joints of the tool [kg].
 const LINK_MASS: f64 = 2e-3;
@@ -26,6 +26,15 @@ const LINK_MASS: f64 = 2e-3;
 const TOOL_DAMPING: [f64; 2] = [0.2, 5.0];
 /// Least stiffness against rocking, for tools as narrow as a blade [Nm/rad].
 const LEAST_ROCKING: f64 = 0.3;
+
+/// What a rigid tool gives way by at nominal force all the same [m]: a contact of two stiff bodies is not resolved
+/// at 1 kHz.
+const LEAST_DEPTH: f64 = 1e-3;
+
+/// How far the simulated tool gives way at nominal force [m].
+pub(crate) fn nominal_depth(task: &Task) -> f64 {
+    task.interaction.compression_depth_m.max(LEAST_DEPTH)
+}
 
 /// How the tool gives way: the plate against its frame at rest.
 #[derive(Debug, Clone, Copy, Default)]
@@ -45,8 +54,8 @@ impl Compression {
 }
 
 impl Plant {
-    /// Force of the surface on the tool along the surface's normal, by how much the tool gives way [N]: the
-    /// truth.
+    /// Force of the surface on the tool along the surface's normal, by how much the tool gives way and what its
+    /// plate weighs [N]: the truth.
     pub fn contact_force(&self) -> f64 {
         let Some((multibody, _)) = self.world.multibody_joints.get(self.multibody) else {
             return 0.0;
@@ -58,18 +67,21 @@ impl Plant {
         (stiffness * self.compression().depth + damping * rate).max(0.0)
     }
 
-    /// How the tool gives way.
+    /// How the tool gives way to what it meets: by nothing where its plate only hangs on its springs.
     pub fn compression(&self) -> Compression {
         let Some((multibody, _)) = self.world.multibody_joints.get(self.multibody) else {
             return Compression::default();
         };
+        let axis = self.world_from_plate() * Vector3::z();
+        let weight = -(PLATE_MASS + 2.0 * LINK_MASS) * GRAVITY.dot(&axis);
+        let [stiffness, _] = self.foam_spring;
         let at = |link: usize| {
             multibody.link(link).map_or(0.0, |link| {
                 link.joint.coords()[free_axis(link.joint.data.locked_axes.bits())]
             })
         };
         Compression {
-            depth: at(self.foam[0]),
+            depth: at(self.foam[0]) + weight / stiffness,
             rocking: [at(self.foam[1]), at(self.foam[2])],
         }
     }
@@ -78,14 +90,14 @@ impl Plant {
 /// Thickness of the tool's plate [m]: a tool that gives way far comes down the deeper.
 pub(super) fn plate_thickness(task: &Task) -> f64 {
     let [least, most] = PLATE_THICKNESS;
-    (2.0 * task.interaction.compression_depth_m).clamp(least, most)
+    (2.0 * nominal_depth(task)).clamp(least, most)
 }
 
 /// Stiffness and damping of the tool's compliance: in depth, and rocking about its x and y, as a bed of
 /// springs under the whole footprint has them.
 pub(super) fn foam_springs(task: &Task) -> [[f64; 2]; 3] {
     let interaction = &task.interaction;
-    let stiffness = interaction.press_force_n / interaction.compression_depth_m;
+    let stiffness = interaction.press_force_n / nominal_depth(task);
     let [ratio, mass] = TOOL_DAMPING;
     let damping = 2.0 * ratio * (stiffness * mass).sqrt();
     let size = (task.tool.footprint.bounds()).map_or(task.tool.area_of_effect, |b| b.size());
@@ -107,7 +119,7 @@ pub(super) fn compliance(
     joint_from_tool: &Pose,
     task: &Task,
 ) -> Result<(RigidBodyHandle, [RigidBodyHandle; 3], MultibodyJointHandle), SimulationError> {
-    let depth = task.interaction.compression_depth_m;
+    let depth = nominal_depth(task);
     // At nominal force the plate lies at the tool centre point.
     let joint_from_rest = joint_from_tool * Translation3::new(0.0, 0.0, -depth);
     let size = (task.tool.footprint.bounds()).map_or(task.tool.area_of_effect, |b| b.size());
@@ -141,7 +153,16 @@ pub(super) fn compliance(
 
 /// The load that the tool is to the robot, in the frame of the link that holds it.
 pub(crate) fn tool_load(cell: &Workcell, task: &Task) -> Body {
-    let mass = TOOL_MASS + PLATE_MASS + 2.0 * LINK_MASS;
+    load(cell, task, FIRM_MASS + PLATE_MASS + 2.0 * LINK_MASS)
+}
+
+/// The same without its plate and the links that carry the plate, which are bodies of their own.
+pub(crate) fn firm_load(cell: &Workcell, task: &Task) -> Body {
+    load(cell, task, FIRM_MASS)
+}
+
+/// A mass [kg] spread over the tool's extent, about the tool centre point.
+fn load(cell: &Workcell, task: &Task, mass: f64) -> Body {
     let size = task.tool.area_of_effect;
     let about = |a: f64, b: f64| mass / 12.0 * (a * a + b * b) + 1e-6;
     let depth = size.min();

@@ -7,7 +7,7 @@ mod compliance;
 mod drives;
 mod shapes;
 
-pub(super) use compliance::tool_load;
+pub(super) use compliance::{firm_load, nominal_depth, tool_load};
 
 use self::compliance::{compliance, foam_springs, plate_thickness};
 use self::drives::{Coupling, Link, add_bodies};
@@ -114,8 +114,8 @@ fn empty_world(config: &ControlConfig) -> PhysicsWorld {
 }
 
 impl Plant {
-    /// The world in which `articulation` stands at `q`, its variables `compliant` driven by efforts and
-    /// the others by drives that hold them.
+    /// The world in which `articulation`, which carries the firm part of the tool, stands at `q`, its variables
+    /// `compliant` driven by efforts and the others by drives that hold them.
     pub fn new(
         cell: &Workcell,
         task: &Task,

@@ -1,6 +1,6 @@
 //! What can be touched: the shapes of surface, scene, robot and tool.
 
-use super::{ROBOT, SCENE, TOOL, groups, to_engine, vector};
+use super::{ROBOT, SCENE, TOOL, groups, nominal_depth, to_engine, vector};
 use crate::SimulationSettings;
 use petgraph::unionfind::UnionFind;
 use rapier3d_f64::dynamics::RigidBodyHandle;
@@ -97,7 +97,7 @@ pub(super) fn add_shapes(
         return;
     };
     // The part that gives way is the plate's.
-    let yielding = YIELDING * task.interaction.compression_depth_m;
+    let yielding = YIELDING * nominal_depth(task);
     for part in parts(&task.tool.mesh) {
         let firm = part
             .iter()

@@ -8,4 +8,5 @@ mod unpack;
 mod writer;
 
 pub(crate) use reader::BagReader;
+pub(crate) use topic::{FRAME_SURFACE, FRAME_WORLD};
 pub use writer::{BagHead, BagWriter, active_path};

@@ -4,6 +4,7 @@ use super::container::{Ending, messages};
 use super::locator::{Found, Locator};
 use super::topic::{AXES_KEY, ROLE_KEY, ROLE_POSE, ROLE_WRENCH, START_KEY};
 use crate::error::ReadFault;
+use crate::frames::Frames;
 use crate::options::TopicChoice;
 use crate::quantity::Quantity;
 use crate::ros2::{MessageError, Schema, Value, decode};
@@ -24,6 +25,7 @@ pub(crate) struct BagReader {
     /// Every topic with its type.
     topics: BTreeMap<String, String>,
     channels: HashMap<u16, Reading>,
+    frames: Frames,
     unfinished: bool,
 }
 
@@ -35,8 +37,14 @@ enum Reading {
         schema: Rc<Schema>,
         pose: Option<Rc<Locator<Pose>>>,
         wrench: Option<Rc<Locator<Vector3>>>,
+        transforms: Option<Rc<Locator<Pose>>>,
     },
 }
+
+/// Type of messages that hold transforms between frames.
+const TRANSFORMS: &str = "TFMessage";
+/// How a topic's name ends whose transforms hold for good.
+const STATIC_TOPIC: &str = "tf_static";
 
 impl BagReader {
     /// Looks for a pose and a wrench.
@@ -46,6 +54,7 @@ impl BagReader {
             wrenches: Search::new(wrench, ROLE_WRENCH),
             topics: BTreeMap::new(),
             channels: HashMap::new(),
+            frames: Frames::default(),
             unfinished: false,
         }
     }
@@ -68,15 +77,18 @@ impl BagReader {
     }
 
     /// What was found.
-    pub fn finish(self) -> Result<RawLog, ReadFault> {
+    pub fn finish(mut self) -> Result<RawLog, ReadFault> {
+        self.frames.sort();
         let (poses, says) = self.poses.choose(&self.topics)?;
         let (wrenches, wrench_says) = self.wrenches.choose(&self.topics)?;
         Ok(RawLog {
-            poses,
-            wrenches,
+            poses: poses.filled()?,
+            wrenches: wrenches.filled()?,
             axes: wrench_says.axes,
             start: says.start,
             unfinished: self.unfinished,
+            frames: self.frames,
+            units: None,
         })
     }
 
@@ -94,6 +106,7 @@ impl BagReader {
             schema,
             pose,
             wrench,
+            transforms,
         }) = self.channels.get(&channel.id)
         else {
             return Ok(());
@@ -106,14 +119,28 @@ impl BagReader {
         if let Some(locator) = wrench {
             self.wrenches.take(channel, locator, &value, log_time);
         }
+        if let (Some(locator), Ok(message)) = (transforms, &value) {
+            let is_static = channel.topic.ends_with(STATIC_TOPIC);
+            for found in locator.read(message) {
+                let time = if found.stamp == 0 {
+                    log_time
+                } else {
+                    found.stamp
+                };
+                if let Ok(pose) = found.value {
+                    (self.frames).insert(found.frame, found.child, time, pose, is_static);
+                }
+            }
+        }
         Ok(())
     }
 
     /// Sees a channel for the first time.
     fn channel(&mut self, channel: &Channel<'_>) -> Result<Reading, ReadFault> {
         let kind = (channel.schema.as_ref()).map_or_else(String::new, |schema| schema.name.clone());
+        let holds_transforms = kind.ends_with(TRANSFORMS);
         self.topics.insert(channel.topic.clone(), kind);
-        if !(self.poses.wants(channel) || self.wrenches.wants(channel)) {
+        if !(holds_transforms || self.poses.wants(channel) || self.wrenches.wants(channel)) {
             return Ok(Reading::Nothing);
         }
         let schema = match readable(channel) {
@@ -126,15 +153,23 @@ impl BagReader {
         };
         let pose = self.poses.locator(channel, &schema)?;
         let wrench = self.wrenches.locator(channel, &schema)?;
-        Ok(if pose.is_none() && wrench.is_none() {
-            Reading::Nothing
-        } else {
-            Reading::Messages {
-                schema,
-                pose,
-                wrench,
-            }
-        })
+        let transforms = (holds_transforms
+            .then(|| Locator::find(&schema, ""))
+            .flatten())
+        .filter(Locator::is_list)
+        .map(Rc::new);
+        Ok(
+            if pose.is_none() && wrench.is_none() && transforms.is_none() {
+                Reading::Nothing
+            } else {
+                Reading::Messages {
+                    schema,
+                    pose,
+                    wrench,
+                    transforms,
+                }
+            },
+        )
     }
 }
 
@@ -223,7 +258,11 @@ impl<Q: Quantity> Search<Q> {
 
     /// Whether this channel may be it.
     fn wants(&self, channel: &Channel<'_>) -> bool {
-        self.named.is_none() || self.names(channel)
+        match self.named {
+            Some(_) => self.names(channel),
+            // What never moves wipes nothing.
+            None => !channel.topic.ends_with(STATIC_TOPIC),
+        }
     }
 
     /// How to read a channel, if it holds the quantity.
@@ -296,8 +335,8 @@ impl<Q: Quantity> Search<Q> {
         let known = (self.candidates.iter())
             .position(|known| known.topic == channel.topic && known.child == child);
         let index = known.unwrap_or_else(|| {
-            let seen = (found.stamp, found.frame);
-            (self.candidates).push(Candidate::new(channel, child, seen, log_time, self.role));
+            let candidate = Candidate::new(channel, child, &found, log_time, self.role);
+            self.candidates.push(candidate);
             self.candidates.len() - 1
         });
         let candidate = &mut self.candidates[index];
@@ -356,9 +395,10 @@ impl<Q: Quantity> Search<Q> {
 
     fn by_content(&self) -> Result<Option<usize>, ReadFault> {
         // Transforms are of everything that moves: a topic of its own is the better guess.
-        let preferences: [fn(&Candidate<Q>) -> bool; 3] = [
+        let preferences: [fn(&Candidate<Q>) -> bool; 4] = [
             |candidate| candidate.says.is_meant,
             |candidate| candidate.child.is_empty(),
+            |candidate| candidate.track.changes(),
             |_| true,
         ];
         for preferred in preferences {
@@ -391,21 +431,21 @@ impl<Q: Quantity> Candidate<Q> {
     fn new(
         channel: &Channel<'_>,
         child: &str,
-        found: (i64, &str),
+        found: &Found<'_, Q>,
         log_time: i64,
         role: &str,
     ) -> Self {
-        let (stamp, frame) = found;
         let mut track = Track::new(match child {
             "" => channel.topic.clone(),
             child => format!("{}:{child}", channel.topic),
         });
-        track.frame = frame.to_owned();
+        track.frame = found.frame.to_owned();
+        track.child = found.child.to_owned();
         let says = |key| channel.metadata.get(key).cloned();
         Self {
             topic: channel.topic.clone(),
             child: child.to_owned(),
-            clock: match (stamp, log_time) {
+            clock: match (found.stamp, log_time) {
                 (0, 1..) => Clock::Log,
                 _ => Clock::Stamp,
             },

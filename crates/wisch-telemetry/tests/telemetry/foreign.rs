@@ -3,6 +3,7 @@
 use super::{in_folder, named, refused, surface};
 use mcap::WriteOptions;
 use mcap::records::MessageHeader;
+use nalgebra::UnitQuaternion;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fs;
@@ -101,6 +102,184 @@ const QUARTER: [f64; 4] = [
     std::f64::consts::FRAC_1_SQRT_2,
 ];
 
+/// A transform: stamp, frame, child frame, where the child is and how it is turned.
+type Transform = ([u32; 2], &'static str, &'static str, [f64; 3], [f64; 4]);
+
+const UPRIGHT: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
+
+impl Foreign {
+    fn transforms(&mut self, name: &str) -> u16 {
+        let definition = format!(
+            "geometry_msgs/TransformStamped[] transforms\n===\nMSG: geometry_msgs/TransformStamped\n\
+             std_msgs/Header header\nstring child_frame_id\nTransform transform\n===\n\
+             MSG: geometry_msgs/Transform\nVector3 translation\nQuaternion rotation\n===\n\
+             MSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\nfloat64 z\n===\n\
+             MSG: geometry_msgs/Quaternion\nfloat64 x\nfloat64 y\nfloat64 z\nfloat64 w\n{HEADER_PARTS}"
+        );
+        self.topic(name, "tf2_msgs/msg/TFMessage", &definition)
+    }
+
+    fn put_transforms(&mut self, channel: u16, time_ms: u64, transforms: &[Transform]) {
+        let data = cdr::serialize::<_, _, cdr::CdrLe>(&transforms.to_vec(), cdr::Infinite).unwrap();
+        let log_time = time_ms * 1_000_000;
+        let header = MessageHeader {
+            channel_id: channel,
+            sequence: 0,
+            log_time,
+            publish_time: log_time,
+        };
+        self.bag.write_to_known_channel(&header, &data).unwrap();
+    }
+}
+
+/// A robot whose base stands off the world, with a force sensor at its flange that is turned by a quarter about x. The
+/// flange goes 0.1 m along x of the base; where `is_moving`, its transforms are told, too.
+fn with_transforms(path: &Path, is_moving: bool) {
+    let mut bag = Foreign::create(path);
+    let [fixed, moving] = ["/tf_static", "/tf"].map(|name| bag.transforms(name));
+    let (pose, wrench) = (bag.poses("/arm/pose"), bag.wrenches("/arm/wrench"));
+    let never = [0, 0];
+    bag.put_transforms(
+        fixed,
+        1000,
+        &[
+            (
+                never,
+                "world",
+                "robot_base",
+                [1.0, 0.0, 0.5],
+                [0.0, 0.0, 1.0, 0.0],
+            ),
+            (never, "flange", "ft_sensor", [0.0; 3], QUARTER),
+        ],
+    );
+    for time in (1000..=2000).step_by(10) {
+        let stamp = [(time / 1000) as u32, (time % 1000) as u32 * 1_000_000];
+        let at = [0.1 * (time - 1000) as f64 / 1000.0, 0.0, 0.3];
+        if is_moving {
+            let down = (stamp, "robot_base", "flange", at, UPRIGHT);
+            bag.put_transforms(moving, time, &[down]);
+        }
+        bag.put(pose, time, time, "robot_base", (at, UPRIGHT));
+        bag.put(
+            wrench,
+            time,
+            time,
+            "ft_sensor",
+            ([0.0, 10.0, 0.0], [0.0; 3]),
+        );
+    }
+    bag.finish();
+}
+
+#[test]
+fn frames_are_resolved_by_the_transforms_of_the_log() {
+    let (_folder, path) = in_folder();
+    for is_moving in [true, false] {
+        with_transforms(&path, is_moving);
+        let log = read(&path, &LogOptions::default()).unwrap();
+        assert_eq!(log.pose_name, "/arm/pose");
+        assert_eq!((log.samples.len(), log.unpaired), (101, 0));
+        let expected = if is_moving {
+            (Axes::Named, AxesSource::Logged)
+        } else {
+            // The flange is taken for what the pose is of.
+            (Axes::Tool, AxesSource::Assumed)
+        };
+        assert_eq!((log.axes, log.axes_source), expected);
+        assert_eq!(log.frames_used.len(), 2, "{:?}", log.frames_used);
+        for (index, sample) in log.samples.iter().enumerate() {
+            // The base is turned by half a turn about z: x of the base runs along -x of the world.
+            let at = Vector3::new(1.0 - 1e-3 * index as f64, 0.0, 0.8);
+            assert!((sample.world_from_tool.translation.vector - at).norm() < 1e-9);
+            // y of the sensor is z of the flange.
+            assert!((sample.force - Vector3::new(0.0, 0.0, 10.0)).norm() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn static_transforms_are_no_poses_of_a_tool() {
+    let (_folder, path) = in_folder();
+    let mut bag = Foreign::create(&path);
+    let [fixed, moving] = ["/tf_static", "/tf"].map(|name| bag.transforms(name));
+    let wrench = bag.wrenches("/arm/wrench");
+    let never = [0, 0];
+    bag.put_transforms(fixed, 1000, &[(never, "tool", "camera", [0.0; 3], UPRIGHT)]);
+    for time in (1000..=1100_u64).step_by(10) {
+        let stamp = [1, (time - 1000) as u32 * 1_000_000];
+        let at = [0.01 * time as f64, 0.0, 0.0];
+        let shelf = (stamp, "world", "shelf", [0.0; 3], UPRIGHT);
+        bag.put_transforms(
+            moving,
+            time,
+            &[(stamp, "world", "tool", at, UPRIGHT), shelf],
+        );
+        bag.put(wrench, time, time, "tool", ([0.0, 0.0, 1.0], [0.0; 3]));
+    }
+    bag.finish();
+    let log = read(&path, &LogOptions::default()).unwrap();
+    assert_eq!(log.pose_name, "/tf:tool");
+    assert_eq!(
+        (log.axes, log.axes_source),
+        (Axes::Tool, AxesSource::Logged)
+    );
+}
+
+#[test]
+fn a_sensor_is_turned_by_a_urdf_or_by_hand() {
+    let (_folder, path) = in_folder();
+    foreign(&path, "sensor", 0);
+    let urdf = r#"<robot name="arm"><link name="flange"/><link name="sensor"/>
+        <joint name="bolts" type="fixed"><parent link="flange"/><child link="sensor"/>
+        <origin rpy="0 0 1.5707963267948966"/></joint></robot>"#;
+    let by_urdf = LogOptions {
+        fixed_joints: wisch::robot::fixed_joints("arm.urdf", urdf).unwrap(),
+        ..in_millimetres()
+    };
+    let by_hand = LogOptions {
+        logged_from_sensor: Some(UnitQuaternion::from_euler_angles(
+            0.0,
+            0.0,
+            std::f64::consts::FRAC_PI_2,
+        )),
+        ..in_millimetres()
+    };
+    for (options, source) in [(by_urdf, AxesSource::Assumed), (by_hand, AxesSource::Given)] {
+        let log = read(&path, &options).unwrap();
+        assert_eq!((log.axes, log.axes_source), (Axes::Tool, source));
+        // -y of the sensor is x of the flange, which is x of the log.
+        assert!((log.samples[0].force - Vector3::new(2.0, 0.0, 0.0)).norm() < 1e-9);
+    }
+}
+
+#[test]
+fn what_is_no_number_is_left_out_and_counted_and_gaps_are_told() {
+    let (_folder, path) = in_folder();
+    let mut bag = Foreign::create(&path);
+    let (pose, wrench) = (bag.poses("/p"), bag.wrenches("/w"));
+    for time in (0..=100).chain(300..=400).map(|tick| 10 * tick) {
+        let x = if time == 500 { f64::NAN } else { 0.0 };
+        bag.put(pose, time, 1 + time, "base", ([x, 0.0, 0.0], QUARTER));
+        bag.put(wrench, time, 1 + time, "base", ([0.0; 3], [0.0; 3]));
+    }
+    bag.finish();
+    let log = read(&path, &LogOptions::default()).unwrap();
+    let [skipped] = &log.skipped[..] else {
+        panic!("{:?}", log.skipped);
+    };
+    assert_eq!(skipped.count, 1);
+    assert_eq!(
+        skipped.first,
+        "topic /p, message 51: x is NaN, which is not finite"
+    );
+    assert_eq!(log.samples.len(), 202, "between its neighbours it is known");
+    let [[start, end]] = log.gaps[..] else {
+        panic!("{:?}", log.gaps);
+    };
+    assert!((start - 1.0).abs() < 1e-9 && (end - 3.0).abs() < 1e-9);
+}
+
 /// A robot that logs its flange at 10 Hz in millimetres and the force on it at 100 Hz.
 fn foreign(path: &Path, wrench_frame: &'static str, stamp_offset_ms: u64) {
     let mut bag = Foreign::create(path);
@@ -132,7 +311,7 @@ fn foreign(path: &Path, wrench_frame: &'static str, stamp_offset_ms: u64) {
 
 fn in_millimetres() -> LogOptions {
     LogOptions {
-        length_unit: 1e-3,
+        length_unit: Some(1e-3),
         ..LogOptions::default()
     }
 }
@@ -181,7 +360,7 @@ fn frames_signs_units_and_offsets_are_applied() {
         Vector3::z() * std::f64::consts::FRAC_PI_2,
     );
     let base = LogOptions {
-        world_from_log,
+        world_from_log: Some(world_from_log),
         world_from_surface: surface(),
         ..in_millimetres()
     };
@@ -204,7 +383,7 @@ fn frames_signs_units_and_offsets_are_applied() {
 
     let by_tool = LogOptions {
         sign: WrenchSign::ByTool,
-        force_unit: 9.81,
+        force_unit: Some(9.81),
         ..in_millimetres()
     };
     close(first(by_tool).2.force, Vector3::new(0.0, 2.0 * 9.81, 0.0));
@@ -252,8 +431,8 @@ fn values_that_cannot_be_are_refused_with_their_message() {
     type Poses = [(u64, f64, [f64; 4])];
     let cases: [(&Poses, &str); 3] = [
         (
-            &[(0, 0.0, QUARTER), (5, f64::NAN, QUARTER)],
-            ": topic /p, message 2: x is NaN, which is not finite",
+            &[(0, f64::NAN, QUARTER), (5, f64::NAN, QUARTER)],
+            ": topic /p, message 1: x is NaN, which is not finite",
         ),
         (
             &[(0, 0.0, [0.0; 4])],
@@ -316,7 +495,17 @@ fn what_is_no_bag_is_told_by_its_first_bytes() {
     fs::write(&path, b"#ROSBAG V2.0\n").unwrap();
     assert_eq!(
         refused(&path, &LogOptions::default()),
-        ": this is no bag: it begins with bytes 23 52 4f 53 42 41 47 20, and an MCAP file with 89 4d 43 41 50 30 0d 0a"
+        ": this is a bag of ROS 1, and only MCAP files are read"
+    );
+    fs::write(&path, b"SQLite format 3\0...").unwrap();
+    assert_eq!(
+        refused(&path, &LogOptions::default()),
+        ": this is a bag of ROS 2 in a SQLite database (.db3), and only MCAP files are read"
+    );
+    fs::write(&path, b"PK\x03\x04 what?").unwrap();
+    assert_eq!(
+        refused(&path, &LogOptions::default()),
+        ": this is no bag: it begins with bytes 50 4b 03 04 20 77 68 61, and an MCAP file with 89 4d 43 41 50 30 0d 0a"
     );
     fs::write(&path, b"").unwrap();
     assert!(refused(&path, &LogOptions::default()).starts_with(": this is no bag"));

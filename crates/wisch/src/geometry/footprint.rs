@@ -11,6 +11,8 @@ use std::collections::{HashMap, HashSet};
 
 /// Least compression depth [m]: below it a flat face that is tilted by rounding would not lie in the slab.
 pub const MIN_COMPRESSION_DEPTH: f64 = 1e-5;
+/// Depth within which a tool that does not give way touches [m]: how even an underside is.
+pub const RIGID_DEPTH: f64 = 1e-4;
 
 /// Most edges a footprint may have; a mesh that leaves more is refused.
 pub const MAX_FOOTPRINT_EDGES: usize = 100_000;

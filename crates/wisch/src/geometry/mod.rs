@@ -5,7 +5,9 @@ mod mesh;
 mod polygon;
 mod pose;
 
-pub use footprint::{FootprintError, MAX_FOOTPRINT_EDGES, MIN_COMPRESSION_DEPTH, footprint};
+pub use footprint::{
+    FootprintError, MAX_FOOTPRINT_EDGES, MIN_COMPRESSION_DEPTH, RIGID_DEPTH, footprint,
+};
 pub(crate) use mesh::{MAX_ATTRIBUTES, most_attributes};
 pub use mesh::{MAX_COORDINATE, MAX_TRIANGLES, Mesh, MeshError, MeshFormat};
 pub(crate) use polygon::encloses;

@@ -105,6 +105,8 @@ pub struct EventConfig {
     pub near_height_m: f64,
     /// Travel along the surface without force that makes a loss of contact [m].
     pub loss_travel_m: f64,
+    /// How long a tool stands without force, in the midst of a stroke, that has lost its contact [s].
+    pub loss_rest_s: f64,
     /// Distance from the plane, beyond the inliers' tolerance, that makes a collision [m].
     pub collision_height_m: f64,
     /// f′ off the plane at which a collision may begin, and that down to which it lasts [1].
@@ -115,7 +117,7 @@ pub struct EventConfig {
     /// Force along the surface that makes a collision: beyond `friction_limit`; and that down to which it lasts:
     /// beyond the friction that the log itself shows [N].
     pub tangential_margin_n: [f64; 2],
-    /// Normal force over the nominal one that makes a collision, and that down to which it lasts [1].
+    /// Normal force over the nominal one that makes an overload, and that down to which it lasts [1].
     pub overload: [f64; 2],
     /// Size of a force in free motion that makes a collision, and that down to which it lasts [N]; both beyond
     /// the noise that the log shows, and above what the inertia of a hand makes believe.
@@ -125,6 +127,8 @@ pub struct EventConfig {
     pub free_bridge_s: f64,
     /// Two pushes with less time between them are one [s].
     pub push_gap_s: f64,
+    /// A push that lasts longer than this is somebody who leads the tool [s].
+    pub guiding_s: f64,
     /// How long after a push a tool that was let go of may land [s].
     pub landing_s: f64,
     /// By how long measured forces may lag behind positions [s].
@@ -141,6 +145,7 @@ impl Default for EventConfig {
             bridge_s: 0.03,
             near_height_m: 0.015,
             loss_travel_m: 0.005,
+            loss_rest_s: 0.1,
             collision_height_m: 0.002,
             collision_share: [0.5, 0.3],
             friction_limit: 0.8,
@@ -149,6 +154,7 @@ impl Default for EventConfig {
             free_force_n: [2.0, 1.5],
             free_bridge_s: 0.25,
             push_gap_s: 0.35,
+            guiding_s: 5.0,
             landing_s: 1.0,
             force_lag_s: 0.015,
             stick_slip_turns: 6,
@@ -231,6 +237,8 @@ impl InterpretConfig {
             ("events.bridge_s", events.bridge_s, seconds),
             ("events.free_bridge_s", events.free_bridge_s, seconds),
             ("events.push_gap_s", events.push_gap_s, seconds),
+            ("events.loss_rest_s", events.loss_rest_s, seconds),
+            ("events.guiding_s", events.guiding_s, seconds),
             ("events.landing_s", events.landing_s, seconds),
             ("events.near_height_m", events.near_height_m, metres),
             ("replays", self.replays as f64, some),

@@ -2,6 +2,7 @@
 
 use super::belief::{Belief, Estimate};
 use super::contact::{FittedPlane, PathPiece};
+use super::doubt::Doubt;
 use super::events::Event;
 use crate::geometry::Pose;
 
@@ -28,9 +29,12 @@ pub struct Interpretation {
     pub plane: Option<FittedPlane>,
     /// Whether the surface is where it was believed.
     pub diagnosis: Diagnosis,
+    /// Why the log does not look like wiping of this surface; nothing where it does.
+    pub doubts: Vec<Doubt>,
     /// What happened, by start.
     pub events: Vec<Event>,
-    /// Bias of the normal force that was found in free motion and taken off [N].
+    /// What the sensor adds to the force on the tool along the surface's outward normal, as found in free motion and
+    /// taken off [N]; 0 where the log shows no free motion.
     pub force_bias: f64,
     /// Time in contact over the time that the tool was on or near the surface.
     pub contact_share: f64,

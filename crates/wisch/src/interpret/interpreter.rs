@@ -5,6 +5,7 @@ use super::config::InterpretConfig;
 use super::contact::{
     ClassifiedPath, ContactClassifier, Downsampler, FittedPlane, PlaneFit, TouchSample, middle,
 };
+use super::doubt::doubts;
 use super::error::InterpretError;
 use super::events::{Event, EventDetector};
 use super::interpretation::{Diagnosis, Interpretation};
@@ -144,7 +145,13 @@ impl Interpreter {
             .map_or_else(Pose::identity, |(fit, _)| {
                 believed_from_real(fit, &self.surface)
             });
-        let detector = EventDetector::new(pieces, &classified, &self.surface, &self.config);
+        let detector = EventDetector::new(
+            pieces,
+            &classified,
+            &self.surface,
+            &self.footprint,
+            &self.config,
+        );
         let (events, contact_share) = (detector.events(), detector.contact_share());
         // Without a plane, nothing speaks for contact but the force.
         let trusted: &[Event] = if classified.plane.is_some() {
@@ -177,8 +184,9 @@ impl Interpreter {
         Ok(Interpretation {
             events,
             contact_share,
+            doubts: doubts(&classified, contact_share, &self.surface, &self.config),
             diagnosis: self.diagnosis(&classified, &believed_from_real),
-            force_bias: -classified.bias.z,
+            force_bias: classified.bias.z,
             performance,
             belief,
             plane: classified.plane.map(|(_, described)| described),

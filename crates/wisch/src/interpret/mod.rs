@@ -9,6 +9,7 @@
 mod belief;
 mod config;
 mod contact;
+mod doubt;
 mod error;
 mod events;
 mod interpretation;
@@ -18,6 +19,7 @@ mod uncertainty;
 pub use belief::{Belief, DensityMap, Estimate};
 pub use config::{EventConfig, InterpretConfig, PlaneConfig, ToolCompliance};
 pub use contact::{FittedPlane, PathPiece, PlaneFit, Touch, TouchSample, fit_plane};
+pub use doubt::Doubt;
 pub use error::InterpretError;
 pub use events::{Event, EventKind};
 pub use interpretation::{Diagnosis, Interpretation};

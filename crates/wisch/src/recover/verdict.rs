@@ -1,6 +1,6 @@
 //! Whether the goal is met, and what follows if it is not.
 
-use crate::interpret::{Diagnosis, EventKind, Interpretation};
+use crate::interpret::{Diagnosis, Interpretation};
 
 /// An estimate that rises by less than this is no progress [1].
 pub const LEAST_PROGRESS: f64 = 0.005;
@@ -160,7 +160,7 @@ impl RoundJudge {
             0
         };
         let mut events = interpretation.events.iter();
-        let is_pushed = events.any(|event| event.kind == EventKind::Collision);
+        let is_pushed = events.any(|event| event.kind.is_by_hand());
         let is_disturbed = outcome.is_protective_stop || is_pushed;
         let circumstances = Circumstances {
             is_done: outcome.is_done,
@@ -179,7 +179,7 @@ impl RoundJudge {
 mod tests {
     use super::*;
     use crate::geometry::{Point3, Vector3};
-    use crate::interpret::{Belief, Estimate, Event, FittedPlane};
+    use crate::interpret::{Belief, Estimate, Event, EventKind, FittedPlane};
     use crate::represent::ParticleDistribution;
 
     #[test]
@@ -251,11 +251,13 @@ mod tests {
                 normal: Vector3::z(),
                 tilt: 0.0,
                 offset: 0.0,
+                directions: 2,
                 inliers: 100,
                 confident: 100,
                 rms: 0.0,
             }),
             diagnosis: Diagnosis::Localized,
+            doubts: vec![],
             events: if is_pushed { vec![push] } else { vec![] },
             force_bias: 0.0,
             contact_share: 1.0,

@@ -3,7 +3,7 @@
 use super::log::{Hand, PRESS, STEEP, Script, task};
 use super::{assert_near_times, events, exact, interpreted, interpreted_with};
 use wisch::geometry::{Point2, Vector3};
-use wisch::interpret::{Diagnosis, EventKind, InterpretConfig, Touch, Uncertainty};
+use wisch::interpret::{Diagnosis, Doubt, EventKind, InterpretConfig, Touch, Uncertainty};
 use wisch::represent::Fate;
 
 /// A hand that lifts the sponge on the second stroke by 2 cm, with the force of contact.
@@ -71,11 +71,6 @@ fn pushes_from_every_side_are_collisions_with_start_and_end() {
         (
             Vector3::new(0.0, 0.0, -0.0075),
             Vector3::new(0.0, 0.0, 10.0),
-        ),
-        // Down where the sensor sees it.
-        (
-            Vector3::new(0.0, 0.0, -0.0075),
-            Vector3::new(0.0, 0.0, 25.0),
         ),
     ];
     for (off, force) in pushes {
@@ -168,21 +163,29 @@ fn a_tool_that_sinks_over_an_edge_is_still_in_contact() {
             [Point2::new(x, -0.1), Point2::new(x, 0.1)],
         ]
     };
-    let sunk = |x: f64| Script {
+    fn lower(by: f64, place: Point2) -> f64 {
+        if place.y.abs() < 0.08 && place.y != 0.0 {
+            -by
+        } else {
+            0.0
+        }
+    }
+    let sunk = |x: f64, surface: fn(Point2) -> f64| Script {
         strokes: stroke(x),
-        surface: |place| {
-            if place.y.abs() < 0.08 && place.y != 0.0 {
-                -0.0045
-            } else {
-                0.0
-            }
-        },
+        surface,
         ..Script::default()
     };
-    let at_edge = interpreted(&sunk(0.19));
-    assert_eq!(events(&at_edge, EventKind::Collision), []);
-    let inland = interpreted(&sunk(0.05));
-    assert_eq!(events(&inland, EventKind::Collision).len(), 1);
+    let lowers: [fn(Point2) -> f64; 2] = [
+        |place| lower(0.0045, place),
+        // It tips over the edge.
+        |place| lower(0.012, place),
+    ];
+    for lower in lowers {
+        let at_edge = interpreted(&sunk(0.19, lower));
+        assert_eq!(events(&at_edge, EventKind::Collision), []);
+        let inland = interpreted(&sunk(0.05, lower));
+        assert_eq!(events(&inland, EventKind::Collision).len(), 1);
+    }
 }
 
 /// A hand that is at the tool while the robot lifts it, or from the surface on.
@@ -239,6 +242,10 @@ fn a_force_that_swings_is_nobody() {
         ..Script::default()
     };
     assert_eq!(events(&interpreted(&swinging), EventKind::Collision), []);
+    assert_eq!(
+        events(&interpreted(&swinging), EventKind::Vibration).len(),
+        1
+    );
     for hand in &mut swinging.hands {
         hand.force = Vector3::new(0.0, 0.0, 20.0);
     }
@@ -255,10 +262,72 @@ fn a_tool_that_comes_down_hard_has_not_been_pushed() {
     let pressed = Vector3::new(0.0, 0.0, -0.0075);
     let landing = held(&[[start, start + 0.1]], pressed, blow);
     assert_eq!(events(&interpreted(&landing), EventKind::Collision), []);
-    let later = held(&[[start + 1.0, start + 1.1]], pressed, blow);
-    assert_eq!(events(&interpreted(&later), EventKind::Collision).len(), 1);
-    let long = held(&[[start, start + 0.8]], pressed, blow);
-    assert_eq!(events(&interpreted(&long), EventKind::Collision).len(), 1);
+    let landing = interpreted(&landing);
+    assert_eq!(events(&landing, EventKind::Landing).len(), 1);
+    assert_eq!(events(&landing, EventKind::Overload), []);
+}
+
+/// As deep as this force presses the sponge it is the surface that bears it, whoever presses.
+#[test]
+fn a_tool_that_is_pressed_too_hard_is_overloaded_and_nobody_is_told() {
+    let [start, _] = Script::default().contacts()[1];
+    let stiff = Vector3::zeros();
+    for (off, force) in [(-0.0075, 25.0), (-0.0125, 35.0)] {
+        let off = Vector3::new(0.0, 0.0, off);
+        for times in [[start, start + 0.8], [start + 1.0, start + 1.6]] {
+            // A tool that gives way as its spring does, and one that gives way no further.
+            for off in [off, stiff] {
+                let script = held(&[times], off, Vector3::new(0.0, 0.0, force));
+                let interpretation = interpreted(&script);
+                assert_eq!(events(&interpretation, EventKind::Collision), []);
+                let overloads = events(&interpretation, EventKind::Overload);
+                assert_eq!(overloads.len(), 1, "{off} {force}: {overloads:?}");
+                assert_near_times(&overloads[0], times);
+                let amid = 0.5 * (times[0] + times[1]);
+                let piece = interpretation.path.iter().find(|p| p.time[1] > amid);
+                assert_eq!(piece.unwrap().touch, Touch::Confident);
+            }
+        }
+    }
+}
+
+#[test]
+fn who_leads_the_tool_all_the_time_does_not_push_it() {
+    let [_, end] = Script::default().contacts()[2];
+    // A hand that goes round, now this way and now that.
+    let hand = |i: u32| {
+        let start = 0.5 + 0.7 * f64::from(i);
+        let (sin, cos) = (1.8 * f64::from(i)).sin_cos();
+        Hand {
+            start,
+            end: start + 0.7,
+            off: Vector3::new(0.0, 0.0, 0.03),
+            force: Vector3::new(9.0 * cos, 9.0 * sin, 2.0),
+        }
+    };
+    let script = Script {
+        hands: (0..((end - 0.5) / 0.7) as u32).map(hand).collect(),
+        ..Script::default()
+    };
+    let interpretation = interpreted(&script);
+    assert_eq!(events(&interpretation, EventKind::Collision), []);
+    assert!(!events(&interpretation, EventKind::HandGuiding).is_empty());
+}
+
+/// Standing, a tool that no longer presses has lost its contact as well as one that goes on.
+#[test]
+fn contact_that_is_lost_at_rest_is_told() {
+    let [start, _] = Script::default().contacts()[1];
+    // Held still for half a second, a finger's breadth off the surface, without force.
+    let times = [start + 1.0, start + 1.5];
+    let mut script = held(&[times], Vector3::new(0.0, 0.0, 0.006), Vector3::zeros());
+    script.rests = vec![times];
+    let interpretation = interpreted(&script);
+    let losses = events(&interpretation, EventKind::ContactLoss);
+    assert_eq!(losses.len(), 1, "{:?}", interpretation.events);
+    assert_near_times(&losses[0], times);
+    script.hands.clear();
+    assert_eq!(events(&interpreted(&script), EventKind::ContactLoss), []);
 }
 
 #[test]
@@ -348,4 +417,76 @@ fn a_pushed_tool_may_drag_its_load_along_as_long_as_it_is_near_the_surface() {
     assert!(wiped(0.010, 1.0) > wiped(0.010, 0.0) + 0.1);
     // Too high to drag anything.
     assert!((wiped(0.030, 1.0) - wiped(0.030, 0.0)).abs() < 0.02);
+}
+
+#[test]
+fn a_log_that_is_no_wiping_is_told_with_its_reasons() {
+    let doubts = |script: &Script| interpreted(script).doubts;
+    assert_eq!(doubts(&Script::default()), []);
+    // The surface is 0.2 m higher than believed.
+    let high = doubts(&Script {
+        surface: |_| 0.2,
+        ..Script::default()
+    });
+    let [Doubt::PressedFarOff { height, searched }] = high[..] else {
+        panic!("{high:?}");
+    };
+    assert!((height - 0.2).abs() < 2e-3 && searched < 0.1, "{height}");
+    assert!(
+        high[0]
+            .to_string()
+            .starts_with("the tool pressed 0.200 m above")
+    );
+    // It presses here and there, at any height, and slides nowhere.
+    let dab = |x: f64, y: f64| [Point2::new(x, y), Point2::new(x + 0.002, y)];
+    let places = (0..12).map(|i| dab(-0.15 + 0.027 * f64::from(i), 0.02 * f64::from(i % 5)));
+    let dabbing = doubts(&Script {
+        strokes: places.collect(),
+        surface: |place| 0.02 * (37.0 * place.x + 91.0 * place.y).sin(),
+        ..Script::default()
+    });
+    assert!(
+        (dabbing.iter()).any(|doubt| matches!(doubt, Doubt::HardlySliding { .. })),
+        "{dabbing:?}"
+    );
+    // Beside the board.
+    let line = |y: f64| [Point2::new(-0.16, y), Point2::new(0.16, y)];
+    let beside = doubts(&Script {
+        strokes: vec![line(0.25), line(0.30)],
+        ..Script::default()
+    });
+    assert!(
+        matches!(beside[..], [Doubt::PressedBeside { share }] if share > 0.99),
+        "{beside:?}"
+    );
+}
+
+#[test]
+fn the_contacts_on_the_plane_are_some_of_all_and_a_tilt_is_told_where_it_can_be() {
+    // Mostly pressed weakly: many contacts make the plane, few of them are confident.
+    let weak = interpreted(&Script {
+        press: |place| {
+            if place.x.abs() < 0.12 {
+                0.6 * PRESS
+            } else {
+                PRESS
+            }
+        },
+        ..Script::default()
+    });
+    let plane = weak.plane.unwrap();
+    assert!(plane.inliers <= plane.confident, "{plane:?}");
+    assert_eq!(plane.directions, 2);
+    let strokes = Script::default().strokes;
+    let line = interpreted(&Script {
+        strokes: vec![strokes[1]],
+        ..Script::default()
+    });
+    assert_eq!(line.plane.unwrap().directions, 1);
+    let spot = [Point2::new(0.0, 0.0), Point2::new(0.01, 0.0)];
+    let spot = interpreted(&Script {
+        strokes: vec![spot; 4],
+        ..Script::default()
+    });
+    assert_eq!(spot.plane.unwrap().directions, 0);
 }

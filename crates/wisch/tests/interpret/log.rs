@@ -88,6 +88,8 @@ pub struct Script {
     pub force_lag: f64,
     /// Sticking and slipping on the strokes [Hz].
     pub stick_slip: f64,
+    /// When the robot stands still on its way [s].
+    pub rests: Vec<[f64; 2]>,
 }
 
 impl Default for Script {
@@ -105,6 +107,7 @@ impl Default for Script {
             rate: 1000.0,
             force_lag: 0.0,
             stick_slip: 0.0,
+            rests: vec![],
         }
     }
 }
@@ -141,6 +144,12 @@ impl Script {
         contacts
     }
 
+    /// For how long the robot has moved at a time [s].
+    fn moved(&self, time: f64) -> f64 {
+        let rested = |[start, end]: &[f64; 2]| (time.min(*end) - start).max(0.0);
+        time - self.rests.iter().map(rested).sum::<f64>()
+    }
+
     /// The log.
     pub fn samples(&self, task: &Task) -> Vec<TouchSample> {
         let mut random = ChaCha8Rng::seed_from_u64(11);
@@ -163,12 +172,16 @@ impl Script {
                 Vector2::zeros()
             };
             let wipes = from.z == 0.0 && to.z == 0.0;
-            while f64::from(index) / self.rate <= begin + duration {
+            loop {
                 let time = f64::from(index) / self.rate;
-                let mut along = (time - begin) / duration;
+                let moved = self.moved(time);
+                if moved > begin + duration {
+                    break;
+                }
+                let mut along = (moved - begin) / duration;
                 let mut friction = FRICTION;
                 if wipes && self.stick_slip > 0.0 {
-                    let phase = std::f64::consts::TAU * self.stick_slip * (time - begin);
+                    let phase = std::f64::consts::TAU * self.stick_slip * (moved - begin);
                     along -= phase.sin() / (std::f64::consts::TAU * self.stick_slip * duration);
                     friction *= 1.0 + 0.3 * phase.cos();
                 }

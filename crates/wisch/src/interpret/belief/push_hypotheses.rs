@@ -11,7 +11,7 @@ use crate::interpret::config::InterpretConfig;
 use crate::interpret::contact::{
     ContactMotion, NormalizedForce, PathPiece, Touch, contact_motions,
 };
-use crate::interpret::events::{Event, EventKind};
+use crate::interpret::events::Event;
 use crate::random::normal;
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
@@ -197,7 +197,7 @@ fn is_pushed(path: &[PathPiece], events: &[Event]) -> Vec<bool> {
 }
 
 fn pushes(events: &[Event]) -> impl Iterator<Item = &Event> {
-    (events.iter()).filter(|event| event.kind == EventKind::Collision)
+    (events.iter()).filter(|event| event.kind.is_by_hand())
 }
 
 /// The pieces between two times [s].

@@ -61,7 +61,7 @@ impl ContactClassifier<'_> {
         let plane = fit_plane(&confident, &config.plane, config.seed).map(|fit| {
             let touching = touching_points(pieces, bias.z, TOUCHING_SHARE, config);
             let fit = widened(fit, &confident, &touching, config);
-            let described = describe(&fit, confident.len(), self.surface);
+            let described = describe(&fit, &confident, self.surface, config);
             (fit, described)
         });
         let fit = plane.as_ref().map(|(fit, _)| fit);
@@ -117,7 +117,12 @@ impl ContactClassifier<'_> {
             ToolCompliance::Rigid => 0.0,
             ToolCompliance::Spring { uncertainty, .. } => uncertainty * spring_back.abs(),
         };
-        let clearance = height + spring_back;
+        // Pressed harder than nominally, it may also give way no further: a sponge bottoms out.
+        let clearance = if spring_back > 0.0 {
+            height.max(0.0) + (height + spring_back).min(0.0)
+        } else {
+            height + spring_back
+        };
         let off = clearance.abs() - self.config.plane.inlier_distance_m - doubt;
         if clearance < 0.0 && off > 0.0 {
             off - self.config.nominal_compression() * (1.0 / self.support(place) - 1.0)
@@ -222,14 +227,15 @@ fn widened(
     let Some(wide) = fit_plane(touching, &config.plane, config.seed) else {
         return first;
     };
-    let is_near = |plane: &PlaneFit, point: &Point3| {
-        plane.distance(*point).abs() <= config.plane.inlier_distance_m
-    };
-    let ours = confident.iter().filter(|point| is_near(&first, point));
+    let ours = (confident.iter()).filter(|point| is_on(&first, point, config));
     let (count, shared) = ours.fold((0_usize, 0_usize), |(count, shared), point| {
-        (count + 1, shared + usize::from(is_near(&wide, point)))
+        (count + 1, shared + usize::from(is_on(&wide, point, config)))
     });
     if 2 * shared >= count { wide } else { first }
+}
+
+fn is_on(plane: &PlaneFit, point: &Point3, config: &InterpretConfig) -> bool {
+    plane.distance(*point).abs() <= config.plane.inlier_distance_m
 }
 
 /// Where the underside touches with at least this f′ (10), in the frame of the believed surface.
@@ -269,7 +275,12 @@ pub(in crate::interpret) fn middle(surface: &Surface) -> Point2 {
     Bounds2::of(outline).map_or_else(Point2::origin, |bounds| bounds.center())
 }
 
-fn describe(fit: &PlaneFit, confident: usize, surface: &Surface) -> FittedPlane {
+fn describe(
+    fit: &PlaneFit,
+    confident: &[Point3],
+    surface: &Surface,
+    config: &InterpretConfig,
+) -> FittedPlane {
     let middle: Vector2 = middle(surface).coords;
     let offset = fit.height_at(middle);
     FittedPlane {
@@ -277,8 +288,11 @@ fn describe(fit: &PlaneFit, confident: usize, surface: &Surface) -> FittedPlane 
         normal: fit.normal(),
         tilt: fit.tilt(),
         offset,
-        inliers: fit.inliers,
-        confident,
+        directions: fit.directions,
+        inliers: (confident.iter())
+            .filter(|point| is_on(fit, point, config))
+            .count(),
+        confident: confident.len(),
         rms: fit.rms,
     }
 }

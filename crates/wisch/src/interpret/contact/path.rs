@@ -64,6 +64,13 @@ pub struct PathPiece {
     pub touch: Touch,
 }
 
+impl PathPiece {
+    /// Whether the tool was on the fitted plane.
+    pub const fn is_on_plane(&self) -> bool {
+        matches!(self.touch, Touch::Weak | Touch::Confident)
+    }
+}
+
 /// The plane of confident contacts (11), in the frame of the believed surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FittedPlane {
@@ -75,10 +82,13 @@ pub struct FittedPlane {
     pub tilt: f64,
     /// Signed height of `point` over the believed surface [m].
     pub offset: f64,
-    /// Confident positions that it was fitted to.
+    /// In how many directions along the surface the contacts spread far enough to tell a tilt: 2 tell it, 1 tells it
+    /// along their line only, 0 not at all. Where nothing tells it, it counts as none.
+    pub directions: usize,
+    /// Confident positions on it.
     pub inliers: usize,
     /// Confident positions in all.
     pub confident: usize,
-    /// Root mean square distance of the inliers [m].
+    /// Root mean square distance of the contacts that it was fitted to, weaker ones included [m].
     pub rms: f64,
 }

@@ -25,6 +25,8 @@ pub struct PlaneFit {
     pub inliers: usize,
     /// Root mean square distance of the inliers [m].
     pub rms: f64,
+    /// In how many directions the inliers spread far enough to tell the slope; it is 0 in the others.
+    pub directions: usize,
 }
 
 impl PlaneFit {
@@ -142,6 +144,7 @@ fn through(points: &[Point3; 3], axes: &[Vector2], cone: f64) -> Option<PlaneFit
         slope,
         inliers: 0,
         rms: 0.0,
+        directions: axes.len(),
     })
 }
 
@@ -256,20 +259,18 @@ impl Spread {
     /// The plane of least squares in z; level along directions over which the points do not spread.
     fn least_squares(&self, min_spread: f64) -> PlaneFit {
         let (mean, [xx, xy, yy, xz, yz]) = self.central();
-        let slope = self
-            .axes(min_spread)
-            .iter()
-            .fold(Vector2::zeros(), |slope, axis| {
-                let variance =
-                    axis.x * axis.x * xx + 2.0 * axis.x * axis.y * xy + axis.y * axis.y * yy;
-                slope + axis * ((axis.x * xz + axis.y * yz) / variance)
-            });
+        let axes = self.axes(min_spread);
+        let slope = axes.iter().fold(Vector2::zeros(), |slope, axis| {
+            let variance = axis.x * axis.x * xx + 2.0 * axis.x * axis.y * xy + axis.y * axis.y * yy;
+            slope + axis * ((axis.x * xz + axis.y * yz) / variance)
+        });
         let center = self.first + mean;
         PlaneFit {
             height: center.z - slope.dot(&center.coords.xy()),
             slope,
             inliers: 0,
             rms: 0.0,
+            directions: axes.len(),
         }
     }
 }

@@ -3,6 +3,9 @@
 use super::detector::{Candidate, EventDetector, Level, level};
 use super::event::{Event, EventKind};
 
+/// Travel over a twentieth of a second below which a tool stands [m]; beyond what positions are off by.
+const STANDING: f64 = 1e-3;
+
 impl EventDetector<'_> {
     /// Contacts, by start.
     pub(super) fn contacts(&self) -> Vec<Event> {
@@ -12,12 +15,17 @@ impl EventDetector<'_> {
             .collect()
     }
 
-    /// Losses of contact over some way, by start.
-    pub(super) fn losses(&self) -> Vec<Event> {
+    /// Losses of contact over some way, and of a tool that stands in the midst of a stroke, by start. `contacts` are
+    /// in their order.
+    pub(super) fn losses(&self, contacts: &[Event]) -> Vec<Event> {
         let losses = self.candidates(|i| self.loss(i), |_| self.config.events.bridge_s);
+        let strokes = self.strokes(contacts);
+        let events = &self.config.events;
         let is_long = |loss: &&Candidate| {
             let travel = self.path[loss.last].position - self.path[loss.first].position;
-            travel.xy().norm() >= self.config.events.loss_travel_m
+            let is_around = |[first, last]: &[usize; 2]| *first < loss.first && loss.last < *last;
+            travel.xy().norm() >= events.loss_travel_m
+                || (self.duration(loss) >= events.loss_rest_s && strokes.iter().any(is_around))
         };
         (losses.iter().filter(is_long))
             .map(|loss| self.described(EventKind::ContactLoss, loss.first, loss.last))
@@ -47,12 +55,13 @@ impl EventDetector<'_> {
         level(on_plane && share >= end, on_plane && share >= begin)
     }
 
-    /// Over the surface and near it, moving along it, without force.
+    /// Over the surface and near it, moving along it or standing, without force.
     fn loss(&self, i: usize) -> Level {
         let without_force = self.path[i].normalized_force < self.config.events.contact_share[0]
-            && !self.is_pushed(i);
+            && !self.is_disturbed(i);
         let lost = self.has_plane && without_force && self.is_near(i);
         let [rise, along] = self.travel(i);
-        level(lost, lost && along > 2.0 * rise)
+        let is_standing = along.max(rise) < STANDING;
+        level(lost, lost && (along > 2.0 * rise || is_standing))
     }
 }

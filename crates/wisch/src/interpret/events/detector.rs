@@ -4,13 +4,17 @@
 //! reaches as far as the lower one is passed, short interruptions included.
 
 use super::event::{Event, EventKind};
-use crate::geometry::Vector3;
+use crate::geometry::{PlanarPose, Region, Vector3};
 use crate::interpret::config::InterpretConfig;
 use crate::interpret::contact::{ClassifiedPath, MeasuredPiece, PathPiece, Touch};
 use crate::represent::Surface;
 
 /// Confident pieces from which on a log shows its own friction: half a second.
 const LEAST_CONTACTS: usize = 50;
+
+/// How much nearer to the surface's border than it looks a tool may be [m]: grasped with care, on a surface that was
+/// localised with care.
+const BORDER: f64 = 5e-3;
 
 /// Detects events in a log; all lists are as long.
 #[derive(Debug)]
@@ -20,6 +24,7 @@ pub(in crate::interpret) struct EventDetector<'a> {
     pub(super) path: &'a [PathPiece],
     pub(super) off: &'a [f64],
     surface: &'a Surface,
+    footprint: &'a Region,
     /// Travel along the surface up to each piece [m].
     pub(super) way: Vec<f64>,
     pub(super) has_plane: bool,
@@ -51,6 +56,7 @@ impl<'a> EventDetector<'a> {
         pieces: &'a [MeasuredPiece],
         classified: &'a ClassifiedPath,
         surface: &'a Surface,
+        footprint: &'a Region,
         config: &'a InterpretConfig,
     ) -> Self {
         let path = &classified.path;
@@ -65,6 +71,7 @@ impl<'a> EventDetector<'a> {
             path,
             off: &classified.off,
             surface,
+            footprint,
             way: steps
                 .scan(0.0, |way, step| {
                     *way += step;
@@ -92,7 +99,7 @@ impl<'a> EventDetector<'a> {
     }
 
     pub(super) fn is_on_plane(&self, i: usize) -> bool {
-        matches!(self.path[i].touch, Touch::Weak | Touch::Confident)
+        self.path[i].is_on_plane()
     }
 
     pub(super) fn is_touching(&self, i: usize) -> bool {
@@ -103,6 +110,17 @@ impl<'a> EventDetector<'a> {
         let piece = &self.path[i];
         piece.height.abs() <= self.config.events.near_height_m
             && self.surface.outline.contains(piece.position.xy())
+    }
+
+    /// Whether the tool at a piece reaches over the surface's border, where it may tip and sink.
+    pub(super) fn overhangs(&self, i: usize) -> bool {
+        let piece = &self.path[i];
+        let outline = &self.surface.outline;
+        let tool = PlanarPose::new(piece.position.xy(), piece.heading);
+        self.footprint.edges().any(|side| {
+            let corner = tool.transform(side.start);
+            !outline.contains(corner) || outline.edges().any(|edge| edge.distance(corner) < BORDER)
+        })
     }
 
     /// Travel across and along the surface over a piece and its neighbours [m].
@@ -161,6 +179,11 @@ impl<'a> EventDetector<'a> {
         candidates.extend(candidate);
         candidates.retain(|candidate| candidate.strong >= self.config.events.min_duration_s);
         candidates
+    }
+
+    /// How long a candidate lasts [s].
+    pub(super) fn duration(&self, candidate: &Candidate) -> f64 {
+        self.span(candidate.last)[1] - self.span(candidate.first)[0]
     }
 
     /// The evidence of pieces `first` to `last`.

@@ -7,8 +7,16 @@ pub enum EventKind {
     Contact,
     /// Between contacts of one stroke, the tool lost the surface.
     ContactLoss,
-    /// Something pushed the tool off the plane or along it, with forces that are not those of wiping.
+    /// Somebody pushed the tool off the plane or along it, or held it in free motion.
     Collision,
+    /// Somebody led the tool by hand: for longer than a push lasts, or for most of the log.
+    HandGuiding,
+    /// The tool came down on the surface harder than it wipes.
+    Landing,
+    /// On the surface, the tool was pressed on much harder than asked for.
+    Overload,
+    /// The tool shook: a force that swings about nothing, as of a long tool that was just lifted.
+    Vibration,
     /// The tool stuck and slipped.
     StickSlip,
     /// Phase: the tool came to the surface for the first time.
@@ -22,6 +30,45 @@ pub enum EventKind {
 }
 
 impl EventKind {
+    /// All of them, those of the contact first and the phases last.
+    pub const ALL: [Self; 12] = [
+        Self::Contact,
+        Self::ContactLoss,
+        Self::Collision,
+        Self::HandGuiding,
+        Self::Landing,
+        Self::Overload,
+        Self::Vibration,
+        Self::StickSlip,
+        Self::Approach,
+        Self::Stroke,
+        Self::Lift,
+        Self::Retreat,
+    ];
+
+    /// Its name in records.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Contact => "contact",
+            Self::ContactLoss => "contact_loss",
+            Self::Collision => "collision",
+            Self::HandGuiding => "hand_guiding",
+            Self::Landing => "landing",
+            Self::Overload => "overload",
+            Self::Vibration => "vibration",
+            Self::StickSlip => "stick_slip",
+            Self::Approach => "approach",
+            Self::Stroke => "stroke",
+            Self::Lift => "lift",
+            Self::Retreat => "retreat",
+        }
+    }
+
+    /// Whether a person's hand is at the tool meanwhile, so that what is felt is the hand's as much as the surface's.
+    pub const fn is_by_hand(self) -> bool {
+        matches!(self, Self::Collision | Self::HandGuiding)
+    }
+
     /// Whether it tells what the tool was about; such events follow one another over all of the log.
     ///
     /// ```
@@ -33,7 +80,14 @@ impl EventKind {
     pub const fn is_phase(self) -> bool {
         match self {
             Self::Approach | Self::Stroke | Self::Lift | Self::Retreat => true,
-            Self::Contact | Self::ContactLoss | Self::Collision | Self::StickSlip => false,
+            Self::Contact
+            | Self::ContactLoss
+            | Self::Collision
+            | Self::HandGuiding
+            | Self::Landing
+            | Self::Overload
+            | Self::Vibration
+            | Self::StickSlip => false,
         }
     }
 }

@@ -1,8 +1,8 @@
-//! What happened during a log: contacts, losses of contact, pushes, stick-slip and phases.
+//! What happened during a log: contacts, losses of contact, what else acted on the tool, stick-slip and phases.
 
-mod collisions;
 mod contacts;
 mod detector;
+mod disturbances;
 mod event;
 mod phases;
 mod stick_slip;
@@ -14,13 +14,14 @@ impl EventDetector<'_> {
     /// All events, by start.
     pub(super) fn events(&self) -> Vec<Event> {
         let mut events = self.contacts();
+        let losses = self.losses(&events);
         events.extend(self.phases(&events));
-        let collisions = self.collisions();
-        // What a push takes from the surface is the push's, not a loss.
-        events.extend(self.losses().into_iter().filter(|loss| {
-            !(collisions.iter()).any(|push| loss.start < push.end && push.start < loss.end)
+        let disturbances = self.disturbances();
+        // What a push takes from the surface is the push's, and a tool that lands may bounce: neither is a loss.
+        events.extend(losses.into_iter().filter(|loss| {
+            !(disturbances.iter()).any(|other| loss.start < other.end && other.start < loss.end)
         }));
-        events.extend(collisions);
+        events.extend(disturbances);
         events.extend(self.stick_slips());
         events.sort_by(|a, b| a.start.total_cmp(&b.start).then(a.kind.cmp(&b.kind)));
         events

@@ -30,7 +30,7 @@ impl EventDetector<'_> {
     }
 
     /// First and last piece of each stroke: contacts between which the tool stayed near the surface are one.
-    fn strokes(&self, contacts: &[Event]) -> Vec<[usize; 2]> {
+    pub(super) fn strokes(&self, contacts: &[Event]) -> Vec<[usize; 2]> {
         let mut strokes: Vec<[usize; 2]> = Vec::new();
         for contact in contacts {
             let from = (self.path).partition_point(|piece| piece.time[1] < contact.start);

@@ -11,4 +11,4 @@ pub use check::{MAX_DEPTH, check};
 pub use collision::{Collision, MAX_MESH_EXTENT, Shape};
 pub use diagnostics::{Diagnostic, DiagnosticKind, Severity, Subject};
 pub use srdf::{DisabledPair, Group, GroupState, Ignored, Srdf};
-pub use urdf::{MAX_LINKS, MAX_SHAPES, MAX_URDF_BYTES};
+pub use urdf::{FixedJoint, MAX_LINKS, MAX_SHAPES, MAX_URDF_BYTES, fixed_joints};

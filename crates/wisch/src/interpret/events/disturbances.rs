@@ -1,4 +1,4 @@
-//! Somebody or something is in the way of the tool.
+//! What acts on the tool beside wiping: people, and what the robot does to itself as it lands, presses and lifts.
 
 use super::detector::{Candidate, EventDetector, Level, level};
 use super::event::{Event, EventKind};
@@ -13,26 +13,63 @@ const SWING: f64 = 0.2;
 /// long such a blow lasts at most [s].
 const TOUCHDOWN: [f64; 2] = [0.1, 0.3];
 
+/// Together, pushes for more than this share of a log are somebody who leads the tool [1].
+const GUIDED_SHARE: f64 = 0.5;
+
 impl EventDetector<'_> {
-    /// Pushes: without what only swings, without the tool's own landings, and each as one.
-    pub(super) fn collisions(&self) -> Vec<Event> {
-        let candidates = self.candidates(|i| self.collision(i), |i| self.push_bridge(i));
+    /// Pushes, guiding by hand, landings, overloads and vibrations, by start; each push as one.
+    pub(super) fn disturbances(&self) -> Vec<Event> {
+        let candidates = self.candidates(|i| self.disturbed(i), |i| self.push_bridge(i));
         let mut pushes: Vec<Candidate> = Vec::new();
-        let candidates = candidates.into_iter();
-        for candidate in candidates
-            .filter(|candidate| self.is_steady(candidate) && !self.is_touchdown(candidate))
-        {
+        let mut others: Vec<(EventKind, Candidate)> = Vec::new();
+        for candidate in candidates {
+            let kind = self.cause(&candidate, pushes.last());
             match pushes.last_mut() {
-                Some(before) if self.is_landing(before, &candidate) => {}
+                _ if kind != EventKind::Collision => others.push((kind, candidate)),
                 Some(before) if self.gap(before, &candidate) <= self.config.events.push_gap_s => {
                     before.last = candidate.last;
                 }
                 _ => pushes.push(candidate),
             }
         }
-        (pushes.iter())
-            .map(|candidate| self.described(EventKind::Collision, candidate.first, candidate.last))
+        let is_led = self.is_led(&pushes);
+        let by_hand = pushes.into_iter().map(|push| {
+            let is_long = self.duration(&push) > self.config.events.guiding_s;
+            let kind = if is_led || is_long {
+                EventKind::HandGuiding
+            } else {
+                EventKind::Collision
+            };
+            (kind, push)
+        });
+        let mut told: Vec<_> = by_hand.chain(others).collect();
+        told.sort_by_key(|(_, candidate)| candidate.first);
+        (told.iter())
+            .map(|(kind, candidate)| self.described(*kind, candidate.first, candidate.last))
             .collect()
+    }
+
+    /// What a candidate is, the last push before it being this one: a push, unless the robot does it to itself.
+    fn cause(&self, candidate: &Candidate, before: Option<&Candidate>) -> EventKind {
+        if !self.is_steady(candidate) {
+            EventKind::Vibration
+        } else if self.is_touchdown(candidate)
+            || before.is_some_and(|push| self.is_landing(push, candidate))
+        {
+            EventKind::Landing
+        } else if self.is_overload(candidate) {
+            EventKind::Overload
+        } else {
+            EventKind::Collision
+        }
+    }
+
+    /// Whether pushes make up most of the log.
+    fn is_led(&self, pushes: &[Candidate]) -> bool {
+        let pushed: f64 = pushes.iter().map(|push| self.duration(push)).sum();
+        let ends = (self.path.first().zip(self.path.last()))
+            .map(|(first, last)| last.time[1] - first.time[0]);
+        ends.is_some_and(|all| pushed > GUIDED_SHARE * all && pushed > self.config.events.guiding_s)
     }
 
     /// Time from the end of one candidate to the beginning of the next [s].
@@ -49,12 +86,27 @@ impl EventDetector<'_> {
     /// Whether a candidate is a blow as the tool comes down on the surface.
     fn is_touchdown(&self, candidate: &Candidate) -> bool {
         let [before, longest] = TOUCHDOWN;
-        let [start, end] = [self.span(candidate.first)[0], self.span(candidate.last)[1]];
+        let start = self.span(candidate.first)[0];
         let earlier = (0..candidate.first).rev();
         let mut earlier = earlier.take_while(|&i| self.span(i)[1] >= start - before);
-        end - start <= longest
+        self.duration(candidate) <= longest
             && self.is_pressed(candidate)
             && earlier.any(|i| !self.is_touching(i))
+    }
+
+    /// Whether a candidate is a tool that is pressed on the surface too hard, by whatever presses it: it gives way as
+    /// far as this force makes it, and is not drawn along.
+    fn is_overload(&self, candidate: &Candidate) -> bool {
+        let (mut pressed, mut other) = (0.0, 0.0);
+        for i in candidate.first..=candidate.last {
+            let [start, end] = self.span(i);
+            if self.shoved(i).max(self.handled(i)).max(self.off_plane(i)) == Level::Strong {
+                other += end - start;
+            } else if self.overloaded(i) == Level::Strong {
+                pressed += end - start;
+            }
+        }
+        pressed > other
     }
 
     /// Whether in a candidate it is the surface that presses rather than somebody who draws.
@@ -88,11 +140,11 @@ impl EventDetector<'_> {
         acting + net.norm() >= LEAST_STEADINESS * all
     }
 
-    pub(super) fn is_pushed(&self, i: usize) -> bool {
-        self.collision(i) != Level::Below
+    pub(super) fn is_disturbed(&self, i: usize) -> bool {
+        self.disturbed(i) != Level::Below
     }
 
-    fn collision(&self, i: usize) -> Level {
+    fn disturbed(&self, i: usize) -> Level {
         self.off_plane(i)
             .max(self.shoved(i))
             .max(self.overloaded(i))
@@ -101,7 +153,9 @@ impl EventDetector<'_> {
 
     /// Off the plane with a force like that of contact (Fig. 18).
     fn off_plane(&self, i: usize) -> Level {
-        if !self.has_plane {
+        // Over an edge a tool tips and sinks by itself.
+        let is_sunk = || self.path[i].height < 0.0 && self.overhangs(i);
+        if !self.has_plane || self.off[i] <= 0.0 || is_sunk() {
             return Level::Below;
         }
         let events = &self.config.events;

@@ -1,0 +1,215 @@
+//! Which frame is where in which other, by the transforms of a log and the fixed joints of a robot.
+
+use super::quantity::Quantity;
+use super::ros2::NANOSECONDS_PER_SECOND;
+use std::collections::{BTreeMap, BTreeSet};
+use wisch::geometry::Pose;
+
+/// Frames and their parents.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Frames {
+    /// By child.
+    links: BTreeMap<String, Link>,
+}
+
+/// A frame in its parent.
+#[derive(Debug, Clone)]
+struct Link {
+    parent: String,
+    is_static: bool,
+    /// Times [ns] and poses of the child in the parent.
+    entries: Vec<(i64, Pose)>,
+}
+
+/// A way from one frame to another: up from the one, and up from the other, to a frame that both are in.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Chain<'a> {
+    from: Vec<&'a Link>,
+    to: Vec<&'a Link>,
+}
+
+/// A frame's name as tf compares them: older ones begin with a slash.
+fn plain(frame: &str) -> &str {
+    frame.trim_start_matches('/')
+}
+
+impl Frames {
+    /// Takes a transform in: `child` in `parent` at a time [ns], or for good.
+    pub fn insert(&mut self, parent: &str, child: &str, time: i64, pose: Pose, is_static: bool) {
+        let link = (self.links)
+            .entry(plain(child).to_owned())
+            .or_insert_with(|| Link {
+                parent: plain(parent).to_owned(),
+                is_static,
+                entries: Vec::new(),
+            });
+        // Of two parents the first one said holds; the tree of a log must stay one.
+        if link.parent == plain(parent) {
+            link.is_static &= is_static;
+            link.entries.push((time, pose));
+        }
+    }
+
+    /// Puts everything into the order of time.
+    pub fn sort(&mut self) {
+        for link in self.links.values_mut() {
+            link.entries.sort_by_key(|entry| entry.0);
+        }
+    }
+
+    /// Whether a frame is told of at all.
+    pub fn knows(&self, frame: &str) -> bool {
+        let frame = plain(frame);
+        self.links.contains_key(frame) || self.links.values().any(|link| link.parent == frame)
+    }
+
+    /// All names.
+    pub fn names(&self) -> BTreeSet<&str> {
+        let pairs = self.links.iter();
+        pairs
+            .flat_map(|(child, link)| [child.as_str(), link.parent.as_str()])
+            .collect()
+    }
+
+    /// The frame that a child is in.
+    pub fn parent(&self, child: &str) -> Option<&str> {
+        (self.links.get(plain(child))).map(|link| link.parent.as_str())
+    }
+
+    /// The frames above one that it never moves in, the outermost last; nothing where it moves or is in none.
+    pub fn rigid_root<'a>(&'a self, frame: &'a str) -> Option<&'a str> {
+        let above = self.above(plain(frame));
+        let rigid = above.iter().take_while(|(_, link)| link.is_static);
+        rigid.last().map(|(_, link)| link.parent.as_str())
+    }
+
+    /// The way from a frame to another, if there is one.
+    pub fn between<'a>(&'a self, to: &'a str, from: &'a str) -> Option<Chain<'a>> {
+        let (to, from) = (plain(to), plain(from));
+        let ([up, down], names) = ([from, to].map(|frame| self.above(frame)), [from, to]);
+        let place = |chain: &[(&str, &Link)], own: &str, name: &str| {
+            if own == name {
+                return Some(0);
+            }
+            let found = chain.iter().position(|(_, link)| link.parent == name);
+            found.map(|index| index + 1)
+        };
+        // Up from the one until a frame that the other is in.
+        let candidates =
+            std::iter::once(from).chain(up.iter().map(|(_, link)| link.parent.as_str()));
+        for (steps, name) in candidates.enumerate() {
+            if let Some(others) = place(&down, names[1], name) {
+                let links = |chain: &[(&'a str, &'a Link)], count: usize| {
+                    chain[..count].iter().map(|(_, link)| *link).collect()
+                };
+                return Some(Chain {
+                    from: links(&up, steps),
+                    to: links(&down, others),
+                });
+            }
+        }
+        None
+    }
+
+    /// The links above a frame, the nearest first; a circle ends where it closes.
+    fn above<'a>(&'a self, frame: &'a str) -> Vec<(&'a str, &'a Link)> {
+        let mut seen = BTreeSet::from([frame]);
+        let mut chain = Vec::new();
+        let mut at = frame;
+        while let Some(link) = self.links.get(at) {
+            chain.push((at, link));
+            if !seen.insert(&link.parent) {
+                break;
+            }
+            at = &link.parent;
+        }
+        chain
+    }
+}
+
+impl Chain<'_> {
+    /// The one frame in the other at a time [ns]; `None` where a transform on the way is not known then: more than
+    /// `max_gap` [s] between its times.
+    pub fn at(&self, time: i64, max_gap: f64) -> Option<Pose> {
+        let along = |links: &[&Link]| {
+            links.iter().try_fold(Pose::identity(), |pose, link| {
+                Some(link.at(time, max_gap)? * pose)
+            })
+        };
+        Some(along(&self.to)?.inverse() * along(&self.from)?)
+    }
+}
+
+impl Link {
+    fn at(&self, time: i64, max_gap: f64) -> Option<Pose> {
+        if self.is_static {
+            return self.entries.last().map(|entry| entry.1);
+        }
+        let near = |a: i64, b: i64| a.abs_diff(b) as f64 / NANOSECONDS_PER_SECOND as f64 <= max_gap;
+        let after = self.entries.partition_point(|entry| entry.0 < time);
+        let before = after.checked_sub(1).map(|index| &self.entries[index]);
+        match (before, self.entries.get(after)) {
+            (_, Some((end, pose))) if *end == time => Some(*pose),
+            (Some((start, from)), Some((end, to))) => {
+                let share = time.abs_diff(*start) as f64 / end.abs_diff(*start) as f64;
+                near(*start, *end).then(|| from.between(to, share))
+            }
+            (Some((end, pose)), None) | (None, Some((end, pose))) => {
+                near(*end, time).then_some(*pose)
+            }
+            (None, None) => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use wisch::geometry::Vector3;
+
+    fn close(a: Pose, b: Pose) {
+        let apart = a.inverse() * b;
+        assert!(
+            apart.translation.vector.norm() < 1e-9 && apart.rotation.angle() < 1e-9,
+            "{a} {b}"
+        );
+    }
+
+    #[test]
+    fn frames_are_found_up_and_down_the_tree() {
+        let turned =
+            |x: f64, angle: f64| Pose::new(Vector3::new(x, 0.0, 0.0), Vector3::z() * angle);
+        let mut frames = Frames::default();
+        frames.insert("world", "base", 0, turned(1.0, 0.5), true);
+        frames.insert("/base", "/flange", 20, turned(0.4, 0.2), false);
+        frames.insert("base", "flange", 0, turned(0.2, 0.2), false);
+        frames.insert("flange", "sensor", 0, turned(0.0, 1.0), true);
+        frames.insert("flange", "tool", 0, turned(0.1, 0.0), true);
+        frames.sort();
+        let at = |to: &str, from: &str, time| frames.between(to, from)?.at(time, 1.0);
+        let sensor = turned(1.0, 0.5) * turned(0.3, 0.2) * turned(0.0, 1.0);
+        close(at("world", "sensor", 10).unwrap(), sensor);
+        close(at("sensor", "world", 10).unwrap(), sensor.inverse());
+        close(
+            at("tool", "sensor", 10).unwrap(),
+            turned(-0.1, 0.0) * turned(0.0, 1.0),
+        );
+        close(at("tool", "tool", 10).unwrap(), Pose::identity());
+        assert!(frames.between("world", "camera").is_none());
+        assert_eq!(frames.rigid_root("sensor"), Some("flange"));
+        assert_eq!(frames.rigid_root("flange"), None);
+        // Known at most a nanosecond before and after.
+        let chain = frames.between("world", "tool").unwrap();
+        assert!(chain.at(21, 1e-9).is_some() && chain.at(22, 1e-9).is_none());
+        assert!(chain.at(10, 1e-9).is_none(), "20 ns lie between its times");
+    }
+
+    #[test]
+    fn a_circle_of_frames_ends() {
+        let mut frames = Frames::default();
+        frames.insert("a", "b", 0, Pose::identity(), true);
+        frames.insert("b", "a", 0, Pose::identity(), true);
+        assert!(frames.between("world", "b").is_none());
+        assert!(frames.between("a", "b").is_some());
+    }
+}
