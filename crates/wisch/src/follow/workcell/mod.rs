@@ -7,10 +7,12 @@ pub(super) mod second_arm;
 pub use group::{PlanarBase, PlanningGroup};
 pub use second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE, SecondArm};
 
-use crate::follow::{FollowError, JointLimit, JointLimits, ToolPose};
+use crate::follow::{FollowError, FollowerLimit, JointLimit, JointLimits, ToolPose};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::represent::{SceneObject, ScenePart, Task};
-use crate::robot::{CollisionModel, IkConfig, IkSolver, JointKind, LinkId, RobotModel, Srdf};
+use crate::robot::{
+    CollisionModel, IkConfig, IkSolver, Joint, JointKind, LinkId, RobotModel, Srdf,
+};
 use grasp::{relaxed, tip_from_tool, without_rim};
 use group::{READY_STATE, hand_and_holder, planar_base, put_in, standing_links};
 use nalgebra::{Translation3, UnitQuaternion};
@@ -300,7 +302,8 @@ impl Workcell {
         }
     }
 
-    /// Position, velocity and acceleration limits of all n variables, in the order of the robot's.
+    /// Position, velocity and acceleration limits of all n variables, in the order of the robot's, and of the
+    /// joints that follow them.
     pub const fn limits(&self) -> &JointLimits {
         &self.limits
     }
@@ -411,24 +414,42 @@ fn unlike(robot: &RobotModel, name: &str) -> String {
 }
 
 fn limits(robot: &RobotModel) -> Result<JointLimits, FollowError> {
-    let limit = |i: usize| {
+    let of_variable = |i: usize| {
         let joint = robot.variable(i);
-        let (lower, upper) = (joint.limits.position)
-            .map_or((f64::NEG_INFINITY, f64::INFINITY), |range| {
-                (range.lower, range.upper)
-            });
         // The paper's, where the URDF gives none.
         let usual = match joint.kind {
             JointKind::Prismatic => JointLimit::base(&joint.name),
-            _ => JointLimit::arm(&joint.name, lower, upper),
+            _ => JointLimit::arm(&joint.name, f64::NEG_INFINITY, f64::INFINITY),
         };
-        JointLimit {
-            lower,
-            upper,
-            velocity: joint.limits.velocity.unwrap_or(usual.velocity),
-            acceleration: joint.limits.acceleration.unwrap_or(usual.acceleration),
-            ..usual
-        }
+        limit(joint, [usual.velocity, usual.acceleration])
     };
-    Ok(JointLimits::new((0..robot.dof()).map(limit).collect())?)
+    let variables: Vec<JointLimit> = (0..robot.dof()).map(of_variable).collect();
+    let follower = |joint: &Joint| {
+        // Without limits of its own it has those of what it follows.
+        let drive = joint.drive.clone();
+        let sum = |of: fn(&JointLimit) -> f64| -> f64 {
+            let terms = drive.terms.iter();
+            terms
+                .map(|&(i, factor)| factor.abs() * of(&variables[i]))
+                .sum()
+        };
+        let most = [sum(|limit| limit.velocity), sum(|limit| limit.acceleration)];
+        let limit = limit(joint, most);
+        FollowerLimit { limit, drive }
+    };
+    let moved = |joint: &&Joint| joint.drive.terms.iter().any(|&(_, factor)| factor != 0.0);
+    let followers = robot.followers().filter(moved).map(follower).collect();
+    Ok(JointLimits::new(variables)?.with_followers(followers)?)
+}
+
+/// The limits of a joint, with these of velocity and acceleration where it has none.
+fn limit(joint: &Joint, [velocity, acceleration]: [f64; 2]) -> JointLimit {
+    let range = joint.limits.position;
+    JointLimit {
+        name: joint.name.clone(),
+        lower: range.map_or(f64::NEG_INFINITY, |range| range.lower),
+        upper: range.map_or(f64::INFINITY, |range| range.upper),
+        velocity: joint.limits.velocity.unwrap_or(velocity),
+        acceleration: joint.limits.acceleration.unwrap_or(acceleration),
+    }
 }
