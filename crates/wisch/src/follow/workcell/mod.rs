@@ -16,6 +16,7 @@ use crate::robot::{
 use grasp::{relaxed, tip_from_tool, without_rim};
 use group::{READY_STATE, hand_and_holder, planar_base, put_in, standing_links};
 use nalgebra::{Translation3, UnitQuaternion};
+use std::collections::BTreeSet;
 
 /// How far a base may stand off the plane of its floor before that is an error [m, rad].
 const FLOOR_TOLERANCE: f64 = 1e-6;
@@ -84,7 +85,7 @@ pub struct Workcell {
     arm_collisions: CollisionModel,
     arm_collisions_in_contact: CollisionModel,
     limits: JointLimits,
-    obstacles: Vec<String>,
+    obstacles: BTreeSet<String>,
 }
 
 impl Workcell {
@@ -182,26 +183,31 @@ impl Workcell {
         }
         let on_wheels = base.map_or(vec![], |base| standing_links(&robot, &base));
         let root_from_world = world_from_root.inverse();
-        let mut obstacles = Vec::new();
-        for object in &task.scene {
-            if matches!(object.part, ScenePart::Robot | ScenePart::Tool) {
-                continue;
-            }
-            let name = unlike(&robot, &object.name);
-            let root_from_object = root_from_world * object.world_from_object;
-            for model in [&mut collisions, &mut in_contact, &mut slim] {
-                model.add_obstacle(&name, root_from_object, &object.mesh)?;
-                for link in on_wheels.iter().filter(|_| is_below_floor(object)) {
-                    model.allow(link, &name)?;
+        let standing = (task.scene.iter())
+            .filter(|object| !matches!(object.part, ScenePart::Robot | ScenePart::Tool));
+        let named: Vec<(String, &SceneObject)> = standing
+            .map(|object| (unlike(&robot, &object.name), object))
+            .collect();
+        for model in [&mut collisions, &mut in_contact, &mut slim] {
+            let placed = named.iter().map(|(name, object)| {
+                let root_from_object = root_from_world * object.world_from_object;
+                (name.as_str(), root_from_object, &object.mesh)
+            });
+            model.add_obstacles(placed)?;
+        }
+        for (name, object) in &named {
+            for link in on_wheels.iter().filter(|_| is_below_floor(object)) {
+                for model in [&mut collisions, &mut in_contact, &mut slim] {
+                    model.allow(link, name)?;
                 }
             }
-            slim.allow(&tool, &name)?;
+            slim.allow(&tool, name)?;
             if object.part == ScenePart::Carrier {
-                in_contact.allow(&tool, &name)?;
-                slim.allow(&core, &name)?;
+                in_contact.allow(&tool, name)?;
+                slim.allow(&core, name)?;
             }
-            obstacles.push(name);
         }
+        let obstacles = named.into_iter().map(|(name, _)| name).collect();
         let arm_collisions = collisions.for_variables(&arm_variables);
         let arm_collisions_in_contact = slim.for_variables(&arm_variables);
         let base_variables = base.map_or(vec![], |base| vec![base.x, base.y, base.yaw]);
@@ -310,7 +316,7 @@ impl Workcell {
 
     /// Whether a name in a contact is one of the scene's objects.
     pub(in crate::follow) fn is_obstacle(&self, name: &str) -> bool {
-        self.obstacles.iter().any(|obstacle| obstacle == name)
+        self.obstacles.contains(name)
     }
 
     /// Pose of the tool in the world where it is said to be on the surface.
