@@ -646,4 +646,21 @@ fn a_pipe_that_nobody_writes_into_is_not_waited_for_for_ever() {
         err.contains("pipe.toml: this is a pipe into which nobody wrote"),
         "{err}"
     );
+
+/// 3,000 boxes on a shelf above the board, which no pair by pair comparison gets through.
+#[test]
+fn a_task_with_thousands_of_boxes_is_checked() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut task = fs::read_to_string(crate::program::root().join("scenarios/chopping-board.toml"))
+        .expect("read");
+    for i in 0..3000 {
+        let (x, y) = (0.1 * f64::from(i % 60) - 3.0, 0.1 * f64::from(i / 60) - 2.5);
+        task += &format!(
+            "\n[[scene]]\nname = \"box_{i}\"\nbox_m = [0.02, 0.02, 0.02]\nposition_m = [{x:.2}, {y:.2}, 2.6]\n"
+        );
+    }
+    fs::write(folder.path().join("boxes.toml"), task).expect("written");
+    let (code, out, err) = output(folder.path(), &["check", "boxes.toml"]);
+    assert_eq!(code, 0, "{out}{err}");
+    assert!(out.contains("holds the tool with right_tcp"), "{out}");
 }

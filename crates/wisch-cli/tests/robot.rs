@@ -48,7 +48,8 @@ fn packages_are_resolved_where_they_are_named() {
     let folder = folder_with(ARM);
     let (code, out, err) = check(folder.path(), &["arm.urdf"]);
     assert_eq!(code, 2);
-    assert!(out.contains("add --package rods=DIR"), "{out}");
+    assert_eq!(out.matches("add --package rods=DIR").count(), 1, "{out}");
+    assert!(!out.contains("note "), "{out}");
     assert!(err.contains("no robot can be made of it: 1 error"), "{err}");
 
     let meshes = folder.path().join("elsewhere");
@@ -61,6 +62,7 @@ fn packages_are_resolved_where_they_are_named() {
         out.starts_with("arm: 2 links, 1 joint, 1 variable, 1.0 kg\n"),
         "{out}"
     );
+    assert!(!out.contains("note "), "{out}");
 }
 
 #[test]
@@ -98,4 +100,78 @@ fn what_is_no_urdf_is_an_error() {
     let (code, _, err) = check(folder_with(ARM).path(), &["arn.urdf"]);
     assert_eq!(code, 2);
     assert!(err.contains("did you mean arm.urdf?"), "{err}");
+}
+
+const SRDF: &str = r#"<robot name="arm">
+  <group name="manipulator"><chain base_link="base" tip_link="rod"/></group>
+  <group_state name="ready" group="manipulator"><joint name="pivot" value="0.5"/></group_state>
+  <disable_collisions link1="base" link2="rod" reason="Adjacent"/>
+</robot>"#;
+
+/// The arm without a mesh, and an SRDF beside it.
+fn folder_with_srdf(srdf: &[u8]) -> tempfile::TempDir {
+    let folder = folder_with(&ARM.replace(
+        "<mesh filename=\"package://rods/rod.stl\"/>",
+        "<sphere radius=\"1\"/>",
+    ));
+    fs::write(folder.path().join("arm.srdf"), srdf).expect("written");
+    folder
+}
+
+#[test]
+fn an_srdf_is_checked_with_its_urdf() {
+    let (code, out, err) = check(folder_with_srdf(SRDF.as_bytes()).path(), &["arm.urdf"]);
+    assert_eq!(code, 0, "{out}{err}");
+    assert!(out.contains("with arm.srdf\n"), "{out}");
+    for (text, expected) in [
+        ("garbage".to_owned(), "arm.srdf:1:1: robot: unknown token"),
+        (
+            SRDF.replace("</robot>", ""),
+            "arm.srdf:1:1: robot: the root node was opened but never closed",
+        ),
+        (
+            SRDF.replace("tip_link=\"rod\"", "tip_link=\"rdo\""),
+            "arm.srdf:2:29: robot: unknown link \"rdo\"; nearest: rod",
+        ),
+        (
+            SRDF.replace("0.5", "1.5"),
+            "arm.srdf:3:49: robot: <joint value=\"1.5\">, expected a position within the joint's limits",
+        ),
+    ] {
+        let folder = folder_with_srdf(text.as_bytes());
+        let (code, out, err) = check(folder.path(), &["arm.urdf"]);
+        assert_eq!(code, 2, "{out}{err}");
+        assert!(out.contains(&format!("error    {expected}")), "{out}");
+        assert!(
+            err.contains("arm.srdf: it cannot be used: 1 error"),
+            "{err}"
+        );
+        assert!(!out.contains("nothing is missing"), "{out}");
+    }
+    let (code, _, err) = check(folder_with_srdf(&[0xff, 0xfe, 0]).path(), &["arm.urdf"]);
+    assert_eq!(code, 2);
+    assert!(err.contains("arm.srdf"), "{err}");
+}
+
+#[test]
+fn an_srdf_of_another_robot_is_a_warning_and_what_it_names_are_errors() {
+    let folder = folder_with_srdf(SRDF.replace("name=\"arm\"", "name=\"leg\"").as_bytes());
+    let (code, out, _) = check(folder.path(), &["arm.urdf", "--json"]);
+    assert_eq!(code, 1);
+    let record: Value = serde_json::from_str(&out).expect("one JSON object");
+    assert_eq!(record["srdf"], "arm.srdf");
+    let finding = &record["findings"][0];
+    assert_eq!(finding["severity"], "warning");
+    assert_eq!(finding["fault"], "srdf");
+    assert_eq!(finding["file"], "arm.srdf");
+    assert_eq!(finding["line"], 1);
+    assert_eq!(finding["value"], "the SRDF is of robot \"leg\"");
+
+    let humanoid = root().join("robots").join("humanoid.srdf");
+    let humanoid = humanoid.to_str().expect("a path");
+    let (code, out, _) = check(folder.path(), &["arm.urdf", "--srdf", humanoid]);
+    assert_eq!(code, 2);
+    for name in ["link \"platform\"", "variable joint \"base_x\""] {
+        assert_eq!(out.matches(&format!("unknown {name}")).count(), 1, "{out}");
+    }
 }

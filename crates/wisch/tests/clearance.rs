@@ -1,6 +1,9 @@
 //! Collisions of the shipped robots, and the SRDF files that come with them.
 
 use proptest::prelude::*;
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 use wisch::geometry::{Mesh, Point3, Pose, Vector3};
@@ -624,4 +627,67 @@ proptest! {
             CollisionModel::new(robot, Some(&srdf)).unwrap();
         }
     }
+}
+
+/// The nearest of many obstacles, and contacts on segments, against models of one obstacle each.
+#[test]
+fn many_obstacles_are_as_near_as_each_by_itself() {
+    let (robot, srdf, model) = &*HUMANOID;
+    let many = 600;
+    let mut random = ChaCha8Rng::seed_from_u64(5);
+    let place = |random: &mut ChaCha8Rng| {
+        let [x, y, z] = [0; 3].map(|_| random.random_range(-1.5..1.5));
+        Pose::translation(x, y, z + 1.0)
+    };
+    let names: Vec<String> = (0..many).map(|i| format!("box {i}")).collect();
+    let poses: Vec<Pose> = (0..many).map(|_| place(&mut random)).collect();
+    let mesh = Mesh::cuboid(Vector3::new(0.03, 0.05, 0.02)).unwrap();
+    let objects = names.iter().zip(&poses);
+    let objects = objects.map(|(name, pose)| (name.as_str(), *pose, &mesh));
+    let mut all = model.clone();
+    all.add_obstacles(objects.clone()).unwrap();
+    let alone: Vec<CollisionModel> = objects
+        .map(|(name, pose, mesh)| {
+            let mut alone = model.clone();
+            alone.add_obstacle(name, pose, mesh).unwrap();
+            alone
+        })
+        .collect();
+    let ready = srdf
+        .state("ready")
+        .unwrap()
+        .applied_to(&vec![0.0; robot.dof()]);
+    for turn in [0.0, 0.7, -1.1] {
+        let mut q = ready.clone();
+        q[2] += turn;
+        let to: Vec<f64> = q.iter().map(|position| position + 0.05).collect();
+        let nearest = all.clearance(&q, f64::INFINITY).unwrap().distance;
+        let apart = alone
+            .iter()
+            .map(|one| one.clearance(&q, f64::INFINITY).unwrap().distance);
+        assert_eq!(nearest, apart.fold(f64::INFINITY, f64::min));
+        for margin in [0.0, 0.02] {
+            let touches = all.collision(&q, margin).unwrap().is_some();
+            let mut one_by_one = alone.iter().map(|one| one.collision(&q, margin).unwrap());
+            assert_eq!(touches, one_by_one.any(|contact| contact.is_some()));
+            let touches = all.segment_contact(&q, &to, margin).unwrap();
+            let mut one_by_one = alone
+                .iter()
+                .map(|one| one.segment_contact(&q, &to, margin).unwrap());
+            assert_eq!(
+                touches.is_some(),
+                one_by_one.any(|contact| contact.is_some())
+            );
+        }
+    }
+    assert_eq!(
+        all.checked_pairs().count(),
+        model.checked_pairs().count() + many * movers(&all)
+    );
+}
+
+/// How many links are checked against an obstacle.
+fn movers(model: &CollisionModel) -> usize {
+    let pairs = model.checked_pairs();
+    pairs.filter(|(_, obstacle)| *obstacle == "box 0").count()
 }

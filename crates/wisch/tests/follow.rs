@@ -3,6 +3,7 @@
 #[path = "follow/audit.rs"]
 mod audit_of_motions;
 mod broom;
+mod floor;
 mod humanoid;
 
 use rayon::prelude::*;

@@ -293,7 +293,7 @@ fn used_paths(text: &str) -> Vec<String> {
 }
 
 /// What the audit of a motion may know: data, and what describes the robot, its cell and the task.
-const AUDITED: [&str; 23] = [
+const AUDITED: [&str; 24] = [
     "crate::follow::AllowedContact",
     "crate::follow::FollowConfig",
     "crate::follow::FollowError",
@@ -312,6 +312,7 @@ const AUDITED: [&str; 23] = [
     "crate::follow::TrajectorySample",
     "crate::follow::Workcell",
     "crate::represent::Task",
+    "crate::robot::Joint",
     "crate::robot::JointKind",
     "crate::robot::LimitFault",
     "crate::robot::LinkId",
@@ -338,6 +339,7 @@ const ACCEPTING: [&str; 11] = [
 fn taken_from_what_is_audited(text: &str) -> Vec<String> {
     let text = &production(text);
     let own = [
+        "super::dynamics::",
         "super::kinematics::",
         "super::line::",
         "super::trajectory::",

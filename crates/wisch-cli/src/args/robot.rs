@@ -8,11 +8,12 @@ use wisch::robot::MapConfig;
 /// What to do with a robot.
 #[derive(Debug, Subcommand)]
 pub enum RobotCommand {
-    /// Check a URDF for what is missing or inconsistent
+    /// Check a URDF, and the SRDF with it, for what is missing or inconsistent
     #[command(after_help = "\
 Examples:
   wisch robot check robots/humanoid.urdf
   wisch robot check arm.urdf --package arm_description=../arm_description
+  wisch robot check arm.urdf --srdf config/arm.srdf
   wisch robot check arm.urdf --json | jq '.findings[] | select(.severity == \"warning\")'
 
 Exit codes: 0 fine (notes at most), 1 warnings that matter, 2 no robot can be made of it.")]
@@ -62,6 +63,9 @@ pub struct RobotCheckArgs {
     /// URDF to check; expand xacro files first
     #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
+    /// SRDF to check with it [default: the one beside the URDF that has its name, if there is one]
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub srdf: Option<PathBuf>,
     /// Folder to which package://NAME resolves; repeatable
     #[arg(long = "package", value_name = "NAME=DIR", value_parser = package)]
     pub packages: Vec<(String, PathBuf)>,

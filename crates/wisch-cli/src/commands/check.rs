@@ -7,13 +7,15 @@ use crate::args::{CheckArgs, GlobalArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print};
-use wisch::geometry::{Bounds2, Point2};
+use wisch::geometry::{Bounds2, Mesh, Point2};
 use wisch::plan::{FreeSpace, NodeRole, Plan};
 use wisch::represent::{GoalState, Task};
 use wisch::run::{NoExecutor, Session, Stage, unobserved};
 
 /// Points along the longer side of the surface at which free space is looked up.
 const RASTER: usize = 120;
+/// After how many obstacles it is said how far it has come.
+const OBSTACLES_A_WORD: usize = 100;
 /// Obstacles that are listed by name.
 const LISTED: usize = 8;
 
@@ -23,14 +25,14 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     progress.say("reading the task");
     let prepared = Prepared::read(&args.task)?;
     let failure = |error| prepared.failure(&args.task, error);
-    progress.say("looking for free space");
-    let room = Room::of(&prepared.task).map_err(failure)?;
+    let room = Room::of(&prepared.task, &progress).map_err(failure)?;
     progress.say(format!("planning ({})", prepared.strategy()));
     let mut session = Session::new(&prepared.task, prepared.run_config());
     (session.run_until(Stage::Planned, &mut NoExecutor, &mut unobserved))
         .map_err(|error| prepared.failure(&args.task, error))?;
     let plan = (session.plan()).ok_or_else(|| internal("no plan was made"))?;
-    progress.say("reading the robot");
+    let objects = counted(prepared.task.scene.len(), "object");
+    progress.say(format!("putting the robot before {objects}"));
     let robot = match Chosen::new(&args.robot, &prepared)? {
         Some(chosen) => {
             let (cell, _) = workcell(&chosen, &args.task, &prepared)?;
@@ -55,28 +57,45 @@ struct Room {
 }
 
 impl Room {
-    fn of(task: &Task) -> Result<Self, wisch::plan::PlanError> {
+    fn of(task: &Task, progress: &Progress) -> Result<Self, wisch::plan::PlanError> {
         let radius = task.tool.collision_radius();
+        progress.say("looking for free space");
         let scene: Vec<_> = task.obstacles_in_surface().collect();
         let raster = raster(task);
-        let share = |space: &FreeSpace, wanted: fn(&FreeSpace, Point2) -> bool| {
-            let count = raster.iter().filter(|&&p| wanted(space, p)).count();
-            count as f64 / raster.len().max(1) as f64
-        };
+        let share = |count: usize| count as f64 / raster.len().max(1) as f64;
         let space = FreeSpace::new(&task.surface, &scene, radius)?;
+        let free = raster.iter().filter(|&&p| space.is_free(p)).count();
         let mut obstacles = Vec::new();
-        for (object, mesh) in task.obstacles().zip(&scene) {
+        for (i, (object, mesh)) in task.obstacles().zip(&scene).enumerate() {
+            if i % OBSTACLES_A_WORD == 0 {
+                let count = counted(scene.len(), "obstacle");
+                progress.say(format!("looking for free space beside {count} ({i} done)"));
+            }
             let alone = FreeSpace::new(&task.surface, [mesh], radius)?;
-            let kept = share(&alone, |space, p| !space.is_clear(p));
-            if kept > 0.0 {
-                obstacles.push((object.name.clone(), kept));
+            let near = points_near(&raster, mesh, radius);
+            let kept = near.filter(|&p| !alone.is_clear(p)).count();
+            if kept > 0 {
+                obstacles.push((object.name.clone(), share(kept)));
             }
         }
         Ok(Self {
-            free_share: share(&space, FreeSpace::is_free),
+            free_share: share(free),
             obstacles,
         })
     }
+}
+
+/// Of evenly spaced points, row by row, those whose distance from a mesh can be below a radius.
+fn points_near<'a>(
+    raster: &'a [Point2],
+    mesh: &Mesh,
+    radius: f64,
+) -> impl Iterator<Item = Point2> + 'a {
+    let (low, high) = mesh.bounds();
+    let begin = raster.partition_point(|p| p.y < low.y - radius);
+    let end = raster.partition_point(|p| p.y <= high.y + radius);
+    let rows = raster[begin..end.max(begin)].iter().copied();
+    rows.filter(move |p| (low.x - radius..=high.x + radius).contains(&p.x))
 }
 
 /// Evenly spaced points on the surface.

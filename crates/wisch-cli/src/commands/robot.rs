@@ -1,11 +1,12 @@
-//! `wisch robot check`: what is missing or odd in a robot's URDF.
+//! `wisch robot check`: what is missing or odd in a robot's URDF and SRDF.
 
 use super::words::counted;
 use crate::args::{GlobalArgs, RobotCheckArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
 use serde::Serialize;
-use wisch::robot::{Diagnostic, RobotModel, Severity, Subject, check};
+use std::path::PathBuf;
+use wisch::robot::{Diagnostic, RobotModel, Severity, Srdf, Subject, check};
 use wisch_io::{read_text, robot_meshes};
 
 /// The schema of the object that `--json` prints.
@@ -17,6 +18,8 @@ struct CheckRecord<'a> {
     format: &'static str,
     schema: u32,
     file: String,
+    /// Null if there is none, or no robot to hold it against.
+    srdf: Option<String>,
     /// Null if no robot can be made of the file.
     robot: Option<RobotRecord<'a>>,
     errors: usize,
@@ -39,6 +42,8 @@ struct RobotRecord<'a> {
 struct FindingRecord<'a> {
     severity: &'static str,
     fault: &'static str,
+    /// The URDF or the SRDF.
+    file: &'a str,
     line: usize,
     column: usize,
     link: Option<&'a str>,
@@ -48,48 +53,73 @@ struct FindingRecord<'a> {
     advice: &'a str,
 }
 
-/// Reads the URDF and reports on it.
+/// Reads the URDF and its SRDF, and reports on them.
 pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let text = read_text(&args.file)?;
     let name = args.file.display().to_string();
     let mut meshes = robot_meshes(&args.file, &args.packages);
-    let findings = check(&name, &text, &mut meshes).map_err(|error| {
+    let mut findings = check(&name, &text, &mut meshes).map_err(|error| {
         Failure::new(error)
             .with_help("xacro files are to be expanded first: xacro robot.xacro > robot.urdf")
     })?;
-    let count = |severity| findings.iter().filter(|f| f.severity == severity).count();
-    let (errors, warnings) = (count(Severity::Error), count(Severity::Warning));
-    let robot = if errors == 0 {
+    let robot = if count(&findings, Severity::Error) == 0 {
         let read = RobotModel::from_urdf(&name, &text, &mut meshes);
         Some(read.map_err(Failure::new)?)
     } else {
         None
     };
+    let srdf = match (&robot, srdf_of(args)) {
+        (Some(robot), Some(path)) => {
+            let text = read_text(&path)?;
+            let name = path.display().to_string();
+            findings.extend(Srdf::check(&name, &text, robot));
+            Some(name)
+        }
+        _ => None,
+    };
+    let (errors, warnings) = (
+        count(&findings, Severity::Error),
+        count(&findings, Severity::Warning),
+    );
     if args.json {
         let record = CheckRecord {
             format: "wisch-robot-check",
             schema: SCHEMA,
             file: name.clone(),
+            srdf: srdf.clone(),
             robot: robot.as_ref().map(RobotRecord::new),
             errors,
             warnings,
-            notes: count(Severity::Note),
+            notes: count(&findings, Severity::Note),
             findings: findings.iter().map(FindingRecord::new).collect(),
         };
         let line = serde_json::to_string(&record)
             .map_err(|error| Failure::new(format!("the report is no JSON: {error}")))?;
         print(&(line + "\n"))?;
     } else if !global.quiet {
-        print(&report(&name, robot.as_ref(), &findings))?;
+        print(&report(&name, robot.as_ref(), srdf.as_deref(), &findings))?;
     }
     match (errors, warnings) {
         (0, 0) => Ok(Outcome::Done),
         (0, _) => Ok(Outcome::GoalNotMet),
-        _ => Err(Failure::new(format!(
-            "{name}: no robot can be made of it: {}",
-            counted(errors, "error")
-        ))),
+        _ => Err(Failure::new(match srdf {
+            Some(srdf) => format!("{srdf}: it cannot be used: {}", counted(errors, "error")),
+            None => format!(
+                "{name}: no robot can be made of it: {}",
+                counted(errors, "error")
+            ),
+        })),
     }
+}
+
+/// The SRDF that is named, or lies beside the URDF.
+fn srdf_of(args: &RobotCheckArgs) -> Option<PathBuf> {
+    let beside = || Some(args.file.with_extension("srdf")).filter(|path| path.is_file());
+    args.srdf.clone().or_else(beside)
+}
+
+fn count(findings: &[Diagnostic], severity: Severity) -> usize {
+    findings.iter().filter(|f| f.severity == severity).count()
 }
 
 impl<'a> RobotRecord<'a> {
@@ -116,6 +146,7 @@ impl<'a> FindingRecord<'a> {
         Self {
             severity: finding.severity.as_str(),
             fault: finding.kind.as_str(),
+            file: &finding.at.file,
             line: finding.at.line,
             column: finding.at.column,
             link,
@@ -132,7 +163,12 @@ fn mass(robot: &RobotModel) -> f64 {
     bodies.fold(0.0, |sum, body| sum + body.mass)
 }
 
-fn report(name: &str, robot: Option<&RobotModel>, findings: &[Diagnostic]) -> String {
+fn report(
+    name: &str,
+    robot: Option<&RobotModel>,
+    srdf: Option<&str>,
+    findings: &[Diagnostic],
+) -> String {
     let mut text = match robot {
         Some(robot) => format!(
             "{}: {}, {}, {}, {:.1} kg\n",
@@ -144,6 +180,13 @@ fn report(name: &str, robot: Option<&RobotModel>, findings: &[Diagnostic]) -> St
         ),
         None => format!("{name}\n"),
     };
+    match (robot, srdf) {
+        (Some(_), Some(srdf)) => text += &format!("  with {srdf}\n"),
+        (Some(_), None) => {
+            text += "  no SRDF: the longest chain wipes, and no posture is \"ready\"\n"
+        }
+        (None, _) => {}
+    }
     for severity in [Severity::Error, Severity::Warning, Severity::Note] {
         for finding in findings.iter().filter(|f| f.severity == severity) {
             text += &format!("  {:<8} {finding}\n", severity.as_str());

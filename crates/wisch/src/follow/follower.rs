@@ -10,8 +10,8 @@ use super::{
     RatedPlace, ToolPose, Workcell, schedule,
 };
 use crate::geometry::{PlanarPose, wrap_angle};
-use crate::plan::{Plan, predict};
-use crate::represent::Task;
+use crate::plan::{Plan, Stroke, joined_anew, predict};
+use crate::represent::{Action, Task};
 use crate::robot::{CapabilityMap, JointPositions};
 use rayon::prelude::*;
 
@@ -30,13 +30,13 @@ const AT_ONCE: usize = 2;
 struct Waiting {
     node: usize,
     pose: PlanarPose,
+    /// The number of its stroke in the plan.
+    stroke: usize,
 }
 
-/// What is left of a planned stroke.
+/// What is left of a planned stroke, or one of what was joined anew.
 #[derive(Debug, Clone)]
 struct Open {
-    /// Its number in the plan.
-    stroke: usize,
     /// Its nodes from the next on; the first is where the tool has to be put down.
     nodes: Vec<Waiting>,
     /// Whether the first of them has been wiped already.
@@ -150,7 +150,7 @@ impl Follower<'_> {
                     at = *next.0.last().unwrap_or(&at);
                     stays.push(next);
                 }
-                None => abandoned.extend(give_up(&mut open, stopped)),
+                None => abandoned.extend(self.give_up(&mut open, &at, stopped)?),
             }
             progress(all - waiting(&open));
         }
@@ -222,15 +222,89 @@ impl Follower<'_> {
         let strokes = self.plan.strokes.iter().enumerate();
         strokes
             .filter(|(_, stroke)| !stroke.poses.is_empty())
-            .map(|(number, stroke)| Open {
-                stroke: number,
-                nodes: (stroke.nodes.iter().zip(&stroke.poses))
-                    .map(|(&node, &pose)| Waiting { node, pose })
-                    .collect(),
-                begun: false,
-                skipped: false,
-            })
+            .map(|(number, stroke)| Open::of(stroke, |_| number))
             .collect()
+    }
+
+    /// Takes off what is open what cannot be gone on with, from any place.
+    ///
+    /// Where the way of the tool makes no difference, only nodes are given up on which it cannot be put down, and
+    /// strokes that these cut are joined anew.
+    fn give_up(
+        &self,
+        open: &mut Vec<Open>,
+        at: &PlanarPose,
+        attempts: Vec<Attempt>,
+    ) -> Result<Vec<AbandonedNode>, FollowError> {
+        if self.task.action != Action::Absorb {
+            return Ok(give_up(open, attempts).into_iter().collect());
+        }
+        let first = &mut open[0];
+        if first.begun && first.nodes.len() > 1 {
+            first.put_down_anew();
+            return Ok(Vec::new());
+        }
+        let left: Vec<Waiting> = open.iter().flat_map(Open::unpassed).copied().collect();
+        let untouched = self.untouched(&left, at, attempts)?;
+        let touched = left.iter().zip(&untouched);
+        let touched = touched.filter(|(_, attempts)| attempts.is_none());
+        let nodes: Vec<usize> = touched.map(|(waiting, _)| waiting.node).collect();
+        let from = left
+            .first()
+            .map_or(self.plan.tool_start, |w| w.pose.position);
+        if let Ok(strokes) = joined_anew(self.task, self.plan, &nodes, from, self.config.seed) {
+            let stroke_of = |node: usize| {
+                let planned = left.iter().find(|waiting| waiting.node == node);
+                planned.map_or(0, |waiting| waiting.stroke)
+            };
+            *open = strokes
+                .iter()
+                .map(|stroke| Open::of(stroke, stroke_of))
+                .collect();
+        } else {
+            for open in &mut *open {
+                open.nodes.retain(|waiting| nodes.contains(&waiting.node));
+            }
+            open.retain(|open| !open.nodes.is_empty());
+        }
+        let abandoned = left
+            .iter()
+            .zip(untouched)
+            .filter_map(|(waiting, attempts)| {
+                Some(AbandonedNode {
+                    node: waiting.node,
+                    stroke: waiting.stroke,
+                    attempts: attempts?,
+                })
+            });
+        Ok(abandoned.collect())
+    }
+
+    /// For each node what was tried, if the tool cannot be put down there: of the first this is known; the others are
+    /// looked at where the base cannot move.
+    fn untouched(
+        &self,
+        nodes: &[Waiting],
+        at: &PlanarPose,
+        of_first: Vec<Attempt>,
+    ) -> Result<Vec<Option<Vec<Attempt>>>, FollowError> {
+        let mut untouched = vec![None; nodes.len()];
+        if self.cell.base().is_none() {
+            let arm = Arm::new(self.cell, self.task, self.config, at)?;
+            let now = Now {
+                q: arm.ready(),
+                tool: None,
+            };
+            let (lift, seed) = (self.plan.lift_height, self.config.seed);
+            let touch = |waiting: &Waiting| {
+                run(&arm, &now, &[waiting.pose], lift, &self.orientations, seed).err()
+            };
+            untouched = nodes.par_iter().map(touch).collect();
+        }
+        if let Some(first) = untouched.first_mut() {
+            *first = Some(of_first);
+        }
+        Ok(untouched)
     }
 
     /// Rated places for the rest of the path; none for a robot without a planar base.
@@ -312,6 +386,11 @@ impl Follower<'_> {
             };
             // Putting the tool down where it has wiped already is no progress.
             if run.last == 0 && first.begun && planned.len() > 1 {
+                // Where the way makes no difference and no other place may be better, it is gone on with at the next.
+                if self.task.action == Action::Absorb && self.cell.base().is_none() {
+                    first.put_down_anew();
+                    continue;
+                }
                 stay.stopped = run.stopped;
                 break;
             }
@@ -404,12 +483,39 @@ impl Follower<'_> {
     }
 }
 
+impl Open {
+    /// A whole stroke; `stroke_of` says of a node in which of the plan it is.
+    fn of(stroke: &Stroke, stroke_of: impl Fn(usize) -> usize) -> Self {
+        let nodes = stroke.nodes.iter().zip(&stroke.poses);
+        Self {
+            nodes: nodes
+                .map(|(&node, &pose)| Waiting {
+                    node,
+                    pose,
+                    stroke: stroke_of(node),
+                })
+                .collect(),
+            begun: false,
+            skipped: false,
+        }
+    }
+
+    /// The nodes that are still to be passed.
+    fn unpassed(&self) -> &[Waiting] {
+        &self.nodes[usize::from(self.begun)..]
+    }
+
+    /// Leaves the wiped node that it has come to: the tool is put down at the next.
+    fn put_down_anew(&mut self) {
+        self.nodes.remove(0);
+        self.begun = false;
+        self.skipped = false;
+    }
+}
+
 /// How many nodes are still to be passed.
 fn waiting(open: &[Open]) -> usize {
-    let each = open
-        .iter()
-        .map(|open| open.nodes.len() - usize::from(open.begun));
-    each.sum()
+    open.iter().map(|open| open.unpassed().len()).sum()
 }
 
 /// The places to try; where the robot is if it has no planar base, or if the path is in reach of none, so
@@ -437,14 +543,11 @@ fn best_or_here(
 fn give_up(open: &mut Vec<Open>, attempts: Vec<Attempt>) -> Option<AbandonedNode> {
     let first = &mut open[0];
     if first.begun && first.skipped {
-        first.nodes.remove(0);
-        first.begun = false;
-        first.skipped = false;
+        first.put_down_anew();
         return None;
     }
     let at = usize::from(first.begun && first.nodes.len() > 1);
     let given_up = first.nodes.remove(at);
-    let stroke = first.stroke;
     if let [before, after, ..] = &mut first.nodes[..]
         && at == 1
     {
@@ -463,7 +566,7 @@ fn give_up(open: &mut Vec<Open>, attempts: Vec<Attempt>) -> Option<AbandonedNode
     }
     Some(AbandonedNode {
         node: given_up.node,
-        stroke,
+        stroke: given_up.stroke,
         attempts,
     })
 }

@@ -27,8 +27,9 @@ pub use motion::{
     Placement, RatedPlace, ToolPose,
 };
 pub use timing::{
-    JointLimit, JointLimits, JointPath, MAX_GRID_INTERVALS, MAX_WAYPOINTS, MIN_BLEND_TOLERANCE,
-    SAMPLE_PERIOD, TimingConfig, TimingError, Trajectory, TrajectorySample, time_path,
+    FollowerLimit, JointLimit, JointLimits, JointPath, MAX_GRID_INTERVALS, MAX_WAYPOINTS,
+    MIN_BLEND_TOLERANCE, SAMPLE_PERIOD, TimingConfig, TimingError, Trajectory, TrajectorySample,
+    time_path,
 };
 pub use workcell::{
     AllowedContact, GRIP_TOLERANCE, LEAN_TOLERANCE, PlanarBase, PlanningGroup, SecondArm, Workcell,

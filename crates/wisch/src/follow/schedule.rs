@@ -7,8 +7,9 @@ use super::{
     FollowConfig, FollowError, GripDeviation, JointPath, LineDeviation, Phase, TimingConfig,
     ToolPose, Trajectory, Workcell, time_path,
 };
-use crate::geometry::Pose;
+use crate::geometry::{Pose, Vector3};
 use crate::represent::Task;
+use crate::robot::{Articulation, ArticulationState};
 
 /// How far a joint may leave its path in free motion [rad or m]; small beside the clearance kept.
 const FREE_BLEND: f64 = 5e-4;
@@ -18,6 +19,16 @@ const LINE_BLEND: f64 = 2e-4;
 const GRIP_PERIOD: f64 = 0.01;
 /// Period at which the tool is compared with its line [s].
 const LINE_PERIOD: f64 = 0.005;
+/// Acceleration of a falling body in the world [m/s²].
+const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
+/// Period at which efforts are looked at [s].
+const EFFORT_PERIOD: f64 = 0.005;
+/// How long before a jump of the acceleration efforts are looked at [s].
+const BEFORE_JUMP: f64 = 1e-9;
+/// The share of their efforts that joints are timed for: what is between samples is not looked at.
+const EFFORT_SHARE: f64 = 0.98;
+/// The share of its effort that weight must leave to a joint for slowing down to help.
+const LEAST_LEFT: f64 = 1e-3;
 /// Steps in which an arc of the line is compared [m or rad].
 const LINE_STEP: f64 = 1e-3;
 /// How often the blend is halved until the tool stays on its line.
@@ -45,12 +56,12 @@ pub(super) fn timed(
         let line = segment_lengths(cell, path)?;
         joints = joints.with_segment_times(line.iter().map(|way| way / speed).collect())?;
     }
-    let timed = |blend_tolerance| {
+    let timed = |blend_tolerance| -> Result<Trajectory, FollowError> {
         let timing = TimingConfig {
             blend_tolerance,
             ..TimingConfig::default()
         };
-        time_path(&joints, cell.limits(), &timing)
+        within_efforts(cell, time_path(&joints, cell.limits(), &timing)?)
     };
     let mut blend = if tool_line.is_empty() {
         FREE_BLEND
@@ -68,6 +79,70 @@ pub(super) fn timed(
         blend /= 2.0;
     }
     Ok(Some(timed(blend)?))
+}
+
+/// The motion so much slower that no joint needs more effort than it has for the robot's own inertia, beside its weight;
+/// those that follow others included. Weight alone that is too much is left to the audit to tell.
+fn within_efforts(cell: &Workcell, trajectory: Trajectory) -> Result<Trajectory, FollowError> {
+    let robot = cell.robot();
+    let all = vec![true; robot.dof()];
+    let articulation = Articulation::new(robot, cell.world_from_root(), cell.ready(), &all, &[])?;
+    let mut state = articulation.state();
+    let at_rest = vec![0.0; robot.dof()];
+    // Each joint's effort as if it had a drive of its own, then each variable's with all that follows it.
+    let efforts = |state: &ArticulationState| {
+        let through = state.joint_efforts();
+        let mut of_variables = vec![0.0; robot.dof()];
+        for (joint, effort) in articulation.joints().iter().zip(through) {
+            for &(variable, factor) in &joint.terms {
+                of_variables[variable] += factor * effort;
+            }
+        }
+        (articulation.joints().iter().zip(through))
+            .map(|(joint, &effort)| match joint.terms[..] {
+                [(variable, _)] if robot.variables()[variable] == joint.id => {
+                    of_variables[variable]
+                }
+                _ => effort,
+            })
+            .collect::<Vec<f64>>()
+    };
+    let limits = articulation.joints().iter();
+    let limits: Vec<f64> = limits
+        .map(|joint| {
+            let limit = robot.joints()[joint.id.index()].limits.effort;
+            limit.filter(|limit| *limit > 0.0).unwrap_or(f64::INFINITY)
+        })
+        .collect();
+    let mut square = 1.0_f64;
+    for time in effort_times(&trajectory) {
+        let sample = trajectory.sample(time);
+        articulation.locate(&mut state, &sample.q);
+        articulation.inverse_dynamics(&mut state, &at_rest, &at_rest, GRAVITY);
+        let carrying = efforts(&state);
+        articulation.inverse_dynamics(&mut state, &sample.qd, &sample.qdd, GRAVITY);
+        for ((whole, carrying), limit) in efforts(&state).iter().zip(carrying).zip(&limits) {
+            // What is left in the direction in which the motion needs it.
+            let moving = whole - carrying;
+            let left = EFFORT_SHARE * limit - carrying * moving.signum();
+            if left > LEAST_LEFT * limit && left.is_finite() {
+                square = square.max(moving.abs() / left);
+            }
+        }
+    }
+    Ok(if square > 1.0 {
+        trajectory.slowed(square.sqrt())
+    } else {
+        trajectory
+    })
+}
+
+/// Times at which efforts are looked at: often, and at both sides of every jump of the acceleration [s].
+fn effort_times(trajectory: &Trajectory) -> impl Iterator<Item = f64> {
+    let count = (trajectory.duration() / EFFORT_PERIOD).ceil() as usize;
+    let often = (0..count).map(|k| k as f64 * EFFORT_PERIOD);
+    let jumps = trajectory.switch_times();
+    often.chain(jumps.flat_map(|time| [time - BEFORE_JUMP, time]))
 }
 
 /// How far the second hand leaves its grip over a motion; nothing if one hand holds the tool.

@@ -178,6 +178,11 @@ impl Bounds2 {
         })
     }
 
+    /// Whether a point is inside or on the edge.
+    pub fn contains(&self, point: Point2) -> bool {
+        (self.min.x..=self.max.x).contains(&point.x) && (self.min.y..=self.max.y).contains(&point.y)
+    }
+
     /// Extent along x and y [m].
     pub fn size(&self) -> Vector2 {
         self.max - self.min

@@ -58,42 +58,47 @@ pub fn plan(task: &Task, config: &PlanConfig) -> Result<Plan, PlanError> {
     Ok(plan)
 }
 
-/// Absorb: an open tour from the node nearest the tool; paper §3.2.
+/// New strokes through some nodes of a plan that absorbs, such as those that a robot reaches: an open tour from the one
+/// nearest to `from`, in the surface frame [m].
 ///
-/// A move that would drag the tool through an obstacle is lifted instead: it costs its length and the
-/// way up and down once more.
+/// # Errors
+/// Geometry and costs that the libraries refuse.
+pub fn joined_anew(
+    task: &Task,
+    plan: &Plan,
+    nodes: &[usize],
+    from: Point2,
+    seed: u64,
+) -> Result<Vec<Stroke>, PlanError> {
+    let scene: Vec<_> = task.obstacles_in_surface().collect();
+    let space = FreeSpace::new(&task.surface, &scene, plan.collision_radius)?;
+    let positions: Vec<Point2> = nodes
+        .iter()
+        .map(|&node| plan.graph.position(node))
+        .collect();
+    let chains = tour(&space, &positions, from, plan.lift_height, seed)?;
+    let symmetric = task.tool.is_half_turn_symmetric();
+    let stroke = |chain: Vec<usize>| {
+        let chain = chain.into_iter().map(|i| nodes[i]).collect();
+        Stroke::along(&plan.graph, chain, symmetric)
+    };
+    Ok(chains.into_iter().map(stroke).collect())
+}
+
+/// Absorb: an open tour from the node nearest the tool; paper §3.2.
 fn absorb(
     task: &Task,
     config: &PlanConfig,
     space: &FreeSpace,
     nodes: Vec<Point2>,
 ) -> Result<Plan, PlanError> {
-    let mut clear = vec![true; nodes.len() * nodes.len()];
-    let costs = CostMatrix::from_fn(nodes.len(), |i, j| {
-        let length = (nodes[i] - nodes[j]).norm();
-        if space.is_clear_between(nodes[i], nodes[j]) {
-            length
-        } else {
-            clear[i * nodes.len() + j] = false;
-            clear[j * nodes.len() + i] = false;
-            2.0 * length + 2.0 * config.lift_height
-        }
-    })?;
-    let order = match nearest(&nodes, task.tool_start) {
-        Some(start) => shortest_path_from(
-            &costs,
-            start,
-            &TourConfig {
-                seed: config.seed,
-                ..TourConfig::default()
-            },
-        )?,
-        None => Vec::new(),
-    };
-    let chains: Vec<Vec<usize>> = order
-        .chunk_by(|&a, &b| clear[a * nodes.len() + b])
-        .map(<[usize]>::to_vec)
-        .collect();
+    let chains = tour(
+        space,
+        &nodes,
+        task.tool_start,
+        config.lift_height,
+        config.seed,
+    )?;
     let edges = chains
         .iter()
         .flat_map(|chain| chain.windows(2).map(|pair| (pair[0], pair[1])))
@@ -106,6 +111,43 @@ fn absorb(
         unreachable: Vec::new(),
     };
     Ok(assemble(task, config, space, graph, chains))
+}
+
+/// An open tour of all nodes from the one nearest to a place, cut where the tool is lifted.
+///
+/// A move that would drag the tool through an obstacle is lifted instead: it costs its length and the
+/// way up and down once more.
+fn tour(
+    space: &FreeSpace,
+    nodes: &[Point2],
+    from: Point2,
+    lift_height: f64,
+    seed: u64,
+) -> Result<Vec<Vec<usize>>, PlanError> {
+    let mut clear = vec![true; nodes.len() * nodes.len()];
+    let costs = CostMatrix::from_fn(nodes.len(), |i, j| {
+        let length = (nodes[i] - nodes[j]).norm();
+        if space.is_clear_between(nodes[i], nodes[j]) {
+            length
+        } else {
+            clear[i * nodes.len() + j] = false;
+            clear[j * nodes.len() + i] = false;
+            2.0 * length + 2.0 * lift_height
+        }
+    })?;
+    let order = match nearest(nodes, from) {
+        Some(start) => shortest_path_from(
+            &costs,
+            start,
+            &TourConfig {
+                seed,
+                ..TourConfig::default()
+            },
+        )?,
+        None => Vec::new(),
+    };
+    let chains = order.chunk_by(|&a, &b| clear[a * nodes.len() + b]);
+    Ok(chains.map(<[usize]>::to_vec).collect())
 }
 
 /// Collect: a minimum spanning tree rooted at the goal node; paper §3.2.

@@ -1,6 +1,6 @@
 //! Where the objects of a scene stand on the target surface.
 
-use crate::geometry::{Edge, Mesh, Point2, Point3, encloses};
+use crate::geometry::{Bounds2, Edge, Mesh, Point2, Point3, encloses};
 
 /// Geometry closer to the surface's plane than this counts as part of it [m].
 pub const SURFACE_SKIN: f64 = 1e-4;
@@ -21,15 +21,21 @@ pub const SURFACE_SKIN: f64 = 1e-4;
 pub struct OccupiedArea {
     /// Per object, the outline of its solid in the plane of the surface (unordered edges).
     sections: Vec<Vec<Edge>>,
+    /// Of each section the rectangle round it.
+    bounds: Vec<Bounds2>,
 }
 
 impl OccupiedArea {
     /// The sections of meshes in the surface frame.
     pub fn of<'a>(scene_in_surface: impl IntoIterator<Item = &'a Mesh>) -> Self {
         let sections = scene_in_surface.into_iter().map(section);
-        Self {
-            sections: sections.filter(|edges| !edges.is_empty()).collect(),
-        }
+        let bounded = sections.filter_map(|edges| {
+            let corners = edges.iter().flat_map(|edge| [edge.start, edge.end]);
+            let bounds = Bounds2::of(corners)?;
+            Some((edges, bounds))
+        });
+        let (sections, bounds) = bounded.unzip();
+        Self { sections, bounds }
     }
 
     /// Per object that reaches down to the plane, the outline of its section as unordered edges [m].
@@ -39,8 +45,9 @@ impl OccupiedArea {
 
     /// Whether an object stands on this point (even–odd rule per object).
     pub fn contains(&self, point: Point2) -> bool {
-        let mut sections = self.sections.iter();
-        sections.any(|edges| encloses(edges.iter().copied(), point))
+        let mut sections = self.sections.iter().zip(&self.bounds);
+        sections
+            .any(|(edges, bounds)| bounds.contains(point) && encloses(edges.iter().copied(), point))
     }
 }
 

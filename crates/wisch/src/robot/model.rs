@@ -75,6 +75,15 @@ impl JointKind {
             Self::Prismatic => "m",
         }
     }
+
+    /// The unit of its efforts: "Nm" or "N"; empty for a fixed joint.
+    pub const fn effort_unit(self) -> &'static str {
+        match self {
+            Self::Fixed => "",
+            Self::Revolute => "Nm",
+            Self::Prismatic => "N",
+        }
+    }
 }
 
 /// A joint between two links.
@@ -336,6 +345,16 @@ impl RobotModel {
     /// If the robot has no variable `i`.
     pub fn variable(&self, i: usize) -> &Joint {
         &self.joints[self.variables[i].0]
+    }
+
+    /// The joints that move but are no variables: those that follow others.
+    pub fn followers(&self) -> impl Iterator<Item = &Joint> {
+        let joints = self.joints.iter().enumerate();
+        joints
+            .filter(|(i, joint)| {
+                joint.kind != JointKind::Fixed && !self.variables.contains(&JointId(*i))
+            })
+            .map(|(_, joint)| joint)
     }
 
     /// Every joint that these positions (n) put outside its limits, in the order of the joints;

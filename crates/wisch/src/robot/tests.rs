@@ -174,8 +174,8 @@ fn every_fault_is_found() {
         (
             r#"<sphere radius="0.1"/>"#,
             r#"<mesh filename="package://p/a.stl"/>"#,
-            Note,
-            DiagnosticKind::PackagePath,
+            Error,
+            DiagnosticKind::Mesh,
         ),
         (
             r#"<collision><geometry><sphere radius="0.1"/></geometry></collision>"#,

@@ -2,9 +2,11 @@
 
 use std::mem::discriminant;
 use wisch::follow::{
-    FollowConfig, FollowError, Followed, JointPath, Motion, MotionFault, Phase, TimingConfig,
-    Trajectory, Workcell, WorkcellConfig, audit, follow, time_path,
+    FollowConfig, FollowError, Followed, JointLimit, JointLimits, JointPath, Motion, MotionFault,
+    Phase, Rate, TimingConfig, Trajectory, TrajectoryFault, TrajectorySample, Workcell,
+    WorkcellConfig, audit, follow, time_path,
 };
+use wisch::geometry::Vector3;
 use wisch::represent::{Action, Task};
 use wisch::robot::{RobotModel, SEGMENT_RESOLUTION, Srdf};
 use wisch_testkit::{arm7, block, board, cell, planned};
@@ -175,13 +177,23 @@ fn humanoid() -> (Task, Workcell) {
 
 /// A motion of the humanoid in which some variables go to other positions.
 fn moved(cell: &Workcell, phase: Phase, goals: &[(&str, f64)]) -> Followed {
+    moved_within(cell, cell.limits(), phase, goals)
+}
+
+/// The same, timed by limits of the test's own.
+fn moved_within(
+    cell: &Workcell,
+    limits: &JointLimits,
+    phase: Phase,
+    goals: &[(&str, f64)],
+) -> Followed {
     let mut goal = cell.ready().to_vec();
     for (name, position) in goals {
-        let named = |joint: &wisch::follow::JointLimit| joint.name == *name;
+        let named = |joint: &JointLimit| joint.name == *name;
         goal[cell.limits().joints().iter().position(named).unwrap()] = *position;
     }
     let path = JointPath::new(&[cell.ready(), &goal]).unwrap();
-    let trajectory: Trajectory = time_path(&path, cell.limits(), &TimingConfig::default()).unwrap();
+    let trajectory: Trajectory = time_path(&path, limits, &TimingConfig::default()).unwrap();
     Followed {
         motions: vec![Motion {
             phase,
@@ -212,14 +224,25 @@ fn a_base_that_moves_while_the_tool_is_down_is_a_fault() {
     }
 }
 
+/// The limits of the variables alone, velocities and accelerations scaled: a joint that follows others is not timed.
+fn of_variables(cell: &Workcell, velocity: f64, acceleration: f64) -> JointLimits {
+    let scaled = |limit: &JointLimit| JointLimit {
+        velocity: velocity * limit.velocity,
+        acceleration: acceleration * limit.acceleration,
+        ..limit.clone()
+    };
+    JointLimits::new(cell.limits().joints().iter().map(scaled).collect()).unwrap()
+}
+
 #[test]
 fn a_torso_beyond_its_coupled_limit_is_a_fault_of_the_joint_that_follows() {
     let (task, cell) = humanoid();
     // Each within its own range; their sum is beyond 135°.
-    let bent = moved(
+    let bent = moved_within(
         &cell,
+        &of_variables(&cell, 0.4, 0.4),
         Phase::FreeMotion,
-        &[("torso_2", 0.9), ("torso_3", 1.7)],
+        &[("torso_2", 0.5), ("torso_3", 1.9)],
     );
     let faults = audit(&bent, &cell, &task, &FollowConfig::default())
         .unwrap()
@@ -238,6 +261,140 @@ fn a_torso_beyond_its_coupled_limit_is_a_fault_of_the_joint_that_follows() {
     // No joint breaks its own limits.
     let is_trajectory = |fault: &MotionFault| matches!(fault, MotionFault::Trajectory { .. });
     assert!(!faults.iter().any(is_trajectory), "{faults:?}");
+}
+
+#[test]
+fn a_joint_that_follows_others_too_fast_is_a_fault_though_none_of_these_is() {
+    let (task, cell) = humanoid();
+    let config = FollowConfig::default();
+    // Up: the sum of both stays in its range.
+    let goals = [("torso_2", -1.2), ("torso_3", 1.3)];
+    let timed = moved(&cell, Phase::FreeMotion, &goals);
+    let kept = audit(&timed, &cell, &task, &config).unwrap().faults;
+    let is_trajectory = |fault: &&MotionFault| matches!(fault, MotionFault::Trajectory { .. });
+    assert_eq!(kept.iter().find(is_trajectory), None);
+    for (velocity, acceleration, broken) in
+        [(1.0, 0.4, Rate::Velocity), (0.4, 1.0, Rate::Acceleration)]
+    {
+        let limits = of_variables(&cell, velocity, acceleration);
+        let fast = moved_within(&cell, &limits, Phase::FreeMotion, &goals);
+        let faults = audit(&fast, &cell, &task, &config).unwrap().faults;
+        let rates: Vec<Rate> = (faults.iter())
+            .filter_map(|fault| match fault {
+                MotionFault::Trajectory {
+                    joint,
+                    fault:
+                        TrajectoryFault::TooFast {
+                            rate, value, limit, ..
+                        },
+                    ..
+                } => {
+                    assert_eq!(joint.as_deref(), Some("torso_4"), "{fault}");
+                    assert!(value.abs() > *limit);
+                    assert!(fault.to_string().ends_with("is \"torso_4\")"), "{fault}");
+                    Some(*rate)
+                }
+                _ => None,
+            })
+            .collect();
+        assert!(rates.contains(&broken), "{faults:?}");
+        let of_velocity = [Rate::Velocity, Rate::PositionStep];
+        let is_of_velocity = |rate: &Rate| of_velocity.contains(rate);
+        assert!(
+            rates
+                .iter()
+                .all(|rate| is_of_velocity(rate) == is_of_velocity(&broken))
+        );
+    }
+}
+
+/// A shipped URDF with another effort limit of one joint.
+fn with_effort(urdf: &str, joint: &str, effort: f64) -> String {
+    let (before, from_joint) = urdf
+        .split_once(&format!("<joint name=\"{joint}\""))
+        .unwrap();
+    let (element, after) = from_joint.split_once("</joint>").unwrap();
+    let (limit, rest) = element.split_once("effort=\"").unwrap();
+    let (_, rest) = rest.split_once('"').unwrap();
+    format!("{before}<joint name=\"{joint}\"{limit}effort=\"{effort}\"{rest}</joint>{after}")
+}
+
+#[test]
+fn a_joint_that_follows_others_and_is_too_weak_for_the_robots_weight_is_a_fault() {
+    let (task, cell) = humanoid();
+    let motion = moved(&cell, Phase::FreeMotion, &[("torso_2", -0.9)]);
+    let config = FollowConfig::default();
+    let is_effort = |fault: &&MotionFault| matches!(fault, MotionFault::Effort { .. });
+    let faults = audit(&motion, &cell, &task, &config).unwrap().faults;
+    assert_eq!(faults.iter().find(is_effort), None);
+
+    let urdf = include_str!("../../../../robots/humanoid.urdf");
+    let weak = with_effort(urdf, "torso_4", 2.0);
+    let model = RobotModel::from_urdf("weak", &weak, &mut |_| Err(String::new())).unwrap();
+    let srdf = Srdf::parse(
+        "humanoid",
+        include_str!("../../../../robots/humanoid.srdf"),
+        &model,
+    );
+    let cell = Workcell::new(model, srdf.ok().as_ref(), &task, &WorkcellConfig::default()).unwrap();
+    let faults = audit(&motion, &cell, &task, &config).unwrap().faults;
+    let weak: Vec<&MotionFault> = faults.iter().filter(is_effort).collect();
+    assert!(!weak.is_empty());
+    for fault in weak {
+        let MotionFault::Effort {
+            joint,
+            effort,
+            limit,
+            unit,
+            ..
+        } = fault
+        else {
+            continue;
+        };
+        assert_eq!((joint.as_str(), *limit, *unit), ("torso_4", 2.0, "Nm"));
+        assert!(effort.abs() > 2.0);
+    }
+}
+
+#[test]
+fn a_weak_joint_is_moved_as_slowly_as_its_effort_allows() {
+    let fast = good();
+    let gravity = Vector3::new(0.0, 0.0, -9.81);
+    let dynamics = fast.cell.robot().dynamics().unwrap();
+    // What the second joint needs at most to carry the arm, and to carry and move it [Nm].
+    let mut most = [0.0_f64; 2];
+    for motion in &fast.followed.motions {
+        for sample in motion.trajectory.samples(0.002) {
+            let carrying = dynamics.gravity(&sample.q, gravity).unwrap()[1];
+            let TrajectorySample { q, qd, qdd, .. } = &sample;
+            let moving = dynamics.inverse_dynamics(q, qd, qdd, gravity).unwrap()[1];
+            most = [most[0].max(carrying.abs()), most[1].max(moving.abs())];
+        }
+    }
+    let limit = most[0] / 0.98 + 0.3 * (most[1] - most[0]);
+    assert!(limit < most[1], "{most:?}");
+
+    let joint = &fast.cell.robot().variable(1).name;
+    let urdf = with_effort(include_str!("../../../../robots/arm7.urdf"), joint, limit);
+    let model = RobotModel::from_urdf("weak", &urdf, &mut |_| Err(String::new())).unwrap();
+    let srdf = Some(arm7().srdf);
+    let config = WorkcellConfig::default();
+    let cell = Workcell::new(model, srdf.as_ref(), &fast.task, &config).unwrap();
+    let plan = planned(&fast.task);
+    let config = FollowConfig::default();
+    let refused = audit(&fast.followed, &cell, &fast.task, &config)
+        .unwrap()
+        .faults;
+    assert!(
+        refused
+            .iter()
+            .all(|fault| matches!(fault, MotionFault::Effort { .. }))
+    );
+    assert!(!refused.is_empty());
+
+    let slow = follow(&fast.task, &plan, &cell, None, &config, &mut |_| ()).unwrap();
+    assert_eq!(audit(&slow, &cell, &fast.task, &config).unwrap().faults, []);
+    assert!(slow.duration() > fast.followed.duration());
 }
 
 #[test]

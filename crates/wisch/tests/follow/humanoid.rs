@@ -1,6 +1,6 @@
 //! The humanoid at the chopping board.
 
-use wisch::follow::{FollowConfig, Phase, Workcell, WorkcellConfig, follow};
+use wisch::follow::{FollowConfig, Followed, Phase, Workcell, WorkcellConfig, follow};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan};
 use wisch::represent::{Action, Task};
 use wisch_io::{LoadOptions, TaskFile, load_task};
@@ -56,4 +56,55 @@ fn the_humanoid_wipes_the_whole_chopping_board_with_its_base_still() {
         wipes += usize::from(motion.phase.is_contact());
     }
     assert!(wipes > 0);
+}
+
+/// The largest share of its velocity and of its acceleration limit that each joint of the robot uses in a motion,
+/// those that follow others included, with the joint's name.
+fn largest_shares(cell: &Workcell, followed: &Followed) -> Vec<(String, [f64; 2])> {
+    let mut shares = Vec::new();
+    for joint in cell.robot().joints() {
+        let (Some(velocity), Some(acceleration)) =
+            (joint.limits.velocity, joint.limits.acceleration)
+        else {
+            continue;
+        };
+        let mut most = [0.0_f64; 2];
+        for motion in &followed.motions {
+            for sample in motion.trajectory.samples(0.002) {
+                most[0] = most[0].max(joint.drive.rate(&sample.qd).abs() / velocity);
+                most[1] = most[1].max(joint.drive.rate(&sample.qdd).abs() / acceleration);
+            }
+        }
+        shares.push((joint.name.clone(), most));
+    }
+    shares
+}
+
+#[test]
+fn no_joint_exceeds_its_limits_and_neither_does_one_that_follows_others() {
+    let loaded = load_task(
+        &wisch_testkit::scenario("solar-panel-brush"),
+        &LoadOptions::default(),
+    )
+    .unwrap();
+    let (task, file) = (loaded.task, loaded.file);
+    let plan = plan(&task, &loaded.config).unwrap();
+    let humanoid = humanoid();
+    let config = WorkcellConfig {
+        world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
+        ..WorkcellConfig::default()
+    };
+    let cell = Workcell::new(humanoid.model, Some(&humanoid.srdf), &task, &config).unwrap();
+    let map = humanoid.map.as_ref();
+    let config = FollowConfig::default();
+    let followed = follow(&task, &plan, &cell, map, &config, &mut |_| ()).unwrap();
+
+    let shares = largest_shares(&cell, &followed);
+    assert!(shares.iter().any(|(joint, _)| joint == "torso_4"));
+    for (joint, [velocity, acceleration]) in shares {
+        assert!(
+            velocity <= 1.0 + 1e-6 && acceleration <= 1.0 + 1e-6,
+            "{joint}: {velocity:.3} of its velocity limit, {acceleration:.3} of its acceleration limit"
+        );
+    }
 }

@@ -1,7 +1,7 @@
 //! Forward kinematics of the audit: rotation matrices by Rodrigues' formula, link by link up to the root.
 
 use crate::geometry::{Point3, Pose, Vector3};
-use crate::robot::{JointKind, LinkId, RobotModel};
+use crate::robot::{Joint, JointKind, LinkId, RobotModel};
 use nalgebra::Matrix3;
 
 /// A frame: the columns of its rotation matrix and its origin, in another frame.
@@ -12,6 +12,13 @@ pub(super) struct Frame {
 }
 
 impl Frame {
+    pub fn identity() -> Self {
+        Self {
+            rotation: Matrix3::identity(),
+            origin: Vector3::zeros(),
+        }
+    }
+
     pub fn from_pose(pose: &Pose) -> Self {
         Self {
             rotation: *pose.rotation.to_rotation_matrix().matrix(),
@@ -59,24 +66,28 @@ impl Frame {
     }
 }
 
+/// What a joint holds in the frame of its holder, at the positions of all n variables [rad or m].
+pub(super) fn moved_by(joint: &Joint, q: &[f64]) -> Frame {
+    let terms = joint.drive.terms.iter();
+    let position = joint.drive.offset + terms.map(|(i, factor)| factor * q[*i]).sum::<f64>();
+    let moved = match joint.kind {
+        JointKind::Fixed => Frame::identity(),
+        JointKind::Revolute => Frame::turned(&joint.axis, position),
+        JointKind::Prismatic => Frame {
+            rotation: Matrix3::identity(),
+            origin: joint.axis.into_inner() * position,
+        },
+    };
+    Frame::from_pose(&joint.parent_from_joint).then(&moved)
+}
+
 /// A link in the frame of the robot's root, at the positions of all n variables [rad or m].
 pub(super) fn root_from_link(robot: &RobotModel, link: LinkId, q: &[f64]) -> Frame {
     let mut at = link;
-    let mut above_from_link = Frame::from_pose(&Pose::identity());
+    let mut above_from_link = Frame::identity();
     while let Some(joint) = robot.links()[at.index()].parent {
         let joint = &robot.joints()[joint.index()];
-        let terms = joint.drive.terms.iter();
-        let position = joint.drive.offset + terms.map(|(i, factor)| factor * q[*i]).sum::<f64>();
-        let moved = match joint.kind {
-            JointKind::Fixed => Frame::from_pose(&Pose::identity()),
-            JointKind::Revolute => Frame::turned(&joint.axis, position),
-            JointKind::Prismatic => Frame {
-                rotation: Matrix3::identity(),
-                origin: joint.axis.into_inner() * position,
-            },
-        };
-        let parent_from_child = Frame::from_pose(&joint.parent_from_joint).then(&moved);
-        above_from_link = parent_from_child.then(&above_from_link);
+        above_from_link = moved_by(joint, q).then(&above_from_link);
         at = joint.parent;
     }
     above_from_link

@@ -5,6 +5,7 @@
 //! are only data, and the collision model, which is tested by itself (`robot/clearance`). Between samples the
 //! motion of every body is bounded, so that "clear" holds at every time and not only at the samples.
 
+mod dynamics;
 mod kinematics;
 mod line;
 mod trajectory;
@@ -16,8 +17,10 @@ use crate::follow::{
     JointLimits, JointPath, LEAN_TOLERANCE, LineDeviation, Motion, Phase, Trajectory,
     TrajectorySample, Workcell,
 };
+use crate::geometry::Vector3;
 use crate::represent::Task;
-use crate::robot::{LimitFault, RobotError, RobotModel};
+use crate::robot::{Joint, LimitFault, RobotError, RobotModel};
+use dynamics::joint_efforts;
 use line::{Line, off_grip, world_from_tool};
 
 /// Period at which limits and clearance are looked at [s].
@@ -26,6 +29,10 @@ const PERIOD: f64 = 0.01;
 const LINE_PERIOD: f64 = 0.002;
 /// The time before the end in which no sample is taken but the last [s].
 const LAST: f64 = 1e-9;
+/// Acceleration of a falling body in the world [m/s²].
+const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
+/// How far an effort may exceed its limit, relative to it; for rounding.
+const EFFORT_TOLERANCE: f64 = 1e-6;
 /// Distances beyond this are not told apart [m].
 const FAR: f64 = 0.5;
 
@@ -33,10 +40,13 @@ const FAR: f64 = 0.5;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MotionFault {
     /// A motion breaks the limits of its joints or does not keep to its times.
-    #[error("motion {motion}: {fault}")]
+    #[error("motion {motion}: {fault}{}", named(fault, joint))]
     Trajectory {
         /// The motion's number.
         motion: usize,
+        /// The joint of the fault, if it is one joint's; joints that follow others are numbered behind the
+        /// variables.
+        joint: Option<String>,
         /// What is wrong.
         fault: TrajectoryFault,
     },
@@ -47,6 +57,23 @@ pub enum MotionFault {
         time: f64,
         /// Which joint.
         fault: crate::robot::LimitFault,
+    },
+    /// A joint needs more effort than it has to carry and accelerate the robot's own bodies; tool and contact not
+    /// counted.
+    #[error(
+        "at {time:.3} s: joint {joint:?} needs {effort:.2} {unit} to carry and move the robot, its limit is {limit} {unit}"
+    )]
+    Effort {
+        /// When [s].
+        time: f64,
+        /// The joint.
+        joint: String,
+        /// What it needs [Nm or N].
+        effort: f64,
+        /// What it has [Nm or N].
+        limit: f64,
+        /// "Nm" or "N".
+        unit: &'static str,
     },
     /// A motion does not begin where and when the one before ends.
     #[error("motion {motion} begins {step} from where the one before ends, {gap} s later")]
@@ -114,8 +141,16 @@ pub struct Audit {
     pub faults: Vec<MotionFault>,
 }
 
-/// Checks every motion: limits of position, velocity and acceleration, coupled limits, clearance at every
-/// time, the tool's line, the second hand's grip, joints between motions, and that the base stands still while the tool is down.
+/// The name of the joint that a fault has by its number.
+fn named(fault: &TrajectoryFault, joint: &Option<String>) -> String {
+    match (fault.joint(), joint) {
+        (Some(number), Some(name)) => format!(" (joint {number} is {name:?})"),
+        _ => String::new(),
+    }
+}
+
+/// Checks every motion: limits of position, velocity and acceleration of every joint, those that follow others
+/// included, efforts for the robot's own weight and inertia, clearance at every time, the tool's line, the second hand's grip, joints between motions, and that the base stands still while the tool is down.
 ///
 /// # Errors
 /// If the motions are not of this robot.
@@ -126,7 +161,7 @@ pub fn audit(
     config: &FollowConfig,
 ) -> Result<Audit, FollowError> {
     let robot = cell.robot();
-    let limits = joint_limits(cell)?;
+    let moving = MovingJoints::new(cell)?;
     let mut audit = Audit {
         line: LineDeviation::default(),
         grip: GripDeviation::default(),
@@ -150,8 +185,9 @@ pub fn audit(
             gap(number, motion, *end, q, &first.q, &mut audit.faults);
         }
         before = Some((motion.start + last.time, last.q.clone()));
-        coupled_limits(motion, &samples, robot, &mut audit.faults);
-        timing(number, &samples, &limits, &mut audit.faults)?;
+        ranges(motion, &samples, robot, &mut audit.faults);
+        timing(number, &samples, &moving, &mut audit.faults)?;
+        efforts(motion, &samples, cell, &mut audit.faults);
         clearance(motion, &samples, cell, &mut audit)?;
         base(number, motion.phase, &samples, cell, &mut audit.faults);
         let samples = self::samples(&motion.trajectory, LINE_PERIOD);
@@ -169,21 +205,73 @@ fn samples(trajectory: &Trajectory, period: f64) -> Vec<TrajectorySample> {
     times.map(|time| trajectory.sample(time)).collect()
 }
 
-/// The limits of all n variables: those of the robot model, and where it gives none the work cell's.
-fn joint_limits(cell: &Workcell) -> Result<JointLimits, FollowError> {
-    let limit = |(i, assumed): (usize, &JointLimit)| {
-        let joint = cell.robot().variable(i);
-        let range = joint.limits.position;
-        JointLimit {
+/// The joints that move: the n variables, then those that follow them.
+struct MovingJoints<'a> {
+    robot: &'a RobotModel,
+    followers: Vec<&'a Joint>,
+    /// Of velocity and acceleration; ranges are looked at by themselves.
+    limits: JointLimits,
+}
+
+impl<'a> MovingJoints<'a> {
+    /// Limits are those of the robot model. Where it gives none, a variable has the work cell's, and a joint that
+    /// follows variables what these can make it do.
+    fn new(cell: &'a Workcell) -> Result<Self, FollowError> {
+        let robot = cell.robot();
+        let is_follower = |i: usize| robot.variables().iter().all(|id| id.index() != i);
+        let moves = |joint: &Joint| joint.drive.terms.iter().any(|(_, factor)| *factor != 0.0);
+        let joints = robot.joints().iter().enumerate();
+        let followers: Vec<&Joint> = joints
+            .filter(|&(i, joint)| is_follower(i) && moves(joint))
+            .map(|(_, joint)| joint)
+            .collect();
+        let limit = |joint: &Joint, velocity: f64, acceleration: f64| JointLimit {
             name: joint.name.clone(),
-            lower: range.map_or(f64::NEG_INFINITY, |range| range.lower),
-            upper: range.map_or(f64::INFINITY, |range| range.upper),
-            velocity: joint.limits.velocity.unwrap_or(assumed.velocity),
-            acceleration: joint.limits.acceleration.unwrap_or(assumed.acceleration),
+            lower: f64::NEG_INFINITY,
+            upper: f64::INFINITY,
+            velocity: joint.limits.velocity.unwrap_or(velocity),
+            acceleration: joint.limits.acceleration.unwrap_or(acceleration),
+        };
+        let assumed = cell.limits().joints().iter().enumerate();
+        let mut limits: Vec<JointLimit> = assumed
+            .map(|(i, assumed)| limit(robot.variable(i), assumed.velocity, assumed.acceleration))
+            .collect();
+        for joint in &followers {
+            let (mut velocity, mut acceleration) = (0.0, 0.0);
+            for &(variable, factor) in &joint.drive.terms {
+                velocity += factor.abs() * limits[variable].velocity;
+                acceleration += factor.abs() * limits[variable].acceleration;
+            }
+            limits.push(limit(joint, velocity, acceleration));
         }
-    };
-    let assumed = cell.limits().joints().iter().enumerate();
-    Ok(JointLimits::new(assumed.map(limit).collect())?)
+        Ok(Self {
+            robot,
+            followers,
+            limits: JointLimits::new(limits)?,
+        })
+    }
+
+    /// The state of all of them at the state of the variables.
+    fn state(&self, variables: &TrajectorySample) -> TrajectorySample {
+        let mut state = variables.clone();
+        for joint in &self.followers {
+            let sum = |of: &[f64]| -> f64 {
+                let terms = joint.drive.terms.iter();
+                terms.map(|(i, factor)| factor * of[*i]).sum()
+            };
+            state.q.push(joint.drive.offset + sum(&variables.q));
+            state.qd.push(sum(&variables.qd));
+            state.qdd.push(sum(&variables.qdd));
+        }
+        state
+    }
+
+    fn name(&self, number: usize) -> &str {
+        match number.checked_sub(self.robot.dof()) {
+            None => &self.robot.variable(number).name,
+            Some(follower) => &self.followers[follower].name,
+        }
+    }
 }
 
 fn gap(
@@ -206,8 +294,8 @@ fn gap(
     }
 }
 
-/// Positions of all joints, those that follow several others included.
-fn coupled_limits(
+/// Positions of all joints, those that follow others included.
+fn ranges(
     motion: &Motion,
     samples: &[TrajectorySample],
     robot: &RobotModel,
@@ -239,18 +327,60 @@ fn coupled_limits(
 fn timing(
     number: usize,
     samples: &[TrajectorySample],
-    limits: &JointLimits,
+    moving: &MovingJoints,
     faults: &mut Vec<MotionFault>,
 ) -> Result<(), FollowError> {
-    let path: Vec<&[f64]> = samples.iter().map(|sample| sample.q.as_slice()).collect();
+    let states: Vec<TrajectorySample> = samples.iter().map(|sample| moving.state(sample)).collect();
+    let path: Vec<&[f64]> = states.iter().map(|state| state.q.as_slice()).collect();
     // The samples themselves are the path: what is checked here is not the way but its times.
     let path = JointPath::new(&path)?;
-    let found = trajectory_faults(samples, &path, limits, &CheckConfig::default());
+    let found = trajectory_faults(&states, &path, &moving.limits, &CheckConfig::default());
     faults.extend(found.into_iter().map(|fault| MotionFault::Trajectory {
         motion: number,
+        joint: fault.joint().map(|joint| moving.name(joint).to_owned()),
         fault,
     }));
     Ok(())
+}
+
+/// Efforts against the limits of all joints: of a variable, what moves it and all that follows it; of a joint that
+/// follows others, what passes through it. A limit that is not positive is none.
+fn efforts(
+    motion: &Motion,
+    samples: &[TrajectorySample],
+    cell: &Workcell,
+    faults: &mut Vec<MotionFault>,
+) {
+    let robot = cell.robot();
+    let gravity_in_root = cell.world_from_root().rotation.inverse() * GRAVITY;
+    let is_variable = |i: usize| robot.variables().iter().any(|id| id.index() == i);
+    for sample in samples {
+        let through = joint_efforts(robot, sample, gravity_in_root);
+        let mut of_variables = vec![0.0; robot.dof()];
+        for (joint, effort) in robot.joints().iter().zip(&through) {
+            for &(variable, factor) in &joint.drive.terms {
+                of_variables[variable] += factor * effort;
+            }
+        }
+        for (i, joint) in robot.joints().iter().enumerate() {
+            let Some(limit) = joint.limits.effort.filter(|limit| *limit > 0.0) else {
+                continue;
+            };
+            let effort = match joint.drive.terms[..] {
+                [(variable, _)] if is_variable(i) => of_variables[variable],
+                _ => through[i],
+            };
+            if effort.abs() > limit * (1.0 + EFFORT_TOLERANCE) {
+                faults.push(MotionFault::Effort {
+                    time: motion.start + sample.time,
+                    joint: joint.name.clone(),
+                    effort,
+                    limit,
+                    unit: joint.kind.effort_unit(),
+                });
+            }
+        }
+    }
 }
 
 fn clearance(

@@ -153,6 +153,25 @@ pub enum TrajectoryFault {
     },
 }
 
+impl TrajectoryFault {
+    /// The number of the joint whose fault it is; `None` if it is not one joint's.
+    pub const fn joint(&self) -> Option<usize> {
+        match self {
+            Self::Position { joint, .. }
+            | Self::TooFast { joint, .. }
+            | Self::VelocityMismatch { joint, .. }
+            | Self::NotAtRest { joint, .. }
+            | Self::WrongEnd { joint, .. } => Some(*joint),
+            Self::Empty
+            | Self::Shape { .. }
+            | Self::NotFinite { .. }
+            | Self::TimeNotIncreasing { .. }
+            | Self::OffPath { .. }
+            | Self::WaypointMissed { .. } => None,
+        }
+    }
+}
+
 /// In what way a joint is too fast.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rate {

@@ -178,6 +178,14 @@ impl Search<'_> {
         self.is_whole() && (self.best.as_ref()).is_some_and(|(run, ..)| run.turned <= most)
     }
 
+    /// Whether a way in contact is longer than the best run, or as long and less turned.
+    fn is_better(&self, contact: &Contact, begun: &Begun) -> bool {
+        let (length, turned) = (contact.legs.len(), contact.turned(begun, self.arm));
+        self.best.as_ref().is_none_or(|(best, ..)| {
+            length > best.last || length == best.last && turned < best.turned
+        })
+    }
+
     /// One configuration: whether it gives the best run so far; `None` if the tool cannot be put down.
     fn try_one(
         &mut self,
@@ -203,15 +211,14 @@ impl Search<'_> {
             }
         };
         let contact = wipe(arm, &begun, planned, orientations, search);
-        let turned = contact.turned(&begun, arm);
-        let length = contact.legs.len();
-        let is_better = self.best.as_ref().is_none_or(|(best, ..)| {
-            length > best.last || length == best.last && turned < best.turned
-        });
-        if !is_better {
+        if !self.is_better(&contact, &begun) {
             return Some(false);
         }
-        match finish(arm, now, begun, contact, self.lift_height, self.seed) {
+        let (contact, up) = lifted_off(arm, &begun, contact, self.lift_height);
+        if !self.is_better(&contact, &begun) {
+            return Some(false);
+        }
+        match finish(arm, now, begun, contact, up, self.lift_height, self.seed) {
             Ok(run) => {
                 self.best = Some((run, *orientation, start));
                 Some(true)
@@ -351,12 +358,50 @@ fn wipe(
     contact
 }
 
-/// Lifts the tool, and finds the way to where it was put down.
+/// Lifts the tool at the end of a stroke, or where it cannot be lifted there, at the last node before where it can: the
+/// rest is gone on with in another configuration. At the first node it goes up as it came down.
+fn lifted_off(
+    arm: &Arm,
+    begun: &Begun,
+    mut contact: Contact,
+    lift_height: f64,
+) -> (Contact, Vec<JointPositions>) {
+    let mut stuck = Vec::new();
+    while !contact.legs.is_empty() {
+        let lifted = contact.end_pose.lifted(lift_height);
+        let (end, pose) = (&contact.end, &contact.end_pose);
+        match arm.along(end, pose, &lifted, AllowedContact::Surface) {
+            Ok(up) => {
+                contact.stopped.extend(stuck);
+                return (contact, up);
+            }
+            Err(broken) => stuck.push(Attempt {
+                rotation: begun.orientation.rotation,
+                tilt: begun.orientation.tilt,
+                progress: 1.0,
+                obstruction: broken.obstruction,
+            }),
+        }
+        contact.legs.pop();
+        let last = contact.legs.last();
+        let end = last.and_then(|leg| leg.configurations.last());
+        contact.end = end.copied().unwrap_or_else(|| begun.start());
+        let pose = last.and_then(|leg| leg.line.last());
+        contact.end_pose = pose.copied().unwrap_or(begun.pose);
+    }
+    contact.stopped.extend(stuck);
+    let down = begun.down.iter().rev().skip(1);
+    let up = down.chain([&begun.above]).copied().collect();
+    (contact, up)
+}
+
+/// Finds the way to where the tool was put down, and puts the pieces together.
 fn finish(
     arm: &Arm,
     now: &Now,
     begun: Begun,
     contact: Contact,
+    up: Vec<JointPositions>,
     lift_height: f64,
     seed: u64,
 ) -> Result<Run, Attempt> {
@@ -367,14 +412,6 @@ fn finish(
         obstruction,
     };
     let lifted = contact.end_pose.lifted(lift_height);
-    let up = arm
-        .along(
-            &contact.end,
-            &contact.end_pose,
-            &lifted,
-            AllowedContact::Surface,
-        )
-        .map_err(|broken| failed(broken.obstruction))?;
     let above_start = begun.pose.lifted(lift_height);
     let mut pieces = Vec::new();
     match (&begun.over, now.tool) {

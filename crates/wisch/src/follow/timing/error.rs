@@ -85,6 +85,16 @@ pub enum TimingError {
         /// The limit given.
         value: f64,
     },
+    /// A joint follows a column that there is not.
+    #[error("joint \"{joint}\" follows column {column}, but there are limits of {columns} columns")]
+    NoSuchColumn {
+        /// The joint's name.
+        joint: String,
+        /// The column.
+        column: usize,
+        /// How many there are.
+        columns: usize,
+    },
     /// Not one time per segment.
     #[error("{times} segment times are given for {segments} segments")]
     UnequalSegments {

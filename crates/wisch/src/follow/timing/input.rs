@@ -1,6 +1,7 @@
 //! What is to be timed: waypoints and the limits of the joints.
 
 use super::{MAX_WAYPOINTS, TimingError};
+use crate::robot::Drive;
 
 /// Waypoints in joint space, joined by straight segments; to be followed from rest to rest.
 #[derive(Debug, Clone, PartialEq)]
@@ -176,10 +177,23 @@ impl JointLimit {
     }
 }
 
-/// The limits of all joints, in the order of the path's columns.
+/// What a joint can do that follows others, such as one that rods hold parallel or the second finger of a hand.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FollowerLimit {
+    /// Its own limits.
+    pub limit: JointLimit,
+    /// Where it is, in terms of the path's columns.
+    pub drive: Drive,
+}
+
+/// How far rounding may take the position of a joint that follows others out of its range [rad or m].
+const FOLLOWER_ROUNDING: f64 = 1e-12;
+
+/// The limits of all joints: of those that are a path's columns, in their order, and of those that follow them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointLimits {
     joints: Vec<JointLimit>,
+    followers: Vec<FollowerLimit>,
 }
 
 impl JointLimits {
@@ -198,34 +212,80 @@ impl JointLimits {
     ///
     /// If a range is empty or a velocity or acceleration is not positive and finite.
     pub fn new(joints: Vec<JointLimit>) -> Result<Self, TimingError> {
-        for joint in &joints {
-            let ends_are_numbers = !(joint.lower.is_nan() || joint.upper.is_nan());
-            if !ends_are_numbers || joint.lower > joint.upper {
-                return Err(TimingError::EmptyRange {
-                    joint: joint.name.clone(),
-                    lower: joint.lower,
-                    upper: joint.upper,
+        joints.iter().try_for_each(JointLimit::checked)?;
+        let followers = Vec::new();
+        Ok(Self { joints, followers })
+    }
+
+    /// The same limits, and those of joints that follow the path's columns: a motion keeps these as well.
+    ///
+    /// ```
+    /// use wisch::follow::{FollowerLimit, JointLimit, JointLimits, JointPath, TimingConfig, time_path};
+    /// use wisch::robot::Drive;
+    /// let joints = ["hip", "knee"].map(|name| JointLimit::arm(name, -2.0, 2.0));
+    /// let sum = FollowerLimit {
+    ///     limit: JointLimit::arm("rod", -3.0, 3.0),
+    ///     drive: Drive { offset: 0.0, terms: vec![(0, 1.0), (1, 1.0)] },
+    /// };
+    /// let limits = JointLimits::new(joints.to_vec())?.with_followers(vec![sum])?;
+    /// let path = JointPath::new(&[[0.0, 0.0], [1.0, 1.0]])?;
+    /// // Each turns by 1 rad, which takes 1.1 s; the rod turns by 2 rad.
+    /// assert!(time_path(&path, &limits, &TimingConfig::default())?.duration() > 2.0);
+    /// # Ok::<(), wisch::follow::TimingError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As [`JointLimits::new`], and if a joint follows a column that there is not.
+    pub fn with_followers(mut self, followers: Vec<FollowerLimit>) -> Result<Self, TimingError> {
+        for FollowerLimit { limit, drive } in &followers {
+            limit.checked()?;
+            let columns = self.joints.len();
+            if let Some(&(column, _)) = drive.terms.iter().find(|(i, _)| *i >= columns) {
+                return Err(TimingError::NoSuchColumn {
+                    joint: limit.name.clone(),
+                    column,
+                    columns,
                 });
             }
-            for (quantity, value) in [
-                ("velocity", joint.velocity),
-                ("acceleration", joint.acceleration),
-            ] {
-                if !(value.is_finite() && value > 0.0) {
-                    return Err(TimingError::LimitNotPositive {
-                        joint: joint.name.clone(),
-                        quantity,
-                        value,
-                    });
-                }
-            }
         }
-        Ok(Self { joints })
+        self.followers = followers;
+        Ok(self)
     }
 
     /// One limit per joint, in the order of the columns of a [`JointPath`].
     pub fn joints(&self) -> &[JointLimit] {
         &self.joints
+    }
+
+    /// Those of the joints that follow others.
+    pub fn followers(&self) -> &[FollowerLimit] {
+        &self.followers
+    }
+
+    /// Path and limits with a column for each joint that follows others, behind those of the path.
+    ///
+    /// A straight piece of the path is one of these columns too, and a blend is the same parabola: what holds of
+    /// columns holds of joints that follow them.
+    pub(super) fn with_columns_of_followers(&self, path: &JointPath) -> (Self, JointPath) {
+        let followed = self.followers.iter().map(|follower| &follower.limit);
+        let limits = Self {
+            joints: self.joints.iter().chain(followed).cloned().collect(),
+            followers: Vec::new(),
+        };
+        let mut positions = Vec::new();
+        for waypoint in 0..path.waypoint_count() {
+            let q = path.waypoint(waypoint);
+            positions.extend_from_slice(q);
+            let followers = self.followers.iter();
+            positions.extend(followers.map(|follower| follower.drive.position(q)));
+        }
+        let path = JointPath {
+            joint_count: limits.joints.len(),
+            positions,
+            segment_times: path.segment_times.clone(),
+        };
+        (limits, path)
     }
 
     /// Whether a path keeps within the ranges.
@@ -237,17 +297,53 @@ impl JointLimits {
             });
         }
         for waypoint in 0..path.waypoint_count() {
-            for (joint, &value) in self.joints.iter().zip(path.waypoint(waypoint)) {
-                if value < joint.lower || value > joint.upper {
-                    return Err(TimingError::PositionOutOfRange {
-                        waypoint,
-                        joint: joint.name.clone(),
-                        value,
-                        lower: joint.lower,
-                        upper: joint.upper,
-                    });
-                }
+            let q = path.waypoint(waypoint);
+            for (joint, &value) in self.joints.iter().zip(q) {
+                joint.admit(waypoint, value, 0.0)?;
             }
+            for FollowerLimit { limit, drive } in &self.followers {
+                limit.admit(waypoint, drive.position(q), FOLLOWER_ROUNDING)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl JointLimit {
+    fn checked(&self) -> Result<(), TimingError> {
+        let ends_are_numbers = !(self.lower.is_nan() || self.upper.is_nan());
+        if !ends_are_numbers || self.lower > self.upper {
+            return Err(TimingError::EmptyRange {
+                joint: self.name.clone(),
+                lower: self.lower,
+                upper: self.upper,
+            });
+        }
+        for (quantity, value) in [
+            ("velocity", self.velocity),
+            ("acceleration", self.acceleration),
+        ] {
+            if !(value.is_finite() && value > 0.0) {
+                return Err(TimingError::LimitNotPositive {
+                    joint: self.name.clone(),
+                    quantity,
+                    value,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a waypoint's position is in the range, up to rounding.
+    fn admit(&self, waypoint: usize, value: f64, rounding: f64) -> Result<(), TimingError> {
+        if value < self.lower - rounding || value > self.upper + rounding {
+            return Err(TimingError::PositionOutOfRange {
+                waypoint,
+                joint: self.name.clone(),
+                value,
+                lower: self.lower,
+                upper: self.upper,
+            });
         }
         Ok(())
     }

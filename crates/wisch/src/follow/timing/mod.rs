@@ -12,7 +12,7 @@ mod trajectory;
 
 use blends::BlendedPath;
 pub use error::TimingError;
-pub use input::{JointLimit, JointLimits, JointPath};
+pub use input::{FollowerLimit, JointLimit, JointLimits, JointPath};
 use trajectory::Stretch;
 pub use trajectory::{SAMPLE_PERIOD, Trajectory, TrajectorySample};
 
@@ -48,7 +48,7 @@ impl Default for TimingConfig {
 }
 
 /// The fastest motion from rest to rest along a path with rounded corners, within the limits of every
-/// joint at every time (paper §3.4; time-optimal path parametrisation after Pham and Pham, 2018).
+/// joint at every time, those that follow others included (paper §3.4; time-optimal path parametrisation after Pham and Pham, 2018).
 ///
 /// The motion starts and ends exactly at the first and last waypoint and passes the others in order.
 /// Waypoints nearer than a tenth of the tolerance to the one before are passed over, repeated ones too;
@@ -89,6 +89,8 @@ pub fn time_path(
     }
     limits.admit(path)?;
 
+    let (start, end) = (path.waypoint(0), path.waypoint(path.waypoint_count() - 1));
+    let (limits, path) = &limits.with_columns_of_followers(path);
     let blended = BlendedPath::new(path, limits, tolerance);
     let grid = profile::grid(&blended, limits, config.grid_intervals);
     let squares = if grid.is_empty() {
@@ -114,7 +116,7 @@ pub fn time_path(
         path: blended,
         stretches,
         duration: time,
-        start: path.waypoint(0).to_vec(),
-        end: path.waypoint(path.waypoint_count() - 1).to_vec(),
+        start: start.to_vec(),
+        end: end.to_vec(),
     })
 }

@@ -68,6 +68,18 @@ impl Trajectory {
         self.end.len()
     }
 
+    /// The same way, so many times slower at every place: velocities are divided by the factor, accelerations by its
+    /// square.
+    pub(in crate::follow) fn slowed(mut self, factor: f64) -> Self {
+        for stretch in &mut self.stretches {
+            stretch.time *= factor;
+            stretch.speed /= factor;
+            stretch.acceleration /= factor * factor;
+        }
+        self.duration *= factor;
+        self
+    }
+
     /// When the path acceleration changes or a blend begins or ends [s]; first 0, last the duration.
     pub fn switch_times(&self) -> impl Iterator<Item = f64> {
         let begins = self.stretches.iter().map(|stretch| stretch.time);
@@ -113,7 +125,13 @@ impl Trajectory {
         let since = time - stretch.time;
         let along = stretch.offset + since * (stretch.speed + 0.5 * since * stretch.acceleration);
         let speed = stretch.speed + since * stretch.acceleration;
-        for (i, [q, d1, d2]) in self.path.terms(stretch.piece).iter().enumerate() {
+        // Behind the joints' columns are those of joints that follow them.
+        let columns = self
+            .path
+            .terms(stretch.piece)
+            .iter()
+            .take(self.joint_count());
+        for (i, [q, d1, d2]) in columns.enumerate() {
             let slope = d1 + along * d2;
             sample.q[i] = q + along * (d1 + 0.5 * along * d2);
             sample.qd[i] = slope * speed;

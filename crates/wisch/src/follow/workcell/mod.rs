@@ -7,13 +7,16 @@ pub(super) mod second_arm;
 pub use group::{PlanarBase, PlanningGroup};
 pub use second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE, SecondArm};
 
-use crate::follow::{FollowError, JointLimit, JointLimits, ToolPose};
+use crate::follow::{FollowError, FollowerLimit, JointLimit, JointLimits, ToolPose};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::represent::{SceneObject, ScenePart, Task};
-use crate::robot::{CollisionModel, IkConfig, IkSolver, JointKind, LinkId, RobotModel, Srdf};
+use crate::robot::{
+    CollisionModel, IkConfig, IkSolver, Joint, JointKind, LinkId, RobotModel, Srdf,
+};
 use grasp::{relaxed, tip_from_tool, without_rim};
 use group::{READY_STATE, hand_and_holder, planar_base, put_in, standing_links};
 use nalgebra::{Translation3, UnitQuaternion};
+use std::collections::BTreeSet;
 
 /// How far a base may stand off the plane of its floor before that is an error [m, rad].
 const FLOOR_TOLERANCE: f64 = 1e-6;
@@ -82,7 +85,7 @@ pub struct Workcell {
     arm_collisions: CollisionModel,
     arm_collisions_in_contact: CollisionModel,
     limits: JointLimits,
-    obstacles: Vec<String>,
+    obstacles: BTreeSet<String>,
 }
 
 impl Workcell {
@@ -180,26 +183,31 @@ impl Workcell {
         }
         let on_wheels = base.map_or(vec![], |base| standing_links(&robot, &base));
         let root_from_world = world_from_root.inverse();
-        let mut obstacles = Vec::new();
-        for object in &task.scene {
-            if matches!(object.part, ScenePart::Robot | ScenePart::Tool) {
-                continue;
-            }
-            let name = unlike(&robot, &object.name);
-            let root_from_object = root_from_world * object.world_from_object;
-            for model in [&mut collisions, &mut in_contact, &mut slim] {
-                model.add_obstacle(&name, root_from_object, &object.mesh)?;
-                for link in on_wheels.iter().filter(|_| is_below_floor(object)) {
-                    model.allow(link, &name)?;
+        let standing = (task.scene.iter())
+            .filter(|object| !matches!(object.part, ScenePart::Robot | ScenePart::Tool));
+        let named: Vec<(String, &SceneObject)> = standing
+            .map(|object| (unlike(&robot, &object.name), object))
+            .collect();
+        for model in [&mut collisions, &mut in_contact, &mut slim] {
+            let placed = named.iter().map(|(name, object)| {
+                let root_from_object = root_from_world * object.world_from_object;
+                (name.as_str(), root_from_object, &object.mesh)
+            });
+            model.add_obstacles(placed)?;
+        }
+        for (name, object) in &named {
+            for link in on_wheels.iter().filter(|_| is_below_floor(object)) {
+                for model in [&mut collisions, &mut in_contact, &mut slim] {
+                    model.allow(link, name)?;
                 }
             }
-            slim.allow(&tool, &name)?;
+            slim.allow(&tool, name)?;
             if object.part == ScenePart::Carrier {
-                in_contact.allow(&tool, &name)?;
-                slim.allow(&core, &name)?;
+                in_contact.allow(&tool, name)?;
+                slim.allow(&core, name)?;
             }
-            obstacles.push(name);
         }
+        let obstacles = named.into_iter().map(|(name, _)| name).collect();
         let arm_collisions = collisions.for_variables(&arm_variables);
         let arm_collisions_in_contact = slim.for_variables(&arm_variables);
         let base_variables = base.map_or(vec![], |base| vec![base.x, base.y, base.yaw]);
@@ -300,14 +308,15 @@ impl Workcell {
         }
     }
 
-    /// Position, velocity and acceleration limits of all n variables, in the order of the robot's.
+    /// Position, velocity and acceleration limits of all n variables, in the order of the robot's, and of the
+    /// joints that follow them.
     pub const fn limits(&self) -> &JointLimits {
         &self.limits
     }
 
     /// Whether a name in a contact is one of the scene's objects.
     pub(in crate::follow) fn is_obstacle(&self, name: &str) -> bool {
-        self.obstacles.iter().any(|obstacle| obstacle == name)
+        self.obstacles.contains(name)
     }
 
     /// Pose of the tool in the world where it is said to be on the surface.
@@ -411,24 +420,42 @@ fn unlike(robot: &RobotModel, name: &str) -> String {
 }
 
 fn limits(robot: &RobotModel) -> Result<JointLimits, FollowError> {
-    let limit = |i: usize| {
+    let of_variable = |i: usize| {
         let joint = robot.variable(i);
-        let (lower, upper) = (joint.limits.position)
-            .map_or((f64::NEG_INFINITY, f64::INFINITY), |range| {
-                (range.lower, range.upper)
-            });
         // The paper's, where the URDF gives none.
         let usual = match joint.kind {
             JointKind::Prismatic => JointLimit::base(&joint.name),
-            _ => JointLimit::arm(&joint.name, lower, upper),
+            _ => JointLimit::arm(&joint.name, f64::NEG_INFINITY, f64::INFINITY),
         };
-        JointLimit {
-            lower,
-            upper,
-            velocity: joint.limits.velocity.unwrap_or(usual.velocity),
-            acceleration: joint.limits.acceleration.unwrap_or(usual.acceleration),
-            ..usual
-        }
+        limit(joint, [usual.velocity, usual.acceleration])
     };
-    Ok(JointLimits::new((0..robot.dof()).map(limit).collect())?)
+    let variables: Vec<JointLimit> = (0..robot.dof()).map(of_variable).collect();
+    let follower = |joint: &Joint| {
+        // Without limits of its own it has those of what it follows.
+        let drive = joint.drive.clone();
+        let sum = |of: fn(&JointLimit) -> f64| -> f64 {
+            let terms = drive.terms.iter();
+            terms
+                .map(|&(i, factor)| factor.abs() * of(&variables[i]))
+                .sum()
+        };
+        let most = [sum(|limit| limit.velocity), sum(|limit| limit.acceleration)];
+        let limit = limit(joint, most);
+        FollowerLimit { limit, drive }
+    };
+    let moved = |joint: &&Joint| joint.drive.terms.iter().any(|&(_, factor)| factor != 0.0);
+    let followers = robot.followers().filter(moved).map(follower).collect();
+    Ok(JointLimits::new(variables)?.with_followers(followers)?)
+}
+
+/// The limits of a joint, with these of velocity and acceleration where it has none.
+fn limit(joint: &Joint, [velocity, acceleration]: [f64; 2]) -> JointLimit {
+    let range = joint.limits.position;
+    JointLimit {
+        name: joint.name.clone(),
+        lower: range.map_or(f64::NEG_INFINITY, |range| range.lower),
+        upper: range.map_or(f64::INFINITY, |range| range.upper),
+        velocity: joint.limits.velocity.unwrap_or(velocity),
+        acceleration: joint.limits.acceleration.unwrap_or(acceleration),
+    }
 }

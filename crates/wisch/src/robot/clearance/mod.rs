@@ -1,6 +1,7 @@
 //! Which parts of a robot, its tools and its surroundings touch, and how far they are apart.
 
 mod allowed;
+mod broad_phase;
 mod frames;
 mod mesh;
 mod segment;
@@ -15,10 +16,11 @@ use super::frame::Frame;
 use super::{LinkId, RobotError, RobotModel, Srdf};
 use crate::geometry::{Mesh, Pose};
 use crate::source_location::UnknownName;
+use broad_phase::Obstacles;
 use frames::{LinkFrames, Mount};
 use mesh::Placed;
-use segment::Span;
-use solid::Solid;
+use segment::{OpenPair, Span};
+use solid::{AxisAlignedBox, Solid};
 use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -39,7 +41,7 @@ use std::ops::Range;
 /// to rounding. Others are found by the method of Gilbert, Johnson and Keerthi, which is at most 1e-7
 /// of its value above the distance, and 1e-5 m where a cylinder is involved.
 ///
-/// Every pair is looked at: some hundred obstacles are fine, thousands are not.
+/// Obstacles are looked up by where they are, so that thousands of them cost little more than those that are near.
 ///
 /// ```
 /// # use wisch::robot::RobotModel;
@@ -77,13 +79,27 @@ pub struct CollisionModel {
     neighbours: Vec<Vec<BodyId>>,
     /// The links, then bodies and obstacles.
     bodies: Vec<Body>,
+    by_name: BTreeMap<String, BodyId>,
     solids: Vec<PlacedSolid>,
     /// The lower number first.
     allowed: BTreeMap<[BodyId; 2], Reason>,
-    /// What follows from all that: the pairs to check, and what must be placed for it.
+    obstacles: Obstacles,
+    /// What follows from all that: what to check, and what must be placed for it.
+    rows: Vec<Row>,
+    /// Of links and bodies, row by row.
     pairs: Vec<[BodyId; 2]>,
     placed_frames: Vec<usize>,
     placed_solids: Vec<usize>,
+}
+
+/// What a link or body is checked against.
+#[derive(Debug, Clone)]
+struct Row {
+    body: BodyId,
+    /// Where its pairs with later links and bodies are.
+    pairs: Range<usize>,
+    /// Whether it moves against the obstacles.
+    meets_obstacles: bool,
 }
 
 /// A link, body or obstacle of one [`CollisionModel`].
@@ -94,6 +110,7 @@ pub struct BodyId(usize);
 struct Body {
     name: String,
     frame: usize,
+    is_obstacle: bool,
     solids: Range<usize>,
     /// Farthest that any of its points is from the origin of its frame [m].
     reach: f64,
@@ -133,8 +150,8 @@ struct Scratch {
     world_from_frame: Vec<Frame>,
     world_from_solid: Vec<Frame>,
     q: Vec<f64>,
-    motions: Vec<f64>,
-    open: Vec<usize>,
+    near: Vec<BodyId>,
+    open: Vec<OpenPair>,
     spans: Vec<Span>,
 }
 
@@ -166,8 +183,11 @@ impl CollisionModel {
             is_moved: vec![true; robot.dof()],
             neighbours: allowed::neighbours(robot),
             bodies: Vec::new(),
+            by_name: BTreeMap::new(),
             solids: Vec::new(),
             allowed: BTreeMap::new(),
+            obstacles: Obstacles::default(),
+            rows: Vec::new(),
             pairs: Vec::new(),
             placed_frames: Vec::new(),
             placed_solids: Vec::new(),
@@ -229,15 +249,40 @@ impl CollisionModel {
         root_from_object: Pose,
         mesh: &Mesh,
     ) -> Result<(), RobotError> {
-        self.check_new(name, &root_from_object)?;
-        let mount = Mount {
-            frame: 0,
-            frame_from_link: root_from_object,
+        self.add_obstacles([(name, root_from_object, mesh)])
+    }
+
+    /// The same for several at once, each a name, a pose and a mesh: with many, much faster than one by one. Those
+    /// before one that is refused are added.
+    ///
+    /// # Errors
+    /// As [`CollisionModel::add_obstacle`].
+    pub fn add_obstacles<'a>(
+        &mut self,
+        obstacles: impl IntoIterator<Item = (&'a str, Pose, &'a Mesh)>,
+    ) -> Result<(), RobotError> {
+        let added = obstacles
+            .into_iter()
+            .try_for_each(|(name, root_from_object, mesh)| {
+                self.check_new(name, &root_from_object)?;
+                let mount = Mount {
+                    frame: 0,
+                    frame_from_link: root_from_object,
+                };
+                let obstacle = mesh::obstacle(name, mesh)?;
+                let body = self.push(name, mount, std::iter::once(obstacle));
+                self.bodies[body.0].is_obstacle = true;
+                Ok(())
+            });
+        let stands = |(i, body): (usize, &Body)| {
+            let bounds = self.solids[body.solids.clone()]
+                .iter()
+                .map(|solid| solid.solid.bounds(&solid.frame_from_solid))
+                .reduce(AxisAlignedBox::merged)?;
+            body.is_obstacle.then_some((BodyId(i), bounds))
         };
-        let obstacle = mesh::obstacle(name, mesh)?;
-        self.push(name, mount, std::iter::once(obstacle));
-        self.list_pairs();
-        Ok(())
+        self.obstacles = Obstacles::new(self.bodies.iter().enumerate().filter_map(stands));
+        added
     }
 
     /// Lets two links, bodies or obstacles touch.
@@ -245,9 +290,12 @@ impl CollisionModel {
     /// # Errors
     /// If there is none of a name; the error has the nearest names.
     pub fn allow(&mut self, a: &str, b: &str) -> Result<(), RobotError> {
-        let [a, b] = [self.body(a)?, self.body(b)?];
-        self.permit(a, b, Reason::Asked);
-        self.list_pairs();
+        let pair = [self.body(a)?, self.body(b)?];
+        self.permit(pair[0], pair[1], Reason::Asked);
+        // Pairs with obstacles are not listed.
+        if pair.iter().all(|id| !self.bodies[id.0].is_obstacle) {
+            self.list_pairs();
+        }
         Ok(())
     }
 
@@ -259,9 +307,17 @@ impl CollisionModel {
 
     /// The pairs that are checked.
     pub fn checked_pairs(&self) -> impl Iterator<Item = (&str, &str)> {
-        self.pairs
-            .iter()
-            .map(|&[a, b]| (self.name(a), self.name(b)))
+        let all = (0..self.bodies.len()).map(BodyId);
+        let obstacles: Vec<BodyId> = all.filter(|id| self.bodies[id.0].is_obstacle).collect();
+        let mut checked = Vec::new();
+        for row in &self.rows {
+            checked.extend_from_slice(&self.pairs[row.pairs.clone()]);
+            let met = obstacles.iter().filter(|_| row.meets_obstacles);
+            let pairs = met.map(|&obstacle| [row.body, obstacle]);
+            checked.extend(pairs.filter(|&pair| !self.may_touch(pair)));
+        }
+        let named = |[a, b]: [BodyId; 2]| (self.name(a), self.name(b));
+        checked.into_iter().map(named)
     }
 
     /// The link, body or obstacle of a name.
@@ -269,8 +325,7 @@ impl CollisionModel {
     /// # Errors
     /// If there is none; the error has the nearest names.
     pub fn body(&self, name: &str) -> Result<BodyId, RobotError> {
-        let found = self.bodies.iter().position(|body| body.name == name);
-        found.map(BodyId).ok_or_else(|| {
+        self.by_name.get(name).copied().ok_or_else(|| {
             let known = self.bodies.iter().map(|body| body.name.as_str());
             RobotError::NoSuch(Box::new(UnknownName::new(
                 "link, body or obstacle",
@@ -326,11 +381,20 @@ impl CollisionModel {
                 distance: up_to,
                 pair: None,
             };
-            for &[a, b] in &self.pairs {
+            let look = |[a, b]: [BodyId; 2], nearest: &mut Clearance, scratch: &Scratch| {
                 let distance = self.distance([a, b], scratch, nearest.distance);
                 if distance < nearest.distance {
                     let pair = Some(Contact { a, b, distance });
-                    nearest = Clearance { distance, pair };
+                    *nearest = Clearance { distance, pair };
+                }
+            };
+            for row in &self.rows {
+                for &pair in &self.pairs[row.pairs.clone()] {
+                    look(pair, &mut nearest, scratch);
+                }
+                self.find_obstacles_near(row, nearest.distance, scratch);
+                for &obstacle in &scratch.near {
+                    look([row.body, obstacle], &mut nearest, scratch);
                 }
             }
             nearest
@@ -346,18 +410,51 @@ impl CollisionModel {
         checked_distance("margin", margin)?;
         Ok(with_scratch(|scratch| {
             self.place(q, scratch);
-            let contact = |&[a, b]: &[BodyId; 2]| {
-                // Zero is below the next greater number.
-                let distance = self.distance([a, b], scratch, margin.next_up());
-                (distance <= margin).then_some(Contact { a, b, distance })
-            };
-            self.pairs.iter().find_map(contact)
+            for row in &self.rows {
+                let contact = |[a, b]: [BodyId; 2], scratch: &Scratch| {
+                    // Zero is below the next greater number.
+                    let distance = self.distance([a, b], scratch, margin.next_up());
+                    (distance <= margin).then_some(Contact { a, b, distance })
+                };
+                let mut listed = self.pairs[row.pairs.clone()].iter();
+                if let Some(found) = listed.find_map(|&pair| contact(pair, scratch)) {
+                    return Some(found);
+                }
+                self.find_obstacles_near(row, margin, scratch);
+                let mut near = scratch.near.iter();
+                if let Some(found) = near.find_map(|&b| contact([row.body, b], scratch)) {
+                    return Some(found);
+                }
+            }
+            None
         }))
+    }
+
+    /// Whether a pair of bodies is allowed to touch.
+    fn may_touch(&self, [a, b]: [BodyId; 2]) -> bool {
+        self.allowed.contains_key(&[a.min(b), a.max(b)])
+    }
+
+    /// Finds the obstacles that a placed body might be nearer to than `up_to` [m], in their order.
+    fn find_obstacles_near(&self, row: &Row, up_to: f64, scratch: &mut Scratch) {
+        scratch.near.clear();
+        if !row.meets_obstacles || self.obstacles.is_empty() {
+            return;
+        }
+        let placed = |i: usize| self.solids[i].solid.bounds(self.frame_of(i, scratch));
+        let solids = self.bodies[row.body.0].solids.clone();
+        let Some(bounds) = solids.map(placed).reduce(AxisAlignedBox::merged) else {
+            return;
+        };
+        let mut near = std::mem::take(&mut scratch.near);
+        self.obstacles.find_near(&bounds, up_to, &mut near);
+        near.retain(|&obstacle| !self.may_touch([row.body, obstacle]));
+        scratch.near = near;
     }
 
     fn check_new(&self, name: &str, pose: &Pose) -> Result<(), RobotError> {
         let is_finite = pose.to_homogeneous().iter().all(|value| value.is_finite());
-        if self.bodies.iter().any(|body| body.name == name) {
+        if self.by_name.contains_key(name) {
             let name = name.to_owned();
             return Err(RobotError::NameTaken { name });
         }
@@ -404,32 +501,45 @@ impl CollisionModel {
                 solid,
             }));
         let reach = |s: &PlacedSolid| s.frame_from_solid.translation.norm() + s.solid.reach();
+        let id = BodyId(self.bodies.len());
+        self.by_name.entry(name.to_owned()).or_insert(id);
         self.bodies.push(Body {
             name: name.to_owned(),
             frame: mount.frame,
+            is_obstacle: false,
             solids: first..self.solids.len(),
             reach: self.solids[first..].iter().map(reach).fold(0.0, f64::max),
         });
-        BodyId(self.bodies.len() - 1)
+        id
     }
 
-    /// Lists the pairs to check and what must be placed for them.
+    /// Lists what to check and what must be placed for it.
     fn list_pairs(&mut self) {
-        let solid = |&i: &usize| !self.bodies[i].solids.is_empty();
-        let solid: Vec<usize> = (0..self.bodies.len()).filter(solid).collect();
-        let mut pairs = Vec::new();
+        let is_checked =
+            |&i: &usize| !self.bodies[i].is_obstacle && !self.bodies[i].solids.is_empty();
+        let solid: Vec<usize> = (0..self.bodies.len()).filter(is_checked).collect();
+        let moves = |a: usize, b: usize| self.frames.moves(a, b, &self.is_moved);
+        let (mut rows, mut pairs) = (Vec::new(), Vec::new());
         for (at, &a) in solid.iter().enumerate() {
+            let first = pairs.len();
+            let frame = self.bodies[a].frame;
             for &b in &solid[at + 1..] {
-                let frames = [a, b].map(|i| self.bodies[i].frame);
                 let pair = [BodyId(a), BodyId(b)];
-                if self.frames.moves(frames[0], frames[1], &self.is_moved)
-                    && !self.allowed.contains_key(&pair)
-                {
+                if moves(frame, self.bodies[b].frame) && !self.may_touch(pair) {
                     pairs.push(pair);
                 }
             }
+            let row = Row {
+                body: BodyId(a),
+                pairs: first..pairs.len(),
+                meets_obstacles: moves(frame, 0),
+            };
+            if row.meets_obstacles || !row.pairs.is_empty() {
+                rows.push(row);
+            }
         }
-        let mut bodies: Vec<usize> = pairs.iter().flatten().map(|id| id.0).collect();
+        let listed = pairs.iter().flatten().map(|id: &BodyId| id.0);
+        let mut bodies: Vec<usize> = listed.chain(rows.iter().map(|row| row.body.0)).collect();
         bodies.sort_unstable();
         bodies.dedup();
         let above = |&i: &usize| self.frames.upward(self.bodies[i].frame);
@@ -437,26 +547,35 @@ impl CollisionModel {
         frames.sort_unstable();
         frames.dedup();
         self.placed_frames = frames;
-        self.placed_solids = bodies
-            .iter()
+        self.placed_solids = (bodies.iter())
             .flat_map(|&i| self.bodies[i].solids.clone())
+            .filter(|&i| self.solids[i].frame != 0)
             .collect();
+        self.rows = rows;
         self.pairs = pairs;
     }
 
-    /// Places what is checked in the world.
+    /// Places what is checked and moves in the world.
     fn place(&self, q: &[f64], scratch: &mut Scratch) {
         self.frames
             .place(&self.placed_frames, q, &mut scratch.world_from_frame);
-        scratch
-            .world_from_solid
-            .resize(self.solids.len(), Frame::identity());
+        let count = self.placed_solids.last().map_or(0, |last| last + 1);
+        if scratch.world_from_solid.len() < count {
+            scratch.world_from_solid.resize(count, Frame::identity());
+        }
         for &i in &self.placed_solids {
             let solid = &self.solids[i];
-            scratch.world_from_solid[i] = match solid.frame {
-                0 => solid.frame_from_solid,
-                frame => scratch.world_from_frame[frame].then(&solid.frame_from_solid),
-            };
+            scratch.world_from_solid[i] =
+                scratch.world_from_frame[solid.frame].then(&solid.frame_from_solid);
+        }
+    }
+
+    /// Where a solid is in the world; those that move once they are placed.
+    #[inline]
+    fn frame_of<'a>(&'a self, solid: usize, scratch: &'a Scratch) -> &'a Frame {
+        match self.solids[solid].frame {
+            0 => &self.solids[solid].frame_from_solid,
+            _ => &scratch.world_from_solid[solid],
         }
     }
 
@@ -464,7 +583,7 @@ impl CollisionModel {
     #[inline]
     fn distance(&self, pair: [BodyId; 2], scratch: &Scratch, up_to: f64) -> f64 {
         let [a, b] = pair.map(|id| self.bodies[id.0].solids.clone());
-        let placed = |i: usize| (&self.solids[i].solid, &scratch.world_from_solid[i]);
+        let placed = |i: usize| (&self.solids[i].solid, self.frame_of(i, scratch));
         let mut least = f64::INFINITY;
         for i in a {
             for j in b.clone() {

@@ -1,6 +1,6 @@
 //! Straight joint segments: how far things move on them at most, and whether they stay apart.
 
-use super::{BodyId, CollisionModel, Contact, Scratch, checked_distance, with_scratch};
+use super::{Body, BodyId, CollisionModel, Contact, Scratch, checked_distance, with_scratch};
 use crate::robot::RobotError;
 
 /// A segment is bisected until nothing moves further against anything else than this [m]: a pair that
@@ -9,6 +9,14 @@ pub const SEGMENT_RESOLUTION: f64 = 1e-4;
 
 /// Most postures looked at for one segment; what is not known to be clear by then is a contact.
 const MAX_POSTURES: usize = 100_000;
+
+/// A pair that is not known to stay apart.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct OpenPair {
+    pair: [BodyId; 2],
+    /// How far they move against each other on the whole segment at most [m].
+    motion: f64,
+}
 
 /// A part of a segment, and the pairs that are not known to stay apart on it.
 pub(super) struct Span {
@@ -29,7 +37,7 @@ impl CollisionModel {
         if self.checked(from).and(self.checked(to)).is_err() {
             return f64::INFINITY;
         }
-        let motion = |body: &super::Body| {
+        let motion = |body: &Body| {
             self.frames
                 .motion([body.frame, 0], [body.reach, 0.0], from, to)
         };
@@ -67,44 +75,42 @@ impl CollisionModel {
         margin: f64,
         scratch: &mut Scratch,
     ) -> Option<Contact> {
-        scratch.motions.clear();
-        let motions = self
-            .pairs
-            .iter()
-            .map(|&pair| self.pair_motion(pair, from, to));
-        scratch.motions.extend(motions);
-        scratch.open.clear();
-        scratch.open.extend(0..self.pairs.len());
+        let posture = |at: f64, scratch: &mut Scratch| {
+            let mut q = std::mem::take(&mut scratch.q);
+            q.clear();
+            q.extend(from.iter().zip(to).map(|(a, b)| a + at * (b - a)));
+            self.place(&q, scratch);
+            scratch.q = q;
+        };
+        posture(0.5, scratch);
+        self.open_pairs(from, to, margin, scratch);
         scratch.spans.clear();
-        let to_end = self.pairs.len();
         scratch.spans.push(Span {
             middle: 0.5,
             half: 0.5,
             from: 0,
-            to: to_end,
+            to: scratch.open.len(),
         });
         let mut postures = 0;
         while let Some(span) = scratch.spans.pop() {
+            if postures > 0 {
+                posture(span.middle, scratch);
+            }
             postures += 1;
-            let mut q = std::mem::take(&mut scratch.q);
-            q.clear();
-            q.extend(from.iter().zip(to).map(|(a, b)| a + span.middle * (b - a)));
-            self.place(&q, scratch);
-            scratch.q = q;
             scratch.open.truncate(span.to);
             for at in span.from..span.to {
-                let pair = scratch.open[at];
-                let motion = scratch.motions[pair] * span.half;
+                let open = scratch.open[at];
+                let motion = open.motion * span.half;
                 let enough = margin + motion;
-                let distance = self.distance(self.pairs[pair], scratch, enough.next_up());
+                let distance = self.distance(open.pair, scratch, enough.next_up());
                 if distance > enough {
                     continue;
                 }
                 if distance <= margin || motion <= SEGMENT_RESOLUTION || postures >= MAX_POSTURES {
-                    let [a, b] = self.pairs[pair];
+                    let [a, b] = open.pair;
                     return Some(Contact { a, b, distance });
                 }
-                scratch.open.push(pair);
+                scratch.open.push(open);
             }
             if scratch.open.len() > span.to {
                 let half = span.half / 2.0;
@@ -120,6 +126,29 @@ impl CollisionModel {
             }
         }
         None
+    }
+
+    /// Opens the pairs of a segment whose middle is placed; obstacles that a body cannot come near are left out.
+    fn open_pairs(&self, from: &[f64], to: &[f64], margin: f64, scratch: &mut Scratch) {
+        scratch.open.clear();
+        for row in &self.rows {
+            let listed = self.pairs[row.pairs.clone()].iter();
+            scratch.open.extend(listed.map(|&pair| OpenPair {
+                pair,
+                motion: self.pair_motion(pair, from, to),
+            }));
+            if !row.meets_obstacles {
+                continue;
+            }
+            let Body { frame, reach, .. } = self.bodies[row.body.0];
+            let motion = self.frames.motion([frame, 0], [reach, 0.0], from, to);
+            self.find_obstacles_near(row, margin + 0.5 * motion, scratch);
+            let obstacles = scratch.near.iter();
+            scratch.open.extend(obstacles.map(|&obstacle| OpenPair {
+                pair: [row.body, obstacle],
+                motion,
+            }));
+        }
     }
 
     fn pair_motion(&self, pair: [BodyId; 2], from: &[f64], to: &[f64]) -> f64 {

@@ -42,10 +42,40 @@ pub(super) struct Surface {
     pub is_closed: bool,
 }
 
+/// A box along the axes of the world [m].
+#[derive(Debug, Clone, Copy)]
+pub(super) struct AxisAlignedBox {
+    pub low: Vector3,
+    pub high: Vector3,
+}
+
+impl AxisAlignedBox {
+    /// The box round both.
+    pub fn merged(self, other: Self) -> Self {
+        Self {
+            low: self.low.inf(&other.low),
+            high: self.high.sup(&other.high),
+        }
+    }
+}
+
 impl Solid {
     /// Radius of the ball about the origin that the solid is in [m].
     pub fn reach(&self) -> f64 {
         self.half.norm() + self.radius
+    }
+
+    /// The box round the solid along the axes of the world.
+    #[inline]
+    pub fn bounds(&self, world_from_solid: &Frame) -> AxisAlignedBox {
+        let [x, y, z] = &world_from_solid.axes;
+        let half = self.half.x * x.abs() + self.half.y * y.abs() + self.half.z * z.abs();
+        let half = half.add_scalar(self.radius);
+        let middle = world_from_solid.translation;
+        AxisAlignedBox {
+            low: middle - half,
+            high: middle + half,
+        }
     }
 
     /// The ends of a segment.

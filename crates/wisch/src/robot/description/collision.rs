@@ -59,11 +59,6 @@ pub(in crate::robot) fn load_shapes(
     meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
     report: &mut Diagnostics,
 ) -> Vec<Vec<Collision>> {
-    for link in &urdf.links {
-        for (at, file) in &link.visual_meshes {
-            package_path(&link.name, *at, file, report);
-        }
-    }
     let nothing = urdf.links.iter().all(|link| link.shapes.is_empty());
     if nothing {
         let w = words(
@@ -107,20 +102,6 @@ pub(in crate::robot) fn load_shapes(
     all
 }
 
-fn package_path(link: &str, at: usize, file: &str, report: &mut Diagnostics) {
-    let Some(rest) = file.strip_prefix("package://") else {
-        return;
-    };
-    let package = rest.split('/').next().unwrap_or(rest);
-    let w = words(
-        format!("mesh {file:?} is in package {package:?}"),
-        "a path beside the URDF, or a known package",
-        format!("say where the package is (--package {package}=DIR)"),
-    );
-    let subject = Subject::Link(link.to_owned());
-    report.add(Severity::Note, DiagnosticKind::PackagePath, subject, at, w);
-}
-
 fn load(
     link: &str,
     shape: &UrdfShape,
@@ -133,7 +114,6 @@ fn load(
         &UrdfGeometry::Capsule { radius, length } => Shape::Capsule { radius, length },
         &UrdfGeometry::Sphere(radius) => Shape::Sphere { radius },
         UrdfGeometry::Mesh { file, scale } => {
-            package_path(link, shape.at, file, report);
             let subject = || Subject::Link(link.to_owned());
             let mesh = match read_mesh(file, *scale, meshes) {
                 Ok(mesh) => mesh,

@@ -1,4 +1,4 @@
-//! Diagnostics of a robot's description: what a check reports, where and how severe.
+//! Diagnostics of a robot's descriptions, URDF and SRDF: what a check reports, where and how severe.
 
 use crate::source_location::Place;
 use std::fmt;
@@ -52,7 +52,7 @@ impl fmt::Display for Subject {
     }
 }
 
-/// What is missing or inconsistent in a URDF; reports name it by [`DiagnosticKind::as_str`].
+/// What is missing or inconsistent in a URDF or an SRDF; reports name it by [`DiagnosticKind::as_str`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum DiagnosticKind {
@@ -90,8 +90,8 @@ pub enum DiagnosticKind {
     Mesh,
     /// A mesh that was most likely drawn in other units.
     MeshScale,
-    /// A path that only a package index can resolve.
-    PackagePath,
+    /// An SRDF that is none of this robot's, or says what cannot be.
+    Srdf,
 }
 
 impl DiagnosticKind {
@@ -115,7 +115,7 @@ impl DiagnosticKind {
             Self::CollisionMissing => "collision-missing",
             Self::Mesh => "mesh",
             Self::MeshScale => "mesh-scale",
-            Self::PackagePath => "package-path",
+            Self::Srdf => "srdf",
         }
     }
 }

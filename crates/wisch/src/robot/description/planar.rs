@@ -58,7 +58,6 @@ pub(in crate::robot) fn split(joint: UrdfJoint) -> (Vec<UrdfJoint>, Vec<UrdfLink
         at: joint.at,
         inertial: None,
         shapes: Vec::new(),
-        visual_meshes: Vec::new(),
     });
     (joints.collect(), links.collect())
 }

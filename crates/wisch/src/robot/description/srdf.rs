@@ -1,7 +1,8 @@
 //! What a URDF does not say: groups of joints, named postures, links that may touch. MoveIt's format.
 
+use super::diagnostics::{Diagnostics, words};
 use super::urdf::{Reader, elements};
-use crate::robot::{LinkId, RobotError, RobotModel};
+use crate::robot::{Diagnostic, DiagnosticKind, LinkId, RobotError, RobotModel, Severity, Subject};
 use crate::source_location::{Place, UnknownName};
 use roxmltree::Node;
 use std::collections::BTreeSet;
@@ -41,6 +42,8 @@ pub struct Srdf {
     /// Groups that are not read: those of joints, links or other groups. Virtual and passive joints
     /// and end effectors are passed over.
     pub ignored: Vec<Ignored>,
+    /// The robot that the text says it is of, if that is not this one, and where it says so [byte].
+    other_robot: Option<(usize, String)>,
 }
 
 /// The joints from one link out to another.
@@ -108,41 +111,123 @@ impl Srdf {
     /// exist; if a chain's tip does not hang on its base; if two groups, or two postures of a group,
     /// have one name; or if a posture is outside the position limits.
     pub fn parse(name: &str, text: &str, robot: &RobotModel) -> Result<Self, RobotError> {
+        let (srdf, faults) = Self::read(name, text, robot)?;
+        faults.into_iter().next().map_or(Ok(srdf), Err)
+    }
+
+    /// Everything that is wrong with an SRDF or odd in it: an error for each reason for which
+    /// [`Srdf::parse`] refuses the text, an unknown name once; a warning if it says that it is another robot's; a note
+    /// on each group that is not read. `name` is used in messages.
+    ///
+    /// ```
+    /// # use wisch::robot::RobotModel;
+    /// # let urdf = r#"<robot name="r"><link name="wall"/></robot>"#;
+    /// # let robot = RobotModel::from_urdf("r", urdf, &mut |_| Err(String::new()))?;
+    /// use wisch::robot::Srdf;
+    /// let text = r#"<robot name="r"><disable_collisions link1="wall" link2="wal"/></robot>"#;
+    /// let found = Srdf::check("r.srdf", text, &robot);
+    /// assert!(found[0].to_string().starts_with("r.srdf:1:17: robot: unknown link \"wal\"; nearest: wall"));
+    /// # Ok::<(), wisch::robot::RobotError>(())
+    /// ```
+    pub fn check(name: &str, text: &str, robot: &RobotModel) -> Vec<Diagnostic> {
+        let mut report = Diagnostics {
+            file: name,
+            text,
+            diagnostics: Vec::new(),
+        };
+        let (srdf, faults) = match Self::read(name, text, robot) {
+            Ok((srdf, faults)) => (srdf, faults),
+            Err(fault) => (Self::default(), vec![fault]),
+        };
+        let mut unknown_names = BTreeSet::new();
+        for fault in &faults {
+            let is_new = match fault {
+                RobotError::UnknownAt { unknown, .. } => {
+                    unknown_names.insert((unknown.kind, &unknown.name))
+                }
+                _ => true,
+            };
+            if is_new {
+                report.diagnostics.push(diagnostic(fault, name, robot));
+            }
+        }
+        if let Some((at, other)) = srdf.other_robot {
+            let w = words(
+                format!("the SRDF is of robot {other:?}"),
+                format!("robot {:?}", robot.name()),
+                "give the SRDF of this robot, or correct its name",
+            );
+            let subject = Subject::Robot;
+            report.add(Severity::Warning, DiagnosticKind::Srdf, subject, at, w);
+        }
+        for Ignored { at, what } in srdf.ignored {
+            report.diagnostics.push(Diagnostic {
+                severity: Severity::Note,
+                at,
+                subject: Subject::Robot,
+                kind: DiagnosticKind::Srdf,
+                value: format!("{what}: it is not read"),
+                limit: "a group that is one chain, to wipe with it".to_owned(),
+                advice: "fine if it is for other programs or for postures only".to_owned(),
+            });
+        }
+        report.diagnostics.sort_by_key(|f| (f.at.line, f.at.column));
+        report.diagnostics
+    }
+
+    /// What can be read, and all that cannot; groups first, then postures, then pairs.
+    ///
+    /// # Errors
+    /// If the text is no SRDF or larger than is read.
+    fn read(
+        name: &str,
+        text: &str,
+        robot: &RobotModel,
+    ) -> Result<(Self, Vec<RobotError>), RobotError> {
         let reader = Reader::new(name, text);
         let document = reader.document()?;
         let root = reader.robot(&document)?;
-        let mut srdf = Self::default();
+        let mut srdf = Self {
+            other_robot: (root.attribute("name"))
+                .filter(|name| *name != robot.name())
+                .map(|name| (root.range().start, name.to_owned())),
+            ..Self::default()
+        };
+        let mut faults = Vec::new();
         let mut groups = BTreeSet::new();
         // Postures may come before their groups.
         for node in elements(root, "group") {
-            let name = reader.name(node, "name")?;
-            srdf.read_group(&reader, node, &name, robot)?;
-            if !groups.insert(name.clone()) {
-                return Err(reader.fault(node, format!("group {name:?} is there twice")));
-            }
+            let read = srdf.read_group(&reader, node, &mut groups, robot);
+            faults.extend(read.err());
             if groups.len() > MAX_GROUPS {
                 return Err(reader.too_large("groups", groups.len(), MAX_GROUPS));
             }
         }
         let mut states = BTreeSet::new();
         for node in elements(root, "group_state") {
-            let state = reader.state(node, &groups, robot)?;
-            let GroupState { name, group, .. } = &state;
-            if !states.insert((group.clone(), name.clone())) {
-                let problem = format!("state {name:?} of group {group:?} is there twice");
-                return Err(reader.fault(node, problem));
+            match reader.state(node, &groups, robot) {
+                Ok(state) if states.insert((state.group.clone(), state.name.clone())) => {
+                    srdf.states.push(state);
+                }
+                Ok(GroupState { name, group, .. }) => {
+                    let problem = format!("state {name:?} of group {group:?} is there twice");
+                    faults.push(reader.fault(node, problem));
+                }
+                Err(fault) => faults.push(fault),
             }
-            srdf.states.push(state);
         }
         for node in elements(root, "disable_collisions") {
             let link = |attribute| reader.link_of(node, attribute, robot);
-            srdf.disabled.push(DisabledPair {
-                a: link("link1")?,
-                b: link("link2")?,
-                reason: node.attribute("reason").unwrap_or_default().to_owned(),
-            });
+            match (link("link1"), link("link2")) {
+                (Ok(a), Ok(b)) => srdf.disabled.push(DisabledPair {
+                    a,
+                    b,
+                    reason: node.attribute("reason").unwrap_or_default().to_owned(),
+                }),
+                (a, b) => faults.extend(a.err().into_iter().chain(b.err())),
+            }
         }
-        Ok(srdf)
+        Ok((srdf, faults))
     }
 
     /// The group of a name.
@@ -174,9 +259,13 @@ impl Srdf {
         &mut self,
         reader: &Reader,
         node: Node,
-        name: &str,
+        names: &mut BTreeSet<String>,
         robot: &RobotModel,
     ) -> Result<(), RobotError> {
+        let name = reader.name(node, "name")?;
+        if !names.insert(name.clone()) {
+            return Err(reader.fault(node, format!("group {name:?} is there twice")));
+        }
         let mut members = node.children().filter(Node::is_element);
         let (Some(chain), None) = (members.next(), members.next()) else {
             self.ignore(reader, node, format!("group {name:?}: not one chain"));
@@ -198,9 +287,46 @@ impl Srdf {
             let problem = format!("group {name:?}: link {tip:?} does not hang on link {base:?}");
             return Err(reader.fault(chain, problem));
         }
-        let name = name.to_owned();
         self.groups.push(Group { name, base, tip });
         Ok(())
+    }
+}
+
+/// What keeps an SRDF from being read, as a diagnostic.
+fn diagnostic(fault: &RobotError, file: &str, robot: &RobotModel) -> Diagnostic {
+    let (at, value, limit) = match fault {
+        RobotError::Syntax { at, problem } => (
+            Some(at),
+            problem.clone(),
+            "an SRDF of this robot".to_owned(),
+        ),
+        RobotError::UnknownAt { at, unknown } => (
+            Some(at),
+            unknown.to_string(),
+            format!("a {} of robot {:?}", unknown.kind, robot.name()),
+        ),
+        RobotError::Attribute {
+            at,
+            element,
+            attribute,
+            text,
+            expected,
+        } => (
+            Some(at),
+            format!("<{element} {attribute}={text:?}>"),
+            (*expected).to_owned(),
+        ),
+        other => (None, other.to_string(), "an SRDF of this robot".to_owned()),
+    };
+    let start = || Place::at_offset(file, "", 0);
+    Diagnostic {
+        severity: Severity::Error,
+        at: at.cloned().unwrap_or_else(start),
+        subject: Subject::Robot,
+        kind: DiagnosticKind::Srdf,
+        value,
+        limit,
+        advice: "correct it, or give the SRDF of this robot".to_owned(),
     }
 }
 

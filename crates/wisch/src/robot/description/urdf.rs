@@ -52,8 +52,6 @@ pub(in crate::robot) struct UrdfLink {
     pub at: usize,
     pub inertial: Option<UrdfInertial>,
     pub shapes: Vec<UrdfShape>,
-    /// Mesh files of the visual geometry, which is not read.
-    pub visual_meshes: Vec<(usize, String)>,
 }
 
 #[derive(Clone)]
@@ -340,18 +338,9 @@ impl<'a> Reader<'a> {
                 .map(|inertial| self.inertial(inertial))
                 .transpose()?,
             shapes: Vec::new(),
-            visual_meshes: Vec::new(),
         };
         for collision in elements(node, "collision") {
             link.shapes.push(self.shape(collision)?);
-        }
-        for visual in elements(node, "visual") {
-            let file = element(visual, "geometry")
-                .and_then(|geometry| element(geometry, "mesh"))
-                .and_then(|mesh| {
-                    Some((mesh.range().start, mesh.attribute("filename")?.to_owned()))
-                });
-            link.visual_meshes.extend(file);
         }
         Ok(link)
     }

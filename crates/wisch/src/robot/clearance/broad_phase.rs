@@ -1,0 +1,51 @@
+//! Which obstacles might be near: a tree of boxes round all of them.
+
+use super::BodyId;
+use super::solid::{AxisAlignedBox, vector};
+use parry3d_f64::bounding_volume::Aabb;
+use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy};
+use std::sync::Arc;
+
+/// How much nearer boxes count than they are, that rounding leaves out nothing [m].
+const ROUNDING: f64 = 1e-9;
+
+/// Everything that stands still, by where it is.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Obstacles {
+    bodies: Arc<[BodyId]>,
+    /// Its leaves are numbered as the bodies.
+    tree: Arc<Bvh>,
+}
+
+impl Obstacles {
+    /// Obstacles with the boxes round them.
+    pub fn new(obstacles: impl Iterator<Item = (BodyId, AxisAlignedBox)>) -> Self {
+        let (bodies, boxes): (Vec<BodyId>, Vec<Aabb>) = obstacles
+            .map(|(body, AxisAlignedBox { low, high })| {
+                (body, Aabb::new(vector(&low), vector(&high)))
+            })
+            .unzip();
+        Self {
+            bodies: bodies.into(),
+            tree: Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes).into(),
+        }
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.bodies.is_empty()
+    }
+
+    /// Adds those whose boxes are at most `up_to` from a box [m], in their order.
+    pub fn find_near(&self, bounds: &AxisAlignedBox, up_to: f64, found: &mut Vec<BodyId>) {
+        let (low, high) = (vector(&bounds.low), vector(&bounds.high));
+        // What overlaps might overlap more than what is known already.
+        let limit = up_to.max(0.0) + ROUNDING;
+        let near = self.tree.leaves(|node| {
+            let gap = (node.mins() - high).max(low - node.maxs());
+            let apart = gap.max(parry3d_f64::math::Vector::ZERO);
+            apart.length() <= limit
+        });
+        found.extend(near.map(|leaf| self.bodies[leaf as usize]));
+        found.sort_unstable();
+    }
+}
