@@ -646,6 +646,7 @@ fn a_pipe_that_nobody_writes_into_is_not_waited_for_for_ever() {
         err.contains("pipe.toml: this is a pipe into which nobody wrote"),
         "{err}"
     );
+}
 
 /// 3,000 boxes on a shelf above the board, which no pair by pair comparison gets through.
 #[test]

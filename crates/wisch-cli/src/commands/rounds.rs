@@ -14,7 +14,7 @@ use std::io::{BufWriter, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
 use wisch::plan::Plan;
-use wisch::run::{Executor, Recording, Session, Stage};
+use wisch::run::{Executor, Recording, Stage};
 use wisch_io::{EventWriter, PlanRecord, ProcessExecutor, Robot};
 use wisch_sim::{Checkpoints, GroundTruth, KeptRound, World};
 use wisch_telemetry::WriteError;
@@ -22,8 +22,7 @@ use wisch_telemetry::WriteError;
 /// An episode that is kept, if one is wanted, or why it is not.
 pub type Kept = Result<Option<KeptEpisode>, Failure>;
 
-/// Wipes until the goal is met, or no more can be done; says where the episode is kept, if it is, or why it could not be:
-/// results and episode do not depend on each other.
+/// Wipes until the goal is met, or no more can be done, and keeps the episode.
 pub fn execute(
     job: &Job<'_>,
     args: &LoopArgs,
@@ -74,6 +73,7 @@ pub fn execute(
     let mut watch = Watch::new(job);
     let mut recorder = Recorder::new(job, checkpoints, executed_s.len(), args.realtime);
     let mut session = job.session(config, given);
+    let mut no_bag: Option<Failure> = None;
     let result = loop {
         let finished = session.rounds().len();
         let stage = session.step(executor.as_dyn(), &mut |event| {
@@ -87,20 +87,35 @@ pub fn execute(
                 return ControlFlow::Continue(());
             }
             episode.see(event);
-            let seen = recorder.see(event);
-            watch.flow(seen.map_err(cannot_write))
+            // An episode does not depend on the results, nor on where they go.
+            match recorder.see(event).map_err(cannot_write) {
+                Err(failure) if episode.is_kept() => {
+                    recorder.give_up();
+                    no_bag.get_or_insert(failure);
+                    ControlFlow::Continue(())
+                }
+                seen => watch.flow(seen),
+            }
         });
         if let [.., round] = &session.rounds()[finished..] {
             let number = round.motion.number;
             if let Some(seconds) = executed_s.get(finished) {
                 watch.times_mut(number).executing_s = *seconds;
-            } else if let (None, Some(truth)) = (&watch.failure, executor.truth().last()) {
+            } else if let (None, None, Some(truth)) =
+                (&watch.failure, &no_bag, executor.truth().last())
+            {
                 let seconds = watch.times(number).executing_s;
-                (recorder.checkpoints.keep(round, truth, seconds)).map_err(|error| {
+                if let Err(error) = recorder.checkpoints.keep(round, truth, seconds) {
                     let place = folder.state();
-                    Failure::new(format!("{}: cannot write there: {error}", place.display()))
-                        .with_help("choose another folder with --out")
-                })?;
+                    let failure =
+                        Failure::new(format!("{}: cannot write there: {error}", place.display()))
+                            .with_help("choose another folder with --out");
+                    if !episode.is_kept() {
+                        return Err(failure);
+                    }
+                    recorder.give_up();
+                    no_bag = Some(failure);
+                }
             }
         }
         match stage {
@@ -110,19 +125,8 @@ pub fn execute(
             Err(error) => break Err(error),
         }
     };
-    if let Some(failure) = watch.failure.take() {
-        // What was measured in whole rounds is kept, though the results are not.
-        let rounds = done_rounds(session, &mut watch, executor.truth(), job)?;
-        return Err(
-            match episode.commit(&rounds, prepared, task_args, &robot.files) {
-                Ok(Some(kept)) if !rounds.is_empty() => failure.with_help(format!(
-                    "the episode of {} is kept: {}",
-                    counted(rounds.len(), "whole round"),
-                    place.display()
-                )),
-                _ => failure,
-            },
-        );
+    if let Some(failure) = watch.failure {
+        return Err(failure);
     }
     result.map_err(|error| job.failed(error))?;
     let following = Following::of(&session, watch.times(1).following_s);
@@ -130,18 +134,26 @@ pub fn execute(
     let (plan, prediction) = (planned.plan.clone(), planned.prediction.clone());
     let planning_s = watch.times(1).planning_s;
     let predicted = Some((prediction, watch.take_frames(&planned.wiped())));
-    let rounds = done_rounds(session, &mut watch, executor.truth(), job)?;
+    let done = (session.into_rounds().into_iter())
+        .enumerate()
+        .map(|(i, round)| {
+            let times = *watch.times_mut(round.motion.number);
+            Done::new(round, executor.truth().get(i), times, prepared)
+                .map_err(|error| prepared.failure(task_args, error))
+        });
+    let rounds: Vec<Done> = done.collect::<Result<_, Failure>>()?;
     let later = prepared.reality.pushes.iter().map(|push| push.round);
     let later = later.filter(|_| args.executor.is_none());
     for round in later.filter(|round| *round > rounds.len()) {
         let count = counted(rounds.len(), "round");
-        progress.aside(|| {
-            remark(&format!(
-                "the push of round {round} did not happen: the run ended after {count}"
-            ))
-        });
+        let text = format!("the push of round {round} did not happen: the run ended after {count}");
+        progress.aside(|| remark(&text));
     }
     let kept = episode.commit(&rounds, prepared, task_args, &robot.files);
+    if let Some(failure) = no_bag {
+        say_where(&kept);
+        return Err(failure);
+    }
     let results = Results {
         plan,
         planning_time_s: (!is_given).then_some(planning_s),
@@ -152,21 +164,12 @@ pub fn execute(
     Ok((results, kept))
 }
 
-/// The rounds of a session that is over, with what the simulated world knows of them.
-fn done_rounds(
-    session: Session<'_>,
-    watch: &mut Watch<'_>,
-    truth: &[GroundTruth],
-    job: &Job<'_>,
-) -> Result<Vec<Done>, Failure> {
-    let rounds = session.into_rounds().into_iter().enumerate();
-    rounds
-        .map(|(i, round)| {
-            let times = *watch.times_mut(round.motion.number);
-            Done::new(round, truth.get(i), times, job.prepared)
-                .map_err(|error| job.prepared.failure(job.task_args, error))
-        })
-        .collect()
+/// Says where an episode is kept whose results are not.
+pub fn say_where(kept: &Kept) {
+    if let Ok(Some(kept)) = kept {
+        let place = kept.place.display();
+        remark(&format!("the episode is kept all the same, in {place}"));
+    }
 }
 
 /// What tells this run from others. More or fewer rounds are no other run.
