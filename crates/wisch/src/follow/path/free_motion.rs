@@ -33,12 +33,17 @@ impl Tree {
             .unwrap_or(0)
     }
 
-    /// Grows towards `q`; the new node, if the way is free.
+    /// Grows towards `q`, which keeps both hands on the tool; the new node, if the way is free.
     fn grow(&mut self, arm: &Arm, q: &JointPositions) -> Option<usize> {
         let parent = self.nearest(q);
         let from = self.nodes[parent].0;
         let share = (BRANCH / widest_step(&from, q)).min(1.0);
-        let to = arm.hold(&between(&from, q, share))?;
+        // `q` itself is held already: held anew it might be elsewhere, and never be met.
+        let to = if share < 1.0 {
+            arm.hold(&between(&from, q, share))?
+        } else {
+            *q
+        };
         arm.way(&from, &to, AllowedContact::None).ok()?;
         self.nodes.push((to, parent));
         Some(self.nodes.len() - 1)
@@ -85,6 +90,7 @@ pub(in crate::follow) fn free_motion(
             continue;
         };
         let goal = trees[grown].nodes[new].0;
+        let mut left = f64::INFINITY;
         while let Some(met) = trees[other].grow(arm, &goal) {
             if trees[other].nodes[met].0 == goal {
                 let ends = if grown == 0 { [new, met] } else { [met, new] };
@@ -93,6 +99,11 @@ pub(in crate::follow) fn free_motion(
                 path.extend(trees[1].to_root(ends[1]).into_iter().skip(1));
                 shorten(arm, &mut path, &mut random);
                 return whole(arm, &path);
+            }
+            // Bringing the second hand back to the tool may lead away again.
+            let before = std::mem::replace(&mut left, distance(&trees[other].nodes[met].0, &goal));
+            if left >= before {
+                break;
             }
         }
     }
