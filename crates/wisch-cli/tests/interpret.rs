@@ -5,7 +5,6 @@ mod wiping;
 
 use crate::program::wisch;
 use serde_json::Value;
-use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
@@ -61,7 +60,7 @@ fn write_bag(path: &Path, wipe: &Wiping) {
         joints: wiping::JOINTS.map(str::to_owned).to_vec(),
         world_from_surface: believed(),
         start: 0,
-        notes: BTreeMap::new(),
+        notes: [("task".to_owned(), "board".to_owned())].into(),
     };
     let mut bag = BagWriter::create(path, head).unwrap();
     wipe.write(&mut bag).unwrap();
@@ -301,6 +300,10 @@ fn what_is_odd_about_a_log_is_said() {
         assert!(words.contains(part), "{part} in {words}");
     }
 
+    let (_, record) = interpreted(path, "log.csv", &[]);
+    assert_eq!(record["log"]["wrench_frame"], "tool");
+    assert_eq!(record["log"]["wrench_frame_assumed"], true);
+
     // The bag of another task, whose surface is 0.2 m lower: where it pressed is told.
     let elsewhere = "surface.position_m=[0.6, 0.1, 0.95]";
     let args = [
@@ -316,11 +319,18 @@ fn what_is_odd_about_a_log_is_said() {
     for part in [
         "the log has its surface 0.200 m and 0.0° from the task's: is it another task's?",
         "the tool pressed 0.200 m below the believed surface",
-        "is surface.position_m right",
+        "are surface.position_m and --world-from-log right?",
     ] {
         assert!(words.contains(part), "{part} in {words}");
     }
     assert!(!words.contains("--wrench-sign"), "{words}");
+    let (_, record) = interpreted(path, "log.mcap", &["--set", "name='table'"]);
+    assert_eq!(
+        record["log"]["remarks"][0],
+        "the log is of the task \"board\", not of \"table\""
+    );
+    let (_, record) = interpreted(path, "log.mcap", &[]);
+    assert_eq!(record["log"]["remarks"], Value::Array(vec![]));
 }
 
 #[test]

@@ -43,6 +43,8 @@ pub struct Log {
     pub axes_source: AxesSource,
     /// What the log's transforms were used for, in words.
     pub frames_used: Vec<String>,
+    /// Name of the task that was executed: bags of our own say so.
+    pub task: Option<String>,
     /// Where the log has the target surface at its beginning: bags of our own say so.
     pub world_from_surface: Option<Pose>,
     /// A table's line of units.
@@ -251,6 +253,7 @@ fn understood(mut raw: RawLog, options: &LogOptions) -> Result<Log, ReadFault> {
         axes_source: sensor.source,
         frames_used: [world.said, sensor.said].into_iter().flatten().collect(),
         world_from_surface: surface(&raw, start),
+        task: raw.task.clone(),
         units: raw.units.clone(),
         repeated: raw.poses.repeated + raw.wrenches.repeated,
         skipped: skipped.into_iter().flatten().collect(),
@@ -327,7 +330,10 @@ impl<'a> Sensor<'a> {
             return Ok(of(axes, AxesSource::Logged));
         }
         let (frame, poses) = (raw.wrenches.frame.as_str(), raw.poses.frame.as_str());
-        if !frame.is_empty() && frame == poses {
+        if frame.is_empty() {
+            return Ok(of(Axes::Tool, AxesSource::Assumed));
+        }
+        if frame == poses {
             return Ok(of(Axes::Log, AxesSource::Logged));
         }
         // The frame whose pose is logged, and that of the forces in it.
@@ -355,7 +361,9 @@ impl<'a> Sensor<'a> {
                 ..of(Axes::Tool, AxesSource::Logged)
             });
         }
-        if let Some(chain) = raw.frames.between(poses, frame) {
+        if !poses.is_empty()
+            && let Some(chain) = raw.frames.between(poses, frame)
+        {
             return Ok(Self {
                 chain: Some(chain),
                 said: Some(format!(

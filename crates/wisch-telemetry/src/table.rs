@@ -102,6 +102,7 @@ pub(crate) fn read(bytes: &[u8], options: &LogOptions) -> Result<RawLog, ReadFau
         poses,
         wrenches,
         frames: Frames::default(),
+        task: None,
         units,
         axes: None,
         start: None,

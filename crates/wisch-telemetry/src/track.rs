@@ -34,6 +34,8 @@ pub(crate) struct RawLog {
     pub unfinished: bool,
     /// Which frame is where in which other.
     pub frames: Frames,
+    /// The name of the task that was executed, where the writer says it.
+    pub task: Option<String>,
     /// A table's line of units, and what it means by columns that are read.
     pub units: Option<UnitsLine>,
 }

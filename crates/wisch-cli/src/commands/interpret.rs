@@ -103,6 +103,10 @@ fn remarks(log: &Log, prepared: &Prepared, interpretation: &Interpretation) -> V
     });
     remarks.extend(skipped);
     remarks.extend(gaps_in_words(&log.gaps));
+    let name = &prepared.task.name;
+    if let Some(task) = log.task.as_ref().filter(|task| *task != name) {
+        remarks.push(format!("the log is of the task {task:?}, not of {name:?}"));
+    }
     if let Some(logged) = log.world_from_surface {
         let apart = logged.inverse() * prepared.task.surface.world_from_surface;
         let (distance, angle) = (apart.translation.vector.norm(), apart.rotation.angle());
@@ -405,8 +409,9 @@ fn surface_in_words(record: &InterpretationRecord) -> String {
             let advice = "did the tool press? then see --wrench-frame and --wrench-sign";
             return format!("not found: too few confident contacts ({advice})");
         }
-        let advice = "is surface.position_m right, or --world-from-log missing?";
-        return format!("not found: {} ({advice})", record.doubts.join("; "));
+        let doubts = record.doubts.join("; ");
+        let advice = "are surface.position_m and --world-from-log right?";
+        return format!("not found: too few confident contacts ({doubts}; {advice})");
     };
     let tilt = match plane.tilt_directions {
         0 => "tilt unknown, as the contacts lie in one place".to_owned(),

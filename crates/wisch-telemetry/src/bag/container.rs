@@ -9,6 +9,7 @@ use crate::error::ReadFault;
 use mcap::read::ChannelAccumulator;
 use mcap::records::{Record, op};
 use mcap::{Channel, MAGIC, McapError, parse_record};
+use std::collections::BTreeMap;
 use std::io::{self, Read};
 
 /// Longest record that is read, unpacked [bytes]: above the largest chunks that recorders write.
@@ -17,8 +18,16 @@ const MAX_RECORD_LEN: usize = 256 << 20;
 /// Kind and length of a record, before its body [bytes].
 const HEAD_LEN: usize = 9;
 
-/// Takes a message: its channel, when it was recorded [ns], and its bytes.
-pub(crate) type Take<'a> = dyn FnMut(&Channel<'_>, u64, &[u8]) -> Result<(), ReadFault> + 'a;
+/// What a file holds.
+pub(crate) enum Entry<'a> {
+    /// A message: its channel, when it was recorded [ns], and its bytes.
+    Message(&'a Channel<'a>, u64, &'a [u8]),
+    /// What a writer says of the file, by its own keys: the writer's name for that, keys and values.
+    Notes(&'a str, &'a BTreeMap<String, String>),
+}
+
+/// Takes an entry.
+pub(crate) type Take<'a> = dyn FnMut(Entry<'_>) -> Result<(), ReadFault> + 'a;
 
 /// Where a file ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,11 +41,11 @@ pub(crate) enum Ending {
     },
 }
 
-/// Hands each message over, in the order of the file.
+/// Hands each entry over, in the order of the file.
 ///
 /// # Errors
 /// What the system says, what `each` says, and every fault of the file but that it ends early.
-pub(crate) fn messages(source: impl Read, each: &mut Take<'_>) -> Result<Ending, ReadFault> {
+pub(crate) fn entries(source: impl Read, each: &mut Take<'_>) -> Result<Ending, ReadFault> {
     let mut file = Records { source, byte: 0 };
     let magic = file.take(MAGIC.len() as u64)?;
     if magic != MAGIC {
@@ -52,7 +61,14 @@ pub(crate) fn messages(source: impl Read, each: &mut Take<'_>) -> Result<Ending,
         let Some((kind, len)) = kind_and_length(&head) else {
             return Ok(Ending::CutOff { byte: file.byte });
         };
-        let is_read = [op::SCHEMA, op::CHANNEL, op::MESSAGE, op::CHUNK].contains(&kind);
+        let is_read = [
+            op::SCHEMA,
+            op::CHANNEL,
+            op::MESSAGE,
+            op::CHUNK,
+            op::METADATA,
+        ]
+        .contains(&kind);
         if !is_read {
             if file.skip(len)? < len {
                 return Ok(Ending::CutOff { byte: file.byte });
@@ -130,8 +146,9 @@ fn record(
             let channel = known
                 .get(header.channel_id)
                 .ok_or_else(|| damaged(unknown))?;
-            each(&channel, header.log_time, &data)
+            each(Entry::Message(&channel, header.log_time, &data))
         }
+        Record::Metadata(notes) => each(Entry::Notes(&notes.name, &notes.metadata)),
         Record::Chunk { header, data } => {
             let plain =
                 unpack(&header.compression, &data, MAX_RECORD_LEN).map_err(

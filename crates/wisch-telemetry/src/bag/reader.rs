@@ -1,8 +1,8 @@
 //! ROS 2 bags: finds the poses and forces in an MCAP file of whatever topics.
 
-use super::container::{Ending, messages};
+use super::container::{Ending, Entry, entries};
 use super::locator::{Found, Locator};
-use super::topic::{AXES_KEY, ROLE_KEY, ROLE_POSE, ROLE_WRENCH, START_KEY};
+use super::topic::{AXES_KEY, NOTES, ROLE_KEY, ROLE_POSE, ROLE_WRENCH, START_KEY, TASK_NOTE};
 use crate::error::ReadFault;
 use crate::frames::Frames;
 use crate::options::TopicChoice;
@@ -26,6 +26,8 @@ pub(crate) struct BagReader {
     topics: BTreeMap<String, String>,
     channels: HashMap<u16, Reading>,
     frames: Frames,
+    /// The task's name, where the writer says it.
+    task: Option<String>,
     unfinished: bool,
 }
 
@@ -55,6 +57,7 @@ impl BagReader {
             topics: BTreeMap::new(),
             channels: HashMap::new(),
             frames: Frames::default(),
+            task: None,
             unfinished: false,
         }
     }
@@ -64,8 +67,13 @@ impl BagReader {
         let file = BufReader::new(File::open(path).map_err(ReadFault::System)?);
         // Each file numbers its channels anew.
         self.channels.clear();
-        let ending = messages(file, &mut |channel, log_time, data| {
-            self.message(channel, log_time, data)
+        let ending = entries(file, &mut |entry| match entry {
+            Entry::Message(channel, log_time, data) => self.message(channel, log_time, data),
+            Entry::Notes(NOTES, notes) => {
+                self.task = notes.get(TASK_NOTE).cloned();
+                Ok(())
+            }
+            Entry::Notes(..) => Ok(()),
         })?;
         let is_active = path.extension().is_some_and(|ending| ending == "active");
         match ending {
@@ -88,6 +96,7 @@ impl BagReader {
             start: says.start,
             unfinished: self.unfinished,
             frames: self.frames,
+            task: self.task,
             units: None,
         })
     }

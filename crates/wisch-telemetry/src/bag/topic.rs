@@ -10,6 +10,11 @@ pub(crate) const FRAME_TOOL: &str = Axes::Tool.as_str();
 /// Frame of the target surface.
 pub(crate) const FRAME_SURFACE: &str = Axes::Surface.as_str();
 
+/// Name of what is noted of a bag as a whole.
+pub(crate) const NOTES: &str = "wisch";
+/// Key of the note that says which task was executed.
+pub(crate) const TASK_NOTE: &str = "task";
+
 /// Key of a channel's metadata that says what the channel is to the interpretation.
 pub(crate) const ROLE_KEY: &str = "wisch.role";
 /// The channel says where the tool is.

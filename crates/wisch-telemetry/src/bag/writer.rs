@@ -1,6 +1,6 @@
 //! Telemetry as a ROS 2 bag: MCAP with CDR messages, written while it comes in.
 
-use super::topic::{FRAME_SURFACE, FRAME_TOOL, FRAME_WORLD, Topic};
+use super::topic::{FRAME_SURFACE, FRAME_TOOL, FRAME_WORLD, NOTES, Topic};
 use crate::error::WriteError;
 use crate::ros2::full_definition;
 use crate::ros2::messages::{
@@ -166,7 +166,7 @@ impl BagWriter {
             .create(NoSeek::new(BufWriter::new(file)))
             .map_err(failed)?;
         mcap.write_metadata(&mcap::records::Metadata {
-            name: "wisch".to_owned(),
+            name: NOTES.to_owned(),
             metadata: head.notes.clone(),
         })
         .map_err(failed)?;

@@ -2,11 +2,16 @@
 
 use super::config::InterpretConfig;
 use super::contact::{ClassifiedPath, PathPiece};
+use super::events::{Event, EventKind};
 use crate::represent::Surface;
 use std::fmt;
 
 /// Least time of pressing that shows where the tool pressed [s].
-const LEAST_PRESSING: f64 = 0.1;
+const LEAST_PRESSING: f64 = 0.5;
+/// Most that the heights may differ at which a tool presses on a surface, which may be inclined [m].
+const MOST_SPREAD: f64 = 0.03;
+/// Pieces further apart than this are none that follow each other [s].
+const LONGEST_STEP: f64 = 0.1;
 /// Less than this share of the confident contacts on one plane lie on none [1].
 const LEAST_ON_PLANE: f64 = 0.5;
 /// A tool that wipes is in contact for at least this share of its time on or near the surface [1].
@@ -14,9 +19,17 @@ const LEAST_CONTACT: f64 = 0.3;
 /// Most of the contact that may lie beside the surface [1].
 const MOST_BESIDE: f64 = 0.5;
 
+/// Most of a log that somebody may lead the tool by hand [1].
+const MOST_LED: f64 = 0.3;
+
 /// Why a log does not look like wiping, or not like wiping of this surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Doubt {
+    /// Somebody led the tool by hand: what it felt was the hand's as much as the surface's.
+    LedByHand {
+        /// Share of the log [1].
+        share: f64,
+    },
     /// The tool pressed as it should, but far from where the surface is believed to be.
     PressedFarOff {
         /// Median height of the tool over the believed surface as it pressed [m].
@@ -53,6 +66,11 @@ pub enum Doubt {
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
+            Self::LedByHand { share } => write!(
+                f,
+                "somebody leads the tool by hand for {:.0} % of the log",
+                100.0 * share
+            ),
             Self::PressedFarOff { height, searched } => {
                 let side = if height < 0.0 { "below" } else { "above" };
                 let height = height.abs();
@@ -86,12 +104,16 @@ impl fmt::Display for Doubt {
 /// What speaks against wiping of this surface; nothing where nothing pressed at all.
 pub(super) fn doubts(
     classified: &ClassifiedPath,
+    events: &[Event],
     contact_share: f64,
     surface: &Surface,
     config: &InterpretConfig,
 ) -> Vec<Doubt> {
+    let led = led(&classified.path, events);
     let Some((_, plane)) = &classified.plane else {
-        return far_off(&classified.path, config).into_iter().collect();
+        // What presses at one height for long is a surface, not a hand.
+        let far_off = far_off(&classified.path, config);
+        return far_off.or(led).into_iter().collect();
     };
     let touching = |piece: &PathPiece| {
         piece.is_on_plane() && piece.normalized_force >= config.events.contact_share[1]
@@ -102,7 +124,7 @@ pub(super) fn doubts(
         if !touching(piece) {
             continue;
         }
-        let lasts = (piece.time[1] - before.time[1]).min(LEAST_PRESSING);
+        let lasts = (piece.time[1] - before.time[1]).min(LONGEST_STEP);
         time += lasts;
         if !surface.outline.contains(piece.position.xy()) {
             beside += lasts;
@@ -129,7 +151,16 @@ pub(super) fn doubts(
         (share > MOST_BESIDE, Doubt::PressedBeside { share }),
     ];
     let told = all.into_iter().filter(|(is_so, _)| *is_so);
-    told.map(|(_, doubt)| doubt).collect()
+    let told = told.map(|(_, doubt)| doubt);
+    led.into_iter().chain(told).collect()
+}
+
+fn led(path: &[PathPiece], events: &[Event]) -> Option<Doubt> {
+    let led = (events.iter()).filter(|event| event.kind == EventKind::HandGuiding);
+    let led: f64 = led.map(|event| event.end - event.start).sum();
+    let all = path.last()?.time[1] - path.first()?.time[0];
+    let share = led / all;
+    (share > MOST_LED).then_some(Doubt::LedByHand { share })
 }
 
 /// Where the tool pressed, if that is too far off to be taken for the surface. Without a plane, heights are those over
@@ -144,7 +175,11 @@ fn far_off(path: &[PathPiece], config: &InterpretConfig) -> Option<Doubt> {
         return None;
     }
     heights.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-    let (height, _) = heights[heights.len() / 2];
+    let at = |tenth: usize| heights[(heights.len() - 1) * tenth / 10].0;
+    if at(9) - at(1) > MOST_SPREAD {
+        return None;
+    }
+    let height = at(5);
     let searched = config.search_height_m;
     (height.abs() > searched).then_some(Doubt::PressedFarOff { height, searched })
 }

@@ -5,7 +5,7 @@ use super::config::InterpretConfig;
 use super::contact::{
     ClassifiedPath, ContactClassifier, Downsampler, FittedPlane, PlaneFit, TouchSample, middle,
 };
-use super::doubt::doubts;
+use super::doubt::{Doubt, doubts};
 use super::error::InterpretError;
 use super::events::{Event, EventDetector};
 use super::interpretation::{Diagnosis, Interpretation};
@@ -152,7 +152,18 @@ impl Interpreter {
             &self.footprint,
             &self.config,
         );
-        let (events, contact_share) = (detector.events(), detector.contact_share());
+        let (mut events, contact_share) = (detector.events(), detector.contact_share());
+        let doubts = doubts(
+            &classified,
+            &events,
+            contact_share,
+            &self.surface,
+            &self.config,
+        );
+        if (doubts.iter()).any(|doubt| matches!(doubt, Doubt::PressedFarOff { .. })) {
+            // What is felt up there is a surface, and no hand.
+            events.retain(|event| !event.kind.is_by_hand());
+        }
         // Without a plane, nothing speaks for contact but the force.
         let trusted: &[Event] = if classified.plane.is_some() {
             &events
@@ -184,7 +195,7 @@ impl Interpreter {
         Ok(Interpretation {
             events,
             contact_share,
-            doubts: doubts(&classified, contact_share, &self.surface, &self.config),
+            doubts,
             diagnosis: self.diagnosis(&classified, &believed_from_real),
             force_bias: classified.bias.z,
             performance,

@@ -312,6 +312,11 @@ fn who_leads_the_tool_all_the_time_does_not_push_it() {
     let interpretation = interpreted(&script);
     assert_eq!(events(&interpretation, EventKind::Collision), []);
     assert!(!events(&interpretation, EventKind::HandGuiding).is_empty());
+    assert!(
+        matches!(interpretation.doubts[0], Doubt::LedByHand { share } if share > 0.8),
+        "{:?}",
+        interpretation.doubts
+    );
 }
 
 /// Standing, a tool that no longer presses has lost its contact as well as one that goes on.
@@ -424,10 +429,12 @@ fn a_log_that_is_no_wiping_is_told_with_its_reasons() {
     let doubts = |script: &Script| interpreted(script).doubts;
     assert_eq!(doubts(&Script::default()), []);
     // The surface is 0.2 m higher than believed.
-    let high = doubts(&Script {
+    let high = interpreted(&Script {
         surface: |_| 0.2,
         ..Script::default()
     });
+    assert!(!(high.events.iter()).any(|event| event.kind.is_by_hand()));
+    let high = high.doubts;
     let [Doubt::PressedFarOff { height, searched }] = high[..] else {
         panic!("{high:?}");
     };

@@ -36,6 +36,8 @@ pub(in crate::interpret) struct ClassifiedPath {
     /// By how much the tool's underside is farther from the plane than one that touches may be [m]; at most
     /// 0 on the plane.
     pub(in crate::interpret) off: Vec<f64>,
+    /// The same of a tool that gives way just as far as its spring does under the force, never less [m].
+    pub(in crate::interpret) off_spring: Vec<f64>,
     pub(in crate::interpret) plane: Option<(PlaneFit, FittedPlane)>,
     /// Mean of what is felt in free motion, in the axes of the believed surface [N].
     pub(in crate::interpret) bias: Vector3,
@@ -65,12 +67,18 @@ impl ContactClassifier<'_> {
             (fit, described)
         });
         let fit = plane.as_ref().map(|(fit, _)| fit);
-        let (path, off) = (pieces.iter())
-            .map(|piece| self.classify_piece(piece, bias, fit))
-            .unzip();
+        let mut path = Vec::with_capacity(pieces.len());
+        let (mut off, mut off_spring) = (Vec::new(), Vec::new());
+        for piece in pieces {
+            let (classified, [least, by_spring]) = self.classify_piece(piece, bias, fit);
+            path.push(classified);
+            off.push(least);
+            off_spring.push(by_spring);
+        }
         ClassifiedPath {
             path,
             off,
+            off_spring,
             plane,
             bias,
             noise,
@@ -82,14 +90,14 @@ impl ContactClassifier<'_> {
         piece: &MeasuredPiece,
         bias: Vector3,
         plane: Option<&PlaneFit>,
-    ) -> (PathPiece, f64) {
+    ) -> (PathPiece, [f64; 2]) {
         let force = piece.force - bias;
         let normal_force = -force.z;
         let share = self.config.normalized(normal_force);
         let center = Point3::new(piece.position.x, piece.position.y, piece.mean_height);
         let height = plane.map_or(center.z, |plane| plane.distance(center));
         let off = self.off(center.xy(), height, normal_force);
-        let on_plane = plane.is_some() && off <= 0.0;
+        let on_plane = plane.is_some() && off[0] <= 0.0;
         let touch = match (on_plane, share) {
             (true, share) if share >= self.config.confident_share => Touch::Confident,
             (true, _) => Touch::Weak,
@@ -110,25 +118,29 @@ impl ContactClassifier<'_> {
         (classified, off)
     }
 
-    /// By how much the underside of a tool at this height is farther off the plane than it may be [m].
-    fn off(&self, place: Point2, height: f64, normal_force: f64) -> f64 {
+    /// By how much the underside of a tool at this height is farther off the plane than it may be [m]: at least, and if
+    /// it gives way just as far as its spring.
+    fn off(&self, place: Point2, height: f64, normal_force: f64) -> [f64; 2] {
         let spring_back = spring_back(normal_force, self.config);
         let doubt = match self.config.compliance {
             ToolCompliance::Rigid => 0.0,
             ToolCompliance::Spring { uncertainty, .. } => uncertainty * spring_back.abs(),
         };
+        let by_spring = height + spring_back;
         // Pressed harder than nominally, it may also give way no further: a sponge bottoms out.
-        let clearance = if spring_back > 0.0 {
-            height.max(0.0) + (height + spring_back).min(0.0)
+        let least = if spring_back > 0.0 {
+            height.max(0.0) + by_spring.min(0.0)
         } else {
-            height + spring_back
+            by_spring
         };
-        let off = clearance.abs() - self.config.plane.inlier_distance_m - doubt;
-        if clearance < 0.0 && off > 0.0 {
-            off - self.config.nominal_compression() * (1.0 / self.support(place) - 1.0)
-        } else {
-            off
-        }
+        [least, by_spring].map(|clearance| {
+            let off = clearance.abs() - self.config.plane.inlier_distance_m - doubt;
+            if clearance < 0.0 && off > 0.0 {
+                off - self.config.nominal_compression() * (1.0 / self.support(place) - 1.0)
+            } else {
+                off
+            }
+        })
     }
 
     /// Share of the tool that the surface carries: over an edge half of it, which gives way twice as far.

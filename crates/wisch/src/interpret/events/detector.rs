@@ -23,6 +23,7 @@ pub(in crate::interpret) struct EventDetector<'a> {
     bias: Vector3,
     pub(super) path: &'a [PathPiece],
     pub(super) off: &'a [f64],
+    pub(super) off_spring: &'a [f64],
     surface: &'a Surface,
     footprint: &'a Region,
     /// Travel along the surface up to each piece [m].
@@ -70,6 +71,7 @@ impl<'a> EventDetector<'a> {
             bias: classified.bias,
             path,
             off: &classified.off,
+            off_spring: &classified.off_spring,
             surface,
             footprint,
             way: steps

@@ -151,11 +151,12 @@ impl EventDetector<'_> {
             .max(self.handled(i))
     }
 
-    /// Off the plane with a force like that of contact (Fig. 18).
+    /// Off the plane with a force like that of contact (Fig. 18). It reaches as far as the tool is off where its spring
+    /// would have it, but only one that is off however stiff the tool is shows it.
     fn off_plane(&self, i: usize) -> Level {
         // Over an edge a tool tips and sinks by itself.
         let is_sunk = || self.path[i].height < 0.0 && self.overhangs(i);
-        if !self.has_plane || self.off[i] <= 0.0 || is_sunk() {
+        if !self.has_plane || self.off_spring[i] <= 0.0 || is_sunk() {
             return Level::Below;
         }
         let events = &self.config.events;
@@ -165,7 +166,7 @@ impl EventDetector<'_> {
         let lag = events.force_lag_s * self.climb(i);
         let far = events.collision_height_m + lag;
         level(
-            off > lag && share >= events.collision_share[1],
+            self.off_spring[i] > lag && share >= events.collision_share[1],
             off > far && share >= events.collision_share[0],
         )
     }
