@@ -13,7 +13,6 @@ pub use memory::{
 };
 pub use robot::{RobotCheckArgs, RobotCommand, RobotMapArgs};
 
-use crate::terminal::print_json_error;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum, ValueHint};
 use std::ffi::OsString;
@@ -52,24 +51,18 @@ pub struct Cli {
 }
 
 impl Cli {
-    /// Reads the command line; ends the program where it is help that was asked for, or wrong.
-    pub fn read() -> Self {
+    /// Reads the command line.
+    ///
+    /// # Errors
+    /// Help that was asked for, or what is wrong with the command line.
+    pub fn read() -> Result<Self, clap::Error> {
         let command = Self::command().color(match color_asked_for(std::env::args_os()) {
             ColorChoice::Auto => clap::ColorChoice::Auto,
             ColorChoice::Always => clap::ColorChoice::Always,
             ColorChoice::Never => clap::ColorChoice::Never,
         });
-        let parsed = command.try_get_matches();
-        parsed
-            .and_then(|matches| Self::from_arg_matches(&matches))
-            .unwrap_or_else(|error| {
-                if error.use_stderr() {
-                    let text = error.to_string();
-                    let sentence = text.lines().next().unwrap_or_default();
-                    print_json_error(sentence.trim_start_matches("error: "), None);
-                }
-                error.exit()
-            })
+        let matches = command.try_get_matches()?;
+        Self::from_arg_matches(&matches)
     }
 }
 

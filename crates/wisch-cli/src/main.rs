@@ -13,7 +13,7 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     terminal::run(|| {
-        let cli = args::Cli::read();
+        let cli = args::Cli::read().unwrap_or_else(|error| terminal::refuse(&error));
         terminal::prepare(&cli.global)?;
         commands::run(&cli)
     })

@@ -83,8 +83,18 @@ pub fn complain_of(failure: &Failure) {
     complain(&format!("{red}error:{plain} {failure}{help}"));
 }
 
+/// Ends the program with the help that was asked for, or with what is wrong with the command line.
+pub fn refuse(error: &clap::Error) -> ! {
+    if error.use_stderr() {
+        let text = error.to_string();
+        let sentence = text.lines().next().unwrap_or_default();
+        print_json_error(sentence.trim_start_matches("error: "), None);
+    }
+    error.exit()
+}
+
 /// Where one machine-readable result is asked for, prints the error as that.
-pub fn print_json_error(error: &str, help: Option<&str>) {
+fn print_json_error(error: &str, help: Option<&str>) {
     let asked = std::env::args_os().take_while(|arg| arg != "--");
     if asked.skip(1).any(|arg| arg == "--json") {
         // Whoever reads it may have gone away.

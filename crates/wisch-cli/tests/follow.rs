@@ -115,9 +115,13 @@ fn the_humanoid_follows_the_board() {
         assert!(!wipes || (column(row, 5) - 0.77).abs() < 2e-3, "{row:?}");
     }
 
-    // Results of an earlier run give way, those of the robot among them, also to a run without.
+    // Results of an earlier run give way, those of the robot among them, where it is forced
+    // also to a run without.
     assert_eq!(summary(folder.path(), &run)["faults"], 0);
-    let plain = summary(folder.path(), &[&run[..], &["--robot", "none"]].concat());
+    let plain = summary(
+        folder.path(),
+        &[&run[..], &["--robot", "none", "--force"]].concat(),
+    );
     assert!(plain.get("robot").is_none() && plain.get("abandoned_nodes").is_none());
     assert!(plain["predicted_performance"].is_number());
     assert!(!result.join("trajectories/trajectory.yaml").exists());

@@ -94,7 +94,12 @@ fn what_is_no_urdf_is_an_error() {
     ] {
         let (code, out, err) = check(folder_with(text).path(), &["arm.urdf", "--json"]);
         assert_eq!(code, 2);
-        assert_eq!(out, "");
+        let said: serde_json::Value = serde_json::from_str(&out).expect("an object");
+        assert!(
+            said["error"]
+                .as_str()
+                .is_some_and(|text| text.starts_with(expected))
+        );
         assert!(err.contains(expected), "{err}");
     }
     let (code, _, err) = check(folder_with(ARM).path(), &["arn.urdf"]);

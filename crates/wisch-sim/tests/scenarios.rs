@@ -98,9 +98,8 @@ fn collisions(round: &Round) -> Vec<[f64; 2]> {
 
 #[test]
 fn pushes_are_felt_when_they_happen_and_what_they_cost_is_wiped_again() {
-    let (loaded, rounds) = executed("failure-human-push", 2);
+    let (loaded, rounds) = executed("failure-human-push", 4);
     assert_eq!(all_faults(&rounds), [] as [String; 0]);
-    assert_eq!(rounds.len(), 2);
     let (first, _, before) = &rounds[0];
     assert_eq!(first.verdict, Verdict::Again);
     let settings = settings(&loaded);
@@ -125,9 +124,11 @@ fn pushes_are_felt_when_they_happen_and_what_they_cost_is_wiped_again() {
             "felt at {felt} s, pushed at {real} s"
         );
     }
-    let (second, _, after) = &rounds[1];
-    assert_eq!(collisions(second), [] as [[f64; 2]; 0]);
-    assert_eq!(second.verdict, Verdict::GoalMet);
+    let (last, _, after) = &rounds[rounds.len() - 1];
+    assert_eq!(last.verdict, Verdict::GoalMet);
+    for (round, ..) in &rounds[1..] {
+        assert_eq!(collisions(round), [] as [[f64; 2]; 0]);
+    }
     let predicted = first.motion.prediction.performance.ratio();
     assert!(
         *before < predicted - 0.05 && *after > 0.95,

@@ -177,10 +177,16 @@ fn the_torso_is_coupled() {
             } else {
                 (0.0..=135.0 - q2).contains(&q3)
             };
-            let allowed = allowed && (-90.0..=90.0).contains(&q2);
+            let own = (-70.0..=30.0).contains(&q2) && (10.0..=134.0).contains(&q3);
+            let allowed = allowed && own;
             assert_eq!(free(q2, q3), allowed, "{q2} {q3}");
         }
     }
+    // The paper's robot turns further to one side than to the other; its successor's limits are symmetric.
+    let torso_1 = robot.joints()[robot.joint("torso_1").unwrap().index()].limits;
+    let range = torso_1.position.unwrap();
+    assert!((range.lower.to_degrees() + 100.0).abs() < 1e-9);
+    assert!((range.upper.to_degrees() - 190.0).abs() < 1e-9);
     let q = humanoid_at(&robot, &[("torso_2", -30.0), ("torso_3", 20.0)]);
     let faults = robot.limit_faults(&q).unwrap();
     assert_eq!(faults[0].joint, "torso_4");

@@ -43,12 +43,12 @@ const LEFT_ARM: [Row; 7] = [
 
 const HEAD: [Row; 2] = [row(0.0, 0.0, 0.0, 0.0), row(0.0, 0.0, 0.0, -90.0)];
 
-/// Lower and upper [deg], effort assumed [Nm]. The fourth is passive: its limits are those of the
-/// coupling, 0 <= q2 + q3 <= 135 degrees.
+/// Lower and upper [deg], effort assumed [Nm]: Rollin' Justin's, not its successor's (±120, ±90, 0 to 135). The
+/// fourth is passive: its limits are those of the coupling, 0 <= q2 + q3 <= 135 degrees.
 const TORSO_LIMITS: [[f64; 3]; 4] = [
-    [-120.0, 120.0, 400.0],
-    [-90.0, 90.0, 800.0],
-    [0.0, 135.0, 800.0],
+    [-100.0, 190.0, 400.0],
+    [-70.0, 30.0, 800.0],
+    [10.0, 134.0, 800.0],
     [-135.0, 0.0, 400.0],
 ];
 
@@ -58,11 +58,11 @@ const ARM_LIMITS: [[f64; 3]; 7] = [
     [-170.0, 170.0, 100.0],
     [-120.0, 120.0, 100.0],
     [-170.0, 170.0, 40.0],
-    [-45.1, 80.0, 40.0],
+    [-45.0, 80.0, 40.0],
     [-45.0, 135.0, 40.0],
 ];
 
-const HEAD_LIMITS: [[f64; 3]; 2] = [[-45.2, 45.2, 20.0], [-22.5, 45.0, 20.0]];
+const HEAD_LIMITS: [[f64; 3]; 2] = [[-45.0, 45.0, 20.0], [-25.0, 45.0, 20.0]];
 
 /// Mass [kg] and centre of mass [mm, link frame].
 const TORSO_BODIES: [(f64, [f64; 3]); 4] = [
@@ -140,7 +140,11 @@ pub fn humanoid() -> String {
         "humanoid",
         "The mobile humanoid of the paper (Rollin' Justin): published kinematics, limits, masses and centres\n\
          of mass; capsules instead of meshes. Assumed: effort limits (150 Nm at the first joints of the\n\
-         arms), inertias (solid capsules), bodies of hands and head.",
+         arms), inertias (solid capsules), bodies of hands and head.\n\
+         Limits of torso and head are Rollin' Justin's. In doubt: its successor's are printed as torso_1 -120\n\
+         to 120, torso_2 -90 to 90, torso_3 0 to 135 degrees, but postures measured on one reach torso_1 -131\n\
+         to 199, so that what is printed need not be what the drives allow; and the coupling of torso_2 and\n\
+         torso_3, 0 to 135 degrees, is published without saying of which of the two.",
     );
     base(&mut urdf);
     torso(&mut urdf);
