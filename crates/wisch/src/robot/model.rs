@@ -1,7 +1,7 @@
 //! The constant part of a robot: its tree of links, joints, limits and bodies.
 
 use super::description::check::Checked;
-use super::description::urdf::{Urdf, UrdfInertial, UrdfJoint, UrdfMimic};
+use super::description::elements::{Urdf, UrdfInertial, UrdfJoint, UrdfMimic};
 use super::{Collision, Diagnostic, RobotError, Severity};
 use crate::geometry::{Point3, Pose, Vector3};
 use crate::source_location::UnknownName;

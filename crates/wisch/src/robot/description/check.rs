@@ -2,7 +2,7 @@
 
 use super::collision::{Collision, load_shapes};
 use super::diagnostics::{Diagnostics, words};
-use super::urdf::{Urdf, UrdfInertial, UrdfJoint, UrdfLimit};
+use super::elements::{Urdf, UrdfInertial, UrdfJoint, UrdfLimit};
 use crate::robot::{Diagnostic, DiagnosticKind, RobotError, Severity, Subject};
 use crate::source_location::UnknownName;
 use std::collections::{BTreeMap, BTreeSet};

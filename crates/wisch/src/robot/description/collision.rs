@@ -1,7 +1,7 @@
 //! Shapes of links, for collision checks: what the URDF's `<collision>` elements become.
 
 use super::diagnostics::{Diagnostics, words};
-use super::urdf::{Urdf, UrdfGeometry, UrdfShape};
+use super::elements::{Urdf, UrdfGeometry, UrdfShape};
 use crate::geometry::{Mesh, MeshFormat, Point3, Pose, Vector3};
 use crate::robot::{DiagnosticKind, Severity, Subject};
 use nalgebra::{Translation3, UnitQuaternion};

@@ -3,6 +3,7 @@
 pub(super) mod check;
 mod collision;
 mod diagnostics;
+pub(super) mod elements;
 mod planar;
 mod srdf;
 pub(super) mod urdf;

@@ -1,6 +1,6 @@
 //! A planar joint of a URDF as the three joints that it is: two slides and a turn.
 
-use super::urdf::{UrdfJoint, UrdfLimit, UrdfLink};
+use super::elements::{UrdfJoint, UrdfLimit, UrdfLink};
 use crate::geometry::{Pose, Vector3};
 use crate::robot::frame::z_to;
 
