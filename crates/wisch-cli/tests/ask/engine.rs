@@ -3,8 +3,8 @@
 use super::{memory, program, run};
 use assert_cmd::Command;
 use std::fs;
-use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
+use std::process;
 use tempfile::TempDir;
 
 /// What speaks as an engine does.
@@ -28,7 +28,12 @@ impl Place {
         let place = folder.path().join(at);
         fs::create_dir_all(&place).unwrap();
         fs::create_dir(folder.path().join("path")).unwrap();
-        fs::copy(program(), place.join("wisch")).unwrap();
+        // By a process of its own: what this one holds open for writing, one that another test starts at that moment
+        // holds open too, and then it cannot be run.
+        let copied = process::Command::new("cp")
+            .args([program().as_path(), &place.join("wisch")])
+            .status();
+        assert!(copied.unwrap().success());
         Self {
             program: place.join("wisch"),
             folder,
@@ -36,9 +41,16 @@ impl Place {
     }
 
     fn script(&self, file: &str, text: &str) {
-        let file = self.folder.path().join(file);
-        fs::write(&file, text).unwrap();
-        fs::set_permissions(&file, fs::Permissions::from_mode(0o755)).unwrap();
+        let written = process::Command::new("sh")
+            .args([
+                "-c",
+                "printf %s \"$1\" > \"$0\" && chmod 755 \"$0\"",
+                file,
+                text,
+            ])
+            .current_dir(self.folder.path())
+            .status();
+        assert!(written.unwrap().success());
     }
 
     /// Asks whether truth holds.

@@ -11,7 +11,7 @@ pub enum Moment {
     Seconds(f64),
     /// When this share of its duration has passed, in [0, 1].
     Share(f64),
-    /// When the stroke of this number, counted from 1, begins to wipe.
+    /// Amid the stroke of this number, counted from 1: when half of its time has passed.
     Stroke(usize),
 }
 
@@ -23,9 +23,12 @@ impl Moment {
             Self::Seconds(time) => (time < duration).then_some(time),
             Self::Share(share) => (share < 1.0).then_some(share * duration),
             Self::Stroke(number) => {
-                let mut motions = followed.motions.iter();
-                let wipes = motions.find(|motion| motion.phase.stroke() == Some(number - 1));
-                wipes.map(|motion| motion.start)
+                let motions = followed.motions.iter();
+                let mut wipes =
+                    motions.filter(|motion| motion.phase.stroke() == number.checked_sub(1));
+                let first = wipes.next()?;
+                let end = wipes.last().unwrap_or(first).end();
+                Some(f64::midpoint(first.start, end))
             }
         }
     }

@@ -520,7 +520,7 @@ pub(super) struct FrictionChangeTable {
     pub(super) start_s: Option<TimeS>,
     /// The share of the motion after which it begins; excludes the others.
     pub(super) start_share: Option<Share>,
-    /// The stroke, counted from 1, with which it begins; excludes the others.
+    /// The stroke, counted from 1, amid which it begins; excludes the others.
     pub(super) start_stroke: Option<StrokeNumber>,
     /// Coulomb coefficient.
     pub(super) friction: Friction,
@@ -543,7 +543,7 @@ pub(super) struct PushTable {
     pub(super) start_s: Option<TimeS>,
     /// The share of the motion after which it begins; excludes the others.
     pub(super) start_share: Option<Share>,
-    /// The stroke, counted from 1, with which it begins; excludes the others.
+    /// The stroke, counted from 1, amid which it begins; excludes the others.
     pub(super) start_stroke: Option<StrokeNumber>,
     /// How long it lasts [s].
     pub(super) duration_s: DurationS,
