@@ -27,7 +27,7 @@ impl Moment {
                 let mut wipes =
                     motions.filter(|motion| motion.phase.stroke() == number.checked_sub(1));
                 let first = wipes.next()?;
-                let end = wipes.last().unwrap_or(first).end();
+                let end = wipes.next_back().unwrap_or(first).end();
                 Some(f64::midpoint(first.start, end))
             }
         }
