@@ -1,7 +1,8 @@
 //! The messages between this program and an executor in another process: one JSON object a line.
 
 use serde::{Deserialize, Serialize};
-use wisch::geometry::{Pose, Vector3};
+use wisch::geometry::{Point2, Polygon, Pose, Region, Vector3};
+use wisch::represent::{MAX_PARTICLES, Observation};
 use wisch::run::{MotionOrder, Setpoint, Wrench};
 
 /// How far from 1 the norm of a quaternion may be.
@@ -69,8 +70,45 @@ pub(super) enum FromChild {
     Ready { version: u32 },
     Sample(Box<SampleMessage>),
     Done(Ended),
-    Observation(Option<Vec<[f64; 2]>>),
+    Observation(Option<ObservationMessage>),
     Error(String),
+}
+
+/// What is seen of the dirt, in the frame of the believed surface.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ObservationMessage {
+    detections: Vec<[f64; 2]>,
+    #[serde(default)]
+    hidden: Vec<Vec<[f64; 2]>>,
+}
+
+impl ObservationMessage {
+    /// The observation, if its numbers are some.
+    pub fn into_observation(self) -> Result<Observation, String> {
+        let places = self.hidden.iter().flatten().chain(&self.detections);
+        if let Some([x, y]) = places
+            .into_iter()
+            .find(|[x, y]| !(x.is_finite() && y.is_finite()))
+        {
+            return Err(format!("observation: place ({x}, {y}) m is not finite"));
+        }
+        if self.detections.len() > MAX_PARTICLES {
+            let count = self.detections.len();
+            return Err(format!(
+                "observation: {count} detections exceed the limit of {MAX_PARTICLES}"
+            ));
+        }
+        let points = |ring: Vec<[f64; 2]>| ring.into_iter().map(Point2::from).collect();
+        let hidden = self
+            .hidden
+            .into_iter()
+            .map(|ring| Polygon::new(points(ring), vec![]));
+        Ok(Observation {
+            hidden: Region::new(hidden.collect()),
+            detections: points(self.detections),
+        })
+    }
 }
 
 /// What is measured at one instant.

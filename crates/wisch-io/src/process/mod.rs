@@ -7,8 +7,7 @@ use std::io::{BufRead, BufReader, Write};
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
 use std::time::{Duration, Instant};
-use wisch::geometry::Point2;
-use wisch::represent::{ParticleDistribution, Task};
+use wisch::represent::{Observation, Task};
 use wisch::run::{
     Ending, Execution, Executor, ExecutorError, MotionOrder, SampleSink, Setpoint, StopCause,
     TelemetrySample,
@@ -199,17 +198,16 @@ impl Executor for ProcessExecutor {
         }
     }
 
-    fn observe(&mut self, task: &Task) -> Result<Option<ParticleDistribution>, ExecutorError> {
+    fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
         self.say(&ToChild::Observe {
             surface: &task.surface.name,
         })?;
         match self.hear()? {
             FromChild::Observation(None) => Ok(None),
-            FromChild::Observation(Some(places)) => {
-                let places: Vec<Point2> = places.into_iter().map(Point2::from).collect();
-                let particles = ParticleDistribution::new(&places);
-                particles.map(Some).map_err(|error| self.fault(error))
-            }
+            FromChild::Observation(Some(seen)) => seen
+                .into_observation()
+                .map(Some)
+                .map_err(|error| self.fault(error)),
             other => {
                 let kind = other.kind();
                 Err(self.fault(format!("expected \"observation\", found {kind}")))

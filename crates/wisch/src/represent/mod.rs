@@ -6,6 +6,7 @@ mod heap;
 mod knowledge;
 mod metrics;
 mod motion;
+mod observation;
 mod occupied_area;
 mod particles;
 mod scene;
@@ -25,6 +26,7 @@ pub use knowledge::{
 };
 pub use metrics::{GoalState, Performance};
 pub use motion::ToolMotion;
+pub use observation::{Observation, SensorModel};
 pub use occupied_area::{OccupiedArea, SURFACE_SKIN};
 pub use particles::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError, ParticleTally};
 pub use scene::{SceneObject, ScenePart};

@@ -2,7 +2,7 @@
 
 use super::{Execution, MotionOrder, TelemetrySample};
 use crate::interpret::TouchSample;
-use crate::represent::{ParticleDistribution, Task};
+use crate::represent::{Observation, Task};
 use std::collections::VecDeque;
 use std::fmt::Display;
 use std::ops::ControlFlow;
@@ -44,12 +44,12 @@ pub trait Executor {
         sink: &mut SampleSink<'_>,
     ) -> Result<Execution, ExecutorError>;
 
-    /// Looks at the surface and tells where dirt is seen, in the frame of the believed surface [m]; `None` where
-    /// nothing can look.
+    /// Looks at the surface and tells what is seen of the dirt, in the frame of the task's surface; `None` where nothing
+    /// can look.
     ///
     /// # Errors
     /// There is a camera, and it fails.
-    fn observe(&mut self, _task: &Task) -> Result<Option<ParticleDistribution>, ExecutorError> {
+    fn observe(&mut self, _task: &Task) -> Result<Option<Observation>, ExecutorError> {
         Ok(None)
     }
 }
@@ -63,7 +63,7 @@ impl<E: Executor + ?Sized> Executor for &mut E {
         (**self).execute(order, sink)
     }
 
-    fn observe(&mut self, task: &Task) -> Result<Option<ParticleDistribution>, ExecutorError> {
+    fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
         (**self).observe(task)
     }
 }
@@ -138,7 +138,7 @@ impl<E: Executor> Executor for Recording<E> {
         Ok(round.execution)
     }
 
-    fn observe(&mut self, task: &Task) -> Result<Option<ParticleDistribution>, ExecutorError> {
+    fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
         if self.rounds.is_empty() {
             self.then.observe(task)
         } else {
