@@ -58,12 +58,13 @@ pub fn execute(
         progress.aside(|| remark(&format!("{rounds} of the killed run taken over")));
     }
     let executed_s: Vec<f64> = kept.iter().map(|round| round.executing_s).collect();
+    let first_look = kept.first().and_then(|round| round.first_look.clone());
     let (recorded, truth) = kept.into_iter().map(|r| (r.recorded, r.truth)).unzip();
     let mut executor = match &args.executor {
         Some(command) => Executing::Process(start(command)?),
         None => {
             let world = World::new(&prepared.task, prepared.reality.clone()).after(truth);
-            Executing::World(Box::new(Recording::new(recorded, world)))
+            Executing::World(Box::new(Recording::new(first_look, recorded, world)))
         }
     };
     let mut events = (args.events.as_deref())
@@ -105,7 +106,8 @@ pub fn execute(
                 (&watch.failure, &no_bag, executor.truth().last())
             {
                 let seconds = watch.times(number).executing_s;
-                if let Err(error) = recorder.checkpoints.keep(round, truth, seconds) {
+                let look = session.first_observation();
+                if let Err(error) = recorder.checkpoints.keep(round, look, truth, seconds) {
                     let place = folder.state();
                     let failure =
                         Failure::new(format!("{}: cannot write there: {error}", place.display()))
