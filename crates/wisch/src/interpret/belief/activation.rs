@@ -51,20 +51,21 @@ const NEVER: Threshold = Threshold {
 };
 
 impl Activation {
-    pub(super) fn new(seed: u64, member: u64, particles: usize, slip: f64, is_kept: bool) -> Self {
+    pub(super) fn new(seed: u64, member: u64, particles: usize, is_kept: bool) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         random.set_stream(member);
         Self {
             key: random.next_u64(),
             thresholds: vec![NEVER; particles],
             travelled: [0.0; 2],
-            slip,
+            slip: 0.0,
             is_kept,
         }
     }
 
-    /// Goes on to another log: what the tool touched before, it touches anew.
-    pub(super) fn begin_log(&mut self) {
+    /// Goes on to another log, in which so much slips: what the tool touched before, it touches anew.
+    pub(super) fn begin_log(&mut self, slip: f64) {
+        self.slip = slip;
         self.travelled = [self.travelled[1] + 2.0 * SAME_CONTACT; 2];
     }
 

@@ -21,8 +21,6 @@ const UNSLIPPED: f64 = 0.875;
 pub(super) struct MemberParameters {
     grasp: PlanarPose,
     force_scale: f64,
-    /// Share of what is pushed that slips past the tool, per drawing [1].
-    pub(super) slip: f64,
     /// Depth of a heap of all particles over r_s [1].
     pub(super) heap: f64,
     /// The chance of an effect over the normalised force.
@@ -50,7 +48,6 @@ impl MemberParameters {
         } = config.likelihood;
         Self {
             grasp: PlanarPose::new(Point2::from(offset), turn * uncertainty.grasp_turn),
-            slip: uncertainty.slip_share * slip_severity(config.seed, member),
             heap,
             force_scale: (1.0 + scale * uncertainty.force_share).max(0.0),
             likelihood: LogNormal {
@@ -100,6 +97,12 @@ pub(super) fn scattered(
         .collect();
     // Finite positions stay finite.
     ParticleDistribution::with_fates(&places).unwrap_or_else(|_| particles.clone())
+}
+
+/// Share of what is pushed that slips past the tool in a log, per drawing [1]: how a heap leaks depends on the strokes, so a
+/// member draws it for every log anew.
+pub(super) fn slip(config: &InterpretConfig, member: u64) -> f64 {
+    config.uncertainty.slip_share * slip_severity(config.seed, member)
 }
 
 /// How much slips in a member, over the most that may [1]: nothing in most of them. An additive sequence by the

@@ -7,7 +7,7 @@
 
 use super::activation::Activation;
 use super::ensemble::{Belief, MemberState};
-use super::parameter_sampling::{MemberParameters, scattered};
+use super::parameter_sampling::{MemberParameters, scattered, slip};
 use super::push_hypotheses::ContactEvidence;
 use crate::geometry::Region;
 use crate::interpret::config::InterpretConfig;
@@ -59,6 +59,11 @@ impl Replay<'_> {
                     member as u64,
                 )
             });
+            let slip = match self.effect {
+                Effect::Push => slip(self.config, member as u64),
+                Effect::Absorb => 0.0,
+            };
+            state.activation.begin_log(slip);
             let after = self.once(scattered.as_ref().unwrap_or(dirt), motions, &mut state);
             (after, state)
         });
@@ -67,13 +72,9 @@ impl Replay<'_> {
 
     fn first_state(&self, particles: usize, member: u64) -> MemberState {
         let parameters = MemberParameters::draw(self.config, member);
-        let slip = match self.effect {
-            Effect::Push => parameters.slip,
-            Effect::Absorb => 0.0,
-        };
         let is_kept = parameters.is_kept;
         MemberState {
-            activation: Activation::new(self.config.seed, member, particles, slip, is_kept),
+            activation: Activation::new(self.config.seed, member, particles, is_kept),
             parameters,
         }
     }
@@ -89,7 +90,6 @@ impl Replay<'_> {
             activation,
         } = state;
         let mut model = EffectModel::new(self.footprint, self.effect);
-        activation.begin_log();
         if self.effect == Effect::Push {
             let heap_depth = parameters.heap * self.config.redraw_length_m;
             model = model.with_heap(heap_depth, activation.key);
