@@ -42,6 +42,6 @@ pub use records::{
 };
 pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, shipped_robots};
 pub use task_file::{
-    ExecutionRecord, FrictionChange, Intent, Moment, Push, ReadFile, RobotDescription, RobotRecord,
-    TaskError, TaskFile,
+    CameraRecord, DirtRecord, ExecutionRecord, FrictionChange, Intent, Moment, Perception, Push,
+    ReadFile, RealDirt, RobotDescription, RobotRecord, TaskError, TaskFile,
 };

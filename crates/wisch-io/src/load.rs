@@ -8,6 +8,7 @@ use crate::robots::Robot;
 use crate::task_file::{Intent, TaskFile};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
+use wisch::geometry::Point2;
 use wisch::goal::{GoalLiteral, resolve_goal};
 use wisch::interpret::{Belief, DirtPrior, members};
 use wisch::plan::{CoverageStrategy, PlanConfig};
@@ -52,6 +53,9 @@ pub struct LoadedTask {
     pub derived: Option<Derivation>,
     /// What is known of tools, media and surfaces.
     pub knowledge: KnowledgeBase,
+    /// Where the dirt of a simulated world really lies, in the frame of the real surface [m], where `[execution]` names a
+    /// file that lists it.
+    pub real_places: Option<Vec<Point2>>,
     /// Of all that was read for it, and of the options.
     pub inputs: InputDigest,
 }
@@ -180,6 +184,7 @@ pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error
         &mut |path| taken_in(path, beside(path)),
         &mut |path| taken_in(path, source.asset(path)),
     )?;
+    let real_places = file.real_places(&task, &mut |path| taken_in(path, beside(path)))?;
     let mut inputs = inputs.into_inner();
     inputs.add("action", chosen.action.as_str());
     inputs.add("seed", seed.to_le_bytes());
@@ -202,6 +207,7 @@ pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error
         task,
         config,
         inputs,
+        real_places,
         derived: chosen.derived,
         knowledge,
     })

@@ -39,14 +39,11 @@ fn wiping(name: &str, grains: usize, robot: Robot) -> Wiping {
         seed: Some(1),
         ..LoadOptions::default()
     };
+    let loaded = load_task(&scenario(name), &options).unwrap();
+    let reality = SimulationSettings::of(&loaded).unwrap();
     let LoadedTask {
-        file,
-        task,
-        config,
-        knowledge,
-        ..
-    } = load_task(&scenario(name), &options).unwrap();
-    let reality = SimulationSettings::of(file.execution(), &task, &knowledge).unwrap();
+        file, task, config, ..
+    } = loaded;
     let plan = plan(&task, &config).unwrap();
     let config = WorkcellConfig {
         world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),

@@ -1,5 +1,6 @@
 //! Why an execution cannot begin or go on.
 
+use wisch::represent::SourceError;
 use wisch::robot::RobotError;
 
 /// Why an execution cannot begin or go on.
@@ -8,6 +9,9 @@ pub enum SimulationError {
     /// The robot's description does not do.
     #[error(transparent)]
     Robot(#[from] RobotError),
+    /// Dirt finds no place where it shall lie.
+    #[error("the real dirt: {0}")]
+    Dirt(#[from] SourceError),
     /// There is no joint between the world and the tool that moves.
     #[error("robot {robot:?}: no joint moves the tool")]
     NothingMoves {

@@ -7,7 +7,7 @@
 //! roll. Pressure is that of the tool's compliance, uneven where the tool is tilted.
 
 use super::Dirt;
-use super::plant::{Plant, groups_of_grains, nominal_depth, vector};
+use super::plant::{GRAVITY, Plant, Wielded, groups_of_grains, vector};
 use crate::SimulationSettings;
 use rapier3d_f64::dynamics::{CoefficientCombineRule, RigidBodyBuilder, RigidBodyHandle};
 use rapier3d_f64::geometry::ColliderBuilder;
@@ -28,6 +28,9 @@ const FALLEN: f64 = 0.004;
 
 /// Deeper than this under the tool a grain is no longer pushed by its side [m].
 const SIDE: f64 = 4e-3;
+
+/// Slower than this, friction of a heap grows with the speed [m/s].
+const RUBBING: f64 = 0.01;
 
 /// A grain's body, and how the tool has it.
 #[derive(Debug, Clone, Copy)]
@@ -52,10 +55,12 @@ enum Grip {
 /// The bodies of some dirt.
 pub(super) struct GrainBodies {
     bodies: Vec<Option<GrainBody>>,
-    world_from_real: Pose,
+    real_from_world: Pose,
+    /// Outward normal of the real surface in the world.
+    normal: Vector3,
+    /// What drags on the tool for every grain that it pushes: friction of the dirt that the grain stands for [N].
+    drag: f64,
     effect: Effect,
-    /// Stiffness of the tool's compliance [N/m], and what it has at the nominal force [m].
-    nominal_depth: f64,
     reach: f64,
     /// How far off the surface's outline a grain has left it.
     tallest: f64,
@@ -63,7 +68,13 @@ pub(super) struct GrainBodies {
 
 impl GrainBodies {
     /// Puts the grains that lie on the surface into the world.
-    pub fn new(plant: &mut Plant, dirt: &Dirt, task: &Task, settings: &SimulationSettings) -> Self {
+    pub fn new(
+        plant: &mut Plant,
+        dirt: &Dirt,
+        task: &Task,
+        tool: &Wielded,
+        settings: &SimulationSettings,
+    ) -> Self {
         let world_from_real = task.surface.world_from_surface * settings.believed_from_real;
         let friction = match settings.kind {
             MediumKind::Liquid => WET_FRICTION,
@@ -92,13 +103,14 @@ impl GrainBodies {
             })
         };
         let bodies = dirt.grains.iter().map(put).collect();
-        let corners = task.tool.footprint.edges();
+        let corners = tool.edges();
         let radii = dirt.grains.iter().map(|grain| grain.radius);
         Self {
             bodies,
-            world_from_real,
+            real_from_world: world_from_real.inverse(),
+            normal: world_from_real * Vector3::z(),
+            drag: friction * settings.grain_mass.unwrap_or(0.0) * GRAVITY.norm(),
             effect: task.action.effect(),
-            nominal_depth: nominal_depth(task),
             reach: corners
                 .map(|edge| edge.start.coords.norm())
                 .fold(0.0, f64::max),
@@ -107,12 +119,13 @@ impl GrainBodies {
     }
 
     /// Lets the tool act on the grains under it, for the next period.
-    pub fn act(&mut self, plant: &mut Plant, dirt: &mut Dirt, task: &Task) {
+    pub fn act(&mut self, plant: &mut Plant, dirt: &mut Dirt, tool: &Wielded) {
         let plate = plant.world_from_plate();
         let to_plate = plate.inverse();
         let compression = plant.compression();
         let near = self.reach + self.tallest;
-        let normal = self.world_from_real.rotation * Vector3::z();
+        let normal = self.normal;
+        plant.release();
         for (grain, slot) in dirt.grains.iter_mut().zip(&mut self.bodies) {
             let Some(held) = slot else {
                 continue;
@@ -125,25 +138,26 @@ impl GrainBodies {
             }
             let in_plate = to_plate * at;
             let under = Point2::new(in_plate.x, in_plate.y);
-            if !task.tool.footprint.contains(under) {
+            if !tool.footprint.contains(under) {
                 held.grip = Grip::Beside;
                 continue;
             }
-            let is_reached = in_plate.z + grain.radius > 0.0
-                && in_plate.z < grain.radius + self.nominal_depth
-                && compression.pressure(under, self.nominal_depth) >= grain.threshold;
+            let [lifted, higher] = plant.wave(on_surface(&self.real_from_world, &at));
+            let is_reached = in_plate.z + lifted + grain.radius > 0.0
+                && in_plate.z + lifted < grain.radius + tool.depth
+                && compression.pressure(under, higher, tool) >= grain.threshold;
             if !is_reached {
                 held.grip = Grip::Below;
                 continue;
             }
             if self.effect == Effect::Absorb {
                 grain.fate = Fate::Absorbed;
-                grain.position = on_surface(&self.world_from_real, &at);
+                grain.position = on_surface(&self.real_from_world, &at);
                 plant.world.remove_body(held.body);
                 *slot = None;
                 continue;
             }
-            let (depth, outward) = nearest_side(task, under);
+            let (depth, outward) = nearest_side(tool, under);
             held.grip = match held.grip {
                 Grip::Beside => Grip::Side(in_plate),
                 Grip::Side(_) if depth > SIDE => Grip::Held(in_plate),
@@ -179,6 +193,11 @@ impl GrainBodies {
             let along = force - normal * normal.dot(&force);
             body.reset_forces(true);
             body.add_force(vector(&along), true);
+            // What moves a grain is taken from the tool; so is what the rest of the dirt that it stands for rubs with,
+            // against the tool's motion.
+            let moving = velocity - normal * normal.dot(&velocity);
+            let rubbing = moving * (self.drag / moving.norm().max(RUBBING));
+            plant.resist(&-(along + rubbing), &at);
         }
     }
 
@@ -198,7 +217,7 @@ impl GrainBodies {
                 body.reset_forces(false);
             }
             let at = body.translation();
-            let in_real = self.world_from_real.inverse() * Point3::new(at.x, at.y, at.z);
+            let in_real = self.real_from_world * Point3::new(at.x, at.y, at.z);
             let now = Point2::new(in_real.x, in_real.y);
             if !(now.x.is_finite() && now.y.is_finite()) {
                 continue;
@@ -220,9 +239,9 @@ impl GrainBodies {
 }
 
 /// How far a place under the tool is inside the nearest side, and which way is out of it.
-fn nearest_side(task: &Task, under: Point2) -> (f64, Vector2) {
+fn nearest_side(tool: &Wielded, under: Point2) -> (f64, Vector2) {
     let mut nearest = (f64::INFINITY, Vector2::zeros());
-    for edge in task.tool.footprint.edges() {
+    for edge in tool.edges() {
         let distance = edge.distance(under);
         if distance < nearest.0 {
             let along = (edge.end - edge.start).normalize();
@@ -232,7 +251,7 @@ fn nearest_side(task: &Task, under: Point2) -> (f64, Vector2) {
     nearest
 }
 
-fn on_surface(world_from_real: &Pose, at: &Point3) -> Point2 {
-    let in_real = world_from_real.inverse() * at;
+fn on_surface(real_from_world: &Pose, at: &Point3) -> Point2 {
+    let in_real = real_from_world * at;
     Point2::new(in_real.x, in_real.y)
 }

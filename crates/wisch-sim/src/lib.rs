@@ -8,10 +8,12 @@
 //! [`World`] executes the motions of a [`Session`](wisch::run::Session); what it knows to be true has a door of its own,
 //! [`World::truth`], for evaluations and reports.
 
+mod camera;
 mod checkpoint;
 mod dirt;
 mod error;
 mod grains;
+mod mismatch;
 mod period;
 mod plant;
 mod settings;
@@ -19,9 +21,10 @@ mod truth;
 mod world;
 
 pub use checkpoint::{Checkpoints, KeptRound};
-pub use dirt::{Dirt, Grain};
+pub use dirt::{Dirt, Grain, GrainCount, Places, Site};
 pub use error::SimulationError;
+pub use mismatch::Mismatch;
 pub use period::execute;
-pub use settings::{Schedule, SimulationSettings};
+pub use settings::{Camera, RealTool, Schedule, Sensing, SimulationSettings, Waviness};
 pub use truth::{GroundTruth, Spread};
 pub use world::World;

@@ -1,11 +1,13 @@
 //! The loop of control, simulation and telemetry.
 
+use crate::camera::hidden_by;
 use crate::grains::GrainBodies;
-use crate::plant::{GRAVITY, Plant, firm_load, tool_load};
+use crate::plant::{GRAVITY, Plant, Wielded, firm_load, tool_load};
 use crate::{Dirt, GroundTruth, SimulationError, SimulationSettings, Spread};
 use nalgebra::{Matrix6xX, Translation3, Vector6};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
+use std::collections::VecDeque;
 use std::ops::ControlFlow;
 use wisch::control::{
     ControlConfig, Desired, ImpedanceController, Measured, MomentumObserver, Posture,
@@ -26,6 +28,7 @@ const SLIDING: f64 = 0.01;
 const SETTLING: f64 = 0.3;
 /// Streams of random numbers.
 const NOISE_STREAM: u64 = 0x6e6f_6973;
+const ENCODER_STREAM: u64 = 0x656e_636f;
 
 /// Further off than this from where it is told to be, the tool is caught or led astray [m].
 const MAX_ASTRAY: f64 = 0.5;
@@ -53,10 +56,10 @@ pub fn execute(
     let periods = (order.followed.duration() / control.period).ceil() as usize;
     for k in 0..=periods {
         if let Some(ending) = simulation.period(k as f64 * control.period, sink)? {
-            return Ok(simulation.finish(ending));
+            return simulation.finish(ending);
         }
     }
-    Ok(simulation.finish(Ending::Complete))
+    simulation.finish(Ending::Complete)
 }
 
 /// Everything that one execution needs, allocated once.
@@ -70,29 +73,42 @@ struct Simulation<'a> {
     pushes: Vec<(f64, Push)>,
     friction_changes: Vec<(f64, f64)>,
     plant: Plant,
+    tool: Wielded,
     grains: GrainBodies,
     dirt: Dirt,
     articulation: Articulation,
+    /// As measured, as it is (where that differs), and as planned.
     state: ArticulationState,
+    actual: ArticulationState,
     planned: ArticulationState,
     controller: ImpedanceController,
     observer: MomentumObserver,
-    /// The moving joint that carries the tool, and the tool in its frame.
+    /// The moving joint that carries the tool, and the tool in its frame: as believed, and as it is.
     carrier: usize,
     joint_from_tool: Pose,
+    joint_from_real_tool: Pose,
     jacobian: Matrix6xX<f64>,
     /// All of the robot's variables, as planned.
     planned_sample: TrajectorySample,
-    /// The articulation's variables: as planned, and as they are.
+    /// The articulation's variables: as planned, as they are, and as measured.
     planned_q: [Vec<f64>; 3],
+    actual_q: Vec<f64>,
+    /// Where the joints' play has left their encoders.
+    dragged: Vec<f64>,
     q: Vec<f64>,
     qd: Vec<f64>,
+    /// What the drives give of what the controller asks for, and at most [Nm or N].
+    efforts: Vec<f64>,
+    effort_limits: Vec<f64>,
     joint_efforts: Vec<f64>,
     /// All of the robot's variables, as they are.
     robot_q: Vec<f64>,
     robot_qd: Vec<f64>,
     robot_efforts: Vec<f64>,
+    /// What was felt and is not measured yet.
+    late: VecDeque<Wrench>,
     random: ChaCha8Rng,
+    encoder_random: ChaCha8Rng,
     /// Index of the motion that runs.
     motion: usize,
     sliding_since: Option<f64>,
@@ -142,11 +158,21 @@ impl<'a> Simulation<'a> {
             });
         };
         let joint_from_tool = joint_from_tip * cell.tip_from_tool();
+        let tool = Wielded::new(cell, task, &settings.tool);
+        let joint_from_real_tool = joint_from_tip * tool.tip_from_tool;
         let q: Vec<f64> = articulation.variables().iter().map(|&i| start[i]).collect();
-        let firm = loaded(firm_load(cell, task))?;
-        let mut plant = Plant::new(cell, task, settings, &firm, &compliant, &q, config)?;
-        let grains = GrainBodies::new(&mut plant, dirt, task, settings);
-        let (state, planned) = (articulation.state(), articulation.state());
+        let firm = loaded(firm_load(&tool))?;
+        let mut plant = Plant::new(cell, task, &tool, settings, &firm, &compliant, &q, config)?;
+        let grains = GrainBodies::new(&mut plant, dirt, task, &tool, settings);
+        let [state, actual, planned] = [(); 3].map(|()| articulation.state());
+        let limits = compliant.iter().map(|&k| {
+            let limits = &robot.variable(articulation.variables()[k]).limits;
+            limits
+                .effort
+                .filter(|most| *most > 0.0)
+                .unwrap_or(f64::INFINITY)
+        });
+        let limits: Vec<f64> = limits.collect();
         let observer = MomentumObserver::new(&compliant, articulation.dof(), config.observer_gain);
         let surface = &task.surface.world_from_surface;
         let range = |k: &usize| robot.variable(articulation.variables()[*k]).limits.position;
@@ -159,6 +185,8 @@ impl<'a> Simulation<'a> {
         friction_changes.reverse();
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         random.set_stream(NOISE_STREAM ^ round as u64);
+        let mut encoder_random = random.clone();
+        encoder_random.set_stream(ENCODER_STREAM ^ round as u64);
         Ok(Self {
             task,
             cell,
@@ -168,24 +196,33 @@ impl<'a> Simulation<'a> {
             pushes: schedule.pushes,
             friction_changes,
             plant,
+            tool,
             grains,
             dirt: dirt.clone(),
             state,
+            actual,
             planned,
             controller,
             observer,
             carrier,
             joint_from_tool,
+            joint_from_real_tool,
             jacobian: Matrix6xX::zeros(count),
             planned_sample: TrajectorySample::at_rest(&start),
             planned_q: [q.clone(), vec![0.0; count], vec![0.0; count]],
             qd: vec![0.0; count],
+            actual_q: q.clone(),
+            dragged: q.clone(),
             q,
+            efforts: vec![0.0; limits.len()],
+            effort_limits: limits,
             joint_efforts: vec![0.0; articulation.joints().len()],
             robot_qd: vec![0.0; start.len()],
             robot_efforts: vec![0.0; start.len()],
             robot_q: start,
+            late: VecDeque::new(),
             random,
+            encoder_random,
             motion: 0,
             sliding_since: None,
             time: 0.0,
@@ -198,6 +235,7 @@ impl<'a> Simulation<'a> {
                 max_controller_force: 0.0,
                 lost_share: 0.0,
                 max_lateral_error: 0.0,
+                hidden: Vec::new(),
             },
             articulation,
         })
@@ -210,22 +248,26 @@ impl<'a> Simulation<'a> {
         sample: &mut SampleSink<'_>,
     ) -> Result<Option<Ending>, SimulationError> {
         self.time = time;
-        self.plant.read(&mut self.q, &mut self.qd);
+        self.plant.read(&mut self.actual_q, &mut self.qd);
         self.check()?;
-        self.articulation
-            .evaluate(&mut self.state, &self.q, &self.qd, GRAVITY);
+        self.measure_joints();
+        let articulation = &self.articulation;
+        articulation.evaluate(&mut self.state, &self.q, &self.qd, GRAVITY);
+        let is_seen = self.settings.sensing.sees_joints();
+        if !is_seen {
+            articulation.evaluate(&mut self.actual, &self.actual_q, &self.qd, GRAVITY);
+        }
+        let actual = if is_seen { &self.state } else { &self.actual };
+        let world_from_real_tool = actual.pose(self.carrier) * self.joint_from_real_tool;
         let desired = self.desired(time);
         let world_from_tool = self.state.pose(self.carrier) * self.joint_from_tool;
         let tool = world_from_tool.translation.vector.into();
         let (state, carrier) = (&self.state, self.carrier);
         self.articulation
             .jacobian(state, carrier, tool, &mut self.jacobian);
-        let external = self.observer.update(
-            &self.state,
-            &self.qd,
-            self.controller.efforts(),
-            self.config.period,
-        );
+        let external =
+            self.observer
+                .update(&self.state, &self.qd, &self.efforts, self.config.period);
         let measured = Measured {
             q: &self.q,
             qd: &self.qd,
@@ -239,6 +281,10 @@ impl<'a> Simulation<'a> {
             .command(&self.state, &measured, &desired, &posture);
         let wrench = command.ok_or(SimulationError::NoInertia { time })?;
         let felt = self.controller.external_wrench(external);
+        let asked = self.controller.efforts().iter().zip(&self.effort_limits);
+        for (effort, (asked, most)) in self.efforts.iter_mut().zip(asked) {
+            *effort = asked.clamp(-most, *most);
+        }
         if let Some(cause) = self.stop_cause(&desired, &world_from_tool) {
             return Ok(Some(Ending::ProtectiveStop { time, cause }));
         }
@@ -246,23 +292,63 @@ impl<'a> Simulation<'a> {
 
         // What joints that follow others will need, the planned acceleration included.
         let [_, _, qdd] = &self.planned_q;
+        let actual = if is_seen {
+            &mut self.state
+        } else {
+            &mut self.actual
+        };
         self.articulation
-            .inverse_dynamics(&mut self.state, &self.qd, qdd, GRAVITY);
+            .inverse_dynamics(actual, &self.qd, qdd, GRAVITY);
         self.plant.drive(
-            &self.state,
+            actual,
             self.controller.compliant(),
-            self.controller.efforts(),
+            &self.efforts,
             &self.planned_q[0],
             &self.planned_q[1],
             &mut self.joint_efforts,
         );
-        let is_pushed = self.disturb(time, &tool);
-        self.grains.act(&mut self.plant, &mut self.dirt, self.task);
+        let real_tool = world_from_real_tool.translation.vector.into();
+        let is_pushed = self.disturb(time, &real_tool);
+        self.plant.undulate();
+        self.grains.act(&mut self.plant, &mut self.dirt, &self.tool);
         self.plant.step();
         self.grains
             .settle(&mut self.plant, &mut self.dirt, self.task);
-        self.observe_truth(time, &desired, &world_from_tool, is_pushed, &wrench);
+        self.observe_truth(time, &desired, &world_from_real_tool, is_pushed, &wrench);
         Ok(flow.is_break().then_some(Ending::Stopped))
+    }
+
+    /// What the encoders say of the joints.
+    fn measure_joints(&mut self) {
+        let sensing = &self.settings.sensing;
+        if sensing.sees_joints() {
+            self.q.copy_from_slice(&self.actual_q);
+            return;
+        }
+        let play = sensing.backlash / 2.0;
+        for ((q, dragged), actual) in self.q.iter_mut().zip(&mut self.dragged).zip(&self.actual_q) {
+            // The encoder is dragged along at the end of the play.
+            *dragged = dragged.clamp(actual - play, actual + play);
+            *q = *dragged + sensing.encoder_noise * normal(&mut self.encoder_random);
+        }
+    }
+
+    /// What a force sensor says, and when it does.
+    fn measure_force(&mut self, time: f64, felt: Wrench) -> Wrench {
+        let sensing = &self.settings.sensing;
+        let delay = (sensing.force_delay / self.config.period).round() as usize;
+        self.late.push_back(felt);
+        let mut measured = if self.late.len() > delay {
+            self.late.pop_front().unwrap_or(felt)
+        } else {
+            self.late.front().copied().unwrap_or(felt)
+        };
+        for axis in 0..3 {
+            measured.force[axis] += self.settings.force_bias[axis]
+                + sensing.force_drift[axis] * time
+                + self.settings.force_noise * normal(&mut self.random);
+        }
+        measured
     }
 
     /// Whether the robot has to stop itself.
@@ -303,7 +389,10 @@ impl<'a> Simulation<'a> {
     /// Whether the simulated robot is still one.
     fn check(&self) -> Result<(), SimulationError> {
         for (i, &velocity) in self.qd.iter().enumerate() {
-            if velocity.abs() > MAX_VELOCITY || !velocity.is_finite() || !self.q[i].is_finite() {
+            if velocity.abs() > MAX_VELOCITY
+                || !velocity.is_finite()
+                || !self.actual_q[i].is_finite()
+            {
                 let variable = self.articulation.variables()[i];
                 return Err(SimulationError::Diverged {
                     time: self.time,
@@ -376,23 +465,20 @@ impl<'a> Simulation<'a> {
         desired: &Desired,
         world_from_tool: Pose,
         controller: Wrench,
-        mut external: Wrench,
+        felt: Wrench,
         sample: &mut SampleSink<'_>,
     ) -> ControlFlow<()> {
         let Some(motion) = self.followed.motions.get(self.motion) else {
             return ControlFlow::Break(());
         };
-        for axis in 0..3 {
-            external.force[axis] += self.settings.force_bias[axis]
-                + self.settings.force_noise * normal(&mut self.random);
-        }
+        let external = self.measure_force(time, felt);
         for (k, &i) in self.articulation.variables().iter().enumerate() {
             self.robot_q[i] = self.q[k];
             self.robot_qd[i] = self.qd[k];
             self.robot_efforts[i] = self.state.bias()[k];
         }
         let compliant = self.controller.compliant().iter();
-        for (&k, effort) in compliant.zip(self.controller.efforts()) {
+        for (&k, effort) in compliant.zip(&self.efforts) {
             self.robot_efforts[self.articulation.variables()[k]] = *effort;
         }
         sample(&TelemetrySample {
@@ -489,7 +575,21 @@ impl<'a> Simulation<'a> {
         truth.max_lateral_error = truth.max_lateral_error.max(lateral.norm());
     }
 
-    fn finish(mut self, ending: Ending) -> (Execution, GroundTruth) {
+    fn finish(mut self, ending: Ending) -> Result<(Execution, GroundTruth), SimulationError> {
+        if self.settings.camera.is_some_and(|camera| camera.arm_hides) {
+            let mut positions = self.robot_q.clone();
+            for (k, &i) in self.articulation.variables().iter().enumerate() {
+                positions[i] = self.actual_q[k];
+            }
+            let surface = &self.task.surface.world_from_surface;
+            self.truth.hidden = hidden_by(
+                self.cell,
+                &positions,
+                &self.tool.parts,
+                &self.tool.tip_from_tool,
+                &(surface * self.settings.believed_from_real),
+            )?;
+        }
         self.truth.lost_share = self.lost_time / self.sliding_time.max(self.config.period);
         self.truth.dirt = self.dirt;
         let execution = Execution {
@@ -497,7 +597,7 @@ impl<'a> Simulation<'a> {
             ending,
             positions: self.robot_q,
         };
-        (execution, self.truth)
+        Ok((execution, self.truth))
     }
 }
 

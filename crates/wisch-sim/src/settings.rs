@@ -1,9 +1,11 @@
 //! How the simulated world really is, which neither the plan nor the interpretation is told.
 
+use crate::{GrainCount, Places};
+use std::f64::consts::TAU;
 use wisch::follow::Followed;
-use wisch::geometry::{Pose, Vector3};
-use wisch::represent::{GrainSize, KnowledgeBase, KnowledgeError, LogNormal, MediumKind, Task};
-use wisch_io::{ExecutionRecord, FrictionChange, Push};
+use wisch::geometry::{Point2, Pose, Vector2, Vector3};
+use wisch::represent::{GrainSize, KnowledgeError, LogNormal, MediumKind, SensorModel};
+use wisch_io::{FrictionChange, LoadedTask, Push, RealDirt};
 
 /// Drops of a liquid on a surface that they wet [m].
 const DROPS: GrainSize = GrainSize {
@@ -39,22 +41,123 @@ pub struct SimulationSettings {
     pub kind: MediumKind,
     /// Up to how many particles are real bodies; a task with more is executed without dirt.
     pub max_bodies: usize,
+    /// Where the dirt lies at the start.
+    pub dirt: Places,
+    /// How much of it there is, where places are drawn.
+    pub count: GrainCount,
+    /// Mass of the dirt that each grain stands for [kg]; `None` is that of the grain alone.
+    pub grain_mass: Option<f64>,
+    /// The tool, and how it sits in the hand.
+    pub tool: RealTool,
+    /// How joints and forces are measured.
+    pub sensing: Sensing,
+    /// Coulomb friction in each joint that wipes [Nm or N].
+    pub joint_friction: f64,
+    /// Waves in the surface.
+    pub waviness: Waviness,
+    /// The camera; `None` is a world in which nothing can look.
+    pub camera: Option<Camera>,
+}
+
+/// How the real tool differs from the believed one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RealTool {
+    /// Its stiffness over the believed one [1].
+    pub stiffness: f64,
+    /// Length and width of its footprint over the believed ones [1].
+    pub footprint: f64,
+    /// Where it sits in the hand, in the frame of the tool as believed [m].
+    pub grasp_offset: Vector2,
+    /// How far it is turned about its z [rad].
+    pub grasp_turn: f64,
+}
+
+impl Default for RealTool {
+    /// As believed.
+    fn default() -> Self {
+        Self {
+            stiffness: 1.0,
+            footprint: 1.0,
+            grasp_offset: Vector2::zeros(),
+            grasp_turn: 0.0,
+        }
+    }
+}
+
+/// How what is measured differs from what is, beyond noise and bias of the force.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Sensing {
+    /// Standard deviation of joint positions [rad or m].
+    pub encoder_noise: f64,
+    /// Play between joints and what measures them [rad or m].
+    pub backlash: f64,
+    /// How late a force is measured [s].
+    pub force_delay: f64,
+    /// How fast the bias of the force grows in a round, in the axes of the world [N/s].
+    pub force_drift: Vector3,
+}
+
+impl Sensing {
+    /// Whether joints are measured as they are.
+    pub(crate) fn sees_joints(&self) -> bool {
+        self.encoder_noise == 0.0 && self.backlash == 0.0
+    }
+}
+
+/// Waves in a surface: the sum of two sines, along its x and along its y.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Waviness {
+    /// Height from the lowest valley to the highest crest [m].
+    pub height: f64,
+    /// Length of a wave [m].
+    pub length: f64,
+}
+
+impl Default for Waviness {
+    /// A plane.
+    fn default() -> Self {
+        Self {
+            height: 0.0,
+            length: 0.2,
+        }
+    }
+}
+
+impl Waviness {
+    /// Height of the surface over its plane at a place [m], and its slope along x and y [1].
+    pub(crate) fn at(&self, place: Point2) -> (f64, Vector2) {
+        let number = TAU / self.length;
+        let sines = place.coords.map(|x| libm::sin(number * x));
+        let cosines = place.coords.map(|x| libm::cos(number * x));
+        // Each sine swings by half of the height.
+        let amplitude = self.height / 4.0;
+        (amplitude * sines.sum(), amplitude * number * cosines)
+    }
+}
+
+/// A camera above the surface, along its normal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Camera {
+    /// How well it sees.
+    pub sensor: SensorModel,
+    /// Whether the robot's links and the tool hide what lies under them.
+    pub arm_hides: bool,
 }
 
 impl SimulationSettings {
-    /// The world of a task: what the file's table `[execution]` says of it, over what the knowledge base says of
-    /// surface and medium.
+    /// The world of a task file: what its table `[execution]` says, over what the knowledge base says of surface and
+    /// medium. This alone looks at the task's belief about the dirt: for how much there is about, and, if the file asks
+    /// for `as_believed`, for where it lies.
     ///
     /// # Errors
     /// If surface or medium of the task are unknown.
-    pub fn of(
-        record: &ExecutionRecord,
-        task: &Task,
-        knowledge: &KnowledgeBase,
-    ) -> Result<Self, KnowledgeError> {
+    pub fn of(loaded: &LoadedTask) -> Result<Self, KnowledgeError> {
+        let (task, knowledge) = (&loaded.task, &loaded.knowledge);
+        let record = loaded.file.execution();
         let medium = knowledge.medium(&task.medium)?;
         let likelihood = task.interaction.likelihood;
-        let grain_size = medium.grain_size.unwrap_or(DROPS);
+        let grain_size = record.grain_size.or(medium.grain_size).unwrap_or(DROPS);
+        let believed = || task.particles.remaining().collect();
         Ok(Self {
             believed_from_real: record.believed_from_real,
             friction: match record.friction {
@@ -79,6 +182,50 @@ impl SimulationSettings {
                 medium.kind
             },
             max_bodies: record.max_bodies,
+            dirt: match &record.dirt.source {
+                RealDirt::AsBelieved => Places::Listed(believed()),
+                RealDirt::Uniform => Places::Uniform,
+                RealDirt::Clusters(heaps) => Places::Clusters(heaps.clone()),
+                RealDirt::Stripe {
+                    center,
+                    direction,
+                    width,
+                } => Places::Stripe {
+                    center: *center,
+                    direction: *direction,
+                    width: *width,
+                },
+                RealDirt::Edge(within) => Places::Edge(*within),
+                RealDirt::Csv { .. } | RealDirt::Image { .. } => {
+                    Places::Listed(loaded.real_places.clone().unwrap_or_default())
+                }
+            },
+            count: record
+                .dirt
+                .count
+                .map_or(GrainCount::About(task.particles.len()), GrainCount::Exactly),
+            grain_mass: record.grain_mass,
+            tool: RealTool {
+                stiffness: record.tool_stiffness,
+                footprint: record.footprint,
+                grasp_offset: record.grasp_offset,
+                grasp_turn: record.grasp_turn,
+            },
+            sensing: Sensing {
+                encoder_noise: record.encoder_noise,
+                backlash: record.backlash,
+                force_delay: record.force_delay,
+                force_drift: record.force_drift,
+            },
+            joint_friction: record.joint_friction,
+            waviness: Waviness {
+                height: record.waviness,
+                length: record.waviness_length,
+            },
+            camera: loaded.file.perception().sight.map(|believed| Camera {
+                sensor: record.camera.over(believed),
+                arm_hides: record.camera.arm_hides,
+            }),
         })
     }
 

@@ -1,6 +1,7 @@
 //! What the simulated world knows to be true, for reports and tests: never for plan or interpretation.
 
 use super::Dirt;
+use wisch::geometry::Point2;
 
 /// Mean and spread of a quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -65,6 +66,9 @@ pub struct GroundTruth {
     /// Greatest size of the difference between where the tool was told to be along the surface and where
     /// it was, while it slides and nobody pushes [m].
     pub max_lateral_error: f64,
+    /// What robot and tool hide from a camera afterwards: convex hulls in the frame of the real surface [m]; none where
+    /// nothing looks, or sees past them.
+    pub hidden: Vec<Vec<Point2>>,
 }
 
 #[cfg(test)]

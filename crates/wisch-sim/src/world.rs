@@ -1,10 +1,11 @@
 //! The simulated world over the rounds of a session.
 
-use crate::{Dirt, GroundTruth, SimulationSettings, execute};
+use crate::camera::{Look, observe};
+use crate::{Dirt, GroundTruth, SimulationError, SimulationSettings, Site, execute};
 use wisch::control::ControlConfig;
 use wisch::geometry::Pose;
 use wisch::represent::{
-    GoalState, ParticleDistribution, ParticleError, Performance, Surface, Task,
+    GoalState, Observation, ParticleDistribution, ParticleError, Performance, Surface, Task,
 };
 use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink};
 
@@ -19,24 +20,36 @@ pub struct World {
     /// The dirt before the first round.
     dirt: Dirt,
     truth: Vec<GroundTruth>,
+    /// Of the dirt and of what is seen.
+    seed: u64,
+    /// How often was looked since the last round.
+    looks: u64,
 }
 
 impl World {
-    /// A world in which the dirt lies where the task believes it to lie, as far as there is no more of it than
-    /// the settings allow to be simulated; otherwise none is.
-    pub fn new(task: &Task, settings: SimulationSettings) -> Self {
-        let dirt = if task.particles.len() > settings.max_bodies {
-            Dirt::default()
-        } else {
-            Dirt::scatter(&task.particles, &settings, task.seed)
-        };
-        Self {
-            world_from_real: task.surface.world_from_surface * settings.believed_from_real,
+    /// A world on a site, with dirt drawn as the settings say by a seed; it knows nothing of a task.
+    ///
+    /// # Errors
+    /// Where the settings put the dirt there is no room on the surface.
+    pub fn new(
+        site: &Site,
+        settings: SimulationSettings,
+        seed: u64,
+    ) -> Result<Self, SimulationError> {
+        Ok(Self {
+            world_from_real: site.world_from_surface * settings.believed_from_real,
             control: ControlConfig::default(),
+            dirt: Dirt::draw(site, &settings, seed)?,
             settings,
-            dirt,
+            seed,
+            looks: 0,
             truth: Vec::new(),
-        }
+        })
+    }
+
+    /// The dirt before the first round: truth, for evaluations and reports.
+    pub const fn dirt(&self) -> &Dirt {
+        &self.dirt
     }
 
     /// The same world with a robot that is controlled otherwise.
@@ -72,7 +85,23 @@ impl Executor for World {
         let (execution, truth) =
             execute(order, &settings, dirt, &self.control, sink).map_err(ExecutorError::new)?;
         self.truth.push(truth);
+        self.looks = 0;
         Ok(execution)
+    }
+
+    fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
+        let look = Look {
+            seed: self.seed,
+            rounds: self.truth.len() as u64,
+            number: self.looks,
+        };
+        self.looks += 1;
+        let (dirt, hidden): (_, &[_]) = match self.truth.last() {
+            Some(truth) => (&truth.dirt, &truth.hidden),
+            None => (&self.dirt, &[]),
+        };
+        let (settings, real) = (&self.settings, &self.world_from_real);
+        Ok(observe(settings, task, real, dirt, hidden, look))
     }
 }
 

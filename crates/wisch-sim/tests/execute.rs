@@ -1,11 +1,13 @@
 //! Execution in the simulated world: what a wipe does by itself, under disturbances, and to real dirt.
 
+mod body;
 mod disturbances;
 mod grains;
 mod humanoid;
 mod wiping;
 
-use wiping::{FORCE, Wiping, faults};
+use wiping::{FORCE, faults};
+pub use wiping::{Wiping, as_believed};
 use wisch::control::ControlConfig;
 use wisch::follow::Phase;
 use wisch::geometry::Vector3;
@@ -135,6 +137,12 @@ fn a_rigid_tool_wipes_and_is_understood() {
     let found = interpret(&samples, &wiping.task, &believed, &goal, &config).unwrap();
     assert_eq!(found.diagnosis, Diagnosis::Localized);
     assert!(found.contact_share > 0.8, "{}", found.contact_share);
+}
+
+/// When the surface first pushes back harder than this [N]: in seconds.
+fn touched(log: &wiping::Log, force: f64) -> Option<f64> {
+    let first = log.rows.iter().find(|row| row.external.z > force);
+    first.map(|row| row.time)
 }
 
 fn median(mut values: Vec<f64>) -> f64 {

@@ -1,4 +1,7 @@
 //! The tests of the simulated world.
 
+mod dirt;
 mod execute;
+mod guard;
 mod scenarios;
+mod sight;

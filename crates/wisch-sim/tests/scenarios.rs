@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 use wisch::interpret::EventKind;
 use wisch::recover::Verdict;
 use wisch::run::{Ending, Round, RunConfig, Session};
-use wisch_io::{LoadedTask, Moment, load_task};
-use wisch_sim::{GroundTruth, SimulationSettings, World};
+use wisch_io::{LoadOptions, LoadedTask, Moment, load_task};
+use wisch_sim::{GroundTruth, SimulationSettings, Site, World};
 use wisch_testkit::{by_density, humanoid, run_config, scenario};
 
 /// How far the estimate may be off the truth [1]; of 29 rounds on the board the worst is off by 0.092.
@@ -20,13 +20,17 @@ const FELT: f64 = 0.05;
 type Executed = (Round, GroundTruth, f64);
 
 fn settings(loaded: &LoadedTask) -> SimulationSettings {
-    SimulationSettings::of(loaded.file.execution(), &loaded.task, &loaded.knowledge).unwrap()
+    SimulationSettings::of(loaded).unwrap()
 }
 
-/// The first rounds of a scenario with the humanoid, seed 1.
-fn executed(name: &str, most: usize) -> (LoadedTask, Vec<Executed>) {
-    let loaded = load_task(&scenario(name), &by_density(1)).unwrap();
-    let mut world = World::new(&loaded.task, settings(&loaded));
+/// The first rounds of a scenario with the humanoid, seed 1, with its dirt as told.
+fn executed(name: &str, dirt: &str, most: usize) -> (LoadedTask, Vec<Executed>) {
+    let options = LoadOptions {
+        settings: vec![("execution.dirt.source".to_owned(), dirt.to_owned())],
+        ..by_density(1)
+    };
+    let loaded = load_task(&scenario(name), &options).unwrap();
+    let mut world = World::new(&Site::of(&loaded.task), settings(&loaded), 1).unwrap();
     let robot = humanoid();
     let config = RunConfig {
         max_rounds: most,
@@ -96,9 +100,10 @@ fn collisions(round: &Round) -> Vec<[f64; 2]> {
     felt.map(|event| [event.start, event.end]).collect()
 }
 
+/// About pushes, and what is inferred of them: the dirt lies where it is believed to lie.
 #[test]
 fn pushes_are_felt_when_they_happen_and_what_they_cost_is_wiped_again() {
-    let (loaded, rounds) = executed("failure-human-push", 4);
+    let (loaded, rounds) = executed("failure-human-push", "as_believed", 4);
     assert_eq!(all_faults(&rounds), [] as [String; 0]);
     let (first, _, before) = &rounds[0];
     assert_eq!(first.verdict, Verdict::Again);
@@ -138,7 +143,7 @@ fn pushes_are_felt_when_they_happen_and_what_they_cost_is_wiped_again() {
 
 #[test]
 fn the_wiper_cleans_the_solar_panel_as_far_as_it_believes() {
-    let (loaded, rounds) = executed("solar-panel-wiper", 1);
+    let (loaded, rounds) = executed("solar-panel-wiper", "uniform", 1);
     assert_eq!(all_faults(&rounds), [] as [String; 0]);
     assert_eq!(rounds.len(), 1);
     let (round, truth, performance) = &rounds[0];

@@ -161,55 +161,6 @@ fn a_coverage_strategy_is_told_apart_in_its_own_folder_only() {
     );
 }
 
-/// What only the simulated world knows: its names must not stand where a robot does without.
-const TRUTH: [&str; 5] = [
-    "GroundTruth",
-    "Dirt",
-    "SimulationSettings",
-    "wisch_sim",
-    "truth",
-];
-
-/// A name in a text's production code by which it would open the truth.
-fn opens_truth(text: &str) -> Option<String> {
-    let code = production(text);
-    let mut names = code.split(|c: char| !(c.is_alphanumeric() || c == '_'));
-    names.find(|name| TRUTH.contains(name)).map(str::to_owned)
-}
-
-#[test]
-fn no_plan_no_interpretation_no_file_and_no_telemetry_opens_the_truth() {
-    for name in ["wisch", "wisch-io", "wisch-telemetry"] {
-        let folder = source().join("../..").join(name).join("src");
-        for file in rust_files(&folder) {
-            if !file.ends_with("tests.rs") {
-                let text = fs::read_to_string(&file).unwrap();
-                assert_eq!(opens_truth(&text), None, "{}", file.display());
-            }
-        }
-    }
-}
-
-#[test]
-fn who_opens_the_truth_is_noticed() {
-    for (text, name) in [
-        ("let lies = executed.truth.dirt;", "truth"),
-        ("fn f(dirt: &Dirt) {}", "Dirt"),
-        ("use wisch_sim::World;", "wisch_sim"),
-        (
-            "#[cfg(test)]\nmod tests;\nuse a::GroundTruth;",
-            "GroundTruth",
-        ),
-    ] {
-        assert_eq!(opens_truth(text).as_deref(), Some(name));
-    }
-    assert_eq!(opens_truth("/// GroundTruth is not for us"), None);
-    assert_eq!(
-        opens_truth("#[cfg(test)]\nfn f() { truth({}) }\nfn g() {}"),
-        None
-    );
-}
-
 /// Functions of a file that other stages may call and that change a particle field, by name.
 fn field_mutators(text: &str) -> Vec<&str> {
     let text = text.split("#[cfg(test)]").next().unwrap_or_default();

@@ -42,13 +42,7 @@ impl Prepared {
         };
         let loaded = load_task(&args.task, &options)?;
         loaded.assumptions.iter().for_each(|text| remark(text));
-        let LoadedTask {
-            file,
-            task,
-            knowledge,
-            ..
-        } = &loaded;
-        let reality = SimulationSettings::of(file.execution(), task, knowledge)
+        let reality = SimulationSettings::of(&loaded)
             .map_err(|error| Failure::new(error).within(&args.task))?;
         Ok(Self { loaded, reality })
     }

@@ -16,7 +16,7 @@ use std::path::Path;
 use wisch::plan::Plan;
 use wisch::run::{Executor, Recording, Stage};
 use wisch_io::{EventWriter, PlanRecord, ProcessExecutor, Robot};
-use wisch_sim::{Checkpoints, GroundTruth, KeptRound, World};
+use wisch_sim::{Checkpoints, GroundTruth, KeptRound, Site, World};
 use wisch_telemetry::WriteError;
 
 /// An episode that is kept, if one is wanted, or why it is not.
@@ -63,7 +63,10 @@ pub fn execute(
     let mut executor = match &args.executor {
         Some(command) => Executing::Process(start(command)?),
         None => {
-            let world = World::new(&prepared.task, prepared.reality.clone()).after(truth);
+            let (task, reality) = (&prepared.task, prepared.reality.clone());
+            let world = World::new(&Site::of(task), reality, task.seed)
+                .map_err(|error| prepared.failure(task_args, error))?
+                .after(truth);
             Executing::World(Box::new(Recording::new(first_look, recorded, world)))
         }
     };

@@ -1,27 +1,26 @@
 //! From the keys of a task file to its checked contents.
 
+use super::clusters::heaps;
 use super::deserialize::{At, record};
+use super::execution::{execution, perception};
 use super::outline::Outline;
 use super::tables::{
-    ClusterTable, EdgeName, ExecutionTable, FrameName, ObjectTable, ParticlesTable, RobotTable,
-    SurfaceTable, TaskTable,
+    EdgeName, FrameName, ObjectTable, ParticlesTable, RobotTable, SurfaceTable, TaskTable,
 };
 use super::tree::{Node, Source, Value};
-use super::values::{AngleRad, Name, PositionM, QuaternionPart, Share, StrokeNumber, TimeS, point};
+use super::values::{AngleRad, Name, PositionM, QuaternionPart, point};
 use super::{
-    ExecutionRecord, Frame, FrictionChange, Intent, Moment, ObjectRecord, Push, RobotDescription,
-    RobotRecord, SCHEMA, Shape, SurfaceRecord, TaskError, TaskFile,
+    Frame, Intent, ObjectRecord, RobotDescription, RobotRecord, SCHEMA, Shape, SurfaceRecord,
+    TaskError, TaskFile,
 };
 use crate::particles::{MaskSource, ParticleSource};
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 use wisch::geometry::{Pose, Vector2, Vector3};
-use wisch::represent::{Cluster, Surface};
+use wisch::represent::Surface;
 use wisch::source_location::{Place, UnknownName};
 
 /// How far a quaternion's norm may be from 1.
 const QUATERNION_NORM_TOLERANCE: f64 = 1e-3;
-/// How many clusters.
-const MAX_CLUSTERS: usize = 10_000;
 
 pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
     let tree = source.tree()?;
@@ -48,6 +47,7 @@ pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
             .as_ref()
             .map(|table| robot(table, source))
             .transpose()?,
+        perception: perception(&task.perception, source)?,
         execution: execution(&task.execution, source)?,
         max_rounds: task.execution.max_rounds.0 as usize,
         collect_goal: (task.collect.as_ref())
@@ -373,21 +373,10 @@ fn particle_source(
         ParticlesTable::Uniform { count } => ParticleSource::Uniform {
             count: count.0 as usize,
         },
-        ParticlesTable::Clusters { count, clusters } => {
-            let found = clusters.value.len();
-            if !(1..=MAX_CLUSTERS).contains(&found) {
-                return Err(clusters.inconsistent(
-                    source,
-                    format!(
-                        "{found} clusters, but there are at least 1 and at most {MAX_CLUSTERS}"
-                    ),
-                ));
-            }
-            ParticleSource::Clusters {
-                count: count.0 as usize,
-                clusters: clusters.value.iter().map(Cluster::from).collect(),
-            }
-        }
+        ParticlesTable::Clusters { count, clusters } => ParticleSource::Clusters {
+            count: count.0 as usize,
+            clusters: heaps(clusters, source)?,
+        },
         ParticlesTable::Csv { file } => ParticleSource::Csv {
             file: file.0.clone(),
         },
@@ -405,102 +394,4 @@ fn particle_source(
             count: count.0 as usize,
         }),
     })
-}
-
-impl From<&ClusterTable> for Cluster {
-    fn from(table: &ClusterTable) -> Self {
-        Self {
-            center: point(table.center_m),
-            sigma: table.sigma_m.0,
-            weight: table.weight.0,
-        }
-    }
-}
-
-fn execution(table: &ExecutionTable, source: &Source<'_>) -> Result<ExecutionRecord, TaskError> {
-    let mut record = ExecutionRecord::undisturbed(table);
-    for change in &table.friction_change {
-        let given = &change.value;
-        record.friction_changes.push(FrictionChange {
-            round: given.round.0 as usize,
-            start: moment(
-                change,
-                (given.start_s, given.start_share, given.start_stroke),
-                source,
-            )?,
-            friction: given.friction.0,
-        });
-    }
-    for push in &table.push {
-        let given = &push.value;
-        record.pushes.push(Push {
-            round: given.round.0 as usize,
-            start: moment(
-                push,
-                (given.start_s, given.start_share, given.start_stroke),
-                source,
-            )?,
-            duration: given.duration_s.0,
-            force: Vector3::from(given.force_n.map(|axis| axis.0)),
-            hand_speed: given.hand_speed_m_per_s.0,
-        });
-    }
-    Ok(record)
-}
-
-/// The one way in which a table says when something begins.
-fn moment<T>(
-    table: &At<T>,
-    starts: (Option<TimeS>, Option<Share>, Option<StrokeNumber>),
-    source: &Source<'_>,
-) -> Result<Moment, TaskError> {
-    Ok(match starts {
-        (Some(time), None, None) => Moment::Seconds(time.0),
-        (None, Some(share), None) => Moment::Share(share.0),
-        (None, None, Some(stroke)) => Moment::Stroke(stroke.0 as usize),
-        (time, share, stroke) => {
-            let offset = |is_there: bool| is_there.then_some(table.offset);
-            let keys = [
-                ("start_s", offset(time.is_some())),
-                ("start_share", offset(share.is_some())),
-                ("start_stroke", offset(stroke.is_some())),
-            ];
-            return Err(match table.exactly_one(source, &keys) {
-                Err(error) => error,
-                Ok(()) => table.missing(source, "start_s"),
-            });
-        }
-    })
-}
-
-impl ExecutionRecord {
-    /// What a table says, but for who pushes and where friction changes.
-    fn undisturbed(table: &ExecutionTable) -> Self {
-        let tilt = table.surface_tilt_rad;
-        let [about_x, about_y] = tilt.map_or([0.0; 2], |tilt| tilt.map(|angle| angle.0));
-        let shift = table.surface_shift_m;
-        let shift = shift.map_or([0.0; 3], |shift| shift.map(|axis| axis.0));
-        let bias = table.force_bias_n;
-        let bias = bias.map_or([0.0; 3], |bias| bias.map(|axis| axis.0));
-        Self {
-            believed_from_real: Pose::from_parts(
-                Translation3::from(Vector3::from(shift)),
-                UnitQuaternion::from_scaled_axis(Vector3::new(about_x, about_y, 0.0)),
-            ),
-            friction: table.friction.map(|friction| friction.0),
-            friction_changes: Vec::new(),
-            pushes: Vec::new(),
-            force_noise: table.force_noise_n.0,
-            force_bias: Vector3::from(bias),
-            mu: table.mu.map(|mu| mu.0),
-            sigma: table.sigma.map(|sigma| sigma.0),
-            max_bodies: table.max_bodies.0 as usize,
-        }
-    }
-}
-
-impl Default for ExecutionRecord {
-    fn default() -> Self {
-        Self::undisturbed(&ExecutionTable::default())
-    }
 }

@@ -1,10 +1,13 @@
 //! The task file: what the user writes, as typed and checked, and how it becomes a [`Task`].
 
 mod checked;
+mod clusters;
 mod definitions;
 mod deserialize;
 mod disturbance;
 mod error;
+mod execution;
+mod execution_tables;
 mod outline;
 mod resolve;
 mod tables;
@@ -15,6 +18,7 @@ mod values;
 
 pub use disturbance::{FrictionChange, Moment, Push};
 pub use error::TaskError;
+pub use execution::{CameraRecord, DirtRecord, ExecutionRecord, Perception, RealDirt};
 pub use resolve::ReadFile;
 
 use crate::particles::ParticleSource;
@@ -104,6 +108,7 @@ pub struct TaskFile {
     medium_at: Place,
     surface: SurfaceRecord,
     robot: Option<RobotRecord>,
+    perception: Perception,
     execution: ExecutionRecord,
     max_rounds: usize,
     collect_goal: Option<Point2>,
@@ -132,30 +137,6 @@ struct ObjectRecord {
     frame: Frame,
     frame_from_object: Pose,
     part: ScenePart,
-}
-
-/// The table `[execution]`: what a simulated execution is to take for real, and neither the plan nor the
-/// interpretation is told.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ExecutionRecord {
-    /// Where the surface really is, in the frame of the believed one.
-    pub believed_from_real: Pose,
-    /// Coulomb coefficient between tool and surface at the start [1]; `None` takes the knowledge base's.
-    pub friction: Option<f64>,
-    /// Changes of it, as typed.
-    pub friction_changes: Vec<FrictionChange>,
-    /// Who pushes, as typed.
-    pub pushes: Vec<Push>,
-    /// Standard deviation of the measured force, per axis [N].
-    pub force_noise: f64,
-    /// What is always added to the measured force, in the axes of the world [N].
-    pub force_bias: Vector3,
-    /// Mean of ln f′ from which on a grain is taken along; `None` takes the knowledge base's.
-    pub mu: Option<f64>,
-    /// Standard deviation of ln f′; `None` takes the knowledge base's.
-    pub sigma: Option<f64>,
-    /// Up to how many particles are real bodies.
-    pub max_bodies: usize,
 }
 
 /// In which frame an object's pose is given.
@@ -255,6 +236,11 @@ impl TaskFile {
     /// How high the tool is lifted between strokes [m].
     pub fn lift_height_m(&self) -> f64 {
         self.lift_height
+    }
+
+    /// What the robot perceives the dirt by.
+    pub fn perception(&self) -> &Perception {
+        &self.perception
     }
 
     /// What a simulated execution is to take for real.

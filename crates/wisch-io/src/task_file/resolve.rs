@@ -1,6 +1,6 @@
 //! From what was typed to what is meant: knowledge looked up, files read, particles drawn.
 
-use super::{Frame, ObjectRecord, Shape, TaskError, TaskFile};
+use super::{Frame, ObjectRecord, RealDirt, Shape, TaskError, TaskFile};
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
 use wisch::geometry::{
     Bounds2, Mesh, MeshError, MeshFormat, Point2, Point3, Polygon, RIGID_DEPTH, Region, Vector2,
@@ -115,6 +115,41 @@ impl TaskFile {
         };
         task.particles = self.particles(area, seed, assets)?;
         Ok(task)
+    }
+
+    /// Where the dirt of a simulated world really lies, in the frame of the real surface [m], if files list it; `None`
+    /// where it is drawn. `task` is what [`Self::resolve`] gave.
+    ///
+    /// # Errors
+    /// A file that is missing or not what it should be, with its place in the task file.
+    pub fn real_places(
+        &self,
+        task: &Task,
+        assets: &mut ReadFile<'_>,
+    ) -> Result<Option<Vec<Point2>>, TaskError> {
+        let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
+        let area = DirtArea {
+            outline: &task.surface.outline,
+            occupied: &OccupiedArea::of(&meshes),
+        };
+        let (at, listed) = match &self.execution.dirt.source {
+            RealDirt::Csv { at, file } => (at, csv_particles(file, &read(assets, at, file)?, area)),
+            RealDirt::Image { at, mask } => {
+                let bytes = read(assets, at, &mask.file)?;
+                // Another seed than that of particles seen in the same image.
+                (at, mask_particles(mask, &bytes, area, !task.seed))
+            }
+            RealDirt::AsBelieved
+            | RealDirt::Uniform
+            | RealDirt::Clusters(_)
+            | RealDirt::Stripe { .. }
+            | RealDirt::Edge(_) => return Ok(None),
+        };
+        let listed = listed.map_err(|error| TaskError::Particles {
+            at: at.clone(),
+            error,
+        })?;
+        Ok(Some(listed.remaining().collect()))
     }
 
     /// The objects of the scene with what each is to the task.

@@ -1,12 +1,13 @@
 //! The keys of a task file. What is written here is at once the reader and the schema.
 
+use super::clusters::ClusterTable;
 use super::deserialize::At;
+use super::execution_tables::ExecutionTable;
 use super::values::{
-    AngleRad, BandwidthM, BiasN, Bodies, Channel, ColorDistance, DampingRatio, DepthM, DurationS,
-    FootprintM, Friction, GrainM, HandSpeed, LiftHeightM, LogForce, LogSpread, Name, NoiseN,
-    ParticleCount, Pixel, PositionM, PostureWeight, PressForceN, PushForceN, QuaternionPart,
-    Rounds, Scale, SchemaVersion, Seed, Share, ShiftM, SigmaM, SizeM, Stiffness, StrokeNumber,
-    TiltRad, TimeS, Variants, Weight,
+    AngleRad, BandwidthM, Channel, ColorDistance, DampingRatio, DepthM, FalseAlarms, FootprintM,
+    Friction, GrainM, HalfSizeM, LiftHeightM, LogForce, LogSpread, Name, ParticleCount, Pixel,
+    PositionErrorM, PositionM, PostureWeight, PressForceN, QuaternionPart, Scale, SchemaVersion,
+    Seed, Share, SizeM, Stiffness, Variants,
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{EnumAccess, Error as _, VariantAccess, Visitor};
@@ -51,6 +52,9 @@ pub(super) struct TaskTable {
     pub(super) interaction: Option<At<InteractionTable>>,
     /// Who does it; without one the plan is predicted but not followed.
     pub(super) robot: Option<At<RobotTable>>,
+    /// What the robot perceives the dirt by.
+    #[serde(default)]
+    pub(super) perception: PerceptionTable,
     /// What a simulated execution takes for real, hidden from planner and interpreter.
     #[serde(default)]
     pub(super) execution: ExecutionTable,
@@ -416,20 +420,6 @@ pub(super) enum ParticlesTable {
     },
 }
 
-/// A heap.
-#[derive(Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(rename = "Cluster")]
-pub(super) struct ClusterTable {
-    /// Its middle, surface frame [m].
-    pub(super) center_m: [PositionM; 2],
-    /// Its standard deviation [m].
-    pub(super) sigma_m: SigmaM,
-    /// Its share relative to the others'.
-    #[serde(default = "weight")]
-    pub(super) weight: Weight,
-}
-
 /// How to plan.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -453,105 +443,30 @@ impl Default for PlanTable {
     }
 }
 
-/// What a simulated execution takes for real, hidden from planner and interpreter.
-#[derive(Deserialize, JsonSchema)]
+/// What the robot perceives the dirt by, and how well it believes to.
+#[derive(Deserialize, JsonSchema, Default)]
 #[serde(deny_unknown_fields, default)]
-#[schemars(rename = "Execution")]
-pub(super) struct ExecutionTable {
-    /// Tilt of the real against the believed surface, about its x and y [rad].
-    pub(super) surface_tilt_rad: Option<[TiltRad; 2]>,
-    /// Shift of the real surface in the believed one's frame [m].
-    pub(super) surface_shift_m: Option<[ShiftM; 3]>,
-    /// Coulomb coefficient between tool and surface; default: from the knowledge base.
-    pub(super) friction: Option<Friction>,
-    /// Changes of it.
-    pub(super) friction_change: Vec<At<FrictionChangeTable>>,
-    /// People who push the tool.
-    pub(super) push: Vec<At<PushTable>>,
-    /// Standard deviation of the measured force, per axis [N].
-    pub(super) force_noise_n: NoiseN,
-    /// Constant bias of the measured force, world axes [N].
-    pub(super) force_bias_n: Option<[BiasN; 3]>,
-    /// Mean of ln f', the pressure over the nominal one from which on a grain is taken along; default: from the
-    /// knowledge base.
-    pub(super) mu: Option<LogForce>,
-    /// Standard deviation of ln f'; default: from the knowledge base.
-    pub(super) sigma: Option<LogSpread>,
-    /// Particles simulated as bodies, none if there are more.
-    pub(super) max_bodies: Bodies,
-    /// Most rounds of wiping and estimating.
-    pub(super) max_rounds: Rounds,
+#[schemars(rename = "Perception")]
+pub(super) struct PerceptionTable {
+    /// Touch, and sight where a camera looks after each round; default: touch alone.
+    pub(super) senses: Option<At<Vec<SenseName>>>,
+    /// Probability that the camera detects a large grain; default 0.98.
+    pub(super) detection: Option<Share>,
+    /// Diameter at which this probability is halved [m]; default 0.0003.
+    pub(super) half_size_m: Option<HalfSizeM>,
+    /// Detections where nothing lies, per area [1/m²]; default 2.
+    pub(super) false_alarms_per_m2: Option<FalseAlarms>,
+    /// Standard deviation of where a grain is seen, per axis [m]; default 0.002.
+    pub(super) position_error_m: Option<PositionErrorM>,
 }
 
-impl Default for ExecutionTable {
-    fn default() -> Self {
-        Self {
-            surface_tilt_rad: None,
-            surface_shift_m: None,
-            friction: None,
-            friction_change: Vec::new(),
-            push: Vec::new(),
-            // A good joint-torque sensor at the tool.
-            force_noise_n: NoiseN(0.15),
-            force_bias_n: None,
-            mu: None,
-            sigma: None,
-            // As many grains as are simulated at several times real time.
-            max_bodies: Bodies(400),
-            max_rounds: Rounds(4),
-        }
-    }
-}
-
-/// The friction between tool and surface from some time on.
-#[derive(Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(
-    rename = "FrictionChange",
-    extend("oneOf" = [
-        { "required": ["start_s"] }, { "required": ["start_share"] }, { "required": ["start_stroke"] }
-    ])
-)]
-pub(super) struct FrictionChangeTable {
-    /// In which round.
-    #[serde(default = "first_round")]
-    pub(super) round: Rounds,
-    /// When it begins, counted from the start of the motion [s]; excludes `start_share` and `start_stroke`.
-    pub(super) start_s: Option<TimeS>,
-    /// The share of the motion after which it begins; excludes the others.
-    pub(super) start_share: Option<Share>,
-    /// The stroke, counted from 1, amid which it begins; excludes the others.
-    pub(super) start_stroke: Option<StrokeNumber>,
-    /// Coulomb coefficient.
-    pub(super) friction: Friction,
-}
-
-/// A hand that pushes the tool.
-#[derive(Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(
-    rename = "Push",
-    extend("oneOf" = [
-        { "required": ["start_s"] }, { "required": ["start_share"] }, { "required": ["start_stroke"] }
-    ])
-)]
-pub(super) struct PushTable {
-    /// In which round.
-    #[serde(default = "first_round")]
-    pub(super) round: Rounds,
-    /// When it begins, counted from the start of the motion [s]; excludes `start_share` and `start_stroke`.
-    pub(super) start_s: Option<TimeS>,
-    /// The share of the motion after which it begins; excludes the others.
-    pub(super) start_share: Option<Share>,
-    /// The stroke, counted from 1, amid which it begins; excludes the others.
-    pub(super) start_stroke: Option<StrokeNumber>,
-    /// How long it lasts [s].
-    pub(super) duration_s: DurationS,
-    /// Force on a tool at rest, world axes [N].
-    pub(super) force_n: [PushForceN; 3],
-    /// Speed at which the hand no longer pushes [m/s].
-    #[serde(default = "hand_speed")]
-    pub(super) hand_speed_m_per_s: HandSpeed,
+/// A sense.
+#[derive(Deserialize, JsonSchema, Clone, Copy, PartialEq, Eq)]
+#[serde(rename = "sense", rename_all = "lowercase")]
+#[schemars(rename = "Sense", inline)]
+pub(super) enum SenseName {
+    Touch,
+    Sight,
 }
 
 fn seed() -> Seed {
@@ -564,17 +479,4 @@ fn target_performance() -> Share {
 
 fn scale() -> Scale {
     Scale(1.0)
-}
-
-fn weight() -> Weight {
-    Weight(1.0)
-}
-
-fn first_round() -> Rounds {
-    Rounds(1)
-}
-
-/// Of a hand that leads a robot away.
-fn hand_speed() -> HandSpeed {
-    HandSpeed(0.1)
 }

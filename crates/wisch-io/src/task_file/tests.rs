@@ -4,6 +4,7 @@ use proptest::prelude::*;
 use wisch::geometry::Vector2;
 use wisch::represent::{ScenePart, Task};
 
+mod execution;
 mod faults;
 
 /// A task without anything that could be left out, but for a cup on the table.

@@ -99,6 +99,36 @@ ranges! { f64, NumberWithin;
     DampingRatio = (0.0, 10.0);
     /// Weights relative to the Cartesian task.
     PostureWeight = (0.0, 1e3);
+    /// Stiffnesses over the believed one: beyond, it is another tool.
+    Factor = (0.2, 5.0);
+    /// Sizes over the believed one.
+    SizeFactor = (0.5, 1.5);
+    /// Offsets of a tool that has slipped in the hand [m].
+    GraspM = (-0.05, 0.05);
+    /// Turns of one [rad].
+    GraspRad = (-0.5, 0.5);
+    /// Masses of dirt that a grain stands for [kg].
+    GrainMassKg = (0.0, 0.1);
+    /// Standard deviations of joint encoders, down to perfect [rad or m].
+    EncoderNoise = (0.0, 0.01);
+    /// Plays of worn gears, down to none [rad or m].
+    Backlash = (0.0, 0.05);
+    /// Delays of sensors [s].
+    DelayS = (0.0, 0.5);
+    /// Drifts of force sensors along one axis [N/s].
+    DriftN = (-1.0, 1.0);
+    /// Coulomb friction in joints [Nm or N].
+    JointFriction = (0.0, 20.0);
+    /// Heights of waves in what counts as flat [m].
+    WavinessM = (0.0, 0.005);
+    /// Lengths of such waves [m].
+    WaveLengthM = (0.02, 10.0);
+    /// Diameters of grains that are half seen [m]; at 0 all are seen alike.
+    HalfSizeM = (0.0, 0.1);
+    /// Detections of nothing [1/m²].
+    FalseAlarms = (0.0, 1e4);
+    /// Errors of places in images [m].
+    PositionErrorM = (0.0, 0.1);
 }
 
 ranges! { u64, IntegerWithin;

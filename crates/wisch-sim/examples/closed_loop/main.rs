@@ -9,7 +9,7 @@ use std::time::Instant;
 use wisch::interpret::EventKind;
 use wisch::run::{PlannedRound, Round, RunEvent, Session};
 use wisch_io::load_task;
-use wisch_sim::{GroundTruth, SimulationSettings, World};
+use wisch_sim::{GroundTruth, SimulationSettings, Site, World};
 use wisch_testkit::{AnyError, Robot, by_density, humanoid, run_config, scenario};
 
 const SCENARIOS: [&str; 3] = [
@@ -75,10 +75,10 @@ fn main() -> Result<(), AnyError> {
 fn trial(name: &str, seed: u64, robot: &Robot) -> Result<Vec<Option<(f64, bool)>>, AnyError> {
     let loaded = load_task(&scenario(name), &by_density(seed))?;
     let task = &loaded.task;
-    let reality = SimulationSettings::of(loaded.file.execution(), task, &loaded.knowledge)?;
+    let reality = SimulationSettings::of(&loaded)?;
     let mut begin = Instant::now();
     let mut seconds = Vec::new();
-    let mut world = World::new(task, reality);
+    let mut world = World::new(&Site::of(task), reality, task.seed)?;
     let mut session = Session::new(task, run_config(&loaded)).with_robot(robot.performer());
     session.run(&mut world, &mut |event| {
         match event {

@@ -21,7 +21,7 @@ use wisch::interpret::EventKind;
 use wisch::represent::ParticleError;
 use wisch::run::{PlannedRound, Round, RunEvent, Session, TelemetrySample};
 use wisch_io::{Moment, load_task};
-use wisch_sim::{GroundTruth, SimulationSettings, World};
+use wisch_sim::{GroundTruth, SimulationSettings, Site, World};
 use wisch_testkit::{AnyError, Robot, by_density, humanoid, run_config, scenario};
 
 /// What every episode has in common.
@@ -115,12 +115,9 @@ impl Stage {
     ) -> Result<Vec<Pass>, AnyError> {
         let loaded = load_task(&scenario(&self.name), &by_density(seed))?;
         let task = &loaded.task;
-        let reality = disturbed(
-            &SimulationSettings::of(loaded.file.execution(), task, &loaded.knowledge)?,
-            seed,
-        );
+        let reality = disturbed(&SimulationSettings::of(&loaded)?, seed);
         *disturbances = Some(reality.clone());
-        let mut world = World::new(task, reality);
+        let mut world = World::new(&Site::of(task), reality, task.seed)?;
         let performer = self.robot.performer();
         let mut session = Session::new(task, run_config(&loaded)).with_robot(performer);
         session.run(&mut world, &mut |event| {

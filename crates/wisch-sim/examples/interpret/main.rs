@@ -17,7 +17,7 @@ use wisch::plan::{CoverageStrategy, plan};
 use wisch::represent::{Action, GoalState, Task};
 use wisch::run::MotionOrder;
 use wisch_io::{LoadOptions, LoadedTask, Moment, Push, load_task};
-use wisch_sim::{Dirt, SimulationSettings, execute};
+use wisch_sim::{Dirt, SimulationSettings, Site, execute};
 use wisch_testkit::{AnyError, humanoid, scenario};
 
 /// Force [N] and duration [s] of the pushes.
@@ -34,7 +34,7 @@ struct Trial<'a> {
 impl Trial<'_> {
     /// Executes, interprets, and prints both.
     fn run(&self, name: &str, reality: &SimulationSettings) -> Result<(), AnyError> {
-        let dirt = Dirt::scatter(&self.task.particles, reality, self.seed);
+        let dirt = Dirt::draw(&Site::of(self.task), reality, self.seed)?;
         let mut samples: Vec<TouchSample> = Vec::new();
         let order = MotionOrder {
             round: 1,
@@ -144,13 +144,11 @@ fn main() -> Result<(), AnyError> {
         seed: Some(seed),
         ..LoadOptions::default()
     };
+    let loaded = load_task(&scenario(&name), &options)?;
+    let real = SimulationSettings::of(&loaded)?;
     let LoadedTask {
-        file,
-        task,
-        config,
-        knowledge,
-        ..
-    } = load_task(&scenario(&name), &options)?;
+        file, task, config, ..
+    } = loaded;
     let plan = plan(&task, &config)?;
     let cell_config = WorkcellConfig {
         world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
@@ -168,7 +166,6 @@ fn main() -> Result<(), AnyError> {
         seed,
     };
 
-    let real = SimulationSettings::of(file.execution(), &task, &knowledge)?;
     let calm = SimulationSettings {
         pushes: vec![],
         ..real.clone()

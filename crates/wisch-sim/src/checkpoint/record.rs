@@ -8,7 +8,7 @@ use wisch::robot::Range;
 use wisch::run::{Ending, Execution, StopCause};
 
 /// Version of the record.
-pub const CHECKPOINT_SCHEMA: u32 = 3;
+pub const CHECKPOINT_SCHEMA: u32 = 4;
 
 /// What was executed in a round.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -30,6 +30,7 @@ pub struct CheckpointRecord {
     max_controller_force_n: f64,
     lost_share: f64,
     max_lateral_error_m: f64,
+    hidden_m: Vec<Vec<[f64; 2]>>,
     /// What was seen before the first round, and after this one.
     looks: [Option<LookRecord>; 2],
 }
@@ -123,6 +124,9 @@ impl CheckpointRecord {
             max_controller_force_n: truth.max_controller_force,
             lost_share: truth.lost_share,
             max_lateral_error_m: truth.max_lateral_error,
+            hidden_m: (truth.hidden.iter())
+                .map(|hull| hull.iter().map(|p| [p.x, p.y]).collect())
+                .collect(),
             looks: looks.map(|look| look.map(LookRecord::from)),
         }
     }
@@ -150,6 +154,9 @@ impl CheckpointRecord {
             max_controller_force: self.max_controller_force_n,
             lost_share: self.lost_share,
             max_lateral_error: self.max_lateral_error_m,
+            hidden: (self.hidden_m.into_iter())
+                .map(|hull| hull.into_iter().map(Point2::from).collect())
+                .collect(),
         };
         (execution, truth)
     }
@@ -340,6 +347,7 @@ mod tests {
                 max_controller_force: 10.0,
                 lost_share: 0.1,
                 max_lateral_error: 0.002,
+                hidden: vec![vec![Point2::new(0.1, 1.0 / 7.0), Point2::origin()]],
             };
             let seen = Observation {
                 detections: vec![Point2::new(0.1, -0.2)],

@@ -1,5 +1,6 @@
 //! The tool: how it gives way, its plate on springs, and the load that it is to the robot.
 
+use super::wielded::Wielded;
 use super::{GRAVITY, Plant, free_axis, to_engine};
 use crate::SimulationError;
 use nalgebra::{Matrix3, Translation3};
@@ -10,7 +11,7 @@ use rapier3d_f64::dynamics::{
 use rapier3d_f64::math as engine;
 use rapier3d_f64::pipeline::PhysicsWorld;
 use wisch::follow::Workcell;
-use wisch::geometry::{Point2, Point3, Pose, Vector3};
+use wisch::geometry::{Point2, Point3, Pose, Vector2, Vector3};
 use wisch::represent::Task;
 use wisch::robot::Body;
 
@@ -27,15 +28,6 @@ const TOOL_DAMPING: [f64; 2] = [0.2, 5.0];
 /// Least stiffness against rocking, for tools as narrow as a blade [Nm/rad].
 const LEAST_ROCKING: f64 = 0.3;
 
-/// What a rigid tool gives way by at nominal force all the same [m]: a contact of two stiff bodies is not resolved
-/// at 1 kHz.
-const LEAST_DEPTH: f64 = 1e-3;
-
-/// How far the simulated tool gives way at nominal force [m].
-pub(crate) fn nominal_depth(task: &Task) -> f64 {
-    task.interaction.compression_depth_m.max(LEAST_DEPTH)
-}
-
 /// How the tool gives way: the plate against its frame at rest.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Compression {
@@ -46,10 +38,12 @@ pub(crate) struct Compression {
 }
 
 impl Compression {
-    /// Pressure at a place under the tool, over that of a compression by `nominal_depth` [m].
-    pub fn pressure(&self, under: Point2, nominal_depth: f64) -> f64 {
+    /// Pressure at a place under the tool where the surface is `higher` [m] than the plane on which the underside rests,
+    /// over the nominal one: the local share of the force per area.
+    pub fn pressure(&self, under: Point2, higher: f64, tool: &Wielded) -> f64 {
         let [about_x, about_y] = self.rocking;
-        (self.depth + about_x * under.y - about_y * under.x) / nominal_depth
+        let depth = self.depth + about_x * under.y - about_y * under.x + higher;
+        depth / tool.depth * tool.pressure
     }
 }
 
@@ -88,19 +82,18 @@ impl Plant {
 }
 
 /// Thickness of the tool's plate [m]: a tool that gives way far comes down the deeper.
-pub(super) fn plate_thickness(task: &Task) -> f64 {
+pub(super) fn plate_thickness(tool: &Wielded) -> f64 {
     let [least, most] = PLATE_THICKNESS;
-    (2.0 * nominal_depth(task)).clamp(least, most)
+    (2.0 * tool.depth.max(tool.rest)).clamp(least, most)
 }
 
 /// Stiffness and damping of the tool's compliance: in depth, and rocking about its x and y, as a bed of
 /// springs under the whole footprint has them.
-pub(super) fn foam_springs(task: &Task) -> [[f64; 2]; 3] {
-    let interaction = &task.interaction;
-    let stiffness = interaction.press_force_n / nominal_depth(task);
+pub(super) fn foam_springs(tool: &Wielded) -> [[f64; 2]; 3] {
+    let stiffness = tool.stiffness();
     let [ratio, mass] = TOOL_DAMPING;
     let damping = 2.0 * ratio * (stiffness * mass).sqrt();
-    let size = (task.tool.footprint.bounds()).map_or(task.tool.area_of_effect, |b| b.size());
+    let size = tool.size;
     // Mean square distance from the axis over a rectangle.
     let about_x = (stiffness * size.y * size.y / 12.0).max(LEAST_ROCKING);
     let about_y = (stiffness * size.x * size.x / 12.0).max(LEAST_ROCKING);
@@ -117,13 +110,11 @@ pub(super) fn compliance(
     world: &mut PhysicsWorld,
     hand: RigidBodyHandle,
     joint_from_tool: &Pose,
-    task: &Task,
+    tool: &Wielded,
 ) -> Result<(RigidBodyHandle, [RigidBodyHandle; 3], MultibodyJointHandle), SimulationError> {
-    let depth = nominal_depth(task);
-    // At nominal force the plate lies at the tool centre point.
-    let joint_from_rest = joint_from_tool * Translation3::new(0.0, 0.0, -depth);
-    let size = (task.tool.footprint.bounds()).map_or(task.tool.area_of_effect, |b| b.size());
-    let (x, y, z) = (size.x, size.y, plate_thickness(task));
+    // At nominal force the plate of a tool that is as stiff as believed lies at the tool centre point.
+    let joint_from_rest = joint_from_tool * Translation3::new(0.0, 0.0, -tool.rest);
+    let (x, y, z) = (tool.size.x, tool.size.y, plate_thickness(tool));
     let inertia = |mass: f64| {
         let about = |a: f64, b: f64| mass / 12.0 * (a * a + b * b) + 1e-6;
         engine::Vector::new(about(y, z), about(x, z), about(x, y))
@@ -151,24 +142,24 @@ pub(super) fn compliance(
     Ok((bodies[2], bodies, handle))
 }
 
-/// The load that the tool is to the robot, in the frame of the link that holds it.
+/// The load that the tool is believed to be to the robot, in the frame of the link that holds it.
 pub(crate) fn tool_load(cell: &Workcell, task: &Task) -> Body {
-    load(cell, task, FIRM_MASS + PLATE_MASS + 2.0 * LINK_MASS)
+    let mass = FIRM_MASS + PLATE_MASS + 2.0 * LINK_MASS;
+    load(cell.tip_from_tool(), task.tool.area_of_effect, mass)
 }
 
-/// The same without its plate and the links that carry the plate, which are bodies of their own.
-pub(crate) fn firm_load(cell: &Workcell, task: &Task) -> Body {
-    load(cell, task, FIRM_MASS)
+/// The load that the real one is, without its plate and the links that carry the plate, which are bodies of their own.
+pub(crate) fn firm_load(tool: &Wielded) -> Body {
+    load(&tool.tip_from_tool, tool.area_of_effect, FIRM_MASS)
 }
 
-/// A mass [kg] spread over the tool's extent, about the tool centre point.
-fn load(cell: &Workcell, task: &Task, mass: f64) -> Body {
-    let size = task.tool.area_of_effect;
+/// A mass [kg] spread over the tool's extent [m], about the tool centre point.
+fn load(tip_from_tool: &Pose, size: Vector2, mass: f64) -> Body {
     let about = |a: f64, b: f64| mass / 12.0 * (a * a + b * b) + 1e-6;
     let depth = size.min();
     Body {
         mass,
-        center_in_link: cell.tip_from_tool() * Point3::origin(),
+        center_in_link: tip_from_tool * Point3::origin(),
         inertia_about_center: Matrix3::from_diagonal(&Vector3::new(
             about(size.y, depth),
             about(size.x, depth),

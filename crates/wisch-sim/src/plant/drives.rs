@@ -1,21 +1,32 @@
 //! The robot's bodies and what moves them: efforts, drives that hold, joints that follow others.
 
 use super::compliance::foam_springs;
+use super::wielded::Wielded;
 use super::{GRAVITY, Plant, free_axis, to_engine, vector};
 use crate::SimulationError;
 use nalgebra::{DMatrix, DVector};
 use rapier3d_f64::dynamics::{
-    GenericJoint, MassProperties, PrismaticJointBuilder, RevoluteJointBuilder, RigidBodyBuilder,
-    RigidBodyHandle,
+    GenericJoint, JointAxis, MassProperties, MotorModel, MultibodyLink, PrismaticJointBuilder,
+    RevoluteJointBuilder, RigidBodyBuilder, RigidBodyHandle,
 };
 use rapier3d_f64::math as engine;
 use rapier3d_f64::pipeline::PhysicsWorld;
-use wisch::represent::Task;
 use wisch::robot::{ArticulatedJoint, Articulation, ArticulationState, Body};
 
 /// Natural frequency of joints that follow others and of drives that hold a position [rad/s].
 const COUPLING_RATE: f64 = 250.0;
 const SERVO_RATE: f64 = 100.0;
+/// Damping of a joint's friction below its limit [Nm s/rad or N s/m]: as good as rigid.
+const BRAKE_DAMPING: f64 = 1e5;
+/// The engine's axes in its order.
+const JOINT_AXES: [JointAxis; 6] = [
+    JointAxis::LinX,
+    JointAxis::LinY,
+    JointAxis::LinZ,
+    JointAxis::AngX,
+    JointAxis::AngY,
+    JointAxis::AngZ,
+];
 
 /// A moving joint in the engine.
 #[derive(Debug, Clone, Copy)]
@@ -109,8 +120,15 @@ impl Plant {
         Ok(())
     }
 
-    /// Springs: of the tool, of the drives that hold, of the joints that follow others.
-    pub(super) fn set_drives(&mut self, compliant: &[usize], q: &[f64], task: &Task) {
+    /// Springs: of the tool, of the drives that hold, of the joints that follow others; and friction in those that wipe
+    /// [Nm or N].
+    pub(super) fn set_drives(
+        &mut self,
+        compliant: &[usize],
+        q: &[f64],
+        tool: &Wielded,
+        friction: f64,
+    ) {
         let mut state = self.articulation.state();
         let still = vec![0.0; self.articulation.dof()];
         self.articulation.evaluate(&mut state, q, &still, GRAVITY);
@@ -122,6 +140,11 @@ impl Plant {
             if joint.is_variable() {
                 let variable = joint.terms[0].0;
                 if compliant.contains(&variable) {
+                    if let (true, Some(link)) =
+                        (friction > 0.0, multibody.link_mut(self.links[i].joint))
+                    {
+                        brake(link, friction);
+                    }
                     continue;
                 }
                 let inertia = state.mass_matrix()[(variable, variable)];
@@ -138,7 +161,7 @@ impl Plant {
                 });
             }
         }
-        let springs = foam_springs(task);
+        let springs = foam_springs(tool);
         for (at, [stiffness, damping]) in self.foam.into_iter().zip(springs) {
             let Some(link) = multibody.link_mut(at) else {
                 continue;
@@ -274,6 +297,15 @@ impl Plant {
             .find(|(_, joint)| joint.is_variable() && joint.terms[0].0 == variable)
             .map(|(i, _)| i)
     }
+}
+
+/// Coulomb friction in a joint [Nm or N]: what holds it at rest, as far as that takes no more.
+fn brake(link: &mut MultibodyLink, friction: f64) {
+    let data = &mut link.joint.data;
+    let axis = JOINT_AXES[free_axis(data.locked_axes.bits())];
+    data.set_motor_model(axis, MotorModel::ForceBased);
+    data.set_motor_velocity(axis, 0.0, BRAKE_DAMPING);
+    data.set_motor_max_force(axis, friction);
 }
 
 /// The inertia that stands against closing the gap between a following joint and those that it follows.

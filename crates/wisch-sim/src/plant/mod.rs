@@ -6,13 +6,16 @@
 mod compliance;
 mod drives;
 mod shapes;
+mod wielded;
 
-pub(super) use compliance::{firm_load, nominal_depth, tool_load};
+pub(super) use compliance::{firm_load, tool_load};
+pub(super) use wielded::Wielded;
 
 use self::compliance::{compliance, foam_springs, plate_thickness};
 use self::drives::{Coupling, Link, add_bodies};
 use self::shapes::{add_scene, add_shapes, prism};
-use crate::{SimulationError, SimulationSettings};
+use crate::{SimulationError, SimulationSettings, Waviness};
+use nalgebra::{Translation3, UnitQuaternion};
 use rapier3d_f64::dynamics::{MultibodyJointHandle, RigidBodyHandle, SpringCoefficients};
 use rapier3d_f64::geometry::{
     ColliderBuilder, ColliderHandle, Group, InteractionGroups, InteractionTestMode,
@@ -21,7 +24,7 @@ use rapier3d_f64::math as engine;
 use rapier3d_f64::pipeline::PhysicsWorld;
 use wisch::control::ControlConfig;
 use wisch::follow::Workcell;
-use wisch::geometry::{Point3, Pose, Vector3};
+use wisch::geometry::{Point2, Point3, Pose, Vector2, Vector3};
 use wisch::represent::Task;
 use wisch::robot::Articulation;
 
@@ -66,6 +69,10 @@ pub(super) struct Plant {
     plate_collider: ColliderHandle,
     surface_collider: ColliderHandle,
     normal: Vector3,
+    world_from_real: Pose,
+    waviness: Option<Waviness>,
+    /// The surface under the tool: its height over the plane [m], its slope [1], and where the tool is [m].
+    wave: (f64, Vector2, Point2),
     /// Of each own variable: stiffness and damping of the drive that holds it, if it is none of the
     /// compliant ones.
     servos: Vec<Option<[f64; 2]>>,
@@ -116,9 +123,14 @@ fn empty_world(config: &ControlConfig) -> PhysicsWorld {
 impl Plant {
     /// The world in which `articulation`, which carries the firm part of the tool, stands at `q`, its variables
     /// `compliant` driven by efforts and the others by drives that hold them.
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "each is a different thing, none has a default"
+    )]
     pub fn new(
         cell: &Workcell,
         task: &Task,
+        tool: &Wielded,
         settings: &SimulationSettings,
         articulation: &Articulation,
         compliant: &[usize],
@@ -133,14 +145,14 @@ impl Plant {
                 robot: cell.robot().name().to_owned(),
             });
         };
-        let joint_from_tool = joint_from_tip * cell.tip_from_tool();
+        let joint_from_tool = joint_from_tip * tool.tip_from_tool;
         let hand = bodies[carrier];
-        let (plate, foam_bodies, multibody) = compliance(&mut world, hand, &joint_from_tool, task)?;
+        let (plate, foam_bodies, multibody) = compliance(&mut world, hand, &joint_from_tool, tool)?;
 
         let plate_shape = prism(
-            task.tool.footprint.edges().map(|edge| edge.start),
+            tool.edges().map(|edge| edge.start),
             0.0,
-            plate_thickness(task),
+            plate_thickness(tool),
         );
         let plate_shape = plate_shape.ok_or(SimulationError::NoFootprint)?;
         let plate_collider = world.insert_collider(
@@ -156,25 +168,39 @@ impl Plant {
             -SURFACE_THICKNESS,
             0.0,
         );
-        let surface_collider = world.insert_collider(
-            ColliderBuilder::new(slab.ok_or(SimulationError::NoSurface)?)
-                .position(to_engine(&world_from_real))
-                .friction(settings.friction)
-                .collision_groups(groups(SURFACE, PLATE | GRAIN)),
-            None,
-        );
+        let slab = slab.ok_or(SimulationError::NoSurface)?;
+        let mut lay = |shape, meets| {
+            world.insert_collider(
+                ColliderBuilder::new(shape)
+                    .position(to_engine(&world_from_real))
+                    .friction(settings.friction)
+                    .collision_groups(groups(SURFACE, meets)),
+                None,
+            )
+        };
+        // Where there are waves, the tool has a surface of its own, which takes on the height and slope under it.
+        let is_wavy = settings.waviness.height > 0.0;
+        let surface_collider = if is_wavy {
+            lay(slab.clone(), GRAIN);
+            lay(slab, PLATE)
+        } else {
+            lay(slab, PLATE | GRAIN)
+        };
         add_scene(&mut world, task, settings);
-        add_shapes(&mut world, cell, task, articulation, compliant, &bodies);
+        add_shapes(&mut world, cell, tool, articulation, compliant, &bodies);
 
         let mut plant = Self {
             links: Vec::new(),
             foam: [0; 3],
-            foam_spring: foam_springs(task)[0],
+            foam_spring: foam_springs(tool)[0],
             plate,
             hand,
             plate_collider,
             surface_collider,
             normal: world_from_real * Vector3::z(),
+            world_from_real,
+            waviness: is_wavy.then_some(settings.waviness),
+            wave: (0.0, Vector2::zeros(), Point2::origin()),
             servos: vec![None; articulation.dof()],
             couplings: Vec::new(),
             articulation: articulation.clone(),
@@ -182,7 +208,7 @@ impl Plant {
             world,
         };
         plant.place(&bodies, &foam_bodies, q)?;
-        plant.set_drives(compliant, q, task);
+        plant.set_drives(compliant, q, tool, settings.joint_friction);
         Ok(plant)
     }
 
@@ -190,6 +216,49 @@ impl Plant {
     pub fn push(&mut self, force: &Vector3, at: &Point3) {
         let body = &mut self.world.bodies[self.hand];
         body.add_force_at_point(vector(force), vector(&at.coords), true);
+    }
+
+    /// Pushes the tool's underside at a point in the world during the next period.
+    pub fn resist(&mut self, force: &Vector3, at: &Point3) {
+        let body = &mut self.world.bodies[self.plate];
+        body.add_force_at_point(vector(force), vector(&at.coords), true);
+    }
+
+    /// Takes away what pushed the tool's underside before.
+    pub fn release(&mut self) {
+        let body = &mut self.world.bodies[self.plate];
+        body.reset_forces(false);
+        body.reset_torques(false);
+    }
+
+    /// Lays the surface under the tool as its waves have it there.
+    pub fn undulate(&mut self) {
+        let Some(waviness) = self.waviness else {
+            return;
+        };
+        let at = self.world_from_real.inverse() * self.world_from_plate();
+        let place = Point2::new(at.translation.x, at.translation.y);
+        let (height, slope) = waviness.at(place);
+        self.wave = (height, slope, place);
+        // Tilted about the place under the tool.
+        let lift = Translation3::new(place.x, place.y, height);
+        let tilt = UnitQuaternion::from_scaled_axis(Vector3::new(slope.y, -slope.x, 0.0));
+        let back = Translation3::new(-place.x, -place.y, 0.0);
+        let pose = self.world_from_real * Pose::from_parts(lift, tilt) * back;
+        if let Some(collider) = self.world.colliders.get_mut(self.surface_collider) {
+            collider.set_position(to_engine(&pose));
+        }
+    }
+
+    /// Height of the surface over its plane at a place in its frame, and how much higher that is than the plane on which
+    /// the tool rests there [m].
+    pub fn wave(&self, place: Point2) -> [f64; 2] {
+        let Some(waviness) = self.waviness else {
+            return [0.0; 2];
+        };
+        let (height, slope, center) = self.wave;
+        let (here, _) = waviness.at(place);
+        [here, here - height - slope.dot(&(place - center))]
     }
 
     /// Lets one period pass.

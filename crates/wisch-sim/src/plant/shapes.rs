@@ -1,15 +1,14 @@
 //! What can be touched: the shapes of surface, scene, robot and tool.
 
-use super::{ROBOT, SCENE, TOOL, groups, nominal_depth, to_engine, vector};
+use super::wielded::Wielded;
+use super::{ROBOT, SCENE, TOOL, groups, to_engine, vector};
 use crate::SimulationSettings;
-use petgraph::unionfind::UnionFind;
 use rapier3d_f64::dynamics::RigidBodyHandle;
 use rapier3d_f64::geometry::{ColliderBuilder, SharedShape};
 use rapier3d_f64::math as engine;
 use rapier3d_f64::pipeline::PhysicsWorld;
-use std::collections::BTreeMap;
 use wisch::follow::Workcell;
-use wisch::geometry::{Mesh, Point2, Point3};
+use wisch::geometry::{Mesh, Point2};
 use wisch::represent::{ScenePart, Task};
 use wisch::robot::{Articulation, Collision, Shape};
 
@@ -61,7 +60,7 @@ fn hull(mesh: &Mesh) -> Option<SharedShape> {
 pub(super) fn add_shapes(
     world: &mut PhysicsWorld,
     cell: &Workcell,
-    task: &Task,
+    tool: &Wielded,
     articulation: &Articulation,
     compliant: &[usize],
     bodies: &[RigidBodyHandle],
@@ -97,8 +96,8 @@ pub(super) fn add_shapes(
         return;
     };
     // The part that gives way is the plate's.
-    let yielding = YIELDING * nominal_depth(task);
-    for part in parts(&task.tool.mesh) {
+    let yielding = YIELDING * tool.depth.max(tool.rest);
+    for part in &tool.parts {
         let firm = part
             .iter()
             .map(|p| engine::Vector::new(p.x, p.y, p.z.max(yielding)));
@@ -106,7 +105,7 @@ pub(super) fn add_shapes(
             continue;
         };
         let collider = ColliderBuilder::new(shape)
-            .position(to_engine(&(joint_from_tip * cell.tip_from_tool())))
+            .position(to_engine(&(joint_from_tip * tool.tip_from_tool)))
             .density(0.0)
             .collision_groups(groups(TOOL, SCENE));
         world.insert_collider(collider, Some(bodies[joint]));
@@ -128,28 +127,6 @@ fn is_compliant(articulation: &Articulation, compliant: &[usize], joint: usize) 
         at = joint.parent;
     }
     false
-}
-
-/// The vertices of each connected part of a mesh: a stick does not make a cone of its broom.
-fn parts(mesh: &Mesh) -> Vec<Vec<Point3>> {
-    let key = |p: &Point3| [p.x, p.y, p.z].map(f64::to_bits);
-    let mut places: BTreeMap<[u64; 3], usize> = BTreeMap::new();
-    let at: Vec<usize> = (mesh.vertices().iter())
-        .map(|p| {
-            let next = places.len();
-            *places.entry(key(p)).or_insert(next)
-        })
-        .collect();
-    let mut sets = UnionFind::new(places.len());
-    for [a, b, c] in mesh.triangles() {
-        sets.union(at[*a as usize], at[*b as usize]);
-        sets.union(at[*a as usize], at[*c as usize]);
-    }
-    let mut parts: BTreeMap<usize, Vec<Point3>> = BTreeMap::new();
-    for (place, vertex) in at.iter().zip(mesh.vertices()) {
-        parts.entry(sets.find(*place)).or_default().push(*vertex);
-    }
-    parts.into_values().collect()
 }
 
 fn engine_shape(shape: &Shape) -> Option<SharedShape> {

@@ -6,7 +6,9 @@ use wisch::follow::{FollowConfig, Followed, Phase, Workcell, follow};
 use wisch::geometry::{Pose, Vector3};
 use wisch::represent::{Action, GrainSize, LogNormal, MediumKind, Task};
 use wisch::run::{Ending, Execution, MotionOrder, TelemetrySample};
-use wisch_sim::{Dirt, GroundTruth, SimulationSettings, execute};
+use wisch_sim::{
+    Dirt, GrainCount, GroundTruth, Places, RealTool, Sensing, SimulationSettings, Waviness, execute,
+};
 use wisch_testkit::{board, cell, first_stroke, planned};
 
 /// Force that the tool shall be pressed on with [N].
@@ -216,6 +218,14 @@ pub fn as_believed() -> SimulationSettings {
         },
         kind: MediumKind::Solid,
         max_bodies: 400,
+        dirt: Places::Uniform,
+        count: GrainCount::Exactly(80),
+        grain_mass: None,
+        tool: RealTool::default(),
+        sensing: Sensing::default(),
+        joint_friction: 0.0,
+        waviness: Waviness::default(),
+        camera: None,
     }
 }
 

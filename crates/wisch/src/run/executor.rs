@@ -13,7 +13,11 @@ pub type SampleSink<'a> = dyn FnMut(&TelemetrySample<'_>) -> ControlFlow<()> + '
 /// The only door to a world.
 ///
 /// Nothing here tells the truth about the world: an executor hands out what a robot measures. A simulator opens its
-/// truth elsewhere, for evaluations.
+/// truth elsewhere, for evaluations, and is nowhere within reach of this library:
+///
+/// ```compile_fail,E0432
+/// use wisch_sim::World;
+/// ```
 ///
 /// ```
 /// use std::ops::ControlFlow;

@@ -1,11 +1,18 @@
 //! Real dirt: grains with a size and a will of their own.
 
-use crate::SimulationSettings;
+mod places;
+
+pub use places::{GrainCount, Places, Site};
+
+use crate::{SimulationError, SimulationSettings};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use wisch::geometry::Point2;
 use wisch::random::normal;
-use wisch::represent::{Fate, ParticleDistribution, ParticleError};
+use wisch::represent::{Fate, ParticleDistribution, ParticleError, SourceError};
+
+/// Tells the random numbers of grains apart from those of a task with the same seed.
+const GRAIN_SEED: u64 = 0x6772_6169_6e73_0000;
 
 /// One grain as it really is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,6 +34,20 @@ pub struct Dirt {
 }
 
 impl Dirt {
+    /// The dirt of a world: where the settings say, of as many grains, with random numbers of its own.
+    ///
+    /// # Errors
+    /// Where the settings put it there is no room on the surface.
+    pub fn draw(
+        site: &Site,
+        settings: &SimulationSettings,
+        seed: u64,
+    ) -> Result<Self, SimulationError> {
+        let places = settings.dirt.draw(site, settings, seed)?;
+        let particles = ParticleDistribution::new(&places).map_err(SourceError::from)?;
+        Ok(Self::scatter(&particles, settings, seed))
+    }
+
     /// Grains where the particles lie, with sizes and thresholds drawn from settings.
     pub fn scatter(
         particles: &ParticleDistribution,
@@ -35,7 +56,7 @@ impl Dirt {
     ) -> Self {
         let grain = |(i, (position, fate)): (usize, (Point2, Fate))| {
             // Each grain has a stream of its own, so that its nature does not depend on the others.
-            let mut random = ChaCha8Rng::seed_from_u64(seed);
+            let mut random = ChaCha8Rng::seed_from_u64(seed ^ GRAIN_SEED);
             random.set_stream(i as u64);
             let size = settings.grain_size;
             let diameter = size.min_m + (size.max_m - size.min_m) * random.random::<f64>();

@@ -1,0 +1,55 @@
+//! Heaps of dirt, believed or real.
+
+use super::TaskError;
+use super::deserialize::At;
+use super::tree::Source;
+use super::values::{PositionM, SigmaM, Weight, point};
+use schemars::JsonSchema;
+use serde::Deserialize;
+use wisch::represent::Cluster;
+
+/// How many clusters.
+const MAX_CLUSTERS: usize = 10_000;
+
+/// A heap.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Cluster")]
+pub(super) struct ClusterTable {
+    /// Its middle, surface frame [m].
+    pub(super) center_m: [PositionM; 2],
+    /// Its standard deviation [m].
+    pub(super) sigma_m: SigmaM,
+    /// Its share relative to the others'.
+    #[serde(default = "weight")]
+    pub(super) weight: Weight,
+}
+
+fn weight() -> Weight {
+    Weight(1.0)
+}
+
+/// Heaps, of which there is at least one.
+pub(super) fn heaps(
+    clusters: &At<Vec<ClusterTable>>,
+    source: &Source<'_>,
+) -> Result<Vec<Cluster>, TaskError> {
+    let found = clusters.value.len();
+    if !(1..=MAX_CLUSTERS).contains(&found) {
+        return Err(clusters.inconsistent(
+            source,
+            format!("{found} clusters, but there are at least 1 and at most {MAX_CLUSTERS}"),
+        ));
+    }
+    Ok(clusters.value.iter().map(Cluster::from).collect())
+}
+
+impl From<&ClusterTable> for Cluster {
+    fn from(table: &ClusterTable) -> Self {
+        Self {
+            center: point(table.center_m),
+            sigma: table.sigma_m.0,
+            weight: table.weight.0,
+        }
+    }
+}

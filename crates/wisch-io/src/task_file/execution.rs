@@ -1,0 +1,376 @@
+//! The tables `[perception]` and `[execution]`: what the robot perceives by, and what a simulated world is to take for
+//! real.
+
+use super::clusters::heaps;
+use super::deserialize::At;
+use super::execution_tables::{CameraTable, DirtTable, ExecutionTable};
+use super::tables::{PerceptionTable, SenseName};
+use super::tree::Source;
+use super::values::{Share, StrokeNumber, TimeS, point};
+use super::{FrictionChange, Moment, Push, TaskError};
+use crate::particles::MaskSource;
+use nalgebra::{Translation3, UnitQuaternion};
+use wisch::geometry::{Point2, Pose, Vector2, Vector3};
+use wisch::represent::{Cluster, GrainSize, SensorModel};
+use wisch::source_location::Place;
+
+/// How far inside the outline dirt along it lies at most, unless a file says so [m].
+const WITHIN: f64 = 0.04;
+
+/// What a robot perceives the dirt by: touch always, sight if it has a camera.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Perception {
+    /// How well the robot believes its camera to see; `None` is touch alone.
+    pub sight: Option<SensorModel>,
+}
+
+/// The table `[execution]`: what a simulated execution is to take for real, and neither the plan nor the
+/// interpretation is told.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ExecutionRecord {
+    /// Where the surface really is, in the frame of the believed one.
+    pub believed_from_real: Pose,
+    /// Coulomb coefficient between tool and surface at the start [1]; `None` takes the knowledge base's.
+    pub friction: Option<f64>,
+    /// Changes of it, as typed.
+    pub friction_changes: Vec<FrictionChange>,
+    /// Who pushes, as typed.
+    pub pushes: Vec<Push>,
+    /// Standard deviation of the measured force, per axis [N].
+    pub force_noise: f64,
+    /// What is always added to the measured force, in the axes of the world [N].
+    pub force_bias: Vector3,
+    /// Mean of ln f′ from which on a grain is taken along; `None` takes the knowledge base's.
+    pub mu: Option<f64>,
+    /// Standard deviation of ln f′; `None` takes the knowledge base's.
+    pub sigma: Option<f64>,
+    /// Where the dirt really lies.
+    pub dirt: DirtRecord,
+    /// Diameters of the real grains; `None` takes the medium's.
+    pub grain_size: Option<GrainSize>,
+    /// Mass of the dirt that each grain stands for [kg]; `None` takes that of the grain alone.
+    pub grain_mass: Option<f64>,
+    /// Stiffness of the real tool over the believed one [1].
+    pub tool_stiffness: f64,
+    /// Length and width of its footprint over the believed one's [1].
+    pub footprint: f64,
+    /// Where the tool really sits in the hand, in the frame of the tool as believed [m].
+    pub grasp_offset: Vector2,
+    /// How far it is really turned about the tool's z [rad].
+    pub grasp_turn: f64,
+    /// Standard deviation of the measured joint positions [rad or m].
+    pub encoder_noise: f64,
+    /// Play between joints and what measures them [rad or m].
+    pub backlash: f64,
+    /// How late a force is measured [s].
+    pub force_delay: f64,
+    /// How fast the bias of the measured force grows in a round, in the axes of the world [N/s].
+    pub force_drift: Vector3,
+    /// Coulomb friction in each joint that wipes [Nm or N].
+    pub joint_friction: f64,
+    /// Height of the waves in the real surface, from valley to crest [m].
+    pub waviness: f64,
+    /// Length of these waves [m].
+    pub waviness_length: f64,
+    /// How the real camera sees.
+    pub camera: CameraRecord,
+    /// Up to how many particles are real bodies.
+    pub max_bodies: usize,
+}
+
+/// Where the dirt of a simulated world really lies, and how much of it there is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DirtRecord {
+    /// Where.
+    pub source: RealDirt,
+    /// How many grains; `None` draws about as many as are believed.
+    pub count: Option<usize>,
+}
+
+/// Where the dirt of a simulated world really lies, in the frame of the real surface.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RealDirt {
+    /// Where it is believed to be.
+    AsBelieved,
+    /// Evenly over the free surface.
+    Uniform,
+    /// Heaps; `None` draws those too.
+    Clusters(Option<Vec<Cluster>>),
+    /// A band; what is `None` is drawn.
+    Stripe {
+        /// A point of its middle line [m].
+        center: Option<Point2>,
+        /// Which way it runs, about the surface's z from its x [rad].
+        direction: Option<f64>,
+        /// Its width [m].
+        width: Option<f64>,
+    },
+    /// Along the outline, no further inside than this [m].
+    Edge(f64),
+    /// Listed in a file.
+    Csv {
+        /// Where the task file names it.
+        at: Place,
+        /// Its path, relative to the task file.
+        file: String,
+    },
+    /// Seen in a mask or photo.
+    Image {
+        /// Where the task file names it.
+        at: Place,
+        /// The image, and how to read it.
+        mask: MaskSource,
+    },
+}
+
+impl Default for DirtRecord {
+    /// Even, and about as much as believed.
+    fn default() -> Self {
+        Self {
+            source: RealDirt::Uniform,
+            count: None,
+        }
+    }
+}
+
+/// How a real camera sees; what is `None` is as the robot believes.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct CameraRecord {
+    /// Probability that a large grain is detected [1].
+    pub detection: Option<f64>,
+    /// Diameter at which this probability is halved [m].
+    pub half_size_m: Option<f64>,
+    /// Detections where nothing lies, per area [1/m²].
+    pub false_alarms_per_m2: Option<f64>,
+    /// Standard deviation of where a grain is seen, along x and along y [m].
+    pub position_error_m: Option<f64>,
+    /// Whether the robot's links and the tool hide what lies under them.
+    pub arm_hides: bool,
+}
+
+impl CameraRecord {
+    /// The real camera, where the robot believes it to be so.
+    pub fn over(&self, believed: SensorModel) -> SensorModel {
+        SensorModel {
+            detection: self.detection.unwrap_or(believed.detection),
+            half_size_m: self.half_size_m.unwrap_or(believed.half_size_m),
+            false_alarms_per_m2: (self.false_alarms_per_m2).unwrap_or(believed.false_alarms_per_m2),
+            position_error_m: self.position_error_m.unwrap_or(believed.position_error_m),
+        }
+    }
+}
+
+impl From<&CameraTable> for CameraRecord {
+    fn from(table: &CameraTable) -> Self {
+        Self {
+            detection: table.detection.map(|x| x.0),
+            half_size_m: table.half_size_m.map(|x| x.0),
+            false_alarms_per_m2: table.false_alarms_per_m2.map(|x| x.0),
+            position_error_m: table.position_error_m.map(|x| x.0),
+            arm_hides: table.arm_hides,
+        }
+    }
+}
+
+pub(super) fn perception(
+    table: &PerceptionTable,
+    source: &Source<'_>,
+) -> Result<Perception, TaskError> {
+    let Some(senses) = &table.senses else {
+        return Ok(Perception::default());
+    };
+    let count = |sense| senses.value.iter().filter(|s| **s == sense).count();
+    let problem = match (count(SenseName::Touch), count(SenseName::Sight)) {
+        (1, 0) => return Ok(Perception::default()),
+        (1, 1) => {
+            let given = CameraRecord {
+                detection: table.detection.map(|x| x.0),
+                half_size_m: table.half_size_m.map(|x| x.0),
+                false_alarms_per_m2: table.false_alarms_per_m2.map(|x| x.0),
+                position_error_m: table.position_error_m.map(|x| x.0),
+                arm_hides: false,
+            };
+            return Ok(Perception {
+                sight: Some(given.over(SensorModel::default())),
+            });
+        }
+        (0, _) => "touch is always among them",
+        _ => "a sense is named twice",
+    };
+    Err(senses.inconsistent(source, problem))
+}
+
+fn dirt(table: &At<DirtTable>, source: &Source<'_>) -> Result<DirtRecord, TaskError> {
+    let (found, count) = match &table.value {
+        DirtTable::AsBelieved {} => (RealDirt::AsBelieved, &None),
+        DirtTable::Uniform { count } => (RealDirt::Uniform, count),
+        DirtTable::Clusters { count, clusters } => {
+            let given = clusters.as_ref().map(|given| heaps(given, source));
+            (RealDirt::Clusters(given.transpose()?), count)
+        }
+        DirtTable::Stripe {
+            count,
+            center_m,
+            direction_rad,
+            width_m,
+        } => {
+            let stripe = RealDirt::Stripe {
+                center: center_m.map(point),
+                direction: direction_rad.map(|angle| angle.0),
+                width: width_m.map(|width| width.0),
+            };
+            (stripe, count)
+        }
+        DirtTable::Edge { count, within_m } => {
+            let within = within_m.map_or(WITHIN, |within| within.0);
+            (RealDirt::Edge(within), count)
+        }
+        DirtTable::Csv { file } => {
+            let at = file.place(source);
+            let file = file.value.0.clone();
+            (RealDirt::Csv { at, file }, &None)
+        }
+        DirtTable::Image {
+            file,
+            corners_px,
+            color,
+            tolerance,
+            count,
+        } => {
+            let image = RealDirt::Image {
+                at: file.place(source),
+                mask: MaskSource {
+                    file: file.value.0.clone(),
+                    corners_px: corners_px.map(|corner| corner.map(|x| x.0).into()),
+                    color: color.map(|channel| channel.0 as u8),
+                    tolerance: tolerance.0,
+                    count: count.0 as usize,
+                },
+            };
+            (image, &None)
+        }
+    };
+    Ok(DirtRecord {
+        source: found,
+        count: count.map(|count| count.0 as usize),
+    })
+}
+
+pub(super) fn execution(
+    table: &ExecutionTable,
+    source: &Source<'_>,
+) -> Result<ExecutionRecord, TaskError> {
+    let mut record = ExecutionRecord::undisturbed(table);
+    if let Some(dirt) = &table.dirt {
+        record.dirt = self::dirt(dirt, source)?;
+    }
+    if let Some(size) = &table.grain_size_m {
+        let [min_m, max_m] = size.value.map(|diameter| diameter.0);
+        if min_m > max_m {
+            let problem = format!("the smallest, {min_m} m, is larger than the largest, {max_m} m");
+            return Err(size.inconsistent(source, problem));
+        }
+        record.grain_size = Some(GrainSize { min_m, max_m });
+    }
+    for change in &table.friction_change {
+        let given = &change.value;
+        record.friction_changes.push(FrictionChange {
+            round: given.round.0 as usize,
+            start: moment(
+                change,
+                (given.start_s, given.start_share, given.start_stroke),
+                source,
+            )?,
+            friction: given.friction.0,
+        });
+    }
+    for push in &table.push {
+        let given = &push.value;
+        record.pushes.push(Push {
+            round: given.round.0 as usize,
+            start: moment(
+                push,
+                (given.start_s, given.start_share, given.start_stroke),
+                source,
+            )?,
+            duration: given.duration_s.0,
+            force: Vector3::from(given.force_n.map(|axis| axis.0)),
+            hand_speed: given.hand_speed_m_per_s.0,
+        });
+    }
+    Ok(record)
+}
+
+/// The one way in which a table says when something begins.
+fn moment<T>(
+    table: &At<T>,
+    starts: (Option<TimeS>, Option<Share>, Option<StrokeNumber>),
+    source: &Source<'_>,
+) -> Result<Moment, TaskError> {
+    Ok(match starts {
+        (Some(time), None, None) => Moment::Seconds(time.0),
+        (None, Some(share), None) => Moment::Share(share.0),
+        (None, None, Some(stroke)) => Moment::Stroke(stroke.0 as usize),
+        (time, share, stroke) => {
+            let offset = |is_there: bool| is_there.then_some(table.offset);
+            let keys = [
+                ("start_s", offset(time.is_some())),
+                ("start_share", offset(share.is_some())),
+                ("start_stroke", offset(stroke.is_some())),
+            ];
+            return Err(match table.exactly_one(source, &keys) {
+                Err(error) => error,
+                Ok(()) => table.missing(source, "start_s"),
+            });
+        }
+    })
+}
+
+impl ExecutionRecord {
+    /// What a table says, but for who pushes and where friction changes.
+    fn undisturbed(table: &ExecutionTable) -> Self {
+        let tilt = table.surface_tilt_rad;
+        let [about_x, about_y] = tilt.map_or([0.0; 2], |tilt| tilt.map(|angle| angle.0));
+        let shift = table.surface_shift_m;
+        let shift = shift.map_or([0.0; 3], |shift| shift.map(|axis| axis.0));
+        let bias = table.force_bias_n;
+        let bias = bias.map_or([0.0; 3], |bias| bias.map(|axis| axis.0));
+        Self {
+            believed_from_real: Pose::from_parts(
+                Translation3::from(Vector3::from(shift)),
+                UnitQuaternion::from_scaled_axis(Vector3::new(about_x, about_y, 0.0)),
+            ),
+            friction: table.friction.map(|friction| friction.0),
+            friction_changes: Vec::new(),
+            pushes: Vec::new(),
+            force_noise: table.force_noise_n.0,
+            force_bias: Vector3::from(bias),
+            mu: table.mu.map(|mu| mu.0),
+            sigma: table.sigma.map(|sigma| sigma.0),
+            dirt: DirtRecord::default(),
+            grain_size: None,
+            grain_mass: table.grain_mass_kg.map(|mass| mass.0),
+            tool_stiffness: table.tool_stiffness.0,
+            footprint: table.footprint.0,
+            grasp_offset: (table.grasp_offset_m)
+                .map_or_else(Vector2::zeros, |offset| offset.map(|axis| axis.0).into()),
+            grasp_turn: table.grasp_turn_rad.0,
+            encoder_noise: table.encoder_noise_rad.0,
+            backlash: table.backlash_rad.0,
+            force_delay: table.force_delay_s.0,
+            force_drift: (table.force_drift_n_per_s)
+                .map_or_else(Vector3::zeros, |drift| drift.map(|axis| axis.0).into()),
+            joint_friction: table.joint_friction_nm.0,
+            waviness: table.waviness_m.0,
+            waviness_length: table.waviness_length_m.0,
+            camera: CameraRecord::from(&table.camera),
+            max_bodies: table.max_bodies.0 as usize,
+        }
+    }
+}
+
+impl Default for ExecutionRecord {
+    fn default() -> Self {
+        Self::undisturbed(&ExecutionTable::default())
+    }
+}

@@ -1,0 +1,222 @@
+//! What a camera straight above the real surface sees of the real dirt.
+
+use crate::{Dirt, SimulationSettings};
+use nalgebra::{Point, SVector};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use std::f64::consts::TAU;
+use wisch::follow::Workcell;
+use wisch::geometry::{Bounds2, Mesh, Point2, Point3, Polygon, Pose, Region, Vector2};
+use wisch::random::normal_pair;
+use wisch::represent::{Fate, Observation, Task};
+use wisch::robot::{RobotError, Shape};
+
+/// Tells the random numbers of looks apart from those of a task with the same seed.
+const LOOK_SEED: u64 = 0x6c6f_6f6b_7300_0000;
+/// Points round the rim of a cylinder, a capsule or a sphere.
+const RIM: usize = 16;
+/// Draws after which a false alarm counts as beside the surface.
+const DRAWS: usize = 10_000;
+
+/// Which look it is: after how many rounds, and which since then.
+#[derive(Debug, Clone, Copy)]
+pub struct Look {
+    /// Of the world.
+    pub seed: u64,
+    /// Rounds so far.
+    pub rounds: u64,
+    /// Looks since the last of them.
+    pub number: u64,
+}
+
+/// What is seen of dirt, in the frame of the surface as a task believes it; `None` without a camera. `hidden` are hulls in
+/// the frame of the real surface [m].
+pub fn observe(
+    settings: &SimulationSettings,
+    task: &Task,
+    world_from_real: &Pose,
+    dirt: &Dirt,
+    hidden: &[Vec<Point2>],
+    look: Look,
+) -> Option<Observation> {
+    let sensor = settings.camera?.sensor;
+    let mut random = ChaCha8Rng::seed_from_u64(look.seed ^ LOOK_SEED);
+    random.set_stream((look.rounds << 32) | look.number);
+    let believed_from_real = task.surface.world_from_surface.inverse() * world_from_real;
+    let believed = |place: &Point2| (believed_from_real * Point3::new(place.x, place.y, 0.0)).xy();
+    let hulls = |to: &dyn Fn(&Point2) -> Point2| {
+        let polygon = |hull: &Vec<Point2>| Polygon::new(hull.iter().map(to).collect(), vec![]);
+        Region::new(hidden.iter().map(polygon).collect())
+    };
+    let hidden_in_real = hulls(&|place| *place);
+    let mut seen = Observation {
+        detections: Vec::new(),
+        hidden: hulls(&believed),
+    };
+    for grain in dirt.grains() {
+        // Drawn for every grain: what became of one changes nothing for the others.
+        let (chance, error) = (random.random::<f64>(), normal_pair(&mut random));
+        let lies = grain.fate == Fate::OnSurface && !hidden_in_real.contains(grain.position);
+        if lies && chance < sensor.detection_of(2.0 * grain.radius) {
+            let place = grain.position + error * sensor.position_error_m;
+            seen.detections.push(believed(&place));
+        }
+    }
+    let outline = &task.surface.outline;
+    let bounds = Bounds2::of(outline.outer().iter().copied())?;
+    let expected = sensor.false_alarms_per_m2 * outline.area();
+    for _ in 0..poisson(expected, &mut random) {
+        let mut places = (0..DRAWS).map(|_| {
+            let share = Vector2::new(random.random(), random.random());
+            bounds.min + bounds.size().component_mul(&share)
+        });
+        let place = places.find(|place| outline.contains(*place));
+        let shown = place.filter(|place| !seen.is_hidden(*place));
+        seen.detections.extend(shown);
+    }
+    Some(seen)
+}
+
+/// A draw from the Poisson distribution: how many exponential gaps fit into the mean.
+fn poisson(mean: f64, random: &mut ChaCha8Rng) -> usize {
+    let gaps = std::iter::repeat_with(|| -libm::log(1.0 - random.random::<f64>()));
+    let ends = gaps.scan(0.0, |end, gap| {
+        *end += gap;
+        Some(*end)
+    });
+    ends.take_while(|end| *end < mean).count()
+}
+
+/// What the robot and its tool hide from a camera straight above the real surface: a convex hull of each solid, in the
+/// frame of that surface [m].
+///
+/// # Errors
+/// Positions that are not the robot's.
+pub fn hidden_by(
+    cell: &Workcell,
+    positions: &[f64],
+    tool: &[Vec<Point3>],
+    tip_from_tool: &Pose,
+    world_from_real: &Pose,
+) -> Result<Vec<Vec<Point2>>, RobotError> {
+    let robot = cell.robot();
+    let kinematics = robot.forward_kinematics(positions)?;
+    let real_from_root = world_from_real.inverse() * cell.world_from_root();
+    let mut hulls = Vec::new();
+    let mut add = |real_from_solid: &Pose, corners: &[Point3]| {
+        let corners: Vec<Point3> = corners.iter().map(|p| real_from_solid * p).collect();
+        if corners.iter().any(|corner| corner.z > 0.0) {
+            hulls.push(hull(corners.iter().map(Point::xy).collect()));
+        }
+    };
+    for link in robot.links() {
+        let real_from_link = real_from_root * kinematics.world_from_link(robot.link(&link.name)?);
+        for collision in &link.collision {
+            let real_from_shape = real_from_link * collision.link_from_shape;
+            add(&real_from_shape, &corners(&collision.shape));
+        }
+    }
+    let real_from_tool = real_from_root * kinematics.world_from_link(cell.tip()) * tip_from_tool;
+    tool.iter().for_each(|part| add(&real_from_tool, part));
+    Ok(hulls)
+}
+
+/// Points whose hull is a shape, round ones as prisms.
+fn corners(shape: &Shape) -> Vec<Point3> {
+    let ring = |radius: f64, z: f64| {
+        (0..RIM).map(move |i| {
+            let angle = TAU * i as f64 / RIM as f64;
+            Point3::new(radius * libm::cos(angle), radius * libm::sin(angle), z)
+        })
+    };
+    let ball = |radius: f64, z: f64| {
+        let slices = (0..=RIM / 2).map(move |i| TAU * i as f64 / RIM as f64);
+        slices.flat_map(move |polar| {
+            let (sin, cos) = (libm::sin(polar), libm::cos(polar));
+            ring(radius * sin, z + radius * cos)
+        })
+    };
+    match shape {
+        Shape::Box { size } => {
+            let sides = [-0.5, 0.5];
+            let corner = |x, y, z| Point3::from(size.component_mul(&SVector::from([x, y, z])));
+            let faces = sides.map(|x| sides.map(|y| sides.map(|z| corner(x, y, z))));
+            faces.as_flattened().as_flattened().to_vec()
+        }
+        Shape::Cylinder { radius, length } => [-0.5, 0.5]
+            .into_iter()
+            .flat_map(|end| ring(*radius, end * length))
+            .collect(),
+        Shape::Capsule { radius, length } => [-0.5, 0.5]
+            .into_iter()
+            .flat_map(|end| ball(*radius, end * length))
+            .collect(),
+        Shape::Sphere { radius } => ball(*radius, 0.0).collect(),
+        Shape::Mesh(mesh) => Mesh::vertices(mesh).to_vec(),
+    }
+}
+
+/// The convex hull of points, anticlockwise (Andrew, 1979).
+fn hull(mut points: Vec<Point2>) -> Vec<Point2> {
+    points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    points.dedup();
+    if points.len() < 3 {
+        return points;
+    }
+    let chain = |points: &mut dyn Iterator<Item = Point2>| {
+        let mut chain: Vec<Point2> = Vec::new();
+        for point in points {
+            while let [.., before, last] = chain[..]
+                && (last - before).perp(&(point - last)) <= 0.0
+            {
+                chain.pop();
+            }
+            chain.push(point);
+        }
+        chain.pop();
+        chain
+    };
+    let mut hull = chain(&mut points.iter().copied());
+    hull.extend(chain(&mut points.iter().rev().copied()));
+    hull
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use wisch::geometry::Vector3;
+
+    #[test]
+    fn a_hull_goes_round_its_points_once() {
+        let inner = [(0.2, 0.3), (0.5, 0.5), (0.5, 0.0), (1.0, 1.0)];
+        let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+        let points = inner.iter().chain(&corners);
+        let found = hull(points.map(|&(x, y)| Point2::new(x, y)).collect());
+        assert_eq!(found, corners.map(|(x, y)| Point2::new(x, y)));
+        assert_eq!(hull(vec![Point2::origin(); 3]).len(), 1);
+    }
+
+    #[test]
+    fn corners_span_their_shape() {
+        let reach = |shape: &Shape, along: Vector3| {
+            let corners = corners(shape);
+            corners
+                .iter()
+                .map(|p| p.coords.dot(&along))
+                .fold(0.0, f64::max)
+        };
+        let size = Vector3::new(1.0, 2.0, 3.0);
+        let (radius, length) = (0.5, 2.0);
+        for (shape, half) in [
+            (Shape::Box { size }, [0.5, 1.0, 1.5]),
+            (Shape::Cylinder { radius, length }, [0.5, 0.5, 1.0]),
+            (Shape::Capsule { radius, length }, [0.5, 0.5, 1.5]),
+            (Shape::Sphere { radius }, [0.5; 3]),
+        ] {
+            for (axis, half) in half.into_iter().enumerate() {
+                let found = reach(&shape, Vector3::ith(axis, 1.0));
+                assert!((found - half).abs() < 1e-12, "{shape:?}: {found}");
+            }
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! The tool as it really is, and how it really sits in the hand.
+
+use crate::RealTool;
+use nalgebra::{Translation3, UnitQuaternion};
+use petgraph::unionfind::UnionFind;
+use std::collections::BTreeMap;
+use wisch::follow::Workcell;
+use wisch::geometry::{Edge, Mesh, Point2, Point3, Polygon, Pose, Region, Vector2, Vector3};
+use wisch::represent::Task;
+
+/// What a rigid tool gives way by at nominal force all the same [m]: a contact of two stiff bodies is not resolved
+/// at 1 kHz.
+const LEAST_DEPTH: f64 = 1e-3;
+
+/// A tool in a hand.
+#[derive(Debug, Clone)]
+pub(crate) struct Wielded {
+    /// Its underside, in its own frame [m].
+    pub footprint: Region,
+    /// Length and width of that [m].
+    pub size: Vector2,
+    /// Length and width of what it acts on [m].
+    pub area_of_effect: Vector2,
+    /// The vertices of each connected part of its mesh, in its own frame [m].
+    pub parts: Vec<Vec<Point3>>,
+    /// Where the hand's link really holds it.
+    pub tip_from_tool: Pose,
+    /// The force that it shall be pressed on with [N].
+    pub press_force: f64,
+    /// How far it gives way at that force [m].
+    pub depth: f64,
+    /// How far its underside hangs below the tool centre point when nothing presses [m]: what is believed, for a
+    /// tool is measured unloaded.
+    pub rest: f64,
+    /// Pressure at that force over the one that a tool of the believed area has [1].
+    pub pressure: f64,
+}
+
+impl Wielded {
+    /// The tool of a task, as the world has it.
+    pub fn new(cell: &Workcell, task: &Task, real: &RealTool) -> Self {
+        let size = real.footprint;
+        let scaled = |p: &Point2| Point2::from(p.coords * size);
+        let ring = |ring: &[Point2]| ring.iter().map(scaled).collect::<Vec<_>>();
+        let polygon = |polygon: &Polygon| {
+            let holes = polygon.holes().iter().map(|hole| ring(hole)).collect();
+            Polygon::new(ring(polygon.outer()), holes)
+        };
+        let polygons = task.tool.footprint.polygons().iter().map(polygon);
+        let footprint = Region::new(polygons.collect());
+        let area_of_effect = task.tool.area_of_effect * size;
+        let mut parts = parts(&task.tool.mesh);
+        for vertex in parts.iter_mut().flatten() {
+            (vertex.x, vertex.y) = (vertex.x * size, vertex.y * size);
+        }
+        let rest = nominal_depth(task);
+        let offset = Translation3::new(real.grasp_offset.x, real.grasp_offset.y, 0.0);
+        let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), real.grasp_turn);
+        Self {
+            size: footprint.bounds().map_or(area_of_effect, |b| b.size()),
+            footprint,
+            area_of_effect,
+            parts,
+            tip_from_tool: cell.tip_from_tool() * Pose::from_parts(offset, turn),
+            press_force: task.interaction.press_force_n,
+            depth: (rest / real.stiffness).max(LEAST_DEPTH),
+            rest,
+            pressure: 1.0 / (size * size),
+        }
+    }
+
+    /// Stiffness of the whole underside [N/m].
+    pub fn stiffness(&self) -> f64 {
+        self.press_force / self.depth
+    }
+
+    /// The edges of the underside.
+    pub fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
+        self.footprint.edges()
+    }
+}
+
+/// How far the tool is believed to give way at nominal force, as far as that is simulated [m].
+fn nominal_depth(task: &Task) -> f64 {
+    task.interaction.compression_depth_m.max(LEAST_DEPTH)
+}
+
+/// The vertices of each connected part of a mesh: a stick does not make a cone of its broom.
+fn parts(mesh: &Mesh) -> Vec<Vec<Point3>> {
+    let key = |p: &Point3| [p.x, p.y, p.z].map(f64::to_bits);
+    let mut places: BTreeMap<[u64; 3], usize> = BTreeMap::new();
+    let at: Vec<usize> = (mesh.vertices().iter())
+        .map(|p| {
+            let next = places.len();
+            *places.entry(key(p)).or_insert(next)
+        })
+        .collect();
+    let mut sets = UnionFind::new(places.len());
+    for [a, b, c] in mesh.triangles() {
+        sets.union(at[*a as usize], at[*b as usize]);
+        sets.union(at[*a as usize], at[*c as usize]);
+    }
+    let mut parts: BTreeMap<usize, Vec<Point3>> = BTreeMap::new();
+    for (place, vertex) in at.iter().zip(mesh.vertices()) {
+        parts.entry(sets.find(*place)).or_default().push(*vertex);
+    }
+    parts.into_values().collect()
+}

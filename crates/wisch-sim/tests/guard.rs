@@ -1,0 +1,89 @@
+//! The data by which truth could reach a plan or an interpretation, followed: none does.
+
+use crate::execute::{Wiping, as_believed};
+use std::ops::ControlFlow;
+use wisch::geometry::Point2;
+use wisch::interpret::TouchSample;
+use wisch::represent::{Action, ParticleDistribution};
+use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, RecordedRound, Recording};
+use wisch::run::{RunConfig, SampleSink, Session};
+use wisch_sim::{Dirt, Places, SimulationSettings, Site, World};
+use wisch_testkit::{arm7, board};
+
+/// A world, and what its sink was given of the first round.
+struct Heard {
+    world: World,
+    rounds: Vec<RecordedRound>,
+}
+
+impl Executor for Heard {
+    fn execute(
+        &mut self,
+        order: &MotionOrder<'_>,
+        sink: &mut SampleSink<'_>,
+    ) -> Result<Execution, ExecutorError> {
+        let mut touches = Vec::new();
+        let execution = self.world.execute(order, &mut |sample| {
+            let (pose, force) = (sample.world_from_tool, sample.external.force);
+            touches.push(TouchSample::new(sample.time, pose, force));
+            sink(sample)
+        })?;
+        self.rounds.push(RecordedRound {
+            touches,
+            execution: execution.clone(),
+        });
+        Ok(execution)
+    }
+}
+
+#[test]
+fn the_world_does_not_look_at_what_the_robot_believes_of_the_dirt() {
+    let mut wiping = Wiping::of_one_stroke(Action::Skim);
+    wiping.dirt = Dirt::scatter(&wiping.task.particles, &wiping.settings, 1);
+    let first = wiping.execute();
+    wiping.task.particles = ParticleDistribution::new(&[Point2::new(0.01, 0.02)]).unwrap();
+    let second = wiping.execute();
+    assert_eq!(first.bytes(), second.bytes());
+    assert_eq!(first.truth, second.truth);
+}
+
+#[test]
+fn other_dirt_changes_no_plan_no_motion_and_no_interpretation_of_the_same_log() {
+    let task = board(Action::Absorb, [0.5, 0.0, 0.2]);
+    let robot = arm7();
+    let world = |places: Places| {
+        let settings = SimulationSettings {
+            dirt: places,
+            ..as_believed()
+        };
+        World::new(&Site::of(&task), settings, 1).unwrap()
+    };
+    let rounds = |executor: &mut dyn Executor| {
+        let config = RunConfig {
+            max_rounds: 1,
+            ..RunConfig::default()
+        };
+        let mut session = Session::new(&task, config).with_robot(robot.performer());
+        let ended = session.run(executor, &mut |_| ControlFlow::Continue(()));
+        ended.unwrap();
+        session.into_rounds()
+    };
+    let mut even = Heard {
+        world: world(Places::Uniform),
+        rounds: Vec::new(),
+    };
+    let mut edge = world(Places::Edge(0.01));
+    assert_ne!(even.world.dirt(), edge.dirt());
+    let [of_even, of_edge] = [rounds(&mut even), rounds(&mut edge)];
+    assert_eq!(of_even[0].motion.plan, of_edge[0].motion.plan);
+    let motions = [&of_even, &of_edge].map(|rounds| format!("{:?}", rounds[0].motion.followed));
+    assert_eq!(motions[0], motions[1]);
+    assert_ne!(even.world.truth()[0].dirt, edge.truth()[0].dirt);
+
+    // The log of one world, interpreted in front of the other.
+    let mut recording = Recording::new(even.rounds, world(Places::Edge(0.01)));
+    let again = rounds(&mut recording);
+    let understood = [&again, &of_even].map(|rounds| format!("{:?}", rounds[0].interpretation));
+    assert_eq!(understood[0], understood[1]);
+    assert_eq!(again[0].verdict, of_even[0].verdict);
+}
