@@ -79,11 +79,12 @@ impl<'a> Watch<'a> {
             )),
             RunEvent::Predicting {
                 round: 1,
+                task,
                 wiped,
                 progress,
             } => {
                 let frames = self.frames.take();
-                let mut frames = frames.unwrap_or_else(|| EffectFrames::new(self.task, wiped));
+                let mut frames = frames.unwrap_or_else(|| EffectFrames::new(task, wiped));
                 frames.watch(progress);
                 self.frames = Some(frames);
             }

@@ -60,6 +60,8 @@ struct Overrides {
     compression_depth_m: Option<f64>,
     mu: Option<f64>,
     sigma: Option<f64>,
+    mu_spread: Option<f64>,
+    ln_sigma_spread: Option<f64>,
 }
 
 pub(super) fn read(file: &At<TaskTable>, source: &Source<'_>) -> Result<Definitions, TaskError> {
@@ -214,6 +216,8 @@ fn overrides(
         compression_depth_m: given.compression_depth_m.map(|depth| depth.0),
         mu: given.mu.map(|mu| mu.0),
         sigma: given.sigma.map(|sigma| sigma.0),
+        mu_spread: given.mu_spread.map(|spread| spread.0),
+        ln_sigma_spread: given.ln_sigma_spread.map(|spread| spread.0),
     })
 }
 
@@ -313,6 +317,16 @@ impl TaskFile {
             ),
             ("mu", given.mu, &mut interaction_now.likelihood.mu),
             ("sigma", given.sigma, &mut interaction_now.likelihood.sigma),
+            (
+                "mu_spread",
+                given.mu_spread,
+                &mut interaction_now.likelihood_spread.mu,
+            ),
+            (
+                "ln_sigma_spread",
+                given.ln_sigma_spread,
+                &mut interaction_now.likelihood_spread.ln_sigma,
+            ),
         ] {
             match given {
                 Some(given) => *value = given,
@@ -346,6 +360,8 @@ impl Overrides {
             compression_depth_m: None,
             mu: None,
             sigma: None,
+            mu_spread: None,
+            ln_sigma_spread: None,
         }
     }
 }

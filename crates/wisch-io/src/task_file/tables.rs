@@ -5,9 +5,9 @@ use super::deserialize::At;
 use super::execution_tables::ExecutionTable;
 use super::values::{
     AngleRad, BandwidthM, Channel, ColorDistance, DampingRatio, DepthM, FalseAlarms, FootprintM,
-    Friction, GrainM, HalfSizeM, LiftHeightM, LogForce, LogSpread, Name, ParticleCount, Pixel,
-    PositionErrorM, PositionM, PostureWeight, PressForceN, QuaternionPart, Scale, SchemaVersion,
-    Seed, Share, SizeM, Stiffness, Variants,
+    Friction, GrainM, HalfSizeM, LawSpread, LiftHeightM, LogForce, LogSpread, Name, ParticleCount,
+    Pixel, PositionErrorM, PositionM, PostureWeight, PressForceN, QuaternionPart, Scale,
+    SchemaVersion, Seed, Share, SizeM, Stiffness, Variants,
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{EnumAccess, Error as _, VariantAccess, Visitor};
@@ -169,6 +169,10 @@ pub(super) struct InteractionTable {
     pub(super) mu: Option<LogForce>,
     /// Standard deviation of ln f'; default 0.25.
     pub(super) sigma: Option<LogSpread>,
+    /// How well `mu` is known, as a standard deviation; default 0.3, that of an estimate.
+    pub(super) mu_spread: Option<LawSpread>,
+    /// How well the logarithm of `sigma` is known, as a standard deviation; default 0.2.
+    pub(super) ln_sigma_spread: Option<LawSpread>,
 }
 
 /// The target surface.

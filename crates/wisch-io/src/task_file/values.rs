@@ -85,6 +85,7 @@ ranges! { f64, NumberWithin;
     LogForce = (-20.0, 20.0);
     /// Standard deviations of ln f′.
     LogSpread = (1e-3, 20.0);
+    LawSpread = (0.0, 10.0);
     /// How deep a tool gives way [m]; a rigid one does not.
     DepthM = (0.0, 0.1);
     /// Sides of a tool's footprint [m].

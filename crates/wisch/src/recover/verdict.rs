@@ -37,7 +37,7 @@ pub enum Verdict {
     NoWay,
     /// The motion that was found for the next round fails its audit, and is not executed.
     UnsafeMotion,
-    /// The surface was not felt, and nobody was in the way: nothing is known of the effect.
+    /// The surface was not felt in the first round, and nobody was in the way: nothing is known of the effect.
     NoContact,
     /// The goal may be met or not: wiping again is expected to change nothing, and touch cannot tell.
     UnknowableByTouch,
@@ -96,6 +96,8 @@ pub struct RoundJudge {
     low_before: f64,
     /// Rounds in a row without progress.
     stalled: usize,
+    /// No round was judged so far.
+    is_first: bool,
 }
 
 impl RoundJudge {
@@ -106,6 +108,7 @@ impl RoundJudge {
             pace,
             low_before: 0.0,
             stalled: 0,
+            is_first: true,
         }
     }
 
@@ -124,13 +127,15 @@ impl RoundJudge {
         let is_elsewhere = matches!(interpretation.diagnosis, Diagnosis::Relocalize { .. });
         self.low_before = estimate.low;
         let is_felt = interpretation.plane.is_some();
-        if !is_felt && !is_seen {
+        if !is_felt && !is_seen && (is_disturbed || self.is_first) {
+            self.is_first = false;
             return if is_disturbed {
                 Verdict::Again
             } else {
                 Verdict::NoContact
             };
         }
+        self.is_first = false;
         let is_shown = is_seen || !is_disturbed;
         if is_shown && is_claimable(&interpretation.distribution, self.target) {
             return Verdict::GoalMet;
@@ -261,6 +266,10 @@ mod tests {
         };
         assert_eq!(of_one(untouched(felt(&done))), NoContact);
         assert_eq!(of_one(untouched(pushed(&done))), Again);
+        // A later round that finds nothing to touch is one without progress.
+        let rounds = [felt(&[0.6; 8]), untouched(felt(&[0.6; 8]))];
+        let verdicts = verdicts(Pace::Whole, false, &rounds);
+        assert_eq!(verdicts, [Again, Verdict::NoProgress]);
         assert_eq!(of_one(untouched(seen(felt(&done)))), GoalMet);
         let mut judge = RoundJudge::new(TARGET, Pace::Whole);
         let stopped = RoundOutcome {

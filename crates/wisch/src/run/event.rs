@@ -4,7 +4,7 @@ use super::{PlannedRound, Round, TelemetrySample};
 use crate::follow::Audit;
 use crate::plan::{Plan, Progress};
 use crate::recover::Verdict;
-use crate::represent::Observation;
+use crate::represent::{Observation, Task};
 use std::ops::ControlFlow;
 
 /// What a session is at or has just done, in the order in which it happens.
@@ -35,6 +35,8 @@ pub enum RunEvent<'a> {
     Predicting {
         /// The round, from 1.
         round: usize,
+        /// The task, with the dirt that it is predicted on.
+        task: &'a Task,
         /// The plan as the robot wipes it.
         wiped: &'a Plan,
         /// How far it has come.

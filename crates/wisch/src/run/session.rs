@@ -329,12 +329,12 @@ impl<'a> Session<'a> {
         let (task, config) = (&self.task, &self.config);
         let whole = match (self.given.take(), self.goal.as_ref()) {
             (Some(plan), _) => plan,
-            (None, None) => {
-                let task = &self.planned_on(self.first_observation().is_some())?;
-                best_plan(task, &task.particles, &config.plan, config.variants)?
-            }
+            (None, None) => best_plan(task, &task.particles, &config.plan, config.variants)?,
             (None, Some(goal)) => {
-                let task = &self.planned_on(true)?;
+                let task = &Task {
+                    particles: self.belief.draws(PLANNING_DRAWS, task.seed)?,
+                    ..task.clone()
+                };
                 let open = unfinished(task, goal)?;
                 let kde = PlanConfig {
                     strategy: CoverageStrategy::Kde,
@@ -352,15 +352,6 @@ impl<'a> Session<'a> {
             Pace::Whole => whole,
             Pace::Greedy => best_subplan(task, &whole)?,
         })
-    }
-
-    /// The task with the dirt of several members of the belief, or with its own.
-    fn planned_on(&self, belief: bool) -> Result<Task, RunError> {
-        let mut task = self.task.clone();
-        if belief {
-            task.particles = self.belief.draws(PLANNING_DRAWS, task.seed)?;
-        }
-        Ok(task)
     }
 
     fn follow_round(&mut self, plan: Plan, observer: &mut Observer<'_>) -> Result<Stage, RunError> {
@@ -406,6 +397,7 @@ impl<'a> Session<'a> {
         let prediction = predict(task, &wiped, |progress| {
             let _ = observer(&RunEvent::Predicting {
                 round,
+                task,
                 wiped: &wiped,
                 progress: *progress,
             });
