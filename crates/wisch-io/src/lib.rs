@@ -29,7 +29,7 @@ pub use output::{
 };
 pub use particles::{
     MaskSource, ParticleSource, ParticleSourceError, csv_particles, mask_particles,
-    particles_from_csv, particles_to_csv,
+    observed_in_image, observed_in_list, particles_from_csv, particles_to_csv,
 };
 pub use process::{EXECUTOR_PROTOCOL, ProcessExecutor};
 pub use records::{

@@ -3,14 +3,16 @@
 use crate::assets::{KnowledgeSource, beside, read_task_text};
 use crate::digest::InputDigest;
 use crate::error::Error;
+use crate::particles::ParticleSource;
 use crate::robots::Robot;
 use crate::task_file::{Intent, TaskFile};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use wisch::geometry::Point2;
 use wisch::goal::{GoalLiteral, resolve_goal};
+use wisch::interpret::{Belief, DirtPrior, members};
 use wisch::plan::{CoverageStrategy, PlanConfig};
-use wisch::represent::{Action, KnowledgeBase, Task};
+use wisch::represent::{Action, KnowledgeBase, SensorModel, Sight, Task};
 use wisch::run::{RunConfig, Session};
 use wisch::source_location::UnknownName;
 
@@ -75,7 +77,35 @@ impl LoadedTask {
 
     /// A session that has not planned yet, and has no robot.
     pub fn session(&self) -> Session<'static> {
-        Session::new(&self.task, self.run_config())
+        Session::new(&self.task, self.run_config()).with_belief(self.belief())
+    }
+
+    /// What is believed of the dirt before anything is felt or seen.
+    pub fn belief(&self) -> Belief {
+        self.dirt_prior().belief(&self.task, members(&self.task))
+    }
+
+    /// What the source of the particles says of where dirt may lie.
+    pub fn dirt_prior(&self) -> DirtPrior {
+        match self.file.particle_source() {
+            ParticleSource::Uniform { count } => DirtPrior::Anywhere { count: *count },
+            ParticleSource::Clusters { count, clusters } => DirtPrior::Heaps {
+                count: *count,
+                heaps: clusters.clone(),
+            },
+            ParticleSource::Csv { .. } => DirtPrior::Known,
+            ParticleSource::Image(_) => DirtPrior::Seen(self.sight(SensorModel::default())),
+        }
+    }
+
+    /// How well this sensor sees the task's medium.
+    pub fn sight(&self, sensor: SensorModel) -> Sight {
+        let medium = self.knowledge.medium(&self.task.medium);
+        let sizes = medium.ok().and_then(|medium| medium.grain_size);
+        Sight {
+            sensor,
+            detection: sensor.mean_detection(sizes),
+        }
     }
 
     /// Reads the robot that the file names, if it names one.

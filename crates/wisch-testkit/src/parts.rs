@@ -1,7 +1,9 @@
 //! A surface, the sponge, and what it does to breadcrumbs.
 
 use wisch::geometry::{Mesh, Polygon, Pose, Region, Vector2, Vector3};
-use wisch::represent::{Action, AngleRange, Interaction, LogNormal, Surface, SurfaceScope, Tool};
+use wisch::represent::{
+    Action, AngleRange, Interaction, LogNormal, LogNormalSpread, Surface, SurfaceScope, Tool,
+};
 
 /// Depth, width and height of the sponge [m].
 const SPONGE: [f64; 3] = [0.07, 0.11, 0.05];
@@ -49,5 +51,6 @@ pub fn interaction() -> Interaction {
             mu: -1.0,
             sigma: 0.25,
         },
+        likelihood_spread: LogNormalSpread::NONE,
     }
 }

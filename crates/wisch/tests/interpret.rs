@@ -1,5 +1,7 @@
 //! What synthetic logs tell, held against what was put into them.
 
+#[path = "interpret/belief.rs"]
+mod belief;
 #[path = "interpret/effects.rs"]
 mod effects;
 #[path = "interpret/events.rs"]

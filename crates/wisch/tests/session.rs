@@ -2,8 +2,10 @@
 
 use std::ops::ControlFlow;
 use wisch::follow::{FollowConfig, MotionFault};
+use wisch::geometry::Point2;
 use wisch::interpret::TouchSample;
-use wisch::recover::Verdict;
+use wisch::recover::{Verdict, is_claimable};
+use wisch::represent::{Observation, SensorModel, Task};
 use wisch::run::{
     Ending, Execution, Executor, ExecutorError, MotionOrder, NoExecutor, Round, RunConfig,
     RunError, RunEvent, SampleSink, Session, Stage, unobserved,
@@ -75,6 +77,7 @@ fn kind(event: &RunEvent<'_>) -> &'static str {
         RunEvent::Executing(_) => "executing",
         RunEvent::Sample(_) => "sample",
         RunEvent::Interpreting { .. } => "interpreting",
+        RunEvent::Observed { .. } => "observed",
         RunEvent::Judged(_) => "judged",
         RunEvent::Ended(_) => "ended",
     }
@@ -126,8 +129,90 @@ fn stopped_at(
     (seen, verdict, session.into_rounds())
 }
 
+/// A toy that also sees: all the dirt where it is believed to lie, and after a round all of it in the middle of the goal.
+struct SeeingToy {
+    toy: Toy,
+    goal: Point2,
+    looks: usize,
+}
+
+impl Executor for SeeingToy {
+    fn execute(
+        &mut self,
+        order: &MotionOrder<'_>,
+        sink: &mut SampleSink<'_>,
+    ) -> Result<Execution, ExecutorError> {
+        self.toy.execute(order, sink)
+    }
+
+    fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
+        self.looks += 1;
+        let collected = |_| self.goal;
+        let mut detections: Vec<Point2> = task.particles.iter().map(|(place, _)| place).collect();
+        if self.toy.executed > 0 {
+            detections = detections.into_iter().map(collected).collect();
+        }
+        Ok(Some(Observation {
+            detections,
+            ..Observation::default()
+        }))
+    }
+}
+
 #[test]
-fn a_toy_that_presses_meets_the_goal() {
+fn a_toy_that_sees_the_dirt_at_the_goal_meets_it() {
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    let sharp = SensorModel {
+        detection: 1.0,
+        half_size_m: 0.0,
+        false_alarms_per_m2: 0.0,
+        position_error_m: 1e-3,
+    };
+    let config = RunConfig {
+        sight: Some(loaded.sight(sharp)),
+        ..loaded.run_config()
+    };
+    let session = Session::new(&loaded.task, config).with_belief(loaded.belief());
+    let mut session = session.with_robot(robot.performer());
+    let mut toy = SeeingToy {
+        toy: Toy::new(1.0),
+        goal: loaded.task.collect_goal.expect("a place"),
+        looks: 0,
+    };
+    let mut observed = Vec::new();
+    let mut look = |event: &RunEvent<'_>| {
+        if let RunEvent::Observed { round, observation } = event {
+            observed.push((*round, observation.detections.len()));
+        }
+        ControlFlow::Continue(())
+    };
+    session.run(&mut toy, &mut look).expect("it ends");
+    let count = loaded.task.particles.len();
+    assert_eq!(observed, [(0, count), (1, count)]);
+    let [round] = session.rounds() else {
+        panic!("{} rounds", session.rounds().len());
+    };
+    assert_eq!((round.verdict, toy.looks), (Verdict::GoalMet, 2));
+    assert_eq!(round.interpretation.performance.low, 1.0);
+    assert!(round.interpretation.felt.low < 1.0);
+    assert_eq!(
+        session
+            .first_observation()
+            .map(|seen| seen.detections.len()),
+        Some(count)
+    );
+    // A session that may not look asks for nothing.
+    let mut blind = loaded.session().with_robot(robot.performer());
+    toy.looks = 0;
+    blind
+        .run_until(Stage::Judged, &mut toy, &mut unobserved)
+        .expect("it ends");
+    assert_eq!(toy.looks, 0);
+}
+
+#[test]
+fn a_toy_that_only_feels_claims_what_it_may_and_says_what_it_cannot_know() {
     let loaded = loaded();
     let robot = robot(&loaded);
     let mut session = loaded.session().with_robot(robot.performer());
@@ -140,10 +225,15 @@ fn a_toy_that_presses_meets_the_goal() {
         ControlFlow::Continue(())
     };
     session.run(&mut toy, &mut look).expect("it ends");
-    assert_eq!(last, Some(Verdict::GoalMet));
     let rounds = session.rounds();
     assert_eq!(toy.executed, rounds.len());
-    assert_eq!(rounds.last().expect("a round").verdict, Verdict::GoalMet);
+    let end = rounds.last().expect("a round");
+    assert_eq!(last, Some(end.verdict));
+    let is_claimed = is_claimable(
+        &end.interpretation.distribution,
+        loaded.file.target_performance(),
+    );
+    assert_eq!(end.verdict == Verdict::GoalMet, is_claimed);
     for round in rounds {
         assert_eq!(round.execution.ending, Ending::Complete);
         assert_eq!(round.execution.duration, round.motion.followed.duration());

@@ -11,7 +11,7 @@ use crate::terminal::{Outcome, print};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
-use wisch::interpret::{Belief, EventKind, InterpretConfig, Interpretation, interpret as conclude};
+use wisch::interpret::{EventKind, InterpretConfig, Interpretation, interpret as conclude};
 use wisch::represent::GoalState;
 use wisch::robot::fixed_joints;
 use wisch_io::Leftover;
@@ -321,7 +321,7 @@ pub(super) fn interpreted(
     goal: &GoalState,
 ) -> Result<Interpretation, Failure> {
     let task = &prepared.task;
-    let believed = Belief::certain(task.particles.clone());
+    let believed = prepared.belief();
     let config = InterpretConfig::of(task);
     conclude(&log.samples, task, &believed, goal, &config)
         .map_err(|error| Failure::new(error).within(&args.log))

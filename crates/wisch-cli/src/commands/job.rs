@@ -47,7 +47,9 @@ impl Job<'_> {
 
     /// A session for the task that begins with this plan, if one is given.
     pub fn session(&self, config: RunConfig, given: Option<Plan>) -> Session<'_> {
-        let session = Session::new(&self.prepared.task, config).with_plan(given);
+        let session = Session::new(&self.prepared.task, config)
+            .with_belief(self.prepared.belief())
+            .with_plan(given);
         match self.robot {
             Some((_, robot)) => session.with_robot(robot.performer()),
             None => session,

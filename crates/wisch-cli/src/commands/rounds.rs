@@ -58,6 +58,7 @@ pub fn execute(
         progress.aside(|| remark(&format!("{rounds} of the killed run taken over")));
     }
     let executed_s: Vec<f64> = kept.iter().map(|round| round.executing_s).collect();
+    let first_look = kept.first().and_then(|round| round.first_look.clone());
     let (recorded, truth) = kept.into_iter().map(|r| (r.recorded, r.truth)).unzip();
     let mut executor = match &args.executor {
         Some(command) => Executing::Process(start(command)?),
@@ -66,7 +67,7 @@ pub fn execute(
             let world = World::new(&Site::of(task), reality, task.seed)
                 .map_err(|error| prepared.failure(task_args, error))?
                 .after(truth);
-            Executing::World(Box::new(Recording::new(recorded, world)))
+            Executing::World(Box::new(Recording::new(first_look, recorded, world)))
         }
     };
     let mut events = (args.events.as_deref())
@@ -108,7 +109,8 @@ pub fn execute(
                 (&watch.failure, &no_bag, executor.truth().last())
             {
                 let seconds = watch.times(number).executing_s;
-                if let Err(error) = recorder.checkpoints.keep(round, truth, seconds) {
+                let look = session.first_observation();
+                if let Err(error) = recorder.checkpoints.keep(round, look, truth, seconds) {
                     let place = folder.state();
                     let failure =
                         Failure::new(format!("{}: cannot write there: {error}", place.display()))

@@ -100,6 +100,7 @@ impl<'a> Watch<'a> {
             RunEvent::Predicting { .. }
             | RunEvent::Executing(_)
             | RunEvent::Sample(_)
+            | RunEvent::Observed { .. }
             | RunEvent::Ended(_) => {}
         }
         ControlFlow::Continue(())

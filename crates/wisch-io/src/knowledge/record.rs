@@ -12,7 +12,8 @@ use super::source::{Limits, Source, UNIT_NORM};
 use wisch::geometry::Vector3;
 use wisch::represent::{
     Action, AreaOfEffect, GrainSize, Interaction, KnowledgeBase, KnowledgeError, LogNormal,
-    MediumEntry, MediumKind, SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry, ToolMesh,
+    LogNormalSpread, MediumEntry, MediumKind, SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry,
+    ToolMesh,
 };
 use wisch::source_location::Place;
 
@@ -41,6 +42,7 @@ const FRICTION: Limits = (Included(0.0), Included(5.0));
 const MU: Limits = (Included(-10.0), Included(10.0));
 /// Wider than ten decades says nothing.
 const SIGMA: Limits = (Excluded(0.0), Included(10.0));
+const SPREAD: Limits = (Included(0.0), Included(10.0));
 
 #[derive(Deserialize)]
 struct SchemaRecord {
@@ -127,6 +129,8 @@ struct InteractionRecord {
     compression_depth_m: Option<Spanned<f64>>,
     mu: Spanned<f64>,
     sigma: Spanned<f64>,
+    mu_spread: Option<Spanned<f64>>,
+    ln_sigma_spread: Option<Spanned<f64>>,
 }
 
 /// Whether something may be called so: a PDDL name that has no meaning of its own.
@@ -305,6 +309,13 @@ impl Source<'_> {
             });
         }
         let number = |field, value, limits| self.number(field, value, limits);
+        let mut likelihood_spread = LogNormalSpread::default();
+        if let Some(spread) = &record.mu_spread {
+            likelihood_spread.mu = self.number("mu_spread", spread, SPREAD)?;
+        }
+        if let Some(spread) = &record.ln_sigma_spread {
+            likelihood_spread.ln_sigma = self.number("ln_sigma_spread", spread, SPREAD)?;
+        }
         let medium = knowledge.medium(record.medium.get_ref());
         Ok(Interaction {
             medium: self.found(&record.medium, medium)?.name.clone(),
@@ -328,6 +339,7 @@ impl Source<'_> {
                 mu: number("mu", &record.mu, MU)?,
                 sigma: number("sigma", &record.sigma, SIGMA)?,
             },
+            likelihood_spread,
         })
     }
 }

@@ -6,7 +6,9 @@ use png::BitDepth;
 use rand::RngExt;
 use std::io::Cursor;
 use wisch::geometry::{Bounds2, Point2, Vector2};
-use wisch::represent::{DirtArea, ParticleDistribution, SourceError, particle_generator};
+use wisch::represent::{
+    DirtArea, Observation, ParticleDistribution, SourceError, particle_generator,
+};
 use zune_jpeg::JpegDecoder;
 use zune_jpeg::zune_core::{bytestream::ZCursor, options::DecoderOptions};
 
@@ -52,44 +54,105 @@ pub fn mask_particles(
     seed: u64,
 ) -> Result<ParticleDistribution, ParticleSourceError> {
     SourceError::check_count(source.count)?;
-    let fault = |problem: String| ParticleSourceError::Image {
-        file: source.file.clone(),
-        problem,
-    };
-    let photo = Photo::read(bytes).map_err(fault)?;
-    let (width, height) = (photo.width, photo.height);
-    let surface_from_pixel = source.homography(area, width, height).map_err(fault)?;
-    let pixels: Vec<(u32, u32)> = (0..height)
-        .flat_map(|row| (0..width).map(move |column| (column, row)))
-        .zip(&photo.colors)
-        .filter(|&(_, &color)| source.matches(color))
-        .map(|(pixel, _)| pixel)
-        .filter(|&(column, row)| {
-            let middle = Point2::new(f64::from(column) + 0.5, f64::from(row) + 0.5);
-            mapped(&surface_from_pixel, middle).is_some_and(|point| area.contains(point))
-        })
-        .collect();
-    if pixels.is_empty() {
+    let mask = Mask::read(source, &source.file, bytes, area)?;
+    if mask.pixels.is_empty() {
         let ([r, g, b], tolerance) = (source.color, source.tolerance);
-        return Err(fault(format!(
-            "no pixel on the free surface is within {tolerance} of the colour [{r}, {g}, {b}]"
-        )));
+        return Err(ParticleSourceError::Image {
+            file: source.file.clone(),
+            problem: format!(
+                "no pixel on the free surface is within {tolerance} of the colour [{r}, {g}, {b}]"
+            ),
+        });
     }
-    let mut random = particle_generator(seed);
-    let points: Vec<Point2> = (0..source.count)
-        .map(|_| {
-            let (column, row) = pixels[random.random_range(0..pixels.len())];
-            let corner = Point2::new(f64::from(column), f64::from(row));
-            (0..DRAWS_PER_PIXEL)
-                .find_map(|_| {
-                    let within = Vector2::new(random.random(), random.random());
-                    mapped(&surface_from_pixel, corner + within).filter(|&p| area.contains(p))
-                })
-                .or_else(|| mapped(&surface_from_pixel, corner + Vector2::new(0.5, 0.5)))
-                .unwrap_or_else(Point2::origin)
+    Ok(ParticleDistribution::new(&mask.draw(
+        source.count,
+        area,
+        seed,
+    ))?)
+}
+
+/// What is seen in a later image of the same camera, `file` with these bytes: as many detections as its dirt covers pixels,
+/// by the number of particles that the task takes the dirt of its own image, `before`, for.
+///
+/// # Errors
+/// Those of [`mask_particles`]; that no dirt is left is none.
+pub fn observed_in_image(
+    source: &MaskSource,
+    before: &[u8],
+    file: &str,
+    bytes: &[u8],
+    area: DirtArea<'_>,
+    seed: u64,
+) -> Result<Observation, ParticleSourceError> {
+    SourceError::check_count(source.count)?;
+    let first = Mask::read(source, &source.file, before, area)?;
+    let later = Mask::read(source, file, bytes, area)?;
+    let share = later.pixels.len() as f64 / first.pixels.len().max(1) as f64;
+    let count = (share * source.count as f64).round() as usize;
+    SourceError::check_count(count.max(1))?;
+    Ok(Observation {
+        detections: later.draw(count, area, seed),
+        ..Observation::default()
+    })
+}
+
+/// The pixels of dirt on the free surface.
+struct Mask {
+    surface_from_pixel: Matrix3<f64>,
+    pixels: Vec<(u32, u32)>,
+}
+
+impl Mask {
+    fn read(
+        source: &MaskSource,
+        file: &str,
+        bytes: &[u8],
+        area: DirtArea<'_>,
+    ) -> Result<Self, ParticleSourceError> {
+        let fault = |problem: String| ParticleSourceError::Image {
+            file: file.to_owned(),
+            problem,
+        };
+        let photo = Photo::read(bytes).map_err(fault)?;
+        let (width, height) = (photo.width, photo.height);
+        let surface_from_pixel = source.homography(area, width, height).map_err(fault)?;
+        let pixels = (0..height)
+            .flat_map(|row| (0..width).map(move |column| (column, row)))
+            .zip(&photo.colors)
+            .filter(|&(_, &color)| source.matches(color))
+            .map(|(pixel, _)| pixel)
+            .filter(|&(column, row)| {
+                let middle = Point2::new(f64::from(column) + 0.5, f64::from(row) + 0.5);
+                mapped(&surface_from_pixel, middle).is_some_and(|point| area.contains(point))
+            })
+            .collect();
+        Ok(Self {
+            surface_from_pixel,
+            pixels,
         })
-        .collect();
-    Ok(ParticleDistribution::new(&points)?)
+    }
+
+    /// Places drawn evenly from the pixels, each at random within its pixel; none where there are no pixels.
+    fn draw(&self, count: usize, area: DirtArea<'_>, seed: u64) -> Vec<Point2> {
+        if self.pixels.is_empty() {
+            return Vec::new();
+        }
+        let mut random = particle_generator(seed);
+        let place = |pixel: Point2| mapped(&self.surface_from_pixel, pixel);
+        (0..count)
+            .map(|_| {
+                let (column, row) = self.pixels[random.random_range(0..self.pixels.len())];
+                let corner = Point2::new(f64::from(column), f64::from(row));
+                (0..DRAWS_PER_PIXEL)
+                    .find_map(|_| {
+                        let within = Vector2::new(random.random(), random.random());
+                        place(corner + within).filter(|&p| area.contains(p))
+                    })
+                    .or_else(|| place(corner + Vector2::new(0.5, 0.5)))
+                    .unwrap_or_else(Point2::origin)
+            })
+            .collect()
+    }
 }
 
 impl MaskSource {

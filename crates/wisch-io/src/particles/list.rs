@@ -3,7 +3,9 @@
 use super::ParticleSourceError;
 use std::fmt::Write;
 use wisch::geometry::Point2;
-use wisch::represent::{DirtArea, Fate, MAX_PARTICLES, ParticleDistribution, ParticleError};
+use wisch::represent::{
+    DirtArea, Fate, MAX_PARTICLES, Observation, ParticleDistribution, ParticleError,
+};
 
 /// Header of the lists that [`particles_to_csv`] writes.
 const ESTIMATE_HEADER: [&str; 5] = ["particle", "x_m", "y_m", "fate", "edge"];
@@ -48,6 +50,25 @@ pub fn csv_particles(
         }
     }
     distribution(&rows)
+}
+
+/// What is seen, listed as [`csv_particles`] are: those on the surface. A list without a line says that nothing is seen.
+///
+/// # Errors
+/// Those of [`csv_particles`], but for an empty list.
+pub fn observed_in_list(
+    file: &str,
+    text: &[u8],
+    area: DirtArea<'_>,
+) -> Result<Observation, ParticleSourceError> {
+    match csv_particles(file, text, area) {
+        Ok(particles) => Ok(Observation {
+            detections: particles.remaining().collect(),
+            ..Observation::default()
+        }),
+        Err(ParticleSourceError::EmptyList { .. }) => Ok(Observation::default()),
+        Err(error) => Err(error),
+    }
 }
 
 /// The particles as CSV with columns `particle,x_m,y_m,fate,edge`: index, position in the surface

@@ -373,3 +373,38 @@ fn a_png_of_too_many_pixels_is_refused_before_it_is_decoded() {
         "photo.png: 65536 x 65536 pixels exceed the limit of 64000000"
     );
 }
+
+#[test]
+fn a_later_photo_has_as_many_detections_as_its_dirt_covers_pixels() {
+    let (board, bare) = (board(), bare());
+    let source = photo(STRAIGHT, 90);
+    let crumbs = [[10, 10], [50, 20], [90, 30]];
+    let seen = |later: &[[u32; 2]]| {
+        let area = on(&board, &bare);
+        observed_in_image(&source, &png(&crumbs), "after.png", &png(later), area, 1)
+            .expect("an observation")
+            .detections
+    };
+    assert_eq!(seen(&crumbs).len(), 90);
+    assert_eq!(seen(&crumbs[..1]).len(), 30);
+    assert_eq!(seen(&[]), []);
+    let broken = observed_in_image(
+        &source,
+        &png(&crumbs),
+        "after.png",
+        b"GIF",
+        on(&board, &bare),
+        1,
+    );
+    assert!(broken.unwrap_err().to_string().starts_with("after.png: "));
+}
+
+#[test]
+fn a_list_of_what_is_seen_may_be_empty() {
+    let (board, bare) = (board(), bare());
+    let seen = |text: &str| observed_in_list("after.csv", text.as_bytes(), on(&board, &bare));
+    let places = seen("x,y\n0.1,-0.05\n").expect("a place").detections;
+    assert_eq!(places, [Point2::new(0.1, -0.05)]);
+    assert_eq!(seen("x,y\n").expect("nothing").detections, []);
+    assert!(seen("x,y\n0.3,0\n").is_err());
+}

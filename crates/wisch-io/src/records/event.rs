@@ -71,6 +71,15 @@ pub enum RunEventRecord {
         /// The round, from 1.
         round: usize,
     },
+    /// The surface was looked at.
+    Observed {
+        /// After this round; 0 before the first.
+        round: usize,
+        /// How many detections there were.
+        detections: usize,
+        /// How much of the surface was hidden.
+        hidden_m2: f64,
+    },
     /// A round is over.
     Judged {
         /// The round, from 1.
@@ -167,6 +176,11 @@ impl<W: Write> EventWriter<W> {
                 }
             }
             RunEvent::Interpreting { round } => RunEventRecord::Interpreting { round },
+            RunEvent::Observed { round, observation } => RunEventRecord::Observed {
+                round,
+                detections: observation.detections.len(),
+                hidden_m2: observation.hidden.area(),
+            },
             RunEvent::Judged(round) => {
                 let estimate = &round.interpretation.performance;
                 RunEventRecord::Judged {

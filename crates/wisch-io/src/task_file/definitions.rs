@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use wisch::geometry::Vector3;
 use wisch::represent::{
     Action, AngleRange, GrainSize, Interaction, KnowledgeBase, KnowledgeError, LogNormal,
-    MediumEntry, SurfaceEntry, SurfaceScope, ToolEntry, ToolMesh,
+    LogNormalSpread, MediumEntry, SurfaceEntry, SurfaceScope, ToolEntry, ToolMesh,
 };
 use wisch::source_location::Place;
 
@@ -274,6 +274,7 @@ impl TaskFile {
                 nullspace_posture_weight: POSTURE_WEIGHT,
                 compression_depth_m: knowledge.tool(tool).map_err(unknown)?.compression_depth_m,
                 likelihood: LIKELIHOOD,
+                likelihood_spread: LogNormalSpread::default(),
             },
         };
         let is_assumed = knowledge.interaction(tool, medium, surface).is_err();

@@ -248,6 +248,11 @@ impl TaskFile {
         &self.execution
     }
 
+    /// How the particles are made.
+    pub fn particle_source(&self) -> &ParticleSource {
+        &self.particles
+    }
+
     /// How many rounds there may be, `execution.max_rounds`.
     pub fn max_rounds(&self) -> usize {
         self.max_rounds

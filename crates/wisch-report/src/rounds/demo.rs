@@ -4,8 +4,8 @@ use super::input::{RoundView, RoundsInput};
 use std::f64::consts::TAU;
 use wisch::geometry::{Point3, Pose, Vector2, Vector3};
 use wisch::interpret::{
-    Belief, Diagnosis, Estimate, Event, EventKind, FittedPlane, InterpretConfig, Interpretation,
-    PathPiece, Touch, TouchSample, interpret,
+    Belief, Diagnosis, Event, EventKind, FittedPlane, InterpretConfig, Interpretation, PathPiece,
+    PerformanceDistribution, Touch, TouchSample, interpret,
 };
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, TcpWaypoint, plan, predict};
 use wisch::represent::{Fate, GoalState, LogNormal, ParticleDistribution, Performance, Task};
@@ -105,7 +105,7 @@ impl Demo {
             .collect();
         let truth = draw(truth, 7_000 + number);
         let belief = Belief::of(replays).expect("replays of one length");
-        let performance = belief.performance(&self.goal, &self.task.surface);
+        let performance = belief.performance(&self.goal, &self.task.surface, 0.0);
         Played {
             believed: self.task.particles.clone(),
             predicted,
@@ -285,8 +285,9 @@ fn interpretation(
     trouble: Trouble,
     path: &[PathPiece],
     belief: Belief,
-    performance: Estimate,
+    distribution: PerformanceDistribution,
 ) -> Interpretation {
+    let performance = distribution.estimate();
     let tilt = match trouble {
         Trouble::Tilted(angle) => angle,
         Trouble::Nothing | Trouble::Pushed => 0.002,
@@ -322,6 +323,9 @@ fn interpretation(
         force_bias: 0.12,
         contact_share: contact as f64 / near.max(1) as f64,
         belief,
+        distribution,
+        felt: performance,
+        observation: None,
         performance,
     }
 }

@@ -12,6 +12,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::TouchSample;
+use wisch::represent::Observation;
 use wisch::run::{RecordedRound, Round, TelemetrySample};
 
 /// Numbers of a sample: time, position, quaternion x, y, z, w, force.
@@ -24,6 +25,8 @@ const BYTES: usize = size_of::<f64>();
 pub struct KeptRound {
     /// What was measured, and how it went.
     pub recorded: RecordedRound,
+    /// What was seen before it, where it is the first and something looked.
+    pub first_look: Option<Observation>,
     /// What the simulated world knows of it.
     pub truth: GroundTruth,
     /// How long simulating took [s].
@@ -79,10 +82,23 @@ impl Checkpoints {
     ///
     /// # Errors
     /// What the system says.
-    pub fn keep(&self, round: &Round, truth: &GroundTruth, executing_s: f64) -> io::Result<()> {
+    pub fn keep(
+        &self,
+        round: &Round,
+        first_look: Option<&Observation>,
+        truth: &GroundTruth,
+        executing_s: f64,
+    ) -> io::Result<()> {
         let samples = self.touches.len() / (NUMBERS * BYTES);
-        let record =
-            CheckpointRecord::new(&round.execution, truth, self.identity, samples, executing_s);
+        let looks = [first_look, round.interpretation.observation.as_ref()];
+        let record = CheckpointRecord::new(
+            &round.execution,
+            truth,
+            looks,
+            self.identity,
+            samples,
+            executing_s,
+        );
         let text = serde_json::to_string(&record).map_err(io::Error::other)?;
         let number = round.motion.number;
         // The record, which says that all is there, comes last, and whole or not at all.
@@ -108,10 +124,16 @@ fn read_round(state: &Path, number: usize, identity: u64) -> Option<KeptRound> {
     let touches: Vec<TouchSample> = bytes.chunks_exact(NUMBERS * BYTES).map(touch).collect();
     (touches.len() == record.samples).then(|| {
         let executing_s = record.executing_s;
+        let [first_look, observation] = record.looks();
         let (execution, truth) = record.executed();
         KeptRound {
             executing_s,
-            recorded: RecordedRound { touches, execution },
+            first_look,
+            recorded: RecordedRound {
+                touches,
+                execution,
+                observation,
+            },
             truth,
         }
     })

@@ -2,13 +2,13 @@
 
 use crate::{Dirt, Grain, GroundTruth, Spread};
 use serde::{Deserialize, Serialize};
-use wisch::geometry::Point2;
-use wisch::represent::Fate;
+use wisch::geometry::{Point2, Polygon, Region};
+use wisch::represent::{Fate, Observation};
 use wisch::robot::Range;
 use wisch::run::{Ending, Execution, StopCause};
 
 /// Version of the record.
-pub const CHECKPOINT_SCHEMA: u32 = 3;
+pub const CHECKPOINT_SCHEMA: u32 = 4;
 
 /// What was executed in a round.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -30,6 +30,14 @@ pub struct CheckpointRecord {
     max_controller_force_n: f64,
     lost_share: f64,
     max_lateral_error_m: f64,
+    hidden_m: Vec<Vec<[f64; 2]>>,
+    /// What was seen before the first round, and after this one.
+    looks: [Option<LookRecord>; 2],
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct LookRecord {
+    detections_m: Vec<[f64; 2]>,
     hidden_m: Vec<Vec<[f64; 2]>>,
 }
 
@@ -92,6 +100,7 @@ impl CheckpointRecord {
     pub fn new(
         execution: &Execution,
         truth: &GroundTruth,
+        looks: [Option<&Observation>; 2],
         identity: u64,
         samples: usize,
         executing_s: f64,
@@ -118,7 +127,16 @@ impl CheckpointRecord {
             hidden_m: (truth.hidden.iter())
                 .map(|hull| hull.iter().map(|p| [p.x, p.y]).collect())
                 .collect(),
+            looks: looks.map(|look| look.map(LookRecord::from)),
         }
+    }
+
+    /// What was seen before the first round, and after this one.
+    pub fn looks(&self) -> [Option<Observation>; 2] {
+        let look = |record: &LookRecord| Observation::from(record);
+        self.looks
+            .each_ref()
+            .map(|record| record.as_ref().map(look))
     }
 
     /// What was executed, to the last bit.
@@ -141,6 +159,29 @@ impl CheckpointRecord {
                 .collect(),
         };
         (execution, truth)
+    }
+}
+
+impl From<&Observation> for LookRecord {
+    fn from(observation: &Observation) -> Self {
+        let places = |points: &[Point2]| points.iter().map(|p| [p.x, p.y]).collect();
+        let hidden = observation.hidden.polygons().iter();
+        Self {
+            detections_m: places(&observation.detections),
+            hidden_m: hidden.map(|polygon| places(polygon.outer())).collect(),
+        }
+    }
+}
+
+impl From<&LookRecord> for Observation {
+    fn from(record: &LookRecord) -> Self {
+        let points = |places: &[[f64; 2]]| places.iter().copied().map(Point2::from).collect();
+        let hidden = record.hidden_m.iter();
+        let hidden = hidden.map(|ring| Polygon::new(points(ring), vec![]));
+        Self {
+            detections: points(&record.detections_m),
+            hidden: Region::new(hidden.collect()),
+        }
     }
 }
 
@@ -259,6 +300,7 @@ impl From<EndingRecord> for Ending {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use wisch::geometry::Vector2;
 
     #[test]
     fn what_was_executed_comes_back_to_the_last_bit() {
@@ -307,10 +349,16 @@ mod tests {
                 max_lateral_error: 0.002,
                 hidden: vec![vec![Point2::new(0.1, 1.0 / 7.0), Point2::origin()]],
             };
-            let record = CheckpointRecord::new(&execution, &truth, u64::MAX, 3, 1.5);
+            let seen = Observation {
+                detections: vec![Point2::new(0.1, -0.2)],
+                hidden: Region::new(vec![Polygon::rectangle(Vector2::new(0.1, 0.2))]),
+            };
+            let looks = [None, Some(&seen)];
+            let record = CheckpointRecord::new(&execution, &truth, looks, u64::MAX, 3, 1.5);
             let text = serde_json::to_string(&record).expect("text");
             let read: CheckpointRecord = serde_json::from_str(&text).expect("a record");
             assert_eq!(read, record);
+            assert_eq!(read.looks(), [None, Some(seen)]);
             assert_eq!(read.executed(), (execution, truth));
         }
     }

@@ -23,7 +23,7 @@ pub struct InterpretConfig {
     pub likelihood: LogNormal,
     /// What is not known exactly.
     pub uncertainty: Uncertainty,
-    /// Replays of the log, each with random numbers of its own.
+    /// Members that a belief has which begins as a certainty.
     pub replays: usize,
     /// ℓ: after this travel in contact a particle's threshold is drawn again [m]; r_s of the tool.
     pub redraw_length_m: f64,
@@ -182,8 +182,12 @@ impl InterpretConfig {
             compliance,
             plane: PlaneConfig::default(),
             likelihood: interaction.likelihood,
-            uncertainty: Uncertainty::default(),
-            replays: 64,
+            uncertainty: Uncertainty {
+                law_mu: interaction.likelihood_spread.mu,
+                law_sigma: interaction.likelihood_spread.ln_sigma,
+                ..Uncertainty::default()
+            },
+            replays: members(task),
             redraw_length_m: task.tool.collision_radius(),
             relocalize_tilt: 0.5_f64.to_radians(),
             relocalize_offset_m: 0.003,
@@ -288,4 +292,22 @@ impl InterpretConfig {
     pub(super) fn normalized(&self, normal_force: f64) -> f64 {
         normal_force.min(self.max_normal_force_n) / self.min_normal_force_n
     }
+}
+
+/// Members of a belief at most and, unless there are very many particles, at least; the tail on which a claim stands is
+/// told by many only.
+const MEMBERS: [usize; 2] = [1024, 64];
+/// Particles of all members together at most, unless that leaves too few members.
+const MOST_PARTICLES: usize = 1 << 25;
+const FEWEST_MEMBERS: usize = 16;
+/// Particles times edges of the footprint times members, which is what a replay takes time by.
+const MOST_WORK: usize = 1 << 20;
+
+/// How many members a belief about this task has: as many as are of use, fewer where a replay takes long.
+pub fn members(task: &Task) -> usize {
+    let particles = task.particles.len().max(1);
+    let edges = task.tool.footprint.edges().count().max(1);
+    let [most, least] = MEMBERS;
+    let of_use = (MOST_WORK / particles.saturating_mul(edges)).clamp(least, most);
+    of_use.min((MOST_PARTICLES / particles).max(FEWEST_MEMBERS))
 }

@@ -37,19 +37,9 @@ pub enum InterpretError {
         /// Largest size it may have.
         limit: f64,
     },
-    /// The replays of a belief do not hold the same particles.
-    #[error("replay {replay} of the belief has {count} particles, but replay 0 has {expected}")]
-    UnequalReplays {
-        /// The offending replay.
-        replay: usize,
-        /// How many particles it has.
-        count: usize,
-        /// How many the first one has.
-        expected: usize,
-    },
-    /// A belief needs replays.
-    #[error("a belief needs at least 1 replay, not 0")]
-    NoReplays,
+    /// A belief needs members.
+    #[error("a belief needs at least 1 member, not 0")]
+    NoMembers,
     /// The cells of a map are too small or too large to count particles in.
     #[error("cell size {cell_size} m gives {cells} cells, not 1 to {limit}")]
     Cells {

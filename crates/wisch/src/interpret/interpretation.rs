@@ -1,10 +1,11 @@
 //! What a log tells.
 
-use super::belief::{Belief, Estimate};
+use super::belief::{Belief, Estimate, Look, PerformanceDistribution};
 use super::contact::{FittedPlane, PathPiece};
 use super::doubt::Doubt;
 use super::events::Event;
 use crate::geometry::Pose;
+use crate::represent::Observation;
 
 /// What is to be made of the fitted plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,6 +41,23 @@ pub struct Interpretation {
     pub contact_share: f64,
     /// Where the dirt now is believed to lie.
     pub belief: Belief,
-    /// The performance over the replays.
+    /// What is believed of the performance.
+    pub distribution: PerformanceDistribution,
+    /// The same in short.
     pub performance: Estimate,
+    /// What touch alone said of it, before anything was seen.
+    pub felt: Estimate,
+    /// What was seen afterwards, if anything looked.
+    pub observation: Option<Observation>,
+}
+
+impl Interpretation {
+    /// Takes in a look at the surface after the log.
+    pub fn look(&mut self, look: &Look<'_>) {
+        self.belief = self.belief.seen(look);
+        // What the replays leave out is no part of what is seen.
+        self.distribution = self.belief.performance(look.goal, look.surface, 0.0);
+        self.performance = self.distribution.estimate();
+        self.observation = Some(look.observation.clone());
+    }
 }

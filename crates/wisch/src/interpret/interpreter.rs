@@ -52,6 +52,7 @@ use nalgebra::{Translation3, UnitQuaternion};
 /// #         nullspace_posture_weight: 0.1,
 /// #         compression_depth_m: 0.005,
 /// #         likelihood: LogNormal { mu: -1.05, sigma: 0.25 },
+/// #         likelihood_spread: LogNormalSpread::default(),
 /// #     },
 /// #     particles: ParticleDistribution::new(&[Point2::new(0.0, 0.0), Point2::new(0.0, 0.1)])?,
 /// #     collect_goal: None,
@@ -108,8 +109,7 @@ impl Interpreter {
     /// What the samples so far tell, and where the dirt lies after them if it lay as `believed` before the
     /// first.
     ///
-    /// A belief of one distribution is replayed as often as the settings say, one of several is continued
-    /// member by member. Same samples, settings and belief, same answer, on any number of threads.
+    /// Certainty becomes as many members as the settings say, an ensemble is continued member by member. Same samples, settings and belief, same answer, on any number of threads.
     ///
     /// # Errors
     /// A goal that is no place. Too little contact is no error but a diagnosis.
@@ -185,20 +185,23 @@ impl Interpreter {
         };
         let belief = replay.run(believed, &evidence);
         // Without a touch, what was certain stays certain.
-        let is_untouched = evidence.is_untouched() && believed.replays().len() == 1;
-        let margin = if is_untouched {
+        let is_untouched = evidence.is_untouched() && believed.is_certain();
+        let deviation = if is_untouched {
             0.0
         } else {
             self.config.uncertainty.model_share
         };
-        let performance = belief.performance(goal, &self.surface).widened(margin);
+        let distribution = belief.performance(goal, &self.surface, deviation);
         Ok(Interpretation {
             events,
             contact_share,
             doubts,
             diagnosis: self.diagnosis(&classified, &believed_from_real),
             force_bias: classified.bias.z,
-            performance,
+            performance: distribution.estimate(),
+            felt: distribution.estimate(),
+            observation: None,
+            distribution,
             belief,
             plane: classified.plane.map(|(_, described)| described),
             path: classified.path,

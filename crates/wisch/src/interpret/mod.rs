@@ -16,8 +16,10 @@ mod interpretation;
 mod interpreter;
 mod uncertainty;
 
-pub use belief::{Belief, DensityMap, Estimate};
-pub use config::{EventConfig, InterpretConfig, PlaneConfig, ToolCompliance};
+pub use belief::{
+    Belief, COUNT_SPREAD, DensityMap, DirtPrior, Estimate, Look, PerformanceDistribution,
+};
+pub use config::{EventConfig, InterpretConfig, PlaneConfig, ToolCompliance, members};
 pub use contact::{FittedPlane, PathPiece, PlaneFit, Touch, TouchSample, fit_plane};
 pub use doubt::Doubt;
 pub use error::InterpretError;

@@ -29,7 +29,16 @@ pub struct Uncertainty {
     pub pushed_dragging: f64,
     /// Share of the replays in which a tool that is pushed hops once over what it carried [1].
     pub hop_share: f64,
-    /// What all this leaves out, by which the interval is wider at either end [1].
+    /// μ of (12), beside what is known of it [1]: it follows from the spread of the interaction's likelihood.
+    pub law_mu: f64,
+    /// σ of (12), as the standard deviation of its logarithm [1].
+    pub law_sigma: f64,
+    /// Share of the members in which each particle keeps its threshold for good instead of drawing it again and again [1]:
+    /// what does not give way once never does. Nothing that is felt says which it is.
+    pub kept_share: f64,
+    /// ℓ, as the standard deviation of its logarithm [1].
+    pub redraw_share: f64,
+    /// What all this leaves out, as the standard deviation of a performance [1].
     pub model_share: f64,
 }
 
@@ -45,6 +54,10 @@ impl Uncertainty {
         pushed_by_force: 1.0,
         pushed_dragging: 0.0,
         hop_share: 0.0,
+        law_mu: 0.0,
+        law_sigma: 0.0,
+        kept_share: 0.0,
+        redraw_share: 0.0,
         model_share: 0.0,
     };
 
@@ -67,6 +80,10 @@ impl Uncertainty {
             ("uncertainty.pushed_by_force", self.pushed_by_force, share),
             ("uncertainty.pushed_dragging", self.pushed_dragging, share),
             ("uncertainty.hop_share", self.hop_share, share),
+            ("uncertainty.law_mu", self.law_mu, depth),
+            ("uncertainty.law_sigma", self.law_sigma, depth),
+            ("uncertainty.kept_share", self.kept_share, share),
+            ("uncertainty.redraw_share", self.redraw_share, depth),
             ("uncertainty.model_share", self.model_share, share),
         ];
         fields.into_iter().try_for_each(within)
@@ -94,7 +111,11 @@ impl Default for Uncertainty {
             pushed_by_force: 0.25,
             pushed_dragging: 0.2,
             hop_share: 0.5,
-            model_share: 0.025,
+            law_mu: 0.3,
+            law_sigma: 0.2,
+            kept_share: 0.5,
+            redraw_share: 0.5,
+            model_share: 0.015,
         }
     }
 }

@@ -89,7 +89,7 @@ mod tests {
     use super::*;
     use crate::geometry::{Mesh, PlanarPose, Point2, Polygon, Pose, Region, Vector2, Vector3};
     use crate::represent::{
-        Action, AngleRange, Interaction, LogNormal, Surface, SurfaceScope, Tool,
+        Action, AngleRange, Interaction, LogNormal, LogNormalSpread, Surface, SurfaceScope, Tool,
     };
     use std::f64::consts::FRAC_PI_2;
 
@@ -130,6 +130,7 @@ mod tests {
                     mu: -1.05,
                     sigma: 0.25,
                 },
+                likelihood_spread: LogNormalSpread::NONE,
             },
             particles: ParticleDistribution::new(crumbs).unwrap(),
             collect_goal: None,

@@ -95,9 +95,9 @@ pub fn recovery_candidates(footprint: &Region) -> usize {
     (RECOVERY_EDGES / edges).clamp(least, most)
 }
 
-/// Mean share of the particles that a belief has where the goal wants them.
+/// Expected share of the particles that a belief has where the goal wants them.
 pub fn believed_performance(belief: &Belief, goal: &GoalState, surface: &Surface) -> f64 {
-    belief.performance(goal, surface).mean
+    belief.performance(goal, surface, 0.0).mean()
 }
 
 #[cfg(test)]

@@ -1,14 +1,15 @@
 //! Whether the goal is met, and what follows if it is not.
 
-use crate::interpret::{Diagnosis, Interpretation};
+use crate::interpret::{Diagnosis, Interpretation, PerformanceDistribution};
 
 /// An estimate that rises by less than this is no progress [1].
 pub const LEAST_PROGRESS: f64 = 0.005;
 /// After so many strokes in a row that brought nothing, the next one is not expected to.
 const STALLED_STROKES: usize = 4;
-/// After a push, how far the lower end of the estimate may lie below the target for it to be claimed; half of what a
-/// claim may be wrong by.
-const DOUBT_TOLERATED: f64 = 0.05;
+/// A claim is false if the performance is farther than this below the target [1].
+pub const FALSE_BY: f64 = 0.1;
+/// How likely a claim may be false [1].
+pub const FALSE_CLAIMS: f64 = 0.002;
 
 /// How far a round is executed before its outcome is looked at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -23,7 +24,8 @@ pub enum Pace {
 /// What follows from a round: [`Verdict::Again`] goes on, any other ends the session.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Verdict {
-    /// The estimated performance reaches the target, and there was contact to show for it.
+    /// The expected performance reaches the target, it is hardly possible that it is far below, and there was contact, or
+    /// sight, to show for it.
     GoalMet,
     /// Wipe again.
     Again,
@@ -37,6 +39,8 @@ pub enum Verdict {
     UnsafeMotion,
     /// The surface was not felt, and nobody was in the way: nothing is known of the effect.
     NoContact,
+    /// The goal may be met or not: wiping again is expected to change nothing, and touch cannot tell.
+    UnknowableByTouch,
 }
 
 impl Verdict {
@@ -50,74 +54,23 @@ impl Verdict {
             Self::NothingToGain => "nothing to gain",
             Self::UnsafeMotion => "unsafe motion",
             Self::NoContact => "no contact",
+            Self::UnknowableByTouch => "unknowable by touch",
         }
     }
 }
 
-/// Judges a round. `before` is the estimate that it began with; a round that found the surface elsewhere
-/// gets another one whatever it achieved.
-///
-/// The goal counts as met where the estimate reaches the target and confident contacts show it; an
-/// estimate alone, such as that of a surface that was clean from the start, is no evidence.
-pub fn judge(interpretation: &Interpretation, before: f64, target: f64) -> Verdict {
-    let estimate = &interpretation.performance;
-    let is_elsewhere = matches!(interpretation.diagnosis, Diagnosis::Relocalize { .. });
-    if interpretation.plane.is_none() {
-        Verdict::NoContact
-    } else if estimate.mean >= target {
-        Verdict::GoalMet
-    } else if estimate.mean < before + LEAST_PROGRESS && !is_elsewhere {
-        Verdict::NoProgress
-    } else {
-        Verdict::Again
-    }
-}
-
-/// What matters beside the estimate for what follows a round.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Circumstances {
-    /// Nothing is believed to lie elsewhere than where it belongs, but for what is lost.
-    pub is_done: bool,
-    /// Somebody pushed, or the robot stopped itself.
-    pub is_disturbed: bool,
-    /// Somebody pushed in an earlier round, and by the lower end of the estimate too little may be done.
-    pub is_doubtful: bool,
-    /// The estimate is higher than before the round.
-    pub is_rising: bool,
-    /// Nothing gained so far is no reason to stop.
-    pub is_patient: bool,
-}
-
-/// What follows a round that was judged so.
-///
-/// What happens while somebody pushes is felt badly: only a calm round shows that the goal is met. Nor is it
-/// known where the dirt went that was carried then: the doubt must have been wiped away. But that somebody or
-/// something was in the way says nothing against another try.
-pub const fn decide(judged: Verdict, circumstances: &Circumstances) -> Verdict {
-    let Circumstances {
-        is_done,
-        is_disturbed,
-        is_doubtful,
-        is_rising,
-        is_patient,
-    } = *circumstances;
-    match judged {
-        Verdict::GoalMet if !is_disturbed && !is_doubtful => Verdict::GoalMet,
-        Verdict::GoalMet | Verdict::Again if is_done => Verdict::NothingToGain,
-        Verdict::GoalMet if !is_disturbed && !is_rising => Verdict::NoProgress,
-        Verdict::GoalMet => Verdict::Again,
-        Verdict::NoProgress if is_disturbed || is_patient => Verdict::Again,
-        Verdict::NoContact if is_disturbed => Verdict::Again,
-        verdict => verdict,
-    }
+/// Whether the goal may be claimed: it is expected to be met, and the performance is hardly farther than [`FALSE_BY`] below
+/// the target.
+pub fn is_claimable(believed: &PerformanceDistribution, target: f64) -> bool {
+    believed.mean() >= target && believed.probability_below(target - FALSE_BY) <= FALSE_CLAIMS
 }
 
 /// What is known of a round when it is judged.
 #[derive(Debug, Clone, Copy)]
 pub struct RoundOutcome<'a> {
-    /// What was felt.
+    /// What was felt, and seen.
     pub interpretation: &'a Interpretation,
-    /// Estimated performance before the round [1].
+    /// Expected performance before the round [1].
     pub performance_before: f64,
     /// Nothing is believed to lie elsewhere than where it belongs, but for what is lost; see
     /// [`is_done`](super::is_done).
@@ -126,52 +79,78 @@ pub struct RoundOutcome<'a> {
     pub is_protective_stop: bool,
 }
 
-/// Judges one round after the other: it remembers whether the robot was disturbed before, and for how long nothing
-/// was gained.
+impl RoundOutcome<'_> {
+    /// Somebody pushed, or the robot stopped itself.
+    fn is_disturbed(&self) -> bool {
+        let mut events = self.interpretation.events.iter();
+        self.is_protective_stop || events.any(|event| event.kind.is_by_hand())
+    }
+}
+
+/// Judges one round after the other: it remembers how sure it was, and for how long nothing was gained.
 #[derive(Debug, Clone)]
 pub struct RoundJudge {
     target: f64,
     pace: Pace,
-    /// In any round so far.
-    was_disturbed: bool,
+    /// 5th percentile of the performance after the round before.
+    low_before: f64,
     /// Rounds in a row without progress.
     stalled: usize,
 }
 
 impl RoundJudge {
-    /// No round so far; `target` is the estimated performance at which the goal is met [1].
+    /// No round so far; `target` is the performance at which the goal is met [1].
     pub const fn new(target: f64, pace: Pace) -> Self {
         Self {
             target,
             pace,
-            was_disturbed: false,
+            low_before: 0.0,
             stalled: 0,
         }
     }
 
     /// Judges the round that has just been interpreted, and remembers it for those to come.
+    ///
+    /// What happens while somebody pushes is felt badly: only what is felt in a calm round, or seen, shows that the goal is
+    /// met. But that somebody or something was in the way says nothing against another try, and neither does a surface
+    /// that was found elsewhere.
     pub fn verdict(&mut self, outcome: &RoundOutcome<'_>) -> Verdict {
         let interpretation = outcome.interpretation;
+        let is_seen = interpretation.observation.is_some();
+        let is_disturbed = outcome.is_disturbed();
         let estimate = &interpretation.performance;
-        let judged = judge(interpretation, outcome.performance_before, self.target);
-        self.stalled = if judged == Verdict::NoProgress {
-            self.stalled + 1
+        let is_rising = estimate.mean >= outcome.performance_before + LEAST_PROGRESS
+            || estimate.low >= self.low_before + LEAST_PROGRESS;
+        let is_elsewhere = matches!(interpretation.diagnosis, Diagnosis::Relocalize { .. });
+        self.low_before = estimate.low;
+        let is_felt = interpretation.plane.is_some();
+        if !is_felt && !is_seen {
+            return if is_disturbed {
+                Verdict::Again
+            } else {
+                Verdict::NoContact
+            };
+        }
+        let is_shown = is_seen || !is_disturbed;
+        if is_shown && is_claimable(&interpretation.distribution, self.target) {
+            return Verdict::GoalMet;
+        }
+        self.stalled = if is_rising { 0 } else { self.stalled + 1 };
+        // A single stroke says little: the next best one is another.
+        let is_patient = self.pace == Pace::Greedy && self.stalled < STALLED_STROKES;
+        let ended = if outcome.is_done {
+            Verdict::NothingToGain
+        } else if is_rising || is_elsewhere || is_disturbed || is_patient {
+            return Verdict::Again;
         } else {
-            0
+            Verdict::NoProgress
         };
-        let mut events = interpretation.events.iter();
-        let is_pushed = events.any(|event| event.kind.is_by_hand());
-        let is_disturbed = outcome.is_protective_stop || is_pushed;
-        let circumstances = Circumstances {
-            is_done: outcome.is_done,
-            is_disturbed,
-            is_doubtful: self.was_disturbed && estimate.low < self.target - DOUBT_TOLERATED,
-            is_rising: estimate.mean >= outcome.performance_before + LEAST_PROGRESS,
-            // A single stroke says little: the next best one is another.
-            is_patient: self.pace == Pace::Greedy && self.stalled < STALLED_STROKES,
-        };
-        self.was_disturbed |= is_disturbed;
-        decide(judged, &circumstances)
+        // A camera would tell.
+        if !is_seen && estimate.high >= self.target {
+            Verdict::UnknowableByTouch
+        } else {
+            ended
+        }
     }
 }
 
@@ -179,71 +158,15 @@ impl RoundJudge {
 mod tests {
     use super::*;
     use crate::geometry::{Point3, Vector3};
-    use crate::interpret::{Belief, Estimate, Event, EventKind, FittedPlane};
-    use crate::represent::ParticleDistribution;
+    use crate::interpret::{Belief, Event, EventKind, FittedPlane};
+    use crate::represent::{Observation, ParticleDistribution};
 
-    #[test]
-    fn the_goal_is_claimed_in_calm_only_and_a_push_is_no_reason_to_give_up() {
-        let calm = Circumstances {
-            is_rising: true,
-            ..Circumstances::default()
-        };
-        let disturbed = Circumstances {
-            is_disturbed: true,
-            ..calm
-        };
-        let doubtful = Circumstances {
-            is_doubtful: true,
-            ..calm
-        };
-        let done = |circumstances| Circumstances {
-            is_done: true,
-            ..circumstances
-        };
-        for (judged, circumstances, expected) in [
-            (Verdict::GoalMet, calm, Verdict::GoalMet),
-            (Verdict::GoalMet, done(calm), Verdict::GoalMet),
-            (Verdict::GoalMet, disturbed, Verdict::Again),
-            (Verdict::GoalMet, doubtful, Verdict::Again),
-            (Verdict::GoalMet, done(disturbed), Verdict::NothingToGain),
-            (Verdict::GoalMet, done(doubtful), Verdict::NothingToGain),
-            (Verdict::Again, calm, Verdict::Again),
-            (Verdict::Again, done(calm), Verdict::NothingToGain),
-            (Verdict::NoProgress, calm, Verdict::NoProgress),
-            (Verdict::NoProgress, disturbed, Verdict::Again),
-            (Verdict::NoContact, calm, Verdict::NoContact),
-            (Verdict::NoContact, disturbed, Verdict::Again),
-            (Verdict::NoWay, disturbed, Verdict::NoWay),
-        ] {
-            assert_eq!(
-                decide(judged, &circumstances),
-                expected,
-                "{circumstances:?}"
-            );
-        }
-        let stalled = Circumstances {
-            is_rising: false,
-            ..doubtful
-        };
-        assert_eq!(decide(Verdict::GoalMet, &stalled), Verdict::NoProgress);
-        let patient = Circumstances {
-            is_patient: true,
-            ..calm
-        };
-        assert_eq!(decide(Verdict::NoProgress, &patient), Verdict::Again);
-    }
+    const TARGET: f64 = 0.9;
 
-    /// A round that found a plane, with this estimate, and with a push or without.
-    fn felt(mean: f64, low: f64, is_pushed: bool) -> Interpretation {
-        let push = Event {
-            kind: EventKind::Collision,
-            start: 1.0,
-            end: 2.0,
-            samples: 1000,
-            mean_normal_force: 0.0,
-            peak_force: 15.0,
-            peak_height: 0.02,
-        };
+    /// A round that found a plane, with these equally likely performances.
+    fn felt(shares: &[f64]) -> Interpretation {
+        let shares = shares.iter().map(|share| (*share, 1.0));
+        let distribution = PerformanceDistribution::of_shares(shares, 0.0);
         Interpretation {
             path: vec![],
             plane: Some(FittedPlane {
@@ -258,27 +181,49 @@ mod tests {
             }),
             diagnosis: Diagnosis::Localized,
             doubts: vec![],
-            events: if is_pushed { vec![push] } else { vec![] },
+            events: vec![],
             force_bias: 0.0,
             contact_share: 1.0,
             belief: Belief::certain(ParticleDistribution::default()),
-            performance: Estimate {
-                mean,
-                low,
-                high: 1.0,
-            },
+            performance: distribution.estimate(),
+            felt: distribution.estimate(),
+            observation: None,
+            distribution,
         }
     }
 
-    /// The verdicts on rounds that were felt so, one after the other.
-    fn verdicts(pace: Pace, rounds: &[Interpretation]) -> Vec<Verdict> {
-        let mut judge = RoundJudge::new(0.9, pace);
+    fn pushed(shares: &[f64]) -> Interpretation {
+        let push = Event {
+            kind: EventKind::Collision,
+            start: 1.0,
+            end: 2.0,
+            samples: 1000,
+            mean_normal_force: 0.0,
+            peak_force: 15.0,
+            peak_height: 0.02,
+        };
+        Interpretation {
+            events: vec![push],
+            ..felt(shares)
+        }
+    }
+
+    fn seen(interpretation: Interpretation) -> Interpretation {
+        Interpretation {
+            observation: Some(Observation::default()),
+            ..interpretation
+        }
+    }
+
+    /// The verdicts on rounds one after the other.
+    fn verdicts(pace: Pace, is_done: bool, rounds: &[Interpretation]) -> Vec<Verdict> {
+        let mut judge = RoundJudge::new(TARGET, pace);
         let mut before = 0.0;
         let verdict = |interpretation| {
             let outcome = RoundOutcome {
                 interpretation,
                 performance_before: before,
-                is_done: false,
+                is_done,
                 is_protective_stop: false,
             };
             before = interpretation.performance.mean;
@@ -287,22 +232,39 @@ mod tests {
         rounds.iter().map(verdict).collect()
     }
 
+    fn of_one(interpretation: Interpretation) -> Verdict {
+        verdicts(Pace::Whole, false, &[interpretation])[0]
+    }
+
     #[test]
-    fn after_a_push_the_lower_end_of_the_estimate_counts() {
+    fn a_goal_is_claimed_where_it_is_hardly_missed_by_far() {
         use Verdict::{Again, GoalMet};
-        let pushed = felt(0.5, 0.4, true);
-        let [wide, narrow] = [felt(0.95, 0.84, false), felt(0.97, 0.86, false)];
-        assert_eq!(
-            verdicts(Pace::Whole, std::slice::from_ref(&wide)),
-            [GoalMet]
-        );
-        let rounds = [pushed, wide, narrow];
-        assert_eq!(verdicts(Pace::Whole, &rounds), [Again, Again, GoalMet]);
-        // The round of the push itself is no evidence.
-        assert_eq!(verdicts(Pace::Whole, &[felt(0.95, 0.9, true)]), [Again]);
-        let mut judge = RoundJudge::new(0.9, Pace::Whole);
+        assert_eq!(of_one(felt(&[0.95; 8])), GoalMet);
+        // Expected to be met, but one of eight says that it is not by far.
+        let mut doubtful = [0.95; 8];
+        doubtful[0] = 0.7;
+        assert_eq!(of_one(felt(&doubtful)), Again);
+        doubtful[0] = 0.81;
+        assert_eq!(of_one(felt(&doubtful)), GoalMet);
+        assert_eq!(of_one(felt(&[0.89; 8])), Again);
+    }
+
+    #[test]
+    fn what_is_felt_while_somebody_pushes_shows_nothing_and_what_is_seen_does() {
+        use Verdict::{Again, GoalMet, NoContact};
+        let done = [0.95; 8];
+        assert_eq!(of_one(pushed(&done)), Again);
+        assert_eq!(of_one(seen(pushed(&done))), GoalMet);
+        let untouched = |interpretation| Interpretation {
+            plane: None,
+            ..interpretation
+        };
+        assert_eq!(of_one(untouched(felt(&done))), NoContact);
+        assert_eq!(of_one(untouched(pushed(&done))), Again);
+        assert_eq!(of_one(untouched(seen(felt(&done)))), GoalMet);
+        let mut judge = RoundJudge::new(TARGET, Pace::Whole);
         let stopped = RoundOutcome {
-            interpretation: &felt(0.95, 0.9, false),
+            interpretation: &felt(&done),
             performance_before: 0.0,
             is_done: false,
             is_protective_stop: true,
@@ -311,18 +273,32 @@ mod tests {
     }
 
     #[test]
+    fn where_wiping_ends_touch_may_not_tell_whether_the_goal_is_met() {
+        use Verdict::{Again, NoProgress, NothingToGain, UnknowableByTouch};
+        let mut wide = [0.95; 8];
+        wide[0] = 0.5;
+        let twice = |shares: &[f64]| [felt(shares), felt(shares)];
+        let of_two = |rounds: &[Interpretation]| verdicts(Pace::Whole, false, rounds);
+        assert_eq!(of_two(&twice(&wide)), [Again, UnknowableByTouch]);
+        assert_eq!(of_two(&twice(&[0.6; 8])), [Again, NoProgress]);
+        assert_eq!(of_two(&twice(&wide).map(seen)), [Again, NoProgress]);
+        assert_eq!(of_two(&twice(&wide).map(|_| pushed(&wide))), [Again, Again]);
+        let done = |shares| verdicts(Pace::Whole, true, &[felt(shares)])[0];
+        assert_eq!(done(&[0.6; 8]), NothingToGain);
+        assert_eq!(done(&wide), UnknowableByTouch);
+        // To become surer is progress.
+        let mut surer = wide;
+        surer[0] = 0.7;
+        assert_eq!(of_two(&[felt(&wide), felt(&surer)]), [Again, Again]);
+    }
+
+    #[test]
     fn a_single_stroke_may_bring_nothing_and_four_in_a_row_may_not() {
         use Verdict::{Again, NoProgress};
-        let still = felt(0.5, 0.4, false);
-        let risen = felt(0.6, 0.5, false);
-        assert_eq!(
-            verdicts(Pace::Whole, &[still.clone(), still.clone()]),
-            [Again, NoProgress]
-        );
-        let mut rounds = vec![still; 4];
-        rounds.extend(vec![risen; 5]);
+        let mut rounds = vec![felt(&[0.5; 8]); 4];
+        rounds.extend(vec![felt(&[0.6; 8]); 5]);
         let mut expected = [Again; 9];
         expected[8] = NoProgress;
-        assert_eq!(verdicts(Pace::Greedy, &rounds), expected);
+        assert_eq!(verdicts(Pace::Greedy, false, &rounds), expected);
     }
 }

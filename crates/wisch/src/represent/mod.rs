@@ -21,12 +21,12 @@ pub use field::ParticleField;
 pub use heap::{HEAP_DEPTH, heap_depth};
 pub use knowledge::{
     Action, AngleRange, AreaOfEffect, Effect, GrainSize, Grip, Interaction, KnowledgeBase,
-    KnowledgeError, LogNormal, MediumEntry, MediumKind, Place, RankedTool, SecondGrip,
-    SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry, ToolMesh, UnknownName,
+    KnowledgeError, LogNormal, LogNormalSpread, MediumEntry, MediumKind, Place, RankedTool,
+    SecondGrip, SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry, ToolMesh, UnknownName,
 };
 pub use metrics::{GoalState, Performance};
 pub use motion::ToolMotion;
-pub use observation::{Observation, SensorModel};
+pub use observation::{Observation, SensorModel, Sight};
 pub use occupied_area::{OccupiedArea, SURFACE_SKIN};
 pub use particles::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError, ParticleTally};
 pub use scene::{SceneObject, ScenePart};

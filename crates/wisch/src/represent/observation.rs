@@ -42,6 +42,16 @@ pub struct SensorModel {
     pub position_error_m: f64,
 }
 
+/// Whether and how well a robot sees dirt of a medium.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sight {
+    /// How well dirt is seen.
+    pub sensor: SensorModel,
+    /// Probability that a grain of this medium is detected where nothing hides it [1]; see
+    /// [`SensorModel::mean_detection`].
+    pub detection: f64,
+}
+
 /// How steeply detection rises about the half size.
 const STEEPNESS: i32 = 4;
 /// Diameters over which the mean over a range of sizes is taken.

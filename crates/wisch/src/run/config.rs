@@ -2,6 +2,7 @@
 
 use crate::follow::{FollowConfig, WorkcellConfig};
 use crate::plan::{CoverageStrategy, PlanConfig};
+use crate::represent::Sight;
 use crate::robot::{CapabilityMap, RobotModel, Srdf};
 
 pub use crate::recover::Pace;
@@ -40,6 +41,8 @@ pub struct RunConfig {
     pub max_rounds: usize,
     /// How far a round goes.
     pub pace: Pace,
+    /// How well the robot sees dirt; `None` for a robot that only feels.
+    pub sight: Option<Sight>,
 }
 
 impl Default for RunConfig {
@@ -58,6 +61,7 @@ impl Default for RunConfig {
             target: 0.95,
             max_rounds: 4,
             pace: Pace::Whole,
+            sight: None,
         }
     }
 }

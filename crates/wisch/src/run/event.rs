@@ -4,6 +4,7 @@ use super::{PlannedRound, Round, TelemetrySample};
 use crate::follow::Audit;
 use crate::plan::{Plan, Progress};
 use crate::recover::Verdict;
+use crate::represent::Observation;
 use std::ops::ControlFlow;
 
 /// What a session is at or has just done, in the order in which it happens.
@@ -54,6 +55,13 @@ pub enum RunEvent<'a> {
     Interpreting {
         /// The round, from 1.
         round: usize,
+    },
+    /// The surface was looked at.
+    Observed {
+        /// After this round; 0 before the first.
+        round: usize,
+        /// What was seen.
+        observation: &'a Observation,
     },
     /// A round is over.
     Judged(&'a Round),

@@ -95,6 +95,8 @@ pub struct RecordedRound {
     pub touches: Vec<TouchSample>,
     /// How it went.
     pub execution: Execution,
+    /// What was seen afterwards, if anything looked.
+    pub observation: Option<Observation>,
 }
 
 /// Plays rounds that were executed before, then goes on with another executor.
@@ -104,14 +106,22 @@ pub struct RecordedRound {
 #[derive(Debug, Clone)]
 pub struct Recording<E> {
     rounds: VecDeque<RecordedRound>,
+    /// What was seen before the first of them and after each.
+    looks: VecDeque<Option<Observation>>,
     then: E,
 }
 
 impl<E> Recording<E> {
-    /// Plays these rounds in their order, then hands the motions on.
-    pub fn new(rounds: Vec<RecordedRound>, then: E) -> Self {
+    /// Plays these rounds in their order, then hands the motions on; `first` was seen before the first of them.
+    pub fn new(first: Option<Observation>, rounds: Vec<RecordedRound>, then: E) -> Self {
+        let mut looks = VecDeque::new();
+        if !rounds.is_empty() {
+            looks.push_back(first);
+            looks.extend(rounds.iter().map(|round| round.observation.clone()));
+        }
         Self {
             rounds: rounds.into(),
+            looks,
             then,
         }
     }
@@ -143,10 +153,9 @@ impl<E: Executor> Executor for Recording<E> {
     }
 
     fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
-        if self.rounds.is_empty() {
-            self.then.observe(task)
-        } else {
-            Ok(None)
+        match self.looks.pop_front() {
+            Some(look) => Ok(look),
+            None => self.then.observe(task),
         }
     }
 }

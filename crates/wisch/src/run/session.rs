@@ -6,7 +6,7 @@ use super::{
 };
 use crate::follow::{Audit, Workcell, WorkcellConfig, audit, follow};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
-use crate::interpret::{Belief, InterpretConfig, Interpretation, Interpreter, TouchSample};
+use crate::interpret::{Belief, InterpretConfig, Interpretation, Interpreter, Look, TouchSample};
 use crate::plan::{
     CoverageStrategy, Plan, PlanConfig, best_plan, best_subplan, best_subplan_of_candidates,
     predict,
@@ -15,7 +15,7 @@ use crate::recover::{
     PLANNING_DRAWS, Pace, RoundJudge, RoundOutcome, Verdict, believed_performance, is_done,
     next_task, recovery_candidates, unfinished,
 };
-use crate::represent::{GoalState, Task};
+use crate::represent::{GoalState, Observation, Task};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::ops::ControlFlow;
 
@@ -61,6 +61,8 @@ pub struct Session<'a> {
     judge: RoundJudge,
     state: State,
     rounds: Vec<Round>,
+    /// What was seen before the first round, if anything looked; `None` before.
+    first_look: Option<Option<Observation>>,
     is_stopped: bool,
 }
 
@@ -92,6 +94,7 @@ impl<'a> Session<'a> {
             judge: RoundJudge::new(config.target, config.pace),
             state: State::Begin,
             rounds: Vec::new(),
+            first_look: None,
             is_stopped: false,
             config,
         }
@@ -102,6 +105,17 @@ impl<'a> Session<'a> {
     pub fn with_robot(self, performer: Performer<'a>) -> Self {
         let performer = Some(performer);
         Self { performer, ..self }
+    }
+
+    /// The same session with another belief of where the dirt lies; without, it is certain of the task's particles.
+    #[must_use]
+    pub fn with_belief(self, belief: Belief) -> Self {
+        Self { belief, ..self }
+    }
+
+    /// What was seen before the first round, if anything looked.
+    pub fn first_observation(&self) -> Option<&Observation> {
+        self.first_look.as_ref()?.as_ref()
     }
 
     /// The same session with a plan for the first round; `None` plans it.
@@ -212,14 +226,15 @@ impl<'a> Session<'a> {
             flow
         };
         let stage = match std::mem::replace(&mut self.state, State::Ended(None)) {
-            State::Begin => self.plan_round(&mut watch),
+            State::Begin => self.plan_round(executor, &mut watch),
             State::Planned(plan) => self.follow_round(plan, &mut watch),
             State::Followed(planned) => self.audit_round(planned, &mut watch),
             State::Audited(planned, audit) => {
                 self.execute_round(planned, audit, executor, &mut watch)
             }
             State::Executed(planned, audit, execution, interpreter) => {
-                self.interpret_round(planned, audit, execution, *interpreter, &mut watch)
+                let felt = (planned, audit, execution);
+                self.interpret_round(felt, *interpreter, executor, &mut watch)
             }
             State::Interpreted(planned, audit, execution, interpretation) => {
                 self.judge_round(*planned, audit, execution, *interpretation, &mut watch)
@@ -253,10 +268,17 @@ impl<'a> Session<'a> {
         Stage::Ended
     }
 
-    fn plan_round(&mut self, observer: &mut Observer<'_>) -> Result<Stage, RunError> {
+    fn plan_round(
+        &mut self,
+        executor: &mut dyn Executor,
+        observer: &mut Observer<'_>,
+    ) -> Result<Stage, RunError> {
         let round = self.number();
         if round > self.config.max_rounds {
             return Ok(self.end(None, observer));
+        }
+        if self.config.sight.is_some() && self.first_look.is_none() {
+            self.look_first(executor, observer)?;
         }
         let _ = observer(&RunEvent::Planning { round });
         let plan = match self.next_plan() {
@@ -272,17 +294,47 @@ impl<'a> Session<'a> {
         Ok(Stage::Planned)
     }
 
+    /// Looks at the surface before anything is wiped; what is seen is what the first plan is made for.
+    fn look_first(
+        &mut self,
+        executor: &mut dyn Executor,
+        observer: &mut Observer<'_>,
+    ) -> Result<(), RunError> {
+        let Some(observation) = executor.observe(&self.task)? else {
+            self.first_look = Some(None);
+            return Ok(());
+        };
+        let _ = observer(&RunEvent::Observed {
+            round: 0,
+            observation: &observation,
+        });
+        if let Some(sight) = self.config.sight {
+            // Nothing is where it belongs yet as far as a look can tell; a goal that is left to the planner is no place.
+            let goal = self.task.goal().unwrap_or(GoalState::Skimmed);
+            self.belief = self.belief.seen(&Look {
+                observation: &observation,
+                sight,
+                surface: &self.task.surface,
+                goal: &goal,
+                seed: self.task.seed,
+            });
+            self.task.particles = self.belief.sample(self.task.seed)?;
+        }
+        self.first_look = Some(Some(observation));
+        Ok(())
+    }
+
     /// A plan for what is not yet done.
     fn next_plan(&mut self) -> Result<Plan, RunError> {
         let (task, config) = (&self.task, &self.config);
         let whole = match (self.given.take(), self.goal.as_ref()) {
             (Some(plan), _) => plan,
-            (None, None) => best_plan(task, &task.particles, &config.plan, config.variants)?,
+            (None, None) => {
+                let task = &self.planned_on(self.first_observation().is_some())?;
+                best_plan(task, &task.particles, &config.plan, config.variants)?
+            }
             (None, Some(goal)) => {
-                let task = &Task {
-                    particles: self.belief.draws(PLANNING_DRAWS, task.seed)?,
-                    ..task.clone()
-                };
+                let task = &self.planned_on(true)?;
                 let open = unfinished(task, goal)?;
                 let kde = PlanConfig {
                     strategy: CoverageStrategy::Kde,
@@ -300,6 +352,15 @@ impl<'a> Session<'a> {
             Pace::Whole => whole,
             Pace::Greedy => best_subplan(task, &whole)?,
         })
+    }
+
+    /// The task with the dirt of several members of the belief, or with its own.
+    fn planned_on(&self, belief: bool) -> Result<Task, RunError> {
+        let mut task = self.task.clone();
+        if belief {
+            task.particles = self.belief.draws(PLANNING_DRAWS, task.seed)?;
+        }
+        Ok(task)
     }
 
     fn follow_round(&mut self, plan: Plan, observer: &mut Observer<'_>) -> Result<Stage, RunError> {
@@ -436,16 +497,30 @@ impl<'a> Session<'a> {
 
     fn interpret_round(
         &mut self,
-        planned: Box<PlannedRound>,
-        audit: Audit,
-        execution: Execution,
+        (planned, audit, execution): (Box<PlannedRound>, Audit, Execution),
         interpreter: Interpreter,
+        executor: &mut dyn Executor,
         observer: &mut Observer<'_>,
     ) -> Result<Stage, RunError> {
         let round = planned.number;
         let _ = observer(&RunEvent::Interpreting { round });
         let goal = self.goal_of(&planned.plan);
-        let interpretation = interpreter.conclude(&planned.believed, &goal)?;
+        let mut interpretation = interpreter.conclude(&planned.believed, &goal)?;
+        if let Some(sight) = self.config.sight
+            && let Some(observation) = executor.observe(&planned.task)?
+        {
+            let _ = observer(&RunEvent::Observed {
+                round,
+                observation: &observation,
+            });
+            interpretation.look(&Look {
+                observation: &observation,
+                sight,
+                surface: &planned.task.surface,
+                goal: &goal,
+                seed: planned.task.seed,
+            });
+        }
         self.state = State::Interpreted(planned, audit, execution, Box::new(interpretation));
         Ok(Stage::Interpreted)
     }

@@ -146,7 +146,13 @@ fn the_interval_widens_with_all_that_is_uncertain() {
             ..uncertainty
         };
         let wider = pushed(&task, &samples, larger);
-        assert!(width(&wider) > width(&interpretation), "{uncertainty:?}");
+        let widths = [width(&wider), width(&interpretation)];
+        // Of what slips, the more slips the more of it lies where the next stroke takes it along.
+        let slips_alone = uncertainty.slip_share > 0.0 && uncertainty.heap_depth == 0.0;
+        assert!(
+            slips_alone || widths[0] > widths[1],
+            "{widths:?} {uncertainty:?}"
+        );
     }
     let model = Uncertainty {
         model_share: 0.1,
@@ -154,8 +160,9 @@ fn the_interval_widens_with_all_that_is_uncertain() {
     };
     let interpretation = pushed(&task, &samples, model).performance;
     assert_eq!(interpretation.mean, certain.performance.mean);
+    // A normal distribution: 1.645 standard deviations to either side.
     assert!(
-        (interpretation.high - interpretation.low - width(&certain) - 0.2).abs() < 1e-12,
+        (interpretation.high - interpretation.low - 0.329).abs() < 1e-3,
         "{interpretation:?}"
     );
 }
@@ -215,7 +222,7 @@ fn equal_shares_have_that_share_as_their_mean() {
     };
     for count in 1..100 {
         let belief = Belief::of(vec![replay.clone(); count]).unwrap();
-        let interpretation = belief.performance(&goal, &surface);
+        let interpretation = belief.performance(&goal, &surface, 0.0).estimate();
         assert_eq!(
             [interpretation.low, interpretation.mean, interpretation.high],
             [0.8; 3]

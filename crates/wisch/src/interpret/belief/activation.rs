@@ -14,44 +14,70 @@ const SLIPPED: f64 = 2.0;
 /// Tells apart the random numbers for slipping.
 const SLIPS: u64 = 0x736c_6970;
 
-/// The thresholds of all particles in one replay.
-#[derive(Debug)]
+/// The thresholds of all particles of one member, over all rounds.
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Activation {
-    /// Of the replay's random numbers.
+    /// Of the member's random numbers.
     pub(super) key: u64,
     thresholds: Vec<Threshold>,
     /// Travel in contact before the motion at hand, and after it; an interruption adds a little [m].
     travelled: [f64; 2],
     /// Probability that a particle that draws slips past the tool instead [1].
     slip: f64,
+    /// Whether each particle keeps its threshold for good.
+    is_kept: bool,
 }
 
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 struct Threshold {
     /// Travel at which the particle was last touched [m].
     touched: f64,
     /// Travel at which it drew [m].
     drew: f64,
     draws: u32,
+    /// Which of its draws is kept, if one is.
+    kept: u32,
     /// Uniform in (0, 1); [`SLIPPED`] responds to nothing.
     level: f64,
 }
 
+/// That of a particle that was never touched.
+const NEVER: Threshold = Threshold {
+    touched: f64::NEG_INFINITY,
+    drew: 0.0,
+    draws: 0,
+    kept: 0,
+    level: 1.0,
+};
+
 impl Activation {
-    pub(super) fn new(seed: u64, replay: u64, particles: usize, slip: f64) -> Self {
+    pub(super) fn new(seed: u64, member: u64, particles: usize, is_kept: bool) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
-        random.set_stream(replay);
-        let never = Threshold {
-            touched: f64::NEG_INFINITY,
-            drew: 0.0,
-            draws: 0,
-            level: 1.0,
-        };
+        random.set_stream(member);
         Self {
             key: random.next_u64(),
-            thresholds: vec![never; particles],
+            thresholds: vec![NEVER; particles],
             travelled: [0.0; 2],
-            slip,
+            slip: 0.0,
+            is_kept,
+        }
+    }
+
+    /// Goes on to another log, in which so much slips: what the tool touched before, it touches anew.
+    pub(super) fn begin_log(&mut self, slip: f64) {
+        self.slip = slip;
+        self.travelled = [self.travelled[1] + 2.0 * SAME_CONTACT; 2];
+    }
+
+    /// Forgets the thresholds of these particles, and has one for every particle of so many.
+    pub(super) fn renew(&mut self, renewed: &[usize], particles: usize) {
+        self.thresholds.resize(particles, NEVER);
+        for &particle in renewed {
+            let threshold = &mut self.thresholds[particle];
+            *threshold = Threshold {
+                kept: threshold.kept + 1,
+                ..NEVER
+            };
         }
     }
 
@@ -78,7 +104,12 @@ impl Activation {
         let is_new_contact = begin - threshold.touched > SAME_CONTACT;
         let is_due = begin - threshold.drew >= redraw_length;
         if is_new_contact || is_due {
-            threshold.level = keyed_uniform(self.key, particle as u64, threshold.draws);
+            let draw = if self.is_kept {
+                threshold.kept
+            } else {
+                threshold.draws
+            };
+            threshold.level = keyed_uniform(self.key, particle as u64, draw);
             if keyed_uniform(self.key ^ SLIPS, particle as u64, threshold.draws) < self.slip {
                 threshold.level = SLIPPED;
             }

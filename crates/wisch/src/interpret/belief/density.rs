@@ -9,7 +9,7 @@ const MAX_CELLS: usize = 1 << 22;
 /// Share of a cell by which a surface may exceed whole cells through rounding alone.
 const ROUNDING: f64 = 1e-9;
 
-/// Remaining particles per cell, over the replays of a belief. Cells are squares that cover the bounds of
+/// Remaining particles per cell, over the members of a belief. Cells are squares that cover the bounds of
 /// the surface, row by row, both from below.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DensityMap {
@@ -23,7 +23,8 @@ pub struct DensityMap {
 
 impl DensityMap {
     pub(super) fn of(
-        replays: &[ParticleDistribution],
+        members: &[ParticleDistribution],
+        weights: &[f64],
         surface: &Surface,
         cell_size: f64,
     ) -> Result<Self, InterpretError> {
@@ -49,29 +50,28 @@ impl DensityMap {
             mean: Vec::new(),
             deviation: Vec::new(),
         };
-        map.fill(replays);
+        map.fill(members, weights);
         Ok(map)
     }
 
-    fn fill(&mut self, replays: &[ParticleDistribution]) {
+    fn fill(&mut self, members: &[ParticleDistribution], weights: &[f64]) {
         let cells = self.columns * self.rows;
         let mut sums = vec![0.0; cells];
         let mut squares = vec![0.0; cells];
         let mut counts = vec![0.0; cells];
-        for replay in replays {
+        for (member, weight) in members.iter().zip(weights) {
             counts.fill(0.0);
-            for cell in replay.remaining().filter_map(|place| self.cell(place)) {
+            for cell in member.remaining().filter_map(|place| self.cell(place)) {
                 counts[cell] += 1.0;
             }
             for ((sum, square), count) in sums.iter_mut().zip(&mut squares).zip(&counts) {
-                *sum += count;
-                *square += count * count;
+                *sum += weight * count;
+                *square += weight * count * count;
             }
         }
-        let n = replays.len() as f64;
-        self.mean = sums.iter().map(|sum| sum / n).collect();
-        let spread = |(mean, square): (&f64, &f64)| (square / n - mean * mean).max(0.0).sqrt();
-        self.deviation = self.mean.iter().zip(&squares).map(spread).collect();
+        let spread = |(mean, square): (&f64, &f64)| (square - mean * mean).max(0.0).sqrt();
+        self.deviation = sums.iter().zip(&squares).map(spread).collect();
+        self.mean = sums;
     }
 
     /// The cell of a place; `None` off the map.
@@ -109,7 +109,7 @@ impl DensityMap {
         self.mean[self.index(column, row)]
     }
 
-    /// Standard deviation, over the replays, of the number of particles that remain in a cell.
+    /// Standard deviation, over the members, of the number of particles that remain in a cell.
     ///
     /// # Panics
     /// Where there is no such cell.

@@ -1,43 +1,30 @@
-//! Where the dirt is believed to lie: many replays of the same log, each with random numbers of its own.
+//! What the robot believes of the dirt: many worlds that may be, each with its own dirt and its own laws.
 
+use super::activation::Activation;
 use super::density::DensityMap;
-use crate::geometry::Point2;
+use super::parameter_sampling::MemberParameters;
+use super::performance::PerformanceDistribution;
 use crate::interpret::error::InterpretError;
-use crate::represent::{
-    Fate, GoalState, ParticleDistribution, ParticleError, Performance, Surface,
-};
+use crate::represent::{GoalState, ParticleDistribution, ParticleError, Surface};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
-/// Seeds of several draws differ from here on [bits], far from those of other rounds.
-const DRAW_SHIFT: u32 = 32;
-
-/// A share with a 90 % interval.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Estimate {
-    /// Mean over the replays.
-    pub mean: f64,
-    /// 5th percentile, less what the model leaves out.
-    pub low: f64,
-    /// 95th percentile, and what the model leaves out.
-    pub high: f64,
-}
-
-impl Estimate {
-    /// With an interval longer by a margin at either end, within 0 to 1.
-    pub(in crate::interpret) fn widened(self, margin: f64) -> Self {
-        Self {
-            mean: self.mean,
-            low: (self.low - margin).clamp(0.0, 1.0),
-            high: (self.high + margin).clamp(0.0, 1.0),
-        }
-    }
-}
-
-/// An ensemble of particle distributions over the same particles.
+/// An ensemble of worlds that may be. Each member has dirt of its own, as many particles as it believes in, and, from
+/// the first log on, parameters of its own, which it keeps.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Belief {
     replays: Vec<ParticleDistribution>,
+    /// Of the members; they add up to 1.
+    weights: Vec<f64>,
+    /// What each member takes for real; nothing before the first log.
+    pub(super) states: Vec<MemberState>,
+}
+
+/// What a member takes for real beside where its dirt lies.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct MemberState {
+    pub(super) parameters: MemberParameters,
+    pub(super) activation: Activation,
 }
 
 impl Belief {
@@ -45,81 +32,114 @@ impl Belief {
     pub fn certain(particles: ParticleDistribution) -> Self {
         Self {
             replays: vec![particles],
+            weights: vec![1.0],
+            states: Vec::new(),
         }
     }
 
-    /// Several replays of the same particles.
+    /// Members of equal weight.
     ///
     /// # Errors
-    /// No replay at all, or one with another number of particles than the first.
-    pub fn of(replays: Vec<ParticleDistribution>) -> Result<Self, InterpretError> {
-        let first = replays.first().ok_or(InterpretError::NoReplays)?;
-        let expected = first.len();
-        match replays.iter().position(|one| one.len() != expected) {
-            Some(replay) => Err(InterpretError::UnequalReplays {
-                replay,
-                count: replays[replay].len(),
-                expected,
-            }),
-            None => Ok(Self { replays }),
+    /// No member at all.
+    pub fn of(members: Vec<ParticleDistribution>) -> Result<Self, InterpretError> {
+        if members.is_empty() {
+            return Err(InterpretError::NoMembers);
+        }
+        Ok(Self::ensemble(members))
+    }
+
+    /// Members of equal weight, at least one.
+    pub(super) fn ensemble(members: Vec<ParticleDistribution>) -> Self {
+        let weights = vec![1.0 / members.len() as f64; members.len()];
+        Self {
+            replays: members,
+            weights,
+            states: Vec::new(),
         }
     }
 
-    /// Replays that are known to hold the same particles, at least one.
-    pub(super) fn ensemble(replays: Vec<ParticleDistribution>) -> Self {
-        Self { replays }
+    /// The same members after a log.
+    pub(super) fn continued(
+        members: Vec<(ParticleDistribution, MemberState)>,
+        weights: Vec<f64>,
+    ) -> Self {
+        let (replays, states) = members.into_iter().unzip();
+        Self {
+            replays,
+            weights,
+            states,
+        }
     }
 
-    /// The replays, at least one, all of the same length.
+    /// The same members with other weights.
+    pub(super) fn reweighted(&self, weights: Vec<f64>) -> Self {
+        Self {
+            weights,
+            ..self.clone()
+        }
+    }
+
+    /// Members after a look; states only if all have some.
+    pub(super) fn after_look(
+        members: Vec<(ParticleDistribution, Option<MemberState>)>,
+        weights: Vec<f64>,
+    ) -> Self {
+        let (replays, states): (Vec<_>, Vec<_>) = members.into_iter().unzip();
+        Self {
+            replays,
+            weights,
+            states: states
+                .into_iter()
+                .collect::<Option<_>>()
+                .unwrap_or_default(),
+        }
+    }
+
+    /// The members' dirt; there is at least one.
     pub fn replays(&self) -> &[ParticleDistribution] {
         &self.replays
     }
 
-    /// Mean performance with its 90 % interval.
-    pub fn performance(&self, goal: &GoalState, surface: &Surface) -> Estimate {
-        let counts = |particles| Performance::of(particles, goal, surface);
-        let mut counts: Vec<Performance> = self.replays.iter().map(counts).collect();
-        counts.sort_by_key(|one| one.achieved);
-        let last = (counts.len() - 1) as f64;
-        let at = |quantile: f64| counts[(last * quantile).round() as usize].ratio();
-        // Counted rather than averaged: equal shares have that share as their mean, to the last bit.
-        let all = Performance {
-            initial: counts.iter().map(|one| one.initial).sum(),
-            achieved: counts.iter().map(|one| one.achieved).sum(),
-            lost: counts.iter().map(|one| one.lost).sum(),
-        };
-        Estimate {
-            mean: all.ratio(),
-            low: at(0.05),
-            high: at(0.95),
-        }
+    /// How likely each member is; the weights add up to 1.
+    pub fn weights(&self) -> &[f64] {
+        &self.weights
     }
 
-    /// One distribution out of the belief: each particle as in a replay drawn by itself.
-    ///
-    /// Where the replays disagree about a place, the sample holds the mean share of the particles there.
+    /// Whether it says exactly where the dirt lies.
+    pub fn is_certain(&self) -> bool {
+        self.replays.len() == 1
+    }
+
+    /// How many members of equal weight would say as much.
+    pub fn effective_members(&self) -> f64 {
+        let squares: f64 = self.weights.iter().map(|weight| weight * weight).sum();
+        1.0 / squares
+    }
+
+    /// The belief about the performance; `deviation` is what the model leaves out, as a standard deviation [1].
+    pub fn performance(
+        &self,
+        goal: &GoalState,
+        surface: &Surface,
+        deviation: f64,
+    ) -> PerformanceDistribution {
+        PerformanceDistribution::of(&self.replays, &self.weights, goal, surface, deviation)
+    }
+
+    /// The dirt of one member, drawn by weight.
     ///
     /// # Errors
-    /// A replay holds a position that is not finite.
+    /// None today: the members' dirt is known to be finite.
     pub fn sample(&self, seed: u64) -> Result<ParticleDistribution, ParticleError> {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
-        let particles: Vec<(Point2, Fate)> = (0..self.replays[0].len())
-            .map(|i| {
-                let replay = &self.replays[random.random_range(0..self.replays.len())];
-                (replay.position(i), replay.fate(i))
-            })
-            .collect();
-        ParticleDistribution::with_fates(&particles)
+        Ok(self.replays[self.at(random.random())].clone())
     }
 
-    /// Several draws of [`Belief::sample`] one on top of the other: all that the dirt may be like, for plans that are to
-    /// be good on average. A single draw has dirt where there is none and none where there is some.
-    ///
-    /// It holds `count` times the particles, those of a draw together; the draws have seeds of their own, derived
-    /// from `seed`.
+    /// The dirt of several members, drawn by weight, one on top of the other: all that the dirt may be like, for plans
+    /// that are to be good on average. A single member has dirt where there is none and none where there is some.
     ///
     /// # Errors
-    /// As [`Belief::sample`], and more than [`MAX_PARTICLES`](crate::represent::MAX_PARTICLES) in all.
+    /// More than [`MAX_PARTICLES`](crate::represent::MAX_PARTICLES) in all.
     ///
     /// ```
     /// use wisch::geometry::Point2;
@@ -134,11 +154,28 @@ impl Belief {
     /// ```
     pub fn draws(&self, count: u64, seed: u64) -> Result<ParticleDistribution, ParticleError> {
         let mut particles = Vec::new();
-        for draw in 0..count {
-            let draw = self.sample(seed.wrapping_add(draw << DRAW_SHIFT))?;
-            particles.extend(draw.iter());
+        for member in self.systematic(count as usize, seed) {
+            particles.extend(self.replays[member].iter());
         }
         ParticleDistribution::with_fates(&particles)
+    }
+
+    /// Members drawn so that each comes as often as its weight says, give or take one (systematic resampling).
+    pub(super) fn systematic(&self, count: usize, seed: u64) -> Vec<usize> {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let begin: f64 = random.random();
+        let place = |i: usize| (i as f64 + begin) / count as f64;
+        (0..count).map(|i| self.at(place(i))).collect()
+    }
+
+    /// The member at a place in [0, 1) along the weights.
+    fn at(&self, place: f64) -> usize {
+        let mut sum = 0.0;
+        let reached = self.weights.iter().position(|weight| {
+            sum += weight;
+            sum > place
+        });
+        reached.unwrap_or(self.weights.len() - 1)
     }
 
     /// How many particles remain where, over square cells of side `cell_size` [m].
@@ -146,6 +183,6 @@ impl Belief {
     /// # Errors
     /// Cells so small that there are too many, or a side that is not above 0.
     pub fn density(&self, surface: &Surface, cell_size: f64) -> Result<DensityMap, InterpretError> {
-        DensityMap::of(&self.replays, surface, cell_size)
+        DensityMap::of(&self.replays, &self.weights, surface, cell_size)
     }
 }

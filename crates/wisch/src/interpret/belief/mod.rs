@@ -1,14 +1,20 @@
-//! Where the dirt may lie after a log: the contact motions replayed many times, each time with another sample of
-//! what is not known exactly.
+//! Where the dirt may lie after a log: an ensemble of worlds that may be, in each of which the contact motions are
+//! replayed.
 
 mod activation;
 mod density;
 mod ensemble;
 mod parameter_sampling;
+mod performance;
+mod prior;
 mod push_hypotheses;
 mod replay;
+mod sight;
 
 pub use density::DensityMap;
-pub use ensemble::{Belief, Estimate};
+pub use ensemble::Belief;
+pub use performance::{Estimate, PerformanceDistribution};
+pub use prior::{COUNT_SPREAD, DirtPrior};
 pub(super) use push_hypotheses::ContactEvidence;
 pub(super) use replay::Replay;
+pub use sight::Look;

@@ -1,45 +1,61 @@
-//! The parameters of one replay, sampled from what is not known exactly.
+//! The parameters of a member, sampled from what is not known exactly.
 
 use crate::geometry::{PlanarPose, Point2};
+use crate::interpret::config::InterpretConfig;
 use crate::interpret::contact::ContactMotion;
-use crate::interpret::uncertainty::Uncertainty;
-use crate::random::normal_pair;
-use crate::represent::{Fate, ParticleDistribution, Surface, ToolMotion};
+use crate::random::{normal, normal_pair};
+use crate::represent::{Fate, LogNormal, ParticleDistribution, Surface, ToolMotion};
 use rand::{Rng, RngExt};
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
 /// Streams of random numbers: apart from those of the activation, which are numbered from 0.
 const STREAMS: u64 = 0x7661_7279_0000_0000;
+/// Streams for where known particles lie.
+const PLACES: u64 = 0x706c_6163_0000_0000;
 
-/// Share of the replays in which nothing slips past the tool [1].
+/// Share of the members in which nothing slips past the tool [1].
 const UNSLIPPED: f64 = 0.875;
 
-/// What one replay takes for real.
-#[derive(Debug)]
-pub(super) struct ParameterSample {
-    random: ChaCha8Rng,
+/// What a member takes for real, over all rounds.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct MemberParameters {
     grasp: PlanarPose,
     force_scale: f64,
-    /// Share of what is pushed that slips past the tool, per drawing [1].
-    pub(super) slip: f64,
     /// Depth of a heap of all particles over r_s [1].
     pub(super) heap: f64,
-    particle_m: f64,
+    /// The chance of an effect over the normalised force.
+    pub(super) likelihood: LogNormal,
+    /// After this travel in contact a threshold is drawn again [m].
+    pub(super) redraw_length: f64,
+    /// Whether thresholds are kept for good instead.
+    pub(super) is_kept: bool,
 }
 
-impl ParameterSample {
-    pub(super) fn draw(uncertainty: &Uncertainty, seed: u64, replay: u64) -> Self {
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
-        random.set_stream(STREAMS ^ replay);
+impl MemberParameters {
+    pub(super) fn draw(config: &InterpretConfig, member: u64) -> Self {
+        let uncertainty = &config.uncertainty;
+        let mut random = ChaCha8Rng::seed_from_u64(config.seed);
+        random.set_stream(STREAMS ^ member);
         let offset = normal_pair(&mut random) * uncertainty.grasp_offset_m;
         let [turn, scale] = normal_pair(&mut random).into();
+        let heap = uncertainty.heap_depth * random.random::<f64>();
+        let [mu, sigma] = normal_pair(&mut random).into();
+        let is_kept = random.random::<f64>() < uncertainty.kept_share;
+        let length = normal(&mut random);
+        let LogNormal {
+            mu: mean,
+            sigma: spread,
+        } = config.likelihood;
         Self {
             grasp: PlanarPose::new(Point2::from(offset), turn * uncertainty.grasp_turn),
-            slip: uncertainty.slip_share * slip_severity(seed, replay),
-            heap: uncertainty.heap_depth * random.random::<f64>(),
+            heap,
             force_scale: (1.0 + scale * uncertainty.force_share).max(0.0),
-            particle_m: uncertainty.particle_m,
-            random,
+            likelihood: LogNormal {
+                mu: mean + mu * uncertainty.law_mu,
+                sigma: spread * libm::exp(sigma * uncertainty.law_sigma),
+            },
+            redraw_length: config.redraw_length_m * libm::exp(length * uncertainty.redraw_share),
+            is_kept,
         }
     }
 
@@ -58,34 +74,44 @@ impl ParameterSample {
             ..*contact
         }
     }
-
-    /// The particles where they may lie as well; none leaves the surface by that.
-    pub(super) fn scattered(
-        &mut self,
-        particles: &ParticleDistribution,
-        surface: &Surface,
-    ) -> ParticleDistribution {
-        let size = self.particle_m;
-        let places: Vec<(Point2, Fate)> = particles
-            .iter()
-            .map(|(position, fate)| {
-                let there = position + normal_pair(&mut self.random) * size;
-                let is_possible = fate == Fate::OnSurface && surface.outline.contains(there);
-                (if is_possible { there } else { position }, fate)
-            })
-            .collect();
-        // Finite positions stay finite.
-        ParticleDistribution::with_fates(&places).unwrap_or_else(|_| particles.clone())
-    }
 }
 
-/// How much slips in a replay, over the most that may [1]: nothing in most of them. An additive sequence by the
-/// golden ratio, begun anywhere, spreads the others evenly over the replays, however many there are.
-fn slip_severity(seed: u64, replay: u64) -> f64 {
+/// The particles where they may lie as well, if each is known to this standard deviation along x and along y [m]; none
+/// leaves the surface by that.
+pub(super) fn scattered(
+    particles: &ParticleDistribution,
+    surface: &Surface,
+    deviation: f64,
+    seed: u64,
+    member: u64,
+) -> ParticleDistribution {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    random.set_stream(PLACES ^ member);
+    let places: Vec<(Point2, Fate)> = particles
+        .iter()
+        .map(|(position, fate)| {
+            let there = position + normal_pair(&mut random) * deviation;
+            let is_possible = fate == Fate::OnSurface && surface.outline.contains(there);
+            (if is_possible { there } else { position }, fate)
+        })
+        .collect();
+    // Finite positions stay finite.
+    ParticleDistribution::with_fates(&places).unwrap_or_else(|_| particles.clone())
+}
+
+/// Share of what is pushed that slips past the tool in a log, per drawing [1]: how a heap leaks depends on the strokes, so a
+/// member draws it for every log anew.
+pub(super) fn slip(config: &InterpretConfig, member: u64) -> f64 {
+    config.uncertainty.slip_share * slip_severity(config.seed, member)
+}
+
+/// How much slips in a member, over the most that may [1]: nothing in most of them. An additive sequence by the
+/// golden ratio, begun anywhere, spreads the others evenly over the members, however many there are.
+fn slip_severity(seed: u64, member: u64) -> f64 {
     const GOLDEN: u64 = 0x9E37_79B9_7F4A_7C15;
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     random.set_stream(STREAMS - 1);
-    let place = random.next_u64().wrapping_add(replay.wrapping_mul(GOLDEN));
+    let place = random.next_u64().wrapping_add(member.wrapping_mul(GOLDEN));
     // 53 bits in [0, 1).
     let place = (place >> 11) as f64 / (1_u64 << 53) as f64;
     ((place - UNSLIPPED) / (1.0 - UNSLIPPED)).max(0.0)

@@ -6,8 +6,8 @@
 //! what is drawn.
 
 use super::activation::Activation;
-use super::ensemble::Belief;
-use super::parameter_sampling::ParameterSample;
+use super::ensemble::{Belief, MemberState};
+use super::parameter_sampling::{MemberParameters, scattered, slip};
 use super::push_hypotheses::ContactEvidence;
 use crate::geometry::Region;
 use crate::interpret::config::InterpretConfig;
@@ -26,58 +26,77 @@ pub(in crate::interpret) struct Replay<'a> {
 
 impl Replay<'_> {
     /// The belief after these motions.
+    ///
+    /// Certainty becomes as many members as the settings say; members of an ensemble draw their parameters with the first
+    /// log, and keep them.
     pub(in crate::interpret) fn run(
         &self,
         believed: &Belief,
         evidence: &ContactEvidence<'_>,
     ) -> Belief {
-        let members = believed.replays();
-        let is_certain = members.len() == 1;
-        let count = if is_certain {
-            self.config.replays
+        let before = believed.replays();
+        let (count, weights) = if believed.is_certain() {
+            let count = self.config.replays;
+            (count, vec![1.0 / count as f64; count])
         } else {
-            members.len()
+            (before.len(), believed.weights().to_vec())
         };
-        let replays = (0..count)
-            .into_par_iter()
-            .map(|replay| {
-                let seed = self.config.seed;
-                let mut parameters =
-                    ParameterSample::draw(&self.config.uncertainty, seed, replay as u64);
-                let motions = &evidence.motions(replay as u64);
-                let member = &members[replay % members.len()];
-                if is_certain {
-                    // Members of an ensemble already differ in where their particles lie.
-                    let scattered = parameters.scattered(member, self.surface);
-                    self.once(&scattered, motions, &parameters, replay as u64)
-                } else {
-                    self.once(member, motions, &parameters, replay as u64)
-                }
-            })
-            .collect();
-        Belief::ensemble(replays)
+        let deviation = self.config.uncertainty.particle_m;
+        let members = (0..count).into_par_iter().map(|member| {
+            let motions = &evidence.motions(member as u64);
+            let dirt = &before[member % before.len()];
+            let mut state = match believed.states.get(member) {
+                Some(state) => state.clone(),
+                None => self.first_state(dirt.len(), member as u64),
+            };
+            // Members of an ensemble already differ in where their particles lie.
+            let scattered = believed.is_certain().then(|| {
+                scattered(
+                    dirt,
+                    self.surface,
+                    deviation,
+                    self.config.seed,
+                    member as u64,
+                )
+            });
+            let slip = match self.effect {
+                Effect::Push => slip(self.config, member as u64),
+                Effect::Absorb => 0.0,
+            };
+            state.activation.begin_log(slip);
+            let after = self.once(scattered.as_ref().unwrap_or(dirt), motions, &mut state);
+            (after, state)
+        });
+        Belief::continued(members.collect(), weights)
+    }
+
+    fn first_state(&self, particles: usize, member: u64) -> MemberState {
+        let parameters = MemberParameters::draw(self.config, member);
+        let is_kept = parameters.is_kept;
+        MemberState {
+            activation: Activation::new(self.config.seed, member, particles, is_kept),
+            parameters,
+        }
     }
 
     fn once(
         &self,
         particles: &ParticleDistribution,
         motions: &[ContactMotion],
-        parameters: &ParameterSample,
-        replay: u64,
+        state: &mut MemberState,
     ) -> ParticleDistribution {
+        let MemberState {
+            parameters,
+            activation,
+        } = state;
         let mut model = EffectModel::new(self.footprint, self.effect);
-        let slip = match self.effect {
-            Effect::Push => parameters.slip,
-            Effect::Absorb => 0.0,
-        };
-        let mut activation = Activation::new(self.config.seed, replay, particles.len(), slip);
         if self.effect == Effect::Push {
             let heap_depth = parameters.heap * self.config.redraw_length_m;
             model = model.with_heap(heap_depth, activation.key);
         }
         let mut field = ParticleField::new(particles);
         let bounds = self.footprint.bounds();
-        let likelihood = &self.config.likelihood;
+        let likelihood = &parameters.likelihood;
         for contact in motions {
             let contact = parameters.applied(contact);
             if !contact.continues {
@@ -97,7 +116,7 @@ impl Replay<'_> {
                 let probability = (pressure.as_ref()).map_or(largest, |pressure| {
                     likelihood.probability(pressure.share(position))
                 });
-                activation.responds(particle, probability, self.config.redraw_length_m)
+                activation.responds(particle, probability, parameters.redraw_length)
             });
         }
         model.lift_off(&mut field, self.surface);

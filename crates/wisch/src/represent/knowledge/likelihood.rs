@@ -13,6 +13,33 @@ pub struct LogNormal {
     pub sigma: f64,
 }
 
+/// How well the two parameters of a [`LogNormal`] are known, as standard deviations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LogNormalSpread {
+    /// Of μ [1].
+    pub mu: f64,
+    /// Of ln σ [1].
+    pub ln_sigma: f64,
+}
+
+impl LogNormalSpread {
+    /// Both are known exactly.
+    pub const NONE: Self = Self {
+        mu: 0.0,
+        ln_sigma: 0.0,
+    };
+}
+
+impl Default for LogNormalSpread {
+    /// Of values that somebody estimated and nobody measured.
+    fn default() -> Self {
+        Self {
+            mu: 0.3,
+            ln_sigma: 0.2,
+        }
+    }
+}
+
 impl LogNormal {
     /// P(X ≤ f′): the chance that contact at the normalised force f′ ∈ [0, 1] affects a particle.
     /// Without force (or with one that is not a number) it is 0.

@@ -12,7 +12,7 @@ use std::str::FromStr;
 
 pub use crate::source_location::{Place, UnknownName};
 pub use grip::{Grip, SecondGrip};
-pub use likelihood::LogNormal;
+pub use likelihood::{LogNormal, LogNormalSpread};
 
 use crate::geometry::Vector3;
 
@@ -238,6 +238,8 @@ pub struct Interaction {
     pub compression_depth_m: f64,
     /// The chance of an effect over the normalised force.
     pub likelihood: LogNormal,
+    /// How well that is known.
+    pub likelihood_spread: LogNormalSpread,
 }
 
 /// A tool that can do what was asked, with its prospects.

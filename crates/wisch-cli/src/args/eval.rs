@@ -1,0 +1,81 @@
+//! Arguments of `eval`.
+
+use clap::{Args, Subcommand, ValueEnum, ValueHint};
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// What is evaluated.
+#[derive(Debug, Subcommand)]
+pub enum EvalCommand {
+    /// Hold what is believed of the effect against what is so, in many simulated worlds that differ from the belief
+    #[command(after_help = "\
+Examples:
+  wisch eval calibration --worlds 27                       a demonstration on seeds 1 to 27
+  wisch eval calibration --first-seed 1000 --worlds 500    to choose constants
+  wisch eval calibration --first-seed 10000 --worlds 1000 --senses sight --out out/published
+  wisch eval calibration --first-seed 10000 --worlds 1000 --shard 1/4 --out out/published --resume
+
+Writes worlds-*.jsonl (a line per world), and of all the worlds in the folder calibration.json,
+calibration.md and reliability.svg. Seeds 1 to 999 are for tests and demonstrations, 1000 to 4999 for
+choosing constants, those from 10000 on for figures that are published. See docs/evaluation.md.
+
+Exit codes: 0 all worlds were evaluated, 1 some could not be, 2 an error.")]
+    Calibration(CalibrationArgs),
+}
+
+/// Arguments of `eval calibration`.
+#[derive(Debug, Args)]
+pub struct CalibrationArgs {
+    /// Number of worlds
+    #[arg(long, value_name = "N", default_value_t = 27, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    pub worlds: u64,
+    /// Seed of the first world; the others follow
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub first_seed: u64,
+    /// What the robot perceives the effect by
+    #[arg(long, value_name = "SENSES", default_value = "touch")]
+    pub senses: SensesChoice,
+    /// Evaluate only the I-th of N parts of the worlds
+    #[arg(long, value_name = "I/N", default_value = "1/1")]
+    pub shard: Shard,
+    /// Go on where an earlier evaluation of the same worlds ended
+    #[arg(long)]
+    pub resume: bool,
+    /// Folder for the results
+    #[arg(long, value_name = "DIR", default_value = "out/calibration", value_hint = ValueHint::DirPath)]
+    pub out: PathBuf,
+    /// Print one machine-readable result
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What the robot perceives the effect by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum SensesChoice {
+    /// Poses and forces
+    Touch,
+    /// These, and a camera that looks before the first round and after each
+    Sight,
+}
+
+/// A part of the worlds: the `index`-th of `count`, from 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Shard {
+    /// Which part, from 1.
+    pub index: u64,
+    /// How many parts there are.
+    pub count: u64,
+}
+
+impl FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parts = text.split_once('/');
+        let parts = parts.and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
+        match parts {
+            Some((index, count)) if (1..=count).contains(&index) => Ok(Self { index, count }),
+            _ => Err("expected I/N with 1 <= I <= N, such as 2/4".to_owned()),
+        }
+    }
+}

@@ -1,0 +1,320 @@
+//! `wisch eval`: the method in many worlds.
+
+use super::words::{counted, percent};
+use crate::args::{CalibrationArgs, GlobalArgs, SensesChoice};
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::terminal::{Outcome, print, remark};
+use rayon::prelude::*;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::fs::{self, File, OpenOptions};
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use wisch_eval::{Calibration, GroupScores, MethodScores, SeedUse, Senses, WorldCase, WorldScore};
+use wisch_io::OutputFile;
+use wisch_report::{CalibrationCurve, CalibrationLevel, calibration_drawing};
+
+/// The schema of what is written.
+const SCHEMA: u32 = 1;
+
+/// What is written of an evaluation.
+#[derive(Debug, Serialize)]
+struct CalibrationRecord {
+    format: &'static str,
+    schema: u32,
+    /// Version of the program, and the commit where it runs in a checkout.
+    version: &'static str,
+    commit: Option<String>,
+    seeds: [u64; 2],
+    seed_use: &'static str,
+    senses: Senses,
+    #[serde(flatten)]
+    calibration: Calibration,
+}
+
+/// Evaluates worlds, and sums up all in the folder.
+pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let serves = SeedUse::of(args.first_seed, args.worlds).map_err(Failure::new)?;
+    let senses = match args.senses {
+        SensesChoice::Touch => Senses::Touch,
+        SensesChoice::Sight => Senses::TouchAndSight,
+    };
+    let (shard, out) = (args.shard, &args.out);
+    fs::create_dir_all(out).map_err(|error| cannot(out, "write there", &error))?;
+    let path = out.join(format!("worlds-{}-of-{}.jsonl", shard.index, shard.count));
+    let last = args.first_seed + args.worlds - 1;
+    let mut known = read_all(out)?;
+    let is_other = |world: &&WorldScore| {
+        world.senses != senses || !(args.first_seed..=last).contains(&world.case.seed)
+    };
+    if let Some(other) = known.values().find(is_other) {
+        let seed = other.case.seed;
+        return Err(Failure::new(format!(
+            "{}: holds another evaluation, among others of seed {seed}",
+            out.display()
+        ))
+        .with_help(
+            "choose another folder with --out: figures of several evaluations are not mixed",
+        ));
+    }
+    if !known.is_empty() && !args.resume {
+        return Err(Failure::new(format!(
+            "{}: holds {} already",
+            out.display(),
+            counted(known.len(), "world")
+        ))
+        .with_help("--resume goes on there; a published figure is not drawn twice"));
+    }
+    let seeds: Vec<u64> = (args.first_seed..=last)
+        .filter(|seed| seed % shard.count == shard.index - 1 && !known.contains_key(seed))
+        .collect();
+    let file = OpenOptions::new().create(true).append(true).open(&path);
+    let file = Mutex::new(file.map_err(|error| cannot(&path, "write there", &error))?);
+    let progress = Progress::start(global);
+    let (done, all) = (AtomicUsize::new(0), seeds.len());
+    progress.say(format!("0 of {}", counted(all, "world")));
+    let evaluated: Vec<Result<WorldScore, Failure>> = seeds
+        .par_iter()
+        .map(|&seed| {
+            let score = WorldCase::of(seed).evaluate(senses).map_err(Failure::new)?;
+            write_line(&file, &score).map_err(|error| cannot(&path, "write there", &error))?;
+            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+            progress.say(format!("{done} of {}", counted(all, "world")));
+            Ok(score)
+        })
+        .collect();
+    drop(progress);
+    let mut failed = 0;
+    for result in evaluated {
+        match result {
+            Ok(score) => {
+                known.insert(score.case.seed, score);
+            }
+            Err(failure) => {
+                failed += 1;
+                remark(&failure.to_string());
+            }
+        }
+    }
+    let worlds: Vec<WorldScore> = known.into_values().collect();
+    let record = CalibrationRecord {
+        format: "wisch calibration",
+        schema: SCHEMA,
+        version: env!("CARGO_PKG_VERSION"),
+        commit: commit(),
+        seeds: [args.first_seed, last],
+        seed_use: serves.as_str(),
+        senses,
+        calibration: Calibration::of(&worlds),
+    };
+    let table = in_words(&record);
+    let text = serde_json::to_string_pretty(&record).map_err(Failure::new)?;
+    write(&out.join("calibration.json"), &(text + "\n"))?;
+    write(&out.join("calibration.md"), &table)?;
+    write(&out.join("reliability.svg"), &drawing(&record))?;
+    if args.json {
+        let line = serde_json::to_string(&record).map_err(Failure::new)?;
+        print(&(line + "\n"))?;
+    } else if !global.quiet {
+        print(&table)?;
+    }
+    Ok(if failed == 0 {
+        Outcome::Done
+    } else {
+        Outcome::GoalNotMet
+    })
+}
+
+fn cannot(path: &Path, what: &str, error: &std::io::Error) -> Failure {
+    Failure::new(format!("{}: cannot {what}: {error}", path.display()))
+}
+
+fn write(path: &PathBuf, text: &str) -> Result<(), Failure> {
+    Ok(OutputFile::begin(path)?.finish(text.as_bytes())?)
+}
+
+/// A line at once, so that a killed evaluation leaves whole lines but for the last.
+fn write_line(file: &Mutex<File>, score: &WorldScore) -> std::io::Result<()> {
+    let mut line = serde_json::to_vec(score)?;
+    line.push(b'\n');
+    let mut file = file
+        .lock()
+        .unwrap_or_else(std::sync::PoisonError::into_inner);
+    file.write_all(&line)?;
+    file.flush()
+}
+
+/// All worlds that the folder holds, by seed; a line that was not finished is passed over.
+fn read_all(out: &Path) -> Result<BTreeMap<u64, WorldScore>, Failure> {
+    let mut worlds = BTreeMap::new();
+    let entries = fs::read_dir(out).map_err(|error| cannot(out, "read it", &error))?;
+    for entry in entries {
+        let path = entry
+            .map_err(|error| cannot(out, "read it", &error))?
+            .path();
+        let name = path
+            .file_name()
+            .and_then(|name| name.to_str())
+            .unwrap_or_default();
+        if !(name.starts_with("worlds-") && name.ends_with(".jsonl")) {
+            continue;
+        }
+        let text = fs::read_to_string(&path).map_err(|error| cannot(&path, "read it", &error))?;
+        let mut lines = text.split_inclusive('\n').enumerate().peekable();
+        while let Some((number, line)) = lines.next() {
+            match serde_json::from_str::<WorldScore>(line) {
+                Ok(score) => {
+                    worlds.insert(score.case.seed, score);
+                }
+                Err(_) if lines.peek().is_none() && !line.ends_with('\n') => {}
+                Err(error) => {
+                    return Err(Failure::new(format!(
+                        "{}:{}: {error}",
+                        path.display(),
+                        number + 1
+                    )));
+                }
+            }
+        }
+    }
+    Ok(worlds)
+}
+
+/// The commit of the checkout that the program runs in, with a mark if anything there differs from it.
+fn commit() -> Option<String> {
+    let output = Command::new("git")
+        .args([
+            "describe",
+            "--always",
+            "--dirty",
+            "--abbrev=12",
+            "--exclude=*",
+        ])
+        .output()
+        .ok()?;
+    let text = String::from_utf8(output.stdout).ok()?;
+    output.status.success().then(|| text.trim().to_owned())
+}
+
+fn points(share: f64) -> String {
+    format!("{:.1}", 100.0 * share)
+}
+
+fn in_words(record: &CalibrationRecord) -> String {
+    let [first, last] = record.seeds;
+    let calibration = &record.calibration;
+    let senses = match record.senses {
+        Senses::Touch => "touch alone",
+        Senses::TouchAndSight => "touch and sight",
+    };
+    let commit = record.commit.as_deref().unwrap_or("outside of a checkout");
+    let mut text = format!(
+        "Seeds {first} to {last} ({}), {senses}, wisch {} ({commit}): {} with {}.\n\n",
+        record.seed_use,
+        record.version,
+        counted(calibration.worlds, "world"),
+        counted(calibration.rounds, "round"),
+    );
+    text +=
+        "| way to believe | CRPS | error | bias | 50 % | 80 % | 90 % | 95 % | width of 90 % |\n";
+    text += "|---|---|---|---|---|---|---|---|---|\n";
+    for method in &calibration.methods {
+        let _ = writeln!(text, "| {} |{}", method.name, method_cells(method));
+    }
+    let _ = writeln!(
+        text,
+        "\nCRPS, error, bias and width in points of performance; of intervals, the share of rounds that they held.\n"
+    );
+    text += "| worlds | | rounds | 90 % holds (95 % bounds) | width | CRPS | error | paper's error | end ≥ 90 % | claimed | met | false |\n";
+    text += "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+    for group in &calibration.groups {
+        let _ = writeln!(text, "{}", group_row(group));
+    }
+    let claims = &calibration.claims;
+    let _ = writeln!(
+        text,
+        "\nGoals: {} claimed, {} met, {} claimed and met, {} claimed falsely by more than 10 points; {} unknowable by touch.",
+        claims.claimed, claims.met, claims.claimed_and_met, claims.false_claims, claims.unknowable
+    );
+    text
+}
+
+fn method_cells(method: &MethodScores) -> String {
+    let mut cells = format!(
+        " {} | {} | {} |",
+        points(method.crps),
+        points(method.error),
+        points(method.bias)
+    );
+    if method.coverage.is_empty() {
+        return cells + " – | – | – | – | – |";
+    }
+    for level in &method.coverage {
+        let _ = write!(cells, " {} |", percent(level.share));
+    }
+    let width = method.coverage.iter().find(|level| level.level == 0.9);
+    let _ = write!(
+        cells,
+        " {} |",
+        width.map_or_else(String::new, |level| points(level.width))
+    );
+    cells
+}
+
+fn group_row(group: &GroupScores) -> String {
+    let at_90 = group
+        .method
+        .coverage
+        .iter()
+        .find(|level| level.level == 0.9);
+    let (held, width) = at_90.map_or_else(Default::default, |level| {
+        let [low, high] = level.bounds;
+        let held = format!(
+            "{} ({} to {})",
+            percent(level.share),
+            points(low),
+            points(high)
+        );
+        (held, points(level.width))
+    });
+    format!(
+        "| {} | {} | {} | {held} | {width} | {} | {} | {} | {} | {} | {} | {} |",
+        group.name,
+        group.worlds,
+        group.rounds,
+        points(group.method.crps),
+        points(group.method.error),
+        points(group.paper_error),
+        percent(group.ended_at_90),
+        group.claims.claimed,
+        group.claims.met,
+        group.claims.false_claims,
+    )
+}
+
+fn drawing(record: &CalibrationRecord) -> String {
+    let curve = |method: &MethodScores| CalibrationCurve {
+        name: method.name.to_owned(),
+        levels: (method.coverage.iter())
+            .map(|level| CalibrationLevel {
+                level: level.level,
+                held: level.share,
+                bounds: level.bounds,
+                width: level.width,
+            })
+            .collect(),
+    };
+    let methods = record.calibration.methods.iter();
+    let with_intervals = methods.filter(|method| !method.coverage.is_empty());
+    let curves: Vec<CalibrationCurve> = with_intervals.map(curve).collect();
+    let what = format!(
+        "{} rounds in {} worlds, seeds {} to {}",
+        record.calibration.rounds, record.calibration.worlds, record.seeds[0], record.seeds[1]
+    );
+    calibration_drawing("Reliability of the intervals", &what, &curves)
+}

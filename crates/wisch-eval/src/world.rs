@@ -1,0 +1,287 @@
+//! Worlds that are drawn: which task, how the world differs from the belief, and what disturbs it.
+
+use nalgebra::{Translation3, UnitQuaternion};
+use rand::RngExt;
+use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
+use serde::{Deserialize, Serialize};
+use std::f64::consts::{PI, TAU};
+use wisch::geometry::{Pose, Vector2, Vector3};
+use wisch::represent::{Action, LogNormal, Task};
+use wisch_io::{Moment, Push};
+use wisch_sim::{Places, SimulationSettings};
+
+/// Stream of random numbers, apart from those of the task.
+const STREAM: u64 = 0x776f_726c_6400_0000;
+/// By how much μ of the real law may differ from the believed one.
+const LAW: f64 = 0.5;
+/// A law that is much harder than believed.
+const HARD: LogNormal = LogNormal {
+    mu: -0.35,
+    sigma: 0.4,
+};
+/// By which share the real tool may be stiffer or softer, and larger or smaller.
+const STIFFNESS: f64 = 0.3;
+const FOOTPRINT: f64 = 0.1;
+/// How far the tool may sit off in the hand [m].
+const GRASP: f64 = 0.01;
+/// Tilt of the real surface about its x and y, at most [rad], and how far off along its normal, at most [m].
+const TILT: f64 = 3.0 * PI / 180.0;
+const HEIGHT: f64 = 0.010;
+/// Most pushes; force of a push [N], after which share of the motion it begins, how long it lasts [s], speed of the hand
+/// [m/s].
+const PUSHES: u32 = 2;
+const PUSH_FORCE: [f64; 2] = [10.0, 40.0];
+const PUSH_START: [f64; 2] = [0.1, 0.9];
+const PUSH_DURATION: [f64; 2] = [0.5, 2.5];
+const HAND_SPEED: [f64; 2] = [0.05, 0.5];
+/// Coulomb coefficient between tool and surface [1].
+const FRICTION: [f64; 2] = [0.2, 0.9];
+/// Bias of the force sensor per axis, at most, and standard deviation of its noise [N].
+const BIAS: f64 = 1.0;
+const NOISE: [f64; 2] = [0.0, 0.5];
+
+/// A task that worlds are drawn for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub struct TaskCase {
+    /// Index into the shipped scenarios that have a sponge: board, table, windshield.
+    place: usize,
+    /// Index into [`Action::ALL`].
+    action: usize,
+}
+
+/// The shipped scenarios on whose surfaces worlds stand.
+const PLACES: [&str; 3] = ["chopping-board", "table", "windshield"];
+
+impl TaskCase {
+    /// All nine: each action on each surface.
+    pub fn all() -> impl Iterator<Item = Self> {
+        (0..PLACES.len())
+            .flat_map(|place| (0..Action::ALL.len()).map(move |action| Self { place, action }))
+    }
+
+    /// Name of the shipped scenario.
+    pub fn scenario(&self) -> &'static str {
+        PLACES[self.place % PLACES.len()]
+    }
+
+    /// What is to be done.
+    pub fn action(&self) -> Action {
+        Action::ALL[self.action % Action::ALL.len()]
+    }
+
+    /// Such as `collect chopping-board`.
+    pub fn name(&self) -> String {
+        format!("{} {}", self.action(), self.scenario())
+    }
+}
+
+/// How a world differs from what the robot believes of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Mismatch {
+    /// Each grain lies where one draw of the belief has it, and moves as believed.
+    AsBelieved,
+    /// Grains are spread evenly, but drawn apart.
+    Uniform,
+    /// They lie in heaps.
+    Clusters,
+    /// They lie in a band.
+    Stripe,
+    /// μ is 0.5 more or less.
+    Law,
+    /// They are much harder to move: μ = -0.35, σ = 0.4.
+    HardLaw,
+    /// The tool is 30 % stiffer or softer.
+    Stiffness,
+    /// It sits 10 mm off in the hand.
+    Grasp,
+    /// Its footprint is 10 % larger or smaller.
+    Footprint,
+}
+
+impl Mismatch {
+    /// All of them.
+    pub const ALL: [Self; 9] = [
+        Self::AsBelieved,
+        Self::Uniform,
+        Self::Clusters,
+        Self::Stripe,
+        Self::Law,
+        Self::HardLaw,
+        Self::Stiffness,
+        Self::Grasp,
+        Self::Footprint,
+    ];
+
+    /// The mismatch in words.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::AsBelieved => "as believed",
+            Self::Uniform => "uniform, drawn apart",
+            Self::Clusters => "clusters",
+            Self::Stripe => "stripe",
+            Self::Law => "law: mu ± 0.5",
+            Self::HardLaw => "law: mu -0.35, sigma 0.4",
+            Self::Stiffness => "stiffness ± 30 %",
+            Self::Grasp => "grasp off by 10 mm",
+            Self::Footprint => "footprint ± 10 %",
+        }
+    }
+
+    fn apply(self, settings: &mut SimulationSettings, task: &Task, random: &mut ChaCha8Rng) {
+        let sign = if random.random::<bool>() { 1.0 } else { -1.0 };
+        let angle = TAU * random.random::<f64>();
+        settings.dirt = match self {
+            Self::AsBelieved => Places::Listed(task.particles.remaining().collect()),
+            Self::Clusters => Places::Clusters(None),
+            Self::Stripe => Places::Stripe {
+                center: None,
+                direction: None,
+                width: None,
+            },
+            _ => Places::Uniform,
+        };
+        match self {
+            Self::AsBelieved | Self::Uniform | Self::Clusters | Self::Stripe => {}
+            Self::Law => settings.likelihood.mu += sign * LAW,
+            Self::HardLaw => settings.likelihood = HARD,
+            Self::Stiffness => settings.tool.stiffness = 1.0 + sign * STIFFNESS,
+            Self::Footprint => settings.tool.footprint = 1.0 + sign * FOOTPRINT,
+            Self::Grasp => {
+                settings.tool.grasp_offset =
+                    GRASP * Vector2::new(libm::cos(angle), libm::sin(angle));
+            }
+        }
+    }
+}
+
+/// What disturbs a world.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Disturbance {
+    /// Nothing.
+    None,
+    /// The surface is tilted and shifted, friction, bias and noise differ.
+    Place,
+    /// The same, and somebody pushes once or twice in the first round.
+    Push,
+}
+
+impl Disturbance {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::None, Self::Place, Self::Push];
+
+    /// The disturbance in words.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::None => "undisturbed",
+            Self::Place => "surface elsewhere",
+            Self::Push => "pushed",
+        }
+    }
+
+    fn apply(self, settings: &mut SimulationSettings, random: &mut ChaCha8Rng) {
+        if self == Self::None {
+            return;
+        }
+        let mut between =
+            |[low, high]: [f64; 2]| -> f64 { low + (high - low) * random.random::<f64>() };
+        let tilt = Vector3::new(between([-TILT, TILT]), between([-TILT, TILT]), 0.0);
+        settings.believed_from_real = Pose::from_parts(
+            Translation3::new(0.0, 0.0, between([-HEIGHT, HEIGHT])),
+            UnitQuaternion::from_scaled_axis(tilt),
+        );
+        settings.friction = between(FRICTION);
+        settings.force_bias = Vector3::from_fn(|_, _| between([-BIAS, BIAS]));
+        settings.force_noise = between(NOISE);
+        if self == Self::Place {
+            return;
+        }
+        let count = 1 + between([0.0, f64::from(PUSHES)]) as u32;
+        let push = |_| {
+            // Uniform over all directions: so are the height on a sphere and the angle about its axis.
+            let (up, angle) = (between([-1.0, 1.0]), between([0.0, TAU]));
+            let across = (1.0 - up * up).sqrt();
+            let direction = Vector3::new(across * libm::cos(angle), across * libm::sin(angle), up);
+            Push {
+                round: 1,
+                start: Moment::Share(between(PUSH_START)),
+                duration: between(PUSH_DURATION),
+                force: between(PUSH_FORCE) * direction,
+                hand_speed: between(HAND_SPEED),
+            }
+        };
+        settings.pushes = (0..count).map(push).collect();
+    }
+}
+
+/// What the robot perceives the effect by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Senses {
+    /// The paper's way.
+    Touch,
+    /// A camera looks before the first round and after each.
+    TouchAndSight,
+}
+
+/// A world of an evaluation: all that its seed decides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct WorldCase {
+    /// The seed, of the task as well.
+    pub seed: u64,
+    /// The task.
+    pub task: TaskCase,
+    /// How the world differs from the belief.
+    pub mismatch: Mismatch,
+    /// What disturbs it.
+    pub disturbance: Disturbance,
+}
+
+impl WorldCase {
+    /// The world of a seed. Any 243 seeds in a row have each task with each mismatch and each disturbance once.
+    pub fn of(seed: u64) -> Self {
+        let digit = |place: u64, base: usize| (seed / place) as usize % base;
+        let tasks: Vec<TaskCase> = TaskCase::all().collect();
+        // Each seed goes on by one mismatch and, a block later, by one task, so that few seeds in a row are mixed too.
+        let (mismatch, block) = (digit(1, 9), digit(9, 9));
+        Self {
+            seed,
+            task: tasks[(mismatch + block) % tasks.len()],
+            mismatch: Mismatch::ALL[mismatch],
+            disturbance: Disturbance::ALL[(digit(81, 3) + mismatch + digit(9, 9)) % 3],
+        }
+    }
+
+    /// The world's settings, from those that the scenario has without disturbances.
+    pub fn settings(&self, calm: &SimulationSettings, task: &Task) -> SimulationSettings {
+        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
+        random.set_stream(STREAM);
+        let mut settings = calm.clone();
+        self.mismatch.apply(&mut settings, task, &mut random);
+        self.disturbance.apply(&mut settings, &mut random);
+        settings
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    #[test]
+    fn seeds_in_a_row_have_each_combination_once() {
+        let of = |seed| {
+            let case = WorldCase::of(seed);
+            (case.task, case.mismatch, case.disturbance)
+        };
+        for first in [1, 1000, 10_000] {
+            let all: HashSet<_> = (first..first + 243).map(of).collect();
+            assert_eq!(all.len(), 243);
+            // Nine in a row have all mismatches and all tasks.
+            let few: Vec<_> = (first..first + 9).map(of).collect();
+            let mismatches: HashSet<_> = few.iter().map(|case| case.1).collect();
+            assert_eq!(mismatches.len(), 9);
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! How well what was believed holds: the reliability of intervals, and how wide they are.
+
+use crate::draw::{Figure, Panel, Pen, axes, legend, percent, px};
+use maud::{Markup, html};
+
+const WIDTH: f64 = 760.0;
+const HEIGHT: f64 = 372.0;
+const TOP: f64 = 28.0;
+const BOTTOM: f64 = 330.0;
+/// From left to right, the two plots.
+const RELIABILITY: [f64; 2] = [60.0, 362.0];
+const WIDTHS: [f64; 2] = [440.0, 742.0];
+
+/// A way to believe, and how its intervals did.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CalibrationCurve {
+    /// What it is.
+    pub name: String,
+    /// Its intervals, by level.
+    pub levels: Vec<CalibrationLevel>,
+}
+
+/// How the intervals of one level did.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CalibrationLevel {
+    /// Share of probability within the interval [1].
+    pub level: f64,
+    /// Share of the outcomes within the interval [1].
+    pub held: f64,
+    /// The 95 % interval of that share [1].
+    pub bounds: [f64; 2],
+    /// Mean width of the interval [1].
+    pub width: f64,
+}
+
+/// The reliability diagram, and the width of the intervals beside it, as SVG; the first curve is the method's own.
+pub fn calibration_drawing(title: &str, what: &str, curves: &[CalibrationCurve]) -> String {
+    let classes = ["curve", "course", "trail", "driven"];
+    let classed = || curves.iter().zip(classes.iter().cycle());
+    let entries = classed().map(|(curve, class)| legend::line(class, curve.name.clone()));
+    let mut entries: Vec<_> = entries.collect();
+    entries.push(legend::line(
+        "lifted",
+        "as many outcomes within the interval as it says",
+    ));
+    let widest = (curves.iter().flat_map(|curve| &curve.levels))
+        .map(|level| level.width)
+        .fold(0.1, f64::max);
+    let body = html! {
+        text class="text small quiet" x="8" y="14" { "outcomes within the interval" }
+        (axes::beside(axes::quarters(down), RELIABILITY, 6.0))
+        (axes::below(shares(RELIABILITY), BOTTOM, 18.0))
+        (straight(RELIABILITY))
+        @for (curve, class) in classed() {
+            (plot(curve, class, RELIABILITY, |level| down(level.held)))
+            @for level in &curve.levels {
+                (whisker(across(level.level, RELIABILITY), level.bounds))
+            }
+        }
+        text class="text small quiet" x=(px(WIDTHS[0] - 44.0)) y="14" { "mean width of the interval, of at most " (percent(widest)) }
+        (axes::beside(width_ticks(widest), WIDTHS, 6.0))
+        (axes::below(shares(WIDTHS), BOTTOM, 18.0))
+        @for (curve, class) in classed() {
+            (plot(curve, class, WIDTHS, |level| down(level.width / widest)))
+        }
+        @for ends in [RELIABILITY, WIDTHS] {
+            path class="axis" d=(format!("M{} {}H{}", px(ends[0]), px(BOTTOM), px(ends[1]))) {}
+            text class="text small quiet end" x=(px(ends[1])) y=(px(BOTTOM + 34.0)) { "probability within the interval" }
+        }
+    };
+    let panel = Panel {
+        width: WIDTH,
+        height: HEIGHT,
+        body,
+    };
+    let what = what.to_owned();
+    let figure = Figure {
+        panel,
+        entries,
+        what,
+    };
+    figure.standalone(title, [12.0, 12.0])
+}
+
+fn across(share: f64, [left, right]: [f64; 2]) -> f64 {
+    left + (right - left) * share.clamp(0.0, 1.0)
+}
+
+fn down(share: f64) -> f64 {
+    BOTTOM - share.clamp(0.0, 1.0) * (BOTTOM - TOP)
+}
+
+fn shares(ends: [f64; 2]) -> impl Iterator<Item = (f64, String)> {
+    [0.0, 0.5, 0.8, 0.95]
+        .into_iter()
+        .map(move |share| (across(share, ends), percent(share)))
+}
+
+fn width_ticks(widest: f64) -> impl Iterator<Item = (f64, String)> {
+    (0..=4).map(move |quarter| {
+        let share = f64::from(quarter) / 4.0;
+        (down(share), percent(share * widest))
+    })
+}
+
+fn straight([left, right]: [f64; 2]) -> Markup {
+    let d = format!("M{} {}L{} {}", px(left), px(BOTTOM), px(right), px(TOP));
+    html! { path class="lifted" d=(d) {} }
+}
+
+fn plot(
+    curve: &CalibrationCurve,
+    class: &str,
+    ends: [f64; 2],
+    y: impl Fn(&CalibrationLevel) -> f64,
+) -> Markup {
+    let mut pen = Pen::default();
+    let points = curve
+        .levels
+        .iter()
+        .map(|level| (across(level.level, ends), y(level)));
+    pen.line(points);
+    html! { path class=(class) d=(pen.path()) {} }
+}
+
+fn whisker(x: f64, [low, high]: [f64; 2]) -> Markup {
+    let d = format!("M{} {}V{}", px(x), px(down(low)), px(down(high)));
+    html! { path class="whisker" d=(d) {} }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_drawing_has_a_line_and_its_whiskers_for_each_curve() {
+        let level = |level: f64| CalibrationLevel {
+            level,
+            held: level - 0.1,
+            bounds: [level - 0.15, level],
+            width: 0.2,
+        };
+        let curve = |name: &str| CalibrationCurve {
+            name: name.to_owned(),
+            levels: vec![level(0.5), level(0.9)],
+        };
+        let svg = calibration_drawing("Calibration", "what", &[curve("one"), curve("other")]);
+        assert_eq!(svg.matches("class=\"whisker\"").count(), 4);
+        assert!(svg.contains("one") && svg.contains("other"));
+        // 40 % of the outcomes are within the 50 % interval.
+        assert!(svg.contains(&px(down(0.4))));
+    }
+}

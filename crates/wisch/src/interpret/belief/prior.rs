@@ -1,0 +1,192 @@
+//! Where dirt may lie before anything was felt, by what is known of it.
+
+use super::ensemble::Belief;
+use crate::geometry::{Bounds2, Point2, Vector2};
+use crate::random::{normal, normal_pair};
+use crate::represent::{
+    Cluster, DirtArea, OccupiedArea, ParticleDistribution, Sight, Surface, Task,
+};
+use rand::RngExt;
+use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
+use rayon::prelude::*;
+
+/// By how much the number of particles may be off, as the standard deviation of its logarithm [1].
+pub const COUNT_SPREAD: f64 = 0.3;
+/// How often dirt that lies anywhere lies in heaps [1].
+const CLUMPED: f64 = 0.5;
+/// Most heaps.
+const MOST_HEAPS: u32 = 6;
+/// Spread of a heap, at least and at most [m].
+const HEAP_SPREAD: [f64; 2] = [0.01, 0.1];
+/// Draws until a place on the surface is found, after which there is none.
+const DRAWS: usize = 10_000;
+/// Streams of random numbers of the members.
+const STREAM: u64 = 0x7072_696f_0000_0000;
+
+/// What is known of where dirt lies.
+#[derive(Debug, Clone, PartialEq)]
+pub enum DirtPrior {
+    /// Where each particle of the task lies.
+    Known,
+    /// That there are about so many, anywhere: spread evenly, or in heaps.
+    Anywhere {
+        /// How many, about.
+        count: usize,
+    },
+    /// That there are about so many in heaps like these.
+    Heaps {
+        /// How many in all, about.
+        count: usize,
+        /// The heaps.
+        heaps: Vec<Cluster>,
+    },
+    /// What was seen of it: the particles of the task are detections.
+    Seen(Sight),
+}
+
+impl DirtPrior {
+    /// A belief of so many members for a task; the task's seed decides.
+    ///
+    /// What is known needs no members: they come with the first log.
+    pub fn belief(&self, task: &Task, members: usize) -> Belief {
+        if *self == Self::Known || members == 0 {
+            return Belief::certain(task.particles.clone());
+        }
+        let obstacles: Vec<_> = task.obstacles_in_surface().collect();
+        let occupied = OccupiedArea::of(&obstacles);
+        let area = Area::new(&task.surface, &occupied);
+        let one = |member: usize| {
+            let mut random = ChaCha8Rng::seed_from_u64(task.seed);
+            random.set_stream(STREAM ^ member as u64);
+            let points = self.points(task, &area, &mut random);
+            // Places on a surface are finite.
+            ParticleDistribution::new(&points).unwrap_or_default()
+        };
+        Belief::ensemble((0..members).into_par_iter().map(one).collect())
+    }
+
+    fn points(&self, task: &Task, area: &Area<'_>, random: &mut ChaCha8Rng) -> Vec<Point2> {
+        match self {
+            Self::Known => task.particles.remaining().collect(),
+            Self::Anywhere { count } => {
+                let count = about(*count, random);
+                if random.random::<f64>() < CLUMPED {
+                    area.in_heaps(count, random)
+                } else {
+                    (0..count).filter_map(|_| area.anywhere(random)).collect()
+                }
+            }
+            Self::Heaps { count, heaps } => {
+                let count = about(*count, random);
+                let total: f64 = heaps.iter().map(|heap| heap.weight).sum();
+                let mut place = || {
+                    let mut share = random.random::<f64>() * total;
+                    let heap = heaps.iter().find(|heap| {
+                        share -= heap.weight;
+                        share < 0.0
+                    });
+                    let heap = heap.or(heaps.last())?;
+                    area.near(heap.center, heap.sigma, random)
+                };
+                (0..count).filter_map(|_| place()).collect()
+            }
+            Self::Seen(Sight { sensor, detection }) => {
+                let alarms = sensor.false_alarms_per_m2 * task.surface.outline.area();
+                let seen = task.particles.tally().remaining as f64;
+                let real = (1.0 - alarms / seen.max(1.0)).clamp(0.0, 1.0);
+                let mut points = Vec::new();
+                for place in task.particles.remaining() {
+                    if random.random::<f64>() < real {
+                        points.extend(area.near(place, sensor.position_error_m, random));
+                    }
+                }
+                // For each grain that was seen, so many were not.
+                let missed = (1.0 - detection) / detection.max(0.05) * points.len() as f64;
+                for _ in 0..poisson(missed, random) {
+                    points.extend(area.anywhere(random));
+                }
+                points
+            }
+        }
+    }
+}
+
+/// A number of particles near this one, at least 1.
+fn about(count: usize, random: &mut ChaCha8Rng) -> usize {
+    let factor = libm::exp(COUNT_SPREAD * normal(random));
+    ((count as f64 * factor).round() as usize).max(1)
+}
+
+/// A Poisson-distributed number: by its gaps where it is small, by a normal distribution where it is large.
+pub(super) fn poisson(mean: f64, random: &mut ChaCha8Rng) -> usize {
+    if mean > 100.0 {
+        return (mean + mean.sqrt() * normal(random)).round().max(0.0) as usize;
+    }
+    let limit = libm::exp(-mean);
+    let (mut count, mut product) = (0, random.random::<f64>());
+    while product > limit {
+        count += 1;
+        product *= random.random::<f64>();
+    }
+    count
+}
+
+/// Where dirt can lie.
+pub(super) struct Area<'a> {
+    area: DirtArea<'a>,
+    bounds: Bounds2,
+}
+
+impl<'a> Area<'a> {
+    pub(super) fn new(surface: &'a Surface, occupied: &'a OccupiedArea) -> Self {
+        let outline = &surface.outline;
+        let bounds = Bounds2::of(outline.outer().iter().copied()).unwrap_or(Bounds2 {
+            min: Point2::origin(),
+            max: Point2::origin(),
+        });
+        Self {
+            area: DirtArea { outline, occupied },
+            bounds,
+        }
+    }
+
+    /// A place anywhere; `None` where there is no room.
+    pub(super) fn anywhere(&self, random: &mut ChaCha8Rng) -> Option<Point2> {
+        let size = self.bounds.size();
+        let mut draw = || {
+            let [x, y] = [random.random::<f64>(), random.random::<f64>()];
+            self.bounds.min + Vector2::new(size.x * x, size.y * y)
+        };
+        (0..DRAWS)
+            .map(|_| draw())
+            .find(|place| self.area.contains(*place))
+    }
+
+    /// A place about another, normally distributed; `None` where there is no room.
+    fn near(&self, center: Point2, deviation: f64, random: &mut ChaCha8Rng) -> Option<Point2> {
+        let mut draw = || center + normal_pair(random) * deviation;
+        (0..DRAWS)
+            .map(|_| draw())
+            .find(|place| self.area.contains(*place))
+    }
+
+    /// Heaps about places anywhere (Thomas 1949).
+    fn in_heaps(&self, count: usize, random: &mut ChaCha8Rng) -> Vec<Point2> {
+        let heaps: Vec<(Point2, f64)> = (0..random.random_range(1..=MOST_HEAPS))
+            .filter_map(|_| {
+                let center = self.anywhere(random)?;
+                let [least, most] = HEAP_SPREAD;
+                let spread = least * libm::pow(most / least, random.random::<f64>());
+                Some((center, spread))
+            })
+            .collect();
+        if heaps.is_empty() {
+            return Vec::new();
+        }
+        let mut place = || {
+            let (center, spread) = heaps[random.random_range(0..heaps.len())];
+            self.near(center, spread, random)
+        };
+        (0..count).filter_map(|_| place()).collect()
+    }
+}

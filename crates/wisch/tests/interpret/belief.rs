@@ -1,0 +1,269 @@
+//! What is believed before anything is felt, and what a look changes.
+
+use super::interpreted_with;
+use super::log::{STEEP, Script, task};
+use wisch::geometry::{Point2, Polygon, Region, Vector2};
+use wisch::interpret::{Belief, DirtPrior, InterpretConfig, Look};
+use wisch::represent::{
+    Cluster, Fate, GoalState, Observation, ParticleDistribution, SensorModel, Sight, Task,
+};
+
+/// A camera that sees every grain where it is, and nothing else.
+const SHARP: Sight = Sight {
+    sensor: SensorModel {
+        detection: 1.0,
+        half_size_m: 0.0,
+        false_alarms_per_m2: 0.0,
+        position_error_m: 1e-6,
+    },
+    detection: 1.0,
+};
+
+fn look<'a>(task: &'a Task, goal: &'a GoalState, observation: &'a Observation) -> Look<'a> {
+    Look {
+        observation,
+        sight: SHARP,
+        surface: &task.surface,
+        goal,
+        seed: 5,
+    }
+}
+
+fn places(count: usize, x: f64) -> Vec<Point2> {
+    (0..count)
+        .map(|i| Point2::new(x, -0.1 + 0.002 * i as f64))
+        .collect()
+}
+
+fn counts(belief: &Belief) -> Vec<usize> {
+    belief
+        .replays()
+        .iter()
+        .map(ParticleDistribution::len)
+        .collect()
+}
+
+#[test]
+fn dirt_that_lies_anywhere_lies_elsewhere_in_every_member() {
+    let task = task(80, STEEP);
+    let prior = DirtPrior::Anywhere { count: 80 };
+    let belief = prior.belief(&task, 400);
+    assert_eq!(belief, prior.belief(&task, 400));
+    let logs: Vec<f64> = counts(&belief)
+        .iter()
+        .map(|&n| (n as f64 / 80.0).ln())
+        .collect();
+    let mean = logs.iter().sum::<f64>() / 400.0;
+    let deviation = (logs.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / 400.0).sqrt();
+    // Log-normal with a spread of 0.3; four standard errors of 400 draws.
+    assert!(mean.abs() < 0.06, "{mean}");
+    assert!((deviation - 0.3).abs() < 0.05, "{deviation}");
+    // About half of the members have their dirt in heaps: closer together than dirt that is spread evenly.
+    let spread = |member: &ParticleDistribution| {
+        let n = member.len() as f64;
+        let mean = member.remaining().map(|p| p.coords).sum::<Vector2>() / n;
+        let squares: f64 = member
+            .remaining()
+            .map(|p| (p.coords - mean).norm_squared())
+            .sum();
+        (squares / n).sqrt()
+    };
+    // √((0.4² + 0.28²) / 12) = 0.141 m if spread evenly.
+    let heaped = belief
+        .replays()
+        .iter()
+        .filter(|member| spread(member) < 0.115)
+        .count();
+    assert!((80..220).contains(&heaped), "{heaped}");
+    let outline = &task.surface.outline;
+    assert!(
+        belief
+            .replays()
+            .iter()
+            .all(|m| m.remaining().all(|p| outline.contains(p)))
+    );
+}
+
+#[test]
+fn what_is_known_and_what_was_seen_lies_where_it_was_said() {
+    let mut task = task(0, STEEP);
+    task.particles = ParticleDistribution::new(&places(50, 0.1)).unwrap();
+    assert!(DirtPrior::Known.belief(&task, 64).is_certain());
+    let sight = Sight {
+        sensor: SensorModel {
+            position_error_m: 2e-3,
+            false_alarms_per_m2: 0.0,
+            ..SHARP.sensor
+        },
+        detection: 0.8,
+    };
+    let belief = DirtPrior::Seen(sight).belief(&task, 400);
+    let mean = counts(&belief).iter().sum::<usize>() as f64 / 400.0;
+    // One of five grains is missed; four standard errors of Poisson counts.
+    assert!(
+        (mean - 62.5).abs() < 4.0 * (12.5_f64 / 400.0).sqrt(),
+        "{mean}"
+    );
+    let near = belief
+        .replays()
+        .iter()
+        .flat_map(|m| m.remaining())
+        .filter(|p| (p.x - 0.1).abs() < 0.01);
+    assert!((near.count() as f64 / 400.0 - 50.0).abs() < 2.0);
+    let heaps = vec![Cluster {
+        center: Point2::new(-0.1, 0.0),
+        sigma: 0.01,
+        weight: 1.0,
+    }];
+    let belief = DirtPrior::Heaps { count: 50, heaps }.belief(&task, 10);
+    assert!(
+        belief
+            .replays()
+            .iter()
+            .all(|m| m.remaining().all(|p| p.x < 0.0))
+    );
+}
+
+#[test]
+fn a_sharp_look_before_wiping_tells_all() {
+    let task = task(80, STEEP);
+    let goal = GoalState::Absorbed;
+    let belief = DirtPrior::Anywhere { count: 80 }.belief(&task, 64);
+    let seen = Observation {
+        detections: places(30, 0.05),
+        hidden: Region::default(),
+    };
+    let after = belief.seen(&look(&task, &goal, &seen));
+    for member in after.replays() {
+        assert_eq!(member.tally().remaining, 30);
+        assert_eq!(member.len(), 30);
+        assert!(member.remaining().all(|p| (p.x - 0.05).abs() < 1e-4));
+    }
+    // Behind something that hides it, a member keeps what it believed.
+    let hidden = Region::new(vec![Polygon::rectangle(Vector2::new(0.2, 0.28))]);
+    let behind = Observation {
+        detections: vec![],
+        hidden: hidden.clone(),
+    };
+    let after = belief.seen(&look(&task, &goal, &behind));
+    assert!(
+        after
+            .replays()
+            .iter()
+            .all(|m| m.remaining().all(|p| hidden.contains(p)))
+    );
+    let all: usize = after.replays().iter().map(|m| m.tally().remaining).sum();
+    assert!(all > 64 * 20, "{all}");
+}
+
+#[test]
+fn a_look_after_wiping_tells_what_is_left_and_what_is_gone() {
+    let task = task(80, STEEP);
+    let goal = GoalState::Absorbed;
+    let script = Script::default();
+    let config = InterpretConfig::of(&task);
+    let mut felt = interpreted_with(&script.samples(&task), &task, &config);
+    assert!(felt.performance.mean > 0.5);
+    let seen = Observation {
+        detections: places(20, 0.1),
+        hidden: Region::default(),
+    };
+    felt.look(&look(&task, &goal, &seen));
+    assert_eq!(felt.performance.mean, 0.75);
+    assert_eq!([felt.performance.low, felt.performance.high], [0.75; 2]);
+    assert!(felt.felt.mean > 0.5 && felt.observation.is_some());
+    for member in felt.belief.replays() {
+        assert_eq!((member.len(), member.tally().absorbed), (80, 60));
+    }
+    // What a blind look sees is no news.
+    let blind = Sight {
+        detection: 0.0,
+        ..SHARP
+    };
+    let before = interpreted_with(&script.samples(&task), &task, &config).belief;
+    let nothing = Observation::default();
+    let after = before.seen(&Look {
+        sight: blind,
+        ..look(&task, &goal, &nothing)
+    });
+    assert_eq!(after.replays(), before.replays());
+}
+
+#[test]
+fn false_alarms_are_told_from_dirt_by_where_dirt_may_be() {
+    let task = task(80, STEEP);
+    let goal = GoalState::Absorbed;
+    let here = ParticleDistribution::new(&places(40, 0.1)).unwrap();
+    let belief = Belief::of(vec![here; 200]).unwrap();
+    let sight = Sight {
+        sensor: SensorModel {
+            false_alarms_per_m2: 50.0,
+            ..SHARP.sensor
+        },
+        detection: 0.95,
+    };
+    let mut detections = places(40, 0.1);
+    detections.push(Point2::new(-0.15, 0.0));
+    let seen = Observation {
+        detections,
+        hidden: Region::default(),
+    };
+    let after = belief.seen(&Look {
+        sight,
+        ..look(&task, &goal, &seen)
+    });
+    let share = |is: fn(f64) -> bool| {
+        let all = after.replays().iter().flat_map(|m| m.remaining());
+        all.filter(|p| is(p.x)).count() as f64 / 200.0
+    };
+    let [alarm, dirt] = [share(|x| x < 0.0), share(|x| x > 0.0)];
+    assert!(alarm < 0.6 && dirt > 37.0, "{alarm} {dirt}");
+}
+
+#[test]
+fn a_look_weighs_the_laws_by_how_much_is_left() {
+    let task = task(80, STEEP);
+    // What is hard to wipe is left in some members, and gone in others.
+    let mut config = InterpretConfig::of(&task);
+    config.uncertainty.law_mu = 1.0;
+    config.uncertainty.kept_share = 1.0;
+    let mut felt = interpreted_with(&Script::default().samples(&task), &task, &config);
+    let left = |felt: &wisch::interpret::Interpretation| {
+        let counts = felt.belief.replays().iter().zip(felt.belief.weights());
+        let left = counts.map(|(m, w)| w * m.tally().remaining as f64);
+        left.sum::<f64>()
+    };
+    let before = left(&felt);
+    let all: Vec<Point2> = task.particles.remaining().collect();
+    let seen = Observation {
+        detections: all,
+        hidden: Region::default(),
+    };
+    felt.look(&look(&task, &GoalState::Absorbed, &seen));
+    assert!(before < 60.0 && (left(&felt) - 80.0).abs() < 1e-9);
+    // Wiped once more, the dirt is believed to stay where it is.
+    let again = interpreted_from(&felt.belief, &task, &config);
+    let once = interpreted_with(&Script::default().samples(&task), &task, &config);
+    assert!(
+        left(&again) > left(&once) + 10.0,
+        "{} {}",
+        left(&again),
+        left(&once)
+    );
+    assert!(
+        again
+            .belief
+            .replays()
+            .iter()
+            .all(|m| m.iter().all(|(_, f)| f != Fate::OffSurface { edge: 9 }))
+    );
+}
+
+fn interpreted_from(
+    belief: &Belief,
+    task: &Task,
+    config: &InterpretConfig,
+) -> wisch::interpret::Interpretation {
+    let samples = Script::default().samples(task);
+    wisch::interpret::interpret(&samples, task, belief, &GoalState::Absorbed, config).unwrap()
+}
