@@ -1,11 +1,13 @@
 //! What the user may type.
 
 mod ask;
+mod eval;
 mod log;
 mod memory;
 mod robot;
 
 pub use ask::{AskArgs, EngineChoice};
+pub use eval::{CalibrationArgs, EvalCommand, SensesChoice};
 pub use log::{InterpretArgs, LogArgs, LoggedArgs};
 pub use memory::{
     EpisodeArgs, ExportArgs, ImportArgs, KeepArgs, MemoryArgs, MemoryCommand, MemoryListArgs,
@@ -224,6 +226,9 @@ Examples:
     /// Check a robot's description, and map what it can reach
     #[command(subcommand, arg_required_else_help = true)]
     Robot(RobotCommand),
+    /// Evaluate the method over many simulated worlds
+    #[command(subcommand, arg_required_else_help = true)]
+    Eval(EvalCommand),
     /// List, show, import, verify and export the episodes of the memory
     #[command(subcommand, arg_required_else_help = true)]
     Memory(MemoryCommand),

@@ -8,8 +8,8 @@ use std::path::Path;
 use std::time::Instant;
 use wisch::interpret::{PerformanceDistribution, TouchSample};
 use wisch::recover::Verdict;
-use wisch::represent::{GoalState, SensorModel};
-use wisch::run::{RunConfig, RunEvent, Session};
+use wisch::represent::GoalState;
+use wisch::run::{RunEvent, Session};
 use wisch_io::{LoadOptions, Robot, load_task};
 use wisch_sim::{SimulationSettings, Site, World};
 
@@ -110,7 +110,12 @@ impl WorldCase {
             error.to_string()
         }
         let begin = Instant::now();
+        let senses_key = match senses {
+            Senses::Touch => r#"["touch"]"#,
+            Senses::TouchAndSight => r#"["touch", "sight"]"#,
+        };
         let options = LoadOptions {
+            settings: vec![("perception.senses".to_owned(), senses_key.to_owned())],
             seed: Some(self.seed),
             action: Some(self.task.action()),
             ..LoadOptions::default()
@@ -121,14 +126,8 @@ impl WorldCase {
             .map_err(words)?
             .ok_or("the scenario has no robot")?;
         let calm = SimulationSettings::of(&loaded).map_err(words)?;
-        let mut settings = self.settings(&calm, &loaded.task);
-        let sensor = SensorModel::default();
-        let sight = (senses == Senses::TouchAndSight).then(|| loaded.sight(sensor));
-        settings.camera = sight.map(|_| wisch_sim::Camera::of(sensor));
-        let config = RunConfig {
-            sight,
-            ..loaded.run_config()
-        };
+        let settings = self.settings(&calm, &loaded.task);
+        let config = loaded.run_config();
         let target = config.target;
         let site = Site::of(&loaded.task);
         let mut world = World::new(&site, settings, self.seed).map_err(words)?;

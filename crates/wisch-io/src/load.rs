@@ -71,6 +71,11 @@ impl LoadedTask {
                 .map_or_else(Default::default, |robot| robot.workcell_config(&self.task)),
             target: self.file.target_performance(),
             max_rounds: self.file.max_rounds(),
+            sight: self
+                .file
+                .perception()
+                .sight
+                .map(|sensor| self.sight(sensor)),
             ..RunConfig::default()
         }
     }
@@ -94,7 +99,10 @@ impl LoadedTask {
                 heaps: clusters.clone(),
             },
             ParticleSource::Csv { .. } => DirtPrior::Known,
-            ParticleSource::Image(_) => DirtPrior::Seen(self.sight(SensorModel::default())),
+            ParticleSource::Image(_) => {
+                let sensor = self.file.perception().sight.unwrap_or_default();
+                DirtPrior::Seen(self.sight(sensor))
+            }
         }
     }
 

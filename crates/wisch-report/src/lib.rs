@@ -10,6 +10,7 @@
 //! | rounds: force, path, chance of an effect, residue | [`RoundsInput`] | part of [`ReportInput`] |
 //! | answers of the memory, in space and over time | [`AnswersInput`] | [`answers_page`] |
 //! | a tool's footprint | [`wisch::represent::Tool`] | [`footprint_drawing`] |
+//! | how well beliefs hold | [`CalibrationCurve`]s | [`calibration_drawing`] |
 //! | any of the SVG as PNG | its text | [`rasterize`] |
 //!
 //! Everything is drawn in memory, with fonts of its own: no file is read, and no page asks anything of the network.
@@ -35,6 +36,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod calibration;
 mod draw;
 mod footprint;
 mod input;
@@ -47,6 +49,7 @@ mod scene;
 #[cfg(test)]
 mod tests;
 
+pub use calibration::{CalibrationCurve, CalibrationLevel, calibration_drawing};
 pub use draw::{PictureError, rasterize};
 pub use footprint::footprint_drawing;
 pub use input::ReportInput;

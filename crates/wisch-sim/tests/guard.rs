@@ -31,6 +31,7 @@ impl Executor for Heard {
         self.rounds.push(RecordedRound {
             touches,
             execution: execution.clone(),
+            observation: None,
         });
         Ok(execution)
     }
@@ -81,7 +82,7 @@ fn other_dirt_changes_no_plan_no_motion_and_no_interpretation_of_the_same_log() 
     assert_ne!(even.world.truth()[0].dirt, edge.truth()[0].dirt);
 
     // The log of one world, interpreted in front of the other.
-    let mut recording = Recording::new(even.rounds, world(Places::Edge(0.01)));
+    let mut recording = Recording::new(None, even.rounds, world(Places::Edge(0.01)));
     let again = rounds(&mut recording);
     let understood = [&again, &of_even].map(|rounds| format!("{:?}", rounds[0].interpretation));
     assert_eq!(understood[0], understood[1]);

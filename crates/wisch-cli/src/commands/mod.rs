@@ -4,6 +4,7 @@ mod ask;
 mod check;
 mod engine;
 mod episode;
+mod eval;
 mod export;
 mod follow;
 mod footprint;
@@ -26,7 +27,7 @@ mod summary;
 mod watch;
 mod words;
 
-use crate::args::{Cli, Command, MemoryCommand, RobotCommand};
+use crate::args::{Cli, Command, EvalCommand, MemoryCommand, RobotCommand};
 use crate::failure::Failure;
 use crate::terminal::Outcome;
 
@@ -46,6 +47,7 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Completions(args) => shell::completions(args),
         Command::Man(args) => shell::man(args),
         Command::Check(args) => check::check(args, &cli.global),
+        Command::Eval(EvalCommand::Calibration(args)) => eval::calibration(args, &cli.global),
         Command::Memory(MemoryCommand::List(args)) => memory::list(args),
         Command::Memory(MemoryCommand::Show(args)) => memory::show(args),
         Command::Memory(MemoryCommand::Verify(args)) => memory::verify(args, &cli.global),

@@ -378,7 +378,7 @@ fn a_png_of_too_many_pixels_is_refused_before_it_is_decoded() {
 fn a_later_photo_has_as_many_detections_as_its_dirt_covers_pixels() {
     let (board, bare) = (board(), bare());
     let source = photo(STRAIGHT, 90);
-    let crumbs = [[10, 10], [50, 20], [90, 30]];
+    let crumbs = [[100, 100], [200, 150], [300, 200]];
     let seen = |later: &[[u32; 2]]| {
         let area = on(&board, &bare);
         observed_in_image(&source, &png(&crumbs), "after.png", &png(later), area, 1)
