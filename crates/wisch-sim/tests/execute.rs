@@ -4,6 +4,7 @@ mod body;
 mod disturbances;
 mod grains;
 mod humanoid;
+mod two_hands;
 mod wiping;
 
 use wiping::{FORCE, faults};

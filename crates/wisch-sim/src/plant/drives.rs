@@ -16,6 +16,8 @@ use wisch::robot::{ArticulatedJoint, Articulation, ArticulationState, Body};
 /// Natural frequency of joints that follow others and of drives that hold a position [rad/s].
 const COUPLING_RATE: f64 = 250.0;
 const SERVO_RATE: f64 = 100.0;
+/// Natural frequency of the drives of an arm that the tool leads along [rad/s].
+const LED_RATE: f64 = 5.0;
 /// Damping of a joint's friction below its limit [Nm s/rad or N s/m]: as good as rigid.
 const BRAKE_DAMPING: f64 = 1e5;
 /// The engine's axes in its order.
@@ -32,12 +34,25 @@ const JOINT_AXES: [JointAxis; 6] = [
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Link {
     pub(super) body: RigidBodyHandle,
+    /// The joint of the articulation, and the link of the multibody.
+    pub(super) of: usize,
     pub(super) joint: usize,
     /// Position of its velocity in the multibody's.
     pub(super) at: usize,
     /// The body that it turns against, unless that stands in the world.
     pub(super) parent: Option<RigidBodyHandle>,
     pub(super) slides: bool,
+}
+
+/// What moves which variables of the articulation.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Drives<'a> {
+    /// Those that efforts move.
+    pub(super) compliant: &'a [usize],
+    /// Those of an arm that the tool leads along, which hold no more than they must.
+    pub(super) led: &'a [usize],
+    /// Coulomb friction in the compliant ones [Nm or N].
+    pub(super) friction: f64,
 }
 
 /// A joint that follows others, held to them by a stiff spring.
@@ -100,6 +115,7 @@ impl Plant {
                 displacement[at] = self.articulation.joints()[joint].position(q);
                 self.links.push(Link {
                     body: *body,
+                    of: joint,
                     joint: link.link_id(),
                     at,
                     parent: self.articulation.joints()[joint].parent.map(|p| bodies[p]),
@@ -122,13 +138,12 @@ impl Plant {
 
     /// Springs: of the tool, of the drives that hold, of the joints that follow others; and friction in those that wipe
     /// [Nm or N].
-    pub(super) fn set_drives(
-        &mut self,
-        compliant: &[usize],
-        q: &[f64],
-        tool: &Wielded,
-        friction: f64,
-    ) {
+    pub(super) fn set_drives(&mut self, drives: &Drives<'_>, q: &[f64], tool: &Wielded) {
+        let Drives {
+            compliant,
+            led,
+            friction,
+        } = *drives;
         let mut state = self.articulation.state();
         let still = vec![0.0; self.articulation.dof()];
         self.articulation.evaluate(&mut state, q, &still, GRAVITY);
@@ -148,8 +163,13 @@ impl Plant {
                     continue;
                 }
                 let inertia = state.mass_matrix()[(variable, variable)];
-                let stiffness = inertia * SERVO_RATE * SERVO_RATE;
-                let damping = 2.0 * inertia * SERVO_RATE;
+                let rate = if led.contains(&variable) {
+                    LED_RATE
+                } else {
+                    SERVO_RATE
+                };
+                let stiffness = inertia * rate * rate;
+                let damping = 2.0 * inertia * rate;
                 self.servos[variable] = Some([stiffness, damping]);
                 multibody.damping_mut()[self.links[i].at] = damping;
             } else {

@@ -12,11 +12,13 @@ pub(super) use compliance::{firm_load, tool_load};
 pub(super) use wielded::Wielded;
 
 use self::compliance::{compliance, foam_springs, plate_thickness};
-use self::drives::{Coupling, Link, add_bodies};
+use self::drives::{Coupling, Drives, Link, add_bodies};
 use self::shapes::{add_scene, add_shapes, prism};
 use crate::{SimulationError, SimulationSettings, Waviness};
 use nalgebra::{Translation3, UnitQuaternion};
-use rapier3d_f64::dynamics::{MultibodyJointHandle, RigidBodyHandle, SpringCoefficients};
+use rapier3d_f64::dynamics::{
+    MultibodyJointHandle, RigidBodyHandle, SphericalJointBuilder, SpringCoefficients,
+};
 use rapier3d_f64::geometry::{
     ColliderBuilder, ColliderHandle, Group, InteractionGroups, InteractionTestMode,
 };
@@ -208,8 +210,45 @@ impl Plant {
             world,
         };
         plant.place(&bodies, &foam_bodies, q)?;
-        plant.set_drives(compliant, q, tool, settings.joint_friction);
+        let led = plant.hold_with_second_hand(cell, task, &(joint_from_tip * tool.tip_from_tool));
+        let drives = Drives {
+            compliant,
+            led: &led,
+            friction: settings.joint_friction,
+        };
+        plant.set_drives(&drives, q, tool);
         Ok(plant)
+    }
+
+    /// Lets the second hand, if there is one, hold the tool too: where it is, it stays on the stick, and turns about it as
+    /// it likes. Returns the variables of its arm, which is led.
+    fn hold_with_second_hand(
+        &mut self,
+        cell: &Workcell,
+        task: &Task,
+        hand_from_tool: &Pose,
+    ) -> Vec<usize> {
+        let (Some(second), Some(grip)) = (cell.second(), &task.tool.second_grip) else {
+            return Vec::new();
+        };
+        let (Some(joint), _) = self.articulation.carrier(second.chain().tip()) else {
+            return Vec::new();
+        };
+        let other = self.links.iter().find(|link| link.of == joint);
+        let Some(other) = other.map(|link| link.body) else {
+            return Vec::new();
+        };
+        let in_hand = hand_from_tool * grip.point_in_tool;
+        let pose = |body: RigidBodyHandle| Pose::from(*self.world.bodies[body].position());
+        let in_other = pose(other).inverse() * (pose(self.hand) * in_hand);
+        let held = SphericalJointBuilder::new()
+            .local_anchor1(vector(&in_hand.coords))
+            .local_anchor2(vector(&in_other.coords));
+        self.world.insert_impulse_joint(self.hand, other, held);
+        let own = second.chain().variables();
+        let variables = self.articulation.variables().iter().enumerate();
+        let led = variables.filter(|(_, variable)| own.contains(variable));
+        led.map(|(k, _)| k).collect()
     }
 
     /// Pushes the hand at a point in the world during the next period.

@@ -4,11 +4,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The crates in the order in which data walks through them; those of a row do not know each other.
-const LAYERS: [&[&str]; 5] = [
+const LAYERS: [&[&str]; 6] = [
     &["wisch"],
     &["wisch-io"],
     &["wisch-sim", "wisch-telemetry", "wisch-memory"],
     &["wisch-report"],
+    &["wisch-eval"],
     &["wisch-cli"],
 ];
 
@@ -19,9 +20,10 @@ const APART: [(&str, &[&str]); 2] = [
 ];
 
 /// Crates that only some of ours may depend on, by the beginning of their names.
-/// The simulated world is opened by the program alone: what plans, interprets, reads files or draws cannot name it.
+/// The simulated world is opened by the program and by evaluations alone: what plans, interprets, reads files or draws
+/// cannot name it.
 const KEPT_APART: [(&str, &[&str]); 4] = [
-    ("wisch-sim", &["wisch-cli"]),
+    ("wisch-sim", &["wisch-eval", "wisch-cli"]),
     ("rapier", &["wisch-sim"]),
     ("clap", &["wisch-cli"]),
     ("scryer", &["wisch-prolog"]),
