@@ -235,7 +235,7 @@ Examples:
 }
 
 /// Which task, and what to change about it.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct TaskArgs {
     /// The task file
     #[arg(value_name = "TASK", value_hint = ValueHint::FilePath)]
@@ -255,6 +255,16 @@ pub struct TaskArgs {
     /// Knowledge base: folder with tools, media, surfaces, interactions and PDDL domain [default: built in]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub knowledge: Option<PathBuf>,
+}
+
+impl TaskArgs {
+    /// The same of a robot that does not look.
+    pub fn touch_only(&self) -> Self {
+        let mut args = self.clone();
+        let senses = r#"["touch"]"#.to_owned();
+        args.settings.push(("perception.senses".to_owned(), senses));
+        args
+    }
 }
 
 /// Arguments of `plan`.
@@ -290,6 +300,9 @@ pub struct LoopArgs {
     /// Estimate after every stroke, and next wipe the stroke with the greatest predicted gain
     #[arg(long)]
     pub greedy: bool,
+    /// Do not look: estimate by touch alone what was wiped, whatever senses the task has
+    #[arg(long)]
+    pub touch_only: bool,
     /// Resume a killed run from its last completed round
     #[arg(long)]
     pub resume: bool,

@@ -33,6 +33,10 @@ name = "chopping_board"
 size_m = [0.4, 0.28]
 position_m = [0.6, 0.1, 0.75]
 
+[interaction]
+mu_spread = 0.0
+ln_sigma_spread = 0.0
+
 [particles]
 source = "csv"
 file = "crumbs.csv"

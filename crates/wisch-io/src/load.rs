@@ -3,16 +3,19 @@
 use crate::assets::{KnowledgeSource, beside, read_task_text};
 use crate::digest::InputDigest;
 use crate::error::Error;
-use crate::particles::ParticleSource;
+use crate::particles::{ParticleSource, observed_in_image, observed_in_list};
 use crate::robots::Robot;
 use crate::task_file::{Intent, TaskFile};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
+use wisch::geometry::Mesh;
 use wisch::geometry::Point2;
 use wisch::goal::{GoalLiteral, resolve_goal};
 use wisch::interpret::{Belief, DirtPrior, members};
 use wisch::plan::{CoverageStrategy, PlanConfig};
-use wisch::represent::{Action, KnowledgeBase, SensorModel, Sight, Task};
+use wisch::represent::{
+    Action, DirtArea, KnowledgeBase, Observation, OccupiedArea, SensorModel, Sight, Task,
+};
 use wisch::run::{RunConfig, Session};
 use wisch::source_location::UnknownName;
 
@@ -104,6 +107,40 @@ impl LoadedTask {
                 DirtPrior::Seen(self.sight(sensor))
             }
         }
+    }
+
+    /// What a file says was seen of the dirt after wiping: a list of places, or, where the task's own particles come from an
+    /// image, a later image of the same camera.
+    ///
+    /// # Errors
+    /// A file that cannot be read or is refused, or an image where the task has none.
+    pub fn observation(&self, path: &Path) -> Result<Observation, Error> {
+        let shown = path.display().to_string();
+        let refused = |problem: String| Error::Unusable {
+            path: path.to_owned(),
+            problem,
+        };
+        let bytes = std::fs::read(path).map_err(|error| refused(error.to_string()))?;
+        let meshes: Vec<Mesh> = self.task.obstacles_in_surface().collect();
+        let area = DirtArea {
+            outline: &self.task.surface.outline,
+            occupied: &OccupiedArea::of(&meshes),
+        };
+        let is_list = path
+            .extension()
+            .is_some_and(|e| e.eq_ignore_ascii_case("csv"));
+        let seen = match self.file.particle_source() {
+            _ if is_list => observed_in_list(&shown, &bytes, area),
+            ParticleSource::Image(mask) => {
+                let before = beside(&self.path)(&mask.file).map_err(refused)?;
+                observed_in_image(mask, &before, &shown, &bytes, area, self.task.seed)
+            }
+            _ => {
+                let problem = "the task's particles come from no image, so that it is not known where the surface is in this one";
+                return Err(refused(problem.to_owned()));
+            }
+        };
+        seen.map_err(|error| Error::Asset(error.to_string()))
     }
 
     /// How well this sensor sees the task's medium.

@@ -96,7 +96,7 @@ fn executed(
 }
 
 #[test]
-fn the_documented_robot_wipes_until_the_goal_is_met() {
+fn the_documented_robot_wipes_until_touch_tells_no_more() {
     if !has_python() {
         return;
     }
@@ -106,7 +106,9 @@ fn the_documented_robot_wipes_until_the_goal_is_met() {
     let mut session = loaded.session().with_robot(robot.performer());
     session.run(&mut child, &mut unobserved).expect("it ends");
     let last = session.rounds().last().expect("a round");
-    assert_eq!(last.verdict, Verdict::GoalMet);
+    // It only feels.
+    let ended = [Verdict::GoalMet, Verdict::UnknowableByTouch];
+    assert!(ended.contains(&last.verdict), "{:?}", last.verdict);
     assert_eq!(last.execution.ending, Ending::Complete);
     assert!(last.interpretation.plane.is_some());
     // The rest of the time near the surface, the tool comes down to it and lifts off.

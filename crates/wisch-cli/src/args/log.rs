@@ -19,6 +19,9 @@ pub struct InterpretArgs {
     /// Replace an output folder that holds what a run measured, too
     #[arg(long)]
     pub force: bool,
+    /// What was seen of the dirt after the log: a list of places (.csv), or a photo by the camera of the task's own
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub seen: Option<PathBuf>,
     /// Print one JSON object instead of the summary
     #[arg(long)]
     pub json: bool,

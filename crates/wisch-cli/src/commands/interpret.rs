@@ -11,7 +11,7 @@ use crate::terminal::{Outcome, print};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
-use wisch::interpret::{EventKind, InterpretConfig, Interpretation, interpret as conclude};
+use wisch::interpret::{EventKind, InterpretConfig, Interpretation, Look, interpret as conclude};
 use wisch::represent::GoalState;
 use wisch::robot::fixed_joints;
 use wisch_io::Leftover;
@@ -44,7 +44,17 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
         "interpreting {}",
         counted(log.samples.len(), "sample")
     ));
-    let interpretation = interpreted(&args.source, &prepared, &log, &goal)?;
+    let mut interpretation = interpreted(&args.source, &prepared, &log, &goal)?;
+    if let Some(seen) = &args.seen {
+        let sensor = prepared.file.perception().sight.unwrap_or_default();
+        interpretation.look(&Look {
+            observation: &prepared.observation(seen)?,
+            sight: prepared.sight(sensor),
+            surface: &prepared.task.surface,
+            goal: &goal,
+            seed: prepared.task.seed,
+        });
+    }
     let remarks = remarks(&log, &prepared, &interpretation);
     let record = InterpretationRecord::new(
         &prepared.task,
@@ -391,7 +401,12 @@ fn in_words(record: &InterpretationRecord, out: &Path) -> String {
 }
 
 fn performance_in_words(record: &InterpretationRecord) -> String {
-    let verdict = if record.goal_met { "met" } else { "not met" };
+    let is_open = record.estimated_high >= record.target_performance;
+    let verdict = match (record.goal_met, record.seen) {
+        (true, _) => "met",
+        (false, None) if is_open => "cannot be told by touch alone: --seen takes what a camera saw",
+        (false, _) => "not met",
+    };
     format!(
         "{} estimated, {} to {} with 90 % probability (target {}: {verdict})",
         percent(record.estimated),

@@ -8,7 +8,7 @@ use crate::progress::Progress;
 use wisch::follow::WorkcellConfig;
 use wisch::plan::{Plan, Prediction};
 use wisch::recover::Verdict;
-use wisch::represent::{ParticleDistribution, ParticleError};
+use wisch::represent::{ParticleDistribution, ParticleError, Task};
 use wisch::run::{Pace, PlannedRound, Round, RunConfig, RunError, Session};
 use wisch_io::{OutputFolder, Robot, RoundTimes};
 use wisch_report::EffectFrames;
@@ -69,6 +69,8 @@ impl Job<'_> {
 
 /// The outcome of the stages.
 pub(super) struct Results {
+    /// The task, with the dirt as it was believed to lie when the plan was made.
+    pub task: Task,
     pub plan: Plan,
     /// `None` where a plan was given.
     pub planning_time_s: Option<f64>,

@@ -55,11 +55,11 @@ pub(super) fn write(
     prepared: &Prepared,
     results: &Results,
 ) -> Result<(), Failure> {
-    let record = PlanRecord::new(&prepared.task, &results.plan, prepared.config.seed);
+    let record = PlanRecord::new(&results.task, &results.plan, prepared.config.seed);
     folder.write(PLAN_FILE, json(&record)?)?;
     folder.write(
         PARTICLES_BEFORE_FILE,
-        particles_to_csv(&prepared.task.particles),
+        particles_to_csv(&results.task.particles),
     )?;
     if let Some(following) = &results.following {
         write_motion(folder, prepared, following)?;
@@ -122,12 +122,12 @@ fn write_report(
     let mut facts = facts(prepared, &wiped, prediction);
     facts.extend(following.iter().flat_map(|following| following.facts()));
     let shown = following.map(|f| ShownMotion::of(&f.cell, &f.followed, frames));
-    let motion = shown.as_ref().map(|shown| shown.input(&prepared.task));
+    let motion = shown.as_ref().map(|shown| shown.input(&results.task));
     let views = views(&results.rounds);
     let rounds = input(&results.rounds, &views, prepared);
     let input = ReportInput {
         title: &title,
-        task: &prepared.task,
+        task: &results.task,
         plan: &wiped,
         motion: motion.as_ref(),
         rounds: rounds.as_ref(),

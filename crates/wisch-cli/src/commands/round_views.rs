@@ -4,6 +4,7 @@ use super::job::Done;
 use super::prepare::Prepared;
 use super::words::{counted, percent};
 use wisch::interpret::EventKind;
+use wisch::recover::Verdict;
 use wisch::run::Ending;
 use wisch_io::RoundSummary;
 use wisch_report::{RoundView, RoundsInput};
@@ -83,6 +84,14 @@ pub fn rounds_in_words(done: &[Done]) -> Vec<(&'static str, String)> {
                 text += &format!(", {missed} did not happen: the motion ended at {ended:.1} s");
             }
             text += &format!(": {}", round.verdict.as_str());
+            if round.verdict == Verdict::UnknowableByTouch {
+                let estimate = &round.interpretation.performance;
+                text += &format!(
+                    " (look, or accept {} to {})",
+                    percent(estimate.low),
+                    percent(estimate.high)
+                );
+            }
             let number = round.motion.number;
             (
                 if number == 1 { "rounds" } else { "" },

@@ -137,8 +137,9 @@ pub fn execute(
     let following = Following::of(&session, watch.times(1).following_s);
     let (planned, _) = (session.first()).ok_or_else(|| internal("no round was planned"))?;
     let (plan, prediction) = (planned.plan.clone(), planned.prediction.clone());
+    let task = planned.task.clone();
     let planning_s = watch.times(1).planning_s;
-    let predicted = Some((prediction, watch.take_frames(&planned.wiped())));
+    let predicted = Some((prediction, watch.take_frames(&task, &planned.wiped())));
     let done = (session.into_rounds().into_iter())
         .enumerate()
         .map(|(i, round)| {
@@ -160,6 +161,7 @@ pub fn execute(
         return Err(failure);
     }
     let results = Results {
+        task,
         plan,
         planning_time_s: (!is_given).then_some(planning_s),
         following,

@@ -81,6 +81,11 @@ fn work(
 ) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
     progress.say("reading the task");
+    let touching = match extent {
+        Extent::Run(_, rounds) if rounds.touch_only => Some(task_args.touch_only()),
+        _ => None,
+    };
+    let task_args = touching.as_ref().unwrap_or(task_args);
     let mut prepared = Prepared::read(task_args)?;
     let chosen = match extent {
         Extent::Plan | Extent::Predict => None,
@@ -197,7 +202,7 @@ fn simulate_effect(
     let predicted = match (extent, session.planned()) {
         (Extent::Plan, _) => None,
         (_, Some(planned)) => {
-            let frames = watch.take_frames(&planned.wiped());
+            let frames = watch.take_frames(task, &planned.wiped());
             Some((planned.prediction.clone(), frames))
         }
         (_, None) => {
@@ -209,6 +214,7 @@ fn simulate_effect(
     };
     let times = watch.times(1);
     Ok(Results {
+        task: task.clone(),
         plan: plan.clone(),
         planning_time_s: (!is_given).then_some(times.planning_s),
         following: Following::of(&session, times.following_s),

@@ -24,7 +24,6 @@ pub fn bag_name(number: usize) -> String {
 
 /// Looks on while a session goes on: says where it is, takes the time, and keeps the first round's predicted effect.
 pub struct Watch<'a> {
-    task: &'a Task,
     progress: &'a Progress,
     pub failure: Option<Failure>,
     frames: Option<EffectFrames>,
@@ -35,7 +34,6 @@ pub struct Watch<'a> {
 impl<'a> Watch<'a> {
     pub fn new(job: &Job<'a>) -> Self {
         Self {
-            task: &job.prepared.task,
             progress: job.progress,
             failure: None,
             frames: None,
@@ -56,9 +54,9 @@ impl<'a> Watch<'a> {
     }
 
     /// What the first round was predicted to do, over time; a plan without strokes does nothing.
-    pub fn take_frames(&mut self, wiped: &Plan) -> EffectFrames {
+    pub fn take_frames(&mut self, task: &Task, wiped: &Plan) -> EffectFrames {
         let frames = self.frames.take();
-        frames.unwrap_or_else(|| EffectFrames::new(self.task, wiped))
+        frames.unwrap_or_else(|| EffectFrames::new(task, wiped))
     }
 
     pub fn see(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {

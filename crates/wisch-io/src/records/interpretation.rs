@@ -3,6 +3,7 @@
 use super::plan::PoseRecord;
 use serde::Serialize;
 use wisch::interpret::{Diagnosis, Event, EventKind, FittedPlane, Interpretation};
+use wisch::recover::is_claimable;
 
 /// The format's name.
 pub const INTERPRETATION_FORMAT: &str = "wisch-interpretation";
@@ -31,8 +32,11 @@ pub struct InterpretationRecord {
     pub estimated_high: f64,
     /// Share from which on the goal is met.
     pub target_performance: f64,
-    /// Whether the mean reaches the target.
+    /// Whether the goal may be claimed: the mean reaches the target, and that less than ten points below it are reached is
+    /// improbable (0.2 % at most).
     pub goal_met: bool,
+    /// How many detections there were where dirt was looked for after the log; null where nothing looked.
+    pub seen: Option<usize>,
     /// How many replays were made.
     pub replays: usize,
     /// Time in contact over the time that the tool was on or near the surface.
@@ -148,7 +152,11 @@ impl InterpretationRecord {
             estimated_low: performance.low,
             estimated_high: performance.high,
             target_performance,
-            goal_met: performance.mean >= target_performance - ROUNDING,
+            goal_met: is_claimable(&interpretation.distribution, target_performance - ROUNDING),
+            seen: interpretation
+                .observation
+                .as_ref()
+                .map(|seen| seen.detections.len()),
             replays: interpretation.belief.replays().len(),
             contact_share: interpretation.contact_share,
             collisions: interpretation.events.iter().filter(is_collision).count(),

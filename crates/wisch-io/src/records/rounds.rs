@@ -32,6 +32,10 @@ pub struct RoundSummary {
     pub estimated_low: f64,
     /// Upper end of its 90 % interval.
     pub estimated_high: f64,
+    /// Estimated performance by touch alone, before anything was seen.
+    pub felt: f64,
+    /// How many detections there were where dirt was looked for afterwards; null where nothing looked.
+    pub seen: Option<usize>,
     /// Performance of the simulated dirt; null where none was simulated.
     pub true_performance: Option<f64>,
     /// Time in contact over the time that the tool was to wipe.
@@ -84,6 +88,11 @@ impl RoundSummary {
             estimated: interpretation.performance.mean,
             estimated_low: interpretation.performance.low,
             estimated_high: interpretation.performance.high,
+            felt: interpretation.felt.mean,
+            seen: interpretation
+                .observation
+                .as_ref()
+                .map(|seen| seen.detections.len()),
             true_performance,
             contact_share: interpretation.contact_share,
             collisions: collision_times_s.len(),

@@ -277,10 +277,10 @@ impl<'a> Session<'a> {
         if round > self.config.max_rounds {
             return Ok(self.end(None, observer));
         }
+        let _ = observer(&RunEvent::Planning { round });
         if self.config.sight.is_some() && self.first_look.is_none() {
             self.look_first(executor, observer)?;
         }
-        let _ = observer(&RunEvent::Planning { round });
         let plan = match self.next_plan() {
             Ok(plan) if plan.strokes.is_empty() && round > 1 => {
                 return Ok(self.end(Some(Verdict::NothingToGain), observer));
