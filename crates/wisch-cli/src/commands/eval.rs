@@ -73,7 +73,7 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
     let seeds: Vec<u64> = (args.first_seed..=last)
         .filter(|seed| seed % shard.count == shard.index - 1 && !known.contains_key(seed))
         .collect();
-    let file = OpenOptions::new().create(true).append(true).open(&path);
+    let file = begin_after_whole_lines(&path);
     let file = Mutex::new(file.map_err(|error| cannot(&path, "write there", &error))?);
     let progress = Progress::start(global);
     let (done, all) = (AtomicUsize::new(0), seeds.len());
@@ -136,6 +136,15 @@ fn cannot(path: &Path, what: &str, error: &std::io::Error) -> Failure {
 
 fn write(path: &Path, text: &str) -> Result<(), Failure> {
     Ok(OutputFile::begin(path)?.finish(text.as_bytes())?)
+}
+
+/// A file to be gone on with; what a killed evaluation left of a line is cut off.
+fn begin_after_whole_lines(path: &Path) -> std::io::Result<File> {
+    let file = OpenOptions::new().create(true).append(true).open(path)?;
+    let text = fs::read(path)?;
+    let whole = text.iter().rposition(|&byte| byte == b'\n');
+    file.set_len(whole.map_or(0, |end| end as u64 + 1))?;
+    Ok(file)
 }
 
 /// A line at once, so that a killed evaluation leaves whole lines but for the last.

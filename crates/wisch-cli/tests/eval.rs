@@ -1,0 +1,113 @@
+//! `wisch eval`.
+
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn wisch(folder: &Path, args: &[&str]) -> Output {
+    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("wisch"));
+    command.current_dir(folder).args(["eval", "calibration"]);
+    command.args(args).output().expect("it runs")
+}
+
+/// A world on the chopping board, undisturbed, with a tool of another size.
+const ONE: [&str; 4] = ["--first-seed", "17", "--worlds", "1"];
+
+#[test]
+fn a_world_is_evaluated_once_and_its_figures_stand() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = wisch(
+        folder.path(),
+        &[&ONE[..], &["--json", "--out", "out"]].concat(),
+    );
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert_eq!((output.status.code(), &*err), (Some(0), ""));
+    let record: Value = serde_json::from_slice(&output.stdout).expect("one object");
+    assert_eq!(record["worlds"], 1);
+    assert_eq!(record["seed_use"], "demonstration");
+    let names: Vec<&Value> = (record["methods"].as_array().expect("methods").iter())
+        .map(|method| &method["name"])
+        .collect();
+    assert_eq!(
+        names,
+        [
+            "wisch",
+            "prediction",
+            "force-blind replay",
+            "the paper's rule"
+        ]
+    );
+    let text = |name: &str| fs::read_to_string(folder.path().join("out").join(name)).expect(name);
+    let lines = text("worlds-1-of-1.jsonl");
+    let world: Value = serde_json::from_str(lines.trim()).expect("a line");
+    assert_eq!(world["case"]["mismatch"], "footprint");
+    let round = &world["rounds"][0];
+    let outcome = round["outcome"].as_f64().expect("what was so");
+    assert!(
+        outcome > 0.5 && round["belief"]["crps"].as_f64() < Some(0.5),
+        "{round}"
+    );
+    assert!(text("calibration.md").contains("| footprint ± 10 % | 1 |"));
+    assert!(text("reliability.svg").starts_with("<svg"));
+
+    // Once more, it is refused; to go on adds nothing.
+    let again = wisch(folder.path(), &[&ONE[..], &["--out", "out"]].concat());
+    let err = String::from_utf8_lossy(&again.stderr);
+    assert_eq!(again.status.code(), Some(2), "{err}");
+    assert!(err.contains("holds 1 world already"), "{err}");
+    let before = text("calibration.json");
+    // What a killed evaluation left of a line is passed over.
+    fs::write(
+        folder.path().join("out/worlds-1-of-1.jsonl"),
+        lines + "{\"case\"",
+    )
+    .expect("written");
+    let resumed = wisch(
+        folder.path(),
+        &[&ONE[..], &["--out", "out", "--resume"]].concat(),
+    );
+    assert_eq!(resumed.status.code(), Some(0));
+    assert_eq!(text("calibration.json"), before);
+    let other = [
+        "--first-seed",
+        "20",
+        "--worlds",
+        "2",
+        "--out",
+        "out",
+        "--resume",
+    ];
+    let other = wisch(folder.path(), &other);
+    let err = String::from_utf8_lossy(&other.stderr);
+    assert_eq!(other.status.code(), Some(2), "{err}");
+    assert!(
+        err.contains("holds another evaluation, among others of seed 17"),
+        "{err}"
+    );
+}
+
+#[test]
+fn a_block_of_seeds_serves_one_use() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (args, expected) in [
+        (
+            ["--first-seed", "999", "--worlds", "2"],
+            "seeds 999 to 1000 serve no single use",
+        ),
+        (
+            ["--first-seed", "5000", "--worlds", "9"],
+            "seeds 5000 to 5008 serve no single use",
+        ),
+        (
+            ["--worlds", "2", "--shard", "3/2"],
+            "expected I/N with 1 <= I <= N",
+        ),
+    ] {
+        let output = wisch(folder.path(), &args);
+        let err = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{err}");
+        assert!(err.contains(expected), "{err}");
+        assert!(!folder.path().join("out").exists());
+    }
+}
