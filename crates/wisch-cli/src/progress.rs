@@ -34,6 +34,12 @@ impl Progress {
         self.spinner.suspend(print);
     }
 
+    /// Takes the spinner away, from whatever thread.
+    pub fn clearing(&self) -> impl FnOnce() + Send + use<> {
+        let spinner = self.spinner.clone();
+        move || spinner.finish_and_clear()
+    }
+
     /// Says what is being done now.
     pub fn say(&self, what: impl Into<std::borrow::Cow<'static, str>>) {
         self.spinner.set_message(what);

@@ -461,9 +461,19 @@ fn wrong_inputs_are_told_with_what_to_do() {
         (
             "old.bag",
             &[],
-            &["a bag of ROS 1", "rosbags-convert", "--dst-storage mcap"],
+            &[
+                "a bag of ROS 1",
+                "rosbags-convert --src old.bag --dst old.converted --dst-storage mcap",
+            ],
         ),
-        ("log.db3", &[], &["(.db3)", "mcap convert"]),
+        (
+            "log.db3",
+            &[],
+            &[
+                "(.db3)",
+                "rosbags-convert --src log.db3 --dst log.converted --dst-storage mcap",
+            ],
+        ),
         ("none.mcap", &[], &["none.mcap: No such file"]),
         (
             "log.mcap",

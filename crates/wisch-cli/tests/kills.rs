@@ -22,6 +22,8 @@ const KILLS: usize = 20;
 const AFTERLIFE: Duration = Duration::from_secs(2);
 /// How long a program runs at most before it is killed: a run of one round takes longer [s].
 const LONGEST: f64 = 6.0;
+/// What a run ends with that is interrupted.
+const INTERRUPTED: i32 = 130;
 /// How often a killed run is resumed to its end.
 const RESUMED: f64 = 0.1;
 /// Set for all processes of one kill, which inherit it.
@@ -133,7 +135,8 @@ fn no_kill_leaves_a_process_or_takes_an_episode() {
         let moment = random.random::<f64>().powi(3) * LONGEST;
         std::thread::sleep(Duration::from_secs_f64(moment));
         let _ = kill_process(Pid::from_child(&begun), signal);
-        let is_killed = begun.wait().unwrap().code().is_none();
+        // A run that Ctrl-C ends says how to go on with it, and ends by itself.
+        let is_killed = matches!(begun.wait().unwrap().code(), None | Some(INTERRUPTED));
         let since = Instant::now();
         loop {
             let left = alive(&mark);

@@ -3,7 +3,7 @@
 use crate::program::{path, root};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
 /// Files that say how a run went, all of them the same every time.
@@ -45,12 +45,9 @@ fn hidden(folder: &Path) -> Vec<PathBuf> {
     paths.filter(is_hidden).collect()
 }
 
-/// Starts a run, kills it (SIGKILL where there are signals) after its first round, and gives what it left.
-fn killed_after_one_round(folder: &Path, out: &str) -> PathBuf {
-    let mut run = wisch(folder, out, &[])
-        .stdout(Stdio::null())
-        .spawn()
-        .expect("it runs");
+/// Starts a run and waits until its first round is over; gives the run and its hidden folder.
+fn after_one_round(folder: &Path, mut command: Command) -> (Child, PathBuf) {
+    let mut run = command.stdout(Stdio::null()).spawn().expect("it runs");
     let has_one = || {
         hidden(folder)
             .into_iter()
@@ -67,6 +64,12 @@ fn killed_after_one_round(folder: &Path, out: &str) -> PathBuf {
         );
         std::thread::sleep(Duration::from_millis(2));
     };
+    (run, left)
+}
+
+/// Starts a run, kills it (SIGKILL where there are signals) after its first round, and gives what it left.
+fn killed_after_one_round(folder: &Path, out: &str) -> PathBuf {
+    let (mut run, left) = after_one_round(folder, wisch(folder, out, &[]));
     run.kill().expect("it is killed");
     run.wait().expect("it is dead");
     assert!(!folder.join(out).exists() && left.exists());
@@ -91,6 +94,34 @@ fn a_killed_run_is_gone_on_with_and_gives_the_same_bytes() {
         assert!(of("cut", name) == of("whole", name), "{name} differs");
     }
     assert_eq!(hidden(folder.path()), Vec::<PathBuf>::new());
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_says_how_to_go_on() {
+    use rustix::process::{Pid, Signal, kill_process};
+    use std::io::Read;
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut command = wisch(folder.path(), "cut", &["--realtime"]);
+    command.stderr(Stdio::piped());
+    let (mut run, left) = after_one_round(folder.path(), command);
+    kill_process(Pid::from_child(&run), Signal::INT).expect("it runs");
+    assert_eq!(run.wait().expect("it ends").code(), Some(130));
+    let mut err = String::new();
+    let read = run
+        .stderr
+        .take()
+        .map(|mut pipe| pipe.read_to_string(&mut err));
+    read.expect("a pipe").expect("text");
+    let said = "error: interrupted after round 1\n  help: the same command with --resume goes on from there\n";
+    assert_eq!(err, said);
+    assert!(left.exists());
+    let (code, err) = ended(wisch(folder.path(), "cut", &["--resume"]));
+    assert_eq!(code, Some(1), "{err}");
+    assert!(
+        err.contains("1 round of the killed run taken over"),
+        "{err}"
+    );
 }
 
 #[test]

@@ -93,6 +93,10 @@ predicate(stroke_without_contact, 1, 'stroke_without_contact(Stroke): touched no
 predicate(longest_contact, 3, 'longest_contact(Episode, C, Seconds): the longest contact of an episode').
 predicate(contact_time, 2, 'contact_time(Round, Seconds): time in contact').
 predicate(stick_slip, 2, 'stick_slip(Stroke, Event): strokes that stuck and slipped').
+predicate(landing, 3, 'landing(Motion, Event, F): the tool came down harder than it wipes, with F [N] at most').
+predicate(overload, 3, 'overload(Motion, Event, F): pressed on the surface much harder than asked for, with F [N] at most').
+predicate(vibration, 3, 'vibration(Motion, Event, F): the tool shook, with F [N] at most').
+predicate(hand_guiding, 3, 'hand_guiding(Motion, Event, F): somebody led the tool by hand, with F [N] at most').
 predicate(recovery_that_worked, 4, 'recovery_that_worked(Action, Round, Before, After): the round that reached the target').
 predicate(recovery_gain, 2, 'recovery_gain(Round, Gain): what a further round brought').
 predicate(round_without_progress, 1, 'round_without_progress(Round): a further round that brought nothing').

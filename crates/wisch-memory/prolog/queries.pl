@@ -131,6 +131,19 @@ stick_slip(Stroke, Event) :-
     part(Stroke, Event),
     of_class(Stroke, 'semco:Stroke').
 
+landing(Motion, Event, Force) :- felt_in(Motion, Event, 'semco:Landing', Force).
+
+overload(Motion, Event, Force) :- felt_in(Motion, Event, 'semco:Overload', Force).
+
+vibration(Motion, Event, Force) :- felt_in(Motion, Event, 'semco:Vibration', Force).
+
+hand_guiding(Motion, Event, Force) :- felt_in(Motion, Event, 'semco:HandGuiding', Force).
+
+felt_in(Motion, Event, Class, Force) :-
+    of_class(Event, Class),
+    part(Motion, Event),
+    value_of(Event, 'semco:peakForce', Force).
+
 % Recovery and localisation --------------------------------------------------------------------------------
 
 recovery_that_worked(Action, Round, Before, After) :-

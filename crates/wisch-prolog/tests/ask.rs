@@ -180,6 +180,22 @@ const BY_HAND: &[(&str, &[&str])] = &[
         &["semco:'Stroke_e2-5' semco:'StickSlip_e2-9'"],
     ),
     (
+        "landing(S, E, F)",
+        &["semco:'Stroke_e4-9' semco:'Landing_e4-11' 31.0"],
+    ),
+    (
+        "overload(S, E, F)",
+        &["semco:'Stroke_e4-9' semco:'Overload_e4-12' 28.0"],
+    ),
+    (
+        "vibration(S, E, F)",
+        &["semco:'Stroke_e4-9' semco:'Vibration_e4-13' 17.0"],
+    ),
+    (
+        "hand_guiding(S, E, F)",
+        &["semco:'Stroke_e4-9' semco:'HandGuiding_e4-14' 12.0"],
+    ),
+    (
         "recovery_that_worked(A, R, B, P)",
         &["semco:'WipingAction_e0-1' semco:'WipingRound_e0-8' 0.75 0.96"],
     ),

@@ -12,7 +12,7 @@ use std::ops::ControlFlow;
 use wisch::control::{
     ControlConfig, Desired, ImpedanceController, Measured, MomentumObserver, Posture,
 };
-use wisch::follow::{Followed, Motion, Phase, TrajectorySample, Workcell};
+use wisch::follow::{Followed, FollowerLimit, Motion, Phase, TrajectorySample, Workcell};
 use wisch::geometry::{Point3, Pose, Vector3};
 use wisch::random::normal;
 use wisch::represent::Task;
@@ -359,6 +359,14 @@ impl<'a> Simulation<'a> {
             let limit = MAX_ASTRAY;
             return Some(StopCause::Astray { distance, limit });
         }
+        let moving = self.articulation.variables();
+        let velocity_of = |variable: usize| {
+            let k = moving.iter().position(|&moving| moving == variable);
+            k.map_or(0.0, |k| self.qd[k])
+        };
+        if let Some(cause) = overspeed(self.cell.limits().followers(), velocity_of) {
+            return Some(cause);
+        }
         let limits = self.cell.limits().joints();
         for &k in self.controller.compliant() {
             let i = self.articulation.variables()[k];
@@ -609,4 +617,49 @@ fn varies(followed: &Followed, variable: usize, start: f64) -> bool {
     });
     ends.into_iter()
         .any(|sample| (sample.q[variable] - start).abs() > 1e-9)
+}
+
+/// A joint that follows others and is too fast, by the velocities of the robot's variables [rad/s or m/s].
+fn overspeed(followers: &[FollowerLimit], velocity_of: impl Fn(usize) -> f64) -> Option<StopCause> {
+    followers.iter().find_map(|FollowerLimit { limit, drive }| {
+        let terms = drive.terms.iter();
+        let velocity: f64 = terms
+            .map(|&(variable, factor)| factor * velocity_of(variable))
+            .sum();
+        let most = MAX_OVERSPEED * limit.velocity;
+        (velocity.abs() > most).then(|| StopCause::Overspeed {
+            joint: limit.name.clone(),
+            velocity,
+            limit: most,
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use wisch::follow::JointLimit;
+    use wisch::robot::Drive;
+
+    #[test]
+    fn a_joint_that_follows_others_stops_the_robot_when_it_is_too_fast() {
+        let limit = JointLimit {
+            velocity: 1.0,
+            ..JointLimit::arm("torso_4", -2.0, 2.0)
+        };
+        let drive = Drive {
+            offset: 0.0,
+            terms: vec![(1, -1.0), (2, -1.0)],
+        };
+        let followers = [FollowerLimit { limit, drive }];
+        // Each for itself is no faster than it may be.
+        let stop = |qd: [f64; 3]| overspeed(&followers, |variable| qd[variable]);
+        assert_eq!(stop([9.0, 2.0, 1.9]), None);
+        let expected = StopCause::Overspeed {
+            joint: "torso_4".to_owned(),
+            velocity: -4.5,
+            limit: 4.0,
+        };
+        assert_eq!(stop([0.0, 2.0, 2.5]), Some(expected));
+    }
 }

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::TouchSample;
 use wisch::represent::UnknownName;
-use wisch::robot::FixedJoint;
+use wisch::robot::JointMotion;
 
 /// How the axes of a force were found out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -102,7 +102,8 @@ pub fn read(path: &Path, options: &LogOptions) -> Result<Log, ReadError> {
         return Err(within(path, ReadFault::OtherRecording { kind }));
     }
     let raw = if is_bag(&parts[0]).map_err(|error| within(path, ReadFault::System(error)))? {
-        let mut reader = BagReader::new(&options.pose_topic, &options.wrench_topic);
+        let mut reader =
+            BagReader::new(&options.pose_topic, &options.wrench_topic, &options.joints);
         for part in &parts {
             reader.read(part).map_err(|fault| within(part, fault))?;
         }
@@ -194,13 +195,7 @@ fn is_bag(path: &Path) -> std::io::Result<bool> {
 
 /// Poses and forces together, in the task's world.
 fn understood(mut raw: RawLog, options: &LogOptions) -> Result<Log, ReadFault> {
-    for joint in &options.fixed_joints {
-        let FixedJoint { parent, child, .. } = joint;
-        // What the log itself says of a frame holds.
-        if raw.frames.parent(child).is_none() {
-            (raw.frames).insert(parent, child, 0, joint.parent_from_child, true);
-        }
-    }
+    add_joints(&mut raw, options);
     let pairs = paired(&raw.poses, &raw.wrenches, options.max_gap)?;
     let world = World::of(&raw, options)?;
     let sensor = Sensor::of(&raw, options)?;
@@ -261,6 +256,33 @@ fn understood(mut raw: RawLog, options: &LogOptions) -> Result<Log, ReadFault> {
     })
 }
 
+/// Takes the robot's joints in as transforms: those that are fixed, and those whose positions the log tells.
+fn add_joints(raw: &mut RawLog, options: &LogOptions) {
+    raw.joints.sort();
+    for joint in &options.joints {
+        let (parent, child) = (&joint.parent, &joint.child);
+        // What the log itself says of a frame holds.
+        if raw.frames.parent(child).is_some() {
+            continue;
+        }
+        if joint.motion == JointMotion::Fixed {
+            (raw.frames).insert(parent, child, 0, joint.at(0.0), true);
+        }
+        for (time, position) in raw.joints.of_joint(joint) {
+            (raw.frames).insert(parent, child, time, joint.at(position), false);
+        }
+    }
+}
+
+/// What leads from frame to frame.
+fn transforms_in_words(raw: &RawLog) -> &'static str {
+    if raw.joints.are_known() {
+        "the log's transforms and the robot's joints"
+    } else {
+        "the log's transforms"
+    }
+}
+
 /// Where the frame in which the poses are given is in the task's world.
 struct World<'a> {
     chain: Option<Chain<'a>>,
@@ -282,7 +304,8 @@ impl<'a> World<'a> {
         };
         let chain = chain.filter(|_| !frame.is_empty() && frame != world);
         let said = chain.as_ref().map(|_| {
-            format!("poses in {frame:?} are brought into {world:?} by the log's transforms")
+            let by = transforms_in_words(raw);
+            format!("poses in {frame:?} are brought into {world:?} by {by}")
         });
         Ok(Self { chain, said })
     }
@@ -330,6 +353,7 @@ impl<'a> Sensor<'a> {
             return Ok(of(axes, AxesSource::Logged));
         }
         let (frame, poses) = (raw.wrenches.frame.as_str(), raw.poses.frame.as_str());
+        let by = transforms_in_words(raw);
         if frame.is_empty() {
             return Ok(of(Axes::Tool, AxesSource::Assumed));
         }
@@ -356,7 +380,7 @@ impl<'a> Sensor<'a> {
             return Ok(Self {
                 turned,
                 said: Some(format!(
-                    "forces in {frame:?} are turned into {logged:?} by the log's transforms"
+                    "forces in {frame:?} are turned into {logged:?} by {by}"
                 )),
                 ..of(Axes::Tool, AxesSource::Logged)
             });
@@ -367,7 +391,7 @@ impl<'a> Sensor<'a> {
             return Ok(Self {
                 chain: Some(chain),
                 said: Some(format!(
-                    "forces in {frame:?} are turned into {poses:?} by the log's transforms"
+                    "forces in {frame:?} are turned into {poses:?} by {by}"
                 )),
                 ..of(Axes::Named, AxesSource::Logged)
             });

@@ -2,7 +2,7 @@
 
 use nalgebra::UnitQuaternion;
 use wisch::geometry::Pose;
-use wisch::robot::FixedJoint;
+use wisch::robot::JointTransform;
 
 /// Which topic of a bag is meant.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -92,8 +92,9 @@ pub struct LogOptions {
     pub world_from_log: Option<Pose>,
     /// The frame of the log's transforms that is the task's world.
     pub world_frame: String,
-    /// Links of the robot that never move in others, beside those of the log.
-    pub fixed_joints: Vec<FixedJoint>,
+    /// The robot's joints: where they are fixed, or the log tells their positions, they lead from frame to frame beside
+    /// the log's transforms.
+    pub joints: Vec<JointTransform>,
     /// The target surface, for forces in its axes.
     pub world_from_surface: Pose,
     /// Between which times the rarer of pose and force may be interpolated [s].
@@ -117,7 +118,7 @@ impl Default for LogOptions {
             pose_frame: None,
             world_from_log: None,
             world_frame: Axes::World.as_str().to_owned(),
-            fixed_joints: Vec::new(),
+            joints: Vec::new(),
             world_from_surface: Pose::identity(),
             max_gap: 0.1,
         }

@@ -5,7 +5,7 @@ use super::frames::Frames;
 use super::options::LogOptions;
 use super::quantity::Quantity;
 use super::ros2::NANOSECONDS_PER_SECOND;
-use super::track::{RawLog, Track, UnitsLine};
+use super::track::{JointPositions, RawLog, Track, UnitsLine};
 use wisch::geometry::{Pose, Vector3};
 use wisch::represent::UnknownName;
 
@@ -102,6 +102,7 @@ pub(crate) fn read(bytes: &[u8], options: &LogOptions) -> Result<RawLog, ReadFau
         poses,
         wrenches,
         frames: Frames::default(),
+        joints: JointPositions::default(),
         task: None,
         units,
         axes: None,

@@ -4,7 +4,9 @@ use super::error::ReadFault;
 use super::frames::Frames;
 use super::quantity::{Quantity, QuantityError};
 use super::ros2::NANOSECONDS_PER_SECOND;
+use std::collections::BTreeMap;
 use wisch::geometry::{Pose, Vector3};
+use wisch::robot::{JointMotion, JointTransform};
 
 /// What a log says of one quantity, in the order of time.
 #[derive(Debug, Clone)]
@@ -34,10 +36,85 @@ pub(crate) struct RawLog {
     pub unfinished: bool,
     /// Which frame is where in which other.
     pub frames: Frames,
+    /// Where the robot's joints were.
+    pub joints: JointPositions,
     /// The name of the task that was executed, where the writer says it.
     pub task: Option<String>,
     /// A table's line of units, and what it means by columns that are read.
     pub units: Option<UnitsLine>,
+}
+
+/// Where joints were, by name.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct JointPositions {
+    /// Times [ns] and positions [rad or m] of those that are looked for.
+    entries: BTreeMap<String, Vec<(i64, f64)>>,
+}
+
+impl JointPositions {
+    /// Nothing yet, of what says where the links of moving joints are.
+    pub fn of(joints: &[JointTransform]) -> Self {
+        let moving = (joints.iter()).filter(|joint| joint.motion != JointMotion::Fixed);
+        let names = moving.flat_map(|joint| {
+            let others = joint.mimic.iter().flat_map(|mimic| &mimic.terms);
+            std::iter::once(&joint.joint).chain(others.map(|(name, _)| name))
+        });
+        Self {
+            entries: names.map(|name| (name.clone(), Vec::new())).collect(),
+        }
+    }
+
+    /// Whether none is looked for.
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    /// Whether the log tells the position of any.
+    pub fn are_known(&self) -> bool {
+        self.entries.values().any(|entries| !entries.is_empty())
+    }
+
+    /// Takes a position in, if it is looked for.
+    pub fn push(&mut self, name: &str, time: i64, position: f64) {
+        if let Some(entries) = self.entries.get_mut(name) {
+            entries.push((time, position));
+        }
+    }
+
+    /// Puts everything into the order of time.
+    pub fn sort(&mut self) {
+        for entries in self.entries.values_mut() {
+            entries.sort_by_key(|entry| entry.0);
+        }
+    }
+
+    /// Times [ns] and positions [rad or m] of a joint: its own, or by those that it follows at the times of all of them.
+    pub fn of_joint(&self, joint: &JointTransform) -> Vec<(i64, f64)> {
+        let own = self.entries.get(&joint.joint).filter(|own| !own.is_empty());
+        let Some(mimic) = joint.mimic.as_ref().filter(|_| own.is_none()) else {
+            return own.cloned().unwrap_or_default();
+        };
+        let at = |name: &str, time: i64| {
+            let entries = self.entries.get(name)?;
+            let found = entries.binary_search_by_key(&time, |entry| entry.0).ok()?;
+            Some(entries[found].1)
+        };
+        let first = mimic
+            .terms
+            .first()
+            .and_then(|(name, _)| self.entries.get(name));
+        let times = first.into_iter().flatten().map(|entry| entry.0);
+        let position = |time: i64| {
+            let sum = mimic
+                .terms
+                .iter()
+                .try_fold(mimic.offset, |sum, (name, factor)| {
+                    Some(sum + factor * at(name, time)?)
+                });
+            Some((time, sum?))
+        };
+        times.filter_map(position).collect()
+    }
 }
 
 /// A line of units in a table.

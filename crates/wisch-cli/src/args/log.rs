@@ -91,7 +91,8 @@ pub struct LogArgs {
         conflicts_with = "world_from_log"
     )]
     pub world_frame: String,
-    /// URDF of the robot: its fixed joints are transforms, too
+    /// URDF of the robot: its joints are transforms, too, if they are fixed or the log tells their positions
+    /// (/joint_states)
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub urdf: Option<PathBuf>,
     /// Unit of force in the log [N] [default: as a table's line of units says, or 1]

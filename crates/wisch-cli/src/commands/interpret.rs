@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
 use wisch::interpret::{EventKind, InterpretConfig, Interpretation, Look, interpret as conclude};
 use wisch::represent::GoalState;
-use wisch::robot::fixed_joints;
+use wisch::robot::joint_transforms;
 use wisch_io::Leftover;
 use wisch_io::{INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE, Replaceable};
 use wisch_io::{InterpretationRecord, LogRecord, particles_to_csv};
@@ -241,7 +241,7 @@ fn check_apart(log: &Path, out: &Path) -> Result<(), Failure> {
 pub(super) fn read_log(args: &LoggedArgs, prepared: &Prepared) -> Result<Log, Failure> {
     let options = log_options(&args.reading, prepared)?;
     read(&args.log, &options).map_err(|error| {
-        let advice = advice(&error.fault);
+        let advice = advice(&error.fault, &args.log);
         let failure = Failure::new(error);
         match advice {
             Some(advice) => failure.with_help(advice),
@@ -255,11 +255,11 @@ fn log_options(args: &LogArgs, prepared: &Prepared) -> Result<LogOptions, Failur
         Some(name) => TopicChoice::Named(name.clone()),
         None => TopicChoice::Sole,
     };
-    let fixed_joints = match &args.urdf {
+    let joints = match &args.urdf {
         Some(path) => {
             let text = std::fs::read_to_string(path)
                 .map_err(|error| Failure::new(format!("{}: {error}", path.display())))?;
-            fixed_joints(&path.display().to_string(), &text).map_err(Failure::new)?
+            joint_transforms(&path.display().to_string(), &text).map_err(Failure::new)?
         }
         None => Vec::new(),
     };
@@ -280,7 +280,7 @@ fn log_options(args: &LogArgs, prepared: &Prepared) -> Result<LogOptions, Failur
         pose_frame: args.pose_frame.clone(),
         world_from_log: pose(&args.world_from_log),
         world_frame: args.world_frame.clone(),
-        fixed_joints,
+        joints,
         world_from_surface: prepared.task.surface.world_from_surface,
         max_gap: args.max_gap_s,
     })
@@ -298,7 +298,7 @@ fn pose(numbers: &[f64]) -> Option<Pose> {
 }
 
 /// What the user can do about a log that cannot be read.
-fn advice(fault: &ReadFault) -> Option<String> {
+fn advice(fault: &ReadFault, log: &Path) -> Option<String> {
     Some(match fault {
         ReadFault::Several { what, .. } => format!("choose one with --{what}-topic"),
         ReadFault::Nothing { what, .. } => {
@@ -308,13 +308,15 @@ fn advice(fault: &ReadFault) -> Option<String> {
             "with .active appended to its name, it is read as far as it goes".to_owned()
         }
         ReadFault::OtherRecording {
-            kind: RecordingKind::Sqlite,
-        } => "mcap convert LOG.db3 LOG.mcap makes an MCAP file of it (https://mcap.dev/guides/cli)"
-            .to_owned(),
-        ReadFault::OtherRecording {
-            kind: RecordingKind::Ros1,
-        } => "rosbags-convert --src LOG.bag --dst FOLDER --dst-storage mcap makes a bag of ROS 2 of it (pip install rosbags)"
-            .to_owned(),
+            kind: RecordingKind::Sqlite | RecordingKind::Ros1,
+        } => {
+            let converted = log.with_extension("converted");
+            format!(
+                "rosbags-convert --src {} --dst {} --dst-storage mcap makes a folder of it that is read (pip install rosbags)",
+                log.display(),
+                converted.display()
+            )
+        }
         ReadFault::Compression { .. } => "mcap compress --compression lz4 packs it anew".to_owned(),
         ReadFault::Apart { .. } => "see --max-gap-s".to_owned(),
         ReadFault::Unknown(error) if error.kind == "column" => {

@@ -10,6 +10,7 @@ mod follow;
 mod footprint;
 mod import;
 mod interpret;
+mod interrupt;
 mod job;
 mod look;
 mod map;

@@ -2,6 +2,7 @@
 
 use super::episode::{EpisodeRecorder, KeptEpisode};
 use super::follow::Following;
+use super::interrupt::say_how_to_resume;
 use super::job::{Done, Job, Results};
 use super::prepare::Prepared;
 use super::watch::{Recorder, Watch, bag_name};
@@ -13,6 +14,7 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::sync::atomic::Ordering;
 use wisch::plan::Plan;
 use wisch::run::{Executor, Recording, Stage};
 use wisch_io::{EventWriter, PlanRecord, ProcessExecutor, Robot};
@@ -57,6 +59,11 @@ pub fn execute(
         let rounds = counted(kept.len(), "round");
         progress.aside(|| remark(&format!("{rounds} of the killed run taken over")));
     }
+    let kept_count = match args.executor {
+        None => Some(say_how_to_resume(progress, kept.len())?),
+        // Of what another program executes, nothing is kept to go on with.
+        Some(_) => None,
+    };
     let executed_s: Vec<f64> = kept.iter().map(|round| round.executing_s).collect();
     let first_look = kept.first().and_then(|round| round.first_look.clone());
     let (recorded, truth) = kept.into_iter().map(|r| (r.recorded, r.truth)).unzip();
@@ -120,6 +127,8 @@ pub fn execute(
                     }
                     recorder.give_up();
                     no_bag = Some(failure);
+                } else if let Some(count) = &kept_count {
+                    count.store(number, Ordering::SeqCst);
                 }
             }
         }

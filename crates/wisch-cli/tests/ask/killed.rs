@@ -81,6 +81,48 @@ fn an_engine_ends_with_the_program_that_began_it() {
     }
 }
 
+/// Another end of the pipe that is an engine's standard input, so that this does not end with the program.
+#[cfg(target_os = "linux")]
+fn held_open(engine: Pid, program: &Child) -> fs::File {
+    let pipe = fs::read_link(format!("/proc/{}/fd/0", engine.as_raw_nonzero())).unwrap();
+    let streams = fs::read_dir(format!("/proc/{}/fd", program.id())).unwrap();
+    let mut streams = streams.map(|entry| entry.unwrap().path());
+    let other_end = streams.find(|stream| fs::read_link(stream).is_ok_and(|end| end == pipe));
+    let other_end = other_end.expect("the program writes to it");
+    fs::File::options().write(true).open(other_end).unwrap()
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_engine_ends_with_its_program_though_its_input_does_not() {
+    let has_setpriv = Command::new("setpriv")
+        .args(["--pdeathsig", "KILL", "true"])
+        .status();
+    build_engine();
+    let folder = memory();
+    let mut engines = vec!["scryer"];
+    if EngineCommand::swi().is_some() && has_setpriv.is_ok_and(|status| status.success()) {
+        engines.push("swi");
+    }
+    for engine in engines {
+        let mut asking = Command::new(program())
+            .current_dir(folder.path())
+            .args(["ask", "--engine", engine, ENDLESS])
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let at_work = engine_at_work(&asking);
+        let held = held_open(at_work, &asking);
+        asking.kill().unwrap();
+        asking.wait().unwrap();
+        wait_for(&format!("{engine}: it works on"), || {
+            test_kill_process(at_work).is_err().then_some(())
+        });
+        drop(held);
+    }
+}
+
 #[test]
 fn an_engine_has_limits_of_its_own() {
     build_engine();

@@ -39,6 +39,9 @@ impl StagingDir {
     /// [`io::ErrorKind::ResourceBusy`] if a living run makes results of that name, and what the system says.
     pub fn begin(parent: &Path, name: &str, leftover: Leftover) -> io::Result<(Self, Found)> {
         let prefix = format!(".{name}.");
+        // Of two that begin at once, the first one holds its folder before the other looks. Where folders cannot be
+        // locked, both may see each other and give way.
+        let _turn = File::open(parent).and_then(|folder| folder.lock().map(|()| folder));
         let (mut dead, _) = staging_dirs(parent, &prefix)?;
         let taken = match leftover {
             Leftover::Remove => None,
@@ -55,7 +58,7 @@ impl StagingDir {
             Some(place) => place,
             None => Self::new(parent, &prefix)?,
         };
-        // Looked at with the own lock held: of two that begin at once, at least one sees the other.
+        // Looked at with the own lock held: of two that begin at once, at most one goes on.
         let (_, living) = staging_dirs(parent, &prefix)?;
         if living.iter().any(|other| *other != place.path) {
             return Err(io::ErrorKind::ResourceBusy.into());
@@ -121,6 +124,7 @@ fn staging_dirs(parent: &Path, prefix: &str) -> io::Result<(Vec<StagingDir>, Vec
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::sync::Barrier;
 
     fn left_behind(parent: &Path, name: &str) -> PathBuf {
         let path = parent.join(name);
@@ -150,6 +154,28 @@ mod tests {
         let path = living.path().to_path_buf();
         drop(living);
         assert!(!path.exists());
+    }
+
+    #[test]
+    fn of_two_that_begin_at_once_one_goes_on() {
+        let parent = tempfile::tempdir().expect("a folder");
+        for leftover in [Leftover::Remove, Leftover::TakeOver] {
+            for _ in 0..100 {
+                let together = Barrier::new(2);
+                let begin = || {
+                    together.wait();
+                    let begun = StagingDir::begin(parent.path(), "board", leftover);
+                    together.wait();
+                    begun.map(drop).map_err(|error| error.kind())
+                };
+                let mut begun = std::thread::scope(|scope| {
+                    let threads = [(); 2].map(|()| scope.spawn(begin));
+                    threads.map(|thread| thread.join().expect("no panic"))
+                });
+                begun.sort();
+                assert_eq!(begun, [Ok(()), Err(io::ErrorKind::ResourceBusy)]);
+            }
+        }
     }
 
     #[test]

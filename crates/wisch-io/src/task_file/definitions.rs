@@ -264,6 +264,7 @@ impl TaskFile {
             Err(KnowledgeError::NoInteraction { .. }) => None,
             Err(error) => return Err(unknown(error)),
         };
+        let is_assumed = known.is_none();
         let mut assumed = Vec::new();
         let mut interaction_now = match known {
             Some(known) => known,
@@ -281,7 +282,6 @@ impl TaskFile {
                 likelihood_spread: LogNormalSpread::default(),
             },
         };
-        let is_assumed = knowledge.interaction(tool, medium, surface).is_err();
         // A scope of all surfaces stays as it is for the others.
         interaction_now.surface = SurfaceScope::Named(surface.to_owned());
         let none = Overrides::none(at, &pair);

@@ -12,13 +12,13 @@ const FILE: &str = "told.jsonl";
 /// One statement: subject, property, and a name or a value.
 type Statement = (String, String, serde_json::Value);
 
-/// What people added. What a query adds is known at once, and kept when the query has ended well.
+/// What people added. What a query adds is known at once, and committed when the query has ended well.
 #[derive(Debug, Clone, Default)]
 pub struct Assertions {
     file: Option<PathBuf>,
     statements: Vec<Statement>,
-    /// How many of them are kept; those after them were added by the query that is being answered.
-    kept: usize,
+    /// How many of them are committed; those after them were added by the query that is being answered.
+    committed: usize,
 }
 
 impl Assertions {
@@ -42,7 +42,7 @@ impl Assertions {
             });
         let statements: Vec<Statement> = statements.collect::<Result<_, _>>()?;
         Ok(Self {
-            kept: statements.len(),
+            committed: statements.len(),
             statements,
             file: Some(file),
         })
@@ -59,7 +59,7 @@ impl Assertions {
         object: &Term,
         most: usize,
     ) -> Result<Term, QueryFault> {
-        if self.statements.len() - self.kept >= most {
+        if self.statements.len() - self.committed >= most {
             return Err(QueryFault::TooMuch {
                 what: "statements told",
                 limit: most,
@@ -81,8 +81,8 @@ impl Assertions {
     ///
     /// # Errors
     /// If its file cannot be written.
-    pub fn keep(&mut self) -> Result<(), AskError> {
-        let new = &self.statements[self.kept..];
+    pub fn commit(&mut self) -> Result<(), AskError> {
+        let new = &self.statements[self.committed..];
         if let (Some(file), false) = (&self.file, new.is_empty()) {
             let lines = new.iter().map(|statement| {
                 // Texts and finite numbers always have a form in JSON.
@@ -91,14 +91,14 @@ impl Assertions {
             let lines: String = lines.collect();
             append(file, &lines).map_err(|error| failed(file, error))?;
         }
-        self.kept = self.statements.len();
+        self.committed = self.statements.len();
         Ok(())
     }
 
     /// Takes back what the query has added, if anything.
-    pub fn take_back(&mut self) -> bool {
-        let has_new = self.statements.len() > self.kept;
-        self.statements.truncate(self.kept);
+    pub fn roll_back(&mut self) -> bool {
+        let has_new = self.statements.len() > self.committed;
+        self.statements.truncate(self.committed);
         has_new
     }
 

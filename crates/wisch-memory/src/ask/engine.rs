@@ -8,6 +8,7 @@ use std::io::{BufRead, BufReader, Read, Write};
 use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
+use std::sync::LazyLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::thread::JoinHandle;
@@ -101,7 +102,7 @@ impl EngineCommand {
                 process
             }
             Self::Swi(program) => {
-                let mut process = Command::new(program);
+                let mut process = ended_with_this(program);
                 process
                     .arg(format!("--stack-limit={}", limits.memory))
                     .args(["-q", "-f", "none", "-g", "main", "-t", "halt"])
@@ -131,6 +132,34 @@ impl EngineCommand {
             Self::Swi(_) => SWI,
         };
         [&[dialect], PORTABLE.as_slice()].concat().join("\n")
+    }
+}
+
+/// A program that knows nothing of its parent, as a process that the kernel ends when the thread ends that began it; as
+/// any process where the system has no `setpriv` of util-linux.
+fn ended_with_this(program: &Path) -> Command {
+    const END_WITH_PARENT: [&str; 2] = ["--pdeathsig", "KILL"];
+    static SETPRIV: LazyLock<Option<PathBuf>> = LazyLock::new(|| {
+        let setpriv = find("setpriv", search_path()).filter(|_| cfg!(target_os = "linux"))?;
+        // That of other systems has no such option.
+        let mut tried = Command::new(&setpriv);
+        tried
+            .args(END_WITH_PARENT)
+            .arg(&setpriv)
+            .arg("--version")
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null());
+        let is_known = tried.status().is_ok_and(|status| status.success());
+        is_known.then_some(setpriv)
+    });
+    match &*SETPRIV {
+        Some(setpriv) => {
+            let mut process = Command::new(setpriv);
+            process.args(END_WITH_PARENT).arg(program);
+            process
+        }
+        None => Command::new(program),
     }
 }
 

@@ -37,7 +37,7 @@ pub struct Host {
     cursors: HashMap<i64, Cursor>,
     next_cursor: i64,
     /// Most statements that a query may tell.
-    most_told: usize,
+    max_assertions: usize,
     /// What the query has printed.
     printed: String,
 }
@@ -48,7 +48,7 @@ impl Host {
         catalogue: Arc<Catalogue>,
         telemetry: TelemetryPredicates,
         assertions: Assertions,
-        most_told: usize,
+        max_assertions: usize,
     ) -> Self {
         Self {
             known: Knowledge {
@@ -61,7 +61,7 @@ impl Host {
             sent: SentFacts::default(),
             cursors: HashMap::new(),
             next_cursor: 0,
-            most_told,
+            max_assertions,
             printed: String::new(),
         }
     }
@@ -80,13 +80,13 @@ impl Host {
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn keep_told(&mut self) -> Result<(), AskError> {
-        self.known.assertions.keep()
+    pub fn commit_assertions(&mut self) -> Result<(), AskError> {
+        self.known.assertions.commit()
     }
 
     /// Takes back what the query has told, and says whether the engine knows any of it.
-    pub fn take_back_told(&mut self) -> bool {
-        self.known.assertions.take_back()
+    pub fn roll_back_assertions(&mut self) -> bool {
+        self.known.assertions.roll_back()
     }
 
     /// The same for an engine that knows nothing yet.
@@ -182,8 +182,8 @@ impl Host {
                 let subject = subject.as_atom().ok_or_else(malformed)?;
                 // What was told before comes along: each statement is sent once.
                 let mut facts = self.sent.assertions(&self.known, subject);
-                let told = &mut self.known.assertions;
-                facts.push(told.add(subject, property, object, self.most_told)?);
+                let assertions = &mut self.known.assertions;
+                facts.push(assertions.add(subject, property, object, self.max_assertions)?);
                 facts
             }
             _ => match self.stream(request)? {

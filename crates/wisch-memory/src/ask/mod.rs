@@ -119,12 +119,12 @@ impl Asker {
         self.host.take_remarks();
         if let Ok(answers) = &result
             && answers.holds()
-            && let Err(error) = self.host.keep_told()
+            && let Err(error) = self.host.commit_assertions()
         {
             result = Err(error);
         }
-        let is_taken_back = self.host.take_back_told();
-        if is_taken_back || !matches!(result, Ok(_) | Err(AskError::Fault(_))) {
+        let is_rolled_back = self.host.roll_back_assertions();
+        if is_rolled_back || !matches!(result, Ok(_) | Err(AskError::Fault(_))) {
             // It knows what does not hold, or nobody knows what it is at: the next query begins with a new one.
             self.engine = None;
             self.host.forget();

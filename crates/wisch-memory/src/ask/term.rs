@@ -161,6 +161,11 @@ fn is_symbol(c: char) -> bool {
     "+-*/\\^<>=~:.?@#&$".contains(c)
 }
 
+/// Whether it is a sign beyond ASCII, such as an arrow: part of names to Scryer Prolog, of symbols to SWI-Prolog.
+fn is_sign(c: char) -> bool {
+    !(c.is_ascii() || c.is_alphanumeric() || c.is_whitespace() || c.is_control())
+}
+
 /// As people write it: `semco:'Collision_1'`, lists in brackets, common operators between their arguments.
 impl fmt::Display for Term {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -276,7 +281,8 @@ impl<'a> Reader<'a> {
             return Err(self.expected("a term of less depth"));
         }
         self.space();
-        let word = |c: char| c.is_alphanumeric() || c == '_';
+        let word = |c: char| c.is_alphanumeric() || c == '_' || is_sign(c);
+        let symbol = |c: char| is_symbol(c) || is_sign(c);
         match self.peek() {
             None => Err(self.expected("a term")),
             Some(c) if c.is_ascii_digit() => self.number(false),
@@ -321,8 +327,12 @@ impl<'a> Reader<'a> {
                 self.at += 1;
                 self.compound(c.to_string(), depth)
             }
+            Some(c) if is_sign(c) => {
+                let name = self.run(|c| word(c) || symbol(c)).to_owned();
+                self.compound(name, depth)
+            }
             Some(c) if is_symbol(c) => {
-                let name = self.run(is_symbol).to_owned();
+                let name = self.run(symbol).to_owned();
                 self.compound(name, depth)
             }
             Some(c) if word(c) => {
@@ -548,6 +558,17 @@ mod tests {
         let [a, b] = [scryer, swi].map(shown);
         assert_eq!(a, b);
         assert_eq!(a, "row([a, 1, -2.5], semco:'Collision', _, 1-2, {}(x))");
+    }
+
+    #[test]
+    fn names_may_hold_any_sign() {
+        let names = ["fla☋tten", "→", "=→", "→="];
+        for name in names {
+            let read = Term::parse(&format!("fault({name},/({name},2))")).unwrap();
+            let atom = Term::atom(name);
+            let indicator = Term::compound("/", [atom.clone(), Term::Integer(2)]);
+            assert_eq!(read, Term::compound("fault", [atom, indicator]), "{name}");
+        }
     }
 
     #[test]

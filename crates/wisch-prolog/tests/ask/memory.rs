@@ -208,6 +208,12 @@ fn add_round(making: &mut Making, number: usize, index: usize, round: &Round) {
         (3, _) => {
             event(making, "ProtectiveStop", [12.0, 12.0], &[]);
         }
+        (4, 1) => {
+            event(making, "Landing", [2.5, 2.7], &[("peakForce", 31.0)]);
+            event(making, "Overload", [6.0, 6.5], &[("peakForce", 28.0)]);
+            event(making, "Vibration", [9.0, 9.4], &[("peakForce", 17.0)]);
+            event(making, "HandGuiding", [12.0, 18.0], &[("peakForce", 12.0)]);
+        }
         (5, _) => {
             let values = [("stroke", 1.0), ("contactShare", 0.0)];
             making.add("Stroke", place, [22.0, 28.0], &values);

@@ -182,6 +182,33 @@ fn what_was_asked_for_is_in_the_picture() {
 }
 
 #[test]
+fn every_kind_of_event_has_its_lane() {
+    let lanes = [
+        ("Landing", "landings"),
+        ("Overload", "overloads"),
+        ("Vibration", "vibrations"),
+        ("HandGuiding", "hand guiding"),
+    ];
+    for (class, lane) in lanes {
+        let label = format!(">{lane}</text>");
+        assert!(!page().contains(&label));
+        let mut more = view();
+        let occurrence = Occurrence {
+            class: class.to_owned(),
+            is_collision: false,
+            ..more.episodes[0].occurrences[2].clone()
+        };
+        more.episodes[0].occurrences.push(occurrence);
+        let page = answers_page(&AnswersInput {
+            query: QUERY,
+            answers: &answers(),
+            view: &more,
+        });
+        assert!(page.contains(&label), "{class}");
+    }
+}
+
+#[test]
 fn collisions_are_marked_over_time() {
     let page = page();
     assert_eq!(page.matches("class=\"event-collision\"").count(), 1);

@@ -13,7 +13,7 @@ const TOP: f64 = 22.0;
 const THIN: f64 = 2.0;
 
 /// Lanes from above: label, classes, and how they look. Lanes without marks are left out.
-const LANES: [(&str, &[&str], &str); 8] = [
+const LANES: [(&str, &[&str], &str); 12] = [
     ("rounds", &["WipingRound"], "bar-estimated"),
     ("strokes", &["Stroke"], "phase-contact"),
     (
@@ -24,11 +24,15 @@ const LANES: [(&str, &[&str], &str); 8] = [
     ("contact", &["ToolContact"], "event-contact"),
     ("contact lost", &["ContactLoss"], "event-loss"),
     ("stick-slip", &["StickSlip"], "event-stick"),
+    ("landings", &["Landing"], "event-loss"),
+    ("overloads", &["Overload"], "event-loss"),
+    ("vibrations", &["Vibration"], "event-loss"),
     (
         "stops, localizing",
         &["ProtectiveStop", "Relocalization"],
         "event-push",
     ),
+    ("hand guiding", &["HandGuiding"], "event-push"),
     ("collisions", &[], "event-collision"),
 ];
 

@@ -1,6 +1,7 @@
 //! ROS 2 bags: MCAP files with CDR messages.
 
 mod container;
+mod joint_states;
 mod locator;
 mod reader;
 mod topic;

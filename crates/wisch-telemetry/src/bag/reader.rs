@@ -1,6 +1,7 @@
 //! ROS 2 bags: finds the poses and forces in an MCAP file of whatever topics.
 
 use super::container::{Ending, Entry, entries};
+use super::joint_states::JointStates;
 use super::locator::{Found, Locator};
 use super::topic::{AXES_KEY, NOTES, ROLE_KEY, ROLE_POSE, ROLE_WRENCH, START_KEY, TASK_NOTE};
 use crate::error::ReadFault;
@@ -8,7 +9,7 @@ use crate::frames::Frames;
 use crate::options::TopicChoice;
 use crate::quantity::Quantity;
 use crate::ros2::{MessageError, Schema, Value, decode};
-use crate::track::{RawLog, Track};
+use crate::track::{JointPositions, RawLog, Track};
 use mcap::Channel;
 use std::collections::{BTreeMap, HashMap};
 use std::fs::File;
@@ -17,6 +18,7 @@ use std::path::Path;
 use std::rc::Rc;
 use wisch::geometry::{Pose, Vector3};
 use wisch::represent::UnknownName;
+use wisch::robot::JointTransform;
 
 /// Gathers what the parts of a bag say.
 pub(crate) struct BagReader {
@@ -26,6 +28,7 @@ pub(crate) struct BagReader {
     topics: BTreeMap<String, String>,
     channels: HashMap<u16, Reading>,
     frames: Frames,
+    joints: JointPositions,
     /// The task's name, where the writer says it.
     task: Option<String>,
     unfinished: bool,
@@ -40,6 +43,7 @@ enum Reading {
         pose: Option<Rc<Locator<Pose>>>,
         wrench: Option<Rc<Locator<Vector3>>>,
         transforms: Option<Rc<Locator<Pose>>>,
+        joints: Option<Rc<JointStates>>,
     },
 }
 
@@ -49,14 +53,15 @@ const TRANSFORMS: &str = "TFMessage";
 const STATIC_TOPIC: &str = "tf_static";
 
 impl BagReader {
-    /// Looks for a pose and a wrench.
-    pub fn new(pose: &TopicChoice, wrench: &TopicChoice) -> Self {
+    /// Looks for a pose, a wrench, and positions of joints.
+    pub fn new(pose: &TopicChoice, wrench: &TopicChoice, joints: &[JointTransform]) -> Self {
         Self {
             poses: Search::new(pose, ROLE_POSE),
             wrenches: Search::new(wrench, ROLE_WRENCH),
             topics: BTreeMap::new(),
             channels: HashMap::new(),
             frames: Frames::default(),
+            joints: JointPositions::of(joints),
             task: None,
             unfinished: false,
         }
@@ -96,6 +101,7 @@ impl BagReader {
             start: says.start,
             unfinished: self.unfinished,
             frames: self.frames,
+            joints: self.joints,
             task: self.task,
             units: None,
         })
@@ -116,6 +122,7 @@ impl BagReader {
             pose,
             wrench,
             transforms,
+            joints,
         }) = self.channels.get(&channel.id)
         else {
             return Ok(());
@@ -141,6 +148,9 @@ impl BagReader {
                 }
             }
         }
+        if let (Some(places), Ok(message)) = (joints, &value) {
+            places.read(message, log_time, &mut self.joints);
+        }
         Ok(())
     }
 
@@ -149,7 +159,12 @@ impl BagReader {
         let kind = (channel.schema.as_ref()).map_or_else(String::new, |schema| schema.name.clone());
         let holds_transforms = kind.ends_with(TRANSFORMS);
         self.topics.insert(channel.topic.clone(), kind);
-        if !(holds_transforms || self.poses.wants(channel) || self.wrenches.wants(channel)) {
+        let holds_joints = !self.joints.is_empty() && JointStates::are_in(channel);
+        if !(holds_transforms
+            || holds_joints
+            || self.poses.wants(channel)
+            || self.wrenches.wants(channel))
+        {
             return Ok(Reading::Nothing);
         }
         let schema = match readable(channel) {
@@ -167,18 +182,19 @@ impl BagReader {
             .flatten())
         .filter(Locator::is_list)
         .map(Rc::new);
-        Ok(
-            if pose.is_none() && wrench.is_none() && transforms.is_none() {
-                Reading::Nothing
-            } else {
-                Reading::Messages {
-                    schema,
-                    pose,
-                    wrench,
-                    transforms,
-                }
-            },
-        )
+        let joints = holds_joints.then(|| JointStates::find(&schema)).flatten();
+        let holds = pose.is_some() || wrench.is_some() || transforms.is_some() || joints.is_some();
+        Ok(if holds {
+            Reading::Messages {
+                schema,
+                pose,
+                wrench,
+                transforms,
+                joints: joints.map(Rc::new),
+            }
+        } else {
+            Reading::Nothing
+        })
     }
 }
 

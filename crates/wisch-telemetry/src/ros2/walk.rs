@@ -8,6 +8,9 @@ const ENCAPSULATION_LEN: usize = 4;
 /// How deep messages may lie in one another: each level takes its share of the stack.
 const MAX_DEPTH: usize = 64;
 
+/// How many numbers or texts of a list are kept, above the joints of a robot.
+const MAX_KEPT: usize = 1000;
+
 /// Why a message cannot be taken apart.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum MessageError {
@@ -53,6 +56,10 @@ pub(crate) enum Value {
     Message(Vec<Value>),
     /// Many messages.
     List(Vec<Value>),
+    /// Some numbers.
+    Numbers(Vec<f64>),
+    /// Some texts.
+    Texts(Vec<String>),
     /// Many numbers or texts: images and the like, of which none is ever asked for.
     Skipped,
 }
@@ -131,6 +138,14 @@ impl<'a> Walker<'a> {
                 let values = (0..count).map(|_| self.value(field, depth));
                 Ok(Value::List(values.collect::<Result<_, _>>()?))
             }
+            Kind::Float64 if count <= MAX_KEPT => {
+                let bits = (0..count).map(|_| Ok(f64::from_bits(self.unsigned(8)?)));
+                Ok(Value::Numbers(bits.collect::<Result<_, _>>()?))
+            }
+            Kind::Text if count <= MAX_KEPT => {
+                let texts = (0..count).map(|_| self.text());
+                Ok(Value::Texts(texts.collect::<Result<_, _>>()?))
+            }
             Kind::Text | Kind::WideText => {
                 for _ in 0..count {
                     self.value(field, depth)?;
@@ -156,7 +171,7 @@ impl<'a> Walker<'a> {
             }
             Kind::Float32 => Value::Number(f32::from_bits(self.unsigned(4)? as u32).into()),
             Kind::Float64 => Value::Number(f64::from_bits(self.unsigned(8)?)),
-            Kind::Text => self.text()?,
+            Kind::Text => Value::Text(self.text()?),
             Kind::WideText => {
                 return Err(MessageError::WideText {
                     field: field.name.clone(),
@@ -167,13 +182,13 @@ impl<'a> Walker<'a> {
     }
 
     /// A text, which is sent with its length and a zero at its end.
-    fn text(&mut self) -> Result<Value, MessageError> {
+    fn text(&mut self) -> Result<String, MessageError> {
         let len = self.unsigned(4)? as usize;
         let byte = ENCAPSULATION_LEN + self.at;
         let bytes = self.take(len)?;
         let bytes = bytes.strip_suffix(&[0]).unwrap_or(bytes);
         let text = std::str::from_utf8(bytes).map_err(|_| MessageError::Text { byte })?;
-        Ok(Value::Text(text.to_owned()))
+        Ok(text.to_owned())
     }
 
     fn skip(&mut self, count: usize, len: usize) -> Result<Value, MessageError> {
@@ -250,12 +265,12 @@ mod tests {
         Value::Message(vec![
             Value::Number(f64::from(u8::from(mixed.on))),
             Value::Number(f64::from(mixed.near)),
-            Value::Skipped,
+            Value::Texts(mixed.words.clone()),
             Value::Number(mixed.far as f64),
             Value::Number(f64::from(mixed.small)),
             Value::Skipped,
             Value::List(mixed.parts.iter().map(part).collect()),
-            Value::Skipped,
+            Value::Numbers(mixed.three.to_vec()),
             Value::Number(f64::from(mixed.last)),
         ])
     }

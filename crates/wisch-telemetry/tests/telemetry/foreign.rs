@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use wisch::geometry::{Point3, Pose, Vector3};
+use wisch::robot::joint_transforms;
 use wisch_telemetry::{
     Axes, AxesChoice, AxesSource, Log, LogOptions, TopicChoice, WrenchSign, read,
 };
@@ -198,6 +199,88 @@ fn frames_are_resolved_by_the_transforms_of_the_log() {
     }
 }
 
+/// A lift that carries a turning column with a camera: its mast follows the lift at half its way.
+const LIFT: &str = r#"<robot name="lift"><link name="robot_base"/><link name="mast"/><link name="table"/>
+    <link name="column"/><link name="camera"/><link name="flange"/><link name="ft_sensor"/>
+    <joint name="lift_half" type="prismatic"><parent link="robot_base"/><child link="mast"/><axis xyz="0 0 1"/>
+        <mimic joint="lift" multiplier="0.5" offset="0.1"/><limit lower="0" upper="1" velocity="1" effort="1"/></joint>
+    <joint name="lift" type="prismatic"><parent link="mast"/><child link="table"/><axis xyz="0 0 2"/>
+        <limit lower="0" upper="1" velocity="1" effort="1"/></joint>
+    <joint name="turn" type="continuous"><parent link="table"/><child link="column"/><axis xyz="0 0 1"/></joint>
+    <joint name="eye" type="fixed"><parent link="column"/><child link="camera"/><origin xyz="0 0 0.5"/></joint>
+    <joint name="wrist" type="revolute"><parent link="robot_base"/><child link="flange"/><axis xyz="1 0 0"/>
+        <limit lower="-4" upper="4" velocity="1" effort="1"/></joint>
+    <joint name="bolts" type="fixed"><parent link="flange"/><child link="ft_sensor"/></joint></robot>"#;
+
+#[test]
+fn frames_are_resolved_by_the_joints_of_a_robot() {
+    let (_folder, path) = in_folder();
+    let mut bag = Foreign::create(&path);
+    let definition = format!(
+        "std_msgs/Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\nfloat64[] effort\n{HEADER_PARTS}"
+    );
+    let [joints, commands] = ["/joint_states", "/joint_commands"]
+        .map(|name| bag.topic(name, "sensor_msgs/msg/JointState", &definition));
+    let (pose, wrench) = (bag.poses("/camera/tool"), bag.wrenches("/ft"));
+    for time in (1000..=2000_u64).step_by(10) {
+        let share = (time - 1000) as f64 / 1000.0;
+        let state = |positions: [f64; 3]| {
+            let (names, empty) = (vec!["turn", "lift", "wrist"], Vec::<f64>::new());
+            (names, positions.to_vec(), empty.clone(), empty)
+        };
+        // What is measured every 20 ms is interpolated.
+        if time.is_multiple_of(20) {
+            let measured = state([share, 0.4 * share, 2.0 * share]);
+            bag.put(joints, time, time, "", measured);
+        }
+        bag.put(commands, time, time, "", state([0.0; 3]));
+        // The tool stands still in the base, so it moves in the camera.
+        let base_from_camera = Pose::new(
+            Vector3::new(0.0, 0.0, 0.1 + 0.2 * share + 0.4 * share + 0.5),
+            Vector3::z() * share,
+        );
+        let camera_from_tool = base_from_camera.inverse() * Pose::translation(0.6, 0.1, 0.2);
+        let at: [f64; 3] = camera_from_tool.translation.vector.into();
+        let turn: [f64; 4] = camera_from_tool.rotation.coords.into();
+        bag.put(pose, time, time, "camera", (at, turn));
+        let base_from_sensor = UnitQuaternion::from_scaled_axis(Vector3::x() * 2.0 * share);
+        let force: [f64; 3] = (base_from_sensor.inverse() * Vector3::new(0.0, 3.0, 9.0)).into();
+        bag.put(wrench, time, time, "ft_sensor", (force, [0.0; 3]));
+    }
+    bag.finish();
+    let options = LogOptions {
+        joints: joint_transforms("lift.urdf", LIFT).unwrap(),
+        world_frame: "robot_base".to_owned(),
+        ..LogOptions::default()
+    };
+    let log = read(&path, &options).unwrap();
+    assert_eq!((log.samples.len(), log.unpaired), (101, 0));
+    assert_eq!(
+        (log.axes, log.axes_source),
+        (Axes::Named, AxesSource::Logged)
+    );
+    assert_eq!(
+        log.frames_used,
+        [
+            "poses in \"camera\" are brought into \"robot_base\" by the log's transforms and the robot's joints",
+            "forces in \"ft_sensor\" are turned into \"camera\" by the log's transforms and the robot's joints",
+        ]
+    );
+    for sample in &log.samples {
+        let at = sample.world_from_tool.translation.vector;
+        assert!((at - Vector3::new(0.6, 0.1, 0.2)).norm() < 1e-9, "{at}");
+        assert!(sample.world_from_tool.rotation.angle() < 1e-9);
+        assert!(
+            (sample.force - Vector3::new(0.0, 3.0, 9.0)).norm() < 1e-9,
+            "{}",
+            sample.force
+        );
+    }
+    // Without the robot nothing leads from frame to frame.
+    let log = read(&path, &LogOptions::default()).unwrap();
+    assert_eq!(log.frames_used, [] as [String; 0]);
+}
+
 #[test]
 fn static_transforms_are_no_poses_of_a_tool() {
     let (_folder, path) = in_folder();
@@ -234,7 +317,7 @@ fn a_sensor_is_turned_by_a_urdf_or_by_hand() {
         <joint name="bolts" type="fixed"><parent link="flange"/><child link="sensor"/>
         <origin rpy="0 0 1.5707963267948966"/></joint></robot>"#;
     let by_urdf = LogOptions {
-        fixed_joints: wisch::robot::fixed_joints("arm.urdf", urdf).unwrap(),
+        joints: joint_transforms("arm.urdf", urdf).unwrap(),
         ..in_millimetres()
     };
     let by_hand = LogOptions {

@@ -152,7 +152,8 @@ impl Follower<'_> {
                 }
                 None => abandoned.extend(self.give_up(&mut open, &at, stopped)?),
             }
-            progress(all - waiting(&open));
+            // What is joined anew may pass a node where branches meet more often.
+            progress(all.saturating_sub(waiting(&open)));
         }
         self.timed(stays, abandoned, rated)
     }
@@ -228,8 +229,8 @@ impl Follower<'_> {
 
     /// Takes off what is open what cannot be gone on with, from any place.
     ///
-    /// Where the way of the tool makes no difference, only nodes are given up on which it cannot be put down, and
-    /// strokes that these cut are joined anew.
+    /// Where it is known of which nodes the tool cannot be put down on, only these are given up, and what they leave is
+    /// joined anew.
     fn give_up(
         &self,
         open: &mut Vec<Open>,
@@ -237,7 +238,13 @@ impl Follower<'_> {
         attempts: Vec<Attempt>,
     ) -> Result<Vec<AbandonedNode>, FollowError> {
         if self.task.action != Action::Absorb {
-            return Ok(give_up(open, attempts).into_iter().collect());
+            return match self.joined_to_goals(open, at)? {
+                Some((strokes, abandoned)) => {
+                    *open = strokes;
+                    Ok(abandoned)
+                }
+                None => Ok(give_up(open, attempts).into_iter().collect()),
+            };
         }
         let first = &mut open[0];
         if first.begun && first.nodes.len() > 1 {
@@ -245,66 +252,110 @@ impl Follower<'_> {
             return Ok(Vec::new());
         }
         let left: Vec<Waiting> = open.iter().flat_map(Open::unpassed).copied().collect();
-        let untouched = self.untouched(&left, at, attempts)?;
-        let touched = left.iter().zip(&untouched);
-        let touched = touched.filter(|(_, attempts)| attempts.is_none());
-        let nodes: Vec<usize> = touched.map(|(waiting, _)| waiting.node).collect();
-        let from = left
-            .first()
-            .map_or(self.plan.tool_start, |w| w.pose.position);
-        if let Ok(strokes) = joined_anew(self.task, self.plan, &nodes, from, self.config.seed) {
-            let stroke_of = |node: usize| {
-                let planned = left.iter().find(|waiting| waiting.node == node);
-                planned.map_or(0, |waiting| waiting.stroke)
-            };
-            *open = strokes
-                .iter()
-                .map(|stroke| Open::of(stroke, stroke_of))
-                .collect();
+        let mut untouched = self.untouched(&left, at)?;
+        // Of the first it is known, whether the base can move or not.
+        if let Some(first) = untouched.first_mut() {
+            *first = Some(attempts);
+        }
+        let (nodes, abandoned) = apart(&left, untouched);
+        if let Some(strokes) = self.joined(&left, &nodes) {
+            *open = strokes;
         } else {
             for open in &mut *open {
                 open.nodes.retain(|waiting| nodes.contains(&waiting.node));
             }
             open.retain(|open| !open.nodes.is_empty());
         }
-        let abandoned = left
-            .iter()
-            .zip(untouched)
-            .filter_map(|(waiting, attempts)| {
-                Some(AbandonedNode {
-                    node: waiting.node,
-                    stroke: waiting.stroke,
-                    attempts: attempts?,
-                })
-            });
-        Ok(abandoned.collect())
+        Ok(abandoned)
     }
 
-    /// For each node what was tried, if the tool cannot be put down there: of the first this is known; the others are
-    /// looked at where the base cannot move.
+    /// What is left of branches once no node is in them any more on which the tool cannot be put down, and those nodes.
+    ///
+    /// Branches that such nodes only begin lead to the goals as before. Nothing where there are no such nodes; where the
+    /// base can move, so that another place may reach them; or where what is left leads to no goal.
+    fn joined_to_goals(
+        &self,
+        open: &[Open],
+        at: &PlanarPose,
+    ) -> Result<Option<(Vec<Open>, Vec<AbandonedNode>)>, FollowError> {
+        let mut left: Vec<Waiting> = Vec::new();
+        // A branch ends at a node of another one.
+        for waiting in open.iter().flat_map(Open::unpassed) {
+            if left.iter().all(|known| known.node != waiting.node) {
+                left.push(*waiting);
+            }
+        }
+        let (mut nodes, abandoned) = apart(&left, self.untouched(&left, at)?);
+        let is_lost = |waiting: &Waiting| abandoned.iter().any(|lost| lost.node == waiting.node);
+        if abandoned.is_empty() {
+            return Ok(None);
+        }
+        let cuts = (open.iter()).any(|open| open.nodes.iter().skip(1).any(is_lost));
+        if !cuts {
+            let mut open = open.to_vec();
+            for open in &mut open {
+                open.nodes.retain(|waiting| !is_lost(waiting));
+            }
+            open.retain(|open| !open.nodes.is_empty());
+            return Ok(Some((open, abandoned)));
+        }
+        // What has been pushed before the tool still has to go on.
+        if let [
+            Open {
+                begun: true,
+                nodes: first,
+                ..
+            },
+            ..,
+        ] = open
+        {
+            left.insert(0, first[0]);
+            if !nodes.contains(&first[0].node) {
+                nodes.insert(0, first[0].node);
+            }
+        }
+        let joined = self.joined(&left, &nodes);
+        let is_whole = |strokes: &Vec<Open>| {
+            let is_in = |node: &usize| strokes.iter().any(|open| open.has(*node));
+            nodes.iter().all(is_in)
+        };
+        Ok(joined.filter(is_whole).map(|strokes| (strokes, abandoned)))
+    }
+
+    /// New strokes through some of what is left, from its first node on.
+    fn joined(&self, left: &[Waiting], nodes: &[usize]) -> Option<Vec<Open>> {
+        let from = left
+            .first()
+            .map_or(self.plan.tool_start, |w| w.pose.position);
+        let strokes = joined_anew(self.task, self.plan, nodes, from, self.config.seed).ok()?;
+        let stroke_of = |node: usize| {
+            let planned = left.iter().find(|waiting| waiting.node == node);
+            planned.map_or(0, |waiting| waiting.stroke)
+        };
+        let open = strokes.iter().map(|stroke| Open::of(stroke, stroke_of));
+        Some(open.collect())
+    }
+
+    /// For each node what was tried, if the tool cannot be put down there; nothing is known of that where the base can
+    /// move.
     fn untouched(
         &self,
         nodes: &[Waiting],
         at: &PlanarPose,
-        of_first: Vec<Attempt>,
     ) -> Result<Vec<Option<Vec<Attempt>>>, FollowError> {
-        let mut untouched = vec![None; nodes.len()];
-        if self.cell.base().is_none() {
-            let arm = Arm::new(self.cell, self.task, self.config, at)?;
-            let now = Now {
-                q: arm.ready(),
-                tool: None,
-            };
-            let (lift, seed) = (self.plan.lift_height, self.config.seed);
-            let touch = |waiting: &Waiting| {
-                run(&arm, &now, &[waiting.pose], lift, &self.orientations, seed).err()
-            };
-            untouched = nodes.par_iter().map(touch).collect();
+        if self.cell.base().is_some() {
+            return Ok(vec![None; nodes.len()]);
         }
-        if let Some(first) = untouched.first_mut() {
-            *first = Some(of_first);
-        }
-        Ok(untouched)
+        let arm = Arm::new(self.cell, self.task, self.config, at)?;
+        let now = Now {
+            q: arm.ready(),
+            tool: None,
+        };
+        let (lift, seed) = (self.plan.lift_height, self.config.seed);
+        let touch = |waiting: &Waiting| {
+            run(&arm, &now, &[waiting.pose], lift, &self.orientations, seed).err()
+        };
+        Ok(nodes.par_iter().map(touch).collect())
     }
 
     /// Rated places for the rest of the path; none for a robot without a planar base.
@@ -500,6 +551,11 @@ impl Open {
         }
     }
 
+    /// Whether a node is in it.
+    fn has(&self, node: usize) -> bool {
+        self.nodes.iter().any(|waiting| waiting.node == node)
+    }
+
     /// The nodes that are still to be passed.
     fn unpassed(&self) -> &[Waiting] {
         &self.nodes[usize::from(self.begun)..]
@@ -511,6 +567,25 @@ impl Open {
         self.begun = false;
         self.skipped = false;
     }
+}
+
+/// The nodes on which the tool can be put down, and the others with what was tried.
+fn apart(
+    left: &[Waiting],
+    untouched: Vec<Option<Vec<Attempt>>>,
+) -> (Vec<usize>, Vec<AbandonedNode>) {
+    let (mut nodes, mut abandoned) = (Vec::new(), Vec::new());
+    for (waiting, attempts) in left.iter().zip(untouched) {
+        match attempts {
+            None => nodes.push(waiting.node),
+            Some(attempts) => abandoned.push(AbandonedNode {
+                node: waiting.node,
+                stroke: waiting.stroke,
+                attempts,
+            }),
+        }
+    }
+    (nodes, abandoned)
 }
 
 /// How many nodes are still to be passed.

@@ -58,8 +58,9 @@ pub fn plan(task: &Task, config: &PlanConfig) -> Result<Plan, PlanError> {
     Ok(plan)
 }
 
-/// New strokes through some nodes of a plan that absorbs, such as those that a robot reaches: an open tour from the one
-/// nearest to `from`, in the surface frame [m].
+/// New strokes through some nodes of a plan, such as those that a robot reaches. To absorb, an open tour from the one
+/// nearest to `from`, in the surface frame [m]; else trees that lead to those of them that are goals, worked off from
+/// there. A node that no way leads from to any goal is in no stroke.
 ///
 /// # Errors
 /// Geometry and costs that the libraries refuse.
@@ -76,8 +77,16 @@ pub fn joined_anew(
         .iter()
         .map(|&node| plan.graph.position(node))
         .collect();
-    let chains = tour(&space, &positions, from, plan.lift_height, seed)?;
-    let symmetric = task.tool.is_half_turn_symmetric();
+    let absorbs = task.action == Action::Absorb;
+    let chains = if absorbs {
+        tour(&space, &positions, from, plan.lift_height, seed)?
+    } else {
+        let is_goal = |i: &usize| plan.graph.nodes[nodes[*i]].role == NodeRole::Goal;
+        let goals: Vec<usize> = (0..nodes.len()).filter(is_goal).collect();
+        let forest = forest(&space, &positions, &goals, 2.0 * plan.collision_radius);
+        branches(&positions, &forest.parent, from)
+    };
+    let symmetric = absorbs && task.tool.is_half_turn_symmetric();
     let stroke = |chain: Vec<usize>| {
         let chain = chain.into_iter().map(|i| nodes[i]).collect();
         Stroke::along(&plan.graph, chain, symmetric)

@@ -32,9 +32,9 @@ pub use capability::{
 pub use chain::{Chain, ChainJacobian, ChainKinematics, MAX_CHAIN};
 pub use clearance::{BodyId, Clearance, CollisionModel, Contact, Reason, SEGMENT_RESOLUTION};
 pub use description::{
-    Collision, Diagnostic, DiagnosticKind, DisabledPair, FixedJoint, Group, GroupState, Ignored,
-    MAX_DEPTH, MAX_LINKS, MAX_MESH_EXTENT, MAX_SHAPES, MAX_URDF_BYTES, Severity, Shape, Srdf,
-    Subject, check, fixed_joints,
+    Collision, Diagnostic, DiagnosticKind, DisabledPair, Group, GroupState, Ignored, JointMimic,
+    JointMotion, JointTransform, MAX_DEPTH, MAX_LINKS, MAX_MESH_EXTENT, MAX_SHAPES, MAX_URDF_BYTES,
+    Severity, Shape, Srdf, Subject, check, joint_transforms,
 };
 pub use dynamics::{Dynamics, MIN_INERTIA};
 pub use error::RobotError;

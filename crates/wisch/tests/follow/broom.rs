@@ -1,6 +1,8 @@
 //! Both hands on a broom.
 
 use super::humanoid::{planned, shipped};
+use std::sync::mpsc::channel;
+use std::time::Duration;
 use wisch::follow::{
     AllowedContact, FollowConfig, FollowError, Followed, GRIP_TOLERANCE, LEAN_TOLERANCE,
     MotionFault, Phase, Workcell, WorkcellConfig, audit, follow,
@@ -159,4 +161,27 @@ fn one_hand_leaves_the_other_where_it_is() {
     let (file, task) = shipped("broom-chippings", Action::Collect);
     let cell = sweeping(&file, &task, None).unwrap();
     assert_eq!(cell.arm_variables(), cell.ik().chain().variables());
+}
+
+/// Longer than this no search takes.
+const PATIENCE: Duration = Duration::from_secs(600);
+
+#[test]
+fn the_search_for_a_free_motion_of_two_hands_ends() {
+    // On the way between its strokes the second hand, brought back to the stick, leads the tree away from where it grows
+    // to: one that goes on all the same never comes there.
+    let (sender, ended) = channel();
+    std::thread::spawn(move || {
+        let (file, task) = shipped("broom-chippings", Action::Collect);
+        let record = file.robot().unwrap();
+        let cell = sweeping(&file, &task, record.second_group.as_deref()).unwrap();
+        let plan = planned(&file, &task);
+        let humanoid = humanoid();
+        let config = FollowConfig::default();
+        let map = humanoid.map.as_ref();
+        let followed = follow(&task, &plan, &cell, map, &config, &mut |_| ()).unwrap();
+        let _ = sender.send(faults(&task, &plan, &cell, &followed));
+    });
+    let faults = ended.recv_timeout(PATIENCE).expect("it ends");
+    assert_eq!(faults, [] as [String; 0]);
 }

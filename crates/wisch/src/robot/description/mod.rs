@@ -6,10 +6,12 @@ mod diagnostics;
 pub(super) mod elements;
 mod planar;
 mod srdf;
+mod transforms;
 pub(super) mod urdf;
 
 pub use check::{MAX_DEPTH, check};
 pub use collision::{Collision, MAX_MESH_EXTENT, Shape};
 pub use diagnostics::{Diagnostic, DiagnosticKind, Severity, Subject};
 pub use srdf::{DisabledPair, Group, GroupState, Ignored, Srdf};
-pub use urdf::{FixedJoint, MAX_LINKS, MAX_SHAPES, MAX_URDF_BYTES, fixed_joints};
+pub use transforms::{JointMimic, JointMotion, JointTransform, joint_transforms};
+pub use urdf::{MAX_LINKS, MAX_SHAPES, MAX_URDF_BYTES};

@@ -406,29 +406,3 @@ const fn expected(count: usize) -> &'static str {
         _ => "three numbers within 1e9, with spaces between them",
     }
 }
-
-/// Where a link is in another one that it never moves in.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FixedJoint {
-    /// The link that holds the other.
-    pub parent: String,
-    /// The link that is held.
-    pub child: String,
-    /// The held link in the frame of the other.
-    pub parent_from_child: Pose,
-}
-
-/// The fixed joints of a URDF, whatever else it says: of a stranger's robot whose meshes are not at hand, too.
-///
-/// # Errors
-/// If the text is no URDF or larger than is read.
-pub fn fixed_joints(file: &str, text: &str) -> Result<Vec<FixedJoint>, RobotError> {
-    let joints = Urdf::read(file, text)?.joints.into_iter();
-    let fixed = joints.filter(|joint| joint.kind == "fixed");
-    let fixed = fixed.map(|joint| FixedJoint {
-        parent: joint.parent,
-        child: joint.child,
-        parent_from_child: joint.parent_from_joint,
-    });
-    Ok(fixed.collect())
-}

@@ -1,0 +1,69 @@
+//! Positions of joints, as `/joint_states` tells them.
+
+use crate::ros2::{Kind, NANOSECONDS_PER_SECOND, Schema, Shape, Value};
+use crate::track::JointPositions;
+use mcap::Channel;
+
+/// Type of messages that hold positions of joints.
+const JOINT_STATE: &str = "JointState";
+/// How a topic's name ends that tells where joints are; others of the type tell where they are to go.
+const MEASURED_TOPIC: &str = "joint_states";
+
+/// Finds the positions in messages of one schema.
+#[derive(Debug, Clone)]
+pub(super) struct JointStates {
+    names: Vec<usize>,
+    positions: Vec<usize>,
+    /// Seconds and nanoseconds of the header's stamp.
+    stamp: Option<[Vec<usize>; 2]>,
+}
+
+impl JointStates {
+    /// Whether a channel tells where joints are.
+    pub fn are_in(channel: &Channel<'_>) -> bool {
+        let is_one = |schema: &std::sync::Arc<mcap::Schema<'_>>| schema.name.ends_with(JOINT_STATE);
+        channel.schema.as_ref().is_some_and(is_one) && channel.topic.ends_with(MEASURED_TOPIC)
+    }
+
+    /// Looks where a message holds them.
+    pub fn find(schema: &Schema) -> Option<Self> {
+        let list = |name: &str, kind: Kind| {
+            let (path, field) = schema.find(schema.root(), name)?;
+            (field.shape == Shape::Sequence && field.kind == kind).then_some(path)
+        };
+        let stamp = |name: &str| {
+            let (path, field) = schema.find(schema.root(), name)?;
+            (field.shape == Shape::One).then_some(path)
+        };
+        Some(Self {
+            names: list("name", Kind::Text)?,
+            positions: list("position", Kind::Float64)?,
+            stamp: stamp("header.stamp.sec")
+                .zip(stamp("header.stamp.nanosec"))
+                .map(|(sec, nanosec)| [sec, nanosec]),
+        })
+    }
+
+    /// Takes the positions from a message; what is not finite is left out.
+    pub fn read(&self, message: &Value, log_time: i64, positions: &mut JointPositions) {
+        let (Some(Value::Texts(names)), Some(Value::Numbers(values))) =
+            (message.at(&self.names), message.at(&self.positions))
+        else {
+            return;
+        };
+        let whole = |path| (message.at(path).and_then(Value::number)).unwrap_or(0.0) as i64;
+        let stamp = self.stamp.as_ref().map_or(0, |[sec, nanosec]| {
+            whole(sec)
+                .saturating_mul(NANOSECONDS_PER_SECOND as i64)
+                .saturating_add(whole(nanosec))
+        });
+        let time = if stamp == 0 { log_time } else { stamp };
+        for (name, value) in names
+            .iter()
+            .zip(values)
+            .filter(|(_, value)| value.is_finite())
+        {
+            positions.push(name, time, *value);
+        }
+    }
+}
