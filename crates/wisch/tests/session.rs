@@ -203,7 +203,12 @@ fn a_toy_that_sees_the_dirt_at_the_goal_meets_it() {
         Some(count)
     );
     // A session that may not look asks for nothing.
-    let mut blind = loaded.session().with_robot(robot.performer());
+    let touch_only = RunConfig {
+        sight: None,
+        ..loaded.run_config()
+    };
+    let blind = Session::new(&loaded.task, touch_only);
+    let mut blind = blind.with_robot(robot.performer());
     toy.looks = 0;
     blind
         .run_until(Stage::Judged, &mut toy, &mut unobserved)
