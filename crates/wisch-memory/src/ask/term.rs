@@ -471,42 +471,50 @@ impl<'a> Reader<'a> {
         Ok(Term::Compound(name, arguments))
     }
 
-    /// A list as pairs of head and tail; long ones must not fill the stack.
+    /// A list as pairs of head and tail, with the name behind it; long ones must not fill the stack. What has that name
+    /// and another number of arguments is a term like others.
     fn pairs(&mut self, depth: usize) -> Result<Term, TermError> {
+        self.at += 1;
         let mut items = Vec::new();
-        let mut open = 0;
-        loop {
+        let mut tail = loop {
+            if self.take(')') {
+                break Term::Compound(".".to_owned(), Vec::new());
+            }
+            let item = self.term(depth + 1)?;
+            if !self.take(',') {
+                if !self.take(')') {
+                    return Err(self.expected(","));
+                }
+                break Term::Compound(".".to_owned(), vec![item]);
+            }
+            items.push(item);
             self.space();
             let rest = self.rest();
-            let Some(skip) = ["'.'(", ".("]
-                .iter()
-                .find(|start| rest.starts_with(**start))
-            else {
-                if open == 0 && rest.starts_with('(') {
-                    self.at += 1;
-                    open += 1;
-                    items.push(self.term(depth + 1)?);
-                    if !self.take(',') {
-                        return Err(self.expected(","));
-                    }
-                    continue;
-                }
-                break;
-            };
-            self.at += skip.len();
-            open += 1;
-            items.push(self.term(depth + 1)?);
-            if !self.take(',') {
-                return Err(self.expected(","));
+            let pair = ["'.'(", ".("].iter().find(|pair| rest.starts_with(**pair));
+            match pair {
+                Some(pair) => self.at += pair.len(),
+                None => break self.term(depth + 1)?,
             }
-        }
-        let tail = self.term(depth + 1)?;
-        for _ in 0..open {
+        };
+        // From the innermost pair outwards.
+        let mut inner = Vec::new();
+        while let Some(item) = items.pop() {
+            if self.take(')') {
+                inner.push(item);
+                continue;
+            }
+            inner.reverse();
+            let mut arguments = vec![item, closed(std::mem::take(&mut inner), tail)];
+            while self.take(',') {
+                arguments.push(self.term(depth + 1)?);
+            }
             if !self.take(')') {
                 return Err(self.expected(")"));
             }
+            tail = Term::Compound(".".to_owned(), arguments);
         }
-        Ok(closed(items, tail))
+        inner.reverse();
+        Ok(closed(inner, tail))
     }
 
     fn list(&mut self, depth: usize) -> Result<Term, TermError> {
@@ -558,6 +566,22 @@ mod tests {
         let [a, b] = [scryer, swi].map(shown);
         assert_eq!(a, b);
         assert_eq!(a, "row([a, 1, -2.5], semco:'Collision', _, 1-2, {}(x))");
+    }
+
+    #[test]
+    fn what_is_called_a_pair_and_is_none_is_a_term_like_others() {
+        let dot = |arguments: &[i64]| {
+            let arguments = arguments.iter().copied().map(Term::Integer);
+            Term::compound(".", arguments.collect::<Vec<_>>())
+        };
+        assert_eq!(Term::parse("'.'(1)").unwrap(), dot(&[1]));
+        assert_eq!(Term::parse("'.'(1,2,3)").unwrap(), dot(&[1, 2, 3]));
+        assert_eq!(Term::parse("'.'()").unwrap(), dot(&[]));
+        // As the tail of a list.
+        let list = Term::parse("'.'(0,'.'(5,'.'(1,2,3)))").unwrap();
+        let open = closed(vec![Term::Integer(0), Term::Integer(5)], dot(&[1, 2, 3]));
+        assert_eq!(list, open);
+        assert!(Term::parse("'.'(1,'.'(2)").is_err());
     }
 
     #[test]

@@ -59,6 +59,9 @@ struct Stay {
 /// The way to a place, the place, and what is done from there.
 type Reached = (Vec<PlanarPose>, Placement, Stay);
 
+/// What is left, joined anew, and the nodes that are no longer in it.
+type Joined = (Vec<Open>, Vec<AbandonedNode>);
+
 /// What is to be expected of a stay.
 struct Outcome {
     /// Nodes still to be passed.
@@ -277,7 +280,7 @@ impl Follower<'_> {
         &self,
         open: &[Open],
         at: &PlanarPose,
-    ) -> Result<Option<(Vec<Open>, Vec<AbandonedNode>)>, FollowError> {
+    ) -> Result<Option<Joined>, FollowError> {
         let mut left: Vec<Waiting> = Vec::new();
         // A branch ends at a node of another one.
         for waiting in open.iter().flat_map(Open::unpassed) {
