@@ -64,7 +64,7 @@ fn a_run_by_another_program_writes_its_events_and_knows_no_truth() {
         "python3 'echo robot.py'",
         "--json",
         "--set",
-        "target_performance=0.5",
+        "target_performance=0.2",
     ];
     let output = wisch(
         folder.path(),

@@ -23,7 +23,16 @@ fn said(folder: &Path, args: &[&str]) -> String {
 /// A memory with one episode of one round, beside its results in `result`.
 fn one_run() -> (TempDir, Memory, String) {
     let folder = folder_with("arm-board.toml");
-    let args = ["run", "task.toml", "--rounds", "1", "--out", "result"];
+    // By touch alone, as the bag will be interpreted.
+    let args = [
+        "run",
+        "task.toml",
+        "--rounds",
+        "1",
+        "--touch-only",
+        "--out",
+        "result",
+    ];
     let (code, out, err) = wisch(folder.path(), &args);
     assert!(code <= 1 && err.is_empty(), "{code}: {err}");
     let memory = Memory::open(&folder.path().join("episodes")).expect("the usual memory");

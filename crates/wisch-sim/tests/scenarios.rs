@@ -130,7 +130,9 @@ fn pushes_are_felt_when_they_happen_and_what_they_cost_is_wiped_again() {
         );
     }
     let (last, _, after) = &rounds[rounds.len() - 1];
-    assert_eq!(last.verdict, Verdict::GoalMet);
+    // By touch alone it may not be known that the goal is met.
+    let ended = [Verdict::GoalMet, Verdict::UnknowableByTouch];
+    assert!(ended.contains(&last.verdict), "{:?}", last.verdict);
     for (round, ..) in &rounds[1..] {
         assert_eq!(collisions(round), [] as [[f64; 2]; 0]);
     }

@@ -6,6 +6,7 @@ use super::prepare::Prepared;
 use super::round_views::{rounds_in_words, summary as summary_of_round};
 use super::words::{counted, percent};
 use std::path::Path;
+use wisch::recover::Verdict;
 use wisch_io::{FOLLOWING_FILE, PLAN_FILE, REPORT_FILE, path_in_results};
 use wisch_io::{FollowingSummary, LoopSummary, PredictionSummary, SUMMARY_SCHEMA, Summary};
 
@@ -52,10 +53,13 @@ pub(super) fn summary(prepared: &Prepared, results: &Results, out: &Path) -> Sum
 pub(super) fn in_words(summary: &Summary, rounds: &[Done], out: &Path) -> String {
     let mut lines = vec![];
     if let Some(prediction) = &summary.prediction {
-        let verdict = if prediction.goal_met {
-            "met"
-        } else {
-            "not met"
+        let is_open = rounds
+            .last()
+            .is_some_and(|done| done.round.verdict == Verdict::UnknowableByTouch);
+        let verdict = match prediction.goal_met {
+            true => "met",
+            false if is_open => "cannot be told by touch alone",
+            false => "not met",
         };
         let (word, performance) = match &summary.execution {
             Some(execution) => ("estimated", execution.final_estimated),

@@ -10,9 +10,6 @@ pub const INTERPRETATION_FORMAT: &str = "wisch-interpretation";
 /// The schema of the record.
 const SCHEMA: u32 = 1;
 
-/// A mean of equal shares may come out this much below them: far less than one particle of the most there may be.
-const ROUNDING: f64 = 1e-9;
-
 /// What a log says.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct InterpretationRecord {
@@ -152,7 +149,7 @@ impl InterpretationRecord {
             estimated_low: performance.low,
             estimated_high: performance.high,
             target_performance,
-            goal_met: is_claimable(&interpretation.distribution, target_performance - ROUNDING),
+            goal_met: is_claimable(&interpretation.distribution, target_performance),
             seen: interpretation
                 .observation
                 .as_ref()

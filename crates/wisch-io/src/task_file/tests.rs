@@ -423,7 +423,7 @@ fn a_task_may_define_what_the_knowledge_does_not_have() {
     assert_eq!(
         assumed,
         [
-            "nothing is known of felt_pad on sawdust on workbench: assuming stiffness_n_per_m = 500, damping_ratio = 0.7, nullspace_posture_weight = 0.2, compression_depth_m = 0.002, mu = -1.05 (set them in [interaction])"
+            "nothing is known of felt_pad on sawdust on workbench: assuming stiffness_n_per_m = 500, damping_ratio = 0.7, nullspace_posture_weight = 0.2, compression_depth_m = 0.002, mu = -1.05, mu_spread = 0.3, ln_sigma_spread = 0.2 (set them in [interaction])"
         ]
     );
     let known = knowledge

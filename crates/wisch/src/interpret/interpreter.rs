@@ -72,7 +72,8 @@ use nalgebra::{Translation3, UnitQuaternion};
 /// let believed = Belief::certain(task.particles.clone());
 /// let interpretation = interpreter.conclude(&believed, &GoalState::Absorbed)?;
 /// assert_eq!(interpretation.diagnosis, Diagnosis::Localized);
-/// assert_eq!(interpretation.performance.mean, 0.5);
+/// // In hardly any member of the belief, its law is so hard that the crumb stays.
+/// assert!((interpretation.performance.mean - 0.5).abs() < 0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]

@@ -252,6 +252,7 @@ mod tests {
         doubtful[0] = 0.81;
         assert_eq!(of_one(felt(&doubtful)), GoalMet);
         assert_eq!(of_one(felt(&[0.89; 8])), Again);
+        assert_eq!(of_one(felt(&[TARGET; 7])), GoalMet, "exactly");
     }
 
     #[test]
