@@ -55,6 +55,15 @@ fn without_a_camera_nothing_is_seen() {
 }
 
 #[test]
+fn where_dirt_is_too_much_to_be_simulated_nothing_is_seen() {
+    let mut bare = world(SimulationSettings {
+        max_bodies: 199,
+        ..settings(PERFECT)
+    });
+    assert_eq!(bare.observe(&task()), Ok(None));
+}
+
+#[test]
 fn a_perfect_camera_sees_every_grain_where_it_is() {
     let mut world = world(settings(PERFECT));
     let real = places(world.dirt());

@@ -329,7 +329,16 @@ impl<'a> Session<'a> {
         let (task, config) = (&self.task, &self.config);
         let whole = match (self.given.take(), self.goal.as_ref()) {
             (Some(plan), _) => plan,
-            (None, None) => best_plan(task, &task.particles, &config.plan, config.variants)?,
+            (None, None) => {
+                let variants = if self.first_observation().is_some() {
+                    // A prediction for dirt that was seen is worth choosing by, as one for what is left over is.
+                    let more = recovery_candidates(&task.tool.footprint);
+                    config.variants.max(more)
+                } else {
+                    config.variants
+                };
+                best_plan(task, &task.particles, &config.plan, variants)?
+            }
             (None, Some(goal)) => {
                 let task = &Task {
                     particles: self.belief.draws(PLANNING_DRAWS, task.seed)?,
