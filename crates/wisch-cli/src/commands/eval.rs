@@ -322,8 +322,11 @@ fn drawing(record: &CalibrationRecord) -> String {
     let with_intervals = methods.filter(|method| !method.coverage.is_empty());
     let curves: Vec<CalibrationCurve> = with_intervals.map(curve).collect();
     let what = format!(
-        "{} rounds in {} worlds, seeds {} to {}",
-        record.calibration.rounds, record.calibration.worlds, record.seeds[0], record.seeds[1]
+        "{} in {}, seeds {} to {}",
+        counted(record.calibration.rounds, "round"),
+        counted(record.calibration.worlds, "world"),
+        record.seeds[0],
+        record.seeds[1]
     );
     calibration_drawing("Reliability of the intervals", &what, &curves)
 }
