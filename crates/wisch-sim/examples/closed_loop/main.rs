@@ -79,7 +79,8 @@ fn trial(name: &str, seed: u64, robot: &Robot) -> Result<Vec<Option<(f64, bool)>
     let mut begin = Instant::now();
     let mut seconds = Vec::new();
     let mut world = World::new(&Site::of(task), reality, task.seed)?;
-    let mut session = Session::new(task, run_config(&loaded)).with_robot(robot.performer());
+    let session = Session::new(task, run_config(&loaded)).with_belief(loaded.belief());
+    let mut session = session.with_robot(robot.performer());
     session.run(&mut world, &mut |event| {
         match event {
             RunEvent::Executing(_) => begin = Instant::now(),

@@ -119,7 +119,8 @@ impl Stage {
         *disturbances = Some(reality.clone());
         let mut world = World::new(&Site::of(task), reality, task.seed)?;
         let performer = self.robot.performer();
-        let mut session = Session::new(task, run_config(&loaded)).with_robot(performer);
+        let session = Session::new(task, run_config(&loaded)).with_belief(loaded.belief());
+        let mut session = session.with_robot(performer);
         session.run(&mut world, &mut |event| {
             if let RunEvent::Sample(sample) = event {
                 *bad_samples += usize::from(!is_finite(sample));
