@@ -6,8 +6,9 @@
 //!
 //! - the members' parameters by importance weights, by how much dirt each has left within the goal and elsewhere, which
 //!   is what places say of parameters; then systematic resampling where few members carry the weight;
-//! - the places of each member anew, by Bayes' rule for points seen with misses, false alarms and errors of position
-//!   (Poisson intensity of what was not detected, a Bernoulli trial for each detection; Mahler 2007).
+//! - the places of each member anew: a Bernoulli trial for each detection, whether it is dirt (Mahler 2007), and, within
+//!   the goal and elsewhere, a draw of how many were missed, by Bayes' rule from how many the member has there and from
+//!   how many were seen (a binomial likelihood). What was missed stays where the member has it.
 //!
 //! A particle that is neither seen nor missed is gone: a look tells what lies there, and the rest follows from how much
 //! there was.
@@ -19,6 +20,7 @@ use crate::represent::{
     Effect, Fate, GoalState, Observation, ParticleDistribution, Sight, Surface,
 };
 use rand::RngExt;
+use rand::seq::SliceRandom;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use rayon::prelude::*;
 
@@ -32,6 +34,8 @@ const NEIGHBOURHOOD: f64 = 0.02;
 const ANYWHERE: f64 = 0.05;
 /// A particle within so many standard deviations of a detection may be the one detected [1].
 const MATCHED: f64 = 3.0;
+/// Where dirt is counted: elsewhere than the goal wants it, and where it does.
+const REGIONS: usize = 2;
 /// Streams of random numbers.
 const STREAM: u64 = 0x7369_6768_0000_0000;
 
@@ -56,10 +60,10 @@ impl Belief {
     /// Before anything was wiped, a look says how much dirt there is; afterwards, what is gone is what there was less what
     /// is left.
     ///
-    /// What is known for certain is not looked for: certainty stays what it is.
+    /// What is known for certain is not looked for: certainty stays what it is. Who sees nothing learns nothing.
     #[must_use]
     pub fn seen(&self, look: &Look<'_>) -> Self {
-        if self.is_certain() {
+        if self.is_certain() || look.sight.detection <= 0.0 {
             return self.clone();
         }
         let weights = look.weights(self);
@@ -123,17 +127,21 @@ impl Intensity {
 }
 
 impl Look<'_> {
+    /// Whether dirt on the surface is where the goal wants it.
+    fn is_met_at(&self, place: Point2) -> bool {
+        self.goal.is_met_by(place, Fate::OnSurface, self.surface)
+    }
+
     fn is_visible(&self, place: Point2) -> bool {
         !self.observation.is_hidden(place)
     }
 
     /// The members' weights by how much each has left where the goal wants it and elsewhere.
     fn weights(&self, belief: &Belief) -> Vec<f64> {
-        let is_there = |place: &Point2| self.goal.is_met_by(*place, Fate::OnSurface, self.surface);
         let counts = |places: &mut dyn Iterator<Item = Point2>| {
-            let mut counts = [0.0; 2];
+            let mut counts = [0.0; REGIONS];
             for place in places {
-                counts[usize::from(is_there(&place))] += 1.0;
+                counts[usize::from(self.is_met_at(place))] += 1.0;
             }
             counts
         };
@@ -177,15 +185,22 @@ impl Look<'_> {
             .filter(|&i| particles[i].1 == Fate::OnSurface && self.is_visible(particles[i].0))
             .collect();
         let at: Vec<Point2> = visible.iter().map(|&i| particles[i].0).collect();
+        let hidden = was.tally().remaining - visible.len();
+        let mut left = [0; REGIONS];
+        for place in &at {
+            left[usize::from(self.is_met_at(*place))] += 1;
+        }
+        let mut real = [const { Vec::new() }; REGIONS];
         let radius = (MATCHED * self.sight.sensor.position_error_m).max(1e-6);
         let grid = Grid::new(&at, radius);
         let mut is_taken = vec![false; visible.len()];
         let mut found = Vec::new();
-        for (place, real) in self.observation.detections.iter().zip(&believed.real) {
-            if random.random::<f64>() >= *real {
+        for (place, probability) in self.observation.detections.iter().zip(&believed.real) {
+            if random.random::<f64>() >= *probability {
                 continue;
             }
             let there = self.scattered(*place, random);
+            real[usize::from(self.is_met_at(*place))].push(there);
             let mut nearest: Option<(f64, usize)> = None;
             grid.within(*place, radius, |index| {
                 let distance = (at[index] - place).norm();
@@ -202,10 +217,32 @@ impl Look<'_> {
             }
         }
         // What is visible and was not seen was missed, or is not there.
+        let unseen = (visible.iter().zip(&is_taken)).filter(|(_, taken)| !**taken);
+        let mut unseen: Vec<usize> = unseen.map(|(&index, _)| index).collect();
+        unseen.shuffle(random);
+        let most = if is_first {
+            usize::MAX
+        } else {
+            was.len() - hidden
+        };
+        let missed = self.missed(left, &real, most, random);
         let mut free: Vec<usize> = Vec::new();
-        for (&index, taken) in visible.iter().zip(&is_taken) {
-            if !taken && random.random::<f64>() < self.sight.detection {
-                free.push(index);
+        for (region, mut missed) in missed.into_iter().enumerate() {
+            for &index in &unseen {
+                if usize::from(self.is_met_at(particles[index].0)) != region {
+                    continue;
+                }
+                if missed > 0 {
+                    missed -= 1;
+                } else {
+                    free.push(index);
+                }
+            }
+            // More were missed than this member has unseen: they lie where others were seen.
+            let seen = &real[region];
+            if !seen.is_empty() {
+                let anyone = (0..missed).map(|_| seen[random.random_range(0..seen.len())]);
+                found.extend(anyone);
             }
         }
         if !is_first {
@@ -242,6 +279,51 @@ impl Look<'_> {
         // Detections are finite, and so are the members' places.
         let particles = ParticleDistribution::with_fates(&particles);
         (particles.unwrap_or_else(|_| was.clone()), state)
+    }
+
+    /// Draws how many grains were missed elsewhere and within the goal, where a member has so many `left` and these were
+    /// seen; no more than `most` lie in sight in all.
+    fn missed(
+        &self,
+        left: [usize; REGIONS],
+        seen: &[Vec<Point2>; REGIONS],
+        most: usize,
+        random: &mut ChaCha8Rng,
+    ) -> [usize; REGIONS] {
+        let all_seen: usize = seen.iter().map(Vec::len).sum();
+        let mut room = most.saturating_sub(all_seen);
+        // Within the goal first: most of the dirt is to be there, or none.
+        let mut missed = [0; REGIONS];
+        for region in (0..REGIONS).rev() {
+            let seen = seen[region].len();
+            missed[region] = self.missed_of(left[region] as f64, seen, room, random);
+            room -= missed[region];
+        }
+        missed
+    }
+
+    /// Draws how many grains were missed beside those `seen` where so many are believed, by Bayes' rule: normally
+    /// distributed about `left` by what a member may be off, and each detected or not.
+    fn missed_of(&self, left: f64, seen: usize, most: usize, random: &mut ChaCha8Rng) -> usize {
+        let miss = 1.0 - self.sight.detection;
+        let [share, number] = COUNT_ERROR;
+        let deviation = share * left + number;
+        // So many may be missed that more are out of the question, by the prior.
+        let most = most.min((left + 5.0 * deviation).max(0.0) as usize + 1);
+        let mut weights = Vec::with_capacity(most + 1);
+        // (seen + k over k) (1 - p)^k, up to what does not depend on k.
+        let (mut likelihood, mut sum) = (1.0, 0.0);
+        let nearest = (left - seen as f64).max(0.0).round();
+        let least = (seen as f64 + nearest - left) / deviation;
+        for missed in 0..=most {
+            let off = (seen + missed) as f64 - left;
+            let prior = libm::exp(-0.5 * ((off / deviation).powi(2) - least * least));
+            sum += likelihood * prior;
+            weights.push(sum);
+            likelihood *= miss * (seen + missed + 1) as f64 / (missed + 1) as f64;
+        }
+        let place = random.random::<f64>() * sum;
+        weights.partition_point(|sum| *sum <= place).min(most)
     }
 
     /// Where a detected grain may really lie.
