@@ -7,7 +7,7 @@
 //! the particle. All of this is exact to about 1e-9 m whatever the turn.
 
 use super::motion::{CLEARANCE, ToolMotion};
-use crate::geometry::{Edge, Point2, Vector2, encloses};
+use crate::geometry::{Bounds2, Edge, Point2, Vector2, encloses};
 
 /// Deviation from the chord below which the curve counts as straight [m].
 const STRAIGHT: f64 = 1e-12;
@@ -64,15 +64,26 @@ pub(super) struct SweptRotation<'a> {
     motion: &'a ToolMotion,
     travel: Vector2,
     turn: f64,
+    /// Sine and cosine of the headings at both ends.
+    ends: [(f64, f64); 2],
+    /// The edges in the tool frame.
+    bounds: Bounds2,
 }
 
 impl<'a> SweptRotation<'a> {
     pub(super) fn new(edges: &'a [Edge], motion: &'a ToolMotion) -> Self {
+        let turn = motion.turn();
+        let corners = edges.iter().map(|edge| edge.start);
         Self {
             edges,
             motion,
             travel: motion.to.position - motion.from.position,
-            turn: motion.turn(),
+            turn,
+            ends: [0.0, 1.0].map(|t| (motion.from.heading + turn * t).sin_cos()),
+            bounds: Bounds2::of(corners).unwrap_or(Bounds2 {
+                min: Point2::origin(),
+                max: Point2::origin(),
+            }),
         }
     }
 
@@ -83,9 +94,13 @@ impl<'a> SweptRotation<'a> {
 
     /// The way that the tool carries a particle; `None` if it never touches it.
     pub(super) fn ride(&self, particle: Point2) -> Option<Way> {
-        let mut way = Way::from(particle);
         let mut t = 0.0;
         let mut touch = self.lifted_onto_boundary(self.in_tool(particle, 0.0));
+        if touch.is_none() {
+            let (entry, new) = self.entry(particle, 0.0, 1.0)?;
+            (t, touch) = (entry, Some(new));
+        }
+        let mut way = Way::from(particle);
         for _ in 0..MAX_EVENTS {
             if touch.is_none() {
                 let Some((entry, new)) = self.entry(way.end(), t, 1.0) else {
@@ -177,15 +192,36 @@ impl<'a> SweptRotation<'a> {
         sliding
     }
 
+    /// Sine and cosine of the heading at time t.
+    fn heading(&self, t: f64) -> (f64, f64) {
+        if t == 0.0 {
+            self.ends[0]
+        } else if t == 1.0 {
+            self.ends[1]
+        } else {
+            (self.motion.from.heading + self.turn * t).sin_cos()
+        }
+    }
+
+    /// Whether a chord passes the footprint by more than this on one side of its bounds.
+    fn passes(&self, chord: &Edge, distance: f64) -> bool {
+        let (low, high) = (chord.start.inf(&chord.end), chord.start.sup(&chord.end));
+        let Bounds2 { min, max } = self.bounds;
+        low.x - max.x > distance
+            || low.y - max.y > distance
+            || min.x - high.x > distance
+            || min.y - high.y > distance
+    }
+
     /// A resting particle at time t, seen from the tool.
     fn in_tool(&self, particle: Point2, t: f64) -> Point2 {
-        let (sin, cos) = (self.motion.from.heading + self.turn * t).sin_cos();
+        let (sin, cos) = self.heading(t);
         let d = particle - (self.motion.from.position + self.travel * t);
         Point2::new(cos * d.x + sin * d.y, cos * d.y - sin * d.x)
     }
 
     fn in_surface(&self, point_in_tool: Point2, t: f64) -> Point2 {
-        let (sin, cos) = (self.motion.from.heading + self.turn * t).sin_cos();
+        let (sin, cos) = self.heading(t);
         let p = point_in_tool;
         self.motion.from.position
             + self.travel * t
@@ -194,7 +230,7 @@ impl<'a> SweptRotation<'a> {
 
     /// The travel in tool coordinates [m].
     fn travel_in_tool(&self, t: f64) -> Vector2 {
-        let (sin, cos) = (self.motion.from.heading + self.turn * t).sin_cos();
+        let (sin, cos) = self.heading(t);
         let v = self.travel;
         Vector2::new(cos * v.x + sin * v.y, cos * v.y - sin * v.x)
     }
@@ -205,7 +241,11 @@ impl<'a> SweptRotation<'a> {
     }
 
     fn covers(&self, point_in_tool: Point2) -> bool {
-        encloses(self.edges.iter().copied(), point_in_tool)
+        let point = Edge {
+            start: point_in_tool,
+            end: point_in_tool,
+        };
+        !self.passes(&point, 0.0) && encloses(self.edges.iter().copied(), point_in_tool)
     }
 
     /// A particle under the footprint when the tool comes down: carried along the motion until outside.
@@ -240,10 +280,8 @@ impl<'a> SweptRotation<'a> {
         let bend = self.turn.abs() * (2.0 * self.travel.norm() + self.turn.abs() * radius);
         let deviation = bend * span * span / 8.0;
         let chord = Edge { start: a, end: b };
-        if self
-            .edges
-            .iter()
-            .all(|edge| segment_distance(&chord, edge) > deviation)
+        if self.passes(&chord, deviation)
+            || (self.edges.iter()).all(|edge| segment_distance(&chord, edge) > deviation)
         {
             return None;
         }
