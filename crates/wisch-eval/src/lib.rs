@@ -10,6 +10,7 @@ mod interval;
 mod protocol;
 mod scores;
 mod trial;
+mod variants;
 mod world;
 
 pub use baselines::Baselines;
@@ -17,4 +18,5 @@ pub use interval::binomial_interval;
 pub use protocol::{ProtocolError, SeedUse};
 pub use scores::{Calibration, ClaimCounts, GroupScores, LevelCoverage, MethodScores};
 pub use trial::{BeliefScore, EvaluationError, LEVELS, RoundScore, WorldScore};
+pub use variants::Variant;
 pub use world::{Disturbance, Mismatch, Senses, TaskCase, WorldCase};
