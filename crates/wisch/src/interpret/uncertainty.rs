@@ -175,19 +175,19 @@ impl Default for Uncertainty {
     /// by place, and pushes that only lift the tool are thought to have carried something.
     fn default() -> Self {
         Self {
-            grasp_offset_m: 1.5e-3,
+            grasp_offset_m: 5e-3,
             grasp_turn: 1.0_f64.to_radians(),
-            footprint_share: 0.0,
+            footprint_share: 0.05,
             particle_m: 1.5e-3,
             force_share: 0.08,
             slip_share: 0.2,
-            heap_depth: 0.12,
+            heap_depth: 0.2,
             pushed_by_force: 0.25,
             pushed_dragging: 0.2,
             hop_share: 0.5,
             law_mu: 0.3,
             law_sigma: 0.2,
-            law_outlier_share: 0.0,
+            law_outlier_share: 0.1,
             kept_share: 0.5,
             redraw_share: 0.5,
             model_share: 0.015,
