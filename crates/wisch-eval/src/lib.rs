@@ -8,6 +8,7 @@
 mod baselines;
 mod interval;
 mod protocol;
+mod pushes;
 mod scores;
 mod trial;
 mod variants;
@@ -16,6 +17,7 @@ mod world;
 pub use baselines::Baselines;
 pub use interval::binomial_interval;
 pub use protocol::{ProtocolError, SeedUse};
+pub use pushes::PushCounts;
 pub use scores::{Calibration, ClaimCounts, GroupScores, LevelCoverage, MethodScores};
 pub use trial::{BeliefScore, EvaluationError, LEVELS, RoundScore, WorldScore};
 pub use variants::Variant;

@@ -1,6 +1,7 @@
 //! Many worlds summed up.
 
 use crate::interval::binomial_interval;
+use crate::pushes::PushCounts;
 use crate::trial::{BeliefScore, LEVELS, RoundScore, WorldScore};
 use crate::variants::Variant;
 use serde::Serialize;
@@ -20,6 +21,8 @@ pub struct Calibration {
     pub groups: Vec<GroupScores>,
     /// Over the worlds.
     pub claims: ClaimCounts,
+    /// Over all rounds.
+    pub pushes: PushCounts,
 }
 
 /// How one way to believe did.
@@ -213,6 +216,7 @@ impl Calibration {
             methods,
             groups: groups.collect(),
             claims: ClaimCounts::of(worlds.iter()),
+            pushes: rounds.iter().map(|round| round.pushes).sum(),
         }
     }
 }

@@ -1,13 +1,14 @@
 //! One world: the method wipes in it, and what it believed is held against what was so.
 
 use crate::baselines::Baselines;
+use crate::pushes::PushCounts;
 use crate::variants::{Seen, Variant, VariantBelief};
 use crate::world::{Senses, WorldCase};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Instant;
-use wisch::interpret::{PerformanceDistribution, TouchSample};
+use wisch::interpret::{EventKind, PerformanceDistribution, TouchSample};
 use wisch::recover::Verdict;
 use wisch::represent::{GoalState, Observation};
 use wisch::run::{RunEvent, Session};
@@ -76,6 +77,8 @@ pub struct RoundScore {
     /// What the method would have believed with other uncertainties, in the order in which they were given.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub variants: Vec<BeliefScore>,
+    /// Pushes as they were and as they were told.
+    pub pushes: PushCounts,
     /// The verdict in words.
     pub verdict: String,
     /// Whether the goal was claimed.
@@ -196,6 +199,9 @@ impl WorldCase {
                 Ok(BeliefScore::of(&belief.map_err(words)?, outcome))
             };
             let others: Result<Vec<_>, String> = variants.iter_mut().map(after).collect();
+            let events = round.interpretation.events.iter();
+            let collisions = events.filter(|event| event.kind == EventKind::Collision);
+            let told: Vec<_> = collisions.map(|event| [event.start, event.end]).collect();
             rounds.push(RoundScore {
                 outcome,
                 belief: BeliefScore::of(&round.interpretation.distribution, outcome),
@@ -203,6 +209,7 @@ impl WorldCase {
                 force_blind: BeliefScore::of(&simpler.force_blind, outcome),
                 paper: simpler.paper,
                 variants: others?,
+                pushes: PushCounts::of_round(round.execution.duration, &truth.pushes, &told),
                 verdict: round.verdict.as_str().to_owned(),
                 is_claimed: round.verdict == Verdict::GoalMet,
             });

@@ -25,10 +25,8 @@ impl Variant {
     /// # Errors
     /// No such field, or a value out of its range.
     pub fn uncertainty(&self, method: Uncertainty) -> Result<Uncertainty, InterpretError> {
-        let fields = self.fields.iter();
-        fields.fold(Ok(method), |changed, (name, value)| {
-            changed?.with(name, *value)
-        })
+        let mut fields = self.fields.iter();
+        fields.try_fold(method, |changed, (name, value)| changed.with(name, *value))
     }
 }
 

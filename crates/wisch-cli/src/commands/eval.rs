@@ -254,6 +254,18 @@ fn in_words(record: &CalibrationRecord) -> String {
         "\nGoals: {} claimed, {} met, {} claimed and met, {} claimed falsely by more than 10 points; {} unknowable by touch.",
         claims.claimed, claims.met, claims.claimed_and_met, claims.false_claims, claims.unknowable
     );
+    let pushes = &calibration.pushes;
+    let _ = writeln!(
+        text,
+        "Pushes: {} in {}, {} told, {} starts and {} ends within 50 ms; {} invented in {} undisturbed ones.",
+        pushes.pushes,
+        counted(pushes.rounds, "round"),
+        pushes.found,
+        pushes.starts,
+        pushes.ends,
+        pushes.invented,
+        pushes.undisturbed
+    );
     text
 }
 
