@@ -86,16 +86,21 @@ fn header(input: &ReportInput) -> Markup {
     }
 }
 
-/// The outcome of what was executed, by touch.
+/// The outcome of what was executed, by touch and, where something looked, by sight.
 fn felt(rounds: &RoundsInput, last: &RoundView, predicted: f64) -> Markup {
     let estimate = last.interpretation.performance;
     let count = rounds.rounds.len();
+    let senses = if last.interpretation.observation.is_some() {
+        "By touch and sight"
+    } else {
+        "By touch"
+    };
     html! {
         section class="result" {
             span class="number-large" { (percent(estimate.mean)) }
             div {
                 p class="verdict" {
-                    "By touch, after " (counted(count, "round", "rounds")) ": "
+                    (senses) ", after " (counted(count, "round", "rounds")) ": "
                     (percent(estimate.low)) " to " (percent(estimate.high)) " with 90 % confidence."
                 }
                 p {

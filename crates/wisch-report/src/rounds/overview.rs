@@ -119,12 +119,15 @@ fn number(bar: &Bar, middle: f64) -> Markup {
 }
 
 fn entries(input: &RoundsInput) -> Vec<Entry> {
+    let was_seen = |round: &RoundView| round.interpretation.observation.is_some();
+    let estimated = if input.rounds.iter().any(was_seen) {
+        "estimated by touch and sight, with its 90 % interval"
+    } else {
+        "estimated by touch, with its 90 % interval"
+    };
     let mut entries = vec![
         legend::area("bar-predicted", "predicted by the plan"),
-        legend::area(
-            "bar-estimated",
-            "estimated by touch, with its 90 % interval",
-        ),
+        legend::area("bar-estimated", estimated),
     ];
     if input.rounds.iter().any(|round| round.truth.is_some()) {
         entries.push(legend::area("bar-true", "in truth"));

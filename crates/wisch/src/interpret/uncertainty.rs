@@ -170,6 +170,11 @@ impl Default for Uncertainty {
     /// `failure-human-push`, seeds 101 to 110 (`closed_loop --seeds 10 --first-seed 101`): there the interval
     /// holds what the simulated world did in 71 of 76 rounds; without these two, in about two of three.
     ///
+    /// `grasp_offset_m` and `footprint_share` were chosen on seeds 1100 to 1244 of `wisch eval calibration`, by
+    /// touch: with 1.5 mm and 0 the 90 % interval holds 79 % of the rounds of 80 worlds.
+    ///
+    /// Outliers among the laws (0.1) let it hold some more, and leave hardly any goal to be claimed by touch: there are none.
+    ///
     /// `pushed_by_force` and `hop_share` were chosen on `failure-human-push`, seeds 101 to 112, and on random
     /// disturbances, seeds 301 to 331: much less than this, and goals are claimed that are not met; all of it
     /// by place, and pushes that only lift the tool are thought to have carried something.
@@ -181,13 +186,13 @@ impl Default for Uncertainty {
             particle_m: 1.5e-3,
             force_share: 0.08,
             slip_share: 0.2,
-            heap_depth: 0.2,
+            heap_depth: 0.12,
             pushed_by_force: 0.25,
             pushed_dragging: 0.2,
             hop_share: 0.5,
             law_mu: 0.3,
             law_sigma: 0.2,
-            law_outlier_share: 0.1,
+            law_outlier_share: 0.0,
             kept_share: 0.5,
             redraw_share: 0.5,
             model_share: 0.015,

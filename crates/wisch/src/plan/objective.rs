@@ -14,6 +14,9 @@ const LOSS: i64 = 3;
 /// is left elsewhere and fewer of them end well.
 const RISK: f64 = 0.5;
 
+/// How far a heap of all particles reaches ahead of where it is pushed to when the tool comes straight, over the radius of
+/// the tool's collision sphere [1]: on the board, seed 1160, 71 simulated grains of 72 lie within 1 cm.
+const RIM_DEPTH: f64 = 0.2;
 /// Where in the depth of a heap its particles lie, as a share of it [1].
 const HEAP_PLACES: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
 
@@ -87,7 +90,8 @@ impl EdgeMargin {
             let distances = self.edges.iter().map(|edge| edge.distance(place));
             let distance = distances.fold(width, f64::min);
             self.nearness[i] = self.nearness[i].max(1.0 - distance / width);
-            self.ahead[i] = (place - self.before.position(i)).normalize() * width;
+            let along = (place - self.before.position(i)).normalize();
+            self.ahead[i] = along * (width * RIM_DEPTH / HEAP_DEPTH);
         }
         self.before = after;
     }

@@ -125,6 +125,10 @@ fn the_interval_widens_with_all_that_is_uncertain() {
             ..none
         },
         Uncertainty { grasp_turn, ..none },
+        Uncertainty {
+            footprint_share: default.footprint_share,
+            ..none
+        },
         Uncertainty { particle_m, ..none },
         Uncertainty { slip_share, ..none },
         Uncertainty { heap_depth, ..none },
@@ -137,16 +141,29 @@ fn the_interval_widens_with_all_that_is_uncertain() {
             "{uncertainty:?}: {:?}",
             interpretation.performance
         );
-        let larger = Uncertainty {
-            grasp_offset_m: 3.0 * uncertainty.grasp_offset_m,
-            grasp_turn: 8.0 * uncertainty.grasp_turn,
-            particle_m: 3.0 * uncertainty.particle_m,
-            slip_share: 3.0 * uncertainty.slip_share,
-            heap_depth: 3.0 * uncertainty.heap_depth,
+        let times = |factor: f64| Uncertainty {
+            grasp_offset_m: factor * uncertainty.grasp_offset_m,
+            grasp_turn: factor * uncertainty.grasp_turn,
+            footprint_share: factor * uncertainty.footprint_share,
+            particle_m: factor * uncertainty.particle_m,
+            slip_share: factor * uncertainty.slip_share,
+            heap_depth: factor * uncertainty.heap_depth,
             ..uncertainty
         };
-        let wider = pushed(&task, &samples, larger);
-        let widths = [width(&wider), width(&interpretation)];
+        // All together leaves no room for a wider interval between 0 and 1.
+        let pair = if uncertainty == default {
+            [default, times(1.0 / 3.0)]
+        } else {
+            [
+                times(if uncertainty.grasp_turn > 0.0 {
+                    8.0
+                } else {
+                    3.0
+                }),
+                uncertainty,
+            ]
+        };
+        let widths = pair.map(|uncertainty| width(&pushed(&task, &samples, uncertainty)));
         // Of what slips, the more slips the more of it lies where the next stroke takes it along.
         let slips_alone = uncertainty.slip_share > 0.0 && uncertainty.heap_depth == 0.0;
         assert!(
