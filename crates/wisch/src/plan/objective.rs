@@ -89,7 +89,8 @@ mod tests {
     use super::*;
     use crate::geometry::{Mesh, PlanarPose, Point2, Polygon, Pose, Region, Vector2, Vector3};
     use crate::represent::{
-        Action, AngleRange, Interaction, LogNormal, LogNormalSpread, Surface, SurfaceScope, Tool,
+        Action, AngleRange, Interaction, LogNormal, LogNormalSpread, Redraw, Surface, SurfaceScope,
+        Tool,
     };
     use std::f64::consts::FRAC_PI_2;
 
@@ -131,6 +132,7 @@ mod tests {
                     sigma: 0.25,
                 },
                 likelihood_spread: LogNormalSpread::NONE,
+                redraw: Redraw::default(),
             },
             particles: ParticleDistribution::new(crumbs).unwrap(),
             collect_goal: None,
