@@ -4,11 +4,14 @@
 mod planted;
 
 use planted::{Planted, World, interaction_of};
+use rand::RngExt;
+use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use wisch::geometry::Point2;
 use wisch::interpret::{Exposure, Touched};
 use wisch::learn::{
     LEAST_PARTICLES, LearnConfig, LearnError, LearnedLaw, Lesson, SeenRound, Summary, learn,
 };
+use wisch::random::normal_pair;
 use wisch::represent::{Effect, Interaction, LogNormal, LogNormalSpread, Observation, Redraw};
 
 /// Radius of the sponge's collision sphere [m].
@@ -33,35 +36,257 @@ fn rounds(world: &World, seed: u64, count: u64) -> Vec<SeenRound> {
 #[test]
 fn planted_parameters_are_recovered_from_twenty_episodes() {
     // None of them is what the knowledge base has: -1.05, 0.25, 0.065 m.
-    for (planted, effect) in [
-        (Planted { mu: -0.8, sigma: 0.35, redraw: Some(0.04) }, Effect::Absorb),
-        (Planted { mu: -1.2, sigma: 0.3, redraw: Some(0.09) }, Effect::Push),
-    ] {
-        let world = World::new(planted, effect, 150);
-        let law = learned(&interaction_of("sponge", "breadcrumbs"), &rounds(&world, 1, 20));
+    let cases = [
+        ([-0.8, 0.35, 0.04], Effect::Absorb),
+        ([-0.9, 0.32, 0.05], Effect::Push),
+    ];
+    for (planted @ [mu, sigma, length], effect) in cases {
+        let world = World::new(
+            Planted {
+                mu,
+                sigma,
+                redraw: Some(length),
+            },
+            effect,
+            150,
+        );
+        let law = learned(
+            &interaction_of("sponge", "breadcrumbs"),
+            &rounds(&world, 1, 20),
+        );
         let found = [
             law.mu.mean,
             libm::exp(law.ln_sigma.mean),
             libm::exp(law.ln_redraw_length.mean),
         ];
-        let expected = [planted.mu, planted.sigma, planted.redraw.unwrap()];
-        for (found, expected) in found.into_iter().zip(expected) {
-            assert!((found / expected - 1.0).abs() < 0.1, "{found} for {expected}: {law:?}");
+        for (found, planted) in found.into_iter().zip(planted) {
+            let off = found / planted - 1.0;
+            assert!(
+                off.abs() < 0.1,
+                "{found} for {planted}, {effect:?}: {law:?}"
+            );
         }
         assert!(law.kept_share < 0.01, "{law:?}");
         assert_eq!(law.rounds, 20);
-        println!("{law:?}");
     }
 }
 
 #[test]
-fn debug_logs() {
-    let planted = Planted { mu: -0.8, sigma: 0.35, redraw: Some(0.04) };
-    let world = World::new(planted, Effect::Absorb, 150);
-    for seed in 0..4 {
-        let round = world.round(seed);
-        let touched: Vec<&Vec<Exposure>> = round.exposures.iter().filter(|e| e[0].is_touched()).collect();
-        let lens: Vec<String> = touched.iter().take(12).map(|e| format!("{}:{:.2}", e[0].draws(0.01).len(), e[0].most())).collect();
-        println!("{seed}: before {} touched {} after {} {:?}", round.before.detections.len(), touched.len(), round.after.detections.len(), lens);
+fn thresholds_that_are_kept_are_known_by_what_is_wiped_twice() {
+    let planted = Planted {
+        mu: -0.8,
+        sigma: 0.35,
+        redraw: None,
+    };
+    let world = World::new(planted, Effect::Absorb, 120);
+    let interaction = interaction_of("sponge", "breadcrumbs");
+    let runs: Vec<Vec<SeenRound>> = (0..5).map(|i| world.run(2000 + i, 2)).collect();
+    let law = learned(&interaction, &runs.concat());
+    assert!(law.kept_share > 0.95, "{law:?}");
+    assert!((law.mu.mean / planted.mu - 1.0).abs() < 0.1, "{law:?}");
+    // Who forgets the first round takes those that withstood it for any others, and the law for a harder one.
+    let forgotten = runs.concat().into_iter().map(|round| SeenRound {
+        earlier: vec![],
+        ..round
+    });
+    let forgotten: Vec<SeenRound> = forgotten.collect();
+    assert!(learned(&interaction, &forgotten).mu.mean > law.mu.mean + 0.05);
+}
+
+/// How often the interval of 90 % holds μ, σ and ℓ, and of how many, in so many repetitions of so many rounds with
+/// parameters drawn from what is known before.
+fn coverage(first_seed: u64, repetitions: u64, count: u64, particles: usize) -> [[usize; 2]; 3] {
+    let interaction = interaction_of("sponge", "breadcrumbs");
+    let LogNormal { mu, sigma } = interaction.likelihood;
+    let spread = interaction.likelihood_spread;
+    let mut held = [[0; 2]; 3];
+    let begun = World::new(
+        Planted {
+            mu,
+            sigma,
+            redraw: None,
+        },
+        Effect::Absorb,
+        particles,
+    );
+    for seed in first_seed..first_seed + repetitions {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let [a, b] = normal_pair(&mut random).into();
+        let [length, kept] = [normal_pair(&mut random).x, random.random()];
+        let length = radius() * libm::exp(interaction.redraw.ln_length_spread * length);
+        let planted = Planted {
+            mu: mu + spread.mu * a,
+            sigma: sigma * libm::exp(spread.ln_sigma * b),
+            redraw: (kept >= interaction.redraw.kept_share).then_some(length),
+        };
+        let law = learned(&interaction, &rounds(&begun.with(planted), seed, count));
+        let within = |summary: &Summary, value: f64| {
+            let [low, high] = summary.interval;
+            usize::from((low..=high).contains(&value))
+        };
+        let mut tally = |which: usize, is_held: usize| {
+            held[which][0] += is_held;
+            held[which][1] += 1;
+        };
+        tally(0, within(&law.mu, planted.mu));
+        tally(1, within(&law.ln_sigma, planted.sigma.ln()));
+        if let Some(length) = planted.redraw {
+            tally(2, within(&law.ln_redraw_length, length.ln()));
+        }
+        println!("{seed}: {planted:?} {law:?} {held:?}");
     }
+    held
+}
+
+#[test]
+fn intervals_hold_what_was_planted() {
+    let [mu, sigma, _] = coverage(1000, 12, 4, 40);
+    // Of 12 with 90 % each, fewer than 8 in 5 of 1,000 cases.
+    assert!(mu[0] >= 8 && sigma[0] >= 8, "{mu:?} {sigma:?}");
+}
+
+/// Minutes: `cargo test --workspace --test main -- --ignored intervals_hold_nine_tenths --nocapture`.
+#[test]
+#[ignore = "takes minutes"]
+fn intervals_hold_nine_tenths_of_what_was_planted() {
+    let held = coverage(1100, 100, 20, 60);
+    for [held, of] in &held[..2] {
+        assert!((85..=95).contains(held), "{held} of {of}");
+    }
+}
+
+#[test]
+fn a_law_that_is_seen_rarely_borrows_from_others_of_its_tool() {
+    let planted = Planted {
+        mu: -0.65,
+        sigma: 0.3,
+        redraw: Some(0.06),
+    };
+    let often = rounds(&World::new(planted, Effect::Absorb, 60), 1, 6);
+    let rarely = rounds(&World::new(planted, Effect::Absorb, 16), 2, 1);
+    let pairs = ["breadcrumbs", "dust", "sand"].map(|medium| interaction_of("sponge", medium));
+    let lesson = |index: usize| Lesson {
+        interaction: &pairs[index],
+        collision_radius_m: radius(),
+        rounds: if index < 2 { &often } else { &rarely },
+    };
+    let config = LearnConfig::default();
+    let together = learn(&[lesson(0), lesson(1), lesson(2)], &config).unwrap();
+    let alone = learned(&pairs[2], &rarely);
+    // Both others are off their entries by +0.4; a law that is seen rarely goes with them, and is known better.
+    let [pooled, own] = [&together[2].mu, &alone.mu];
+    assert!(pooled.deviation < 0.9 * own.deviation, "{pooled:?} {own:?}");
+    assert!(
+        (pooled.mean - planted.mu).abs() < (own.mean - planted.mu).abs(),
+        "{pooled:?} {own:?}"
+    );
+    // One that is seen often decides for itself.
+    let decided = learned(&pairs[0], &often).mu;
+    assert!((together[0].mu.mean - decided.mean).abs() < 0.5 * decided.deviation);
+    // The same whoever computes it.
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build()
+        .unwrap();
+    let lessons = [lesson(0), lesson(1), lesson(2)];
+    assert_eq!(pool.install(|| learn(&lessons, &config)).unwrap(), together);
+}
+
+#[test]
+fn what_is_known_exactly_stays_as_it_is() {
+    let planted = Planted {
+        mu: -0.8,
+        sigma: 0.35,
+        redraw: Some(0.04),
+    };
+    let interaction = Interaction {
+        likelihood_spread: LogNormalSpread::NONE,
+        redraw: Redraw {
+            length_m: Some(0.05),
+            ln_length_spread: 0.0,
+            kept_share: 0.0,
+        },
+        ..interaction_of("sponge", "breadcrumbs")
+    };
+    let law = learned(
+        &interaction,
+        &rounds(&World::new(planted, Effect::Absorb, 60), 1, 2),
+    );
+    assert_eq!(
+        (law.mu.mean, law.mu.deviation, law.kept_share),
+        (-1.05, 0.0, 0.0)
+    );
+    let now = law.applied_to(&interaction);
+    assert!((now.redraw.length_m.unwrap() - 0.05).abs() < 1e-12);
+    assert!((now.likelihood.sigma - 0.25).abs() < 1e-12);
+}
+
+/// A round in which one particle after the other was touched at f′ = 0.5.
+fn plain(count: usize) -> SeenRound {
+    let places: Vec<Point2> = (0..count)
+        .map(|i| Point2::new(0.02 * i as f64, 0.0))
+        .collect();
+    let touch = Exposure::new(vec![Touched {
+        travel: [0.0, 0.01],
+        share: 0.5,
+    }]);
+    let seen = Observation {
+        detections: places,
+        ..Observation::default()
+    };
+    SeenRound {
+        before: seen.clone(),
+        after: seen,
+        sight: planted::sight(),
+        area_m2: 1.0,
+        exposures: vec![vec![touch]; count],
+        earlier: vec![],
+    }
+}
+
+#[test]
+fn what_teaches_nothing_is_refused_by_name() {
+    let interaction = interaction_of("sponge", "breadcrumbs");
+    let refused = |round: SeenRound| {
+        let lesson = Lesson {
+            interaction: &interaction,
+            collision_radius_m: radius(),
+            rounds: &[round],
+        };
+        let refused = learn(&[lesson], &LearnConfig::default()).unwrap_err();
+        (refused.to_string(), refused)
+    };
+    let (words, fault) = refused(plain(LEAST_PARTICLES - 1));
+    assert!(
+        matches!(fault, LearnError::TooFew { particles: 9, .. }),
+        "{words}"
+    );
+    let (words, _) = refused(SeenRound {
+        exposures: vec![],
+        ..plain(20)
+    });
+    assert_eq!(
+        words,
+        "sponge on breadcrumbs on any, round 0: exposures has 0 entries, but 20 particles were seen before"
+    );
+    let (words, _) = refused(SeenRound {
+        area_m2: f64::NAN,
+        ..plain(20)
+    });
+    assert!(
+        words.ends_with("area_m2 = NaN is not within 1e-9 to 1e6 m²"),
+        "{words}"
+    );
+    // What nobody touched tells nothing.
+    let (words, _) = refused(SeenRound {
+        exposures: vec![vec![Exposure::default()]; 20],
+        ..plain(20)
+    });
+    assert!(words.contains("0 particles were touched"), "{words}");
+    let config = LearnConfig {
+        force_share: -1.0,
+        ..LearnConfig::default()
+    };
+    assert!(learn(&[], &config).is_err());
+    assert_eq!(learn(&[], &LearnConfig::default()), Ok(vec![]));
 }

@@ -7,15 +7,15 @@ use rayon::prelude::*;
 /// How far from its mean a parameter is looked for, in standard deviations of its prior [1].
 const REACH: [f64; 3] = [5.0, 4.0, 3.0];
 /// Nodes of the axes of μ, ln σ and ln ℓ, first and refined.
-const NODES: [[usize; 3]; 2] = [[41, 17, 13], [41, 17, 17]];
+const NODES: [[usize; 3]; 2] = [[31, 11, 9], [31, 13, 13]];
 /// A posterior below this share of its peak is not looked at, as a logarithm.
 const NEGLIGIBLE: f64 = -11.0;
 /// Grids at most, each within the one before.
-const PASSES: usize = 4;
+const PASSES: usize = 3;
 /// A grid that would be narrower by less than this is fine enough [1].
 const NARROWER: f64 = 0.6;
 /// Least distance of nodes of μ: much less than what the force is known to [1].
-const LEAST_STEP: f64 = 0.008;
+const LEAST_STEP: f64 = 0.01;
 
 /// Least f′ that is told from none, and bins per unit of ln f′.
 const LEAST_SHARE: f64 = 0.01;

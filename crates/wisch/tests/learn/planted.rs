@@ -103,17 +103,13 @@ impl World {
             script.samples(&task)
         });
         let logs = logs.collect();
-        let sensor = SensorModel::default();
         Self {
             planted,
             effect,
             particles,
             task,
             logs,
-            sight: Sight {
-                sensor,
-                detection: sensor.detection,
-            },
+            sight: sight(),
             force_share: 0.08,
         }
     }
@@ -189,7 +185,9 @@ impl World {
             let sigma = self.sight.sensor.position_error_m;
             let exposed = |interpreter: &Interpreter| {
                 let places = &before.detections;
-                interpreter.exposures(places, self.effect, sigma, GUESSES).unwrap()
+                interpreter
+                    .exposures(places, self.effect, sigma, GUESSES)
+                    .unwrap()
             };
             let interpreter = self.interpreter(seed, log);
             let exposures = exposed(&interpreter);
@@ -251,6 +249,15 @@ impl World {
             detections,
             hidden: Region::default(),
         }
+    }
+}
+
+/// How well dirt is seen.
+pub fn sight() -> Sight {
+    let sensor = SensorModel::default();
+    Sight {
+        sensor,
+        detection: sensor.detection,
     }
 }
 
