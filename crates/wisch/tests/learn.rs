@@ -164,18 +164,28 @@ fn a_law_that_is_seen_rarely_borrows_from_others_of_its_tool() {
     };
     let often = rounds(&World::new(planted, Effect::Absorb, 60), 1, 6);
     let rarely = rounds(&World::new(planted, Effect::Absorb, 16), 2, 1);
-    let pairs = ["breadcrumbs", "dust", "sand"].map(|medium| interaction_of("sponge", medium));
+    let pairs = [
+        ("sponge", "breadcrumbs"),
+        ("sponge", "dust"),
+        ("brush", "sand"),
+        ("sponge", "sand"),
+    ];
+    let pairs = pairs.map(|(tool, medium)| interaction_of(tool, medium));
     let lesson = |index: usize| Lesson {
         interaction: &pairs[index],
         collision_radius_m: radius(),
-        rounds: if index < 2 { &often } else { &rarely },
+        rounds: if index < 3 { &often } else { &rarely },
     };
+    let lessons = [0, 1, 2, 3].map(lesson);
     let config = LearnConfig::default();
-    let together = learn(&[lesson(0), lesson(1), lesson(2)], &config).unwrap();
-    let alone = learned(&pairs[2], &rarely);
-    // Both others are off their entries by +0.4; a law that is seen rarely goes with them, and is known better.
-    let [pooled, own] = [&together[2].mu, &alone.mu];
-    assert!(pooled.deviation < 0.9 * own.deviation, "{pooled:?} {own:?}");
+    let together = learn(&lessons, &config).unwrap();
+    let alone = learned(&pairs[3], &rarely);
+    // The others are off their entries by 0.4; a law that is seen rarely goes with them, and is known better.
+    let [pooled, own] = [&together[3].mu, &alone.mu];
+    assert!(
+        pooled.deviation < 0.95 * own.deviation,
+        "{pooled:?} {own:?}"
+    );
     assert!(
         (pooled.mean - planted.mu).abs() < (own.mean - planted.mu).abs(),
         "{pooled:?} {own:?}"
@@ -188,7 +198,6 @@ fn a_law_that_is_seen_rarely_borrows_from_others_of_its_tool() {
         .num_threads(1)
         .build()
         .unwrap();
-    let lessons = [lesson(0), lesson(1), lesson(2)];
     assert_eq!(pool.install(|| learn(&lessons, &config)).unwrap(), together);
 }
 

@@ -6,14 +6,18 @@ use rayon::prelude::*;
 
 /// How far from its mean a parameter is looked for, in standard deviations of its prior [1].
 const REACH: [f64; 3] = [5.0, 4.0, 3.0];
-/// Nodes of the axes of μ, ln σ and ln ℓ, first and refined.
-const NODES: [[usize; 3]; 2] = [[31, 11, 9], [31, 13, 13]];
+/// Nodes of the axes of μ, ln σ and ln ℓ.
+const NODES: [usize; 3] = [31, 13, 13];
 /// A posterior below this share of its peak is not looked at, as a logarithm.
 const NEGLIGIBLE: f64 = -11.0;
 /// Grids at most, each within the one before.
-const PASSES: usize = 3;
+const PASSES: usize = 6;
 /// A grid that would be narrower by less than this is fine enough [1].
 const NARROWER: f64 = 0.6;
+/// A peak that falls by no more to its neighbours, over all axes, as a logarithm, is resolved; else there are so many times the
+/// nodes in a grid that cannot be narrower.
+const FINE: f64 = 4.0;
+const FINER: f64 = 1.4;
 /// Least distance of nodes of μ: much less than what the force is known to [1].
 const LEAST_STEP: f64 = 0.01;
 
@@ -113,20 +117,23 @@ impl LikelihoodGrid {
             let reach = REACH[k] * deviation;
             [mean - reach, mean + reach]
         });
-        let mut pass = 0;
+        let (mut pass, mut finer) = (0, 1.0);
         loop {
-            let nodes = NODES[pass.min(1)];
+            let nodes = NODES.map(|nodes| (nodes as f64 * finer) as usize);
             let [mu, ln_sigma, ln_length] =
                 std::array::from_fn(|k| axis(ranges[k], nodes[k], least[k]));
             let grid = Self::over(rounds, mu, ln_sigma, ln_length, force_share);
             pass += 1;
-            let narrowed = grid.supports(prior);
+            let (narrowed, slack) = grid.supports(prior);
             let is_narrower = (0..3).any(|k| {
                 let [before, after] = [ranges[k], narrowed[k]].map(|[low, high]| high - low);
                 after < NARROWER * before
             });
-            if pass == PASSES || !is_narrower {
+            if pass == PASSES || (!is_narrower && slack <= FINE) {
                 return grid;
+            }
+            if !is_narrower {
+                finer *= FINER;
             }
             ranges = narrowed;
         }
@@ -223,7 +230,8 @@ impl LikelihoodGrid {
     }
 
     /// Between which values of each parameter the posterior of the law alone is not negligible, and one step more.
-    fn supports(&self, prior: &LawPrior) -> [[f64; 2]; 3] {
+    /// And by how much it may be higher between nodes than at them, as a logarithm.
+    fn supports(&self, prior: &LawPrior) -> ([[f64; 2]; 3], f64) {
         let log_prior = |s: usize, m: usize| {
             let scores = [(0, self.mu[m]), (1, self.ln_sigma[s])];
             let scores = scores.map(|(axis, value)| prior.score(axis, value));
@@ -248,10 +256,14 @@ impl LikelihoodGrid {
                 }
             }
         }
+        // Between the nodes of a coarse grid, the peak may be higher than at any of them: by less than to the next ones.
+        let here =
+            |s: usize, way: usize, m: usize| log_prior(s, m) + ways[way] + self.at(s, way, m);
+        let slack = self.slack(&here);
         let axes = [&self.mu, &self.ln_sigma, &self.ln_length];
-        std::array::from_fn(|k| {
+        let ranges = std::array::from_fn(|k| {
             let peak = most[k].iter().copied().fold(none, f64::max);
-            let counts = |log: &f64| *log >= peak + NEGLIGIBLE;
+            let counts = |log: &f64| *log >= peak + NEGLIGIBLE - slack;
             let first = most[k].iter().position(counts).unwrap_or(0);
             let last = most[k].iter().rposition(counts).unwrap_or(0);
             let end = axes[k].len() - 1;
@@ -259,7 +271,38 @@ impl LikelihoodGrid {
                 axes[k][first.saturating_sub(1)],
                 axes[k][(last + 1).min(end)],
             ]
-        })
+        });
+        (ranges, slack)
+    }
+
+    /// By how much a log-posterior falls from its highest node to the neighbours, over all axes: of thresholds that are
+    /// kept, or of those that are drawn again, whichever falls more.
+    fn slack(&self, log: &dyn Fn(usize, usize, usize) -> f64) -> f64 {
+        let (sigmas, lengths, mus) = (self.ln_sigma.len(), self.ln_length.len(), self.mu.len());
+        let fall = |ways: std::ops::Range<usize>| {
+            let nodes = (0..sigmas).flat_map(|s| {
+                let ways = ways.clone();
+                ways.flat_map(move |way| (0..mus).map(move |m| (s, way, m)))
+            });
+            let at = |(s, way, m): &(usize, usize, usize)| log(*s, *way, *m);
+            let Some(best) = nodes.max_by(|a, b| at(a).total_cmp(&at(b))) else {
+                return 0.0;
+            };
+            let (s, way, m) = best;
+            let falls = |next: [Option<(usize, usize, usize)>; 2]| {
+                let next = next.iter().flatten().map(|node| at(&best) - at(node));
+                next.filter(|fall| fall.is_finite()).fold(0.0, f64::max)
+            };
+            let up = |i: usize, count: usize| Some(i + 1).filter(|i| *i < count);
+            falls([s.checked_sub(1), up(s, sigmas)].map(|s| Some((s?, way, m))))
+                + falls([m.checked_sub(1), up(m, mus)].map(|m| Some((s, way, m?))))
+                + if way < lengths {
+                    falls([way.checked_sub(1), up(way, lengths)].map(|way| Some((s, way?, m))))
+                } else {
+                    0.0
+                }
+        };
+        fall(0..lengths).max(fall(lengths..lengths + 1))
     }
 
     /// Weights of the nodes of μ and of those of ln σ, from weights of both together (ln σ, μ).

@@ -29,7 +29,7 @@ use grid::{LawPrior, LikelihoodGrid};
 /// Fewest particles that were touched and looked for from which a law is fitted.
 pub const LEAST_PARTICLES: usize = 10;
 
-/// Guesses of what each particle felt that are enough: more change a result by less than its spread.
+/// Guesses of what each particle felt, as where it lay and how the tool sat in the hand are not known exactly.
 pub const GUESSES: usize = 8;
 
 /// Settings of the learning.
