@@ -48,7 +48,7 @@ fn planted_parameters_are_recovered_from_twenty_episodes() {
                 redraw: Some(length),
             },
             effect,
-            150,
+            110,
         );
         let law = learned(
             &interaction_of("sponge", "breadcrumbs"),
@@ -298,4 +298,45 @@ fn what_teaches_nothing_is_refused_by_name() {
     };
     assert!(learn(&[], &config).is_err());
     assert_eq!(learn(&[], &LearnConfig::default()), Ok(vec![]));
+}
+
+#[test]
+#[ignore]
+fn debug_push() {
+    for (name, effect, error, n) in [("push", Effect::Push, 2e-3, 110)] {
+        let mut world = World::new(
+            Planted {
+                mu: -0.9,
+                sigma: 0.32,
+                redraw: Some(0.05),
+            },
+            effect,
+            n,
+        );
+        world.sight.sensor.position_error_m = error;
+        let law = learned(
+            &interaction_of("sponge", "breadcrumbs"),
+            &rounds(&world, 1, 10),
+        );
+        println!(
+            "{name}: {:.3} {:.3} {:.4} {:.3}",
+            law.mu.mean,
+            law.ln_sigma.mean.exp(),
+            law.ln_redraw_length.mean.exp(),
+            law.kept_share
+        );
+        for log in 0..0 {
+            let r: Vec<SeenRound> = (0..3).map(|i| world.round(1000 + log + 4 * i)).collect();
+            let law = learned(&interaction_of("sponge", "breadcrumbs"), &r);
+            println!(
+                "   log {log}: {:.3}+-{:.3} {:.3} {:.4} {:.3} n={}",
+                law.mu.mean,
+                law.mu.deviation,
+                law.ln_sigma.mean.exp(),
+                law.ln_redraw_length.mean.exp(),
+                law.kept_share,
+                law.particles
+            );
+        }
+    }
 }

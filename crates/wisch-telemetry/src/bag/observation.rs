@@ -206,3 +206,70 @@ fn places(cloud: &PointCloud2) -> Result<Vec<Point2>, String> {
 fn is_finite(place: &Point2) -> bool {
     place.x.is_finite() && place.y.is_finite()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cloud_is_read_as_it_was_written() {
+        let written = [Point2::new(0.125, -0.5), Point2::new(0.0, 0.25)];
+        let cloud = point_cloud(7, &written);
+        assert_eq!(places(&cloud), Ok(written.to_vec()));
+        assert_eq!(places(&point_cloud(7, &[])), Ok(vec![]));
+
+        // As another camera writes it: eight bytes a number, the most significant first, y before x, something between.
+        let field = |name: &str, offset| PointField {
+            name: name.to_owned(),
+            offset,
+            datatype: FIELD_FLOAT64,
+            count: 1,
+        };
+        let rows = written.map(|p| [p.y, 9.0, p.x].map(f64::to_be_bytes).concat());
+        let other = PointCloud2 {
+            fields: vec![field("y", 0), field("x", 16)],
+            is_bigendian: true,
+            point_step: 24,
+            data: rows.concat(),
+            ..cloud
+        };
+        assert_eq!(places(&other), Ok(written.to_vec()));
+    }
+
+    #[test]
+    fn a_cloud_that_lies_is_refused() {
+        let cloud = || point_cloud(7, &[Point2::new(0.125, -0.5)]);
+        let refused = |cloud: PointCloud2| places(&cloud).unwrap_err();
+        let mut other = cloud();
+        other.header.frame_id = "camera".to_owned();
+        assert!(refused(other).starts_with("its frame is \"camera\""));
+        let mut short = cloud();
+        short.data.pop();
+        assert_eq!(refused(short), "1 places need 12 bytes, but there are 11");
+        let mut many = cloud();
+        (many.width, many.height) = (u32::MAX, u32::MAX);
+        assert!(refused(many).contains("exceed the limit of"));
+        let mut beyond = cloud();
+        beyond.fields[1].offset = 9;
+        assert_eq!(
+            refused(beyond),
+            "field \"y\" lies beyond the 12 bytes of a place"
+        );
+        let mut typed = cloud();
+        typed.fields[0].datatype = 5;
+        assert_eq!(refused(typed), "field \"x\" is of type 5, not of floats");
+        let mut nameless = cloud();
+        nameless.fields.remove(0);
+        assert_eq!(refused(nameless), "there is no field \"x\"");
+        let mut infinite = cloud();
+        infinite.data[..4].copy_from_slice(&f32::NAN.to_le_bytes());
+        assert!(refused(infinite.clone()).ends_with("is not finite"));
+        infinite.is_dense = false;
+        assert_eq!(places(&infinite), Ok(vec![]));
+        let nothing = PointCloud2 {
+            point_step: 0,
+            ..cloud()
+        };
+        assert!(places(&nothing).is_err());
+    }
+}

@@ -3,7 +3,8 @@
 //! Detections before and after belong together in ways that nobody knows. Where particles lie so close that one
 //! detection may be of several of them, the likelihood is the sum over all ways in which it may be (each detection of one
 //! particle or of none, each particle detected once or not), as in joint probabilistic data association (Bar-Shalom and
-//! Fortmann 1988). Particles too many to do that for are counted instead.
+//! Fortmann 1988). A particle of another group, farther off, is as likely as
+//! not to be there still; groups too large to go through all ways are left out.
 
 use super::error::LearnError;
 use crate::geometry::Point2;
@@ -24,8 +25,8 @@ const NEIGHBOURHOOD: f64 = 0.02;
 const LEAST_CLUTTER: f64 = 1e-3;
 /// Least share of the detections before that are dirt [1].
 const LEAST_REAL: f64 = 0.05;
-/// What a count may be off by beside what chance does, as a share of it [1] and as a number.
-const COUNT_ERROR: [f64; 2] = [0.1, 1.0];
+/// How likely a particle of another group is to be there still [1].
+const OTHERS: f64 = 0.5;
 /// Nothing is less likely.
 const LEAST_LIKELIHOOD: f64 = 1e-300;
 
@@ -68,13 +69,8 @@ pub(super) struct Member<'a> {
     pub(super) earlier: &'a [f64],
 }
 
-/// What was seen afterwards where a group was.
-pub(super) enum Seen {
-    /// Detections, each with how much more likely it is to be of each member than of none [1].
-    Joint(Vec<Vec<f64>>),
-    /// How many, and how many that are of none are expected.
-    Counted { count: f64, clutter: f64 },
-}
+/// Detections where a group was, each with how much more likely it is to be of each member than of none [1].
+pub(super) struct Seen(Vec<Vec<f64>>);
 
 impl<'a> RoundEvidence<'a> {
     pub(super) fn of(
@@ -165,7 +161,9 @@ impl<'a> RoundEvidence<'a> {
             libm::exp(-0.5 * squared) / (std::f64::consts::TAU * deviation * deviation)
         };
         let places: Vec<Point2> = looked_for.iter().map(|&i| before[i]).collect();
-        let groups = linked(&places, 2.0 * gate).into_iter().map(|group| {
+        let mut groups = linked(&places, gate);
+        groups.retain(|group| group.len() <= MOST_JOINT);
+        let groups = groups.into_iter().map(|group| {
             let members = group.iter().map(|&k| {
                 let i = looked_for[k];
                 Member {
@@ -174,25 +172,18 @@ impl<'a> RoundEvidence<'a> {
                     earlier: if has_earlier { &round.earlier[i] } else { &[] },
                 }
             });
-            let related = after
-                .iter()
-                .filter(|place| group.iter().any(|&k| (places[k] - **place).norm() <= gate));
-            let seen = if group.len() > MOST_JOINT {
-                Seen::Counted {
-                    count: related.count() as f64,
-                    clutter: base * covered(group.iter().map(|&k| places[k]), gate),
-                }
-            } else {
-                let of_each = |place: &Point2| {
-                    let clutter = clutter(place);
-                    let ratios = group.iter().map(|&k| density(place, &places[k]) / clutter);
-                    ratios.collect()
-                };
-                Seen::Joint(related.map(of_each).collect())
+            let related = (after.iter())
+                .filter(|place| (group.iter()).any(|&k| (places[k] - **place).norm() <= gate));
+            let of_each = |place: &Point2| {
+                let others = (0..places.len()).filter(|k| !group.contains(k));
+                let others: f64 = others.map(|k| density(place, &places[k])).sum();
+                let clutter = clutter(place) + OTHERS * real * detection * others;
+                let ratios = group.iter().map(|&k| density(place, &places[k]) / clutter);
+                ratios.collect()
             };
             Group {
                 members: members.collect(),
-                seen,
+                seen: Seen(related.map(of_each).collect()),
             }
         });
         // Where nobody was touched, nothing depends on the law.
@@ -219,29 +210,14 @@ impl Seen {
     /// Natural logarithm of how likely this is if each member is dirt, stays and is detected with this probability [1].
     /// `work` is room to work in.
     pub(super) fn log_likelihood(&self, detected: &[f64], work: &mut Vec<f64>) -> f64 {
-        match self {
-            Self::Joint(detections) => {
-                let likelihood = match detected {
-                    [one] => {
-                        let ratios: f64 = detections.iter().map(|ratios| ratios[0]).sum();
-                        1.0 + one * (ratios - WITHIN_GATE)
-                    }
-                    many => joint(detections, many, work),
-                };
-                libm::log(likelihood.max(LEAST_LIKELIHOOD))
+        let likelihood = match detected {
+            [one] => {
+                let ratios: f64 = self.0.iter().map(|ratios| ratios[0]).sum();
+                1.0 + one * (ratios - WITHIN_GATE)
             }
-            Self::Counted { count, clutter } => {
-                let seen = detected.iter().map(|detected| detected * WITHIN_GATE);
-                let (mut mean, mut variance) = (*clutter, *clutter);
-                for seen in seen {
-                    mean += seen;
-                    variance += seen * (1.0 - seen);
-                }
-                let [share, number] = COUNT_ERROR;
-                variance += (share * mean + number).powi(2);
-                -0.5 * ((count - mean).powi(2) / variance + libm::log(variance))
-            }
-        }
+            many => joint(&self.0, many, work),
+        };
+        libm::log(likelihood.max(LEAST_LIKELIHOOD))
     }
 }
 
@@ -299,27 +275,6 @@ fn linked(places: &[Point2], distance: f64) -> Vec<Vec<usize>> {
     groups
 }
 
-/// Area within this distance of places [m²], in cells of a third of it.
-fn covered(places: impl Iterator<Item = Point2>, distance: f64) -> f64 {
-    let cell = distance / 3.0;
-    let mut cells = std::collections::BTreeSet::new();
-    for place in places {
-        let [x, y] = [place.x, place.y].map(|x| (x / cell).floor() as i64);
-        for dx in -3..=3 {
-            for dy in -3..=3 {
-                let center = Point2::new(
-                    ((x + dx) as f64 + 0.5) * cell,
-                    ((y + dy) as f64 + 0.5) * cell,
-                );
-                if (center - place).norm() <= distance {
-                    cells.insert((x + dx, y + dy));
-                }
-            }
-        }
-    }
-    cells.len() as f64 * cell * cell
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -332,11 +287,11 @@ mod tests {
         let (not_a, not_b) = (1.0 - a * WITHIN_GATE, 1.0 - b * WITHIN_GATE);
         let by_hand =
             not_a * not_b + 5.0 * a * not_b + 2.0 * a * not_b + 3.0 * b * not_a + 5.0 * a * 3.0 * b;
-        let seen = Seen::Joint(ratios.to_vec());
+        let seen = Seen(ratios.to_vec());
         let found = seen.log_likelihood(&[a, b], &mut Vec::new());
         assert!((found - by_hand.ln()).abs() < 1e-12);
         // Alone, a member is a special case of it.
-        let alone = Seen::Joint(vec![vec![5.0], vec![2.0]]);
+        let alone = Seen(vec![vec![5.0], vec![2.0]]);
         let summed = joint(&[vec![5.0], vec![2.0]], &[a], &mut Vec::new());
         let found = alone.log_likelihood(&[a], &mut Vec::new());
         assert!((found - summed.ln()).abs() < 1e-12);
@@ -347,7 +302,5 @@ mod tests {
         let at = |x: f64| Point2::new(x, 0.0);
         let groups = linked(&[at(0.0), at(0.9), at(3.0), at(1.8)], 1.0);
         assert_eq!(groups, [vec![0, 1, 3], vec![2]]);
-        let circle = covered([at(0.3)].into_iter(), 0.5);
-        assert!((circle - 0.785).abs() < 0.15, "{circle}");
     }
 }
