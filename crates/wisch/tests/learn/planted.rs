@@ -11,11 +11,12 @@ use wisch::represent::{
     Effect, Interaction, LogNormal, LogNormalSpread, Observation, SensorModel, Sight, Task,
 };
 
-/// How hard the tool presses here and there, by log [N]: between 20 and 100 % of what was asked for; else so little that
-/// most grains need several draws to respond, but for one column, in which it is felt where the board is.
+/// How hard the tool presses here and there, by log [N]: in two of them between 20 and 100 % of what was asked for; in the
+/// others so little that most grains need several draws to respond, but for one column, in which it is felt where the board
+/// is.
 const PRESSES: [fn(Point2) -> f64; 4] = [
     |p| PRESS * (0.6 + 2.0 * p.x),
-    |p| PRESS * if p.x > 0.1 { 0.95 } else { 0.42 },
+    |p| PRESS * (0.6 - 2.0 * p.x),
     |p| PRESS * if p.x > 0.1 { 0.95 } else { 0.34 },
     |p| PRESS * if p.x < -0.1 { 0.95 } else { 0.28 },
 ];
