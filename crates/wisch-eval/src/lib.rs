@@ -8,13 +8,17 @@
 mod baselines;
 mod interval;
 mod protocol;
+mod pushes;
 mod scores;
 mod trial;
+mod variants;
 mod world;
 
 pub use baselines::Baselines;
 pub use interval::binomial_interval;
 pub use protocol::{ProtocolError, SeedUse};
+pub use pushes::PushCounts;
 pub use scores::{Calibration, ClaimCounts, GroupScores, LevelCoverage, MethodScores};
 pub use trial::{BeliefScore, EvaluationError, LEVELS, RoundScore, WorldScore};
+pub use variants::Variant;
 pub use world::{Disturbance, Mismatch, Senses, TaskCase, WorldCase};

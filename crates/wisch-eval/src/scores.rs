@@ -1,7 +1,9 @@
 //! Many worlds summed up.
 
 use crate::interval::binomial_interval;
+use crate::pushes::PushCounts;
 use crate::trial::{BeliefScore, LEVELS, RoundScore, WorldScore};
+use crate::variants::Variant;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use wisch::recover::FALSE_BY;
@@ -19,13 +21,15 @@ pub struct Calibration {
     pub groups: Vec<GroupScores>,
     /// Over the worlds.
     pub claims: ClaimCounts,
+    /// Over all rounds.
+    pub pushes: PushCounts,
 }
 
 /// How one way to believe did.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MethodScores {
     /// What it is.
-    pub name: &'static str,
+    pub name: String,
     /// Mean continuous ranked probability score; of a single number, its error.
     pub crps: f64,
     /// Mean of |expected - so|.
@@ -106,7 +110,7 @@ impl ClaimCounts {
 
 impl MethodScores {
     fn of_beliefs<'a>(
-        name: &'static str,
+        name: &str,
         rounds: impl Iterator<Item = (&'a BeliefScore, f64)> + Clone,
     ) -> Self {
         let count = rounds.clone().count();
@@ -131,7 +135,7 @@ impl MethodScores {
             }
         });
         Self {
-            name,
+            name: name.to_owned(),
             crps: mean(&|belief, _| belief.crps),
             error: mean(&|belief, outcome| (belief.mean - outcome).abs()),
             bias: mean(&|belief, outcome| belief.mean - outcome),
@@ -139,7 +143,7 @@ impl MethodScores {
         }
     }
 
-    fn of_numbers(name: &'static str, rounds: impl Iterator<Item = (f64, f64)> + Clone) -> Self {
+    fn of_numbers(name: &str, rounds: impl Iterator<Item = (f64, f64)> + Clone) -> Self {
         let n = rounds.clone().count().max(1) as f64;
         let error = rounds
             .clone()
@@ -147,7 +151,7 @@ impl MethodScores {
             .sum::<f64>()
             / n;
         Self {
-            name,
+            name: name.to_owned(),
             crps: error,
             error,
             bias: rounds.map(|(said, so)| said - so).sum::<f64>() / n,
@@ -157,11 +161,11 @@ impl MethodScores {
 }
 
 impl Calibration {
-    /// Sums up worlds, in whatever order.
-    pub fn of(worlds: &[WorldScore]) -> Self {
+    /// Sums up worlds, in whatever order, with these variants.
+    pub fn of(worlds: &[WorldScore], variants: &[Variant]) -> Self {
         let rounds: Vec<&RoundScore> = worlds.iter().flat_map(|world| &world.rounds).collect();
         let each = || rounds.iter().copied();
-        let methods = vec![
+        let mut methods = vec![
             method(&rounds),
             MethodScores::of_numbers("prediction", each().map(|r| (r.prediction, r.outcome))),
             MethodScores::of_beliefs(
@@ -170,6 +174,10 @@ impl Calibration {
             ),
             MethodScores::of_numbers("the paper's rule", each().map(|r| (r.paper, r.outcome))),
         ];
+        for (index, variant) in variants.iter().enumerate() {
+            let all = each().filter_map(|r| Some((r.variants.get(index)?, r.outcome)));
+            methods.push(MethodScores::of_beliefs(&variant.name, all));
+        }
         let mut groups: BTreeMap<(usize, String), (&'static str, Vec<&WorldScore>)> =
             BTreeMap::new();
         for world in worlds {
@@ -208,6 +216,7 @@ impl Calibration {
             methods,
             groups: groups.collect(),
             claims: ClaimCounts::of(worlds.iter()),
+            pushes: rounds.iter().map(|round| round.pushes).sum(),
         }
     }
 }

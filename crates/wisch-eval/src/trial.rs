@@ -1,14 +1,16 @@
 //! One world: the method wipes in it, and what it believed is held against what was so.
 
 use crate::baselines::Baselines;
+use crate::pushes::PushCounts;
+use crate::variants::{Seen, Variant, VariantBelief};
 use crate::world::{Senses, WorldCase};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Instant;
-use wisch::interpret::{PerformanceDistribution, TouchSample};
+use wisch::interpret::{EventKind, PerformanceDistribution, TouchSample};
 use wisch::recover::Verdict;
-use wisch::represent::GoalState;
+use wisch::represent::{GoalState, Observation};
 use wisch::run::{RunEvent, Session};
 use wisch_io::{LoadOptions, Robot, load_task};
 use wisch_sim::{SimulationSettings, Site, World};
@@ -72,6 +74,11 @@ pub struct RoundScore {
     pub force_blind: BeliefScore,
     /// What the paper's rule said.
     pub paper: f64,
+    /// What the method would have believed with other uncertainties, in the order in which they were given.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub variants: Vec<BeliefScore>,
+    /// Pushes as they were and as they were told.
+    pub pushes: PushCounts,
     /// The verdict in words.
     pub verdict: String,
     /// Whether the goal was claimed.
@@ -85,6 +92,9 @@ pub struct WorldScore {
     pub case: WorldCase,
     /// What the robot perceived the effect by.
     pub senses: Senses,
+    /// What else was asked on the same rounds.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub variants: Vec<Variant>,
     /// The performance that was to be reached.
     pub target: f64,
     /// Rounds, in order.
@@ -98,14 +108,19 @@ impl WorldCase {
     ///
     /// # Errors
     /// What a stage refuses, in words.
-    pub fn evaluate(&self, senses: Senses) -> Result<WorldScore, EvaluationError> {
-        self.evaluated(senses).map_err(|message| EvaluationError {
+    pub fn evaluate(
+        &self,
+        senses: Senses,
+        variants: &[Variant],
+    ) -> Result<WorldScore, EvaluationError> {
+        let evaluated = self.evaluated(senses, variants);
+        evaluated.map_err(|message| EvaluationError {
             seed: self.seed,
             message,
         })
     }
 
-    fn evaluated(&self, senses: Senses) -> Result<WorldScore, String> {
+    fn evaluated(&self, senses: Senses, asked: &[Variant]) -> Result<WorldScore, String> {
         fn words(error: impl std::fmt::Display) -> String {
             error.to_string()
         }
@@ -128,18 +143,23 @@ impl WorldCase {
         let calm = SimulationSettings::of(&loaded).map_err(words)?;
         let settings = self.settings(&calm, &loaded.task);
         let config = loaded.run_config();
-        let target = config.target;
+        let (target, sight) = (config.target, config.sight);
         let site = Site::of(&loaded.task);
         let mut world = World::new(&site, settings, self.seed).map_err(words)?;
         let prior = loaded.belief();
         let mut baselines = Baselines::new(&prior, &loaded.task);
-        let session = Session::new(&loaded.task, config).with_belief(prior);
+        let session = Session::new(&loaded.task, config).with_belief(prior.clone());
         let mut session = session.with_robot(robot.performer());
+        let mut first_look = None;
         let mut felt: Vec<Vec<TouchSample>> = Vec::new();
         session
             .run(&mut world, &mut |event| {
                 match event {
                     RunEvent::Executing(_) => felt.push(Vec::new()),
+                    RunEvent::Observed {
+                        round: 0,
+                        observation,
+                    } => first_look = Some(Observation::clone(observation)),
                     RunEvent::Sample(sample) => {
                         if let Some(round) = felt.last_mut() {
                             let force = sample.external.force;
@@ -155,6 +175,15 @@ impl WorldCase {
                 ControlFlow::Continue(())
             })
             .map_err(words)?;
+        let mut before = prior;
+        if let Some(seen) = Seen::of(first_look.as_ref(), sight) {
+            // As the session does: a goal that is left to the planner is no place.
+            let goal = loaded.task.goal().unwrap_or(GoalState::Skimmed);
+            before = before.seen(&seen.look(&loaded.task, &goal));
+        }
+        let mut variants: Vec<VariantBelief<'_>> = (asked.iter())
+            .map(|variant| VariantBelief::new(variant, before.clone()))
+            .collect();
         let mut rounds = Vec::new();
         let mut goal: Option<GoalState> = None;
         for ((round, truth), felt) in session.rounds().iter().zip(world.truth()).zip(&felt) {
@@ -163,12 +192,24 @@ impl WorldCase {
             let outcome = truth.performance(&goal, surface).map_err(words)?;
             let outcome = outcome.ok_or("there is no dirt in this world")?;
             let simpler = baselines.after(&round.motion, felt, &goal).map_err(words)?;
+            let observation = round.interpretation.observation.as_ref();
+            let after = |variant: &mut VariantBelief<'_>| {
+                let seen = Seen::of(observation, sight);
+                let belief = variant.after(&round.motion, felt, seen, &goal);
+                Ok(BeliefScore::of(&belief.map_err(words)?, outcome))
+            };
+            let others: Result<Vec<_>, String> = variants.iter_mut().map(after).collect();
+            let events = round.interpretation.events.iter();
+            let collisions = events.filter(|event| event.kind == EventKind::Collision);
+            let told: Vec<_> = collisions.map(|event| [event.start, event.end]).collect();
             rounds.push(RoundScore {
                 outcome,
                 belief: BeliefScore::of(&round.interpretation.distribution, outcome),
                 prediction: simpler.prediction,
                 force_blind: BeliefScore::of(&simpler.force_blind, outcome),
                 paper: simpler.paper,
+                variants: others?,
+                pushes: PushCounts::of_round(round.execution.duration, &truth.pushes, &told),
                 verdict: round.verdict.as_str().to_owned(),
                 is_claimed: round.verdict == Verdict::GoalMet,
             });
@@ -176,6 +217,7 @@ impl WorldCase {
         Ok(WorldScore {
             case: *self,
             senses,
+            variants: asked.to_vec(),
             target,
             rounds,
             seconds: begin.elapsed().as_secs_f64(),

@@ -71,6 +71,8 @@ struct Simulation<'a> {
     settings: &'a SimulationSettings,
     /// With when they begin [s].
     pushes: Vec<(f64, Push)>,
+    /// Whether a hand pressed on the tool in the period before.
+    was_touched: bool,
     friction_changes: Vec<(f64, f64)>,
     plant: Plant,
     tool: Wielded,
@@ -194,6 +196,7 @@ impl<'a> Simulation<'a> {
             config,
             settings,
             pushes: schedule.pushes,
+            was_touched: false,
             friction_changes,
             plant,
             tool,
@@ -235,6 +238,7 @@ impl<'a> Simulation<'a> {
                 max_controller_force: 0.0,
                 lost_share: 0.0,
                 max_lateral_error: 0.0,
+                pushes: Vec::new(),
                 hidden: Vec::new(),
             },
             articulation,
@@ -515,6 +519,7 @@ impl<'a> Simulation<'a> {
             }
         }
         let mut is_pushed = false;
+        let mut is_touched = false;
         for (start, push) in &self.pushes {
             let end = start + push.duration;
             if !(*start..end + SETTLING).contains(&time) {
@@ -536,7 +541,15 @@ impl<'a> Simulation<'a> {
             }
             let share = (1.0 - yielding / push.hand_speed).clamp(0.0, 1.0);
             self.plant.push(&(push.force * share), tool);
+            is_touched |= share > 0.0;
         }
+        let touches = &mut self.truth.pushes;
+        match touches.last_mut() {
+            Some([_, end]) if is_touched && self.was_touched => *end = time,
+            _ if is_touched => touches.push([time, time]),
+            _ => {}
+        }
+        self.was_touched = is_touched;
         is_pushed
     }
 

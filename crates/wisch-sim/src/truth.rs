@@ -66,6 +66,9 @@ pub struct GroundTruth {
     /// Greatest size of the difference between where the tool was told to be along the surface and where
     /// it was, while it slides and nobody pushes [m].
     pub max_lateral_error: f64,
+    /// From when to when a hand pressed on the tool without a break [s], in order; a hand that the tool outruns touches
+    /// nothing.
+    pub pushes: Vec<[f64; 2]>,
     /// What robot and tool hide from a camera afterwards: convex hulls in the frame of the real surface [m]; none where
     /// nothing looks, or sees past them.
     pub hidden: Vec<Vec<Point2>>,

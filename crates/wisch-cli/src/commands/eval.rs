@@ -50,7 +50,9 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
     let last = args.first_seed + args.worlds - 1;
     let mut known = read_all(out)?;
     let is_other = |world: &&WorldScore| {
-        world.senses != senses || !(args.first_seed..=last).contains(&world.case.seed)
+        world.senses != senses
+            || world.variants != args.variant
+            || !(args.first_seed..=last).contains(&world.case.seed)
     };
     if let Some(other) = known.values().find(is_other) {
         let seed = other.case.seed;
@@ -81,7 +83,9 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
     let evaluated: Vec<Result<WorldScore, Failure>> = seeds
         .par_iter()
         .map(|&seed| {
-            let score = WorldCase::of(seed).evaluate(senses).map_err(Failure::new)?;
+            let score = WorldCase::of(seed)
+                .evaluate(senses, &args.variant)
+                .map_err(Failure::new)?;
             write_line(&file, &score).map_err(|error| cannot(&path, "write there", &error))?;
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
             progress.say(format!("{done} of {}", counted(all, "world")));
@@ -110,7 +114,7 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
         seeds: [args.first_seed, last],
         seed_use: serves.as_str(),
         senses,
-        calibration: Calibration::of(&worlds),
+        calibration: Calibration::of(&worlds, &args.variant),
     };
     let table = in_words(&record);
     let text = serde_json::to_string_pretty(&record).map_err(Failure::new)?;
@@ -249,6 +253,18 @@ fn in_words(record: &CalibrationRecord) -> String {
         text,
         "\nGoals: {} claimed, {} met, {} claimed and met, {} claimed falsely by more than 10 points; {} unknowable by touch.",
         claims.claimed, claims.met, claims.claimed_and_met, claims.false_claims, claims.unknowable
+    );
+    let pushes = &calibration.pushes;
+    let _ = writeln!(
+        text,
+        "Pushes: {} in {}, {} told, {} starts and {} ends within 50 ms; {} invented in {} undisturbed ones.",
+        pushes.pushes,
+        counted(pushes.rounds, "round"),
+        pushes.found,
+        pushes.starts,
+        pushes.ends,
+        pushes.invented,
+        pushes.undisturbed
     );
     text
 }

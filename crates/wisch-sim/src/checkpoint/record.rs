@@ -30,6 +30,8 @@ pub struct CheckpointRecord {
     max_controller_force_n: f64,
     lost_share: f64,
     max_lateral_error_m: f64,
+    #[serde(default)]
+    pushes_s: Vec<[f64; 2]>,
     hidden_m: Vec<Vec<[f64; 2]>>,
     /// What was seen before the first round, and after this one.
     looks: [Option<LookRecord>; 2],
@@ -124,6 +126,7 @@ impl CheckpointRecord {
             max_controller_force_n: truth.max_controller_force,
             lost_share: truth.lost_share,
             max_lateral_error_m: truth.max_lateral_error,
+            pushes_s: truth.pushes.clone(),
             hidden_m: (truth.hidden.iter())
                 .map(|hull| hull.iter().map(|p| [p.x, p.y]).collect())
                 .collect(),
@@ -154,6 +157,7 @@ impl CheckpointRecord {
             max_controller_force: self.max_controller_force_n,
             lost_share: self.lost_share,
             max_lateral_error: self.max_lateral_error_m,
+            pushes: self.pushes_s,
             hidden: (self.hidden_m.into_iter())
                 .map(|hull| hull.into_iter().map(Point2::from).collect())
                 .collect(),
@@ -347,6 +351,7 @@ mod tests {
                 max_controller_force: 10.0,
                 lost_share: 0.1,
                 max_lateral_error: 0.002,
+                pushes: vec![[0.5, 1.0 / 3.0 + 1.0]],
                 hidden: vec![vec![Point2::new(0.1, 1.0 / 7.0), Point2::origin()]],
             };
             let seen = Observation {

@@ -116,6 +116,17 @@ pub struct Region {
     polygons: Vec<Polygon>,
 }
 
+impl Polygon {
+    /// The same, so many times as large about the origin.
+    fn scaled(&self, factor: f64) -> Self {
+        let ring = |ring: &Vec<Point2>| ring.iter().map(|corner| corner * factor).collect();
+        Self {
+            outer: ring(&self.outer),
+            holes: self.holes.iter().map(ring).collect(),
+        }
+    }
+}
+
 impl Region {
     /// A region from polygons of one frame, which must not overlap: areas are added up.
     pub fn new(polygons: Vec<Polygon>) -> Self {
@@ -125,6 +136,13 @@ impl Region {
     /// The disjoint pieces, in the order in which they were given.
     pub fn polygons(&self) -> &[Polygon] {
         &self.polygons
+    }
+
+    /// The same, so many times as large about the origin; a factor above 0.
+    #[must_use]
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        let scaled = |polygon: &Polygon| polygon.scaled(factor);
+        Self::new(self.polygons.iter().map(scaled).collect())
     }
 
     /// The edges of all pieces, piece by piece, in the order of [`Polygon::edges`].

@@ -15,6 +15,12 @@ pub enum InterpretError {
         /// What it may be.
         expected: &'static str,
     },
+    /// There is no such uncertainty.
+    #[error("{name}: no field of the uncertainty")]
+    NoSuchUncertainty {
+        /// What was asked for.
+        name: String,
+    },
     /// A sample does not come after the one before.
     #[error("sample {sample}: time {time} s is not after {previous} s, the time of the one before")]
     TimeNotIncreasing {

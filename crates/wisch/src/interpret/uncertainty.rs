@@ -10,6 +10,8 @@ pub struct Uncertainty {
     pub grasp_offset_m: f64,
     /// How it is turned there about its axis [rad].
     pub grasp_turn: f64,
+    /// How large the footprint is, as a share of its length and width [1].
+    pub footprint_share: f64,
     /// Where each particle lies before the first round, along x and along y [m].
     pub particle_m: f64,
     /// f′, as a share of itself [1]: what the compliance of the tool and the estimate of the force are off by.
@@ -33,6 +35,8 @@ pub struct Uncertainty {
     pub law_mu: f64,
     /// σ of (12), as the standard deviation of its logarithm [1].
     pub law_sigma: f64,
+    /// Share of the members in which both are off by three times as much [1]: an estimate may be just wrong.
+    pub law_outlier_share: f64,
     /// Share of the members in which each particle keeps its threshold for good instead of drawing it again and again [1]:
     /// what does not give way once never does. Nothing that is felt says which it is.
     pub kept_share: f64,
@@ -47,6 +51,7 @@ impl Uncertainty {
     pub const NONE: Self = Self {
         grasp_offset_m: 0.0,
         grasp_turn: 0.0,
+        footprint_share: 0.0,
         particle_m: 0.0,
         force_share: 0.0,
         slip_share: 0.0,
@@ -56,37 +61,105 @@ impl Uncertainty {
         hop_share: 0.0,
         law_mu: 0.0,
         law_sigma: 0.0,
+        law_outlier_share: 0.0,
         kept_share: 0.0,
         redraw_share: 0.0,
         model_share: 0.0,
     };
 
+    /// The same with one field set by its name.
+    ///
+    /// # Errors
+    /// No such field, or a value out of its range.
+    ///
+    /// ```
+    /// use wisch::interpret::Uncertainty;
+    /// let slippery = Uncertainty::default().with("slip_share", 0.5)?;
+    /// assert_eq!(slippery.slip_share, 0.5);
+    /// assert!(Uncertainty::default().with("slip_share", 1.5).is_err());
+    /// # Ok::<(), wisch::interpret::InterpretError>(())
+    /// ```
+    pub fn with(mut self, name: &str, value: f64) -> Result<Self, InterpretError> {
+        let mut fields = self.fields();
+        let field = fields.iter_mut().find(|field| field.name() == name);
+        let field = field.ok_or_else(|| InterpretError::NoSuchUncertainty {
+            name: name.to_owned(),
+        })?;
+        *field.value = value;
+        self.checked()?;
+        Ok(self)
+    }
+
     /// Whether the numbers make sense.
     ///
     /// # Errors
     /// The first field out of its range, by name and value.
-    pub(super) fn checked(&self) -> Result<(), InterpretError> {
+    pub(super) fn checked(mut self) -> Result<(), InterpretError> {
+        let fields = self.fields();
+        let mut fields = fields.iter();
+        fields.try_for_each(|field| within((field.path, *field.value, field.range)))
+    }
+
+    fn fields(&mut self) -> [Field<'_>; 16] {
         let share = (0.0, 1.0, "0 to 1");
         let metre = (0.0, 1.0, "0 to 1 m");
         let turn = (0.0, 1.0, "0 to 1 rad");
         let depth = (0.0, 10.0, "0 to 10");
-        let fields = [
-            ("uncertainty.grasp_offset_m", self.grasp_offset_m, metre),
-            ("uncertainty.grasp_turn", self.grasp_turn, turn),
-            ("uncertainty.particle_m", self.particle_m, metre),
-            ("uncertainty.force_share", self.force_share, share),
-            ("uncertainty.slip_share", self.slip_share, share),
-            ("uncertainty.heap_depth", self.heap_depth, depth),
-            ("uncertainty.pushed_by_force", self.pushed_by_force, share),
-            ("uncertainty.pushed_dragging", self.pushed_dragging, share),
-            ("uncertainty.hop_share", self.hop_share, share),
-            ("uncertainty.law_mu", self.law_mu, depth),
-            ("uncertainty.law_sigma", self.law_sigma, depth),
-            ("uncertainty.kept_share", self.kept_share, share),
-            ("uncertainty.redraw_share", self.redraw_share, depth),
-            ("uncertainty.model_share", self.model_share, share),
-        ];
-        fields.into_iter().try_for_each(within)
+        let size = (0.0, 0.3, "0 to 0.3");
+        [
+            (
+                "uncertainty.grasp_offset_m",
+                &mut self.grasp_offset_m,
+                metre,
+            ),
+            ("uncertainty.grasp_turn", &mut self.grasp_turn, turn),
+            (
+                "uncertainty.footprint_share",
+                &mut self.footprint_share,
+                size,
+            ),
+            ("uncertainty.particle_m", &mut self.particle_m, metre),
+            ("uncertainty.force_share", &mut self.force_share, share),
+            ("uncertainty.slip_share", &mut self.slip_share, share),
+            ("uncertainty.heap_depth", &mut self.heap_depth, depth),
+            (
+                "uncertainty.pushed_by_force",
+                &mut self.pushed_by_force,
+                share,
+            ),
+            (
+                "uncertainty.pushed_dragging",
+                &mut self.pushed_dragging,
+                share,
+            ),
+            ("uncertainty.hop_share", &mut self.hop_share, share),
+            ("uncertainty.law_mu", &mut self.law_mu, depth),
+            ("uncertainty.law_sigma", &mut self.law_sigma, depth),
+            (
+                "uncertainty.law_outlier_share",
+                &mut self.law_outlier_share,
+                share,
+            ),
+            ("uncertainty.kept_share", &mut self.kept_share, share),
+            ("uncertainty.redraw_share", &mut self.redraw_share, depth),
+            ("uncertainty.model_share", &mut self.model_share, share),
+        ]
+        .map(|(path, value, range)| Field { path, value, range })
+    }
+}
+
+/// A field of the uncertainty.
+struct Field<'a> {
+    /// As errors name it.
+    path: &'static str,
+    value: &'a mut f64,
+    /// Least, most, and both in words.
+    range: (f64, f64, &'static str),
+}
+
+impl Field<'_> {
+    fn name(&self) -> &'static str {
+        self.path.trim_start_matches("uncertainty.")
     }
 }
 
@@ -102,17 +175,19 @@ impl Default for Uncertainty {
     /// by place, and pushes that only lift the tool are thought to have carried something.
     fn default() -> Self {
         Self {
-            grasp_offset_m: 1.5e-3,
+            grasp_offset_m: 5e-3,
             grasp_turn: 1.0_f64.to_radians(),
+            footprint_share: 0.05,
             particle_m: 1.5e-3,
             force_share: 0.08,
             slip_share: 0.2,
-            heap_depth: 0.12,
+            heap_depth: 0.2,
             pushed_by_force: 0.25,
             pushed_dragging: 0.2,
             hop_share: 0.5,
             law_mu: 0.3,
             law_sigma: 0.2,
+            law_outlier_share: 0.1,
             kept_share: 0.5,
             redraw_share: 0.5,
             model_share: 0.015,

@@ -21,6 +21,7 @@ pub use coverage::{
 };
 pub use error::PlanError;
 pub use graph::{Node, NodeRole, SemanticDirectedGraph};
+pub use objective::is_gainful;
 pub use planner::{PlanConfig, joined_anew, plan};
 pub use predict::{Prediction, Progress, predict};
 pub use strokes::{Plan, Stroke, TcpWaypoint};

@@ -1,7 +1,7 @@
 //! The objective by which plans for the same dirt are compared: their predicted effect.
 
 use super::{Plan, predict};
-use crate::geometry::Edge;
+use crate::geometry::{Edge, Point2, Polygon, Vector2};
 use crate::represent::{
     Fate, GoalState, HEAP_DEPTH, ParticleDistribution, Performance, Task, heap_depth,
 };
@@ -14,21 +14,31 @@ const LOSS: i64 = 3;
 /// is left elsewhere and fewer of them end well.
 const RISK: f64 = 0.5;
 
+/// Where in the depth of a heap its particles lie, as a share of it [1].
+const HEAP_PLACES: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
+
 /// The objective of doing nothing [particles]: those where they belong, less several for each that nothing
 /// brings back.
 pub(super) fn objective_at_rest(task: &Task, goal: &GoalState) -> i64 {
     counted(&Performance::of(&task.particles, goal, &task.surface))
 }
 
+/// Whether a plan is predicted to be any better than doing nothing.
+pub fn is_gainful(task: &Task, plan: &Plan) -> bool {
+    objective(task, plan) > objective_at_rest(task, &plan.graph.goal)
+}
+
 /// The objective of a plan [particles]: those that it is predicted to leave where they belong, less several
 /// for each that leaves the surface over a wrong edge, and less for those that are pushed so near to one that
-/// some of the heap would fall.
+/// some of the heap would fall. What is pushed heaps up before the tool: what is brought just to the rim of the goal
+/// is partly beyond it.
 pub(super) fn objective(task: &Task, plan: &Plan) -> i64 {
     let mut margin = EdgeMargin::new(task, plan);
     let prediction = predict(task, plan, |progress| {
         margin.pass(progress.field.distribution());
     });
-    counted(&prediction.performance) - (RISK * margin.nearness()).round() as i64
+    let risk = RISK * margin.nearness() + margin.beyond(&plan.graph.goal, &task.surface.outline);
+    counted(&prediction.performance) - risk.round() as i64
 }
 
 const fn counted(performance: &Performance) -> i64 {
@@ -43,6 +53,8 @@ struct EdgeMargin {
     before: ParticleDistribution,
     /// How near to an edge each particle came in the worst case, over the width of the margin [1].
     nearness: Vec<f64>,
+    /// How far a heap reaches ahead of each particle, in the direction in which it was pushed last [m].
+    ahead: Vec<Vector2>,
 }
 
 impl EdgeMargin {
@@ -58,6 +70,7 @@ impl EdgeMargin {
                 .collect(),
             heap: HEAP_DEPTH * plan.collision_radius,
             nearness: vec![0.0; task.particles.len()],
+            ahead: vec![Vector2::zeros(); task.particles.len()],
             before: task.particles.clone(),
         }
     }
@@ -74,6 +87,7 @@ impl EdgeMargin {
             let distances = self.edges.iter().map(|edge| edge.distance(place));
             let distance = distances.fold(width, f64::min);
             self.nearness[i] = self.nearness[i].max(1.0 - distance / width);
+            self.ahead[i] = (place - self.before.position(i)).normalize() * width;
         }
         self.before = after;
     }
@@ -81,13 +95,33 @@ impl EdgeMargin {
     fn nearness(&self) -> f64 {
         self.nearness.iter().sum()
     }
+
+    /// How many of the particles that are brought to where dirt is to be collected lie beyond it, as a heap reaches
+    /// ahead of the line that they were pushed to.
+    fn beyond(&self, goal: &GoalState, outline: &Polygon) -> f64 {
+        let GoalState::Collected { center, radius } = goal else {
+            return 0.0;
+        };
+        let is_met = |place: Point2| (place - center).norm() <= *radius;
+        // What is beyond an edge counts by its nearness.
+        let is_beyond = |place: &Point2| !is_met(*place) && outline.contains(*place);
+        let share_beyond = |(place, ahead): (Point2, &Vector2)| {
+            let places = HEAP_PLACES.map(|share| place + ahead * share);
+            places.iter().filter(|place| is_beyond(place)).count() as f64 / places.len() as f64
+        };
+        let places = (self.before.iter().zip(&self.ahead))
+            .filter(|((place, fate), _)| *fate == Fate::OnSurface && is_met(*place));
+        places
+            .map(|((place, _), ahead)| share_beyond((place, ahead)))
+            .sum()
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{CoverageStrategy, Node, NodeRole, SemanticDirectedGraph, Stroke};
+    use super::super::{CoverageStrategy, Node, NodeRole, SemanticDirectedGraph, Stroke, predict};
     use super::*;
-    use crate::geometry::{Mesh, PlanarPose, Point2, Polygon, Pose, Region, Vector2, Vector3};
+    use crate::geometry::{Mesh, PlanarPose, Pose, Region, Vector3};
     use crate::represent::{
         Action, AngleRange, Interaction, LogNormal, LogNormalSpread, Redraw, Surface, SurfaceScope,
         Tool,
@@ -192,5 +226,24 @@ mod tests {
         assert_eq!(objective(&heap, &skimmed), 0);
         let skimmed = towards_the_edge(-0.12, GoalState::Skimmed);
         assert_eq!(objective(&heap, &skimmed), 50);
+    }
+
+    #[test]
+    fn a_heap_that_is_brought_just_to_the_rim_of_the_goal_is_partly_beyond_it() {
+        let heap = task(&[Point2::origin(); 50]);
+        let goal = |y: f64| GoalState::Collected {
+            center: Point2::new(0.0, y),
+            radius: 0.03,
+        };
+        let anywhere = towards_the_edge(-0.05, goal(0.0));
+        let lies = predict(&heap, &anywhere, |_| ()).particles.position(0).y;
+        let [rim, middle] = [lies + 0.029, lies].map(|y| towards_the_edge(-0.05, goal(y)));
+        let achieved = |plan| predict(&heap, plan, |_| ()).performance.achieved;
+        assert_eq!([achieved(&rim), achieved(&middle)], [50; 2]);
+        assert!(objective(&heap, &rim) < objective(&heap, &middle) - 20);
+        assert!(is_gainful(&heap, &middle));
+        // Where it lies already, nothing is gained.
+        let away = towards_the_edge(-0.05, goal(0.0));
+        assert!(!is_gainful(&heap, &away));
     }
 }

@@ -150,8 +150,18 @@ impl RoundJudge {
         } else {
             Verdict::NoProgress
         };
-        // A camera would tell.
-        if !is_seen && estimate.high >= self.target {
+        self.known(interpretation, ended)
+    }
+
+    /// What follows where no plan is predicted to bring anything.
+    pub fn without_gain(&self, interpretation: &Interpretation) -> Verdict {
+        self.known(interpretation, Verdict::NothingToGain)
+    }
+
+    /// How it ends where wiping again brings nothing: touch may not tell whether the goal is met. A camera would.
+    fn known(&self, interpretation: &Interpretation, ended: Verdict) -> Verdict {
+        let is_seen = interpretation.observation.is_some();
+        if !is_seen && interpretation.performance.high >= self.target {
             Verdict::UnknowableByTouch
         } else {
             ended
@@ -296,6 +306,11 @@ mod tests {
         let done = |shares| verdicts(Pace::Whole, true, &[felt(shares)])[0];
         assert_eq!(done(&[0.6; 8]), NothingToGain);
         assert_eq!(done(&wide), UnknowableByTouch);
+        let judge = RoundJudge::new(TARGET, Pace::Whole);
+        let without_gain = |interpretation| judge.without_gain(&interpretation);
+        assert_eq!(without_gain(felt(&[0.6; 8])), NothingToGain);
+        assert_eq!(without_gain(felt(&wide)), UnknowableByTouch);
+        assert_eq!(without_gain(seen(felt(&wide))), NothingToGain);
         // To become surer is progress.
         let mut surer = wide;
         surer[0] = 0.7;

@@ -9,7 +9,7 @@ use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::interpret::{Belief, InterpretConfig, Interpretation, Interpreter, Look, TouchSample};
 use crate::plan::{
     CoverageStrategy, Plan, PlanConfig, best_plan, best_subplan, best_subplan_of_candidates,
-    predict,
+    is_gainful, predict,
 };
 use crate::recover::{
     PLANNING_DRAWS, Pace, RoundJudge, RoundOutcome, Verdict, believed_performance, is_done,
@@ -282,11 +282,14 @@ impl<'a> Session<'a> {
             self.look_first(executor, observer)?;
         }
         let plan = match self.next_plan() {
-            Ok(plan) if plan.strokes.is_empty() && round > 1 => {
-                return Ok(self.end(Some(Verdict::NothingToGain), observer));
+            Ok(None) => {
+                let last = self.rounds.last();
+                let verdict = last.map(|round| self.judge.without_gain(&round.interpretation));
+                return Ok(self.end(verdict, observer));
             }
+            Ok(Some(plan)) => plan,
             Err(_) if round > 1 => return Ok(self.end(Some(Verdict::NoWay), observer)),
-            plan => plan?,
+            Err(error) => return Err(error),
         };
         self.goal.get_or_insert(plan.graph.goal);
         let _ = observer(&RunEvent::Planned { round, plan: &plan });
@@ -324,8 +327,8 @@ impl<'a> Session<'a> {
         Ok(())
     }
 
-    /// A plan for what is not yet done.
-    fn next_plan(&mut self) -> Result<Plan, RunError> {
+    /// A plan for what is not yet done; in later rounds none where none is predicted to bring anything.
+    fn next_plan(&mut self) -> Result<Option<Plan>, RunError> {
         let (task, config) = (&self.task, &self.config);
         let whole = match (self.given.take(), self.goal.as_ref()) {
             (Some(plan), _) => plan,
@@ -351,16 +354,17 @@ impl<'a> Session<'a> {
                     ..config.plan.clone()
                 };
                 let count = recovery_candidates(&task.tool.footprint);
-                return Ok(match config.pace {
+                let plan = match config.pace {
                     Pace::Whole => best_plan(task, &open, &kde, count)?,
                     Pace::Greedy => best_subplan_of_candidates(task, &open, &kde, count)?,
-                });
+                };
+                return Ok(Some(plan).filter(|plan| is_gainful(task, plan)));
             }
         };
-        Ok(match config.pace {
+        Ok(Some(match config.pace {
             Pace::Whole => whole,
             Pace::Greedy => best_subplan(task, &whole)?,
-        })
+        }))
     }
 
     fn follow_round(&mut self, plan: Plan, observer: &mut Observer<'_>) -> Result<Stage, RunError> {

@@ -325,3 +325,26 @@ fn wiped(belief: &Belief, task: &Task) -> Belief {
     let felt = wisch::interpret::interpret(&samples, task, belief, &goal, &config).unwrap();
     felt.belief
 }
+
+/// Dirt is pushed over the edge at the bottom; what is no longer seen went the same way, whichever edge is nearest.
+#[test]
+fn what_is_gone_went_over_the_edge_over_which_the_tool_wiped() {
+    let task = task(80, STEEP);
+    let surface = &task.surface;
+    let here = |y: f64| Point2::new(0.0, y);
+    let down = surface.exit_edge(here(-0.1), here(-0.5)).unwrap();
+    let edge = u16::try_from(down).unwrap();
+    let mut places = vec![(here(-0.2), Fate::OffSurface { edge }); 40];
+    places.extend([(here(0.13), Fate::OnSurface); 40]);
+    let member = ParticleDistribution::with_fates(&places).unwrap();
+    let belief = wiped(&Belief::of(vec![member; 20]).unwrap(), &task);
+    let seen = Observation::default();
+    let after = belief.seen(&look(&task, &GoalState::Skimmed, &seen));
+    for member in after.replays() {
+        assert!(
+            member
+                .iter()
+                .all(|(_, fate)| fate == Fate::OffSurface { edge })
+        );
+    }
+}

@@ -88,7 +88,6 @@ impl Replay<'_> {
             ..self.config.clone()
         };
         let mut exposures = vec![vec![Exposure::default(); guesses]; particles.len()];
-        let bounds = self.footprint.bounds();
         let compression = config.nominal_compression();
         for guess in 0..guesses {
             let parameters = MemberParameters::draw(&config, guess as u64);
@@ -100,7 +99,9 @@ impl Replay<'_> {
                 guess as u64,
             );
             let mut field = ParticleField::new(&there);
-            let mut model = EffectModel::new(self.footprint, self.effect);
+            let footprint = self.footprint.scaled(parameters.footprint_scale);
+            let mut model = EffectModel::new(&footprint, self.effect);
+            let bounds = footprint.bounds();
             let mut clock = TravelClock::default();
             for contact in evidence.motions(guess as u64).iter() {
                 let contact = parameters.applied(contact);

@@ -13,6 +13,8 @@ const STREAMS: u64 = 0x7661_7279_0000_0000;
 /// Streams for where known particles lie.
 const PLACES: u64 = 0x706c_6163_0000_0000;
 
+/// By how much more a law is off that is just wrong [1].
+const OUTLIER: f64 = 3.0;
 /// Share of the members in which nothing slips past the tool [1].
 const UNSLIPPED: f64 = 0.875;
 
@@ -20,6 +22,8 @@ const UNSLIPPED: f64 = 0.875;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct MemberParameters {
     grasp: PlanarPose,
+    /// Size of the footprint over the believed one [1].
+    pub(super) footprint_scale: f64,
     force_scale: f64,
     /// Depth of a heap of all particles over r_s [1].
     pub(super) heap: f64,
@@ -42,6 +46,9 @@ impl MemberParameters {
         let [mu, sigma] = normal_pair(&mut random).into();
         let is_kept = random.random::<f64>() < uncertainty.kept_share;
         let length = normal(&mut random);
+        let size = normal(&mut random);
+        let is_outlier = random.random::<f64>() < uncertainty.law_outlier_share;
+        let off = if is_outlier { OUTLIER } else { 1.0 };
         let LogNormal {
             mu: mean,
             sigma: spread,
@@ -49,10 +56,11 @@ impl MemberParameters {
         Self {
             grasp: PlanarPose::new(Point2::from(offset), turn * uncertainty.grasp_turn),
             heap,
+            footprint_scale: (1.0 + size * uncertainty.footprint_share).max(0.1),
             force_scale: (1.0 + scale * uncertainty.force_share).max(0.0),
             likelihood: LogNormal {
-                mu: mean + mu * uncertainty.law_mu,
-                sigma: spread * libm::exp(sigma * uncertainty.law_sigma),
+                mu: mean + mu * uncertainty.law_mu * off,
+                sigma: spread * libm::exp(sigma * uncertainty.law_sigma * off),
             },
             redraw_length: config.redraw_length_m * libm::exp(length * uncertainty.redraw_share),
             is_kept,

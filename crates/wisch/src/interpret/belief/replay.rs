@@ -89,13 +89,14 @@ impl Replay<'_> {
             parameters,
             activation,
         } = state;
-        let mut model = EffectModel::new(self.footprint, self.effect);
+        let footprint = self.footprint.scaled(parameters.footprint_scale);
+        let mut model = EffectModel::new(&footprint, self.effect);
         if self.effect == Effect::Push {
             let heap_depth = parameters.heap * self.config.redraw_length_m;
             model = model.with_heap(heap_depth, activation.key);
         }
         let mut field = ParticleField::new(particles);
-        let bounds = self.footprint.bounds();
+        let bounds = footprint.bounds();
         let likelihood = &parameters.likelihood;
         for contact in motions {
             let contact = parameters.applied(contact);

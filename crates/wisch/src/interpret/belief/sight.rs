@@ -261,11 +261,18 @@ impl Look<'_> {
                 None => particles.push((there, Fate::OnSurface)),
             }
         }
+        // What the member has over edges tells over which the tool has wiped.
+        let crossed: Vec<u16> = (was.iter())
+            .filter_map(|(_, fate)| match fate {
+                Fate::OffSurface { edge } => Some(edge),
+                Fate::OnSurface | Fate::Absorbed => None,
+            })
+            .collect();
         let mut is_there = vec![true; particles.len()];
         for index in free {
             if particles[index].1 == Fate::OnSurface {
                 is_there[index] = !is_first;
-                particles[index].1 = self.fate_of_missing(particles[index].0);
+                particles[index].1 = self.fate_of_missing(particles[index].0, &crossed, random);
             }
         }
         let mut is_there = is_there.into_iter();
@@ -336,10 +343,13 @@ impl Look<'_> {
         }
     }
 
-    /// What became of dirt that is no longer there.
-    fn fate_of_missing(&self, place: Point2) -> Fate {
+    /// What became of dirt that is no longer there, in a member that has dirt over these edges.
+    fn fate_of_missing(&self, place: Point2, crossed: &[u16], random: &mut ChaCha8Rng) -> Fate {
         match self.goal.action().effect() {
             Effect::Absorb => Fate::Absorbed,
+            Effect::Push if !crossed.is_empty() => Fate::OffSurface {
+                edge: crossed[random.random_range(0..crossed.len())],
+            },
             Effect::Push => {
                 let edges = self.surface.outline.edges();
                 let distances = edges.map(|edge| edge.distance(place)).enumerate();

@@ -1,0 +1,112 @@
+//! Whether people who push were noticed, and when.
+
+use serde::{Deserialize, Serialize};
+use std::iter::Sum;
+use std::ops::Add;
+
+/// Touches with less time between them are one push [s], as for the interpreter.
+const GAP: f64 = 0.35;
+/// A start or an end is found if it was told no more than this apart [s].
+const TOLERANCE: f64 = 0.05;
+
+/// Pushes of one or many rounds, as they were and as they were told.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct PushCounts {
+    /// Rounds.
+    pub rounds: usize,
+    /// Rounds in which nobody pushed.
+    pub undisturbed: usize,
+    /// Pushes that were over before the round was.
+    pub pushes: usize,
+    /// Of these, told.
+    pub found: usize,
+    /// Told, and begun within 50 ms of when it was told.
+    pub starts: usize,
+    /// Told, and ended within 50 ms of when it was told.
+    pub ends: usize,
+    /// Pushes told in rounds in which nobody pushed.
+    pub invented: usize,
+}
+
+impl PushCounts {
+    /// Of a round that lasted so long [s], with the times at which a hand touched the tool, and those at which a
+    /// collision was told.
+    pub fn of_round(duration: f64, touches: &[[f64; 2]], told: &[[f64; 2]]) -> Self {
+        let mut pushes: Vec<[f64; 2]> = Vec::new();
+        for &[start, end] in touches {
+            match pushes.last_mut() {
+                Some(before) if start <= before[1] + GAP => before[1] = before[1].max(end),
+                _ => pushes.push([start, end]),
+            }
+        }
+        let is_undisturbed = pushes.is_empty();
+        // What the end of the round cuts off has no end to be told.
+        pushes.retain(|[_, end]| end + TOLERANCE < duration);
+        let mut counts = Self {
+            rounds: 1,
+            undisturbed: usize::from(is_undisturbed),
+            pushes: pushes.len(),
+            invented: if is_undisturbed { told.len() } else { 0 },
+            ..Self::default()
+        };
+        for [start, end] in pushes {
+            let during = told
+                .iter()
+                .filter(|told| told[0] < end + TOLERANCE && told[1] > start - TOLERANCE);
+            let whole = during
+                .copied()
+                .reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
+            let Some([first, last]) = whole else { continue };
+            counts.found += 1;
+            counts.starts += usize::from((first - start).abs() <= TOLERANCE);
+            counts.ends += usize::from((last - end).abs() <= TOLERANCE);
+        }
+        counts
+    }
+}
+
+impl Add for PushCounts {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            rounds: self.rounds + other.rounds,
+            undisturbed: self.undisturbed + other.undisturbed,
+            pushes: self.pushes + other.pushes,
+            found: self.found + other.found,
+            starts: self.starts + other.starts,
+            ends: self.ends + other.ends,
+            invented: self.invented + other.invented,
+        }
+    }
+}
+
+impl Sum for PushCounts {
+    fn sum<I: Iterator<Item = Self>>(counts: I) -> Self {
+        counts.fold(Self::default(), Add::add)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn touches_soon_after_each_other_are_one_push_that_is_told_in_time_or_late() {
+        let touches = [[1.0, 1.5], [1.7, 2.0], [5.0, 5.5], [9.0, 10.0]];
+        let told = [[1.02, 1.6], [1.65, 2.2]];
+        let counts = PushCounts::of_round(10.0, &touches, &told);
+        let expected = PushCounts {
+            rounds: 1,
+            pushes: 2,
+            found: 1,
+            starts: 1,
+            ..PushCounts::default()
+        };
+        assert_eq!(counts, expected, "the last is cut off, the second not told");
+        let calm = PushCounts::of_round(10.0, &[], &told);
+        assert_eq!((calm.undisturbed, calm.invented, calm.pushes), (1, 2, 0));
+        let both: PushCounts = [counts, calm].into_iter().sum();
+        assert_eq!((both.rounds, both.pushes, both.invented), (2, 2, 2));
+    }
+}

@@ -1,0 +1,143 @@
+//! The method with other uncertainties, asked on the very rounds that the method executed: what each of its parts
+//! costs or brings.
+
+use serde::{Deserialize, Serialize};
+use std::str::FromStr;
+use wisch::interpret::{
+    Belief, InterpretConfig, InterpretError, Interpreter, Look, PerformanceDistribution,
+    TouchSample, Uncertainty,
+};
+use wisch::represent::{GoalState, Observation, Sight, Task};
+use wisch::run::PlannedRound;
+
+/// Other uncertainties under a name, such as `no heap:heap_depth=0`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Variant {
+    /// What it is called in tables.
+    pub name: String,
+    /// Fields of [`Uncertainty`] with their values.
+    pub fields: Vec<(String, f64)>,
+}
+
+impl Variant {
+    /// What is not known exactly according to the variant.
+    ///
+    /// # Errors
+    /// No such field, or a value out of its range.
+    pub fn uncertainty(&self, method: Uncertainty) -> Result<Uncertainty, InterpretError> {
+        let mut fields = self.fields.iter();
+        fields.try_fold(method, |changed, (name, value)| changed.with(name, *value))
+    }
+}
+
+impl FromStr for Variant {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (name, fields) = (text.split_once(':'))
+            .filter(|(name, fields)| !name.trim().is_empty() && !fields.is_empty())
+            .ok_or_else(|| format!("`{text}` is not NAME:FIELD=VALUE[,FIELD=VALUE…]"))?;
+        let field = |field: &str| {
+            let (name, value) = field
+                .split_once('=')
+                .ok_or_else(|| format!("`{field}` is not FIELD=VALUE"))?;
+            let value: f64 = (value.trim().parse())
+                .map_err(|_| format!("{}: `{}` is no number", name.trim(), value.trim()))?;
+            Ok((name.trim().to_owned(), value))
+        };
+        let fields: Result<Vec<_>, String> = fields.split(',').map(field).collect();
+        let variant = Self {
+            name: name.trim().to_owned(),
+            fields: fields?,
+        };
+        (variant.uncertainty(Uncertainty::default())).map_err(|error| error.to_string())?;
+        Ok(variant)
+    }
+}
+
+/// A look, as far as it does not depend on the round.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Seen<'a> {
+    pub(crate) observation: &'a Observation,
+    pub(crate) sight: Sight,
+}
+
+impl<'a> Seen<'a> {
+    /// Of what was observed, if the robot sees at all.
+    pub(crate) fn of(observation: Option<&'a Observation>, sight: Option<Sight>) -> Option<Self> {
+        Some(Self {
+            observation: observation?,
+            sight: sight?,
+        })
+    }
+
+    pub(crate) fn look(self, task: &'a Task, goal: &'a GoalState) -> Look<'a> {
+        Look {
+            observation: self.observation,
+            sight: self.sight,
+            surface: &task.surface,
+            goal,
+            seed: task.seed,
+        }
+    }
+}
+
+/// A variant over the rounds of a world.
+#[derive(Debug, Clone)]
+pub(crate) struct VariantBelief<'a> {
+    variant: &'a Variant,
+    belief: Belief,
+}
+
+impl<'a> VariantBelief<'a> {
+    /// Before the first round, with the method's own belief.
+    pub(crate) const fn new(variant: &'a Variant, belief: Belief) -> Self {
+        Self { variant, belief }
+    }
+
+    /// Goes through a round with what was felt in it and what was seen after it.
+    pub(crate) fn after(
+        &mut self,
+        planned: &PlannedRound,
+        felt: &[TouchSample],
+        seen: Option<Seen<'_>>,
+        goal: &GoalState,
+    ) -> Result<PerformanceDistribution, InterpretError> {
+        let task = &planned.task;
+        let mut config = InterpretConfig::of(task);
+        config.uncertainty = self.variant.uncertainty(config.uncertainty)?;
+        let mut interpreter = Interpreter::new(task, &config)?;
+        for sample in felt {
+            interpreter.push(sample)?;
+        }
+        let mut interpretation = interpreter.conclude(&self.belief, goal)?;
+        if let Some(seen) = seen {
+            interpretation.look(&seen.look(task, goal));
+        }
+        self.belief = interpretation.belief;
+        Ok(interpretation.distribution)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_variant_is_read_and_refused_by_name_and_value() {
+        let variant: Variant = "no law: law_mu=0, law_sigma=0".parse().unwrap();
+        let changed = variant.uncertainty(Uncertainty::default()).unwrap();
+        assert_eq!((changed.law_mu, changed.law_sigma), (0.0, 0.0));
+        assert_eq!(changed.heap_depth, Uncertainty::default().heap_depth);
+        for (wrong, word) in [
+            ("heap_depth=0", "NAME:FIELD=VALUE"),
+            ("a:heap_depth", "FIELD=VALUE"),
+            ("a:heap_depth=x", "no number"),
+            ("a:depth=1", "no field"),
+            ("a:slip_share=2", "0 to 1"),
+        ] {
+            let error = wrong.parse::<Variant>().unwrap_err();
+            assert!(error.contains(word), "{error}");
+        }
+    }
+}
