@@ -89,7 +89,7 @@ impl Replay<'_> {
         };
         let mut exposures = vec![vec![Exposure::default(); guesses]; particles.len()];
         let compression = config.nominal_compression();
-        for guess in 0..guesses {
+        (0..guesses).for_each(|guess| {
             let parameters = MemberParameters::draw(&config, guess as u64);
             let there = scattered(
                 particles,
@@ -121,7 +121,7 @@ impl Replay<'_> {
                     false
                 });
             }
-        }
+        });
         exposures
     }
 }
