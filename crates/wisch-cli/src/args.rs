@@ -2,12 +2,14 @@
 
 mod ask;
 mod eval;
+mod learn;
 mod log;
 mod memory;
 mod robot;
 
 pub use ask::{AskArgs, EngineChoice};
 pub use eval::{CalibrationArgs, EvalCommand, SensesChoice};
+pub use learn::LearnArgs;
 pub use log::{InterpretArgs, LogArgs, LoggedArgs};
 pub use memory::{
     EpisodeArgs, ExportArgs, ImportArgs, KeepArgs, MemoryArgs, MemoryCommand, MemoryListArgs,
@@ -173,6 +175,20 @@ it goes. Writes interpretation.json and particles/particles-estimated.csv.
 
 Exit codes: 0 the estimated performance reaches the task's target, 1 it does not, 2 an error.")]
     Interpret(Box<InterpretArgs>),
+    /// Learn how tools move dirt from rounds that were looked at before and after
+    #[command(after_help = "\
+Examples:
+  wisch learn out/chopping-board                the rounds of a run
+  wisch learn runs/*/telemetry/*.mcap --task board.toml --task table.toml
+  wisch learn out/board-* --task board.toml --diff | patch -p1 -d my-knowledge
+  wisch learn out/board-* --task board.toml --json | jq '.laws[] | .mu'
+
+A bag holds what a camera saw before and after its round if the task's robot looks (perception.senses).
+Writes learned.toml: the interactions of the knowledge base with mu, sigma, how well they are known, and
+the travel after which a grain draws anew.
+
+Exit codes: 0 something was learned, 2 an error.")]
+    Learn(LearnArgs),
     /// Show a tool's footprint: where it touches the surface
     #[command(after_help = "\
 Examples:

@@ -9,6 +9,7 @@ mod follow;
 mod interpret;
 #[cfg(target_os = "linux")]
 mod kills;
+mod learn;
 mod memory;
 mod plans;
 mod program;

@@ -2,7 +2,7 @@
 
 use crate::digest::InputDigest;
 use crate::error::Error;
-use crate::knowledge::parse_knowledge;
+use crate::knowledge::{InteractionRevision, RevisedFile, parse_knowledge, revised};
 use include_dir::{Dir, include_dir};
 use std::fs::File;
 use std::io::{ErrorKind, Read};
@@ -231,6 +231,14 @@ impl KnowledgeSource {
         Ok(parse_knowledge(&texts)?)
     }
 
+    /// The files that change if this is written into them; nothing is written.
+    ///
+    /// # Errors
+    /// Those of [`base`](Self::base), an interaction that no file has as a table, or one that would be refused.
+    pub fn revised(&self, revisions: &[InteractionRevision]) -> Result<Vec<RevisedFile>, Error> {
+        revised(&self.texts()?, revisions)
+    }
+
     /// The PDDL domain of wiping.
     ///
     /// # Errors
@@ -274,7 +282,7 @@ impl KnowledgeSource {
     }
 
     /// Every TOML file of the folder with its name, by name.
-    fn texts(&self) -> Result<Vec<(String, String)>, Error> {
+    pub(crate) fn texts(&self) -> Result<Vec<(String, String)>, Error> {
         let mut texts = match self {
             Self::BuiltIn => BUILT_IN
                 .files()

@@ -19,7 +19,7 @@ mod task_file;
 pub use assets::{KnowledgeSource, beside, read, read_text, shipped_scenarios};
 pub use digest::InputDigest;
 pub use error::Error;
-pub use knowledge::{KnowledgeFileError, parse_knowledge};
+pub use knowledge::{InteractionRevision, KnowledgeFileError, RevisedFile, parse_knowledge};
 pub use load::{Derivation, LoadOptions, LoadedTask, load_task};
 pub use output::{
     FOLLOWING_FILE, Found, INTERPRETATION_FILE, Leftover, OutputFile, OutputFolder,

@@ -173,6 +173,14 @@ pub enum ReadFault {
         /// The time before [s].
         last: f64,
     },
+    /// What a camera saw cannot be read.
+    #[error("topic {topic}: {problem}")]
+    Look {
+        /// The topic.
+        topic: String,
+        /// What is wrong.
+        problem: String,
+    },
     /// A topic or column that is not there.
     #[error("{0}")]
     Unknown(wisch::represent::UnknownName),

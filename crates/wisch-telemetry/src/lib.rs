@@ -20,7 +20,7 @@ mod ros2;
 mod table;
 mod track;
 
-pub use bag::{BagHead, BagWriter, active_path};
+pub use bag::{BagHead, BagWriter, LookTime, active_path};
 pub use error::{ReadError, ReadFault, RecordingKind, WriteError};
 pub use log::{AxesSource, Log, Skipped, read};
 pub use options::{Axes, AxesChoice, LogOptions, TopicChoice, WrenchSign};

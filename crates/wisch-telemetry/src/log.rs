@@ -12,7 +12,7 @@ use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::TouchSample;
-use wisch::represent::UnknownName;
+use wisch::represent::{Observation, UnknownName};
 use wisch::robot::JointMotion;
 
 /// How the axes of a force were found out.
@@ -45,6 +45,10 @@ pub struct Log {
     pub frames_used: Vec<String>,
     /// Name of the task that was executed: bags of our own say so.
     pub task: Option<String>,
+    /// Which round of its run it was, from 1: bags of our own say so.
+    pub round: Option<usize>,
+    /// What a camera saw of the dirt before the first sample and after the last, in the frame of the believed surface.
+    pub observations: [Option<Observation>; 2],
     /// Where the log has the target surface at its beginning: bags of our own say so.
     pub world_from_surface: Option<Pose>,
     /// A table's line of units.
@@ -249,6 +253,8 @@ fn understood(mut raw: RawLog, options: &LogOptions) -> Result<Log, ReadFault> {
         frames_used: [world.said, sensor.said].into_iter().flatten().collect(),
         world_from_surface: surface(&raw, start),
         task: raw.task.clone(),
+        round: raw.round,
+        observations: raw.looks.clone(),
         units: raw.units.clone(),
         repeated: raw.poses.repeated + raw.wrenches.repeated,
         skipped: skipped.into_iter().flatten().collect(),

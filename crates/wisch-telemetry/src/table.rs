@@ -104,6 +104,8 @@ pub(crate) fn read(bytes: &[u8], options: &LogOptions) -> Result<RawLog, ReadFau
         frames: Frames::default(),
         joints: JointPositions::default(),
         task: None,
+        round: None,
+        looks: [None, None],
         units,
         axes: None,
         start: None,

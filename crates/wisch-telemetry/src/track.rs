@@ -6,6 +6,7 @@ use super::quantity::{Quantity, QuantityError};
 use super::ros2::NANOSECONDS_PER_SECOND;
 use std::collections::BTreeMap;
 use wisch::geometry::{Pose, Vector3};
+use wisch::represent::Observation;
 use wisch::robot::{JointMotion, JointTransform};
 
 /// What a log says of one quantity, in the order of time.
@@ -40,6 +41,10 @@ pub(crate) struct RawLog {
     pub joints: JointPositions,
     /// The name of the task that was executed, where the writer says it.
     pub task: Option<String>,
+    /// Which round of its run was executed, where the writer says it.
+    pub round: Option<usize>,
+    /// What was seen of the dirt before and after.
+    pub looks: [Option<Observation>; 2],
     /// A table's line of units, and what it means by columns that are read.
     pub units: Option<UnitsLine>,
 }

@@ -2,7 +2,8 @@
 
 use wisch::geometry::{Mesh, Polygon, Pose, Region, Vector2, Vector3};
 use wisch::represent::{
-    Action, AngleRange, Interaction, LogNormal, LogNormalSpread, Surface, SurfaceScope, Tool,
+    Action, AngleRange, Interaction, LogNormal, LogNormalSpread, Redraw, Surface, SurfaceScope,
+    Tool,
 };
 
 /// Depth, width and height of the sponge [m].
@@ -52,5 +53,6 @@ pub fn interaction() -> Interaction {
             sigma: 0.25,
         },
         likelihood_spread: LogNormalSpread::NONE,
+        redraw: Redraw::default(),
     }
 }

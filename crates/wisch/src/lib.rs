@@ -58,6 +58,7 @@
 //! | [`follow`](mod@follow) | from strokes to joint motion, and an audit of it | [`follow::follow()`], [`follow::audit()`] |
 //! | [`control`] | the compliant controller (8) and the observer of external forces | [`control::ImpedanceController`] |
 //! | [`interpret`] | from poses and forces to contact, plane, events and what was wiped | [`interpret::Interpreter`] |
+//! | [`learn`](mod@learn) | what rounds that were looked at before and after say of the laws | [`learn::learn()`] |
 //! | [`recover`] | what follows from that: the next task, or the end | [`recover::next_task()`] |
 //! | [`run`] | the loop of all these, with whatever executes motions | [`run::Session`], [`run::Executor`] |
 //!
@@ -74,6 +75,7 @@ pub mod follow;
 pub mod geometry;
 pub mod goal;
 pub mod interpret;
+pub mod learn;
 pub mod plan;
 pub mod random;
 pub mod recover;

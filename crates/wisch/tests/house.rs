@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The stages in the order in which data walks through them.
-const STAGES: [&str; 10] = [
+const STAGES: [&str; 11] = [
     "geometry",
     "represent",
     "goal",
@@ -17,6 +17,7 @@ const STAGES: [&str; 10] = [
     "follow",
     "control",
     "interpret",
+    "learn",
     "recover",
     "run",
 ];

@@ -7,7 +7,7 @@ mod effects;
 #[path = "interpret/events.rs"]
 mod events_found;
 #[path = "interpret/log.rs"]
-mod log;
+pub mod log;
 #[path = "interpret/uncertain.rs"]
 mod uncertain;
 

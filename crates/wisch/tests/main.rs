@@ -9,6 +9,7 @@ mod goal;
 mod house;
 mod ik;
 mod interpret;
+mod learn;
 mod plan;
 mod robot;
 mod scenarios;

@@ -12,6 +12,7 @@ mod import;
 mod interpret;
 mod interrupt;
 mod job;
+mod learn;
 mod look;
 mod map;
 mod memory;
@@ -41,6 +42,7 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Plan(args) => run::plan_only(args, &cli.global),
         Command::Predict(args) => run::predict_only(args, &cli.global),
         Command::Interpret(args) => interpret::interpret(args, &cli.global),
+        Command::Learn(args) => learn::learn(args, &cli.global),
         Command::Footprint(args) => footprint::footprint(args, &cli.global),
         Command::New(args) => new::new(args, &cli.global),
         Command::Scenarios(args) => scenarios::scenarios(args),

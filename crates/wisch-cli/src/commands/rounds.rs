@@ -139,6 +139,9 @@ pub fn execute(
             Err(error) => break Err(error),
         }
     };
+    if let Err(failure) = recorder.end().map_err(cannot_write) {
+        no_bag.get_or_insert(failure);
+    }
     if let Some(failure) = watch.failure {
         return Err(failure);
     }

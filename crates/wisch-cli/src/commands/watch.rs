@@ -5,14 +5,14 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
-use wisch::geometry::Point3;
+use wisch::geometry::{Point2, Point3, Polygon, Pose, Region};
 use wisch::plan::Plan;
-use wisch::represent::Task;
+use wisch::represent::{Observation, Task};
 use wisch::run::{PlannedRound, RunEvent, TelemetrySample};
 use wisch_io::{OutputFolder, RoundTimes};
 use wisch_report::EffectFrames;
 use wisch_sim::Checkpoints;
-use wisch_telemetry::{BagHead, BagWriter, WriteError};
+use wisch_telemetry::{BagHead, BagWriter, LookTime, WriteError};
 
 /// Between two updates of the progress [samples].
 const SAY_EVERY: usize = 200;
@@ -132,6 +132,11 @@ pub struct Recorder<'a> {
     taken_over: usize,
     is_realtime: bool,
     bag: Option<BagWriter>,
+    /// Whether what the bag records is over.
+    is_executed: bool,
+    /// Where the surface was believed to be when it was planned, and what was last seen of it.
+    world_from_surface: Pose,
+    seen: Option<Seen>,
     has_given_up: bool,
     samples: usize,
     round: usize,
@@ -155,6 +160,9 @@ impl<'a> Recorder<'a> {
             taken_over,
             is_realtime,
             bag: None,
+            is_executed: false,
+            world_from_surface: job.prepared.task.surface.world_from_surface,
+            seen: None,
             has_given_up: false,
             samples: 0,
             round: 0,
@@ -163,9 +171,21 @@ impl<'a> Recorder<'a> {
         }
     }
 
+    /// Follows which round it is and what is seen, taken over or not.
     pub fn round_of(&mut self, event: &RunEvent<'_>) {
-        if let RunEvent::Executing(planned) = event {
-            self.round = planned.number;
+        match event {
+            RunEvent::Executing(planned) => {
+                self.round = planned.number;
+                self.world_from_surface = planned.task.surface.world_from_surface;
+            }
+            // The bag of this round has been begun with what was seen before it.
+            RunEvent::Observed { observation, .. } => {
+                self.seen = Some(Seen {
+                    world_from_surface: self.world_from_surface,
+                    observation: (*observation).clone(),
+                });
+            }
+            _ => {}
         }
     }
 
@@ -184,9 +204,22 @@ impl<'a> Recorder<'a> {
             _ if self.has_given_up => Ok(()),
             RunEvent::Executing(planned) => self.begin(planned),
             RunEvent::Sample(sample) => self.sample(sample),
-            RunEvent::Interpreting { .. } => self.bag.take().map_or(Ok(()), BagWriter::finish),
+            RunEvent::Interpreting { .. } => {
+                self.is_executed = true;
+                Ok(())
+            }
+            RunEvent::Observed { observation, .. } => (self.bag.as_mut()).map_or(Ok(()), |bag| {
+                bag.write_observation(LookTime::After, observation)
+            }),
+            RunEvent::Judged(_) => self.end(),
             _ => Ok(()),
         }
+    }
+
+    /// Ends the bag of a round that was executed, whatever became of it afterwards.
+    pub fn end(&mut self) -> Result<(), WriteError> {
+        let bag = self.bag.take_if(|_| self.is_executed);
+        bag.map_or(Ok(()), BagWriter::finish)
     }
 
     fn begin(&mut self, planned: &PlannedRound) -> Result<(), WriteError> {
@@ -213,7 +246,12 @@ impl<'a> Recorder<'a> {
         let path = self.folder.place(&bag_name(planned.number));
         let mut bag = BagWriter::create(&path, head)?;
         bag.write_particles(0.0, &in_world(task))?;
+        if let Some(seen) = &self.seen {
+            let before = seen.of_surface(&task.surface.world_from_surface);
+            bag.write_observation(LookTime::Before, &before)?;
+        }
         self.bag = Some(bag);
+        self.is_executed = false;
         Ok(())
     }
 
@@ -231,6 +269,30 @@ impl<'a> Recorder<'a> {
             std::thread::sleep(ahead.saturating_sub(self.begin.elapsed()));
         }
         self.bag.as_mut().map_or(Ok(()), |bag| bag.write(sample))
+    }
+}
+
+/// What was seen of a surface that was believed to be there.
+struct Seen {
+    world_from_surface: Pose,
+    observation: Observation,
+}
+
+impl Seen {
+    /// The same, of the surface believed elsewhere since.
+    fn of_surface(&self, world_from_surface: &Pose) -> Observation {
+        if self.world_from_surface == *world_from_surface {
+            return self.observation.clone();
+        }
+        let now_from_then = world_from_surface.inverse() * self.world_from_surface;
+        let moved = |p: &Point2| (now_from_then * Point3::new(p.x, p.y, 0.0)).xy();
+        let hidden = self.observation.hidden.polygons().iter();
+        let hidden =
+            hidden.map(|part| Polygon::new(part.outer().iter().map(moved).collect(), vec![]));
+        Observation {
+            detections: self.observation.detections.iter().map(moved).collect(),
+            hidden: Region::new(hidden.collect()),
+        }
     }
 }
 

@@ -2,11 +2,14 @@
 
 mod grip;
 mod record;
+mod revision;
 mod source;
 #[cfg(test)]
 mod tests;
 
 pub(crate) use record::is_entry_name;
+pub(crate) use revision::revised;
+pub use revision::{InteractionRevision, RevisedFile};
 
 use wisch::represent::{KnowledgeBase, KnowledgeError, SurfaceScope};
 use wisch::source_location::Place;

@@ -12,8 +12,8 @@ use super::source::{Limits, Source, UNIT_NORM};
 use wisch::geometry::Vector3;
 use wisch::represent::{
     Action, AreaOfEffect, GrainSize, Interaction, KnowledgeBase, KnowledgeError, LogNormal,
-    LogNormalSpread, MediumEntry, MediumKind, SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry,
-    ToolMesh,
+    LogNormalSpread, MediumEntry, MediumKind, Redraw, SurfaceEntry, SurfaceScope, TiltFreedom,
+    ToolEntry, ToolMesh,
 };
 use wisch::source_location::Place;
 
@@ -43,6 +43,7 @@ const MU: Limits = (Included(-10.0), Included(10.0));
 /// Wider than ten decades says nothing.
 const SIGMA: Limits = (Excluded(0.0), Included(10.0));
 const SPREAD: Limits = (Included(0.0), Included(10.0));
+const SHARE: Limits = (Included(0.0), Included(1.0));
 
 #[derive(Deserialize)]
 struct SchemaRecord {
@@ -131,6 +132,9 @@ struct InteractionRecord {
     sigma: Spanned<f64>,
     mu_spread: Option<Spanned<f64>>,
     ln_sigma_spread: Option<Spanned<f64>>,
+    redraw_length_m: Option<Spanned<f64>>,
+    ln_redraw_length_spread: Option<Spanned<f64>>,
+    kept_share: Option<Spanned<f64>>,
 }
 
 /// Whether something may be called so: a PDDL name that has no meaning of its own.
@@ -316,6 +320,16 @@ impl Source<'_> {
         if let Some(spread) = &record.ln_sigma_spread {
             likelihood_spread.ln_sigma = self.number("ln_sigma_spread", spread, SPREAD)?;
         }
+        let mut redraw = Redraw::default();
+        if let Some(length) = &record.redraw_length_m {
+            redraw.length_m = Some(self.number("redraw_length_m", length, EXTENT_M)?);
+        }
+        if let Some(spread) = &record.ln_redraw_length_spread {
+            redraw.ln_length_spread = self.number("ln_redraw_length_spread", spread, SPREAD)?;
+        }
+        if let Some(share) = &record.kept_share {
+            redraw.kept_share = self.number("kept_share", share, SHARE)?;
+        }
         let medium = knowledge.medium(record.medium.get_ref());
         Ok(Interaction {
             medium: self.found(&record.medium, medium)?.name.clone(),
@@ -340,6 +354,7 @@ impl Source<'_> {
                 sigma: number("sigma", &record.sigma, SIGMA)?,
             },
             likelihood_spread,
+            redraw,
         })
     }
 }

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use wisch::geometry::Vector3;
 use wisch::represent::{
     Action, AngleRange, GrainSize, Interaction, KnowledgeBase, KnowledgeError, LogNormal,
-    LogNormalSpread, MediumEntry, SurfaceEntry, SurfaceScope, ToolEntry, ToolMesh,
+    LogNormalSpread, MediumEntry, Redraw, SurfaceEntry, SurfaceScope, ToolEntry, ToolMesh,
 };
 use wisch::source_location::Place;
 
@@ -280,6 +280,7 @@ impl TaskFile {
                 compression_depth_m: knowledge.tool(tool).map_err(unknown)?.compression_depth_m,
                 likelihood: LIKELIHOOD,
                 likelihood_spread: LogNormalSpread::default(),
+                redraw: Redraw::default(),
             },
         };
         // A scope of all surfaces stays as it is for the others.

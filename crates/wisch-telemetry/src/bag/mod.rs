@@ -3,11 +3,13 @@
 mod container;
 mod joint_states;
 mod locator;
+mod observation;
 mod reader;
 mod topic;
 mod unpack;
 mod writer;
 
+pub use observation::LookTime;
 pub(crate) use reader::BagReader;
 pub(crate) use topic::{FRAME_SURFACE, FRAME_WORLD};
 pub use writer::{BagHead, BagWriter, active_path};

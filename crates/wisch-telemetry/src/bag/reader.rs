@@ -3,7 +3,10 @@
 use super::container::{Ending, Entry, entries};
 use super::joint_states::JointStates;
 use super::locator::{Found, Locator};
-use super::topic::{AXES_KEY, NOTES, ROLE_KEY, ROLE_POSE, ROLE_WRENCH, START_KEY, TASK_NOTE};
+use super::observation::{Looks, is_look};
+use super::topic::{
+    AXES_KEY, NOTES, ROLE_KEY, ROLE_POSE, ROLE_WRENCH, ROUND_NOTE, START_KEY, TASK_NOTE,
+};
 use crate::error::ReadFault;
 use crate::frames::Frames;
 use crate::options::TopicChoice;
@@ -31,6 +34,9 @@ pub(crate) struct BagReader {
     joints: JointPositions,
     /// The task's name, where the writer says it.
     task: Option<String>,
+    /// Which round of its run it was, where the writer says it.
+    round: Option<usize>,
+    looks: Looks,
     unfinished: bool,
 }
 
@@ -63,6 +69,8 @@ impl BagReader {
             frames: Frames::default(),
             joints: JointPositions::of(joints),
             task: None,
+            round: None,
+            looks: Looks::default(),
             unfinished: false,
         }
     }
@@ -76,6 +84,7 @@ impl BagReader {
             Entry::Message(channel, log_time, data) => self.message(channel, log_time, data),
             Entry::Notes(NOTES, notes) => {
                 self.task = notes.get(TASK_NOTE).cloned();
+                self.round = notes.get(ROUND_NOTE).and_then(|round| round.parse().ok());
                 Ok(())
             }
             Entry::Notes(..) => Ok(()),
@@ -103,6 +112,8 @@ impl BagReader {
             frames: self.frames,
             joints: self.joints,
             task: self.task,
+            round: self.round,
+            looks: self.looks.finish(),
             units: None,
         })
     }
@@ -113,6 +124,9 @@ impl BagReader {
         log_time: u64,
         data: &[u8],
     ) -> Result<(), ReadFault> {
+        if is_look(&channel.topic) {
+            return self.looks.take(channel, data);
+        }
         if !self.channels.contains_key(&channel.id) {
             let reading = self.channel(channel)?;
             self.channels.insert(channel.id, reading);

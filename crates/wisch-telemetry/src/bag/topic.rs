@@ -10,10 +10,16 @@ pub(crate) const FRAME_TOOL: &str = Axes::Tool.as_str();
 /// Frame of the target surface.
 pub(crate) const FRAME_SURFACE: &str = Axes::Surface.as_str();
 
+/// Topics of what was seen of the dirt before and after, and of where nothing could be seen.
+pub(crate) const DIRT: [&str; 2] = ["/wisch/dirt_before", "/wisch/dirt_after"];
+pub(crate) const HIDDEN: [&str; 2] = ["/wisch/hidden_before", "/wisch/hidden_after"];
+
 /// Name of what is noted of a bag as a whole.
 pub(crate) const NOTES: &str = "wisch";
 /// Key of the note that says which task was executed.
 pub(crate) const TASK_NOTE: &str = "task";
+/// Key of the note that says which round of its run it was.
+pub(crate) const ROUND_NOTE: &str = "round";
 
 /// Key of a channel's metadata that says what the channel is to the interpretation.
 pub(crate) const ROLE_KEY: &str = "wisch.role";
@@ -37,10 +43,14 @@ pub(crate) enum Topic {
     Transforms,
     Particles,
     Phase,
+    DirtBefore,
+    HiddenBefore,
+    DirtAfter,
+    HiddenAfter,
 }
 
 impl Topic {
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 12] = [
         Self::Joints,
         Self::Commanded,
         Self::Measured,
@@ -49,6 +59,10 @@ impl Topic {
         Self::Transforms,
         Self::Particles,
         Self::Phase,
+        Self::DirtBefore,
+        Self::HiddenBefore,
+        Self::DirtAfter,
+        Self::HiddenAfter,
     ];
 
     /// Its name, its package and type.
@@ -62,6 +76,10 @@ impl Topic {
             Self::Transforms => ("/tf", ["tf2_msgs", "TFMessage"]),
             Self::Particles => ("/particles", ["visualization_msgs", "Marker"]),
             Self::Phase => ("/phase", ["std_msgs", "String"]),
+            Self::DirtBefore => (DIRT[0], ["sensor_msgs", "PointCloud2"]),
+            Self::HiddenBefore => (HIDDEN[0], ["geometry_msgs", "PolygonStamped"]),
+            Self::DirtAfter => (DIRT[1], ["sensor_msgs", "PointCloud2"]),
+            Self::HiddenAfter => (HIDDEN[1], ["geometry_msgs", "PolygonStamped"]),
         }
     }
 
@@ -99,6 +117,11 @@ impl Topic {
                 ),
             ],
             Self::Particles => &[("wisch.meaning", "particles as they are believed to lie")],
+            Self::DirtBefore => &[("wisch.meaning", "dirt as a camera saw it before the round")],
+            Self::DirtAfter => &[("wisch.meaning", "dirt as a camera saw it after the round")],
+            Self::HiddenBefore | Self::HiddenAfter => {
+                &[("wisch.meaning", "where the camera could see nothing")]
+            }
             Self::Joints | Self::Transforms | Self::Phase => &[],
         };
         // rosbag2 looks for profiles; an empty text stands for the usual ones.

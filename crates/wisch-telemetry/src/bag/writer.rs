@@ -1,5 +1,6 @@
 //! Telemetry as a ROS 2 bag: MCAP with CDR messages, written while it comes in.
 
+use super::observation::{LookTime, point_cloud, polygon_stamped};
 use super::topic::{FRAME_SURFACE, FRAME_TOOL, FRAME_WORLD, NOTES, Topic};
 use crate::error::WriteError;
 use crate::ros2::full_definition;
@@ -19,6 +20,7 @@ use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 use wisch::follow::Phase;
 use wisch::geometry::{Point3, Pose};
+use wisch::represent::Observation;
 use wisch::run::TelemetrySample;
 
 /// What a killed program loses at most [ns]: a chunk is written when it holds that much.
@@ -83,6 +85,8 @@ impl BagHead {
 /// | `/tf` | `tf2_msgs/TFMessage`: world to tool, world to surface | at most 50 Hz |
 /// | `/particles` | `visualization_msgs/Marker`, points in the world | at most 2 Hz |
 /// | `/phase` | `std_msgs/String` | when it changes |
+/// | `/wisch/dirt_before`, `/wisch/dirt_after` | `sensor_msgs/PointCloud2`, in the frame of the believed surface | once each, if a camera looked |
+/// | `/wisch/hidden_before`, `/wisch/hidden_after` | `geometry_msgs/PolygonStamped`, in that frame | one for each part of the surface that it could not see |
 ///
 /// ```
 /// use wisch::run::{TelemetrySample, Wrench};
@@ -259,6 +263,30 @@ impl BagWriter {
         self.particles_wait = true;
         if is_due(self.last_particles, time, PARTICLES_PERIOD) {
             self.write_waiting_particles(time)?;
+        }
+        Ok(())
+    }
+
+    /// Says what a camera saw of the dirt, in the frame of the believed surface: before the round, or after its last
+    /// sample.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn write_observation(
+        &mut self,
+        look: LookTime,
+        observation: &Observation,
+    ) -> Result<(), WriteError> {
+        let (time, [dirt, hidden]) = match look {
+            LookTime::Before => (self.head.start, [Topic::DirtBefore, Topic::HiddenBefore]),
+            LookTime::After => (
+                self.last.unwrap_or(self.head.start),
+                [Topic::DirtAfter, Topic::HiddenAfter],
+            ),
+        };
+        self.put(dirt, time, &point_cloud(time, &observation.detections))?;
+        for polygon in observation.hidden.polygons() {
+            self.put(hidden, time, &polygon_stamped(time, polygon.outer()))?;
         }
         Ok(())
     }

@@ -54,6 +54,20 @@ const DEFINITIONS: &[Definition] = &[
         "std_msgs/Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\nfloat64[] effort\n",
     ),
     (
+        "sensor_msgs/PointField",
+        "uint8 INT8=1\nuint8 UINT8=2\nuint8 INT16=3\nuint8 UINT16=4\nuint8 INT32=5\nuint8 UINT32=6\nuint8 FLOAT32=7\nuint8 FLOAT64=8\nstring name\nuint32 offset\nuint8 datatype\nuint32 count\n",
+    ),
+    (
+        "sensor_msgs/PointCloud2",
+        "std_msgs/Header header\nuint32 height\nuint32 width\nsensor_msgs/PointField[] fields\nbool is_bigendian\nuint32 point_step\nuint32 row_step\nuint8[] data\nbool is_dense\n",
+    ),
+    ("geometry_msgs/Point32", "float32 x\nfloat32 y\nfloat32 z\n"),
+    ("geometry_msgs/Polygon", "geometry_msgs/Point32[] points\n"),
+    (
+        "geometry_msgs/PolygonStamped",
+        "std_msgs/Header header\ngeometry_msgs/Polygon polygon\n",
+    ),
+    (
         "sensor_msgs/CompressedImage",
         "std_msgs/Header header\nstring format\nuint8[] data\n",
     ),

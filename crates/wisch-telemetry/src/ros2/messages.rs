@@ -1,11 +1,11 @@
 //! The ROS 2 messages that a bag is written with, as CDR lays them out: field order is that of the definitions.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use wisch::control;
 use wisch::geometry::{self, Vector3 as Vector};
 
 /// `builtin_interfaces/Time`, also used for a duration.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Time {
     pub sec: i32,
     pub nanosec: u32,
@@ -189,6 +189,55 @@ pub(crate) struct Marker<'a> {
     pub mesh_resource: &'a str,
     pub mesh_file: NoMesh<'a>,
     pub mesh_use_embedded_materials: bool,
+}
+
+/// `sensor_msgs/PointField`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct PointField {
+    pub name: String,
+    pub offset: u32,
+    pub datatype: u8,
+    pub count: u32,
+}
+
+/// `PointField::datatype` of numbers of four and of eight bytes.
+pub(crate) const FIELD_FLOAT32: u8 = 7;
+pub(crate) const FIELD_FLOAT64: u8 = 8;
+
+/// A header that is read.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct OwnedHeader {
+    pub stamp: Time,
+    pub frame_id: String,
+}
+
+/// `sensor_msgs/PointCloud2`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct PointCloud2 {
+    pub header: OwnedHeader,
+    pub height: u32,
+    pub width: u32,
+    pub fields: Vec<PointField>,
+    pub is_bigendian: bool,
+    pub point_step: u32,
+    pub row_step: u32,
+    pub data: Vec<u8>,
+    pub is_dense: bool,
+}
+
+/// `geometry_msgs/Point32`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Point32 {
+    pub x: f32,
+    pub y: f32,
+    pub z: f32,
+}
+
+/// `geometry_msgs/PolygonStamped`; the polygon is laid out as its points.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct PolygonStamped {
+    pub header: OwnedHeader,
+    pub points: Vec<Point32>,
 }
 
 /// `Marker::kind` of points.

@@ -5,7 +5,7 @@ use super::impedance::{
 };
 use super::{ControlConfig, MomentumObserver};
 use crate::geometry::{Pose, Vector3};
-use crate::represent::{Action, Interaction, LogNormal, LogNormalSpread, SurfaceScope};
+use crate::represent::{Action, Interaction, LogNormal, LogNormalSpread, Redraw, SurfaceScope};
 use crate::robot::{Articulation, ArticulationState, Range, RobotModel};
 use nalgebra::{DMatrix, DVector, Matrix6xX, UnitQuaternion, Vector6};
 use proptest::prelude::*;
@@ -37,6 +37,7 @@ fn interaction(damping_ratio: f64) -> Interaction {
             sigma: 0.25,
         },
         likelihood_spread: LogNormalSpread::NONE,
+        redraw: Redraw::default(),
     }
 }
 

@@ -25,7 +25,7 @@ pub struct InterpretConfig {
     pub uncertainty: Uncertainty,
     /// Members that a belief has which begins as a certainty.
     pub replays: usize,
-    /// ℓ: after this travel in contact a particle's threshold is drawn again [m]; r_s of the tool.
+    /// ℓ: after this travel in contact a particle's threshold is drawn again [m]; r_s of the tool, unless more is known.
     pub redraw_length_m: f64,
     /// From this tilt on the surface counts as elsewhere [rad].
     pub relocalize_tilt: f64,
@@ -185,10 +185,13 @@ impl InterpretConfig {
             uncertainty: Uncertainty {
                 law_mu: interaction.likelihood_spread.mu,
                 law_sigma: interaction.likelihood_spread.ln_sigma,
+                redraw_share: interaction.redraw.ln_length_spread,
+                kept_share: interaction.redraw.kept_share,
                 ..Uncertainty::default()
             },
             replays: members(task),
-            redraw_length_m: task.tool.collision_radius(),
+            redraw_length_m: (interaction.redraw.length_m)
+                .unwrap_or_else(|| task.tool.collision_radius()),
             relocalize_tilt: 0.5_f64.to_radians(),
             relocalize_offset_m: 0.003,
             free_height_m: 0.015,

@@ -1,6 +1,6 @@
 //! From samples to what was wiped.
 
-use super::belief::{Belief, ContactEvidence, Replay};
+use super::belief::{Belief, ContactEvidence, Exposure, Replay};
 use super::config::InterpretConfig;
 use super::contact::{
     ClassifiedPath, ContactClassifier, Downsampler, FittedPlane, PlaneFit, TouchSample, middle,
@@ -9,8 +9,8 @@ use super::doubt::{Doubt, doubts};
 use super::error::InterpretError;
 use super::events::{Event, EventDetector};
 use super::interpretation::{Diagnosis, Interpretation};
-use crate::geometry::{Pose, Region, Vector3};
-use crate::represent::{GoalState, Surface, Task};
+use crate::geometry::{Point2, Pose, Region, Vector3};
+use crate::represent::{Effect, GoalState, ParticleDistribution, ParticleError, Surface, Task};
 use nalgebra::{Translation3, UnitQuaternion};
 
 /// Takes a log sample by sample, in bounded memory, and interprets at any time what it has so far.
@@ -53,6 +53,7 @@ use nalgebra::{Translation3, UnitQuaternion};
 /// #         compression_depth_m: 0.005,
 /// #         likelihood: LogNormal { mu: -1.05, sigma: 0.25 },
 /// #         likelihood_spread: LogNormalSpread::default(),
+/// #         redraw: Redraw::default(),
 /// #     },
 /// #     particles: ParticleDistribution::new(&[Point2::new(0.0, 0.0), Point2::new(0.0, 0.1)])?,
 /// #     collect_goal: None,
@@ -133,6 +134,62 @@ impl Interpreter {
                 });
             }
         }
+        let understood = self.understood();
+        let evidence = understood.evidence(self);
+        let replay = self.replay(goal.action().effect());
+        let belief = replay.run(believed, &evidence);
+        // Without a touch, what was certain stays certain.
+        let is_untouched = evidence.is_untouched() && believed.is_certain();
+        let deviation = if is_untouched {
+            0.0
+        } else {
+            self.config.uncertainty.model_share
+        };
+        let distribution = belief.performance(goal, &self.surface, deviation);
+        let Understood {
+            classified,
+            believed_from_real,
+            events,
+            contact_share,
+            doubts,
+        } = understood;
+        Ok(Interpretation {
+            diagnosis: self.diagnosis(&classified, &believed_from_real),
+            events,
+            contact_share,
+            doubts,
+            force_bias: classified.bias.z,
+            performance: distribution.estimate(),
+            felt: distribution.estimate(),
+            observation: None,
+            distribution,
+            belief,
+            plane: classified.plane.map(|(_, described)| described),
+            path: classified.path,
+        })
+    }
+
+    /// What the samples so far do to each of these places, in the frame of the believed surface, if it is dirt that does
+    /// not respond. Each has so many guesses of what it feels, as it is known to a deviation along x and along y [m] only,
+    /// and the tool sits in the hand a little differently; the same guesses for the same places, whatever the log.
+    ///
+    /// # Errors
+    /// A place that is not finite.
+    pub fn exposures(
+        &self,
+        places: &[Point2],
+        effect: Effect,
+        deviation: f64,
+        guesses: usize,
+    ) -> Result<Vec<Vec<Exposure>>, ParticleError> {
+        let particles = ParticleDistribution::new(places)?;
+        let understood = self.understood();
+        let evidence = understood.evidence(self);
+        let replay = self.replay(effect);
+        Ok(replay.exposures(&particles, &evidence, deviation, guesses))
+    }
+
+    fn understood(&self) -> Understood {
         let pieces = self.downsampler.pieces();
         let classifier = ContactClassifier {
             surface: &self.surface,
@@ -165,48 +222,22 @@ impl Interpreter {
             // What is felt up there is a surface, and no hand.
             events.retain(|event| !event.kind.is_by_hand());
         }
-        // Without a plane, nothing speaks for contact but the force.
-        let trusted: &[Event] = if classified.plane.is_some() {
-            &events
-        } else {
-            &[]
-        };
-        let evidence = ContactEvidence::new(
-            &classified.path,
-            trusted,
-            self.footprint.bounds(),
-            believed_from_real.inverse(),
-            &self.config,
-        );
-        let replay = Replay {
-            footprint: &self.footprint,
-            effect: goal.action().effect(),
-            surface: &self.surface,
-            config: &self.config,
-        };
-        let belief = replay.run(believed, &evidence);
-        // Without a touch, what was certain stays certain.
-        let is_untouched = evidence.is_untouched() && believed.is_certain();
-        let deviation = if is_untouched {
-            0.0
-        } else {
-            self.config.uncertainty.model_share
-        };
-        let distribution = belief.performance(goal, &self.surface, deviation);
-        Ok(Interpretation {
+        Understood {
+            classified,
+            believed_from_real,
             events,
             contact_share,
             doubts,
-            diagnosis: self.diagnosis(&classified, &believed_from_real),
-            force_bias: classified.bias.z,
-            performance: distribution.estimate(),
-            felt: distribution.estimate(),
-            observation: None,
-            distribution,
-            belief,
-            plane: classified.plane.map(|(_, described)| described),
-            path: classified.path,
-        })
+        }
+    }
+
+    fn replay(&self, effect: Effect) -> Replay<'_> {
+        Replay {
+            footprint: &self.footprint,
+            effect,
+            surface: &self.surface,
+            config: &self.config,
+        }
     }
 
     /// Largest distance of the footprint from the tool centre point [m].
@@ -227,6 +258,33 @@ impl Interpreter {
                 world_from_surface: self.surface.world_from_surface * believed_from_real,
             },
         }
+    }
+}
+
+/// What the samples tell before it is asked what they did.
+struct Understood {
+    classified: ClassifiedPath,
+    believed_from_real: Pose,
+    events: Vec<Event>,
+    contact_share: f64,
+    doubts: Vec<Doubt>,
+}
+
+impl Understood {
+    fn evidence<'a>(&'a self, interpreter: &'a Interpreter) -> ContactEvidence<'a> {
+        // Without a plane, nothing speaks for contact but the force.
+        let trusted: &[Event] = if self.classified.plane.is_some() {
+            &self.events
+        } else {
+            &[]
+        };
+        ContactEvidence::new(
+            &self.classified.path,
+            trusted,
+            interpreter.footprint.bounds(),
+            self.believed_from_real.inverse(),
+            &interpreter.config,
+        )
     }
 }
 

@@ -17,7 +17,8 @@ mod interpreter;
 mod uncertainty;
 
 pub use belief::{
-    Belief, COUNT_SPREAD, DensityMap, DirtPrior, Estimate, Look, PerformanceDistribution,
+    Belief, COUNT_SPREAD, DensityMap, DirtPrior, Estimate, Exposure, Look, PerformanceDistribution,
+    Touched,
 };
 pub use config::{EventConfig, InterpretConfig, PlaneConfig, ToolCompliance, members};
 pub use contact::{FittedPlane, PathPiece, PlaneFit, Touch, TouchSample, fit_plane};

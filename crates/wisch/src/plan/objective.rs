@@ -127,7 +127,8 @@ mod tests {
     use super::*;
     use crate::geometry::{Mesh, PlanarPose, Pose, Region, Vector3};
     use crate::represent::{
-        Action, AngleRange, Interaction, LogNormal, LogNormalSpread, Surface, SurfaceScope, Tool,
+        Action, AngleRange, Interaction, LogNormal, LogNormalSpread, Redraw, Surface, SurfaceScope,
+        Tool,
     };
     use std::f64::consts::FRAC_PI_2;
 
@@ -169,6 +170,7 @@ mod tests {
                     sigma: 0.25,
                 },
                 likelihood_spread: LogNormalSpread::NONE,
+                redraw: Redraw::default(),
             },
             particles: ParticleDistribution::new(crumbs).unwrap(),
             collect_goal: None,

@@ -21,7 +21,7 @@ pub use field::ParticleField;
 pub use heap::{HEAP_DEPTH, heap_depth};
 pub use knowledge::{
     Action, AngleRange, AreaOfEffect, Effect, GrainSize, Grip, Interaction, KnowledgeBase,
-    KnowledgeError, LogNormal, LogNormalSpread, MediumEntry, MediumKind, Place, RankedTool,
+    KnowledgeError, LogNormal, LogNormalSpread, MediumEntry, MediumKind, Place, RankedTool, Redraw,
     SecondGrip, SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry, ToolMesh, UnknownName,
 };
 pub use metrics::{GoalState, Performance};

@@ -73,7 +73,8 @@ pub struct Hand {
 /// How a log comes about.
 #[derive(Debug, Clone)]
 pub struct Script {
-    /// Ends of straight strokes in the surface frame; each begins with an approach and ends with a lift.
+    /// Ends of straight strokes in the surface frame; each begins with an approach and ends with a lift, unless it goes
+    /// on where the one before ended.
     pub strokes: Vec<[Point2; 2]>,
     /// Height of the real surface over the believed one, by place [m].
     pub surface: fn(Point2) -> f64,
@@ -119,13 +120,22 @@ impl Script {
     fn legs(&self) -> Vec<Leg> {
         let at = |p: Point2, height: f64| Point3::new(p.x, p.y, height);
         let mut legs: Vec<Leg> = Vec::new();
-        for [from, to] in &self.strokes {
-            if let Some((_, last, _)) = legs.last() {
-                legs.push((*last, at(*from, LIFT), 2.0 * SPEED));
+        for (index, [from, to]) in self.strokes.iter().enumerate() {
+            let next = self.strokes.get(index + 1);
+            match legs.last() {
+                Some((_, last, _)) if *last == at(*from, 0.0) => {}
+                last => {
+                    if let Some((_, last, _)) = last {
+                        legs.push((*last, at(*from, LIFT), 2.0 * SPEED));
+                    }
+                    legs.push((at(*from, LIFT), at(*from, 0.0), APPROACH_SPEED));
+                }
             }
-            legs.push((at(*from, LIFT), at(*from, 0.0), APPROACH_SPEED));
             legs.push((at(*from, 0.0), at(*to, 0.0), SPEED));
-            legs.push((at(*to, 0.0), at(*to, LIFT), APPROACH_SPEED));
+            // A stroke that begins where this one ends goes on without a lift.
+            if next.is_none_or(|[from, _]| from != to) {
+                legs.push((at(*to, 0.0), at(*to, LIFT), APPROACH_SPEED));
+            }
         }
         legs
     }

@@ -20,20 +20,68 @@ pub(super) struct Activation {
     /// Of the member's random numbers.
     pub(super) key: u64,
     thresholds: Vec<Threshold>,
-    /// Travel in contact before the motion at hand, and after it; an interruption adds a little [m].
-    travelled: [f64; 2],
+    travelled: TravelClock,
     /// Probability that a particle that draws slips past the tool instead [1].
     slip: f64,
     /// Whether each particle keeps its threshold for good.
     is_kept: bool,
 }
 
+/// Travel in contact before the motion at hand, and after it; an interruption adds a little [m].
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct TravelClock([f64; 2]);
+
+impl TravelClock {
+    /// Goes on to a motion, and says between which travels it is.
+    pub(super) fn advance(&mut self, contact: &ContactMotion) -> [f64; 2] {
+        if !contact.continues {
+            self.interrupt();
+        }
+        let begin = self.0[1];
+        self.0 = [begin, begin + contact.motion.travel().1];
+        self.0
+    }
+
+    /// What was touched before is touched anew from now on.
+    fn interrupt(&mut self) {
+        self.0 = [self.0[1] + 2.0 * SAME_CONTACT; 2];
+    }
+}
+
+/// When a particle draws its threshold.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Threshold {
-    /// Travel at which the particle was last touched [m].
+pub(super) struct DrawClock {
+    /// Travel at which it was last touched [m].
     touched: f64,
     /// Travel at which it drew [m].
     drew: f64,
+}
+
+impl DrawClock {
+    /// That of a particle that was never touched.
+    pub(super) const NEVER: Self = Self {
+        touched: f64::NEG_INFINITY,
+        drew: 0.0,
+    };
+
+    /// Touches the particle between two travels [m], and says whether it draws as that begins.
+    pub(super) fn touch(&mut self, [begin, end]: [f64; 2], redraw_length: f64) -> bool {
+        let is_new_contact = begin - self.touched > SAME_CONTACT;
+        let is_due = begin - self.drew >= redraw_length;
+        self.touched = end;
+        if is_new_contact {
+            self.drew = begin;
+        } else if is_due {
+            // Draws are due every so often, whatever the length of the motions between which they fall.
+            self.drew += redraw_length;
+        }
+        is_new_contact || is_due
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Threshold {
+    clock: DrawClock,
     draws: u32,
     /// Which of its draws is kept, if one is.
     kept: u32,
@@ -43,8 +91,7 @@ struct Threshold {
 
 /// That of a particle that was never touched.
 const NEVER: Threshold = Threshold {
-    touched: f64::NEG_INFINITY,
-    drew: 0.0,
+    clock: DrawClock::NEVER,
     draws: 0,
     kept: 0,
     level: 1.0,
@@ -57,7 +104,7 @@ impl Activation {
         Self {
             key: random.next_u64(),
             thresholds: vec![NEVER; particles],
-            travelled: [0.0; 2],
+            travelled: TravelClock::default(),
             slip: 0.0,
             is_kept,
         }
@@ -66,7 +113,7 @@ impl Activation {
     /// Goes on to another log, in which so much slips: what the tool touched before, it touches anew.
     pub(super) fn begin_log(&mut self, slip: f64) {
         self.slip = slip;
-        self.travelled = [self.travelled[1] + 2.0 * SAME_CONTACT; 2];
+        self.travelled.interrupt();
     }
 
     /// Forgets the thresholds of these particles, and has one for every particle of so many.
@@ -83,13 +130,7 @@ impl Activation {
 
     /// Goes on to a motion.
     pub(super) fn advance(&mut self, contact: &ContactMotion) {
-        let begin = self.travelled[1]
-            + if contact.continues {
-                0.0
-            } else {
-                2.0 * SAME_CONTACT
-            };
-        self.travelled = [begin, begin + contact.motion.travel().1];
+        self.travelled.advance(contact);
     }
 
     /// Whether a particle that the motion at hand touches, and that does so with a probability, responds.
@@ -99,11 +140,8 @@ impl Activation {
         probability: f64,
         redraw_length: f64,
     ) -> bool {
-        let [begin, end] = self.travelled;
         let threshold = &mut self.thresholds[particle];
-        let is_new_contact = begin - threshold.touched > SAME_CONTACT;
-        let is_due = begin - threshold.drew >= redraw_length;
-        if is_new_contact || is_due {
+        if threshold.clock.touch(self.travelled.0, redraw_length) {
             let draw = if self.is_kept {
                 threshold.kept
             } else {
@@ -114,14 +152,7 @@ impl Activation {
                 threshold.level = SLIPPED;
             }
             threshold.draws += 1;
-            // Draws are due every so often, whatever the length of the motions between which they fall.
-            threshold.drew = if is_new_contact {
-                begin
-            } else {
-                threshold.drew + redraw_length
-            };
         }
-        threshold.touched = end;
         threshold.level <= probability
     }
 }

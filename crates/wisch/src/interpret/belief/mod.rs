@@ -4,6 +4,7 @@
 mod activation;
 mod density;
 mod ensemble;
+mod exposure;
 mod parameter_sampling;
 mod performance;
 mod prior;
@@ -13,6 +14,7 @@ mod sight;
 
 pub use density::DensityMap;
 pub use ensemble::Belief;
+pub use exposure::{Exposure, Touched};
 pub use performance::{Estimate, PerformanceDistribution};
 pub use prior::{COUNT_SPREAD, DirtPrior};
 pub(super) use push_hypotheses::ContactEvidence;

@@ -40,6 +40,28 @@ impl Default for LogNormalSpread {
     }
 }
 
+/// How a particle that has not responded draws its threshold again.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Redraw {
+    /// ℓ: after this travel in contact it draws again [m]; `None` for the radius r_s of the tool's collision sphere.
+    pub length_m: Option<f64>,
+    /// How well ln ℓ is known, as a standard deviation [1].
+    pub ln_length_spread: f64,
+    /// Probability that a particle keeps its threshold for good instead: what does not give way once never does [1].
+    pub kept_share: f64,
+}
+
+impl Default for Redraw {
+    /// Of a pair of which nobody measured it.
+    fn default() -> Self {
+        Self {
+            length_m: None,
+            ln_length_spread: 0.5,
+            kept_share: 0.5,
+        }
+    }
+}
+
 impl LogNormal {
     /// P(X ≤ f′): the chance that contact at the normalised force f′ ∈ [0, 1] affects a particle.
     /// Without force (or with one that is not a number) it is 0.

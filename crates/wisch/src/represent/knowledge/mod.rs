@@ -12,7 +12,7 @@ use std::str::FromStr;
 
 pub use crate::source_location::{Place, UnknownName};
 pub use grip::{Grip, SecondGrip};
-pub use likelihood::{LogNormal, LogNormalSpread};
+pub use likelihood::{LogNormal, LogNormalSpread, Redraw};
 
 use crate::geometry::Vector3;
 
@@ -240,6 +240,8 @@ pub struct Interaction {
     pub likelihood: LogNormal,
     /// How well that is known.
     pub likelihood_spread: LogNormalSpread,
+    /// How a particle that stays draws its threshold again.
+    pub redraw: Redraw,
 }
 
 /// A tool that can do what was asked, with its prospects.

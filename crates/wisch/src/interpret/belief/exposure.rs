@@ -1,0 +1,127 @@
+//! What a log did to places of the surface: how hard the tool pressed there, over which travel in contact.
+
+use super::activation::{DrawClock, TravelClock};
+use super::parameter_sampling::{MemberParameters, scattered};
+use super::push_hypotheses::ContactEvidence;
+use super::replay::Replay;
+use crate::interpret::config::InterpretConfig;
+use crate::interpret::contact::PressureDistribution;
+use crate::interpret::uncertainty::Uncertainty;
+use crate::represent::{EffectModel, ParticleDistribution, ParticleField};
+
+/// A touch of a particle that stays where it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Touched {
+    /// Travel of the tool in contact before the touch and after it [m].
+    pub travel: [f64; 2],
+    /// Largest f′ that it feels (9) [1].
+    pub share: f64,
+}
+
+/// What a log does to a particle as long as that stays at its place.
+///
+/// ```
+/// use wisch::interpret::{Exposure, Touched};
+/// let touch = |begin: f64, share| Touched { travel: [begin, begin + 0.01], share };
+/// // 3 cm under the tool, then 1 m elsewhere, then under it again.
+/// let exposure = Exposure::new(vec![touch(0.0, 0.4), touch(0.01, 0.6), touch(0.02, 0.5), touch(1.03, 0.9)]);
+/// assert_eq!(exposure.draws(0.02), [0.6, 0.5, 0.9]);
+/// assert_eq!(exposure.draws(0.5), [0.6, 0.9]);
+/// assert_eq!(exposure.most(), 0.9);
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Exposure {
+    touches: Vec<Touched>,
+}
+
+impl Exposure {
+    /// Of touches in the order of their travel.
+    pub fn new(touches: Vec<Touched>) -> Self {
+        Self { touches }
+    }
+
+    /// Whether the tool came there at all.
+    pub fn is_touched(&self) -> bool {
+        !self.touches.is_empty()
+    }
+
+    /// Largest f′ felt under each threshold that the particle draws if it draws anew after this travel ℓ [m]: it has
+    /// stayed if each of these thresholds was higher.
+    pub fn draws(&self, redraw_length: f64) -> Vec<f64> {
+        let mut clock = DrawClock::NEVER;
+        let mut draws: Vec<f64> = Vec::new();
+        for touch in &self.touches {
+            let is_new = clock.touch(touch.travel, redraw_length);
+            match draws.last_mut() {
+                Some(most) if !is_new => *most = most.max(touch.share),
+                _ => draws.push(touch.share),
+            }
+        }
+        draws
+    }
+
+    /// Largest f′ of all: the particle has stayed if the one threshold that it keeps is higher.
+    pub fn most(&self) -> f64 {
+        self.touches
+            .iter()
+            .map(|touch| touch.share)
+            .fold(0.0, f64::max)
+    }
+}
+
+impl Replay<'_> {
+    /// What the log does to these particles, each with so many guesses of where it really lies, how the tool sits in the
+    /// hand and what a push did. `deviation` is that of a place along x and along y [m].
+    pub(in crate::interpret) fn exposures(
+        &self,
+        particles: &ParticleDistribution,
+        evidence: &ContactEvidence<'_>,
+        deviation: f64,
+        guesses: usize,
+    ) -> Vec<Vec<Exposure>> {
+        // How hard the tool really presses is another matter: it is the same for all of a log.
+        let config = InterpretConfig {
+            uncertainty: Uncertainty {
+                force_share: 0.0,
+                ..self.config.uncertainty
+            },
+            ..self.config.clone()
+        };
+        let mut exposures = vec![vec![Exposure::default(); guesses]; particles.len()];
+        let compression = config.nominal_compression();
+        (0..guesses).for_each(|guess| {
+            let parameters = MemberParameters::draw(&config, guess as u64);
+            let there = scattered(
+                particles,
+                self.surface,
+                deviation,
+                config.seed,
+                guess as u64,
+            );
+            let mut field = ParticleField::new(&there);
+            let footprint = self.footprint.scaled(parameters.footprint_scale);
+            let mut model = EffectModel::new(&footprint, self.effect);
+            let bounds = footprint.bounds();
+            let mut clock = TravelClock::default();
+            for contact in evidence.motions(guess as u64).iter() {
+                let contact = parameters.applied(contact);
+                let travel = clock.advance(&contact);
+                let pressure = PressureDistribution::of(&contact, bounds, compression);
+                let mean = contact.force.value();
+                let most = (pressure.as_ref()).map_or(mean, PressureDistribution::most);
+                if most <= 0.0 {
+                    continue;
+                }
+                let motion = &contact.motion;
+                model.apply_where(&mut field, self.surface, motion, |particle, position| {
+                    let share = (pressure.as_ref()).map_or(mean, |p| p.share(position));
+                    exposures[particle][guess]
+                        .touches
+                        .push(Touched { travel, share });
+                    false
+                });
+            }
+        });
+        exposures
+    }
+}

@@ -1,0 +1,306 @@
+//! What was seen of particles that were exposed to a tool, and how likely that is.
+//!
+//! Detections before and after belong together in ways that nobody knows. Where particles lie so close that one
+//! detection may be of several of them, the likelihood is the sum over all ways in which it may be (each detection of one
+//! particle or of none, each particle detected once or not), as in joint probabilistic data association (Bar-Shalom and
+//! Fortmann 1988). A particle of another group, farther off, is as likely as
+//! not to be there still; groups too large to go through all ways are left out.
+
+use super::error::LearnError;
+use crate::geometry::Point2;
+use crate::interpret::Exposure;
+use crate::represent::{Observation, Sight};
+
+/// Farthest that the detections of a particle that stays lie apart, in standard deviations of their difference [1].
+const GATE: f64 = 3.0;
+/// Chance that they lie closer: a Rayleigh distribution.
+const WITHIN_GATE: f64 = 0.988_891;
+/// Least standard deviation of a place [m].
+const LEAST_DEVIATION: f64 = 1e-4;
+/// Most particles that all ways are gone through for.
+const MOST_JOINT: usize = 8;
+/// Distance over which detections that belong to no particle say how likely others are [m].
+const NEIGHBOURHOOD: f64 = 0.02;
+/// Detections of nothing that was there, at least [1/m²].
+const LEAST_CLUTTER: f64 = 1e-3;
+/// Least share of the detections before that are dirt [1].
+const LEAST_REAL: f64 = 0.05;
+/// How likely a particle of another group is to be there still [1].
+const OTHERS: f64 = 0.5;
+/// Nothing is less likely.
+const LEAST_LIKELIHOOD: f64 = 1e-300;
+
+/// A round of wiping that was looked at before and after; places in the frame of the believed surface.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SeenRound {
+    /// What was seen before.
+    pub before: Observation,
+    /// What was seen afterwards.
+    pub after: Observation,
+    /// How well dirt is seen.
+    pub sight: Sight,
+    /// Area of the surface [m²].
+    pub area_m2: f64,
+    /// What the tool did to each detection of `before`, in so many guesses;
+    /// [`Interpreter::exposures`](crate::interpret::Interpreter::exposures).
+    pub exposures: Vec<Vec<Exposure>>,
+    /// Largest f′ that each of them had felt there in earlier rounds since its dirt came there, by guess [1]; empty where
+    /// there were none. Who keeps a threshold for good and is still there has one above it.
+    pub earlier: Vec<Vec<f64>>,
+}
+
+/// A round as the likelihood takes it.
+pub(super) struct RoundEvidence<'a> {
+    pub(super) groups: Vec<Group<'a>>,
+}
+
+/// Particles that detections may be of together.
+pub(super) struct Group<'a> {
+    pub(super) members: Vec<Member<'a>>,
+    pub(super) seen: Seen,
+}
+
+/// A particle that was seen before, and looked for.
+pub(super) struct Member<'a> {
+    /// Probability that it is dirt, and detected if it stayed [1].
+    pub(super) detected: f64,
+    pub(super) exposures: &'a [Exposure],
+    /// By guess; empty if there is nothing earlier.
+    pub(super) earlier: &'a [f64],
+}
+
+/// Detections where a group was, each with how much more likely it is to be of each member than of none [1].
+pub(super) struct Seen(Vec<Vec<f64>>);
+
+impl<'a> RoundEvidence<'a> {
+    pub(super) fn of(
+        round: &'a SeenRound,
+        index: usize,
+        law: &dyn Fn() -> String,
+    ) -> Result<Self, LearnError> {
+        let (before, after) = (&round.before.detections, &round.after.detections);
+        let expected = before.len();
+        let has_earlier = !round.earlier.is_empty();
+        let found = [
+            ("exposures", round.exposures.len(), true),
+            ("earlier", round.earlier.len(), has_earlier),
+        ];
+        for (field, found, is_given) in found {
+            if is_given && found != expected {
+                return Err(LearnError::Mismatch {
+                    law: law(),
+                    round: index,
+                    field,
+                    found,
+                    expected,
+                });
+            }
+        }
+        let sensor = &round.sight.sensor;
+        for (field, value, limits, expected) in [
+            ("area_m2", round.area_m2, (1e-9, 1e6), "1e-9 to 1e6 m²"),
+            (
+                "detection",
+                round.sight.detection,
+                (1e-3, 1.0),
+                "0.001 to 1",
+            ),
+            (
+                "false_alarms_per_m2",
+                sensor.false_alarms_per_m2,
+                (0.0, 1e9),
+                "0 to 1e9 1/m²",
+            ),
+            (
+                "position_error_m",
+                sensor.position_error_m,
+                (0.0, 1.0),
+                "0 to 1 m",
+            ),
+        ] {
+            if !(limits.0..=limits.1).contains(&value) {
+                return Err(LearnError::OutOfRange {
+                    law: law(),
+                    round: index,
+                    field,
+                    value,
+                    expected,
+                });
+            }
+        }
+        let deviation = 2.0_f64.sqrt() * sensor.position_error_m.max(LEAST_DEVIATION);
+        let gate = GATE * deviation;
+        let detection = round.sight.detection;
+        let alarms = sensor.false_alarms_per_m2 * round.area_m2;
+        let real = (1.0 - alarms / expected.max(1) as f64).clamp(LEAST_REAL, 1.0);
+        // What was missed before and is seen now.
+        let missed = expected as f64 * real * (1.0 - detection);
+        let base = sensor.false_alarms_per_m2 + missed / round.area_m2;
+        let looked_for: Vec<usize> = (0..expected)
+            .filter(|&i| !round.after.is_hidden(before[i]) && !round.exposures[i].is_empty())
+            .collect();
+        let near = |place: &Point2| {
+            let distances = looked_for.iter().map(|&i| (before[i] - place).norm());
+            distances.fold(f64::INFINITY, f64::min)
+        };
+        let unrelated: Vec<Point2> = (after.iter().copied())
+            .filter(|place| near(place) > gate)
+            .collect();
+        let circle = std::f64::consts::PI * NEIGHBOURHOOD * NEIGHBOURHOOD;
+        let clutter = |place: &Point2| {
+            let close = unrelated
+                .iter()
+                .filter(|other| (*other - place).norm() <= NEIGHBOURHOOD);
+            (base + close.count() as f64 / circle).max(LEAST_CLUTTER)
+        };
+        let density = |place: &Point2, from: &Point2| {
+            let squared = (place - from).norm_squared() / (deviation * deviation);
+            if squared > GATE * GATE {
+                return 0.0;
+            }
+            libm::exp(-0.5 * squared) / (std::f64::consts::TAU * deviation * deviation)
+        };
+        let places: Vec<Point2> = looked_for.iter().map(|&i| before[i]).collect();
+        let mut groups = linked(&places, gate);
+        groups.retain(|group| group.len() <= MOST_JOINT);
+        let groups = groups.into_iter().map(|group| {
+            let members = group.iter().map(|&k| {
+                let i = looked_for[k];
+                Member {
+                    detected: real * detection,
+                    exposures: &round.exposures[i],
+                    earlier: if has_earlier { &round.earlier[i] } else { &[] },
+                }
+            });
+            let related = (after.iter())
+                .filter(|place| (group.iter()).any(|&k| (places[k] - **place).norm() <= gate));
+            let of_each = |place: &Point2| {
+                let others = (0..places.len()).filter(|k| !group.contains(k));
+                let others: f64 = others.map(|k| density(place, &places[k])).sum();
+                let clutter = clutter(place) + OTHERS * real * detection * others;
+                let ratios = group.iter().map(|&k| density(place, &places[k]) / clutter);
+                ratios.collect()
+            };
+            Group {
+                members: members.collect(),
+                seen: Seen(related.map(of_each).collect()),
+            }
+        });
+        // Where nobody was touched, nothing depends on the law.
+        let groups = groups.filter(|group| group.members.iter().any(Member::is_touched));
+        Ok(Self {
+            groups: groups.collect(),
+        })
+    }
+
+    /// How many particles were touched and looked for.
+    pub(super) fn observed(&self) -> usize {
+        let members = self.groups.iter().flat_map(|group| &group.members);
+        members.filter(|member| member.is_touched()).count()
+    }
+}
+
+impl Member<'_> {
+    fn is_touched(&self) -> bool {
+        self.exposures.iter().any(Exposure::is_touched)
+    }
+}
+
+impl Seen {
+    /// Natural logarithm of how likely this is if each member is dirt, stays and is detected with this probability [1].
+    /// `work` is room to work in.
+    pub(super) fn log_likelihood(&self, detected: &[f64], work: &mut Vec<f64>) -> f64 {
+        let likelihood = match detected {
+            [one] => {
+                let ratios: f64 = self.0.iter().map(|ratios| ratios[0]).sum();
+                1.0 + one * (ratios - WITHIN_GATE)
+            }
+            many => joint(&self.0, many, work),
+        };
+        libm::log(likelihood.max(LEAST_LIKELIHOOD))
+    }
+}
+
+/// Sum over all ways in which detections may be of members, detection by detection; by which members are detected
+/// already.
+fn joint(detections: &[Vec<f64>], detected: &[f64], ways: &mut Vec<f64>) -> f64 {
+    let sets = 1 << detected.len();
+    ways.clear();
+    ways.resize(sets, 0.0);
+    ways[0] = 1.0;
+    for ratios in detections {
+        // From the largest set down, so that no detection counts twice.
+        for set in (1..sets).rev() {
+            let mut sum = ways[set];
+            for (member, (ratio, detected)) in ratios.iter().zip(detected).enumerate() {
+                if set >> member & 1 == 1 {
+                    sum += ways[set ^ (1 << member)] * ratio * detected;
+                }
+            }
+            ways[set] = sum;
+        }
+    }
+    let unseen = |set: usize| {
+        let others = detected.iter().enumerate();
+        let others = others.filter(|(member, _)| set >> member & 1 == 0);
+        others
+            .map(|(_, detected)| 1.0 - detected * WITHIN_GATE)
+            .product::<f64>()
+    };
+    (0..sets).map(|set| ways[set] * unseen(set)).sum()
+}
+
+/// The groups of places that are linked by steps of at most this distance [m].
+fn linked(places: &[Point2], distance: f64) -> Vec<Vec<usize>> {
+    let mut is_taken = vec![false; places.len()];
+    let mut groups = Vec::new();
+    for first in 0..places.len() {
+        if is_taken[first] {
+            continue;
+        }
+        is_taken[first] = true;
+        let mut group = vec![first];
+        let mut next = 0;
+        while let Some(&at) = group.get(next) {
+            next += 1;
+            for other in 0..places.len() {
+                if !is_taken[other] && (places[other] - places[at]).norm() <= distance {
+                    is_taken[other] = true;
+                    group.push(other);
+                }
+            }
+        }
+        groups.push(group);
+    }
+    groups
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ways_are_summed_as_if_each_were_written_down() {
+        // Two members, two detections, the second of which may be of either.
+        let ratios = [vec![5.0, 0.0], vec![2.0, 3.0]];
+        let [a, b] = [0.7, 0.4];
+        let (not_a, not_b) = (1.0 - a * WITHIN_GATE, 1.0 - b * WITHIN_GATE);
+        let by_hand =
+            not_a * not_b + 5.0 * a * not_b + 2.0 * a * not_b + 3.0 * b * not_a + 5.0 * a * 3.0 * b;
+        let seen = Seen(ratios.to_vec());
+        let found = seen.log_likelihood(&[a, b], &mut Vec::new());
+        assert!((found - by_hand.ln()).abs() < 1e-12);
+        // Alone, a member is a special case of it.
+        let alone = Seen(vec![vec![5.0], vec![2.0]]);
+        let summed = joint(&[vec![5.0], vec![2.0]], &[a], &mut Vec::new());
+        let found = alone.log_likelihood(&[a], &mut Vec::new());
+        assert!((found - summed.ln()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_lies_close_belongs_together() {
+        let at = |x: f64| Point2::new(x, 0.0);
+        let groups = linked(&[at(0.0), at(0.9), at(3.0), at(1.8)], 1.0);
+        assert_eq!(groups, [vec![0, 1, 3], vec![2]]);
+    }
+}

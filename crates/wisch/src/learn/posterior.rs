@@ -1,0 +1,73 @@
+//! A distribution over the nodes of an axis, in short.
+
+/// What is believed of a number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Summary {
+    /// Its mean.
+    pub mean: f64,
+    /// Its standard deviation.
+    pub deviation: f64,
+    /// Between these it lies with 90 % probability, with 5 % below and 5 % above.
+    pub interval: [f64; 2],
+}
+
+impl Summary {
+    /// Of weights, in any unit, of equally spaced nodes in ascending order.
+    pub(super) fn of(nodes: &[f64], weights: &[f64]) -> Self {
+        let sum: f64 = weights.iter().sum();
+        let mean = |of: &dyn Fn(f64) -> f64| {
+            let parts = nodes.iter().zip(weights);
+            parts.map(|(node, weight)| of(*node) * weight).sum::<f64>() / sum
+        };
+        let middle = mean(&|x| x);
+        let variance = mean(&|x| (x - middle).powi(2));
+        Self {
+            mean: middle,
+            deviation: variance.max(0.0).sqrt(),
+            interval: [0.05, 0.95].map(|share| quantile(nodes, weights, share)),
+        }
+    }
+}
+
+/// Where this share of the weight lies below, if the weight of a node is spread evenly halfway to its neighbours.
+fn quantile(nodes: &[f64], weights: &[f64], share: f64) -> f64 {
+    let (&[first, ..], &[.., last]) = (nodes, nodes) else {
+        return f64::NAN;
+    };
+    let step = (last - first) / (nodes.len() - 1).max(1) as f64;
+    let mut left = share * weights.iter().sum::<f64>();
+    for (node, weight) in nodes.iter().zip(weights) {
+        if left <= *weight && *weight > 0.0 {
+            return (node + step * (left / weight - 0.5)).clamp(first, last);
+        }
+        left -= weight;
+    }
+    last
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_normal_distribution_is_summed_up() {
+        let nodes: Vec<f64> = (0..41).map(|i| -5.0 + 0.25 * f64::from(i)).collect();
+        let weights: Vec<f64> = nodes.iter().map(|x| libm::exp(-0.5 * x * x)).collect();
+        let Summary {
+            mean,
+            deviation,
+            interval: [low, high],
+        } = Summary::of(&nodes, &weights);
+        assert!(mean.abs() < 1e-9 && (deviation - 1.0).abs() < 1e-3);
+        // Φ(1.6449) = 0.95; spreading a node's weight evenly adds a little.
+        assert!(
+            (high - 1.645).abs() < 0.02 && (low + 1.645).abs() < 0.02,
+            "{low} {high}"
+        );
+        let one = Summary::of(&[0.3], &[2.0]);
+        assert_eq!(
+            (one.mean, one.deviation, one.interval),
+            (0.3, 0.0, [0.3; 2])
+        );
+    }
+}
