@@ -151,26 +151,36 @@ proptest! {
     }
 }
 
+/// Length of the content of the record at a place [B].
+fn len_at(bytes: &[u8], at: usize) -> usize {
+    u64::from_le_bytes(bytes[at + 1..at + 9].try_into().unwrap()) as usize
+}
+
+/// Where the first chunk begins: after the magic and the file's header.
+fn first_chunk(bytes: &[u8]) -> usize {
+    let chunk = 8 + 9 + len_at(bytes, 8);
+    assert_eq!(bytes[chunk], mcap::records::op::CHUNK);
+    chunk
+}
+
 #[test]
 fn a_flipped_bit_in_a_chunk_is_found_out() {
     let (_folder, path) = in_folder();
     let mut bytes = SMALL.clone();
-    let middle = bytes.len() / 4;
+    let chunk = first_chunk(&bytes);
+    let middle = chunk + 9 + len_at(&bytes, chunk) / 2;
     bytes[middle] ^= 1;
     fs::write(&path, bytes).unwrap();
-    assert!(refused(&path, &LogOptions::default()).contains(": byte "));
+    let refused = refused(&path, &LogOptions::default());
+    assert!(refused.contains(": byte "), "{refused}");
 }
 
 #[test]
 fn a_record_that_is_longer_than_its_chunk_is_found_out() {
     let (_folder, path) = in_folder();
     let mut bytes = PLAIN.clone();
-    let len_at = |bytes: &[u8], at: usize| {
-        u64::from_le_bytes(bytes[at + 1..at + 9].try_into().unwrap()) as usize
-    };
-    // After the magic and the file's header comes a chunk; its own header without compression has 40 bytes.
-    let chunk = 8 + 9 + len_at(&bytes, 8);
-    assert_eq!(bytes[chunk], mcap::records::op::CHUNK);
+    let chunk = first_chunk(&bytes);
+    // Its own header without compression has 40 bytes.
     let first = chunk + 9 + 40;
     let longer = len_at(&bytes, chunk) as u64;
     bytes[first + 1..first + 9].copy_from_slice(&longer.to_le_bytes());
