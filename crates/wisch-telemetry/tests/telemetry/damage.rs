@@ -156,11 +156,13 @@ fn len_at(bytes: &[u8], at: usize) -> usize {
     u64::from_le_bytes(bytes[at + 1..at + 9].try_into().unwrap()) as usize
 }
 
-/// Where the first chunk begins: after the magic and the file's header.
+/// Where the first chunk begins; the first record comes after the magic.
 fn first_chunk(bytes: &[u8]) -> usize {
-    let chunk = 8 + 9 + len_at(bytes, 8);
-    assert_eq!(bytes[chunk], mcap::records::op::CHUNK);
-    chunk
+    let mut at = 8;
+    while bytes[at] != mcap::records::op::CHUNK {
+        at += 9 + len_at(bytes, at);
+    }
+    at
 }
 
 #[test]
