@@ -77,6 +77,8 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
         .collect();
     let file = begin_after_whole_lines(&path);
     let file = Mutex::new(file.map_err(|error| cannot(&path, "write there", &error))?);
+    // As it is when worlds are drawn: a checkout may have moved on at the end.
+    let commit = commit();
     let progress = Progress::start(global);
     let (done, all) = (AtomicUsize::new(0), seeds.len());
     progress.say(format!("0 of {}", counted(all, "world")));
@@ -110,7 +112,7 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
         format: "wisch calibration",
         schema: SCHEMA,
         version: env!("CARGO_PKG_VERSION"),
-        commit: commit(),
+        commit,
         seeds: [args.first_seed, last],
         seed_use: serves.as_str(),
         senses,
