@@ -92,7 +92,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn touches_soon_after_each_other_are_one_push_that_is_told_in_time_or_late() {
+    fn touches_close_in_time_are_one_push() {
         let touches = [[1.0, 1.5], [1.7, 2.0], [5.0, 5.5], [9.0, 10.0]];
         let told = [[1.02, 1.6], [1.65, 2.2]];
         let counts = PushCounts::of_round(10.0, &touches, &told);
