@@ -307,8 +307,7 @@ impl<'a> Simulation<'a> {
             actual,
             self.controller.compliant(),
             &self.efforts,
-            &self.planned_q[0],
-            &self.planned_q[1],
+            &self.planned_q,
             &mut self.joint_efforts,
         );
         let real_tool = world_from_real_tool.translation.vector.into();

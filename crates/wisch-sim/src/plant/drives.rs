@@ -217,14 +217,14 @@ impl Plant {
         })
     }
 
-    /// Lets efforts act on the compliant variables and moves on the targets of the others, over one period.
+    /// Lets efforts act on the compliant variables and moves on the targets of the others, position, velocity and
+    /// acceleration, over one period.
     pub fn drive(
         &mut self,
         state: &ArticulationState,
         compliant: &[usize],
         efforts: &[f64],
-        target_q: &[f64],
-        target_qd: &[f64],
+        [target_q, target_qd, target_qdd]: &[Vec<f64>; 3],
         joint_efforts: &mut [f64],
     ) {
         for link in &self.links {
@@ -238,8 +238,14 @@ impl Plant {
                 let variable = joint.terms[0].0;
                 joint_efforts[i] += match compliant.iter().position(|&c| c == variable) {
                     Some(k) => efforts[k],
-                    // What holds against gravity; the spring does the rest.
-                    None => state.bias()[variable],
+                    // What gravity and the planned acceleration take; the spring does the rest. Without it an arm that
+                    // is led would draw on the tool with its inertia.
+                    None => {
+                        let inertia = state.mass_matrix().row(variable);
+                        let accelerating = inertia.iter().zip(target_qdd);
+                        let accelerating = accelerating.map(|(inertia, qdd)| inertia * qdd);
+                        state.bias()[variable] + accelerating.sum::<f64>()
+                    }
                 };
             }
         }

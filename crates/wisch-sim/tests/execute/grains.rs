@@ -1,8 +1,9 @@
 //! Real dirt under a real tool.
 
 use super::wiping::{Log, Wiping};
+use nalgebra::{Translation3, UnitQuaternion};
 use proptest::prelude::*;
-use wisch::geometry::Point2;
+use wisch::geometry::{Point2, Pose, Vector3};
 use wisch::represent::{Action, Fate, ParticleDistribution};
 use wisch_sim::Dirt;
 
@@ -97,6 +98,30 @@ fn a_tool_that_does_not_touch_the_surface_does_nothing_to_the_dirt() {
             assert_eq!(after.fate, Fate::OnSurface);
             assert!((after.position - before.position).norm() < CREEP);
         }
+    }
+}
+
+#[test]
+fn what_lies_on_a_slope_stays_there() {
+    let mut wiping = dirty(Action::Skim);
+    // As a windshield is raked; far below the tool.
+    let raked = UnitQuaternion::from_scaled_axis(Vector3::new(30_f64.to_radians(), 0.0, 0.0));
+    wiping.settings.believed_from_real = Pose::from_parts(Translation3::new(0.0, 0.0, -0.3), raked);
+    // As near to each other as they can be.
+    let apart = wiping.settings.grain_size.max_m + 1e-4;
+    let places: Vec<Point2> = (0..100)
+        .map(|i| apart * Point2::new(f64::from(i % 10), f64::from(i / 10)))
+        .collect();
+    let places = ParticleDistribution::new(&places).unwrap();
+    wiping.dirt = Dirt::scatter(&places, &wiping.settings, 1);
+    let log = wiping.execute();
+    for (before, after) in wiping.dirt.grains().iter().zip(log.truth.dirt.grains()) {
+        let moved = (after.position - before.position).norm();
+        assert!(
+            moved < CREEP,
+            "creeps by {moved} m in {} s",
+            log.executed.duration
+        );
     }
 }
 

@@ -2,12 +2,15 @@
 
 use super::wiping::{Log, Wiping, as_believed};
 use wisch::control::ControlConfig;
-use wisch::follow::{FollowConfig, Workcell, follow};
+use wisch::follow::{FollowConfig, Phase, Workcell, follow};
 use wisch::geometry::{Point3, Vector3};
 use wisch::plan::{CoverageStrategy, plan};
 use wisch_io::{LoadOptions, LoadedTask, Moment, Push, load_task};
 use wisch_sim::Dirt;
 use wisch_testkit::{first_stroke, humanoid, scenario};
+
+/// Most that is felt of an arm which goes along [N]; a push is told from 2 N on.
+const FREE_FORCE: f64 = 1.5;
 
 /// The first stroke of the broom.
 fn sweeping() -> Wiping {
@@ -73,4 +76,13 @@ fn the_second_hand_stays_on_the_stick_also_when_somebody_pushes_it() {
     assert!(led > 0.02, "the push leads the broom by {led} m");
     let slip = slip(&log, &wiping);
     assert!(slip < 3e-3, "the hand slips by {slip} m");
+}
+
+#[test]
+fn in_the_air_the_arm_that_is_led_is_not_felt() {
+    let wiping = sweeping();
+    let log = wiping.execute();
+    let free = log.rows.iter().filter(|row| row.phase == Phase::FreeMotion);
+    let felt = free.map(|row| row.external.norm()).fold(0.0, f64::max);
+    assert!(felt < FREE_FORCE, "{felt} N in the air");
 }

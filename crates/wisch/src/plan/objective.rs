@@ -1,9 +1,9 @@
 //! The objective by which plans for the same dirt are compared: their predicted effect.
 
 use super::{Plan, predict};
-use crate::geometry::{Edge, Point2, Polygon, Vector2};
+use crate::geometry::{Edge, Point2, Polygon, Pose, Vector2};
 use crate::represent::{
-    Fate, GoalState, HEAP_DEPTH, ParticleDistribution, Performance, Task, heap_depth,
+    Fate, GoalState, HEAP_DEPTH, ParticleDistribution, Performance, Task, heap_depth, heap_slide,
 };
 
 /// How many particles that might still be brought to the goal one is worth that never will: whatever is
@@ -57,7 +57,8 @@ struct EdgeMargin {
     before: ParticleDistribution,
     /// How near to an edge each particle came in the worst case, over the width of the margin [1].
     nearness: Vec<f64>,
-    /// How far a heap reaches ahead of each particle, in the direction in which it was pushed last [m].
+    world_from_surface: Pose,
+    /// How far a heap reaches from each particle on in the direction in which it was pushed last, and down a slope [m].
     ahead: Vec<Vector2>,
 }
 
@@ -73,6 +74,7 @@ impl EdgeMargin {
                 .map(|(_, edge)| edge)
                 .collect(),
             heap: HEAP_DEPTH * plan.collision_radius,
+            world_from_surface: surface.world_from_surface,
             nearness: vec![0.0; task.particles.len()],
             ahead: vec![Vector2::zeros(); task.particles.len()],
             before: task.particles.clone(),
@@ -92,7 +94,8 @@ impl EdgeMargin {
             let distance = distances.fold(width, f64::min);
             self.nearness[i] = self.nearness[i].max(1.0 - distance / width);
             let along = (place - self.before.position(i)).normalize();
-            self.ahead[i] = along * (width * RIM_DEPTH / HEAP_DEPTH);
+            let reach = along + heap_slide(&self.world_from_surface, along);
+            self.ahead[i] = reach * (width * RIM_DEPTH / HEAP_DEPTH);
         }
         self.before = after;
     }

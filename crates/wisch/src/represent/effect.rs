@@ -193,7 +193,7 @@ impl EffectModel {
         let Some(mut heap) = self.heap.take() else {
             return self.sweep(field, surface, motion, responds);
         };
-        heap.begin(motion);
+        heap.begin(motion, surface);
         let mut effect = self.sweep(field, surface, motion, |particle, position| {
             let is_carried = responds(particle, position);
             if is_carried {

@@ -18,7 +18,7 @@ mod task;
 
 pub use effect::{EffectModel, MotionEffect};
 pub use field::ParticleField;
-pub use heap::{HEAP_DEPTH, heap_depth};
+pub use heap::{HEAP_DEPTH, heap_depth, heap_slide};
 pub use knowledge::{
     Action, AngleRange, AreaOfEffect, Effect, GrainSize, Grip, Interaction, KnowledgeBase,
     KnowledgeError, LogNormal, LogNormalSpread, MediumEntry, MediumKind, Place, RankedTool, Redraw,
