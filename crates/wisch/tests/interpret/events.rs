@@ -135,9 +135,10 @@ fn forces_that_lag_raise_no_alarm_and_hide_none() {
 
 #[test]
 fn sticking_and_slipping_is_noticed() {
-    for stick_slip in [4.0, 8.0] {
+    for (stick_slip, speed) in [(4.0, 0.1), (8.0, 0.1), (4.0, 0.02)] {
         let script = Script {
             stick_slip,
+            speed,
             ..Script::default()
         };
         let interpretation = interpreted(&script);
@@ -151,6 +152,17 @@ fn sticking_and_slipping_is_noticed() {
             assert!(event.end < end + 0.05 && event.end > end - 0.5, "{event:?}");
         }
         assert_eq!(events(&interpretation, EventKind::Collision), []);
+    }
+}
+
+#[test]
+fn a_slow_stroke_does_not_stick() {
+    for speed in [0.01, 0.015, 0.02] {
+        let calm = interpreted(&Script {
+            speed,
+            ..Script::default()
+        });
+        assert_eq!(events(&calm, EventKind::StickSlip), [], "{speed} m/s");
     }
 }
 

@@ -89,6 +89,8 @@ pub struct Script {
     pub force_lag: f64,
     /// Sticking and slipping on the strokes [Hz].
     pub stick_slip: f64,
+    /// Speed of the strokes [m/s].
+    pub speed: f64,
     /// When the robot stands still on its way [s].
     pub rests: Vec<[f64; 2]>,
 }
@@ -108,6 +110,7 @@ impl Default for Script {
             rate: 1000.0,
             force_lag: 0.0,
             stick_slip: 0.0,
+            speed: SPEED,
             rests: vec![],
         }
     }
@@ -131,7 +134,7 @@ impl Script {
                     legs.push((at(*from, LIFT), at(*from, 0.0), APPROACH_SPEED));
                 }
             }
-            legs.push((at(*from, 0.0), at(*to, 0.0), SPEED));
+            legs.push((at(*from, 0.0), at(*to, 0.0), self.speed));
             // A stroke that begins where this one ends goes on without a lift.
             if next.is_none_or(|[from, _]| from != to) {
                 legs.push((at(*to, 0.0), at(*to, LIFT), APPROACH_SPEED));

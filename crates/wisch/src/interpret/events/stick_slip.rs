@@ -2,6 +2,7 @@
 
 use super::detector::EventDetector;
 use super::event::{Event, EventKind};
+use crate::geometry::Vector2;
 
 /// Half the time over which the mean speed is taken [s].
 const WINDOW: f64 = 0.25;
@@ -10,8 +11,12 @@ const STUCK: f64 = 0.3;
 const SLIPPING: f64 = 1.4;
 /// Longest time between two turns of the same stick-slip [s]: slower ones are the plan's own stops.
 const LONGEST_TURN: f64 = 0.25;
-/// Slowest mean speed at which it can be detected [m/s]: positions off by 0.1 mm look like half of it.
-const SLOWEST: f64 = 0.03;
+/// Way at the mean speed over which a speed is taken [m]: positions that are off by 0.1 mm change it by a seventh.
+const LEAST_WAY: f64 = 1e-3;
+/// Slowest mean speed at which it can be detected [m/s]: slower ones take as long for that way as a slip.
+const SLOWEST: f64 = 0.015;
+/// Longest time between two runs of turns that are one stick-slip [s]: now and then noise hides a turn.
+const BRIDGE: f64 = 0.5;
 /// Least change of the force along the surface between stuck and slipping [N].
 const LEAST_FORCE: f64 = 1.0;
 
@@ -38,33 +43,50 @@ impl EventDetector<'_> {
         let turns = self.turns();
         let together = |a: &Turn, b: &Turn| {
             self.path[b.piece].time[1] - self.path[a.piece].time[1] <= LONGEST_TURN
+                && b.peak - b.least >= LEAST_FORCE
                 && self.all_touching(a.piece, b.piece)
         };
-        turns
+        let runs = turns
             .chunk_by(together)
             .filter(|run| run.len() >= self.config.events.stick_slip_turns)
-            .filter(|run| {
-                run[1..]
-                    .iter()
-                    .all(|turn| turn.peak - turn.least >= LEAST_FORCE)
-            })
             .map(|run| {
                 // Standing before a stroke is no sticking: it begins with the first slip.
                 let first = usize::from(run[0].to == Gait::Stuck);
-                let last = run.len() - 1;
-                self.described(EventKind::StickSlip, run[first].piece, run[last].piece)
-            })
-            .collect()
+                [run[first].piece, run[run.len() - 1].piece]
+            });
+        let mut stick_slips: Vec<[usize; 2]> = Vec::new();
+        for [first, last] in runs {
+            match stick_slips.last_mut() {
+                Some([_, end])
+                    if self.path[first].time[0] - self.path[*end].time[1] <= BRIDGE
+                        && self.all_touching(*end, first) =>
+                {
+                    *end = last;
+                }
+                _ => stick_slips.push([first, last]),
+            }
+        }
+        let described =
+            |[first, last]: [usize; 2]| self.described(EventKind::StickSlip, first, last);
+        stick_slips.into_iter().map(described).collect()
     }
 
     fn all_touching(&self, first: usize, last: usize) -> bool {
         (first..=last).all(|i| self.is_touching(i))
     }
 
-    /// Speed along the surface, over the neighbours of a piece that has two [m/s].
-    fn speed(&self, i: usize) -> f64 {
-        let (before, after) = (&self.path[i - 1], &self.path[i + 1]);
-        (after.position - before.position).xy().norm() / (after.time[1] - before.time[1])
+    /// Speed along the surface about a piece that has two neighbours, over as many of them as the mean velocity asks for:
+    /// along this, as across it there is nothing but noise [m/s].
+    fn speed(&self, i: usize, mean: Vector2) -> f64 {
+        let last = self.path.len() - 1;
+        let (mut before, mut after) = (i - 1, i + 1);
+        let time =
+            |before: usize, after: usize| self.path[after].time[1] - self.path[before].time[1];
+        while mean.norm() * time(before, after) < LEAST_WAY && before > 0 && after < last {
+            (before, after) = (before - 1, after + 1);
+        }
+        let way = (self.path[after].position - self.path[before].position).xy();
+        way.dot(&mean.normalize()).abs() / time(before, after)
     }
 
     fn turns(&self) -> Vec<Turn> {
@@ -80,14 +102,16 @@ impl EventDetector<'_> {
             while last + 1 < self.path.len() && self.path[last].time[1] < now + WINDOW {
                 last += 1;
             }
-            let mean = self.way[last] - self.way[first];
-            let mean = mean / (self.path[last].time[1] - self.path[first].time[1]);
-            let speed = self.speed(i);
+            // Not over the length of the path, which noise adds to.
+            let net = (self.path[last].position - self.path[first].position).xy();
+            let velocity = net / (self.path[last].time[1] - self.path[first].time[1]);
+            let mean = velocity.norm();
             peak = peak.max(self.path[i].tangential_force);
             least = least.min(self.path[i].tangential_force);
             if mean < SLOWEST || !self.is_touching(i) {
                 continue;
             }
+            let speed = self.speed(i, velocity);
             let next = match gait {
                 Gait::Slipping if speed < STUCK * mean => Gait::Stuck,
                 Gait::Stuck if speed > SLIPPING * mean => Gait::Slipping,
