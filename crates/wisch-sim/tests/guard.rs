@@ -3,9 +3,10 @@
 use crate::execute::{Wiping, as_believed};
 use std::ops::ControlFlow;
 use wisch::geometry::Point2;
-use wisch::interpret::TouchSample;
 use wisch::represent::{Action, ParticleDistribution};
-use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, RecordedRound, Recording};
+use wisch::run::{
+    Execution, Executor, ExecutorError, MotionOrder, RecordedRound, RecordedSample, Recording,
+};
 use wisch::run::{RunConfig, SampleSink, Session};
 use wisch_sim::{Dirt, Places, SimulationSettings, Site, World};
 use wisch_testkit::{arm7, board};
@@ -22,14 +23,13 @@ impl Executor for Heard {
         order: &MotionOrder<'_>,
         sink: &mut SampleSink<'_>,
     ) -> Result<Execution, ExecutorError> {
-        let mut touches = Vec::new();
+        let mut samples = Vec::new();
         let execution = self.world.execute(order, &mut |sample| {
-            let (pose, force) = (sample.world_from_tool, sample.external.force);
-            touches.push(TouchSample::new(sample.time, pose, force));
+            samples.push(RecordedSample::from(sample));
             sink(sample)
         })?;
         self.rounds.push(RecordedRound {
-            touches,
+            samples,
             execution: execution.clone(),
             observation: None,
         });

@@ -94,10 +94,10 @@ pub fn execute(
                 watch.flow(written.map_err(|error| no_event(path, &error)))?;
             }
             recorder.round_of(event);
+            episode.see(event);
             if recorder.is_taken_over() {
                 return ControlFlow::Continue(());
             }
-            episode.see(event);
             // An episode does not depend on the results, nor on where they go.
             match recorder.see(event).map_err(cannot_write) {
                 Err(failure) if episode.is_kept() => {

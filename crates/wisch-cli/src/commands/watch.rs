@@ -227,7 +227,7 @@ impl<'a> Recorder<'a> {
         self.duration = planned.followed.duration();
         self.samples = 0;
         self.begin = Instant::now();
-        self.checkpoints.begin();
+        self.checkpoints.begin(planned.number);
         let task = &planned.task;
         let head = BagHead {
             joints: (0..robot.dof())

@@ -1,22 +1,24 @@
 //! Rounds on the disk while a run goes on, so that it can be resumed should it be killed.
 //!
 //! What a round began with and what followed from it is computed anew, which gives the same; what is kept is
-//! what takes long to compute or cannot be seen in a bag: how the execution went, and what was felt.
+//! what takes long to compute: how the execution went, and what was measured.
 
 mod record;
 
 use crate::GroundTruth;
+use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 use record::{CHECKPOINT_SCHEMA, CheckpointRecord};
-use std::fs;
-use std::io;
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use wisch::geometry::{Pose, Vector3};
-use wisch::interpret::TouchSample;
 use wisch::represent::Observation;
-use wisch::run::{RecordedRound, Round, TelemetrySample};
+use wisch::run::{RecordedRound, RecordedSample, Round, TelemetrySample, Wrench};
 
-/// Numbers of a sample: time, position, quaternion x, y, z, w, force.
-const NUMBERS: usize = 11;
+/// Numbers of a sample beside those of the joints: time, two poses and two wrenches.
+const NUMBERS: usize = 1 + 2 * POSE + 2 * WRENCH;
+const POSE: usize = 7;
+const WRENCH: usize = 6;
 /// Bytes of a number.
 const BYTES: usize = size_of::<f64>();
 
@@ -33,12 +35,21 @@ pub struct KeptRound {
     pub executing_s: f64,
 }
 
-/// Takes down what is felt, and puts it on the disk after every round.
+/// Puts what is measured on the disk as it comes, and after every round what became of it.
 #[derive(Debug)]
 pub struct Checkpoints {
     folder: PathBuf,
     identity: u64,
-    touches: Vec<u8>,
+    writing: Option<Writing>,
+}
+
+/// A round that is being executed.
+#[derive(Debug)]
+struct Writing {
+    file: io::Result<BufWriter<File>>,
+    samples: usize,
+    /// How many positions, velocities and efforts a sample has.
+    counts: [usize; 3],
 }
 
 impl Checkpoints {
@@ -47,35 +58,32 @@ impl Checkpoints {
         Self {
             folder: folder.to_owned(),
             identity,
-            touches: Vec::new(),
+            writing: None,
         }
     }
 
     /// Begins a round.
-    pub fn begin(&mut self) {
-        self.touches.clear();
+    pub fn begin(&mut self, number: usize) {
+        self.writing = Some(Writing {
+            file: File::create(samples_path(&self.folder, number)).map(BufWriter::new),
+            samples: 0,
+            counts: [0; 3],
+        });
     }
 
-    /// Takes down a sample.
+    /// Takes down a sample. That this fails is said when the round is over.
     pub fn sample(&mut self, sample: &TelemetrySample<'_>) {
-        let pose = &sample.world_from_tool;
-        let (p, q) = (pose.translation.vector, pose.rotation.coords);
-        let f = sample.external.force;
-        let numbers: [f64; NUMBERS] = [
-            sample.time,
-            p.x,
-            p.y,
-            p.z,
-            q.x,
-            q.y,
-            q.z,
-            q.w,
-            f.x,
-            f.y,
-            f.z,
-        ];
-        self.touches
-            .extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
+        let Some(writing) = &mut self.writing else {
+            return;
+        };
+        let Ok(file) = &mut writing.file else {
+            return;
+        };
+        writing.samples += 1;
+        writing.counts = [sample.positions, sample.velocities, sample.efforts].map(<[f64]>::len);
+        if let Err(error) = write(file, sample) {
+            writing.file = Err(error);
+        }
     }
 
     /// Puts a round on the disk.
@@ -83,28 +91,29 @@ impl Checkpoints {
     /// # Errors
     /// What the system says.
     pub fn keep(
-        &self,
+        &mut self,
         round: &Round,
         first_look: Option<&Observation>,
         truth: &GroundTruth,
         executing_s: f64,
     ) -> io::Result<()> {
-        let samples = self.touches.len() / (NUMBERS * BYTES);
+        let writing = self.writing.take();
+        let writing = writing.ok_or_else(|| io::Error::other("no round has begun"))?;
+        writing.file?.flush()?;
         let looks = [first_look, round.interpretation.observation.as_ref()];
         let record = CheckpointRecord::new(
             &round.execution,
             truth,
             looks,
             self.identity,
-            samples,
+            (writing.samples, writing.counts),
             executing_s,
         );
         let text = serde_json::to_string(&record).map_err(io::Error::other)?;
         let number = round.motion.number;
         // The record, which says that all is there, comes last, and whole or not at all.
         let unfinished = self.folder.join("record");
-        fs::write(touches_path(&self.folder, number), &self.touches)
-            .and_then(|()| fs::write(&unfinished, text))
+        fs::write(&unfinished, text)
             .and_then(|()| fs::rename(&unfinished, record_path(&self.folder, number)))
     }
 
@@ -120,9 +129,12 @@ fn read_round(state: &Path, number: usize, identity: u64) -> Option<KeptRound> {
     if record.schema != CHECKPOINT_SCHEMA || record.identity != identity {
         return None;
     }
-    let bytes = fs::read(touches_path(state, number)).ok()?;
-    let touches: Vec<TouchSample> = bytes.chunks_exact(NUMBERS * BYTES).map(touch).collect();
-    (touches.len() == record.samples).then(|| {
+    let bytes = fs::read(samples_path(state, number)).ok()?;
+    let joints: usize = record.counts.iter().sum();
+    let length = (NUMBERS + joints) * BYTES;
+    let samples = bytes.chunks_exact(length);
+    let samples: Vec<RecordedSample> = samples.map(|bytes| read(bytes, record.counts)).collect();
+    (samples.len() == record.samples).then(|| {
         let executing_s = record.executing_s;
         let [first_look, observation] = record.looks();
         let (execution, truth) = record.executed();
@@ -130,7 +142,7 @@ fn read_round(state: &Path, number: usize, identity: u64) -> Option<KeptRound> {
             executing_s,
             first_look,
             recorded: RecordedRound {
-                touches,
+                samples,
                 execution,
                 observation,
             },
@@ -139,23 +151,54 @@ fn read_round(state: &Path, number: usize, identity: u64) -> Option<KeptRound> {
     })
 }
 
-fn touch(bytes: &[u8]) -> TouchSample {
-    let mut numbers = [0.0; NUMBERS];
-    for (number, bytes) in numbers.iter_mut().zip(bytes.chunks_exact(BYTES)) {
+fn write(file: &mut impl Write, sample: &TelemetrySample<'_>) -> io::Result<()> {
+    let mut put = |numbers: &[f64]| {
+        let mut numbers = numbers.iter();
+        numbers.try_for_each(|number| file.write_all(&number.to_le_bytes()))
+    };
+    put(&[sample.time])?;
+    for pose in [&sample.world_from_commanded, &sample.world_from_tool] {
+        put(pose.translation.vector.as_slice())?;
+        put(pose.rotation.coords.as_slice())?;
+    }
+    for wrench in [&sample.controller, &sample.external] {
+        put(wrench.force.as_slice())?;
+        put(wrench.moment.as_slice())?;
+    }
+    put(sample.positions)?;
+    put(sample.velocities)?;
+    put(sample.efforts)
+}
+
+/// A sample as it was, to the last bit.
+fn read(bytes: &[u8], counts: [usize; 3]) -> RecordedSample {
+    let numbers = bytes.chunks_exact(BYTES).map(|bytes| {
         let mut eight = [0; BYTES];
         eight.copy_from_slice(bytes);
-        *number = f64::from_le_bytes(eight);
-    }
-    let [time, x, y, z, qx, qy, qz, qw, fx, fy, fz] = numbers;
-    let rotation = nalgebra::Quaternion::new(qw, qx, qy, qz);
-    TouchSample {
-        time,
-        // As it was, to the last bit: no normalisation.
-        world_from_tool: Pose::from_parts(
-            nalgebra::Translation3::new(x, y, z),
-            nalgebra::UnitQuaternion::new_unchecked(rotation),
-        ),
-        force: Vector3::new(fx, fy, fz),
+        f64::from_le_bytes(eight)
+    });
+    let numbers: Vec<f64> = numbers.collect();
+    let vector = |at: usize| Vector3::new(numbers[at], numbers[at + 1], numbers[at + 2]);
+    let pose = |at: usize| {
+        let [x, y, z, w] = [3, 4, 5, 6].map(|i| numbers[at + i]);
+        // No normalisation.
+        let rotation = UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z));
+        Pose::from_parts(Translation3::from(vector(at)), rotation)
+    };
+    let wrench = |at: usize| Wrench {
+        force: vector(at),
+        moment: vector(at + 3),
+    };
+    let [commanded, tool] = [1, 1 + POSE];
+    let [controller, external] = [1 + 2 * POSE, 1 + 2 * POSE + WRENCH];
+    RecordedSample {
+        time: numbers[0],
+        joints: numbers[NUMBERS..].to_vec(),
+        counts,
+        world_from_commanded: pose(commanded),
+        world_from_tool: pose(tool),
+        controller: wrench(controller),
+        external: wrench(external),
     }
 }
 
@@ -163,23 +206,41 @@ fn record_path(state: &Path, number: usize) -> PathBuf {
     state.join(format!("round-{number}.json"))
 }
 
-fn touches_path(state: &Path, number: usize) -> PathBuf {
-    state.join(format!("round-{number}.felt"))
+fn samples_path(state: &Path, number: usize) -> PathBuf {
+    state.join(format!("round-{number}.samples"))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use wisch::follow::Phase;
 
     #[test]
-    fn what_was_felt_comes_back_to_the_last_bit() {
-        let numbers = [0.001, 1.0, -2.0, 0.1, 0.1, 0.2, 0.3, 0.4, 1e-300, -0.0, 9.9];
-        let bytes: Vec<u8> = numbers.iter().flat_map(|n: &f64| n.to_le_bytes()).collect();
-        let touch = touch(&bytes);
-        let q = touch.world_from_tool.rotation.coords;
-        assert_eq!([q.x, q.y, q.z, q.w], [0.1, 0.2, 0.3, 0.4], "not normalised");
-        assert_eq!(touch.time, 0.001);
-        assert_eq!(touch.world_from_tool.translation.vector.z, 0.1);
-        assert_eq!(touch.force, Vector3::new(1e-300, -0.0, 9.9));
+    fn what_was_measured_comes_back_to_the_last_bit() {
+        let pose = |first: f64| {
+            let rotation = UnitQuaternion::new_unchecked(Quaternion::new(0.4, 0.1, 0.2, 0.3));
+            Pose::from_parts(Translation3::new(first, -2.0, 0.1), rotation)
+        };
+        let wrench = |first: f64| Wrench {
+            force: Vector3::new(first, -0.0, 9.9),
+            moment: Vector3::new(0.1, 0.2, first),
+        };
+        let sample = TelemetrySample {
+            time: 0.001,
+            positions: &[1.0, 2.0],
+            velocities: &[0.1, -0.1],
+            efforts: &[1e-300],
+            world_from_commanded: pose(1.0),
+            world_from_tool: pose(1.5),
+            controller: wrench(1e-300),
+            external: wrench(3.0),
+            motion: 3,
+            phase: Phase::Wipe(2),
+        };
+        let mut bytes = Vec::new();
+        write(&mut bytes, &sample).unwrap();
+        let back = read(&bytes, [2, 2, 1]);
+        assert_eq!(back, RecordedSample::from(&sample));
+        assert_eq!(back.during(3, Phase::Wipe(2)), Some(sample));
     }
 }

@@ -8,7 +8,7 @@ use wisch::robot::Range;
 use wisch::run::{Ending, Execution, StopCause};
 
 /// Version of the record.
-pub const CHECKPOINT_SCHEMA: u32 = 4;
+pub const CHECKPOINT_SCHEMA: u32 = 5;
 
 /// What was executed in a round.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -17,8 +17,9 @@ pub struct CheckpointRecord {
     pub schema: u32,
     /// Of all that the run was made of.
     pub identity: u64,
-    /// Number of the samples that were felt.
+    /// Number of the samples that were measured, and how many positions, velocities and efforts each has.
     pub samples: usize,
+    pub counts: [usize; 3],
     /// How long simulating took.
     pub executing_s: f64,
     duration_s: f64,
@@ -104,7 +105,7 @@ impl CheckpointRecord {
         truth: &GroundTruth,
         looks: [Option<&Observation>; 2],
         identity: u64,
-        samples: usize,
+        (samples, counts): (usize, [usize; 3]),
         executing_s: f64,
     ) -> Self {
         let force = &truth.contact_force;
@@ -112,6 +113,7 @@ impl CheckpointRecord {
             schema: CHECKPOINT_SCHEMA,
             identity,
             samples,
+            counts,
             executing_s,
             duration_s: execution.duration,
             ending: EndingRecord::from(&execution.ending),
@@ -359,7 +361,8 @@ mod tests {
                 hidden: Region::new(vec![Polygon::rectangle(Vector2::new(0.1, 0.2))]),
             };
             let looks = [None, Some(&seen)];
-            let record = CheckpointRecord::new(&execution, &truth, looks, u64::MAX, 3, 1.5);
+            let samples = (3, [2, 2, 0]);
+            let record = CheckpointRecord::new(&execution, &truth, looks, u64::MAX, samples, 1.5);
             let text = serde_json::to_string(&record).expect("text");
             let read: CheckpointRecord = serde_json::from_str(&text).expect("a record");
             assert_eq!(read, record);

@@ -1,7 +1,6 @@
 //! The seam between the method and a world: what executes a motion, be it a simulator, a robot or a recording.
 
-use super::{Execution, MotionOrder, TelemetrySample};
-use crate::interpret::TouchSample;
+use super::{Execution, MotionOrder, RecordedSample, TelemetrySample};
 use crate::represent::{Observation, Task};
 use std::collections::VecDeque;
 use std::fmt::Display;
@@ -91,8 +90,8 @@ impl ExecutorError {
 /// A round that was executed before: what was measured, and how it went.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordedRound {
-    /// What the interpretation was given, in the order of time.
-    pub touches: Vec<TouchSample>,
+    /// What was measured, in the order of time.
+    pub samples: Vec<RecordedSample>,
     /// How it went.
     pub execution: Execution,
     /// What was seen afterwards, if anything looked.
@@ -102,7 +101,7 @@ pub struct RecordedRound {
 /// Plays rounds that were executed before, then goes on with another executor.
 ///
 /// A session that is killed and begun again computes the same motions; what was executed of them need not be
-/// executed again. A recording has no joints: their arrays are empty in its samples.
+/// executed again.
 #[derive(Debug, Clone)]
 pub struct Recording<E> {
     rounds: VecDeque<RecordedRound>,
@@ -141,11 +140,13 @@ impl<E: Executor> Executor for Recording<E> {
         let Some(round) = self.rounds.pop_front() else {
             return self.then.execute(order, sink);
         };
-        for touch in &round.touches {
-            let Some((motion, phase)) = order.motion_at(touch.time) else {
+        for recorded in &round.samples {
+            let during = order.motion_at(recorded.time);
+            let sample = during.and_then(|(motion, phase)| recorded.during(motion, phase));
+            let Some(sample) = sample else {
                 break;
             };
-            if sink(&TelemetrySample::of_touch(touch, motion, phase)).is_break() {
+            if sink(&sample).is_break() {
                 break;
             }
         }

@@ -21,6 +21,6 @@ pub use executor::{Executor, ExecutorError, NoExecutor, RecordedRound, Recording
 pub use order::{MotionOrder, Setpoint};
 pub use round::{PlannedRound, Round};
 pub use session::{Session, Stage};
-pub use telemetry::TelemetrySample;
+pub use telemetry::{RecordedSample, TelemetrySample};
 
 pub use crate::control::Wrench;

@@ -26,8 +26,6 @@ pub(in crate::interpret) struct EventDetector<'a> {
     pub(super) off_spring: &'a [f64],
     surface: &'a Surface,
     footprint: &'a Region,
-    /// Travel along the surface up to each piece [m].
-    pub(super) way: Vec<f64>,
     pub(super) has_plane: bool,
     /// Force along the surface over the normal force that the wiping of this log takes [1].
     pub(super) friction: f64,
@@ -61,11 +59,6 @@ impl<'a> EventDetector<'a> {
         config: &'a InterpretConfig,
     ) -> Self {
         let path = &classified.path;
-        let steps = (0..path.len()).map(|i| {
-            (path[i].position - path[i.saturating_sub(1)].position)
-                .xy()
-                .norm()
-        });
         Self {
             pieces,
             bias: classified.bias,
@@ -74,12 +67,6 @@ impl<'a> EventDetector<'a> {
             off_spring: &classified.off_spring,
             surface,
             footprint,
-            way: steps
-                .scan(0.0, |way, step| {
-                    *way += step;
-                    Some(*way)
-                })
-                .collect(),
             has_plane: classified.plane.is_some(),
             friction: friction(path, config),
             noise: classified.noise.min(2.0 * config.force_noise_n),
