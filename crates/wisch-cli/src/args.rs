@@ -8,7 +8,7 @@ mod memory;
 mod robot;
 
 pub use ask::{AskArgs, EngineChoice};
-pub use eval::{CalibrationArgs, EvalCommand, SensesChoice};
+pub use eval::{CalibrationArgs, EvalCommand, ScenarioEvaluationArgs, SensesChoice};
 pub use learn::LearnArgs;
 pub use log::{InterpretArgs, LogArgs, LoggedArgs};
 pub use memory::{

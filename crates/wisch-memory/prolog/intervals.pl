@@ -3,7 +3,7 @@
 event_interval(Event, Start, End) :- thing(Event, E), timed(E, Start, End).
 
 timed(E, Start, End) :- nonvar(E), !, individual(E, _, Start, End, _, _), Start \== none.
-timed(E, Start, End) :- nonvar(Start), nonvar(End), !, stream(at(Start, End), E).
+timed(E, Start, End) :- nonvar(Start), nonvar(End), !, number(Start), number(End), stream(at(Start, End), E).
 timed(E, Start, End) :- stream(individuals, i(E, _, Start, End, _, _)), Start \== none.
 
 % occurs(?Event, [?Start, ?End])

@@ -513,6 +513,21 @@ fn one_query_is_asked_at_a_time() {
     }
 }
 
+/// As a fuzzed query had them.
+#[test]
+fn nothing_was_at_times_that_are_no_numbers() {
+    for command in engines() {
+        let mut asker = asker(command);
+        for query in [
+            "occurs(C) during [1000, + (60)]",
+            "event_interval(C, now, then)",
+            "occurs(C, [0, foo(1)])",
+        ] {
+            assert!(!asker.ask(query).unwrap().holds(), "{query}");
+        }
+    }
+}
+
 #[test]
 fn harmless_predicates_of_prolog_can_be_called() {
     for command in engines() {

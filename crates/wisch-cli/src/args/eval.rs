@@ -23,6 +23,43 @@ choosing constants, those from 10000 on for figures that are published. See docs
 
 Exit codes: 0 all worlds were evaluated, 1 some could not be, 2 an error.")]
     Calibration(CalibrationArgs),
+    /// Wipe shipped scenarios, or tasks, over many seeds, each in the world that it describes
+    #[command(after_help = "\
+Examples:
+  wisch eval scenarios failure-human-push --worlds 20      quartiles of what is so after the rounds
+  wisch eval scenarios solar-panel-wiper solar-panel-brush --rounds 1 --first-seed 11000 --worlds 50
+  wisch eval scenarios chopping-board --touch-only --json
+
+Writes scenarios.json and scenarios.md. Seeds serve what they serve in `wisch eval calibration`.
+
+Exit codes: 0 all runs were evaluated, 1 some could not be, 2 an error.")]
+    Scenarios(ScenarioEvaluationArgs),
+}
+
+/// Arguments of `eval scenarios`.
+#[derive(Debug, Args)]
+pub struct ScenarioEvaluationArgs {
+    /// Names of shipped scenarios, or task files
+    #[arg(required = true, value_name = "TASK", value_hint = ValueHint::FilePath)]
+    pub tasks: Vec<String>,
+    /// Number of worlds of each: one for every seed
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    pub worlds: u64,
+    /// Seed of the first world; the others follow
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub first_seed: u64,
+    /// Most rounds [default: the task's]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=100))]
+    pub rounds: Option<u64>,
+    /// Do not look, whatever senses the tasks have
+    #[arg(long)]
+    pub touch_only: bool,
+    /// Folder for the results
+    #[arg(long, value_name = "DIR", default_value = "out/scenarios", value_hint = ValueHint::DirPath)]
+    pub out: PathBuf,
+    /// Print one machine-readable result
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `eval calibration`.

@@ -1,6 +1,7 @@
-//! `wisch eval`: the method in many worlds.
+//! `wisch eval calibration`: what is believed against what is so.
 
-use super::words::{counted, percent};
+use super::super::words::{counted, percent};
+use super::{cannot, commit, points, write};
 use crate::args::{CalibrationArgs, GlobalArgs, SensesChoice};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -12,11 +13,9 @@ use std::fmt::Write as _;
 use std::fs::{self, File, OpenOptions};
 use std::io::Write as _;
 use std::path::Path;
-use std::process::Command;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use wisch_eval::{Calibration, GroupScores, MethodScores, SeedUse, Senses, WorldCase, WorldScore};
-use wisch_io::OutputFile;
 use wisch_report::{CalibrationCurve, CalibrationLevel, calibration_drawing};
 
 /// The schema of what is written.
@@ -136,14 +135,6 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
     })
 }
 
-fn cannot(path: &Path, what: &str, error: &std::io::Error) -> Failure {
-    Failure::new(format!("{}: cannot {what}: {error}", path.display()))
-}
-
-fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    Ok(OutputFile::begin(path)?.finish(text.as_bytes())?)
-}
-
 /// A file to be gone on with; what a killed evaluation left of a line is cut off.
 fn begin_after_whole_lines(path: &Path) -> std::io::Result<File> {
     let file = OpenOptions::new().create(true).append(true).open(path)?;
@@ -198,26 +189,6 @@ fn read_all(out: &Path) -> Result<BTreeMap<u64, WorldScore>, Failure> {
         }
     }
     Ok(worlds)
-}
-
-/// The commit of the checkout that the program runs in, with a mark if anything there differs from it.
-fn commit() -> Option<String> {
-    let output = Command::new("git")
-        .args([
-            "describe",
-            "--always",
-            "--dirty",
-            "--abbrev=12",
-            "--exclude=*",
-        ])
-        .output()
-        .ok()?;
-    let text = String::from_utf8(output.stdout).ok()?;
-    output.status.success().then(|| text.trim().to_owned())
-}
-
-fn points(share: f64) -> String {
-    format!("{:.1}", 100.0 * share)
 }
 
 fn in_words(record: &CalibrationRecord) -> String {
