@@ -6,8 +6,12 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 fn wisch(folder: &Path, args: &[&str]) -> Output {
+    eval(folder, "calibration", args)
+}
+
+fn eval(folder: &Path, what: &str, args: &[&str]) -> Output {
     let mut command = Command::new(assert_cmd::cargo::cargo_bin!("wisch"));
-    command.current_dir(folder).args(["eval", "calibration"]);
+    command.current_dir(folder).args(["eval", what]);
     command.args(args).output().expect("it runs")
 }
 
@@ -110,4 +114,49 @@ fn a_block_of_seeds_serves_one_use() {
         assert!(err.contains(expected), "{err}");
         assert!(!folder.path().join("out").exists());
     }
+}
+
+#[test]
+fn a_scenario_is_wiped_over_seeds_and_summed_up() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let args = [
+        "arm-board",
+        "--rounds",
+        "1",
+        "--worlds",
+        "2",
+        "--out",
+        "out",
+    ];
+    let output = eval(
+        folder.path(),
+        "scenarios",
+        &[&args[..], &["--json"]].concat(),
+    );
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert_eq!((output.status.code(), &*err), (Some(0), ""));
+    let record: Value = serde_json::from_slice(&output.stdout).expect("one object");
+    let runs = record["runs"].as_array().expect("runs");
+    let after = |run: &Value| run["rounds"][0]["outcome"].as_f64().expect("what was so");
+    let (first, second) = (after(&runs[0]), after(&runs[1]));
+    let scores = &record["scenarios"][0];
+    assert_eq!((&scores["runs"], &scores["rounds"]), (&2.into(), &2.into()));
+    let median = scores["first"][2].as_f64().expect("a median");
+    assert!((median - (first + second) / 2.0).abs() < 1e-12, "{scores}");
+    assert!(first > runs[0]["before"].as_f64().expect("what was so before"));
+    let table = fs::read_to_string(folder.path().join("out/scenarios.md")).expect("a table");
+    assert!(table.contains("| arm-board | 2 | 2 |"), "{table}");
+
+    let again = eval(folder.path(), "scenarios", &args);
+    let err = String::from_utf8_lossy(&again.stderr);
+    assert_eq!(again.status.code(), Some(2), "{err}");
+    assert!(err.contains("is there already"), "{err}");
+    let none = eval(
+        folder.path(),
+        "scenarios",
+        &["no-such-task", "--worlds", "1"],
+    );
+    let err = String::from_utf8_lossy(&none.stderr);
+    assert_eq!(none.status.code(), Some(1), "{err}");
+    assert!(err.contains("no-such-task"), "{err}");
 }

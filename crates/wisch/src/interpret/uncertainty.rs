@@ -167,8 +167,8 @@ impl Default for Uncertainty {
     /// A tool that was grasped with care, particles seen by a camera, a force estimated from joint torques.
     ///
     /// `slip_share` and `model_share` were chosen on the scenarios `chopping-board`, `failure-tilted-table` and
-    /// `failure-human-push`, seeds 101 to 110 (`closed_loop --seeds 10 --first-seed 101`): there the interval
-    /// holds what the simulated world did in 71 of 76 rounds; without these two, in about two of three.
+    /// `failure-human-push`, seeds 101 to 110, while the dirt of a world still lay where it was believed: there the interval
+    /// held what the simulated world did in 71 of 76 rounds; without these two, in about two of three.
     ///
     /// `grasp_offset_m` and `footprint_share` were chosen by touch on seeds 1100 to 1179 of `wisch eval calibration`, where
     /// with 1.5 mm and 0 the 90 % interval holds 79 % of 280 rounds, and as variants on 1200 to 1230: of 100 rounds,

@@ -1,7 +1,7 @@
 //! `wisch eval calibration`: what is believed against what is so.
 
 use super::super::words::{counted, percent};
-use super::{cannot, commit, points, write};
+use super::{Provenance, cannot, points, write};
 use crate::args::{CalibrationArgs, GlobalArgs, SensesChoice};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -15,7 +15,7 @@ use std::io::Write as _;
 use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use wisch_eval::{Calibration, GroupScores, MethodScores, SeedUse, Senses, WorldCase, WorldScore};
+use wisch_eval::{Calibration, GroupScores, MethodScores, Senses, WorldCase, WorldScore};
 use wisch_report::{CalibrationCurve, CalibrationLevel, calibration_drawing};
 
 /// The schema of what is written.
@@ -24,13 +24,8 @@ const SCHEMA: u32 = 1;
 /// What is written of an evaluation.
 #[derive(Debug, Serialize)]
 struct CalibrationRecord {
-    format: &'static str,
-    schema: u32,
-    /// Version of the program, and the commit where it runs in a checkout.
-    version: &'static str,
-    commit: Option<String>,
-    seeds: [u64; 2],
-    seed_use: &'static str,
+    #[serde(flatten)]
+    provenance: Provenance,
     senses: Senses,
     #[serde(flatten)]
     calibration: Calibration,
@@ -38,7 +33,7 @@ struct CalibrationRecord {
 
 /// Evaluates worlds, and sums up all in the folder.
 pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    let serves = SeedUse::of(args.first_seed, args.worlds).map_err(Failure::new)?;
+    let provenance = Provenance::begin("wisch calibration", SCHEMA, args.first_seed, args.worlds)?;
     let senses = match args.senses {
         SensesChoice::Touch => Senses::Touch,
         SensesChoice::Sight => Senses::TouchAndSight,
@@ -46,7 +41,7 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
     let (shard, out) = (args.shard, &args.out);
     fs::create_dir_all(out).map_err(|error| cannot(out, "write there", &error))?;
     let path = out.join(format!("worlds-{}-of-{}.jsonl", shard.index, shard.count));
-    let last = args.first_seed + args.worlds - 1;
+    let [_, last] = provenance.seeds;
     let mut known = read_all(out)?;
     let is_other = |world: &&WorldScore| {
         world.senses != senses
@@ -76,8 +71,6 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
         .collect();
     let file = begin_after_whole_lines(&path);
     let file = Mutex::new(file.map_err(|error| cannot(&path, "write there", &error))?);
-    // As it is when worlds are drawn: a checkout may have moved on at the end.
-    let commit = commit();
     let progress = Progress::start(global);
     let (done, all) = (AtomicUsize::new(0), seeds.len());
     progress.say(format!("0 of {}", counted(all, "world")));
@@ -108,12 +101,7 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
     }
     let worlds: Vec<WorldScore> = known.into_values().collect();
     let record = CalibrationRecord {
-        format: "wisch calibration",
-        schema: SCHEMA,
-        version: env!("CARGO_PKG_VERSION"),
-        commit,
-        seeds: [args.first_seed, last],
-        seed_use: serves.as_str(),
+        provenance,
         senses,
         calibration: Calibration::of(&worlds, &args.variant),
     };
@@ -192,17 +180,14 @@ fn read_all(out: &Path) -> Result<BTreeMap<u64, WorldScore>, Failure> {
 }
 
 fn in_words(record: &CalibrationRecord) -> String {
-    let [first, last] = record.seeds;
     let calibration = &record.calibration;
     let senses = match record.senses {
         Senses::Touch => "touch alone",
         Senses::TouchAndSight => "touch and sight",
     };
-    let commit = record.commit.as_deref().unwrap_or("outside of a checkout");
     let mut text = format!(
-        "Seeds {first} to {last} ({}), {senses}, wisch {} ({commit}): {} with {}.\n\n",
-        record.seed_use,
-        record.version,
+        "{}: {} with {}.\n\n",
+        record.provenance.in_words(senses),
         counted(calibration.worlds, "world"),
         counted(calibration.rounds, "round"),
     );
@@ -314,8 +299,8 @@ fn drawing(record: &CalibrationRecord) -> String {
         "{} in {}, seeds {} to {}",
         counted(record.calibration.rounds, "round"),
         counted(record.calibration.worlds, "world"),
-        record.seeds[0],
-        record.seeds[1]
+        record.provenance.seeds[0],
+        record.provenance.seeds[1]
     );
     calibration_drawing("Reliability of the intervals", &what, &curves)
 }

@@ -7,9 +7,45 @@ pub use calibration::calibration;
 pub use scenarios::scenarios;
 
 use crate::failure::Failure;
+use serde::Serialize;
 use std::path::Path;
 use std::process::Command;
+use wisch_eval::SeedUse;
 use wisch_io::OutputFile;
+
+/// What a record is and of what.
+#[derive(Debug, Serialize)]
+struct Provenance {
+    format: &'static str,
+    schema: u32,
+    /// Version of the program, and the commit where it runs in a checkout.
+    version: &'static str,
+    commit: Option<String>,
+    seeds: [u64; 2],
+    seed_use: &'static str,
+}
+
+impl Provenance {
+    /// Of so many worlds from a seed on; with the commit as it is now, as a checkout may have moved on at the end.
+    fn begin(format: &'static str, schema: u32, first: u64, worlds: u64) -> Result<Self, Failure> {
+        let serves = SeedUse::of(first, worlds).map_err(Failure::new)?;
+        Ok(Self {
+            format,
+            schema,
+            version: env!("CARGO_PKG_VERSION"),
+            commit: commit(),
+            seeds: [first, first + worlds - 1],
+            seed_use: serves.as_str(),
+        })
+    }
+
+    fn in_words(&self, senses: &str) -> String {
+        let [first, last] = self.seeds;
+        let commit = self.commit.as_deref().unwrap_or("outside of a checkout");
+        let (seed_use, version) = (self.seed_use, self.version);
+        format!("Seeds {first} to {last} ({seed_use}), {senses}, wisch {version} ({commit})")
+    }
+}
 
 fn cannot(path: &Path, what: &str, error: &std::io::Error) -> Failure {
     Failure::new(format!("{}: cannot {what}: {error}", path.display()))

@@ -1,7 +1,7 @@
 //! `wisch eval scenarios`: shipped scenarios over many seeds.
 
 use super::super::words::counted;
-use super::{cannot, commit, points, write};
+use super::{Provenance, cannot, points, write};
 use crate::args::{GlobalArgs, ScenarioEvaluationArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -11,7 +11,7 @@ use serde::Serialize;
 use std::fmt::Write as _;
 use std::fs;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use wisch_eval::{Quartiles, ScenarioRun, ScenarioScores, SeedUse};
+use wisch_eval::{Quartiles, ScenarioRun, ScenarioScores};
 
 /// The schema of what is written.
 const SCHEMA: u32 = 1;
@@ -19,13 +19,8 @@ const SCHEMA: u32 = 1;
 /// What is written of an evaluation.
 #[derive(Debug, Serialize)]
 struct ScenariosRecord {
-    format: &'static str,
-    schema: u32,
-    /// Version of the program, and the commit where it runs in a checkout.
-    version: &'static str,
-    commit: Option<String>,
-    seeds: [u64; 2],
-    seed_use: &'static str,
+    #[serde(flatten)]
+    provenance: Provenance,
     is_touch_only: bool,
     scenarios: Vec<ScenarioScores>,
     runs: Vec<ScenarioRun>,
@@ -33,7 +28,7 @@ struct ScenariosRecord {
 
 /// Wipes scenarios over many seeds, and sums up.
 pub fn scenarios(args: &ScenarioEvaluationArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    let serves = SeedUse::of(args.first_seed, args.worlds).map_err(Failure::new)?;
+    let provenance = Provenance::begin("wisch scenarios", SCHEMA, args.first_seed, args.worlds)?;
     let out = &args.out;
     let path = out.join("scenarios.json");
     if path.exists() {
@@ -42,12 +37,10 @@ pub fn scenarios(args: &ScenarioEvaluationArgs, global: &GlobalArgs) -> Result<O
             .with_help("choose another folder with --out: a published figure is not drawn twice"));
     }
     fs::create_dir_all(out).map_err(|error| cannot(out, "write there", &error))?;
-    let last = args.first_seed + args.worlds - 1;
-    let cases: Vec<(&String, u64)> = (args.first_seed..=last)
+    let [first, last] = provenance.seeds;
+    let cases: Vec<(&String, u64)> = (first..=last)
         .flat_map(|seed| args.tasks.iter().map(move |task| (task, seed)))
         .collect();
-    // As it is when worlds are drawn: a checkout may have moved on at the end.
-    let commit = commit();
     let progress = Progress::start(global);
     let (done, all) = (AtomicUsize::new(0), cases.len());
     progress.say(format!("0 of {}", counted(all, "run")));
@@ -73,12 +66,7 @@ pub fn scenarios(args: &ScenarioEvaluationArgs, global: &GlobalArgs) -> Result<O
         ScenarioScores::of(task, &own)
     };
     let record = ScenariosRecord {
-        format: "wisch scenarios",
-        schema: SCHEMA,
-        version: env!("CARGO_PKG_VERSION"),
-        commit,
-        seeds: [args.first_seed, last],
-        seed_use: serves.as_str(),
+        provenance,
         is_touch_only: args.touch_only,
         scenarios: args.tasks.iter().map(of).collect(),
         runs,
@@ -101,17 +89,12 @@ pub fn scenarios(args: &ScenarioEvaluationArgs, global: &GlobalArgs) -> Result<O
 }
 
 fn in_words(record: &ScenariosRecord) -> String {
-    let [first, last] = record.seeds;
-    let commit = record.commit.as_deref().unwrap_or("outside of a checkout");
     let senses = if record.is_touch_only {
         "touch alone"
     } else {
         "the scenarios' senses"
     };
-    let mut text = format!(
-        "Seeds {first} to {last} ({}), {senses}, wisch {} ({commit}).\n\n",
-        record.seed_use, record.version
-    );
+    let mut text = record.provenance.in_words(senses) + ".\n\n";
     text += "| scenario | runs | rounds | after round 1 | of what was elsewhere | at the end | met | claimed | false | 90 % holds | error | pushes told |\n";
     text += "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for scores in &record.scenarios {
