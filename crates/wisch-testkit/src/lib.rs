@@ -6,8 +6,10 @@ mod board;
 mod parts;
 mod problems;
 mod shipped;
+mod whole;
 
 pub use board::{arm7, block, board, cell, faults, first_stroke, planned};
 pub use parts::{interaction, sponge, surface};
 pub use problems::{Outcome, Problem, Tried, lost_nodes};
 pub use shipped::{AnyError, Robot, TABLE_1, humanoid, robots, root, scenario};
+pub use whole::{by_density, run_config};

@@ -1,0 +1,34 @@
+//! How tests and examples run the whole loop.
+
+use wisch::follow::WorkcellConfig;
+use wisch::plan::CoverageStrategy;
+use wisch::run::RunConfig;
+use wisch_io::{LoadOptions, LoadedTask};
+
+/// A scenario of this seed, with plans by density.
+pub fn by_density(seed: u64) -> LoadOptions {
+    LoadOptions {
+        strategy: Some(CoverageStrategy::Kde),
+        seed: Some(seed),
+        ..LoadOptions::default()
+    }
+}
+
+/// As `wisch run` does it.
+pub fn run_config(loaded: &LoadedTask) -> RunConfig {
+    let file = &loaded.file;
+    let robot = file.robot();
+    RunConfig {
+        plan: loaded.config.clone(),
+        variants: file.plan_variants(),
+        workcell: WorkcellConfig {
+            group: robot.and_then(|robot| robot.group.clone()),
+            second_group: robot.and_then(|robot| robot.second_group.clone()),
+            world_from_robot: robot.and_then(|robot| robot.world_from_robot),
+            ..WorkcellConfig::default()
+        },
+        target: file.target_performance(),
+        max_rounds: file.max_rounds(),
+        ..RunConfig::default()
+    }
+}
