@@ -95,6 +95,9 @@ pub struct WorldScore {
     /// What else was asked on the same rounds.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub variants: Vec<Variant>,
+    /// Keys of the task that were set, with their values.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub settings: Vec<(String, String)>,
     /// The performance that was to be reached.
     pub target: f64,
     /// Rounds, in order.
@@ -104,7 +107,7 @@ pub struct WorldScore {
 }
 
 impl WorldCase {
-    /// Lets the method wipe in this world.
+    /// Lets the method wipe in this world, with these keys of its task set.
     ///
     /// # Errors
     /// What a stage refuses, in words.
@@ -112,15 +115,21 @@ impl WorldCase {
         &self,
         senses: Senses,
         variants: &[Variant],
+        settings: &[(String, String)],
     ) -> Result<WorldScore, EvaluationError> {
-        let evaluated = self.evaluated(senses, variants);
+        let evaluated = self.evaluated(senses, variants, settings);
         evaluated.map_err(|message| EvaluationError {
             seed: self.seed,
             message,
         })
     }
 
-    fn evaluated(&self, senses: Senses, asked: &[Variant]) -> Result<WorldScore, String> {
+    fn evaluated(
+        &self,
+        senses: Senses,
+        asked: &[Variant],
+        set: &[(String, String)],
+    ) -> Result<WorldScore, String> {
         fn words(error: impl std::fmt::Display) -> String {
             error.to_string()
         }
@@ -129,8 +138,9 @@ impl WorldCase {
             Senses::Touch => r#"["touch"]"#,
             Senses::TouchAndSight => r#"["touch", "sight"]"#,
         };
+        let perceived = ("perception.senses".to_owned(), senses_key.to_owned());
         let options = LoadOptions {
-            settings: vec![("perception.senses".to_owned(), senses_key.to_owned())],
+            settings: set.iter().cloned().chain([perceived]).collect(),
             seed: Some(self.seed),
             action: Some(self.task.action()),
             ..LoadOptions::default()
@@ -218,6 +228,7 @@ impl WorldCase {
             case: *self,
             senses,
             variants: asked.to_vec(),
+            settings: set.to_vec(),
             target,
             rounds,
             seconds: begin.elapsed().as_secs_f64(),

@@ -1,5 +1,5 @@
-//! The method with other uncertainties, asked on the very rounds that the method executed: what each of its parts
-//! costs or brings.
+//! The method with other uncertainties or fewer members, asked on the very rounds that the method executed: what each of
+//! its parts costs or brings.
 
 use serde::{Deserialize, Serialize};
 use std::str::FromStr;
@@ -10,12 +10,17 @@ use wisch::interpret::{
 use wisch::represent::{GoalState, Observation, Sight, Task};
 use wisch::run::PlannedRound;
 
-/// Other uncertainties under a name, such as `no heap:heap_depth=0`.
+/// The field of a variant that is no uncertainty: how many members its belief has.
+const MEMBERS: &str = "members";
+/// Seed of which members these are.
+const MEMBERS_SEED: u64 = 1;
+
+/// Other uncertainties under a name, such as `no heap:heap_depth=0`, or fewer members, such as `one draw:members=1`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Variant {
     /// What it is called in tables.
     pub name: String,
-    /// Fields of [`Uncertainty`] with their values.
+    /// Fields of [`Uncertainty`] with their values, and `members`.
     pub fields: Vec<(String, f64)>,
 }
 
@@ -25,8 +30,14 @@ impl Variant {
     /// # Errors
     /// No such field, or a value out of its range.
     pub fn uncertainty(&self, method: Uncertainty) -> Result<Uncertainty, InterpretError> {
-        let mut fields = self.fields.iter();
+        let mut fields = self.fields.iter().filter(|(name, _)| name != MEMBERS);
         fields.try_fold(method, |changed, (name, value)| changed.with(name, *value))
+    }
+
+    /// How many members its belief has; `None` for the method's.
+    pub fn members(&self) -> Option<usize> {
+        let members = self.fields.iter().rev().find(|(name, _)| name == MEMBERS);
+        members.map(|(_, count)| *count as usize)
     }
 }
 
@@ -51,6 +62,14 @@ impl FromStr for Variant {
             fields: fields?,
         };
         (variant.uncertainty(Uncertainty::default())).map_err(|error| error.to_string())?;
+        let counts = variant.fields.iter().filter(|(name, _)| name == MEMBERS);
+        for (_, count) in counts {
+            if !((1.0..=1e6).contains(count) && count.fract() == 0.0) {
+                return Err(format!(
+                    "{MEMBERS}: {count} is no whole number from 1 to 1000000"
+                ));
+            }
+        }
         Ok(variant)
     }
 }
@@ -91,7 +110,11 @@ pub(crate) struct VariantBelief<'a> {
 
 impl<'a> VariantBelief<'a> {
     /// Before the first round, with the method's own belief.
-    pub(crate) const fn new(variant: &'a Variant, belief: Belief) -> Self {
+    pub(crate) fn new(variant: &'a Variant, belief: Belief) -> Self {
+        let belief = match variant.members() {
+            Some(members) => belief.thinned(members, MEMBERS_SEED),
+            None => belief,
+        };
         Self { variant, belief }
     }
 
@@ -106,6 +129,7 @@ impl<'a> VariantBelief<'a> {
         let task = &planned.task;
         let mut config = InterpretConfig::of(task);
         config.uncertainty = self.variant.uncertainty(config.uncertainty)?;
+        config.replays = self.variant.members().unwrap_or(config.replays);
         let mut interpreter = Interpreter::new(task, &config)?;
         for sample in felt {
             interpreter.push(sample)?;
@@ -129,12 +153,17 @@ mod tests {
         let changed = variant.uncertainty(Uncertainty::default()).unwrap();
         assert_eq!((changed.law_mu, changed.law_sigma), (0.0, 0.0));
         assert_eq!(changed.heap_depth, Uncertainty::default().heap_depth);
+        assert_eq!(variant.members(), None);
+        let alone: Variant = "one draw:members=1".parse().unwrap();
+        assert_eq!(alone.members(), Some(1));
+        assert_eq!(alone.uncertainty(changed).unwrap(), changed);
         for (wrong, word) in [
             ("heap_depth=0", "NAME:FIELD=VALUE"),
             ("a:heap_depth", "FIELD=VALUE"),
             ("a:heap_depth=x", "no number"),
             ("a:depth=1", "no field"),
             ("a:slip_share=2", "0 to 1"),
+            ("a:members=0.5", "whole number"),
         ] {
             let error = wrong.parse::<Variant>().unwrap_err();
             assert!(error.contains(word), "{error}");

@@ -60,6 +60,8 @@ pub(super) struct GrainBodies {
     normal: Vector3,
     /// What drags on the tool for every grain that it pushes: friction of the dirt that the grain stands for [N].
     drag: f64,
+    /// Whether the tool feels what it pushes.
+    resist: bool,
     effect: Effect,
     reach: f64,
     /// How far off the surface's outline a grain has left it.
@@ -110,6 +112,7 @@ impl GrainBodies {
             real_from_world: world_from_real.inverse(),
             normal: world_from_real * Vector3::z(),
             drag: friction * settings.grain_mass.unwrap_or(0.0) * GRAVITY.norm(),
+            resist: settings.grains_resist,
             effect: task.action.effect(),
             reach: corners
                 .map(|edge| edge.start.coords.norm())
@@ -193,6 +196,9 @@ impl GrainBodies {
             let along = force - normal * normal.dot(&force);
             body.reset_forces(true);
             body.add_force(vector(&along), true);
+            if !self.resist {
+                continue;
+            }
             // What moves a grain is taken from the tool; so is what the rest of the dirt that it stands for rubs with,
             // against the tool's motion.
             let moving = velocity - normal * normal.dot(&velocity);

@@ -47,6 +47,8 @@ pub struct SimulationSettings {
     pub count: GrainCount,
     /// Mass of the dirt that each grain stands for [kg]; `None` is that of the grain alone.
     pub grain_mass: Option<f64>,
+    /// Whether the tool feels what it pushes.
+    pub grains_resist: bool,
     /// The tool, and how it sits in the hand.
     pub tool: RealTool,
     /// How joints and forces are measured.
@@ -205,6 +207,7 @@ impl SimulationSettings {
                 .count
                 .map_or(GrainCount::About(task.particles.len()), GrainCount::Exactly),
             grain_mass: record.grain_mass,
+            grains_resist: record.grains_resist,
             tool: RealTool {
                 stiffness: record.tool_stiffness,
                 footprint: record.footprint,

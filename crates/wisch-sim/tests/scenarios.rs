@@ -8,7 +8,7 @@ use wisch_io::{LoadOptions, LoadedTask, Moment, load_task};
 use wisch_sim::{GroundTruth, SimulationSettings, Site, World};
 use wisch_testkit::{by_density, humanoid, run_config, scenario};
 
-/// How far the estimate may be off the truth [1]; of 29 rounds on the board the worst was off by 0.092, of those since by 0.119.
+/// How far the estimate may be off the truth where it is narrower than that [1]; of 29 rounds on the board the worst was off by 0.092, of those since by 0.119.
 const ESTIMATE: f64 = 0.12;
 /// How far beyond the 90 % interval the truth may be [1].
 const BESIDE: f64 = 0.05;
@@ -56,6 +56,8 @@ fn faults(number: usize, (round, truth, performance): &Executed) -> Vec<String> 
     // How well is estimated what happens while somebody pushes takes many worlds to say: an evaluation, no test.
     let is_pushed = !truth.pushes.is_empty();
     let limit = round.motion.task.interaction.press_force_n;
+    // What touch alone cannot tell is said by the interval.
+    let is_wide = estimate.high - estimate.low > ESTIMATE;
     let interval = estimate.low - BESIDE..=estimate.high + BESIDE;
     let checks = [
         (round.audit.is_sound(), "its motion has faults".to_owned()),
@@ -64,7 +66,7 @@ fn faults(number: usize, (round, truth, performance): &Executed) -> Vec<String> 
             format!("ends with {:?}", round.execution.ending),
         ),
         (
-            is_pushed || (estimate.mean - performance).abs() <= ESTIMATE,
+            is_pushed || is_wide || (estimate.mean - performance).abs() <= ESTIMATE,
             format!("{} estimated, {performance} true", estimate.mean),
         ),
         (

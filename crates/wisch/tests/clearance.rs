@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::sync::LazyLock;
 use wisch::geometry::{Mesh, Point3, Pose, Vector3};
 use wisch::robot::{
-    CollisionModel, Reason, RobotError, RobotModel, SEGMENT_RESOLUTION, Shape, Srdf,
+    CollisionModel, Margins, Reason, RobotError, RobotModel, SEGMENT_RESOLUTION, Shape, Srdf,
 };
 
 fn committed(file: &str) -> String {
@@ -416,6 +416,48 @@ proptest! {
             }
         }
     }
+}
+
+#[test]
+fn obstacles_may_have_a_margin_of_their_own() {
+    let mut model = CollisionModel::new(&parsed(CROWDED), None).unwrap();
+    model.allow("a", "c").unwrap();
+    model.allow("b", "c").unwrap();
+    let post = Mesh::cylinder(0.001, 1.0, 8).unwrap();
+    model
+        .add_obstacle("pole", Pose::translation(0.5, 0.0, 0.0), &post)
+        .unwrap();
+    let (from, to) = ([0.0, 0.0, -1.0], [0.0, 0.0, -0.9]);
+    let apart = model.clearance(&to, 1.0).unwrap();
+    let pair = apart.pair.unwrap();
+    assert_eq!((model.name(pair.a), model.name(pair.b)), ("b", "pole"));
+    for (own, obstacles, is_free) in [
+        (0.0, 0.9, true),
+        (0.0, 1.1, false),
+        // Of its own bodies, none is as near.
+        (1.1, 0.9, true),
+    ] {
+        let [own, obstacles] = [own, obstacles].map(|share: f64| share * apart.distance);
+        let margins = Margins { own, obstacles };
+        let at_end = model.collision(&to, margins).unwrap();
+        let on_way = model.segment_contact(&from, &to, margins).unwrap();
+        assert_eq!(
+            [at_end.is_none(), on_way.is_none()],
+            [is_free; 2],
+            "{margins:?}"
+        );
+    }
+    assert!(
+        model
+            .collision(
+                &to,
+                Margins {
+                    own: 0.0,
+                    obstacles: -1.0
+                }
+            )
+            .is_err()
+    );
 }
 
 #[test]

@@ -8,9 +8,11 @@ mod humanoid;
 
 use rayon::prelude::*;
 use wisch::follow::{
-    FollowConfig, FollowError, Followed, Obstruction, SearchScope, WorkcellConfig, audit, follow,
+    FollowConfig, FollowError, Followed, Obstruction, Phase, SearchScope, WorkcellConfig, audit,
+    follow,
 };
 use wisch::represent::Action;
+use wisch::robot::Margins;
 use wisch_testkit::{Outcome, Problem, arm7, block, board, cell, faults, planned, robots};
 
 #[test]
@@ -42,6 +44,26 @@ fn an_arm_follows_every_stroke_of_a_board_as_planned() {
         let audit = audit(&followed, &cell, &task, &config).unwrap();
         assert!(audit.is_sound() && audit.min_clearance > 0.0);
         assert!(audit.line.position <= config.line_tolerance);
+        // In free motion there is room for more.
+        for motion in &followed.motions {
+            if motion.phase != Phase::FreeMotion {
+                continue;
+            }
+            let model = cell.collisions();
+            let nearest = motion.trajectory.samples(0.01).map(|sample| {
+                let contact = |obstacles| {
+                    let margins = Margins {
+                        own: 0.0,
+                        obstacles,
+                    };
+                    model.collision(&sample.q, margins).unwrap()
+                };
+                contact(0.95 * config.free_clearance)
+            });
+            for contact in nearest.flatten() {
+                panic!("{action}: {}", model.describe(&contact));
+            }
+        }
     }
 }
 
@@ -112,7 +134,7 @@ fn a_configuration_without_sense_is_refused_by_the_name_of_its_field() {
     let task = board(Action::Absorb, [0.5, 0.0, 0.2]);
     let (plan, cell) = (planned(&task), cell(&task));
     type Field = (&'static str, fn(&mut FollowConfig) -> &mut f64);
-    let fields: [Field; 8] = [
+    let fields: [Field; 10] = [
         ("step", |config| &mut config.step),
         ("turn", |config| &mut config.turn),
         ("orientation_increment", |config| {
@@ -123,9 +145,14 @@ fn a_configuration_without_sense_is_refused_by_the_name_of_its_field() {
         ("line_tolerance", |config| &mut config.line_tolerance),
         ("turn_tolerance", |config| &mut config.turn_tolerance),
         ("contact_speed", |config| &mut config.contact_speed),
+        ("free_clearance", |config| &mut config.free_clearance),
+        ("acceleration_ramp", |config| &mut config.acceleration_ramp),
     ];
     for (field, of) in fields {
-        for wrong in [f64::NAN, f64::INFINITY, 0.0, -1.0] {
+        // Neither more clearance nor a ramp is needed.
+        let may_be_none = ["free_clearance", "acceleration_ramp"].contains(&field);
+        let wrong = [f64::NAN, f64::INFINITY, -1.0, 0.0];
+        for wrong in wrong.into_iter().filter(|w| !(may_be_none && *w == 0.0)) {
             let mut config = FollowConfig::default();
             *of(&mut config) = wrong;
             match follow(&task, &plan, &cell, None, &config, &mut |_| ()) {

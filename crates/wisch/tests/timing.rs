@@ -255,6 +255,38 @@ proptest! {
     }
 
     #[test]
+    fn with_a_ramp_limits_hold_and_accelerations_change_slowly(
+        rows in any_rows(),
+        ramp in 1e-3..0.1_f64,
+    ) {
+        let path = JointPath::new(&rows).unwrap();
+        let limits = robot(path.joint_count());
+        let abrupt = timed(&path, &limits);
+        let trajectory = abrupt.clone().with_acceleration_ramp(ramp);
+        let moves = abrupt.duration() > 0.0;
+        let longer = if moves { ramp } else { 0.0 };
+        prop_assert_eq!(trajectory.duration(), abrupt.duration() + longer);
+        let samples: Vec<_> = trajectory.samples(SAMPLE_PERIOD).collect();
+        let fastest = limits.joints().iter().map(|limit| limit.acceleration).fold(0.0, f64::max);
+        let config = CheckConfig {
+            path_deviation: TimingConfig::default().blend_tolerance + fastest * ramp * ramp / 24.0,
+            // Of differences over the ramp.
+            position_resolution: 1e-12,
+            ..CheckConfig::default()
+        };
+        prop_assert_eq!(trajectory_faults(&samples, &path, &limits, &config), vec![]);
+        let last = abrupt.sample(abrupt.duration());
+        prop_assert_eq!(trajectory.sample(trajectory.duration()).q, last.q);
+        for pair in samples.windows(2).rev().skip(1) {
+            let time = pair[1].time - pair[0].time;
+            for (joint, limit) in limits.joints().iter().enumerate() {
+                let jerk = (pair[1].qdd[joint] - pair[0].qdd[joint]).abs() / time;
+                prop_assert!(jerk <= 2.0 * limit.acceleration / ramp * (1.0 + 1e-6), "{}", jerk);
+            }
+        }
+    }
+
+    #[test]
     fn some_limit_is_nearly_always_used_up(joints in prop::sample::select(vec![1_usize, 6, 7, 13]), seed in any::<u64>()) {
         use rand::RngExt;
         use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};

@@ -1,5 +1,6 @@
 //! Arguments of `eval`.
 
+use super::setting;
 use clap::{Args, Subcommand, ValueEnum, ValueHint};
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -14,7 +15,8 @@ Examples:
   wisch eval calibration --worlds 27                       a demonstration on seeds 1 to 27
   wisch eval calibration --first-seed 1000 --worlds 500    to choose constants
   wisch eval calibration --first-seed 10000 --worlds 1000 --senses sight --out out/published
-  wisch eval calibration --variant 'law known:law_mu=0,law_sigma=0' --variant 'no heap:heap_depth=0'
+  wisch eval calibration --variant 'law known:law_mu=0,law_sigma=0' --variant 'no heap:heap_depth=0' --variant 'one draw:members=1'
+  wisch eval calibration --set execution.grains_resist=false    worlds whose grains the tool does not feel
   wisch eval calibration --first-seed 10000 --worlds 1000 --shard 1/4 --out out/published --resume
 
 Writes worlds-*.jsonl (a line per world), and of all the worlds in the folder calibration.json,
@@ -77,9 +79,12 @@ pub struct CalibrationArgs {
     /// Evaluate only the I-th of N parts of the worlds
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     pub shard: Shard,
-    /// Also score the method with other uncertainties, on the same rounds; may be repeated
+    /// Also score the method with other uncertainties or fewer members, on the same rounds; may be repeated
     #[arg(long, value_name = "NAME:FIELD=VALUE[,…]")]
     pub variant: Vec<Variant>,
+    /// Override a value of every task, such as execution.grains_resist=false; repeatable
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = setting)]
+    pub settings: Vec<(String, String)>,
     /// Go on where an earlier evaluation of the same worlds ended
     #[arg(long)]
     pub resume: bool,

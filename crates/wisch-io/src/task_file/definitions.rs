@@ -62,6 +62,9 @@ struct Overrides {
     sigma: Option<f64>,
     mu_spread: Option<f64>,
     ln_sigma_spread: Option<f64>,
+    redraw_length_m: Option<f64>,
+    ln_redraw_length_spread: Option<f64>,
+    kept_share: Option<f64>,
 }
 
 pub(super) fn read(file: &At<TaskTable>, source: &Source<'_>) -> Result<Definitions, TaskError> {
@@ -218,6 +221,9 @@ fn overrides(
         sigma: given.sigma.map(|sigma| sigma.0),
         mu_spread: given.mu_spread.map(|spread| spread.0),
         ln_sigma_spread: given.ln_sigma_spread.map(|spread| spread.0),
+        redraw_length_m: given.redraw_length_m.map(|length| length.0),
+        ln_redraw_length_spread: given.ln_redraw_length_spread.map(|spread| spread.0),
+        kept_share: given.kept_share.map(|share| share.0),
     })
 }
 
@@ -289,6 +295,18 @@ impl TaskFile {
         let given = interaction.as_ref().unwrap_or(&none);
         if let Some(actions) = &given.actions {
             interaction_now.actions.clone_from(actions);
+        }
+        if let Some(length) = given.redraw_length_m {
+            interaction_now.redraw.length_m = Some(length);
+        }
+        for (given, value) in [
+            (
+                given.ln_redraw_length_spread,
+                &mut interaction_now.redraw.ln_length_spread,
+            ),
+            (given.kept_share, &mut interaction_now.redraw.kept_share),
+        ] {
+            *value = given.unwrap_or(*value);
         }
         for (key, given, value) in [
             (
@@ -363,6 +381,9 @@ impl Overrides {
             sigma: None,
             mu_spread: None,
             ln_sigma_spread: None,
+            redraw_length_m: None,
+            ln_redraw_length_spread: None,
+            kept_share: None,
         }
     }
 }

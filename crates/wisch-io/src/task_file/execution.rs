@@ -50,6 +50,8 @@ pub struct ExecutionRecord {
     pub grain_size: Option<GrainSize>,
     /// Mass of the dirt that each grain stands for [kg]; `None` takes that of the grain alone.
     pub grain_mass: Option<f64>,
+    /// Whether the tool feels what it pushes.
+    pub grains_resist: bool,
     /// Stiffness of the real tool over the believed one [1].
     pub tool_stiffness: f64,
     /// Length and width of its footprint over the believed one's [1].
@@ -350,6 +352,7 @@ impl ExecutionRecord {
             dirt: DirtRecord::default(),
             grain_size: None,
             grain_mass: table.grain_mass_kg.map(|mass| mass.0),
+            grains_resist: table.grains_resist,
             tool_stiffness: table.tool_stiffness.0,
             footprint: table.footprint.0,
             grasp_offset: (table.grasp_offset_m)

@@ -42,6 +42,8 @@ pub(super) struct ExecutionTable {
     pub(super) grain_size_m: Option<At<[GrainM; 2]>>,
     /// Mass of the dirt that each grain stands for [kg]; default: that of the grain alone.
     pub(super) grain_mass_kg: Option<GrainMassKg>,
+    /// Whether the tool feels what it pushes.
+    pub(super) grains_resist: bool,
     /// Stiffness of the real tool over the believed one.
     pub(super) tool_stiffness: Factor,
     /// Length and width of the real tool's footprint over the believed one's.
@@ -88,6 +90,7 @@ impl Default for ExecutionTable {
             dirt: None,
             grain_size_m: None,
             grain_mass_kg: None,
+            grains_resist: true,
             tool_stiffness: Factor(1.0),
             footprint: SizeFactor(1.0),
             grasp_offset_m: None,

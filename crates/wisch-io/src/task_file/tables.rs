@@ -6,8 +6,8 @@ use super::execution_tables::ExecutionTable;
 use super::values::{
     AngleRad, BandwidthM, Channel, ColorDistance, DampingRatio, DepthM, FalseAlarms, FootprintM,
     Friction, GrainM, HalfSizeM, LawSpread, LiftHeightM, LogForce, LogSpread, Name, ParticleCount,
-    Pixel, PositionErrorM, PositionM, PostureWeight, PressForceN, QuaternionPart, Scale,
-    SchemaVersion, Seed, Share, SizeM, Stiffness, Variants,
+    Pixel, PositionErrorM, PositionM, PostureWeight, PressForceN, QuaternionPart, RedrawLengthM,
+    Scale, SchemaVersion, Seed, Share, SizeM, Stiffness, Variants,
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{EnumAccess, Error as _, VariantAccess, Visitor};
@@ -173,6 +173,13 @@ pub(super) struct InteractionTable {
     pub(super) mu_spread: Option<LawSpread>,
     /// How well the logarithm of `sigma` is known, as a standard deviation; default 0.2.
     pub(super) ln_sigma_spread: Option<LawSpread>,
+    /// Travel under the tool after which a grain draws anew from which pressure on it is taken along [m]; default: the radius
+    /// of the tool's collision sphere.
+    pub(super) redraw_length_m: Option<RedrawLengthM>,
+    /// How well its logarithm is known, as a standard deviation.
+    pub(super) ln_redraw_length_spread: Option<LawSpread>,
+    /// Probability that grains keep for good what they once drew.
+    pub(super) kept_share: Option<Share>,
 }
 
 /// The target surface.

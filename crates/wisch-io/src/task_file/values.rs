@@ -86,6 +86,8 @@ ranges! { f64, NumberWithin;
     /// Standard deviations of ln f′.
     LogSpread = (1e-3, 20.0);
     LawSpread = (0.0, 10.0);
+    /// Travel after which a grain draws its threshold anew [m].
+    RedrawLengthM = (1e-4, 2.0);
     /// How deep a tool gives way [m]; a rigid one does not.
     DepthM = (0.0, 0.1);
     /// Sides of a tool's footprint [m].

@@ -249,4 +249,7 @@ fn a_heap_resists_the_tool_that_pushes_it() {
     assert!(heavy > light + 0.3, "{light} N, {heavy} N, {pushed} pushed");
     let weight = 0.8 * 0.05 * 9.81 * wiping.dirt.grains().len() as f64;
     assert!(heavy < light + weight, "{light} N, {heavy} N");
+    wiping.settings.grains_resist = false;
+    let unfelt = along(&wiping.execute());
+    assert!(unfelt < light + 0.05, "{unfelt} N, {light} N");
 }

@@ -221,6 +221,7 @@ pub fn as_believed() -> SimulationSettings {
         dirt: Places::Uniform,
         count: GrainCount::Exactly(80),
         grain_mass: None,
+        grains_resist: true,
         tool: RealTool::default(),
         sensing: Sensing::default(),
         joint_friction: 0.0,

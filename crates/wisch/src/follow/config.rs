@@ -23,6 +23,9 @@ pub struct FollowConfig {
     pub orientation_increment: f64,
     /// Clearance that every pair of bodies keeps [m].
     pub margin: f64,
+    /// Clearance that the arm keeps from obstacles in free motion where there is room for it [m]: they may not be where they
+    /// are believed to be.
+    pub free_clearance: f64,
     /// Largest change of a joint over one step; more is a jump [rad or m].
     pub max_joint_step: f64,
     /// How far the tool centre point may leave its line [m].
@@ -33,6 +36,9 @@ pub struct FollowConfig {
     pub contact_speed: f64,
     /// Fastest the tool comes down to the surface [m/s].
     pub approach_speed: f64,
+    /// Over which a change of a joint's acceleration is spread [s]: its jerk is at most twice its largest acceleration over
+    /// this; 0 lets accelerations jump.
+    pub acceleration_ramp: f64,
     /// How hard a way along an edge is looked for.
     pub search: SearchScope,
     /// How many configurations are tried at the begin of a stroke.
@@ -44,19 +50,21 @@ pub struct FollowConfig {
 }
 
 impl Default for FollowConfig {
-    /// Poses each 10 mm and 2°, the tool turned by 10°, 5 mm of clearance, 1 mm and 0.5° off the line,
-    /// 0.25 m/s in contact, 0.1 m/s down to it.
+    /// Poses each 10 mm and 2°, the tool turned by 10°, 5 mm of clearance, 30 mm in free motion, 1 mm and 0.5° off the line,
+    /// 0.25 m/s in contact, 0.1 m/s down to it, accelerations that change over 40 ms.
     fn default() -> Self {
         Self {
             step: 0.01,
             turn: 2.0_f64.to_radians(),
             orientation_increment: 10.0_f64.to_radians(),
             margin: 5e-3,
+            free_clearance: 0.03,
             max_joint_step: 0.2,
             line_tolerance: 1e-3,
             turn_tolerance: 0.5_f64.to_radians(),
             contact_speed: 0.25,
             approach_speed: 0.1,
+            acceleration_ramp: 0.04,
             search: SearchScope::Global,
             start_configurations: 10,
             placements: 4,
@@ -86,6 +94,12 @@ impl FollowConfig {
             ),
             ("margin", self.margin, [1e-4, 1.0], steps),
             (
+                "free_clearance",
+                self.free_clearance,
+                [0.0, 1.0],
+                "0 to 1 m",
+            ),
+            (
                 "max_joint_step",
                 self.max_joint_step,
                 [1e-3, PI],
@@ -105,6 +119,12 @@ impl FollowConfig {
             ),
             ("contact_speed", self.contact_speed, [1e-3, 10.0], speeds),
             ("approach_speed", self.approach_speed, [1e-3, 10.0], speeds),
+            (
+                "acceleration_ramp",
+                self.acceleration_ramp,
+                [0.0, 1.0],
+                "0 to 1 s",
+            ),
             ("start_configurations", starts, [1.0, 1e4], "1 to 10000"),
             ("placements", placements, [1.0, 1e4], "1 to 10000"),
         ];

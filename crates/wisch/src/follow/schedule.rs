@@ -61,7 +61,8 @@ pub(super) fn timed(
             blend_tolerance,
             ..TimingConfig::default()
         };
-        within_efforts(cell, time_path(&joints, cell.limits(), &timing)?)
+        let fastest = time_path(&joints, cell.limits(), &timing)?;
+        Ok(within_efforts(cell, fastest)?.with_acceleration_ramp(config.acceleration_ramp))
     };
     let mut blend = if tool_line.is_empty() {
         FREE_BLEND

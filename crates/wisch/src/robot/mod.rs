@@ -30,7 +30,9 @@ pub use capability::{
     CapabilityMap, MAX_MAP_BYTES, MapConfig, MapError, MapOrigin, MapStage, MapTool, RobotHash,
 };
 pub use chain::{Chain, ChainJacobian, ChainKinematics, MAX_CHAIN};
-pub use clearance::{BodyId, Clearance, CollisionModel, Contact, Reason, SEGMENT_RESOLUTION};
+pub use clearance::{
+    BodyId, Clearance, CollisionModel, Contact, Margins, Reason, SEGMENT_RESOLUTION,
+};
 pub use description::{
     Collision, Diagnostic, DiagnosticKind, DisabledPair, Group, GroupState, Ignored, JointMimic,
     JointMotion, JointTransform, MAX_DEPTH, MAX_LINKS, MAX_MESH_EXTENT, MAX_SHAPES, MAX_URDF_BYTES,

@@ -27,6 +27,9 @@ struct CalibrationRecord {
     #[serde(flatten)]
     provenance: Provenance,
     senses: Senses,
+    /// Keys that every task had set, with their values.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    settings: Vec<(String, String)>,
     #[serde(flatten)]
     calibration: Calibration,
 }
@@ -46,6 +49,7 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
     let is_other = |world: &&WorldScore| {
         world.senses != senses
             || world.variants != args.variant
+            || world.settings != args.settings
             || !(args.first_seed..=last).contains(&world.case.seed)
     };
     if let Some(other) = known.values().find(is_other) {
@@ -78,7 +82,7 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
         .par_iter()
         .map(|&seed| {
             let score = WorldCase::of(seed)
-                .evaluate(senses, &args.variant)
+                .evaluate(senses, &args.variant, &args.settings)
                 .map_err(Failure::new)?;
             write_line(&file, &score).map_err(|error| cannot(&path, "write there", &error))?;
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
@@ -103,6 +107,7 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
     let record = CalibrationRecord {
         provenance,
         senses,
+        settings: args.settings.clone(),
         calibration: Calibration::of(&worlds, &args.variant),
     };
     let table = in_words(&record);
@@ -186,8 +191,11 @@ fn in_words(record: &CalibrationRecord) -> String {
         Senses::TouchAndSight => "touch and sight",
     };
     let mut text = format!(
-        "{}: {} with {}.\n\n",
+        "{}{}: {} with {}.\n\n",
         record.provenance.in_words(senses),
+        (record.settings.iter())
+            .map(|(key, value)| format!(", {key} = {value}"))
+            .collect::<String>(),
         counted(calibration.worlds, "world"),
         counted(calibration.rounds, "round"),
     );

@@ -43,6 +43,7 @@ fn every_key_of_the_worlds_body_is_read() {
         ("execution.waviness_length_m", "0.3"),
         ("execution.grain_size_m", "[0.001, 0.002]"),
         ("execution.grain_mass_kg", "0.003"),
+        ("execution.grains_resist", "false"),
         (
             "execution.dirt",
             "{ source = \"edge\", within_m = 0.02, count = 9 }",
@@ -57,6 +58,7 @@ fn every_key_of_the_worlds_body_is_read() {
         },
         grain_size: record.grain_size,
         grain_mass: Some(0.003),
+        grains_resist: false,
         tool_stiffness: 0.7,
         footprint: 0.9,
         grasp_offset: Vector2::new(0.01, -0.02),

@@ -7,7 +7,9 @@ use crate::follow::workcell::second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE};
 use crate::follow::{AllowedContact, FollowConfig, Obstruction, ToolPose, Workcell};
 use crate::geometry::{PlanarPose, Pose};
 use crate::represent::Task;
-use crate::robot::{Contact, IkConfig, IkOutcome, JointPositions, RobotError, RotationGoal};
+use crate::robot::{
+    Contact, IkConfig, IkOutcome, JointPositions, Margins, RobotError, RotationGoal,
+};
 use std::f64::consts::PI;
 
 /// How near to its limit a joint is at it [rad or m].
@@ -30,6 +32,7 @@ pub(in crate::follow) struct Arm<'a> {
     template: Vec<f64>,
     base_from_world: Pose,
     ik: IkConfig,
+    margins: Margins,
 }
 
 /// Where a line broke off.
@@ -60,7 +63,21 @@ impl<'a> Arm<'a> {
             config,
             template,
             ik: IkConfig::default(),
+            margins: config.margin.into(),
         })
+    }
+
+    /// The same arm, which stays farther from obstacles.
+    pub fn at_free_clearance(&self) -> Self {
+        let obstacles = self.config.free_clearance.max(self.config.margin);
+        Self {
+            margins: Margins {
+                obstacles,
+                ..self.margins
+            },
+            template: self.template.clone(),
+            ..*self
+        }
     }
 
     /// The group's variables of the robot's.
@@ -292,7 +309,7 @@ impl<'a> Arm<'a> {
     ) -> Result<(), Obstruction> {
         let (from, to) = (self.to_robot(from), self.to_robot(to));
         let model = self.cell.arm_collisions(allowed);
-        match model.segment_contact(&from, &to, self.config.margin) {
+        match model.segment_contact(&from, &to, self.margins) {
             Ok(None) => Ok(()),
             Ok(Some(contact)) => Err(self.obstruction(&contact, allowed)),
             Err(_) => Err(Obstruction::unreachable()),
@@ -302,7 +319,7 @@ impl<'a> Arm<'a> {
     /// Whether a configuration is free.
     pub fn is_free_at(&self, at: &JointPositions, allowed: AllowedContact) -> bool {
         let model = self.cell.arm_collisions(allowed);
-        let contact = model.collision(&self.to_robot(at), self.config.margin);
+        let contact = model.collision(&self.to_robot(at), self.margins);
         matches!(contact, Ok(None))
     }
 

@@ -11,6 +11,8 @@ use rand_chacha::ChaCha8Rng;
 const BRANCH: f64 = 0.5;
 /// Most random configurations.
 const MAX_DRAWS: usize = 1500;
+/// The same where more than the least clearance is to be kept.
+const MAX_DRAWS_AT_CLEARANCE: usize = 200;
 /// Attempts to shorten the way.
 const SHORTCUTS: usize = 60;
 
@@ -60,12 +62,27 @@ impl Tree {
 }
 
 /// A free way between two configurations, both ends included; `None` if none is found within the
-/// budget.
+/// budget. Where there is room, it keeps [`free_clearance`](crate::follow::FollowConfig::free_clearance) from obstacles.
 pub(in crate::follow) fn free_motion(
     arm: &Arm,
     from: &JointPositions,
     to: &JointPositions,
     seed: u64,
+) -> Option<Vec<JointPositions>> {
+    let clear = free_way(
+        &arm.at_free_clearance(),
+        [from, to],
+        seed,
+        MAX_DRAWS_AT_CLEARANCE,
+    );
+    clear.or_else(|| free_way(arm, [from, to], seed, MAX_DRAWS))
+}
+
+fn free_way(
+    arm: &Arm,
+    [from, to]: [&JointPositions; 2],
+    seed: u64,
+    draws: usize,
 ) -> Option<Vec<JointPositions>> {
     if let Ok(way) = arm.way(from, to, AllowedContact::None) {
         return Some([vec![*from], way].concat());
@@ -76,7 +93,7 @@ pub(in crate::follow) fn free_motion(
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let ranges = arm.ranges();
     let mut trees = [Tree::new(*from), Tree::new(*to)];
-    for draw in 0..MAX_DRAWS {
+    for draw in 0..draws {
         let q: JointPositions = ranges
             .iter()
             .map(|&[lower, upper]| random.random_range(lower..=upper))

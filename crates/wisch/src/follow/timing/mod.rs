@@ -89,9 +89,8 @@ pub fn time_path(
     }
     limits.admit(path)?;
 
-    let (start, end) = (path.waypoint(0), path.waypoint(path.waypoint_count() - 1));
-    let (limits, path) = &limits.with_columns_of_followers(path);
-    let blended = BlendedPath::new(path, limits, tolerance);
+    let (limits, with_followers) = &limits.with_columns_of_followers(path);
+    let blended = BlendedPath::new(with_followers, limits, tolerance);
     let grid = profile::grid(&blended, limits, config.grid_intervals);
     let squares = if grid.is_empty() {
         Vec::new()
@@ -112,11 +111,5 @@ pub fn time_path(
         });
         time += 2.0 * interval.step / (speed + ends[1].sqrt());
     }
-    Ok(Trajectory {
-        path: blended,
-        stretches,
-        duration: time,
-        start: start.to_vec(),
-        end: end.to_vec(),
-    })
+    Ok(Trajectory::new(path, blended, stretches, time))
 }

@@ -126,6 +126,31 @@ impl Belief {
         PerformanceDistribution::of(&self.replays, &self.weights, goal, surface, deviation)
     }
 
+    /// Fewer members, each as often as its weight says, give or take one; all of equal weight. At least one is kept.
+    ///
+    /// ```
+    /// use wisch::geometry::Point2;
+    /// use wisch::interpret::Belief;
+    /// use wisch::represent::ParticleDistribution;
+    /// let at = |x| ParticleDistribution::new(&[Point2::new(x, 0.0)]);
+    /// let belief = Belief::of(vec![at(0.1)?, at(0.2)?, at(0.3)?, at(0.4)?])?;
+    /// assert_eq!(belief.thinned(2, 1).replays().len(), 2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn thinned(&self, count: usize, seed: u64) -> Self {
+        let kept = self.systematic(count.max(1), seed);
+        let weights = vec![1.0 / kept.len() as f64; kept.len()];
+        let states = self.states.iter().collect::<Vec<_>>();
+        Self {
+            replays: kept.iter().map(|&i| self.replays[i].clone()).collect(),
+            weights,
+            states: (kept.iter())
+                .filter_map(|&i| states.get(i).map(|&state| state.clone()))
+                .collect(),
+        }
+    }
+
     /// The dirt of one member, drawn by weight.
     ///
     /// # Errors

@@ -123,6 +123,38 @@ struct PlacedSolid {
     solid: Solid,
 }
 
+/// How far apart pairs are to stay; a number stands for the same distance for all of them.
+///
+/// ```
+/// use wisch::robot::Margins;
+/// // Obstacles may not be where they are believed to be.
+/// let roomy = Margins { obstacles: 0.03, ..0.005.into() };
+/// assert_eq!(roomy.own, 0.005);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Margins {
+    /// Of two bodies of the robot [m].
+    pub own: f64,
+    /// Of the robot's bodies and obstacles [m].
+    pub obstacles: f64,
+}
+
+impl From<f64> for Margins {
+    fn from(margin: f64) -> Self {
+        Self {
+            own: margin,
+            obstacles: margin,
+        }
+    }
+}
+
+impl Margins {
+    fn checked(self) -> Result<(), RobotError> {
+        checked_distance("margin", self.own)?;
+        checked_distance("margin to obstacles", self.obstacles)
+    }
+}
+
 /// How near the nearest pair is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Clearance {
@@ -401,28 +433,34 @@ impl CollisionModel {
         }))
     }
 
-    /// The first pair found at most `margin` [m] apart at the positions `q` (n) [rad or m].
+    /// The first pair found no farther apart than its margin [m] at the positions `q` (n) [rad or m].
     ///
     /// # Errors
-    /// If `q` is of another length or not finite, or `margin` below 0 m.
-    pub fn collision(&self, q: &[f64], margin: f64) -> Result<Option<Contact>, RobotError> {
+    /// If `q` is of another length or not finite, or a margin below 0 m.
+    pub fn collision(
+        &self,
+        q: &[f64],
+        margins: impl Into<Margins>,
+    ) -> Result<Option<Contact>, RobotError> {
+        let margins = margins.into();
         self.checked(q)?;
-        checked_distance("margin", margin)?;
+        margins.checked()?;
         Ok(with_scratch(|scratch| {
             self.place(q, scratch);
             for row in &self.rows {
-                let contact = |[a, b]: [BodyId; 2], scratch: &Scratch| {
+                let contact = |[a, b]: [BodyId; 2], margin: f64, scratch: &Scratch| {
                     // Zero is below the next greater number.
                     let distance = self.distance([a, b], scratch, margin.next_up());
                     (distance <= margin).then_some(Contact { a, b, distance })
                 };
                 let mut listed = self.pairs[row.pairs.clone()].iter();
-                if let Some(found) = listed.find_map(|&pair| contact(pair, scratch)) {
+                if let Some(found) = listed.find_map(|&pair| contact(pair, margins.own, scratch)) {
                     return Some(found);
                 }
+                let margin = margins.obstacles;
                 self.find_obstacles_near(row, margin, scratch);
                 let mut near = scratch.near.iter();
-                if let Some(found) = near.find_map(|&b| contact([row.body, b], scratch)) {
+                if let Some(found) = near.find_map(|&b| contact([row.body, b], margin, scratch)) {
                     return Some(found);
                 }
             }

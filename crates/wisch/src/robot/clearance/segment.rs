@@ -1,6 +1,6 @@
 //! Straight joint segments: how far things move on them at most, and whether they stay apart.
 
-use super::{Body, BodyId, CollisionModel, Contact, Scratch, checked_distance, with_scratch};
+use super::{Body, BodyId, CollisionModel, Contact, Margins, Scratch, with_scratch};
 use crate::robot::RobotError;
 
 /// A segment is bisected until nothing moves further against anything else than this [m]: a pair that
@@ -16,6 +16,8 @@ pub(super) struct OpenPair {
     pair: [BodyId; 2],
     /// How far they move against each other on the whole segment at most [m].
     motion: f64,
+    /// How far apart they are to stay [m].
+    margin: f64,
 }
 
 /// A part of a segment, and the pairs that are not known to stay apart on it.
@@ -44,8 +46,8 @@ impl CollisionModel {
         self.bodies.iter().map(motion).fold(0.0, f64::max)
     }
 
-    /// A pair that comes within `margin` [m] on the straight joint segment between two configurations
-    /// (n) [rad or m]; `None` only if every checked pair keeps the margin everywhere on it.
+    /// A pair that comes within its margin [m] on the straight joint segment between two configurations
+    /// (n) [rad or m]; `None` only if every checked pair keeps its margin everywhere on it.
     ///
     /// A span on which a pair moves by no more than it is clear of the margin in the middle is clear
     /// (Schwarzer, Saha, Latombe 2005); other spans are bisected. A pair may be named that keeps the
@@ -53,18 +55,19 @@ impl CollisionModel {
     /// The contact's distance is that at the posture where it was found.
     ///
     /// # Errors
-    /// If an array is of another length or not finite, or `margin` below 0 m.
+    /// If an array is of another length or not finite, or a margin below 0 m.
     pub fn segment_contact(
         &self,
         from: &[f64],
         to: &[f64],
-        margin: f64,
+        margins: impl Into<Margins>,
     ) -> Result<Option<Contact>, RobotError> {
+        let margins = margins.into();
         self.checked(from)?;
         self.checked(to)?;
-        checked_distance("margin", margin)?;
+        margins.checked()?;
         Ok(with_scratch(|scratch| {
-            self.first_on_segment(from, to, margin, scratch)
+            self.first_on_segment(from, to, margins, scratch)
         }))
     }
 
@@ -72,7 +75,7 @@ impl CollisionModel {
         &self,
         from: &[f64],
         to: &[f64],
-        margin: f64,
+        margins: Margins,
         scratch: &mut Scratch,
     ) -> Option<Contact> {
         let posture = |at: f64, scratch: &mut Scratch| {
@@ -83,7 +86,7 @@ impl CollisionModel {
             scratch.q = q;
         };
         posture(0.5, scratch);
-        self.open_pairs(from, to, margin, scratch);
+        self.open_pairs(from, to, margins, scratch);
         scratch.spans.clear();
         scratch.spans.push(Span {
             middle: 0.5,
@@ -101,6 +104,7 @@ impl CollisionModel {
             for at in span.from..span.to {
                 let open = scratch.open[at];
                 let motion = open.motion * span.half;
+                let margin = open.margin;
                 let enough = margin + motion;
                 let distance = self.distance(open.pair, scratch, enough.next_up());
                 if distance > enough {
@@ -129,24 +133,27 @@ impl CollisionModel {
     }
 
     /// Opens the pairs of a segment whose middle is placed; obstacles that a body cannot come near are left out.
-    fn open_pairs(&self, from: &[f64], to: &[f64], margin: f64, scratch: &mut Scratch) {
+    fn open_pairs(&self, from: &[f64], to: &[f64], margins: Margins, scratch: &mut Scratch) {
         scratch.open.clear();
         for row in &self.rows {
             let listed = self.pairs[row.pairs.clone()].iter();
             scratch.open.extend(listed.map(|&pair| OpenPair {
                 pair,
                 motion: self.pair_motion(pair, from, to),
+                margin: margins.own,
             }));
             if !row.meets_obstacles {
                 continue;
             }
             let Body { frame, reach, .. } = self.bodies[row.body.0];
             let motion = self.frames.motion([frame, 0], [reach, 0.0], from, to);
+            let margin = margins.obstacles;
             self.find_obstacles_near(row, margin + 0.5 * motion, scratch);
             let obstacles = scratch.near.iter();
             scratch.open.extend(obstacles.map(|&obstacle| OpenPair {
                 pair: [row.body, obstacle],
                 motion,
+                margin,
             }));
         }
     }
