@@ -24,14 +24,22 @@ pub struct PushCounts {
     pub starts: usize,
     /// Told, and ended within 50 ms of when it was told.
     pub ends: usize,
-    /// Pushes told in rounds in which nobody pushed.
+    /// Collisions told in rounds in which nobody pushed, where robot or tool touched something of the scene.
+    #[serde(default)]
+    pub obstructed: usize,
+    /// Collisions told in rounds in which nobody pushed, and nothing was touched.
     pub invented: usize,
 }
 
 impl PushCounts {
-    /// Of a round that lasted so long [s], with the times at which a hand touched the tool, and those at which a
-    /// collision was told.
-    pub fn of_round(duration: f64, touches: &[[f64; 2]], told: &[[f64; 2]]) -> Self {
+    /// Of a round that lasted so long [s], with the times at which a hand touched the tool, at which robot or tool
+    /// touched something of the scene, and at which a collision was told.
+    pub fn of_round(
+        duration: f64,
+        touches: &[[f64; 2]],
+        obstructions: &[[f64; 2]],
+        told: &[[f64; 2]],
+    ) -> Self {
         let mut pushes: Vec<[f64; 2]> = Vec::new();
         for &[start, end] in touches {
             match pushes.last_mut() {
@@ -42,11 +50,22 @@ impl PushCounts {
         let is_undisturbed = pushes.is_empty();
         // What the end of the round cuts off has no end to be told.
         pushes.retain(|[_, end]| end + TOLERANCE < duration);
+        let is_obstructed = |told: &&[f64; 2]| {
+            let around = |at: &&[f64; 2]| told[0] <= at[1] + GAP && told[1] >= at[0] - TOLERANCE;
+            obstructions.iter().any(|at| around(&at))
+        };
+        let obstructed = told.iter().filter(is_obstructed).count();
+        let [obstructed, invented] = if is_undisturbed {
+            [obstructed, told.len() - obstructed]
+        } else {
+            [0; 2]
+        };
         let mut counts = Self {
             rounds: 1,
             undisturbed: usize::from(is_undisturbed),
             pushes: pushes.len(),
-            invented: if is_undisturbed { told.len() } else { 0 },
+            obstructed,
+            invented,
             ..Self::default()
         };
         for [start, end] in pushes {
@@ -76,6 +95,7 @@ impl Add for PushCounts {
             found: self.found + other.found,
             starts: self.starts + other.starts,
             ends: self.ends + other.ends,
+            obstructed: self.obstructed + other.obstructed,
             invented: self.invented + other.invented,
         }
     }
@@ -95,7 +115,7 @@ mod tests {
     fn touches_close_in_time_are_one_push() {
         let touches = [[1.0, 1.5], [1.7, 2.0], [5.0, 5.5], [9.0, 10.0]];
         let told = [[1.02, 1.6], [1.65, 2.2]];
-        let counts = PushCounts::of_round(10.0, &touches, &told);
+        let counts = PushCounts::of_round(10.0, &touches, &[], &told);
         let expected = PushCounts {
             rounds: 1,
             pushes: 2,
@@ -104,8 +124,11 @@ mod tests {
             ..PushCounts::default()
         };
         assert_eq!(counts, expected, "the last is cut off, the second not told");
-        let calm = PushCounts::of_round(10.0, &[], &told);
+        let calm = PushCounts::of_round(10.0, &[], &[], &told);
         assert_eq!((calm.undisturbed, calm.invented, calm.pushes), (1, 2, 0));
+        // A cup is struck a moment before it is told.
+        let struck = PushCounts::of_round(10.0, &[], &[[0.8, 0.9], [3.0, 3.1]], &told);
+        assert_eq!((struck.obstructed, struck.invented), (1, 1));
         let both: PushCounts = [counts, calm].into_iter().sum();
         assert_eq!((both.rounds, both.pushes, both.invented), (2, 2, 2));
     }

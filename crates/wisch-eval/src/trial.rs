@@ -219,7 +219,12 @@ impl WorldCase {
                 force_blind: BeliefScore::of(&simpler.force_blind, outcome),
                 paper: simpler.paper,
                 variants: others?,
-                pushes: PushCounts::of_round(round.execution.duration, &truth.pushes, &told),
+                pushes: PushCounts::of_round(
+                    round.execution.duration,
+                    &truth.pushes,
+                    &truth.obstructions,
+                    &told,
+                ),
                 verdict: round.verdict.as_str().to_owned(),
                 is_claimed: round.verdict == Verdict::GoalMet,
             });

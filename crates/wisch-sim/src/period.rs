@@ -72,7 +72,9 @@ struct Simulation<'a> {
     /// With when they begin [s].
     pushes: Vec<(f64, Push)>,
     /// Whether a hand pressed on the tool in the period before.
+    /// Whether a hand touched the tool, and robot or tool something in the scene, in the period before.
     was_touched: bool,
+    was_obstructed: bool,
     friction_changes: Vec<(f64, f64)>,
     plant: Plant,
     tool: Wielded,
@@ -197,6 +199,7 @@ impl<'a> Simulation<'a> {
             settings,
             pushes: schedule.pushes,
             was_touched: false,
+            was_obstructed: false,
             friction_changes,
             plant,
             tool,
@@ -239,6 +242,7 @@ impl<'a> Simulation<'a> {
                 lost_share: 0.0,
                 max_lateral_error: 0.0,
                 pushes: Vec::new(),
+                obstructions: Vec::new(),
                 hidden: Vec::new(),
             },
             articulation,
@@ -315,6 +319,10 @@ impl<'a> Simulation<'a> {
         self.plant.undulate();
         self.grains.act(&mut self.plant, &mut self.dirt, &self.tool);
         self.plant.step();
+        let is_obstructed = self.plant.is_obstructed();
+        let was_obstructed = std::mem::replace(&mut self.was_obstructed, is_obstructed);
+        let obstructed = [was_obstructed, is_obstructed];
+        note(&mut self.truth.obstructions, time, obstructed);
         self.grains
             .settle(&mut self.plant, &mut self.dirt, self.task);
         self.observe_truth(time, &desired, &world_from_real_tool, is_pushed, &wrench);
@@ -542,13 +550,8 @@ impl<'a> Simulation<'a> {
             self.plant.push(&(push.force * share), tool);
             is_touched |= share > 0.0;
         }
-        let touches = &mut self.truth.pushes;
-        match touches.last_mut() {
-            Some([_, end]) if is_touched && self.was_touched => *end = time,
-            _ if is_touched => touches.push([time, time]),
-            _ => {}
-        }
-        self.was_touched = is_touched;
+        let was_touched = std::mem::replace(&mut self.was_touched, is_touched);
+        note(&mut self.truth.pushes, time, [was_touched, is_touched]);
         is_pushed
     }
 
@@ -645,6 +648,15 @@ fn overspeed(followers: &[FollowerLimit], velocity_of: impl Fn(usize) -> f64) ->
             limit: most,
         })
     })
+}
+
+/// Notes what is so at this time, from when to when without a break.
+fn note(spans: &mut Vec<[f64; 2]>, time: f64, [was, is]: [bool; 2]) {
+    match spans.last_mut() {
+        Some([_, end]) if is && was => *end = time,
+        _ if is => spans.push([time, time]),
+        _ => {}
+    }
 }
 
 #[cfg(test)]

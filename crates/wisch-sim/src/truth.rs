@@ -69,6 +69,8 @@ pub struct GroundTruth {
     /// From when to when a hand pressed on the tool without a break [s], in order; a hand that the tool outruns touches
     /// nothing.
     pub pushes: Vec<[f64; 2]>,
+    /// From when to when robot or tool touched something other than the surface without a break [s], in order.
+    pub obstructions: Vec<[f64; 2]>,
     /// What robot and tool hide from a camera afterwards: convex hulls in the frame of the real surface [m]; none where
     /// nothing looks, or sees past them.
     pub hidden: Vec<Vec<Point2>>,

@@ -190,6 +190,7 @@ fn what_is_gone_or_hidden_is_not_seen() {
         lost_share: 0.0,
         max_lateral_error: 0.0,
         pushes: vec![],
+        obstructions: vec![],
         hidden: vec![corners.map(|(x, y)| Point2::new(x, y)).to_vec()],
     };
     let mut world = world(settings(PERFECT)).after(vec![truth]);

@@ -33,6 +33,8 @@ pub struct CheckpointRecord {
     max_lateral_error_m: f64,
     #[serde(default)]
     pushes_s: Vec<[f64; 2]>,
+    #[serde(default)]
+    obstructions_s: Vec<[f64; 2]>,
     hidden_m: Vec<Vec<[f64; 2]>>,
     /// What was seen before the first round, and after this one.
     looks: [Option<LookRecord>; 2],
@@ -129,6 +131,7 @@ impl CheckpointRecord {
             lost_share: truth.lost_share,
             max_lateral_error_m: truth.max_lateral_error,
             pushes_s: truth.pushes.clone(),
+            obstructions_s: truth.obstructions.clone(),
             hidden_m: (truth.hidden.iter())
                 .map(|hull| hull.iter().map(|p| [p.x, p.y]).collect())
                 .collect(),
@@ -160,6 +163,7 @@ impl CheckpointRecord {
             lost_share: self.lost_share,
             max_lateral_error: self.max_lateral_error_m,
             pushes: self.pushes_s,
+            obstructions: self.obstructions_s,
             hidden: (self.hidden_m.into_iter())
                 .map(|hull| hull.into_iter().map(Point2::from).collect())
                 .collect(),
@@ -354,6 +358,7 @@ mod tests {
                 lost_share: 0.1,
                 max_lateral_error: 0.002,
                 pushes: vec![[0.5, 1.0 / 3.0 + 1.0]],
+                obstructions: vec![[0.7, 0.75]],
                 hidden: vec![vec![Point2::new(0.1, 1.0 / 7.0), Point2::origin()]],
             };
             let seen = Observation {

@@ -20,7 +20,7 @@ use rapier3d_f64::dynamics::{
     MultibodyJointHandle, RigidBodyHandle, SphericalJointBuilder, SpringCoefficients,
 };
 use rapier3d_f64::geometry::{
-    ColliderBuilder, ColliderHandle, Group, InteractionGroups, InteractionTestMode,
+    ColliderBuilder, ColliderHandle, ContactPair, Group, InteractionGroups, InteractionTestMode,
 };
 use rapier3d_f64::math as engine;
 use rapier3d_f64::pipeline::PhysicsWorld;
@@ -70,6 +70,8 @@ pub(super) struct Plant {
     hand: RigidBodyHandle,
     plate_collider: ColliderHandle,
     surface_collider: ColliderHandle,
+    /// What stands around the surface, and what carries it.
+    scene: Vec<ColliderHandle>,
     normal: Vector3,
     world_from_real: Pose,
     waviness: Option<Waviness>,
@@ -188,7 +190,7 @@ impl Plant {
         } else {
             lay(slab, PLATE | GRAIN)
         };
-        add_scene(&mut world, task, settings);
+        let scene = add_scene(&mut world, task, settings);
         add_shapes(&mut world, cell, tool, articulation, compliant, &bodies);
 
         let mut plant = Self {
@@ -199,6 +201,7 @@ impl Plant {
             hand,
             plate_collider,
             surface_collider,
+            scene,
             normal: world_from_real * Vector3::z(),
             world_from_real,
             waviness: is_wavy.then_some(settings.waviness),
@@ -303,6 +306,13 @@ impl Plant {
     /// Lets one period pass.
     pub fn step(&mut self) {
         self.world.step();
+    }
+
+    /// Whether robot or tool touch anything but the surface.
+    pub fn is_obstructed(&self) -> bool {
+        (self.scene.iter())
+            .flat_map(|&object| self.world.narrow_phase.contact_pairs_with(object))
+            .any(ContactPair::has_any_active_contact)
     }
 
     /// Sets the friction between tool and surface.

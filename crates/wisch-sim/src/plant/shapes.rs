@@ -4,7 +4,7 @@ use super::wielded::Wielded;
 use super::{ROBOT, SCENE, TOOL, groups, to_engine, vector};
 use crate::SimulationSettings;
 use rapier3d_f64::dynamics::RigidBodyHandle;
-use rapier3d_f64::geometry::{ColliderBuilder, SharedShape};
+use rapier3d_f64::geometry::{ColliderBuilder, ColliderHandle, SharedShape};
 use rapier3d_f64::math as engine;
 use rapier3d_f64::pipeline::PhysicsWorld;
 use wisch::follow::Workcell;
@@ -27,7 +27,13 @@ pub(super) fn prism(
     SharedShape::convex_hull(&corners)
 }
 
-pub(super) fn add_scene(world: &mut PhysicsWorld, task: &Task, settings: &SimulationSettings) {
+/// Adds everything but robot, tool and surface; what was added.
+pub(super) fn add_scene(
+    world: &mut PhysicsWorld,
+    task: &Task,
+    settings: &SimulationSettings,
+) -> Vec<ColliderHandle> {
+    let mut added = Vec::new();
     // What is mislocated is the robot before the scene: everything is off by the same.
     let world_from_surface = task.surface.world_from_surface;
     let moved = world_from_surface * settings.believed_from_real * world_from_surface.inverse();
@@ -41,9 +47,10 @@ pub(super) fn add_scene(world: &mut PhysicsWorld, task: &Task, settings: &Simula
             let collider = ColliderBuilder::new(shape)
                 .position(to_engine(&(moved * object.world_from_object)))
                 .collision_groups(groups(SCENE, filter));
-            world.insert_collider(collider, None);
+            added.push(world.insert_collider(collider, None));
         }
     }
+    added
 }
 
 fn trimesh(mesh: &Mesh) -> Option<SharedShape> {

@@ -8,6 +8,7 @@ use wisch::geometry::{Vector2, Vector3};
 use wisch::represent::{Action, Fate};
 use wisch_io::{Moment, Push};
 use wisch_sim::{Dirt, Waviness};
+use wisch_testkit::block;
 
 fn dirty(action: Action) -> Wiping {
     let mut wiping = Wiping::of_one_stroke(action);
@@ -252,4 +253,23 @@ fn a_heap_resists_the_tool_that_pushes_it() {
     wiping.settings.grains_resist = false;
     let unfelt = along(&wiping.execute());
     assert!(unfelt < light + 0.05, "{unfelt} N, {light} N");
+}
+
+#[test]
+fn what_robot_and_tool_strike_is_known() {
+    let mut wiping = Wiping::of_one_stroke(Action::Absorb);
+    let free = wiping.execute();
+    assert_eq!(free.truth.obstructions, [] as [[f64; 2]; 0]);
+    let midst = wiping.midst();
+    let row = free.rows.iter().find(|row| row.time >= midst).unwrap();
+    let at = row.world_from_tool.translation;
+    // Put there after the motion was planned.
+    let cup = block("cup", [0.02, 0.02, 0.08], [at.x, at.y, at.z + 0.06]);
+    wiping.task.scene.push(cup);
+    let struck = wiping.execute().truth.obstructions;
+    let first = struck.first().expect("it is struck");
+    assert!(
+        first[0] < midst && first[0] > 0.5 * midst,
+        "{struck:?}, {midst} s"
+    );
 }

@@ -90,6 +90,28 @@ fn pushes_from_every_side_are_collisions_with_start_and_end() {
     }
 }
 
+/// What rubs a little more than usual for a while does not push yet.
+#[test]
+fn a_push_begins_where_its_force_rises() {
+    let script = Script::default();
+    let [start, _] = script.contacts()[1];
+    let hand = |start: f64, end: f64, off: f64, force: [f64; 2]| Hand {
+        start,
+        end,
+        off: Vector3::new(0.0, off, 0.0),
+        force: Vector3::new(0.0, force[0], force[1]),
+    };
+    let push = hand(start + 1.3, start + 1.8, 0.03, [15.0, 5.0]);
+    let drag = hand(start + 0.5, push.start, 0.0, [3.0, 0.0]);
+    let interpretation = interpreted(&Script {
+        hands: vec![drag, push],
+        ..script
+    });
+    let collisions = events(&interpretation, EventKind::Collision);
+    assert_eq!(collisions.len(), 1, "{collisions:?}");
+    assert_near_times(&collisions[0], [push.start, push.end]);
+}
+
 #[test]
 fn a_gap_in_the_press_is_a_loss_of_contact() {
     let script = Script {

@@ -223,14 +223,15 @@ fn in_words(record: &CalibrationRecord) -> String {
     let pushes = &calibration.pushes;
     let _ = writeln!(
         text,
-        "Pushes: {} in {}, {} told, {} starts and {} ends within 50 ms; {} invented in {} undisturbed ones.",
+        "Pushes: {} in {}, {} told, {} starts and {} ends within 50 ms; in {} in which nobody pushed, {} told where something was struck, {} invented.",
         pushes.pushes,
         counted(pushes.rounds, "round"),
         pushes.found,
         pushes.starts,
         pushes.ends,
-        pushes.invented,
-        pushes.undisturbed
+        counted(pushes.undisturbed, "round"),
+        pushes.obstructed,
+        pushes.invented
     );
     text
 }

@@ -13,13 +13,19 @@ const SWING: f64 = 0.2;
 /// long such a blow lasts at most [s].
 const TOUCHDOWN: [f64; 2] = [0.1, 0.3];
 
+/// What acts has begun where, before it is strong, it has not been weaker for so long [s].
+const RISE: f64 = 0.06;
+
 /// Together, pushes for more than this share of a log are somebody who leads the tool [1].
 const GUIDED_SHARE: f64 = 0.5;
 
 impl EventDetector<'_> {
     /// Pushes, guiding by hand, landings, overloads and vibrations, by start; each push as one.
     pub(super) fn disturbances(&self) -> Vec<Event> {
-        let candidates = self.candidates(|i| self.disturbed(i), |i| self.push_bridge(i));
+        let mut candidates = self.candidates(|i| self.disturbed(i), |i| self.push_bridge(i));
+        for candidate in &mut candidates {
+            candidate.first = self.onset(candidate);
+        }
         let mut pushes: Vec<Candidate> = Vec::new();
         let mut others: Vec<(EventKind, Candidate)> = Vec::new();
         for candidate in candidates {
@@ -47,6 +53,46 @@ impl EventDetector<'_> {
         (told.iter())
             .map(|(kind, candidate)| self.described(*kind, candidate.first, candidate.last))
             .collect()
+    }
+
+    /// Where a candidate begins to rise to its first strong piece: what the tool feels of friction may be weakly too much
+    /// for long before.
+    fn onset(&self, candidate: &Candidate) -> usize {
+        let mut pieces = candidate.first..=candidate.last;
+        let Some(strong) = pieces.find(|&i| self.disturbed(i) == Level::Strong) else {
+            return candidate.first;
+        };
+        let mut onset = (strong, self.excess(strong));
+        for i in (candidate.first..strong).rev() {
+            if self.span(onset.0)[0] - self.span(i)[0] > RISE {
+                break;
+            }
+            let excess = self.excess(i);
+            if excess < onset.1 {
+                onset = (i, excess);
+            }
+        }
+        onset.0
+    }
+
+    /// How much more there is than wiping takes, of whatever there is most [N].
+    fn excess(&self, i: usize) -> f64 {
+        let piece = &self.path[i];
+        let pressed = -piece.normal_force;
+        let along = piece.tangential_force - self.friction * pressed.max(0.0);
+        let most = along.max(pressed - self.config.nominal_force());
+        let compression = self.config.nominal_compression();
+        let off = if compression > 0.0 {
+            self.off_spring[i].max(0.0) * self.config.nominal_force() / compression
+        } else {
+            0.0
+        };
+        let held = if self.is_free(i) {
+            piece.normal_force.hypot(piece.tangential_force)
+        } else {
+            0.0
+        };
+        most.max(off).max(held)
     }
 
     /// What a candidate is, the last push before it being this one: a push, unless the robot does it to itself.
