@@ -12,8 +12,8 @@ pub use eval::{CalibrationArgs, EvalCommand, ScenarioEvaluationArgs, SensesChoic
 pub use learn::LearnArgs;
 pub use log::{InterpretArgs, LogArgs, LoggedArgs};
 pub use memory::{
-    EpisodeArgs, ExportArgs, ImportArgs, KeepArgs, MemoryArgs, MemoryCommand, MemoryListArgs,
-    MemoryVerifyArgs,
+    DEFAULT_MEMORY, EpisodeArgs, ExportArgs, ImportArgs, KeepArgs, MemoryArgs, MemoryCommand,
+    MemoryListArgs, MemoryVerifyArgs,
 };
 pub use robot::{RobotCheckArgs, RobotCommand, RobotMapArgs};
 
@@ -182,8 +182,11 @@ Examples:
   wisch learn runs/*/telemetry/*.mcap --task board.toml --task table.toml
   wisch learn out/board-* --task board.toml --diff | patch -p1 -d my-knowledge
   wisch learn out/board-* --task board.toml --json | jq '.laws[] | .mu'
+  wisch learn --memory episodes --task board.toml           every episode that was looked at
+  wisch learn --episode 20261122-005612-3f2a --task board.toml
 
-A bag holds what a camera saw before and after its round if the task's robot looks (perception.senses).
+A bag and an episode hold what a camera saw before and after each round if the task's robot looks
+(perception.senses). The bags of a run and its episode tell the same: give one of them.
 Writes learned.toml: the interactions of the knowledge base with mu, sigma, how well they are known, and
 the travel after which a grain draws anew.
 

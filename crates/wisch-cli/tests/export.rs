@@ -91,7 +91,15 @@ fn all_episodes_come_out_and_back() {
         import(&neem).expect("a NEEM"),
         ["first", "second"].map(record)
     );
-    for collection in ["triples", "annotations", "inferred", "tf", "wrench"] {
+    let collections = [
+        "triples",
+        "annotations",
+        "inferred",
+        "tf",
+        "wrench",
+        "observation",
+    ];
+    for collection in collections {
         let dump = neem.join(collection).join("roslog");
         for file in [".bson", ".metadata.json"] {
             assert!(dump.join(format!("{collection}{file}")).is_file());
@@ -118,7 +126,10 @@ fn named_episodes_come_out_at_the_rate_that_is_asked_for() {
     let (code, out, err) = wisch(folder.path(), &asked);
     assert_eq!((code, err.as_str()), (0, ""), "{out}");
     assert!(out.starts_with("neem: 1 episode, "), "{out}");
-    assert!(out.contains("50 poses, 100 wrenches"), "{out}");
+    assert!(
+        out.contains("50 poses, 100 wrenches, 0 observations\n"),
+        "{out}"
+    );
     let neem = folder.path().join("neem");
     assert_eq!(import(&neem).expect("a NEEM"), [record("second")]);
 }

@@ -93,7 +93,7 @@ fn a_killed_run_is_gone_on_with_and_gives_the_same_bytes() {
     for name in FILES {
         assert!(of("cut", name) == of("whole", name), "{name} differs");
     }
-    // So is the episode's telemetry, that of the round which was taken over too.
+    // So are the episode's telemetry and looks, those of the round which was taken over too.
     let episodes = fs::read_dir(folder.path().join("episodes")).expect("a memory");
     let episodes = episodes.map(|entry| entry.expect("an entry").path());
     let mut episodes: Vec<PathBuf> = episodes
@@ -103,7 +103,13 @@ fn a_killed_run_is_gone_on_with_and_gives_the_same_bytes() {
     let [whole, cut] = &episodes[..] else {
         panic!("two episodes: {episodes:?}");
     };
-    for name in ["round-1.parquet", "round-2.parquet"] {
+    let kept = [
+        "round-1.parquet",
+        "round-2.parquet",
+        "round-1/observations.json",
+        "round-2/observations.json",
+    ];
+    for name in kept {
         let of = |episode: &Path| fs::read(episode.join(name)).expect(name);
         assert!(of(cut) == of(whole), "{name} differs");
     }

@@ -12,16 +12,31 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 use wisch::follow::Phase;
+use wisch::geometry::{Point2, Polygon, Pose, Region};
+use wisch::represent::Observation;
 use wisch_memory::catalogue::entries;
 use wisch_memory::{
     Catalogue, EpisodeRecord, Individual, IndividualId, Mark, Memory, MemoryError, Node, Origin,
-    TelemetryHead, Value,
+    RoundObservations, TelemetryHead, Value,
 };
 
 /// Tells the child process where to write.
 const CHILD_MEMORY: &str = "WISCH_TEST_MEMORY";
 
-/// Telemetry of one column, and a file.
+/// A look before a round, and none after it.
+fn looked() -> RoundObservations {
+    let seen = Observation {
+        detections: vec![Point2::new(0.1, -1.0 / 3.0)],
+        hidden: Region::new(vec![Polygon::rectangle([0.1, 0.2].into())]),
+    };
+    RoundObservations {
+        round: Some(1),
+        world_from_surface: Pose::translation(0.6, 0.1, 0.75),
+        observations: [Some(seen), None],
+    }
+}
+
+/// Telemetry of one column, what was seen, and files.
 fn store(memory: &Memory, record: &EpisodeRecord) -> Result<(), MemoryError> {
     let writer = memory.begin(&record.id)?;
     let columns = ["v".to_owned()];
@@ -34,6 +49,7 @@ fn store(memory: &Memory, record: &EpisodeRecord) -> Result<(), MemoryError> {
         log.push(f64::from(step) * 0.2, mark, [f64::from(step)])?;
     }
     log.finish()?;
+    writer.observations(1, &looked())?;
     writer.attach("task.toml", b"name = \"board\"")?;
     writer.attach("round-1/plan.json", b"{}")?;
     writer.commit(record)
@@ -107,10 +123,14 @@ fn an_episode_is_read_back_and_forgotten() {
     assert_eq!(episode.record().unwrap(), record);
     assert_eq!(episode.attachment("round-1/plan.json").unwrap(), b"{}");
     assert_eq!(episode.telemetry(1).unwrap().rows(), 100);
+    assert_eq!(episode.observations(1).unwrap(), Some(looked()));
+    // As of rounds in which nothing looked, and of episodes of before.
+    assert_eq!(episode.observations(2).unwrap(), None);
     let files = [
         "checksums.json",
         "episode.json",
         "round-1.parquet",
+        "round-1/observations.json",
         "round-1/plan.json",
         "task.toml",
     ];

@@ -25,7 +25,7 @@ pub struct MemoryArgs {
 }
 
 /// Where episodes are kept if nothing else is said.
-const DEFAULT_MEMORY: &str = "episodes";
+pub const DEFAULT_MEMORY: &str = "episodes";
 
 /// What to do with a memory of episodes.
 #[derive(Debug, Subcommand)]
@@ -66,7 +66,8 @@ Examples:
   wisch memory export --neem neem 20261122-005612-3f2a --tf-rate-hz 50
 
 The folder has one subfolder for each collection, each a dump that mongorestore and KnowRob read: triples,
-annotations, inferred, tf, and wrench, which is our own. Beside them are meta.json and semco.owl.")]
+annotations, inferred, tf, and two of our own: wrench, and observation, what a camera saw of the dirt.
+Beside them are meta.json and semco.owl.")]
     Export(ExportArgs),
 }
 

@@ -2,6 +2,7 @@
 
 use super::job::Done;
 use super::prepare::Prepared;
+use super::watch::Seen;
 use super::words::{internal, json};
 use crate::args::{KeepArgs, TaskArgs};
 use crate::failure::Failure;
@@ -9,12 +10,13 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::time::{SystemTime, UNIX_EPOCH};
+use wisch::represent::Observation;
 use wisch::run::{PlannedRound, RunEvent};
 use wisch_io::{PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE};
 use wisch_io::{PlanRecord, RobotFiles, particles_to_csv};
 use wisch_memory::{
     EpisodeHeader, EpisodeRound, EpisodeWriter, Memory, MemoryError, RobotText, RoundLog,
-    RoundScene, TelemetryWriter, episode_id, remember,
+    RoundObservations, RoundScene, TelemetryWriter, episode_id, remember,
 };
 
 /// What wrote an episode.
@@ -113,10 +115,11 @@ impl EpisodeRecorder {
         }
     }
 
-    /// Puts the episode into the memory.
+    /// Puts the episode into the memory; `first_look` is what was seen before the first round, if anything looked.
     pub fn commit(
         self,
         done: &[Done],
+        first_look: Option<Observation>,
         prepared: &Prepared,
         task_args: &TaskArgs,
         robot: &RobotFiles,
@@ -135,8 +138,20 @@ impl EpisodeRecorder {
             meshes: robot.meshes.clone(),
         };
         (robot.attach_to(&kept.writer)).map_err(|error| cannot_keep(&error))?;
+        let mut seen = first_look.map(|observation| Seen {
+            world_from_surface: prepared.task.surface.world_from_surface,
+            observation,
+        });
         for done in done {
             attach_round(done, &attach)?;
+            let looks = observations(done, seen.as_ref());
+            let number = done.round.motion.number;
+            (kept.writer.observations(number, &looks)).map_err(|error| cannot_keep(&error))?;
+            let [_, after] = looks.observations;
+            seen = after.map(|observation| Seen {
+                world_from_surface: looks.world_from_surface,
+                observation,
+            });
         }
         let header = EpisodeHeader {
             id: kept.writer.id().to_owned(),
@@ -237,6 +252,21 @@ fn attach_round(done: &Done, attach: &Attach<'_>) -> Result<(), Failure> {
         )?;
     }
     Ok(())
+}
+
+/// What was seen before and after a round, in the frame of the surface as it was believed to be in it; `before` is what was
+/// last seen.
+fn observations(done: &Done, before: Option<&Seen>) -> RoundObservations {
+    let round = &done.round;
+    let world_from_surface = round.motion.task.surface.world_from_surface;
+    RoundObservations {
+        round: Some(round.motion.number),
+        world_from_surface,
+        observations: [
+            before.map(|seen| seen.of_surface(&world_from_surface)),
+            round.interpretation.observation.clone(),
+        ],
+    }
 }
 
 /// Begins an episode under the first name that is free.

@@ -128,16 +128,18 @@ fn tell(args: &ExportArgs, global: &GlobalArgs, report: &NeemReport) -> Result<(
             "annotations": report.annotations,
             "poses": report.poses,
             "wrenches": report.wrenches,
+            "observations": report.observations,
         });
         print(&format!("{line}\n"))?;
     } else if !global.quiet {
         print(&format!(
-            "{}: {}, {} triples, {} poses, {} wrenches\n",
+            "{}: {}, {} triples, {} poses, {} wrenches, {} observations\n",
             args.neem.display(),
             counted(report.episodes as usize, "episode"),
             report.triples,
             report.poses,
-            report.wrenches
+            report.wrenches,
+            report.observations
         ))?;
     }
     Ok(())

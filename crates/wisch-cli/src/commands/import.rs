@@ -11,7 +11,8 @@ use crate::terminal::{Outcome, print};
 use wisch::follow::Phase;
 use wisch_io::PARTICLES_ESTIMATED_FILE;
 use wisch_memory::{
-    EpisodeHeader, EpisodeWriter, Mark, Memory, MemoryError, TelemetryHead, remember_log,
+    EpisodeHeader, EpisodeWriter, Mark, Memory, MemoryError, RoundObservations, TelemetryHead,
+    remember_log,
 };
 use wisch_telemetry::Log;
 
@@ -49,6 +50,13 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     let memory = Memory::create(&args.memory.memory).map_err(|error| cannot_keep(&error))?;
     let writer = begin(&memory, start).map_err(|error| cannot_keep(&error))?;
     write_telemetry(&writer, &log).map_err(|error| cannot_keep(&error))?;
+    let believed = prepared.task.surface.world_from_surface;
+    let seen = RoundObservations {
+        round: log.round,
+        world_from_surface: log.world_from_surface.unwrap_or(believed),
+        observations: log.observations.clone(),
+    };
+    (writer.observations(1, &seen)).map_err(|error| cannot_keep(&error))?;
     let attach = |name: &str, contents: &[u8]| {
         let attached = writer.attach(name, contents);
         attached.map_err(|error| cannot_keep(&error))

@@ -152,6 +152,7 @@ pub fn execute(
     let task = planned.task.clone();
     let planning_s = watch.times(1).planning_s;
     let predicted = Some((prediction, watch.take_frames(&task, &planned.wiped())));
+    let first_look = session.first_observation().cloned();
     let done = (session.into_rounds().into_iter())
         .enumerate()
         .map(|(i, round)| {
@@ -167,7 +168,7 @@ pub fn execute(
         let text = format!("the push of round {round} did not happen: the run ended after {count}");
         progress.aside(|| remark(&text));
     }
-    let kept = episode.commit(&rounds, prepared, task_args, &robot.files);
+    let kept = episode.commit(&rounds, first_look, prepared, task_args, &robot.files);
     if let Some(failure) = no_bag {
         say_where(&kept);
         return Err(failure);

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
-use wisch::geometry::{Point2, Point3, Polygon, Pose, Region};
+use wisch::geometry::{Point3, Pose};
 use wisch::plan::Plan;
 use wisch::represent::{Observation, Task};
 use wisch::run::{PlannedRound, RunEvent, TelemetrySample};
@@ -273,26 +273,19 @@ impl<'a> Recorder<'a> {
 }
 
 /// What was seen of a surface that was believed to be there.
-struct Seen {
-    world_from_surface: Pose,
-    observation: Observation,
+pub struct Seen {
+    pub world_from_surface: Pose,
+    pub observation: Observation,
 }
 
 impl Seen {
     /// The same, of the surface believed elsewhere since.
-    fn of_surface(&self, world_from_surface: &Pose) -> Observation {
+    pub fn of_surface(&self, world_from_surface: &Pose) -> Observation {
         if self.world_from_surface == *world_from_surface {
             return self.observation.clone();
         }
         let now_from_then = world_from_surface.inverse() * self.world_from_surface;
-        let moved = |p: &Point2| (now_from_then * Point3::new(p.x, p.y, 0.0)).xy();
-        let hidden = self.observation.hidden.polygons().iter();
-        let hidden =
-            hidden.map(|part| Polygon::new(part.outer().iter().map(moved).collect(), vec![]));
-        Observation {
-            detections: self.observation.detections.iter().map(moved).collect(),
-            hidden: Region::new(hidden.collect()),
-        }
+        self.observation.moved(&now_from_then)
     }
 }
 

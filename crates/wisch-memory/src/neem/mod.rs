@@ -10,14 +10,17 @@
 //! inferred/roslog/…             a reader's cache, empty
 //! tf/roslog/tf.bson             poses of frames over time
 //! wrench/roslog/wrench.bson     forces and torques over time: our own, there is no standard for them
+//! observation/roslog/…          what a camera saw of the dirt before and after each round: our own as well
 //! ```
 //!
-//! [`NeemWriter`] writes one document at a time, [`import`] reads the episodes back from the triples.
+//! [`NeemWriter`] writes one document at a time, [`import`] reads the episodes back from the triples, [`observations`] what
+//! was seen in them.
 
 mod document;
 mod dump;
 mod import;
 mod meta;
+mod observation;
 mod stored;
 mod triples;
 mod writer;
@@ -29,11 +32,13 @@ pub use document::GRAPH;
 pub use dump::DumpError;
 pub use import::{Triples, import, records};
 pub use meta::{NeemMeta, utc};
+pub use observation::{SeenRound, observations};
 pub use stored::PoseSource;
 pub use triples::{Object, Triple, ontology_triples, triples};
 pub use writer::{FrameSample, NeemConfig, NeemReport, NeemWriter, WrenchSample};
 
 use crate::frames::FrameError;
+use crate::observations::ObservationFault;
 use crate::record::RecordFault;
 use crate::store::MemoryError;
 use crate::telemetry::TelemetryError;
@@ -75,6 +80,26 @@ pub enum NeemError {
         number: u64,
         /// What it lacks.
         what: &'static str,
+    },
+    /// A document that is no observation.
+    #[error("{path}: document {number} is no observation: {what}", path = .path.display())]
+    Observation {
+        /// In which file.
+        path: PathBuf,
+        /// Which, from 0.
+        number: u64,
+        /// What is wrong.
+        what: &'static str,
+    },
+    /// Observations that cannot be exported.
+    #[error("episode {episode:?}: round {round}: {fault}")]
+    Observations {
+        /// Of which episode.
+        episode: String,
+        /// Of which of its rounds, from 1.
+        round: usize,
+        /// What is wrong.
+        fault: ObservationFault,
     },
     /// A name with an unknown prefix.
     #[error(transparent)]

@@ -1,6 +1,7 @@
 //! From an episode in the store to a NEEM: its record, and what its telemetry tells.
 
 use super::NeemError;
+use super::observation::SeenRound;
 use super::writer::{FrameSample, NeemWriter, WrenchSample};
 use crate::frames::Frames;
 use crate::record::EpisodeRecord;
@@ -31,7 +32,8 @@ pub enum PoseSource<'a> {
 }
 
 impl NeemWriter {
-    /// Writes an episode of the store: its triples, and the poses and wrenches of all rounds with telemetry.
+    /// Writes an episode of the store: its triples, the poses and wrenches of all rounds with telemetry, and what was seen
+    /// of the dirt.
     ///
     /// # Errors
     /// As of the other methods, and if the episode cannot be read or its telemetry is of another robot.
@@ -40,13 +42,28 @@ impl NeemWriter {
         self.episode(&record)?;
         let files = episode.files()?;
         for (number, &start) in (1..).zip(&record.rounds) {
+            if let Some(seen) = episode.observations(number)? {
+                // One round follows the other without a pause.
+                let end = record.rounds.get(number).copied();
+                let round = SeenRound {
+                    episode: &record.id,
+                    number,
+                    interval: [start, end.unwrap_or(record.interval[1])],
+                    surface: related(&record, "semco:actsOnSurface", "surface"),
+                };
+                self.observations(&round, &seen)?;
+            }
             if !files.contains(&format!("round-{number}.parquet")) {
                 continue;
             }
             let telemetry = episode.telemetry(number)?;
             self.wrenches_of(&telemetry, start)?;
             match poses {
-                PoseSource::Tool => self.tool_of(&telemetry, start, tool(&record))?,
+                PoseSource::Tool => self.tool_of(
+                    &telemetry,
+                    start,
+                    related(&record, "semco:usesTool", "tool"),
+                )?,
                 PoseSource::Robot(robot) => self.frames_of(&telemetry, start, robot)?,
             }
         }
@@ -125,14 +142,12 @@ impl NeemWriter {
     }
 }
 
-/// Local name of the tool of an episode.
-fn tool(record: &EpisodeRecord) -> &str {
-    let mut tools = record
-        .individuals
-        .iter()
-        .filter_map(|individual| individual.relations.get("semco:usesTool")?.first());
-    let name = tools.next().and_then(|name| name.split_once(':'));
-    name.map_or("tool", |(_, local)| local)
+/// Local name of what an episode is first related to by a property; this name, if there is nothing.
+fn related<'a>(record: &'a EpisodeRecord, property: &str, otherwise: &'a str) -> &'a str {
+    let mut related = (record.individuals.iter())
+        .filter_map(|individual| individual.relations.get(property)?.first());
+    let name = related.next().and_then(|name| name.split_once(':'));
+    name.map_or(otherwise, |(_, local)| local)
 }
 
 /// Time [s since the round began] and values of each row; of no row, if the telemetry lacks one of the columns.

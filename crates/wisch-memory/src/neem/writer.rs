@@ -3,6 +3,7 @@
 use super::document::Closures;
 use super::dump::MAX_DOCUMENT;
 use super::meta::NeemMeta;
+use super::observation;
 use super::triples::{self, Triple, individual};
 use super::{NeemError, at, collection_file};
 use crate::ontology::{Ontology, SEMCO_OWL};
@@ -73,6 +74,8 @@ pub struct NeemReport {
     pub poses: u64,
     /// Wrenches.
     pub wrenches: u64,
+    /// Looks at the dirt.
+    pub observations: u64,
 }
 
 /// Writes episodes into the folder of a NEEM, which appears when it is finished.
@@ -103,6 +106,7 @@ pub struct NeemWriter {
     inferred: Collection,
     poses: Collection,
     wrenches: Collection,
+    pub(super) observations: Collection,
     closures: Closures,
     episodes: HashSet<String>,
     frames: HashMap<String, Frame>,
@@ -151,6 +155,7 @@ impl NeemWriter {
             inferred: collection("inferred")?,
             poses: collection("tf")?,
             wrenches: collection("wrench")?,
+            observations: collection(observation::COLLECTION)?,
             closures: Closures::default(),
             episodes: HashSet::new(),
             frames: HashMap::new(),
@@ -310,6 +315,7 @@ impl NeemWriter {
             annotations: self.annotations.written,
             poses: self.poses.written,
             wrenches: self.wrenches.written,
+            observations: self.observations.written,
         };
         for collection in [
             self.triples,
@@ -317,6 +323,7 @@ impl NeemWriter {
             self.inferred,
             self.poses,
             self.wrenches,
+            self.observations,
         ] {
             collection.finish()?;
         }
@@ -334,10 +341,10 @@ const STAGED: &str = "neem";
 
 /// A file of documents.
 #[derive(Debug)]
-struct Collection {
+pub(super) struct Collection {
     path: PathBuf,
     file: BufWriter<File>,
-    ids: ObjectIds,
+    pub ids: ObjectIds,
     written: u64,
 }
 
@@ -363,7 +370,7 @@ impl Collection {
         })
     }
 
-    fn write(&mut self, document: &RawDocumentBuf) -> Result<(), NeemError> {
+    pub fn write(&mut self, document: &RawDocumentBuf) -> Result<(), NeemError> {
         let bytes = document.as_bytes();
         let written = if bytes.len() > MAX_DOCUMENT {
             let message = format!("a document of {} bytes is too long", bytes.len());
@@ -384,7 +391,7 @@ impl Collection {
 
 /// Names of documents: the same for the same export.
 #[derive(Debug)]
-struct ObjectIds {
+pub(super) struct ObjectIds {
     head: [u8; 7],
     next: u64,
 }
@@ -403,7 +410,7 @@ impl ObjectIds {
         }
     }
 
-    fn next(&mut self) -> ObjectId {
+    pub fn next(&mut self) -> ObjectId {
         let mut id = [0; 12];
         id[..7].copy_from_slice(&self.head);
         id[7..].copy_from_slice(&self.next.to_be_bytes()[3..]);
@@ -428,15 +435,15 @@ fn in_words(record: &EpisodeRecord) -> String {
     text + "."
 }
 
-fn xyz([x, y, z]: [f64; 3]) -> RawDocumentBuf {
+pub(super) fn xyz([x, y, z]: [f64; 3]) -> RawDocumentBuf {
     rawdoc! { "x": x, "y": y, "z": z }
 }
 
-fn date(time: f64) -> DateTime {
+pub(super) fn date(time: f64) -> DateTime {
     DateTime::from_millis((1e3 * time).round() as i64)
 }
 
-fn check_finite(
+pub(super) fn check_finite(
     frame: &str,
     time: f64,
     numbers: impl IntoIterator<Item = f64>,

@@ -3,6 +3,7 @@
 use super::RECORD_FILE;
 use super::error::{MemoryError, at};
 use super::sums::{FileSum, SUMS_FILE, Sums};
+use crate::observations::RoundObservations;
 use crate::record::EpisodeRecord;
 use crate::telemetry::Telemetry;
 use std::fs;
@@ -75,6 +76,36 @@ impl Episode {
         Ok(Telemetry::open_checked(&path, sums.transpose()?)?)
     }
 
+    /// Whether the telemetry of a round, from 1, was kept.
+    ///
+    /// # Errors
+    /// An episode whose check sums cannot be read.
+    pub fn has_telemetry(&self, round: usize) -> Result<bool, MemoryError> {
+        Ok(self.sums()?.contains_key(&telemetry_file(round)))
+    }
+
+    /// What was seen of the dirt before and after a round, from 1; `None` where nothing looked, and in episodes that were
+    /// written when this was not kept.
+    ///
+    /// # Errors
+    /// A file that is missing, is not what was written, or cannot be read.
+    pub fn observations(&self, round: usize) -> Result<Option<RoundObservations>, MemoryError> {
+        let name = observations_file(round);
+        let sums = self.sums()?;
+        let Some(written) = sums.get(&name) else {
+            return Ok(None);
+        };
+        let path = self.folder.join(&name);
+        if let Some(what) = written.difference(&FileSum::of(&path)?) {
+            return Err(MemoryError::Changed { path, what });
+        }
+        let bytes = fs::read(&path).map_err(at(&path))?;
+        match RoundObservations::from_json(&bytes) {
+            Ok(observations) => Ok(Some(observations)),
+            Err(fault) => Err(MemoryError::Observations { path, fault }),
+        }
+    }
+
     /// What each of its files was when it was written.
     pub(super) fn sums(&self) -> Result<Sums, MemoryError> {
         let path = self.folder.join(SUMS_FILE);
@@ -128,6 +159,11 @@ fn list(folder: &Path, before: &str, names: &mut Vec<String>) -> Result<(), Memo
 /// What a round's telemetry is called.
 pub(super) fn telemetry_file(round: usize) -> String {
     format!("round-{round}.parquet")
+}
+
+/// What a round's observations are called.
+pub(super) fn observations_file(round: usize) -> String {
+    format!("round-{round}/observations.json")
 }
 
 /// Whether a file of this name stands in the episode and is not written by the store itself.

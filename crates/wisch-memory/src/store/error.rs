@@ -1,5 +1,6 @@
 //! What can be wrong with a memory.
 
+use crate::observations::ObservationFault;
 use crate::record::RecordFault;
 use crate::telemetry::TelemetryError;
 use std::io;
@@ -63,6 +64,14 @@ pub enum MemoryError {
         path: PathBuf,
         /// What is wrong.
         fault: RecordFault,
+    },
+    /// Observations that are none.
+    #[error("{}: {fault}", path.display())]
+    Observations {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        fault: ObservationFault,
     },
     /// A record in the folder of another episode.
     #[error("{}: this is the record of {found:?}, not of {id:?}", path.display())]

@@ -6,7 +6,10 @@
 //!     episode.json           its record
 //!     checksums.json         length and CRC-32 of each file
 //!     round-1.parquet        telemetry
-//!     task.toml, robot.urdf, round-1/plan.json, …
+//!     round-1/               what belongs to a round
+//!       observations.json    what a camera saw of the dirt before and after it; absent where nothing looked
+//!       plan.json, …
+//!     task.toml, robot.urdf, …
 //!   .new/                    apart, so that finding what is left over there does not mean going through all
 //!     20261122-010203-…/     an episode that is being written
 //!     20261122-010203-….lock held by who writes it

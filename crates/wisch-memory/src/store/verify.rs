@@ -71,5 +71,10 @@ fn fault_of(episode: &Episode, name: &str, written: &FileSum) -> Result<(), Memo
     if let Some(round) = round {
         episode.telemetry(round)?.verify()?;
     }
+    let round = name.strip_prefix("round-");
+    let round = round.and_then(|rest| rest.strip_suffix("/observations.json")?.parse().ok());
+    if let Some(round) = round {
+        episode.observations(round)?;
+    }
     Ok(())
 }

@@ -1,9 +1,10 @@
 //! An episode while it is written.
 
-use super::episode::{check_name, files_in, telemetry_file};
+use super::episode::{check_name, files_in, observations_file, telemetry_file};
 use super::error::{MemoryError, at};
 use super::sums::{FileSum, SUMS_FILE, Sums};
 use super::{Memory, RECORD_FILE, remove_file, remove_folder, sync_folder};
+use crate::observations::RoundObservations;
 use crate::record::EpisodeRecord;
 use crate::telemetry::{TelemetryHead, TelemetryWriter};
 use std::collections::BTreeSet;
@@ -61,6 +62,26 @@ impl EpisodeWriter {
     ) -> Result<TelemetryWriter, MemoryError> {
         let path = self.folder.join(telemetry_file(round));
         Ok(TelemetryWriter::with_columns(&path, head, columns)?)
+    }
+
+    /// Adds what was seen before and after a round, from 1; nothing where nothing looked.
+    ///
+    /// # Errors
+    /// A number that is not finite, a pose that is none, or what the system says.
+    pub fn observations(
+        &self,
+        round: usize,
+        observations: &RoundObservations,
+    ) -> Result<(), MemoryError> {
+        if !observations.is_any() {
+            return Ok(());
+        }
+        let name = observations_file(round);
+        let text = (observations.to_json()).map_err(|fault| MemoryError::Observations {
+            path: self.folder.join(&name),
+            fault,
+        })?;
+        self.attach(&name, text)
     }
 
     /// Adds a file, such as `task.toml` or `round-1/plan.json`.

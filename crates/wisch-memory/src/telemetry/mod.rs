@@ -16,6 +16,7 @@
 mod cache;
 mod error;
 mod reader;
+mod touch;
 mod writer;
 
 pub use error::TelemetryError;

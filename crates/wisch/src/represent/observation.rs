@@ -1,7 +1,7 @@
 //! What a camera sees of the dirt, and how far that can be trusted.
 
 use super::GrainSize;
-use crate::geometry::{Point2, Region};
+use crate::geometry::{Point2, Point3, Polygon, Pose, Region};
 
 /// What was seen of a surface at one moment, in the frame of the believed surface.
 ///
@@ -26,6 +26,29 @@ impl Observation {
     /// Whether a place could not be seen.
     pub fn is_hidden(&self, place: Point2) -> bool {
         self.hidden.contains(place)
+    }
+
+    /// The same in the frame of a surface that is believed elsewhere, projected onto it along its normal; `now_from_then` is
+    /// the pose of the surface it was seen on in the frame of the other.
+    ///
+    /// ```
+    /// use wisch::geometry::{Point2, Pose};
+    /// use wisch::represent::Observation;
+    /// let seen = Observation { detections: vec![Point2::new(0.1, 0.0)], ..Observation::default() };
+    /// let moved = seen.moved(&Pose::translation(0.0, 0.2, 0.0));
+    /// assert_eq!(moved.detections, [Point2::new(0.1, 0.2)]);
+    /// ```
+    pub fn moved(&self, now_from_then: &Pose) -> Self {
+        let moved = |p: &Point2| (now_from_then * Point3::new(p.x, p.y, 0.0)).xy();
+        let ring = |ring: &[Point2]| -> Vec<Point2> { ring.iter().map(moved).collect() };
+        let hidden = self.hidden.polygons().iter().map(|part| {
+            let holes = part.holes().iter().map(|hole| ring(hole));
+            Polygon::new(ring(part.outer()), holes.collect())
+        });
+        Self {
+            detections: ring(&self.detections),
+            hidden: Region::new(hidden.collect()),
+        }
     }
 }
 

@@ -5,6 +5,7 @@ mod stored;
 
 use super::dump::Documents;
 use super::*;
+use crate::observations::tests::looked;
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
 use bson::{DateTime, RawDocumentBuf};
 use std::collections::BTreeMap;
@@ -274,13 +275,14 @@ fn poses_are_thinned_frame_by_frame() {
 }
 
 /// Checksums of the files of an export. Those of triples and annotations change with the ontology; the others were
-/// recorded when its BSON was still written by hand.
-const RECORDED: [(&str, u32); 5] = [
+/// recorded when its BSON was still written by hand, but for the observations.
+const RECORDED: [(&str, u32); 6] = [
     ("triples", 1_580_301_657),
     ("annotations", 1_297_354_051),
     ("inferred", 0),
     ("tf", 2_541_484_127),
     ("wrench", 3_300_141_627),
+    ("observation", 3_666_954_012),
 ];
 
 #[test]
@@ -309,6 +311,13 @@ fn an_export_has_the_bytes_of_the_recorded_one() {
         };
         writer.wrench(&wrench).unwrap();
     }
+    let round = SeenRound {
+        episode: &bumped().id,
+        number: 1,
+        interval: bumped().interval,
+        surface: "chopping_board",
+    };
+    writer.observations(&round, &looked()).unwrap();
     writer.finish().unwrap();
     let written = RECORDED.map(|(collection, _)| {
         let bytes = std::fs::read(collection_file(&neem, collection)).unwrap();

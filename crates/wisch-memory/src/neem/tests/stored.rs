@@ -1,7 +1,9 @@
 //! Episodes of the store.
 
-use super::super::{NeemConfig, NeemError, NeemWriter, PoseSource, import};
+use super::super::collection_file;
+use super::super::{NeemConfig, NeemError, NeemWriter, PoseSource, import, observations};
 use super::{bumped, documents, meta};
+use crate::observations::tests::looked;
 use crate::store::Memory;
 use crate::telemetry::{Mark, TelemetryHead};
 use bson::{DateTime, RawDocumentBuf};
@@ -50,6 +52,7 @@ fn stored(folder: &std::path::Path, robot: &RobotModel) -> Memory {
         log.push(time, mark, row).unwrap();
     }
     log.finish().unwrap();
+    writer.observations(1, &looked()).unwrap();
     writer.commit(&bumped()).unwrap();
     memory
 }
@@ -73,11 +76,26 @@ fn a_stored_episode_brings_its_poses_and_wrenches() {
     };
     let (report, by_tool) = export("tool", PoseSource::Tool);
     assert_eq!((report.poses, report.wrenches), (10, 1000));
+    assert_eq!(report.observations, 2);
     let (report, by_robot) = export("robot", PoseSource::Robot(&robot));
     let frames = robot.links().len() as u64 + 3;
     assert_eq!((report.poses, report.wrenches), (10 * frames, 1000));
     for neem in [&by_tool, &by_robot] {
         assert_eq!(import(neem).unwrap(), [bumped()]);
+        let rounds = [(1, looked())].into();
+        let seen = [(bumped().id, rounds)].into();
+        assert_eq!(observations(neem).unwrap(), seen);
+        let documents = documents(neem, "observation");
+        let headers = documents.iter().map(|seen| {
+            let header = seen.get_document("header").unwrap();
+            (
+                header.get_f64("time").unwrap(),
+                header.get_str("frame_id").unwrap(),
+            )
+        });
+        let [start, end] = bumped().interval;
+        let expected = [(start, "chopping_board"), (end, "chopping_board")];
+        assert_eq!(headers.collect::<Vec<_>>(), expected);
     }
     let sponge = |neem| -> Vec<RawDocumentBuf> {
         let mut poses = documents(neem, "tf");
@@ -110,6 +128,56 @@ fn a_stored_episode_brings_its_poses_and_wrenches() {
         let milliseconds = 1_767_225_600_000 + 100 * number as i64;
         assert_eq!(stamp(pose), DateTime::from_millis(milliseconds));
     }
+}
+
+#[test]
+fn a_document_that_is_no_observation_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = stored(folder.path(), &arm());
+    let episode = memory.episode(&bumped().id).unwrap();
+    let neem = folder.path().join("neem");
+    let mut writer = NeemWriter::create(&neem, &meta(), &NeemConfig::default()).unwrap();
+    writer.stored(&episode, PoseSource::Tool).unwrap();
+    writer.finish().unwrap();
+    let path = collection_file(&neem, "observation");
+    let whole = std::fs::read(&path).unwrap();
+    let refused = |bytes: &[u8]| {
+        std::fs::write(&path, bytes).unwrap();
+        observations(&neem).unwrap_err().to_string()
+    };
+    let changed = |part: &[u8], other: &[u8]| {
+        let mut bytes = whole.clone();
+        let at = bytes.windows(part.len()).position(|bytes| bytes == part);
+        let at = at.expect("such a part");
+        bytes[at..at + part.len()].copy_from_slice(other);
+        bytes
+    };
+    for (part, other, said) in [
+        (
+            &b"dirt_before"[..],
+            &b"dirt_during"[..],
+            "document 0 is no observation: __topic",
+        ),
+        (b"dirt_before", b"dirt_after\0", "document 0"),
+        (b"detections", b"Detections", "detections are no lists"),
+        (b"episode", b"Episode", "it has no episode"),
+    ] {
+        let error = refused(&changed(part, other));
+        assert!(
+            error.contains("observation.bson: ") && error.contains(said),
+            "{error}"
+        );
+    }
+    let twice = [&whole[..], &whole].concat();
+    let error = refused(&twice);
+    assert!(
+        error.contains("document 2") && error.contains("this look already"),
+        "{error}"
+    );
+    assert!(refused(&whole[..whole.len() - 3]).contains("observation.bson"));
+    // A NEEM of before has no such collection.
+    std::fs::remove_file(&path).unwrap();
+    assert!(observations(&neem).unwrap().is_empty());
 }
 
 #[test]

@@ -1,81 +1,44 @@
-//! `wisch learn`: what rounds that were looked at before and after say of the laws in the knowledge base.
+//! `wisch learn`: what rounds that were looked at before and after, in bags and episodes, say of the laws in the knowledge base.
+
+mod record;
+mod rounds;
 
 use super::prepare::Prepared;
-use super::words::{counted, internal, percent};
+use super::words::{counted, internal};
 use crate::args::{GlobalArgs, LearnArgs, TaskArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, remark};
-use serde::Serialize;
+use record::{FORMAT, LearnRecord, SCHEMA, exp, in_words, law_record};
+use rounds::{RecordedRound, Recording, recordings};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use wisch::geometry::{Point2, Point3};
 use wisch::interpret::{Exposure, InterpretConfig, Interpreter};
-use wisch::learn::{GUESSES, LearnConfig, LearnedLaw, Lesson, SeenRound, Summary, learn as fitted};
+use wisch::learn::{GUESSES, LearnConfig, LearnedLaw, Lesson, SeenRound, learn as fitted};
 use wisch::represent::{Interaction, KnowledgeBase, Task};
 use wisch_io::{InteractionRevision, KnowledgeSource, OutputFile, RevisedFile, shipped_scenarios};
-use wisch_telemetry::{Log, LogOptions, read};
 
-/// What the object of `--json` is.
-const FORMAT: &str = "wisch-learned";
-const SCHEMA: u32 = 1;
 /// How a file begins that is written here, and may be written over.
 const HEADER: &str = "# Interactions as `wisch learn` has them";
-
-/// The object that `--json` prints.
-#[derive(Debug, Serialize)]
-struct LearnRecord {
-    format: &'static str,
-    schema: u32,
-    /// The file that was written, or nothing.
-    out: Option<String>,
-    /// What changes, if that was asked for.
-    diff: Option<String>,
-    laws: Vec<LawRecord>,
-}
-
-/// A law before and after.
-#[derive(Debug, Serialize)]
-struct LawRecord {
-    tool: String,
-    medium: String,
-    surface: String,
-    rounds: usize,
-    runs: usize,
-    particles: usize,
-    mu: ParameterRecord,
-    sigma: ParameterRecord,
-    redraw_length_m: ParameterRecord,
-    kept_share: f64,
-}
-
-/// A parameter; `spread` is that of its logarithm, but for μ.
-#[derive(Debug, Serialize)]
-struct ParameterRecord {
-    before: f64,
-    mean: f64,
-    spread: f64,
-    low: f64,
-    high: f64,
-}
 
 /// Everything that was seen of a law.
 struct Evidence {
     interaction: Interaction,
     collision_radius: f64,
     rounds: Vec<SeenRound>,
-    /// Folders that the rounds come from.
+    /// Folders that the rounds come from: those of runs, and episodes.
     runs: Vec<PathBuf>,
 }
 
-/// Reads bags, fits the laws that they tell of, and writes what the knowledge base may take over.
+/// Reads bags and episodes, fits the laws that they tell of, and writes what the knowledge base may take over.
 pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
     progress.say("reading the tasks");
     let source = KnowledgeSource::new(args.knowledge.as_deref());
     let knowledge = source.base()?;
     let mut tasks = Tasks::read(args)?;
-    let bags = bags(&args.bags)?;
+    let recordings = recordings(args, &mut tasks, &progress)?;
     let file = if args.diff {
         None
     } else {
@@ -83,7 +46,7 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
         check_is_ours(&args.out)?;
         Some(OutputFile::begin(&args.out)?)
     };
-    let lessons = evidence(&bags, &mut tasks, &knowledge, &progress)?;
+    let lessons = evidence(&recordings, &mut tasks, &knowledge, &progress)?;
     progress.say(format!("fitting {}", counted(lessons.len(), "law")));
     let given: Vec<Lesson<'_>> = (lessons.iter())
         .map(|evidence| Lesson {
@@ -93,8 +56,9 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
         })
         .collect();
     let laws = fitted(&given, &LearnConfig::default()).map_err(|error| {
-        Failure::new(error)
-            .with_help("wipe and look more often: each round of a run with sight is a bag")
+        Failure::new(error).with_help(
+            "wipe and look more often: each round of a run with sight is a bag, and in its episode",
+        )
     })?;
     let revisions: Vec<InteractionRevision> = (lessons.iter().zip(&laws))
         .map(|(evidence, law)| InteractionRevision {
@@ -129,10 +93,10 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     Ok(Outcome::Done)
 }
 
-/// The tasks that bags are of, by name.
+/// The tasks that were wiped, by name.
 struct Tasks {
     known: BTreeMap<String, Prepared>,
-    /// Whether they were given, and not found by the names in bags.
+    /// Whether they were given, and not found by the names in what is read.
     are_given: bool,
     knowledge: Option<PathBuf>,
 }
@@ -168,15 +132,15 @@ impl Tasks {
         })
     }
 
-    /// The task that a bag is of.
-    fn of(&mut self, bag: &Path, log: &Log) -> Result<&Prepared, Failure> {
-        let fault = |problem: String| Failure::new(problem).within(bag);
+    /// The task that was wiped in a bag or episode, which says this of it.
+    fn of(&mut self, kind: &str, place: &Path, named: Option<&str>) -> Result<&Prepared, Failure> {
+        let fault = |problem: String| Failure::new(problem).within(place);
         let help = "--task FILE names the task that was wiped, once for each task";
-        let name = match &log.task {
-            Some(name) => name.clone(),
+        let name = match named {
+            Some(name) => name.to_owned(),
             None if self.known.len() == 1 => self.known.keys().next().cloned().unwrap_or_default(),
             None => {
-                let problem = "the bag does not say which task was wiped".to_owned();
+                let problem = format!("the {kind} does not say which task was wiped");
                 return Err(fault(problem).with_help(help));
             }
         };
@@ -187,96 +151,41 @@ impl Tasks {
         }
         let known: Vec<&String> = self.known.keys().collect();
         let problem = if self.are_given {
-            format!("the bag is of the task {name:?}, and --task names {known:?}")
+            format!("the {kind} is of the task {name:?}, and --task names {known:?}")
         } else {
-            format!("the bag is of the task {name:?}, which is none of the shipped scenarios")
+            format!("the {kind} is of the task {name:?}, which is none of the shipped scenarios")
         };
         (self.known.get(&name)).ok_or_else(|| fault(problem).with_help(help))
     }
 }
 
-/// The bags that are meant, by the folder in which they lie, each once.
-fn bags(paths: &[PathBuf]) -> Result<BTreeMap<PathBuf, Vec<PathBuf>>, Failure> {
-    let mut bags: BTreeMap<PathBuf, Vec<PathBuf>> = BTreeMap::new();
-    for path in paths {
-        let found = if path.is_dir() {
-            let telemetry = path.join("telemetry");
-            let found = in_folder(if telemetry.is_dir() { &telemetry } else { path })?;
-            if found.is_empty() {
-                return Err(Failure::new(format!(
-                    "{}: there is no bag in this folder, neither NAME.mcap nor telemetry/NAME.mcap",
-                    path.display()
-                )));
-            }
-            found
-        } else {
-            vec![path.clone()]
-        };
-        for bag in found {
-            let place = bag
-                .canonicalize()
-                .map_err(|error| Failure::new(error).within(&bag))?;
-            let folder = place.parent().unwrap_or(Path::new("/")).to_owned();
-            let others = bags.entry(folder).or_default();
-            if others
-                .iter()
-                .all(|other| other.canonicalize().ok() != Some(place.clone()))
-            {
-                others.push(bag);
-            }
-        }
-    }
-    Ok(bags)
-}
-
-fn in_folder(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let failed = |error: std::io::Error| Failure::new(error).within(folder);
-    let mut found = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(failed)? {
-        let path = entry.map_err(failed)?.path();
-        if path.extension().is_some_and(|ending| ending == "mcap") {
-            found.push(path);
-        }
-    }
-    found.sort_by_key(|path| (path.as_os_str().len(), path.clone()));
-    Ok(found)
-}
-
-/// A round of a run, read.
-struct ReadRound {
-    bag: PathBuf,
-    log: Log,
-}
-
 fn evidence(
-    bags: &BTreeMap<PathBuf, Vec<PathBuf>>,
+    recordings: &[Recording],
     tasks: &mut Tasks,
     knowledge: &KnowledgeBase,
     progress: &Progress,
 ) -> Result<Vec<Evidence>, Failure> {
-    let count: usize = bags.values().map(Vec::len).sum();
+    let count: usize = recordings.iter().map(|run| run.sources.len()).sum();
     let mut done = 0;
     let mut laws: BTreeMap<[String; 3], Evidence> = BTreeMap::new();
-    for (run, bags) in bags {
-        let mut rounds: BTreeMap<String, Vec<ReadRound>> = BTreeMap::new();
-        for bag in bags {
+    for run in recordings {
+        let mut rounds: BTreeMap<String, Vec<RecordedRound>> = BTreeMap::new();
+        for source in &run.sources {
             done += 1;
-            progress.say(format!("reading bag {done} of {count}: {}", bag.display()));
-            let log = read(bag, &LogOptions::default()).map_err(Failure::new)?;
-            let prepared = tasks.of(bag, &log)?;
-            let read = ReadRound {
-                bag: bag.clone(),
-                log,
-            };
-            rounds
-                .entry(prepared.task.name.clone())
-                .or_default()
-                .push(read);
+            let place = source.place();
+            progress.say(format!(
+                "reading round {done} of {count}: {}",
+                place.display()
+            ));
+            let round = source.read()?;
+            let prepared = tasks.of(source.kind(), &place, round.task.as_deref())?;
+            let name = prepared.task.name.clone();
+            rounds.entry(name).or_default().push(round);
         }
         for (name, mut rounds) in rounds {
             let prepared = &tasks.known[&name];
-            rounds.sort_by_key(|round| round.log.round);
-            let interaction = known_interaction(prepared, knowledge, &rounds[0].bag)?;
+            rounds.sort_by_key(|round| round.number);
+            let interaction = known_interaction(prepared, knowledge, &rounds[0].place)?;
             let key = [
                 interaction.tool.clone(),
                 interaction.medium.clone(),
@@ -291,7 +200,7 @@ fn evidence(
             evidence
                 .rounds
                 .extend(seen_rounds(prepared, rounds, progress)?);
-            evidence.runs.push(run.clone());
+            evidence.runs.push(run.folder.clone());
         }
     }
     Ok(laws.into_values().collect())
@@ -301,14 +210,14 @@ fn evidence(
 fn known_interaction(
     prepared: &Prepared,
     knowledge: &KnowledgeBase,
-    bag: &Path,
+    place: &Path,
 ) -> Result<Interaction, Failure> {
     let task = &prepared.task;
     let known = knowledge
         .interaction(&task.tool.name, &task.medium, &task.surface.name)
         .map_err(|error| {
             Failure::new(error)
-                .within(bag)
+                .within(place)
                 .with_help("what a task defines itself can be learned once it is in the knowledge base (--knowledge DIR)")
         })?;
     let used = &task.interaction;
@@ -323,7 +232,7 @@ fn known_interaction(
         if used != known {
             return Err(Failure::new(format!(
                 "{}: task {:?} has interaction.{key} = {used}, and the knowledge base {known}: its law is that of another use",
-                bag.display(),
+                place.display(),
                 task.name
             )));
         }
@@ -334,7 +243,7 @@ fn known_interaction(
 /// The rounds of a run with what was felt in them.
 fn seen_rounds(
     prepared: &Prepared,
-    rounds: Vec<ReadRound>,
+    rounds: Vec<RecordedRound>,
     progress: &Progress,
 ) -> Result<Vec<SeenRound>, Failure> {
     let sensor = prepared.file.perception().sight.unwrap_or_default();
@@ -342,19 +251,11 @@ fn seen_rounds(
     let effect = prepared.task.action.effect();
     let mut felt: Vec<(Task, Interpreter)> = Vec::new();
     let mut seen = Vec::new();
-    for ReadRound { bag, log } in rounds {
-        let fault = |problem: &dyn std::fmt::Display| Failure::new(problem).within(&bag);
-        let missing = (log.observations.iter().zip(["before", "after"]))
-            .find_map(|(look, when)| look.is_none().then_some(when));
-        let [Some(before), Some(after)] = log.observations else {
-            let when = missing.unwrap_or("before");
-            return Err(fault(&format!(
-                "topic /wisch/dirt_{when} is missing: nothing was seen of the dirt {when} this round"
-            ))
-            .with_help("a robot looks whose task says perception.senses = [\"touch\", \"sight\"]"));
-        };
+    for round in rounds {
+        let fault = |problem: &dyn std::fmt::Display| Failure::new(problem).within(&round.place);
+        let [before, after] = round.looks()?;
         let mut task = prepared.task.clone();
-        if let Some(logged) = log.world_from_surface {
+        if let Some(logged) = round.world_from_surface {
             let apart = logged.inverse() * task.surface.world_from_surface;
             let distance = apart.translation.vector.norm();
             if distance > ELSEWHERE_M {
@@ -366,19 +267,19 @@ fn seen_rounds(
             // Where it was planned on, which touch may have corrected.
             task.surface.world_from_surface = logged;
         }
-        if let Some(round) = log.round.filter(|round| *round > felt.len() + 1) {
+        if let Some(number) = round.number.filter(|number| *number > felt.len() + 1) {
             progress.aside(|| {
                 remark(&format!(
                     "{}: of the {} before it, {} given; what their dirt withstood is not known",
-                    bag.display(),
-                    counted(round - 1, "round"),
+                    round.place.display(),
+                    counted(number - 1, "round"),
                     felt.len()
                 ));
             });
         }
         let mut interpreter =
             Interpreter::new(&task, &InterpretConfig::of(&task)).map_err(|error| fault(&error))?;
-        for sample in &log.samples {
+        for sample in &round.samples {
             interpreter.push(sample).map_err(|error| fault(&error))?;
         }
         let exposures = |interpreter: &Interpreter, places: &[Point2]| {
@@ -448,10 +349,6 @@ fn entries(revised: &[RevisedFile]) -> String {
     text
 }
 
-fn exp(summary: &Summary) -> [f64; 2] {
-    summary.interval.map(f64::exp)
-}
-
 /// Where a law comes from.
 fn source_in_words(evidence: &Evidence, law: &LearnedLaw) -> Vec<String> {
     let [mu_low, mu_high] = law.mu.interval;
@@ -470,92 +367,4 @@ fn source_in_words(evidence: &Evidence, law: &LearnedLaw) -> Vec<String> {
         ),
         format!("before: mu = {}, sigma = {}", before.mu, before.sigma),
     ]
-}
-
-fn law_record(evidence: &Evidence, law: &LearnedLaw) -> LawRecord {
-    let Interaction {
-        tool,
-        medium,
-        surface,
-        likelihood,
-        redraw,
-        ..
-    } = &evidence.interaction;
-    let of_log = |before: f64, summary: &Summary| {
-        let [low, high] = exp(summary);
-        ParameterRecord {
-            before,
-            mean: summary.mean.exp(),
-            spread: summary.deviation,
-            low,
-            high,
-        }
-    };
-    let [low, high] = law.mu.interval;
-    LawRecord {
-        tool: tool.clone(),
-        medium: medium.clone(),
-        surface: surface.to_string(),
-        rounds: law.rounds,
-        runs: evidence.runs.len(),
-        particles: law.particles,
-        mu: ParameterRecord {
-            before: likelihood.mu,
-            mean: law.mu.mean,
-            spread: law.mu.deviation,
-            low,
-            high,
-        },
-        sigma: of_log(likelihood.sigma, &law.ln_sigma),
-        redraw_length_m: of_log(
-            redraw.length_m.unwrap_or(evidence.collision_radius),
-            &law.ln_redraw_length,
-        ),
-        kept_share: law.kept_share,
-    }
-}
-
-/// The summary for people.
-fn in_words(record: &LearnRecord) -> String {
-    let mut text = String::new();
-    for law in &record.laws {
-        text += &format!("{} on {} on {}\n", law.tool, law.medium, law.surface);
-        let told = |parameter: &ParameterRecord| {
-            let ParameterRecord {
-                before,
-                mean,
-                low,
-                high,
-                ..
-            } = parameter;
-            format!("{mean:.3}, {low:.3} to {high:.3} with 90 % probability (before: {before:.3})")
-        };
-        for (name, value) in [
-            ("mu", told(&law.mu)),
-            ("sigma", told(&law.sigma)),
-            ("redraw length [m]", told(&law.redraw_length_m)),
-            (
-                "thresholds",
-                format!(
-                    "kept for good with a probability of {}",
-                    percent(law.kept_share)
-                ),
-            ),
-            (
-                "from",
-                format!(
-                    "{} of {}, {}",
-                    counted(law.rounds, "round"),
-                    counted(law.runs, "run"),
-                    counted(law.particles, "particle")
-                ),
-            ),
-        ] {
-            text += &format!("  {name:<18} {value}\n");
-        }
-    }
-    if let Some(out) = &record.out {
-        text += &format!("  {:<18} {out}\n", "results");
-    }
-    text
 }

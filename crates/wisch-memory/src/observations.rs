@@ -1,0 +1,263 @@
+//! What a camera saw of the dirt before and after a round, as a file of the episode.
+
+use crate::frames::StoredPose;
+use nalgebra::{Quaternion, UnitQuaternion};
+use serde::{Deserialize, Serialize};
+use wisch::geometry::{Point2, Polygon, Pose, Region};
+use wisch::represent::Observation;
+
+/// Version of the file.
+pub const OBSERVATIONS_SCHEMA: u32 = 1;
+
+/// How far the length of a stored quaternion may be from 1.
+const UNIT_TOLERANCE: f64 = 1e-6;
+
+/// What a camera saw of the dirt before and after a round.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RoundObservations {
+    /// Which round of its run it was, from 1, if that is known. An imported log is the first round of its episode,
+    /// whichever of its run it was.
+    pub round: Option<usize>,
+    /// Where the surface was believed to be in this round: the frame of both observations.
+    pub world_from_surface: Pose,
+    /// Before the first sample and after the last; `None` where nothing looked.
+    pub observations: [Option<Observation>; 2],
+}
+
+/// What is wrong with observations.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ObservationFault {
+    /// Not JSON of this form.
+    #[error("{0}")]
+    Json(String),
+    /// Another schema.
+    #[error("schema: {found} is not supported, this program reads {OBSERVATIONS_SCHEMA}")]
+    Schema {
+        /// What it has.
+        found: u32,
+    },
+    /// A quaternion that is no rotation.
+    #[error(
+        "world_from_surface.quaternion: its length is {length}, further than {UNIT_TOLERANCE} from 1"
+    )]
+    Quaternion {
+        /// Its length [1].
+        length: f64,
+    },
+    /// A number that is none.
+    #[error("{place}: {value} is not finite")]
+    Number {
+        /// Where.
+        place: &'static str,
+        /// The number.
+        value: f64,
+    },
+}
+
+/// The file.
+#[derive(Debug, Serialize, Deserialize)]
+struct ObservationsRecord {
+    schema: u32,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    round: Option<usize>,
+    world_from_surface: StoredPose,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    before: Option<ObservationRecord>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    after: Option<ObservationRecord>,
+}
+
+/// An observation, in the frame of the surface.
+#[derive(Debug, Serialize, Deserialize)]
+struct ObservationRecord {
+    detections_m: Vec<[f64; 2]>,
+    /// Of each polygon the outer ring, then its holes.
+    hidden_m: Vec<Vec<Vec<[f64; 2]>>>,
+}
+
+impl RoundObservations {
+    /// Whether something looked, before or after.
+    pub fn is_any(&self) -> bool {
+        self.observations.iter().any(Option::is_some)
+    }
+
+    /// What is wrong with them; nothing, if they can be stored.
+    ///
+    /// # Errors
+    /// The first fault.
+    pub fn check(&self) -> Result<(), ObservationFault> {
+        let pose = &self.world_from_surface;
+        let parts = pose.translation.vector.iter();
+        check_finite("world_from_surface", parts.copied())?;
+        let length = pose.rotation.coords.norm();
+        let off = (length - 1.0).abs();
+        if off.is_nan() || off > UNIT_TOLERANCE {
+            return Err(ObservationFault::Quaternion { length });
+        }
+        for seen in self.observations.iter().flatten() {
+            check_finite("detections_m", numbers(&seen.detections))?;
+            for part in seen.hidden.polygons() {
+                check_finite("hidden_m", part.rings().flat_map(numbers))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The file's contents.
+    pub(crate) fn to_json(&self) -> Result<String, ObservationFault> {
+        self.check()?;
+        let [before, after] = self.observations.each_ref().map(|seen| {
+            let seen = seen.as_ref();
+            seen.map(ObservationRecord::from)
+        });
+        let record = ObservationsRecord {
+            schema: OBSERVATIONS_SCHEMA,
+            round: self.round,
+            world_from_surface: (&self.world_from_surface).into(),
+            before,
+            after,
+        };
+        serde_json::to_string(&record).map_err(|error| ObservationFault::Json(error.to_string()))
+    }
+
+    /// What a file says.
+    pub(crate) fn from_json(bytes: &[u8]) -> Result<Self, ObservationFault> {
+        let record: ObservationsRecord = serde_json::from_slice(bytes)
+            .map_err(|error| ObservationFault::Json(error.to_string()))?;
+        if record.schema != OBSERVATIONS_SCHEMA {
+            return Err(ObservationFault::Schema {
+                found: record.schema,
+            });
+        }
+        let observations = Self {
+            round: record.round,
+            world_from_surface: pose(
+                record.world_from_surface.position,
+                record.world_from_surface.quaternion,
+            ),
+            observations: [record.before, record.after].map(|seen| seen.map(Observation::from)),
+        };
+        observations.check()?;
+        Ok(observations)
+    }
+}
+
+/// A pose to the last bit: its quaternion, which is a unit's, is not made one again.
+pub(crate) fn pose(position: [f64; 3], quaternion: [f64; 4]) -> Pose {
+    let rotation = UnitQuaternion::new_unchecked(Quaternion::from(quaternion));
+    Pose::from_parts(position.into(), rotation)
+}
+
+fn check_finite(
+    place: &'static str,
+    mut numbers: impl Iterator<Item = f64>,
+) -> Result<(), ObservationFault> {
+    match numbers.find(|number| !number.is_finite()) {
+        Some(value) => Err(ObservationFault::Number { place, value }),
+        None => Ok(()),
+    }
+}
+
+fn numbers(places: &[Point2]) -> impl Iterator<Item = f64> + '_ {
+    places.iter().flat_map(|place| [place.x, place.y])
+}
+
+fn pairs(places: &[Point2]) -> Vec<[f64; 2]> {
+    places.iter().map(|place| [place.x, place.y]).collect()
+}
+
+impl From<&Observation> for ObservationRecord {
+    fn from(seen: &Observation) -> Self {
+        let hidden = seen.hidden.polygons().iter();
+        Self {
+            detections_m: pairs(&seen.detections),
+            hidden_m: hidden
+                .map(|part| part.rings().map(pairs).collect())
+                .collect(),
+        }
+    }
+}
+
+impl From<ObservationRecord> for Observation {
+    fn from(record: ObservationRecord) -> Self {
+        let places = |pairs: Vec<[f64; 2]>| pairs.into_iter().map(Point2::from).collect();
+        let hidden = record.hidden_m.into_iter().map(|rings| {
+            let mut rings = rings.into_iter().map(places);
+            let outer = rings.next().unwrap_or_default();
+            Polygon::new(outer, rings.collect())
+        });
+        Self {
+            hidden: Region::new(hidden.collect()),
+            detections: places(record.detections_m),
+        }
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+
+    /// Two looks at a surface that is tilted.
+    pub(crate) fn looked() -> RoundObservations {
+        let ring = |size: f64| {
+            let corners = [[-size, -size], [size, -size], [size, size], [-size, size]];
+            corners.map(Point2::from).to_vec()
+        };
+        let world_from_surface = pose([0.6, 0.1 + 0.2, 0.75], [0.0, 0.6, 0.0, 0.8]);
+        RoundObservations {
+            round: Some(2),
+            world_from_surface,
+            observations: [
+                Some(Observation {
+                    detections: vec![Point2::new(1.0 / 3.0, -0.1), Point2::new(1e-300, 0.0)],
+                    hidden: Region::new(vec![
+                        Polygon::new(ring(0.1), vec![ring(0.05)]),
+                        Polygon::new(ring(0.02), vec![]),
+                    ]),
+                }),
+                Some(Observation::default()),
+            ],
+        }
+    }
+
+    #[test]
+    fn what_was_seen_comes_back_to_the_last_bit() {
+        let mut only_after = looked();
+        only_after.round = None;
+        only_after.observations[0] = None;
+        for written in [looked(), only_after] {
+            let text = written.to_json().unwrap();
+            assert_eq!(RoundObservations::from_json(text.as_bytes()), Ok(written));
+        }
+    }
+
+    #[test]
+    fn what_was_not_seen_so_is_refused() {
+        let refused = |observations: &RoundObservations| observations.to_json().unwrap_err();
+        let mut infinite = looked();
+        let [Some(before), _] = &mut infinite.observations else {
+            panic!("a look");
+        };
+        before.detections[1].y = f64::INFINITY;
+        assert_eq!(
+            refused(&infinite).to_string(),
+            "detections_m: inf is not finite"
+        );
+        let text = looked().to_json().unwrap();
+        for (part, other, said) in [
+            ("\"schema\":1", "\"schema\":9", "schema: 9 is not supported"),
+            ("[0.0,0.6,", "[3.0,0.6,", "further than 0.000001 from 1"),
+            ("detections_m", "detections", "missing field `detections_m`"),
+        ] {
+            let changed = text.replacen(part, other, 1);
+            let error = RoundObservations::from_json(changed.as_bytes()).unwrap_err();
+            assert!(error.to_string().contains(said), "{error}");
+        }
+        let mut stretched = looked();
+        stretched.world_from_surface = pose([0.0; 3], [0.0, 0.0, 0.0, 1.5]);
+        assert_eq!(
+            refused(&stretched),
+            ObservationFault::Quaternion { length: 1.5 }
+        );
+    }
+}

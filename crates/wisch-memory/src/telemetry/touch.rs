@@ -1,0 +1,39 @@
+//! Telemetry as the interpretation takes it.
+
+use super::{POSE, Telemetry, TelemetryError};
+use nalgebra::{Quaternion, UnitQuaternion};
+use wisch::geometry::{Pose, Vector3};
+use wisch::interpret::TouchSample;
+
+impl Telemetry {
+    /// Where the tool was and what force it felt at every sample: `measured` in the world, and the force of `external`.
+    ///
+    /// Numbers are of single precision: positions within 1 m are exact to 30 nm, forces within 100 N to 4 µN.
+    ///
+    /// # Errors
+    /// Telemetry without these columns, or a broken file.
+    pub fn touch_samples(&self) -> Result<Vec<TouchSample>, TelemetryError> {
+        let rows = 0..self.rows();
+        let column = |name: String| self.values(&name, rows.clone());
+        let times = self.times(rows.clone())?;
+        let pose: Vec<Vec<f64>> = (POSE.iter())
+            .map(|part| column(format!("measured/{part}")))
+            .collect::<Result<_, _>>()?;
+        let force: Vec<Vec<f64>> = (["fx", "fy", "fz"].iter())
+            .map(|part| column(format!("external/{part}")))
+            .collect::<Result<_, _>>()?;
+        let sample = |(row, time): (usize, f64)| {
+            let [x, y, z, qx, qy, qz, qw] =
+                [0, 1, 2, 3, 4, 5, 6].map(|part: usize| pose[part][row]);
+            TouchSample {
+                time,
+                world_from_tool: Pose::from_parts(
+                    [x, y, z].into(),
+                    UnitQuaternion::from_quaternion(Quaternion::new(qw, qx, qy, qz)),
+                ),
+                force: Vector3::new(force[0][row], force[1][row], force[2][row]),
+            }
+        };
+        Ok(times.into_iter().enumerate().map(sample).collect())
+    }
+}
