@@ -7,7 +7,7 @@
 //! | the same pictures as files, in SVG | [`ReportInput`] | [`pictures`] |
 //! | the effect over the distance wiped | a running prediction | [`EffectFrames`], part of [`ReportInput`] |
 //! | a robot in motion: 3-D view, joints, base placements | [`ShownMotion`] of what follows a plan, or any [`MotionInput`] | part of [`ReportInput`], or [`joint_plots`], [`placements_plan`] |
-//! | rounds: force, path, chance of an effect, residue | [`RoundsInput`] | part of [`ReportInput`] |
+//! | rounds: in 3-D as executed, force, path, chance of an effect, residue | [`RoundsInput`], [`MeasuredMotion`] | part of [`ReportInput`] |
 //! | answers of the memory, in space and over time | [`AnswersInput`] | [`answers_page`] |
 //! | a tool's footprint | [`wisch::represent::Tool`] | [`footprint_drawing`] |
 //! | how well beliefs hold | [`CalibrationCurve`]s | [`calibration_drawing`] |
@@ -55,8 +55,8 @@ pub use footprint::footprint_drawing;
 pub use input::ReportInput;
 pub use memory::{AnswersInput, answers_page};
 pub use motion::{
-    Contact, MotionInput, ParticleFrame, Phase, Placement, RatedPlace, ShownMotion, joint_plots,
-    placements_plan,
+    Contact, MeasuredMotion, MotionInput, Origin, ParticleFrame, Phase, Placement, RatedPlace,
+    ShownMotion, joint_plots, placements_plan,
 };
 pub use page::{page, pictures};
 pub use prediction::frames::{EffectFrames, Frame};

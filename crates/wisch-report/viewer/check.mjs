@@ -8,7 +8,7 @@ const TOLERANCE = 1e-4; // positions of up to 23 variables are rounded to 1e-5 [
 
 const [page, csv] = process.argv.slice(2).map((path) => readFileSync(path, "utf8"));
 const data = JSON.parse(/<script type="application\/json" id="motion-data">([^<]*)</.exec(page)[1]);
-const motion = new Motion(data);
+const motion = new Motion(data, data.tracks[0]);
 const rows = csv.trim().split("\n").slice(1).map((line) => line.split(",").map(Number));
 const errors = rows.map(([time, ...place]) => {
   const tool = new Vector3().setFromMatrixPosition(motion.tool(motion.links(time)));

@@ -7,21 +7,22 @@ const PER_UNIT = 1e5; // positions come as whole 1e-5 rad or m
 export const pose = ([x, y, z, qx, qy, qz, qw]) =>
   new Matrix4().compose(new Vector3(x, y, z), new Quaternion(qx, qy, qz, qw), new Vector3(1, 1, 1));
 
+// One track of the robot of the page.
 export class Motion {
-  constructor(data) {
-    this.period = data.period;
-    this.count = data.count;
-    this.duration = data.period * (data.count - 1);
-    this.still = data.start.map((q) => q / PER_UNIT);
+  constructor(data, track) {
+    this.period = track.period;
+    this.count = track.count;
+    this.duration = track.period * (track.count - 1);
+    this.still = track.start.map((q) => q / PER_UNIT);
     // One column of positions per variable that changes.
-    this.columns = data.changes.map(([variable, steps]) => {
-      const column = new Float64Array(data.count);
-      let sum = data.start[variable];
+    this.columns = track.changes.map(([variable, steps]) => {
+      const column = new Float64Array(track.count);
+      let sum = track.start[variable];
       column[0] = sum / PER_UNIT;
       steps.forEach((step, k) => { column[k + 1] = (sum += step) / PER_UNIT; });
       return [variable, column];
     });
-    this.worldFromRoot = pose(data.root);
+    this.worldFromRoot = pose(track.root);
     this.joints = data.joints.map((joint) => ({
       ...joint,
       parentFromJoint: pose(joint.pose),

@@ -1,4 +1,4 @@
-// The robot in 3-D: orbit with the mouse or a finger, play, pause and scrub.
+// The robot in 3-D: orbit with the mouse or a finger, choose a round, play, pause and scrub.
 import { Motion, lastBefore } from "./kinematics.js";
 import { Stage } from "./stage.js";
 
@@ -8,24 +8,27 @@ const find = (id) => document.getElementById(`motion-${id}`);
 
 const start = () => {
   const data = JSON.parse(find("data").textContent);
-  const motion = new Motion(data);
+  const motions = data.tracks.map((track) => new Motion(data, track));
   const canvas = find("canvas");
   let stage;
   try {
-    stage = new Stage(canvas, data, motion);
+    stage = new Stage(canvas, data, motions);
   } catch {
     find("none").hidden = false;
     return;
   }
   find("view").hidden = false;
   const [play, slider, words, speed] = ["play", "slider", "words", "speed"].map(find);
-  const begins = data.phases.map((phase) => phase.start);
+  // What stands once per track, in their order.
+  const [tabs, captions, strips] = [".rounds-shown button", ".caption", ".strip"]
+    .map((selector) => [...find("view").querySelectorAll(selector)]);
+  let track = data.tracks[0], motion = motions[0];
   let time = 0, playing = false, seen = true, asked = 0, before = null;
 
   const say = () => {
-    const phase = data.phases[lastBefore(begins, time)];
-    const name = phase && time <= phase.end + 1e-9 ? ` \u00b7 ${phase.name}` : "";
-    words.textContent = `${time.toFixed(1)} s of ${motion.duration.toFixed(1)} s${name}`;
+    const phase = track.phases[lastBefore(track.phases.map(({ start }) => start), time)];
+    const current = [phase, ...track.marks].filter((span) => span && time >= span.start - 1e-9 && time <= span.end + 1e-9);
+    words.textContent = [`${time.toFixed(1)} s of ${motion.duration.toFixed(1)} s`, ...current.map(({ name }) => name)].join(" \u00b7 ");
     slider.value = String(motion.duration > 0 ? Math.round((10000 * time) / motion.duration) : 0);
     slider.setAttribute("aria-valuetext", words.textContent);
     play.textContent = playing ? "\u275a\u275a Pause" : "\u25b6 Play";
@@ -55,6 +58,17 @@ const start = () => {
     ask();
   };
 
+  // Shows one of the tracks from its beginning.
+  const choose = (index) => {
+    [track, motion] = [data.tracks[index], motions[index]];
+    stage.take(index);
+    for (const list of [captions, strips]) list.forEach((part, i) => { part.hidden = i !== index; });
+    tabs.forEach((tab, i) => tab.setAttribute("aria-pressed", String(i === index)));
+    playing = false;
+    go(0);
+  };
+
+  tabs.forEach((tab, i) => tab.addEventListener("click", () => { choose(i); run(true); }));
   play.addEventListener("click", () => run(!playing));
   slider.addEventListener("input", () => {
     playing = false;
@@ -93,17 +107,27 @@ const start = () => {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", repaint);
   repaint();
 
-  // #motion=12.5 opens the page at that second; else it plays when it is first seen.
+  // #motion=12.5 opens the page at that second, #round=2 and #round=2&motion=12.5 at that round; else it plays when it
+  // is first seen.
   let wanted = !matchMedia("(prefers-reduced-motion: reduce)").matches;
-  const fromAddress = () => {
-    const given = /^#motion=(\d+(?:\.\d+)?)$/.exec(location.hash);
-    if (!given) return;
+  const open = (address) => {
+    const [found, round, second] = /^#(?:round=(\d+)&?)?(?:motion=(\d+(?:\.\d+)?))?$/.exec(address) ?? [];
+    const index = round ? data.tracks.findIndex((shown) => shown.round === Number(round)) : 0;
+    if (!found || found === "#" || index < 0) return false;
     wanted = false;
-    playing = false;
-    go(Number(given[1]));
+    choose(index);
+    if (second) go(Number(second)); else run(true);
+    return true;
   };
-  addEventListener("hashchange", fromAddress);
-  fromAddress();
+  const show = (address) => { if (open(address)) find("view").scrollIntoView(); };
+  addEventListener("hashchange", () => show(location.hash));
+  show(location.hash);
+  // A second click on the same link changes no address.
+  for (const link of document.querySelectorAll('a[href^="#round="]')) {
+    link.addEventListener("click", (event) => {
+      if (link.hash === location.hash) { event.preventDefault(); show(link.hash); }
+    });
+  }
   new IntersectionObserver(([entry]) => {
     seen = entry.isIntersecting;
     before = null;

@@ -1,4 +1,4 @@
-// What is seen: robot, tool, scene, surface, path and particles, in the colours of the page.
+// What is seen: robot and tool, and of each track scene, surface, path, marks and particles, in the colours of the page.
 import {
   AmbientLight, Box3, BoxGeometry, BufferAttribute, BufferGeometry, CanvasTexture, CapsuleGeometry, Color,
   CylinderGeometry, DirectionalLight, DoubleSide, EdgesGeometry, Float32BufferAttribute, GridHelper, Group,
@@ -27,7 +27,7 @@ const faceted = ({ vertices, triangles }) => {
   return flat;
 };
 
-const solid = (shape, meshes) => {
+const newSolid = (shape, meshes) => {
   switch (shape.kind) {
     case "box": return new BoxGeometry(...shape.size);
     case "sphere": return new SphereGeometry(shape.radius, 40, 24);
@@ -36,6 +36,10 @@ const solid = (shape, meshes) => {
     default: return faceted(meshes[shape.mesh]);
   }
 };
+
+// Every mesh of the page as one geometry, however often it is placed.
+const solid = (shape, meshes) =>
+  shape.kind === "mesh" ? (meshes[shape.mesh].geometry ??= newSolid(shape, meshes)) : newSolid(shape, meshes);
 
 const placed = (object, matrix) => {
   object.matrixAutoUpdate = false;
@@ -56,8 +60,8 @@ const dot = () => {
 };
 
 // Dots that lie on a surface are drawn a little nearer, or it would cut them in half.
-const dots = () => {
-  const material = new PointsMaterial({ size: 4, sizeAttenuation: false, map: dot(), alphaTest: 0.4 });
+const dots = (size) => {
+  const material = new PointsMaterial({ size, sizeAttenuation: false, map: dot(), alphaTest: 0.4 });
   material.onBeforeCompile = (shader) => {
     shader.vertexShader = shader.vertexShader.replace("#include <project_vertex>", `#include <project_vertex>
       gl_Position = projectionMatrix * vec4(0.988 * mvPosition.xyz, 1.0);`);
@@ -66,11 +70,10 @@ const dots = () => {
 };
 
 export class Stage {
-  constructor(canvas, data, motion) {
+  constructor(canvas, data, motions) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
-    this.motion = motion;
     this.scene = new Scene();
     this.materials = {
       body: matte({ roughness: 0.55 }),
@@ -83,25 +86,20 @@ export class Stage {
       edge: new LineBasicMaterial({ transparent: true, opacity: 0.6 }),
       surface: matte({ side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 }),
       outline: new LineMaterial({ linewidth: 2 }),
+      first: new LineMaterial({ linewidth: 1.4, transparent: true, opacity: 0.8 }),
       contact: new LineMaterial({ linewidth: 2.6 }),
       lifted: new LineMaterial({ linewidth: 1.6, transparent: true, opacity: 0.8 }),
-      particles: dots(),
+      particles: dots(4),
+      // What was felt lies on what is true.
+      pushed: dots(15),
+      felt: dots(9),
       floor: new ShadowMaterial({ opacity: 0.16 }),
     };
-    const wiping = data.phases.find((phase) => phase.contact);
-    const links = motion.links(wiping ? wiping.start : 0);
     this.addRobot(data);
-    this.move(links);
-    this.addScene(data);
-    this.addSurface(data.surface);
-    this.addPath(data.phases);
-    this.addParticles(data);
-    // Balls round what is to be seen: the robot as it begins to wipe, the surface, and all ways too.
-    this.balls = {
-      robot: this.ball([...this.links, this.tool, this.surface]),
-      surface: this.ball([this.surface, this.tool]),
-      all: this.ball([...this.links, this.tool, this.surface, ...this.path]),
-    };
+    this.tracks = data.tracks.map((track, i) => this.track(data, track, motions[i]));
+    this.take(0);
+    // A ball round what is seen of all tracks.
+    this.reach = this.tracks.reduce((all, { balls }) => all.union(balls.all), new Sphere());
     this.addFloor();
     this.addLight();
     this.camera = new PerspectiveCamera(38, 1, 0.02, 200);
@@ -110,8 +108,37 @@ export class Stage {
     this.controls.maxPolarAngle = 0.62 * Math.PI;
     this.controls.minDistance = 0.15;
     this.controls.maxDistance = 40;
-    this.home = this.frontOf(data, links);
     this.look("robot");
+  }
+
+  // All that is seen of one track beside robot and tool, hidden.
+  track(data, { scene, surface, phases, marks, particles }, motion) {
+    const group = new Group();
+    group.visible = false;
+    this.scene.add(group);
+    const track = { group, motion, worldFromSurface: pose(surface.pose) };
+    const wiping = phases.find((phase) => phase.contact);
+    const links = motion.links(wiping ? wiping.start : 0);
+    this.move(motion, links);
+    this.addScene(track, scene, data.meshes);
+    this.addSurface(track, surface);
+    this.addPath(track, phases);
+    this.addMarks(track, marks);
+    this.addParticles(track, particles);
+    // Balls round what is to be seen: the robot as it begins to wipe, the surface, and all ways too.
+    track.balls = {
+      robot: this.ball([...this.links, this.tool, track.surface]),
+      surface: this.ball([track.surface, this.tool]),
+      all: this.ball([...this.links, this.tool, track.surface, ...track.path]),
+    };
+    track.home = this.frontOf(data, motion, links);
+    return track;
+  }
+
+  // Shows one track instead of another.
+  take(index) {
+    this.tracks.forEach(({ group }, i) => { group.visible = i === index; });
+    this.now = this.tracks[index];
   }
 
   addRobot(data) {
@@ -134,31 +161,32 @@ export class Stage {
     this.scene.add(this.tool);
   }
 
-  addScene({ scene, meshes }) {
+  addScene({ group }, scene, meshes) {
     for (const { part, ...object } of scene) {
       const geometry = solid(object, meshes);
       const worldFromObject = pose(object.pose);
       const body = placed(new Mesh(geometry, this.materials[part]), worldFromObject);
       body.receiveShadow = part === "carrier";
       body.renderOrder = part === "carrier" ? 0 : 1;
-      this.scene.add(body);
-      this.scene.add(placed(new LineSegments(new EdgesGeometry(geometry, 30), this.materials.edge), worldFromObject));
+      group.add(body);
+      group.add(placed(new LineSegments(new EdgesGeometry(geometry, 30), this.materials.edge), worldFromObject));
     }
   }
 
-  addSurface({ pose: worldFromSurface, rings }) {
+  addSurface(track, { first, rings }) {
+    const { group, worldFromSurface } = track;
     const [outer, ...holes] = rings.map((ring) => ring.map(([x, y]) => new Vector2(x / PER_METRE, y / PER_METRE)));
-    this.worldFromSurface = pose(worldFromSurface);
     if (!outer || outer.length < 3) return;
     const shape = new Shape(outer);
     shape.holes = holes.map((hole) => new Shape(hole));
-    const face = placed(new Mesh(new ShapeGeometry(shape), this.materials.surface), this.worldFromSurface);
-    face.receiveShadow = true;
-    this.surface = face;
-    this.scene.add(face);
+    track.surface = placed(new Mesh(new ShapeGeometry(shape), this.materials.surface), worldFromSurface);
+    track.surface.receiveShadow = true;
+    group.add(track.surface);
     const ends = [outer, ...holes].flatMap((ring) =>
       ring.flatMap((p, i) => [p, ring[(i + 1) % ring.length]].flatMap((end) => [end.x, end.y, ABOVE])));
-    this.scene.add(placed(this.lines(ends, this.materials.outline), this.worldFromSurface));
+    group.add(placed(this.lines(ends, this.materials.outline), worldFromSurface));
+    // Where it was believed before it was found elsewhere.
+    if (first) group.add(placed(this.lines(ends, this.materials.first), pose(first)));
   }
 
   lines(ends, material) {
@@ -167,44 +195,60 @@ export class Stage {
     return new LineSegments2(geometry, material);
   }
 
-  addPath(phases) {
-    const normal = new Vector3().setFromMatrixColumn(this.worldFromSurface, 2).multiplyScalar(ABOVE);
+  // Where the tool is at a time, a little off the surface.
+  tip({ motion, worldFromSurface }, time) {
+    const normal = new Vector3().setFromMatrixColumn(worldFromSurface, 2).multiplyScalar(ABOVE);
+    return new Vector3().setFromMatrixPosition(motion.tool(motion.links(time))).add(normal);
+  }
+
+  addPath(track, phases) {
+    const { group, motion } = track;
     const begins = phases.map((phase) => phase.start);
     const ends = { contact: [], lifted: [] };
     let before = null;
-    for (let k = 0; k < this.motion.count; k++) {
-      const time = k * this.motion.period;
-      const tip = new Vector3().setFromMatrixPosition(this.motion.tool(this.motion.links(time))).add(normal);
+    for (let k = 0; k < motion.count; k++) {
+      const time = k * motion.period;
+      const tip = this.tip(track, time);
       if (before && before.distanceToSquared(tip) > 1e-10) {
-        const phase = phases[lastBefore(begins, time - this.motion.period / 2)];
+        const phase = phases[lastBefore(begins, time - motion.period / 2)];
         ends[phase && phase.contact ? "contact" : "lifted"].push(...before.toArray(), ...tip.toArray());
       }
       before = tip;
     }
-    this.path = ["lifted", "contact"].filter((kind) => ends[kind].length).map((kind) => {
+    track.path = ["lifted", "contact"].filter((kind) => ends[kind].length).map((kind) => {
       const line = this.lines(ends[kind], this.materials[kind]);
-      this.scene.add(line);
+      group.add(line);
       return line;
     });
   }
 
+  // Where the tool was amid what happened.
+  addMarks(track, marks) {
+    for (const kind of ["pushed", "felt"]) {
+      const places = marks.filter(({ felt }) => felt === (kind === "felt"))
+        .flatMap(({ start, end }) => this.tip(track, (start + end) / 2).toArray());
+      const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(places, 3));
+      track.group.add(new Points(geometry, this.materials[kind]));
+    }
+  }
+
   // Each frame is the one before without some particles, and with others at the end.
-  addParticles({ particles }) {
+  addParticles(track, particles) {
     let list = [];
-    this.particleTimes = particles.map(([time]) => time);
-    this.particleFrames = particles.map(([, removed, added]) => {
+    track.particleTimes = particles.map(([time]) => time);
+    track.particleFrames = particles.map(([, removed, added]) => {
       const gone = new Set(removed);
       list = list.filter((_, i) => !gone.has(i));
       for (let i = 0; i < added.length; i += 2) list.push([added[i] / PER_METRE, added[i + 1] / PER_METRE]);
       return Float32Array.from(list.flatMap(([x, y]) => [x, y, ABOVE]));
     });
-    const most = Math.max(1, ...this.particleFrames.map((frame) => frame.length));
+    const most = Math.max(1, ...track.particleFrames.map((frame) => frame.length));
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(new Float32Array(most), 3));
     geometry.setDrawRange(0, 0);
-    this.particles = placed(new Points(geometry, this.materials.particles), this.worldFromSurface);
-    this.particles.frustumCulled = false;
-    this.scene.add(this.particles);
+    track.particles = placed(new Points(geometry, this.materials.particles), track.worldFromSurface);
+    track.particles.frustumCulled = false;
+    track.group.add(track.particles);
   }
 
   ball(objects) {
@@ -215,7 +259,7 @@ export class Stage {
   }
 
   addFloor() {
-    const { center, radius } = this.balls.all;
+    const { center, radius } = this.reach;
     const cells = 2 * Math.min(60, Math.max(6, Math.ceil(3 * radius)));
     this.grid = new GridHelper(cells / 2, cells);
     this.grid.rotation.x = Math.PI / 2;
@@ -235,7 +279,7 @@ export class Stage {
   }
 
   addLight() {
-    const { center, radius } = this.balls.all;
+    const { center, radius } = this.reach;
     this.scene.add(new HemisphereLight(0xffffff, 0x8a8f98, 1.7), new AmbientLight(0xffffff, 0.35));
     const sun = new DirectionalLight(0xffffff, 2.1);
     sun.position.copy(center).add(new Vector3(0.9, 0.5, 1.9).multiplyScalar(2 * radius));
@@ -251,9 +295,9 @@ export class Stage {
   }
 
   // From the far side of the surface, on the side of the arm.
-  frontOf(data, links) {
+  frontOf(data, motion, links) {
     const at = (i) => new Vector3().setFromMatrixPosition(links[i]);
-    const ahead = new Vector3().setFromMatrixPosition(this.motion.tool(links));
+    const ahead = new Vector3().setFromMatrixPosition(motion.tool(links));
     const base = at(Math.max(0, data.links.findIndex(({ shapes }) => shapes.length)));
     const way = ahead.sub(base).setZ(0);
     if (way.length() < 1e-3) way.set(1, 0, 0);
@@ -265,25 +309,26 @@ export class Stage {
 
   // Shows "robot", "surface", or everything from "above".
   look(at) {
-    const { center, radius } = this.balls[at === "above" ? "all" : at];
+    const { center, radius } = this.now.balls[at === "above" ? "all" : at];
     const half = (this.camera.fov * Math.PI) / 360;
     const narrowest = Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect));
-    const direction = at === "above" ? new Vector3(0, -1e-3, 1).normalize() : this.home;
+    const direction = at === "above" ? new Vector3(0, -1e-3, 1).normalize() : this.now.home;
     this.controls.target.copy(center);
     this.camera.position.copy(center).addScaledVector(direction, (0.95 * radius) / Math.sin(narrowest));
     this.controls.update();
   }
 
-  move(worldFromLink) {
+  move(motion, worldFromLink) {
     this.links.forEach((link, i) => link.matrix.copy(worldFromLink[i]));
-    this.tool.matrix.copy(this.motion.tool(worldFromLink));
+    this.tool.matrix.copy(motion.tool(worldFromLink));
   }
 
   show(time) {
-    this.move(this.motion.links(time));
-    const frame = this.particleFrames[Math.max(0, lastBefore(this.particleTimes, time))];
+    const { motion, particles, particleTimes, particleFrames } = this.now;
+    this.move(motion, motion.links(time));
+    const frame = particleFrames[Math.max(0, lastBefore(particleTimes, time))];
     if (frame && frame !== this.particleFrame) {
-      const { geometry } = this.particles;
+      const { geometry } = particles;
       geometry.attributes.position.array.set(frame);
       geometry.attributes.position.needsUpdate = true;
       geometry.setDrawRange(0, frame.length / 3);
@@ -304,7 +349,7 @@ export class Stage {
     const colour = (name) => new Color(style.getPropertyValue(`--${name}`).trim() || "#888");
     const names = {
       body: "robot", arm: "robot-arm", hand: "robot-arm", tool: "tool", obstacle: "obstacle", carrier: "outline", edge: "obstacle-line",
-      surface: "surface-3d", outline: "outline", contact: "contact", lifted: "quiet", particles: "left",
+      surface: "surface-3d", outline: "outline", first: "quiet", pushed: "goal", felt: "limit", contact: "contact", lifted: "quiet", particles: "left",
     };
     for (const [material, name] of Object.entries(names)) this.materials[material].color.copy(colour(name));
     this.grid.material.color.copy(colour("rule"));

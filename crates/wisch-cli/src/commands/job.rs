@@ -11,7 +11,7 @@ use wisch::recover::Verdict;
 use wisch::represent::{ParticleDistribution, ParticleError, Task};
 use wisch::run::{Pace, PlannedRound, Round, RunConfig, RunError, Session};
 use wisch_io::{OutputFolder, Robot, RoundTimes};
-use wisch_report::EffectFrames;
+use wisch_report::{EffectFrames, MeasuredMotion};
 use wisch_sim::{GroundTruth, Schedule};
 
 /// Rounds of a single stroke that stand for one of a whole plan.
@@ -92,12 +92,35 @@ impl Results {
     }
 }
 
-/// A round with how long its parts took.
+/// What is kept of a round while it goes on.
+#[derive(Clone, Default)]
+pub struct WatchedRound {
+    /// How long its parts took.
+    pub times: RoundTimes,
+    /// What it was predicted to do, over time; `None` for a plan without strokes, which does nothing.
+    pub frames: Option<EffectFrames>,
+    /// How the joints moved.
+    pub measured: MeasuredMotion,
+}
+
+impl WatchedRound {
+    /// What the round was predicted to do to a task's particles, over time.
+    pub fn effect(&self, task: &Task, wiped: &Plan) -> EffectFrames {
+        let frames = self.frames.clone();
+        frames.unwrap_or_else(|| EffectFrames::new(task, wiped))
+    }
+}
+
+/// A round with what was watched of it.
 pub struct Done {
     /// The round.
     pub round: Round,
     /// How long its parts took.
     pub times: RoundTimes,
+    /// What it was predicted to do, over time.
+    pub frames: EffectFrames,
+    /// How the joints moved.
+    pub measured: MeasuredMotion,
     /// Where the dirt really lies after it; `None` where none was simulated.
     pub truth: Option<ParticleDistribution>,
     /// The true performance [1]; `None` where no dirt was simulated.
@@ -113,7 +136,7 @@ impl Done {
     pub fn new(
         round: Round,
         truth: Option<&GroundTruth>,
-        times: RoundTimes,
+        watched: WatchedRound,
         prepared: &Prepared,
     ) -> Result<Self, ParticleError> {
         let PlannedRound {
@@ -136,8 +159,10 @@ impl Done {
                 .map(|(start, push)| [*start, start + push.duration])
                 .collect(),
             missed: schedule.missed,
+            times: watched.times,
+            frames: watched.effect(task, &round.motion.wiped()),
+            measured: watched.measured,
             round,
-            times,
         })
     }
 }

@@ -3,7 +3,7 @@
 use super::follow::Following;
 use super::job::Results;
 use super::prepare::Prepared;
-use super::round_views::{input, summary as summary_of_round, views};
+use super::round_views::{input, motion as motion_of_round, summary as summary_of_round, views};
 use super::words::{internal, json, percent};
 use crate::args::ResultArgs;
 use crate::failure::Failure;
@@ -16,7 +16,7 @@ use wisch_io::{
     TCP_PATH_FILE, TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE,
 };
 use wisch_io::{FollowedRecord, PlanRecord, RobotTrajectory, particles_to_csv, tcp_path_csv};
-use wisch_report::{self as report, EffectFrames, ReportInput, ShownMotion};
+use wisch_report::{self as report, EffectFrames, MotionInput, ReportInput, ShownMotion};
 
 /// Pixels per unit of a picture's own size.
 const PNG_SCALE: f32 = 2.0;
@@ -123,7 +123,11 @@ fn write_report(
     facts.extend(following.iter().flat_map(|following| following.facts()));
     let shown = following.map(|f| ShownMotion::of(&f.cell, &f.followed, frames));
     let motion = shown.as_ref().map(|shown| shown.input(&results.task));
-    let views = views(&results.rounds);
+    let executed: Vec<ShownMotion> = results.rounds.iter().map(motion_of_round).collect();
+    let motions: Vec<MotionInput> = (executed.iter().zip(&results.rounds))
+        .map(|(shown, done)| shown.input(&done.round.motion.task))
+        .collect();
+    let views = views(&results.rounds, &motions);
     let rounds = input(&results.rounds, &views, prepared);
     let input = ReportInput {
         title: &title,

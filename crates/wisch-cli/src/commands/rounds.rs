@@ -111,11 +111,11 @@ pub fn execute(
         if let [.., round] = &session.rounds()[finished..] {
             let number = round.motion.number;
             if let Some(seconds) = executed_s.get(finished) {
-                watch.times_mut(number).executing_s = *seconds;
+                watch.round(number).times.executing_s = *seconds;
             } else if let (None, None, Some(truth)) =
                 (&watch.failure, &no_bag, executor.truth().last())
             {
-                let seconds = watch.times(number).executing_s;
+                let seconds = watch.round(number).times.executing_s;
                 let look = session.first_observation();
                 if let Err(error) = recorder.checkpoints.keep(round, look, truth, seconds) {
                     let place = folder.state();
@@ -146,18 +146,18 @@ pub fn execute(
         return Err(failure);
     }
     result.map_err(|error| job.failed(error))?;
-    let following = Following::of(&session, watch.times(1).following_s);
+    let following = Following::of(&session, watch.round(1).times.following_s);
     let (planned, _) = (session.first()).ok_or_else(|| internal("no round was planned"))?;
     let (plan, prediction) = (planned.plan.clone(), planned.prediction.clone());
     let task = planned.task.clone();
-    let planning_s = watch.times(1).planning_s;
-    let predicted = Some((prediction, watch.take_frames(&task, &planned.wiped())));
+    let planning_s = watch.round(1).times.planning_s;
+    let predicted = Some((prediction, watch.round(1).effect(&task, &planned.wiped())));
     let first_look = session.first_observation().cloned();
     let done = (session.into_rounds().into_iter())
         .enumerate()
         .map(|(i, round)| {
-            let times = *watch.times_mut(round.motion.number);
-            Done::new(round, executor.truth().get(i), times, prepared)
+            let watched = std::mem::take(watch.round(round.motion.number));
+            Done::new(round, executor.truth().get(i), watched, prepared)
                 .map_err(|error| prepared.failure(task_args, error))
         });
     let rounds: Vec<Done> = done.collect::<Result<_, Failure>>()?;

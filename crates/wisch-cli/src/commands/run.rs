@@ -202,7 +202,7 @@ fn simulate_effect(
     let predicted = match (extent, session.planned()) {
         (Extent::Plan, _) => None,
         (_, Some(planned)) => {
-            let frames = watch.take_frames(task, &planned.wiped());
+            let frames = watch.round(1).effect(task, &planned.wiped());
             Some((planned.prediction.clone(), frames))
         }
         (_, None) => {
@@ -212,7 +212,7 @@ fn simulate_effect(
             Some((predict(task, plan, |p| frames.watch(p)), frames))
         }
     };
-    let times = watch.times(1);
+    let times = watch.round(1).times;
     Ok(Results {
         task: task.clone(),
         plan: plan.clone(),

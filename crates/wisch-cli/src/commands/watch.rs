@@ -1,12 +1,11 @@
 //! What looks on while a session goes on: progress and times, bags and checkpoints.
 
-use super::job::Job;
+use super::job::{Job, WatchedRound};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 use wisch::geometry::{Point3, Pose};
-use wisch::plan::Plan;
 use wisch::represent::{Observation, Task};
 use wisch::run::{PlannedRound, RunEvent, TelemetrySample};
 use wisch_io::{OutputFolder, RoundTimes};
@@ -22,12 +21,12 @@ pub fn bag_name(number: usize) -> String {
     format!("round-{number}.mcap")
 }
 
-/// Looks on while a session goes on: says where it is, takes the time, and keeps the first round's predicted effect.
+/// Looks on while a session goes on: says where it is, takes the time, and keeps what the report shows of the rounds.
 pub struct Watch<'a> {
     progress: &'a Progress,
     pub failure: Option<Failure>,
-    frames: Option<EffectFrames>,
-    times: Vec<RoundTimes>,
+    /// The rounds that have begun, in order.
+    rounds: Vec<WatchedRound>,
     since: Instant,
 }
 
@@ -36,27 +35,16 @@ impl<'a> Watch<'a> {
         Self {
             progress: job.progress,
             failure: None,
-            frames: None,
-            times: Vec::new(),
+            rounds: Vec::new(),
             since: Instant::now(),
         }
     }
 
-    /// How long the stages of a round took.
-    pub fn times(&self, round: usize) -> RoundTimes {
-        self.times.get(round - 1).copied().unwrap_or_default()
-    }
-
-    pub fn times_mut(&mut self, round: usize) -> &mut RoundTimes {
-        self.times
-            .resize(self.times.len().max(round), RoundTimes::default());
-        &mut self.times[round - 1]
-    }
-
-    /// What the first round was predicted to do, over time; a plan without strokes does nothing.
-    pub fn take_frames(&mut self, task: &Task, wiped: &Plan) -> EffectFrames {
-        let frames = self.frames.take();
-        frames.unwrap_or_else(|| EffectFrames::new(task, wiped))
+    /// A round, counted from 1.
+    pub fn round(&mut self, number: usize) -> &mut WatchedRound {
+        self.rounds
+            .resize(self.rounds.len().max(number), WatchedRound::default());
+        &mut self.rounds[number - 1]
     }
 
     pub fn see(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
@@ -76,15 +64,19 @@ impl<'a> Watch<'a> {
                 "round {round}: following, {passed} of {nodes} nodes"
             )),
             RunEvent::Predicting {
-                round: 1,
+                round,
                 task,
                 wiped,
                 progress,
             } => {
-                let frames = self.frames.take();
-                let mut frames = frames.unwrap_or_else(|| EffectFrames::new(task, wiped));
-                frames.watch(progress);
-                self.frames = Some(frames);
+                let frames = &mut self.round(*round).frames;
+                let begin = || EffectFrames::new(task, wiped);
+                frames.get_or_insert_with(begin).watch(progress);
+            }
+            RunEvent::Sample(sample) => {
+                if let Some(round) = self.rounds.last_mut() {
+                    round.measured.watch(sample);
+                }
             }
             RunEvent::Audited { round, .. } => {
                 self.take(*round, |times| &mut times.following_s);
@@ -96,11 +88,7 @@ impl<'a> Watch<'a> {
             RunEvent::Judged(round) => {
                 self.take(round.motion.number, |times| &mut times.interpreting_s);
             }
-            RunEvent::Predicting { .. }
-            | RunEvent::Executing(_)
-            | RunEvent::Sample(_)
-            | RunEvent::Observed { .. }
-            | RunEvent::Ended(_) => {}
+            RunEvent::Executing(_) | RunEvent::Observed { .. } | RunEvent::Ended(_) => {}
         }
         ControlFlow::Continue(())
     }
@@ -108,7 +96,7 @@ impl<'a> Watch<'a> {
     /// Books the time since the last booking.
     fn take(&mut self, round: usize, part: impl Fn(&mut RoundTimes) -> &mut f64) {
         let seconds = self.since.elapsed().as_secs_f64();
-        *part(self.times_mut(round)) += seconds;
+        *part(&mut self.round(round).times) += seconds;
         self.since = Instant::now();
     }
 

@@ -21,6 +21,8 @@ pub struct MotionInput<'a> {
     /// Positions, velocities and accelerations of all n variables of the robot, by rising time.
     /// What is of another length, not finite or out of order is left out.
     pub samples: &'a [TrajectorySample],
+    /// Where they come from.
+    pub origin: Origin,
     /// What is done when, by rising time.
     pub phases: &'a [Phase],
     /// Where the base is placed, in this order; none for a robot that stands still.
@@ -29,6 +31,15 @@ pub struct MotionInput<'a> {
     pub ratings: &'a [RatedPlace],
     /// The particles over time, by rising time.
     pub particles: &'a [ParticleFrame],
+}
+
+/// Where samples of a motion come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Origin {
+    /// From the plan: where the joints shall be.
+    Planned,
+    /// From an execution: where they were.
+    Measured,
 }
 
 /// A stretch of time with a name.

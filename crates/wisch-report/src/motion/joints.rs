@@ -1,7 +1,7 @@
 //! Every joint over time: where it is between its limits, and how fast.
 
 use super::input::{Contact, MotionInput};
-use super::sampled::usable;
+use super::sampled::with_velocities;
 use crate::draw::{Panel, Pen, axes, decimals, metres, px, range, short, tick_step};
 use maud::{Markup, html};
 use wisch::follow::TrajectorySample;
@@ -72,7 +72,7 @@ impl Times<'_> {
 
 /// One row per joint that moves: position with limits on the left, velocity by its limit on the right.
 pub(crate) fn panel(input: &MotionInput) -> Panel {
-    let samples = usable(input);
+    let samples = with_velocities(input);
     let first = samples.first().map_or(0.0, |s| s.time);
     let times = Times {
         samples: &samples,

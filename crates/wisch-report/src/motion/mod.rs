@@ -2,49 +2,59 @@
 
 mod above;
 #[cfg(test)]
-mod demo;
+pub(crate) mod demo;
 mod followed;
 mod input;
 mod joints;
+mod measured;
 mod sampled;
 #[cfg(test)]
 mod tests;
+mod track;
 mod viewer;
 
 pub use followed::ShownMotion;
-pub use input::{Contact, MotionInput, ParticleFrame, Phase, Placement, RatedPlace};
+pub use input::{Contact, MotionInput, Origin, ParticleFrame, Phase, Placement, RatedPlace};
+pub use measured::MeasuredMotion;
+pub(crate) use track::{Mark, MarkKind, Track};
 
 use crate::draw::{Entry, Panel, legend};
 use crate::scene::json;
 use maud::{Markup, PreEscaped, html};
 use sampled::SampledMotion;
+use track::SampledTrack;
 use viewer::ViewerRecord;
 
 const STYLE: &str = include_str!("motion.css");
 /// Built from the scripts beside it, see the note there.
 const VIEWER: &str = include_str!("../../viewer/viewer.js");
 
-/// The part of a page that shows the motion: in 3-D with a player, from above, and joint by joint.
-pub(crate) fn motion_section(input: &MotionInput) -> Markup {
-    let frames = SampledMotion::new(input);
-    if frames.is_empty() {
+/// The part of a page that shows the motion: in 3-D with a player, from above, and joint by joint. In 3-D it shows the
+/// rounds that were executed; where none was, the plan.
+pub(crate) fn motion_section<'a>(plan: &'a MotionInput<'a>, rounds: Vec<Track<'a>>) -> Markup {
+    let are_rounds = !rounds.is_empty();
+    let tracks = track::sampled(plan, rounds);
+    if tracks.is_empty() {
         return html! {
             h2 { "The robot in motion" }
             p { "The motion has no samples, so there is nothing to play." }
         };
     }
-    let above = above::panel(input, &frames);
-    let joints = joints::panel(input);
+    let above = above::panel(plan, &SampledMotion::new(plan));
+    let joints = joints::panel(plan);
+    let whose = html! { @if are_rounds { p class="note" { "As planned for the first round." } } };
     html! {
         style { (PreEscaped(STYLE)) }
         section class="motion" {
             h2 { "The robot in motion" }
-            (viewer(input, &frames))
+            (viewer(plan, &tracks))
             @if let Some(above) = above {
                 h2 { "Where the base stands" }
+                (whose)
                 figure class="scroll" { (above.inline("Base placements, seen from above")) }
             }
             h2 { "Joints over time" }
+            (whose)
             figure class="scroll wide" { (joints.inline("Position and velocity of every joint over time")) }
         }
     }
@@ -69,14 +79,15 @@ fn alone(input: &MotionInput, panel: &Panel, what: &str) -> String {
 }
 
 /// The 3-D view with its controls.
-fn viewer(input: &MotionInput, frames: &SampledMotion) -> Markup {
-    let (record, cuts) = ViewerRecord::new(input, frames);
+fn viewer<'a>(plan: &MotionInput<'a>, tracks: &'a [SampledTrack<'a>]) -> Markup {
+    let (record, cuts) = ViewerRecord::new(plan, tracks);
     html! {
         noscript { p class="note" { "The moving picture needs scripts; the pictures below do not." } }
         p id="motion-none" class="note" hidden {
             "This browser shows no WebGL, which the moving picture needs; the pictures below do without."
         }
         div id="motion-view" hidden {
+            (choice(tracks))
             div class="stage" {
                 canvas id="motion-canvas" tabindex="0" role="img" aria-label="The robot in 3-D. Space plays and pauses, arrow keys move in time." {}
                 div class="views" {
@@ -89,7 +100,9 @@ fn viewer(input: &MotionInput, frames: &SampledMotion) -> Markup {
                 button id="motion-play" type="button" { "▶ Play" }
                 div class="timeline" {
                     input id="motion-slider" type="range" min="0" max="10000" value="0" aria-label="Time";
-                    (strip(input, frames))
+                    @for (i, track) in tracks.iter().enumerate() {
+                        div class="strip" hidden[i > 0] { (track.strip()) }
+                    }
                 }
                 label class="speed" {
                     "speed "
@@ -101,7 +114,7 @@ fn viewer(input: &MotionInput, frames: &SampledMotion) -> Markup {
                 }
                 output id="motion-words" {}
             }
-            (legend(input))
+            (legend(tracks))
         }
         @for cut in &cuts { p class="note" { (cut) } }
         script type="application/json" id="motion-data" { (PreEscaped(json(&record))) }
@@ -109,23 +122,32 @@ fn viewer(input: &MotionInput, frames: &SampledMotion) -> Markup {
     }
 }
 
-/// Below the slider: when the tool wipes, and when it is lifted.
-fn strip(input: &MotionInput, frames: &SampledMotion) -> Markup {
-    let share = |time: f64| frames.share(time);
+/// Which of several rounds is shown, and what that is.
+fn choice(tracks: &[SampledTrack]) -> Markup {
+    let numbers = tracks.iter().filter_map(|shown| shown.track.round);
     html! {
-        svg class="strip" viewBox="0 0 1000 6" preserveAspectRatio="none" aria-hidden="true" {
-            @for phase in input.phases {
-                @let (from, to) = (1000.0 * share(phase.start), 1000.0 * share(phase.end));
-                rect class=(phase.contact.class()) x=(format!("{from:.1}")) width=(format!("{:.1}", (to - from).max(0.0))) height="6" {
-                    title { (phase.name) }
+        @if tracks.len() > 1 {
+            div class="rounds-shown" role="group" aria-label="Round" {
+                span { "Round" }
+                @for (i, number) in numbers.enumerate() {
+                    button type="button" aria-pressed=(if i == 0 { "true" } else { "false" }) { (number) }
                 }
+            }
+        }
+        @for (i, track) in tracks.iter().enumerate() {
+            @if let Some(caption) = track.caption(&tracks[0]) {
+                p class="caption" hidden[i > 0] { (caption) }
             }
         }
     }
 }
 
-fn legend(input: &MotionInput) -> Markup {
-    let has = |contact| input.phases.iter().any(|phase| phase.contact == contact);
+fn legend(tracks: &[SampledTrack]) -> Markup {
+    let each = || tracks.iter().map(|shown| &shown.track);
+    let has = |contact| {
+        let mut phases = each().flat_map(|track| track.motion.phases);
+        phases.any(|phase| phase.contact == contact)
+    };
     let entries = [
         (has(Contact::Wiping), "phase-contact", "tool path, wiping"),
         (true, "phase-lifted", "tool path, lifted"),
@@ -140,8 +162,20 @@ fn legend(input: &MotionInput) -> Markup {
             sample: html! { rect class=(class) x="3" y="-5" width="18" height="10" rx="2" {} },
         })
         .collect();
-    if !input.particles.is_empty() {
-        entries.push(legend::dot("dots-left", "particle"));
+    let mut marks: Vec<&Mark> = each().flat_map(|track| &track.marks).collect();
+    marks.sort_by_key(|mark| mark.name);
+    marks.dedup_by_key(|mark| mark.name);
+    entries.extend((marks.iter()).map(|mark| legend::area(mark.kind.class(), mark.name)));
+    if (tracks.iter()).any(|shown| shown.surface_moved(&tracks[0]).is_some()) {
+        let label = "outline of the surface as believed at first, where it was corrected";
+        entries.push(legend::line("axis", label));
+    }
+    if each().any(|track| !track.motion.particles.is_empty()) {
+        let particle = match each().next().and_then(|track| track.round) {
+            Some(_) => "particle, as believed before the round, moved as predicted",
+            None => "particle",
+        };
+        entries.push(legend::dot("dots-left", particle));
     }
     html! {
         ul class="legend" {

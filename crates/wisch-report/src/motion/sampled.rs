@@ -5,9 +5,9 @@ use wisch::follow::TrajectorySample;
 use wisch::geometry::{Point3, Pose};
 use wisch::robot::LinkId;
 
-/// Most frames per second, and in all.
-const RATE: f64 = 40.0;
-const MAX_FRAMES: usize = 4_000;
+/// Most frames per second, and of a motion.
+pub(crate) const RATE: f64 = 40.0;
+pub(crate) const MAX_FRAMES: usize = 4_000;
 
 /// Positions of all variables at 0, p, 2p, … since the first sample.
 pub(crate) struct SampledMotion {
@@ -22,6 +22,11 @@ pub(crate) struct SampledMotion {
 impl SampledMotion {
     /// Linear between the samples.
     pub(crate) fn new(input: &MotionInput) -> Self {
+        Self::within(input, MAX_FRAMES)
+    }
+
+    /// The same in at most so many frames, two at least.
+    pub(crate) fn within(input: &MotionInput, most: usize) -> Self {
         let samples = usable(input);
         let (Some(first), Some(last)) = (samples.first(), samples.last()) else {
             return Self {
@@ -31,8 +36,8 @@ impl SampledMotion {
             };
         };
         let duration = last.time - first.time;
-        // More than MAX_FRAMES seconds are nothing unusual for a page that is read, so this saturates.
-        let intervals = ((duration * RATE).ceil() as usize).clamp(1, MAX_FRAMES - 1);
+        // More seconds than frames are nothing unusual for a page that is read, so this saturates.
+        let intervals = ((duration * RATE).ceil() as usize).clamp(1, most.max(2) - 1);
         let period = duration / intervals as f64;
         let frame = |k: usize| at(&samples, first.time + k as f64 * period);
         let count = if duration > 0.0 { intervals + 1 } else { 1 };
@@ -79,18 +84,28 @@ impl SampledMotion {
     }
 }
 
-/// The samples that can be shown: of the robot's variables, finite, later than the one before.
-pub(crate) fn usable<'a>(input: &MotionInput<'a>) -> Vec<&'a TrajectorySample> {
-    let n = input.robot.dof();
+/// The samples whose positions can be shown: of the robot's variables, finite, later than the one before.
+fn usable<'a>(input: &MotionInput<'a>) -> Vec<&'a TrajectorySample> {
     let mut usable: Vec<&TrajectorySample> = Vec::with_capacity(input.samples.len());
     for sample in input.samples {
-        let finite = |values: &[f64]| values.len() == n && values.iter().all(|v| v.is_finite());
         let later = usable.last().is_none_or(|before| sample.time > before.time);
-        if sample.time.is_finite() && later && finite(&sample.q) && finite(&sample.qd) {
+        if sample.time.is_finite() && later && is_of(input, &sample.q) {
             usable.push(sample);
         }
     }
     usable
+}
+
+/// Those of them whose velocities can be shown too.
+pub(crate) fn with_velocities<'a>(input: &MotionInput<'a>) -> Vec<&'a TrajectorySample> {
+    let mut samples = usable(input);
+    samples.retain(|sample| is_of(input, &sample.qd));
+    samples
+}
+
+/// Whether values are one finite number for each of the robot's variables.
+fn is_of(input: &MotionInput, values: &[f64]) -> bool {
+    values.len() == input.robot.dof() && values.iter().all(|value| value.is_finite())
 }
 
 /// Positions at a time, linear between samples; those at the ends before and after.

@@ -1,7 +1,7 @@
 //! A motion as numbers for the page's 3-D view.
 
 use super::input::{Contact, MotionInput};
-use super::sampled::SampledMotion;
+use super::track::{MarkKind, SampledTrack};
 use crate::scene::{Meshes, Solid, seven, tenth, vector};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -12,16 +12,30 @@ use wisch::robot::{Joint, JointKind, Link, LinkId, RobotModel, Shape};
 /// Most triangles of all meshes together, and of one.
 const MAX_TRIANGLES: usize = 12_000;
 const MAX_TRIANGLES_OF_ONE: usize = 4_000;
-/// Most particles of a frame, frames of particles, and changes of particles over all frames.
+/// Most particles of a frame, and of a frame of each track together.
 const MAX_PARTICLES: usize = 1_500;
+const MAX_PARTICLES_OF_ALL: usize = 9_000;
+/// Most frames of particles in a track, and changes of particles over all frames of all tracks.
 const MAX_PARTICLE_FRAMES: usize = 120;
 const MAX_CHANGES: usize = 30_000;
 
-/// What the view's script reads. Lengths in metres but for meshes, outlines and particles, which come
-/// in tenths of a millimetre; positions of variables in 1e-5 rad or m; times since the first frame [s].
-/// Poses are written as in [`crate::scene`].
+/// What the view's script reads: the robot once, and each of its motions. Lengths in metres but for meshes, outlines
+/// and particles, which come in tenths of a millimetre; positions of variables in 1e-5 rad or m; times since the
+/// track's first frame [s]. Poses are written as in [`crate::scene`].
 #[derive(Debug, Serialize)]
 pub(crate) struct ViewerRecord<'a> {
+    /// Joint i holds link i + 1.
+    joints: Vec<JointRecord<'a>>,
+    meshes: Meshes,
+    links: Vec<LinkRecord>,
+    tool: ToolRecord,
+    tracks: Vec<TrackRecord<'a>>,
+}
+
+/// One motion, and where things are meanwhile.
+#[derive(Debug, Serialize)]
+struct TrackRecord<'a> {
+    round: Option<usize>,
     period: f64,
     /// Number of frames.
     count: usize,
@@ -31,14 +45,10 @@ pub(crate) struct ViewerRecord<'a> {
     changes: Vec<(usize, Vec<i64>)>,
     /// Pose of the root link in the world.
     root: [f64; 7],
-    /// Joint i holds link i + 1.
-    joints: Vec<JointRecord<'a>>,
-    meshes: Meshes,
-    links: Vec<LinkRecord>,
-    tool: ToolRecord,
     scene: Vec<ObjectRecord>,
     surface: SurfaceRecord,
     phases: Vec<PhaseRecord<'a>>,
+    marks: Vec<MarkRecord>,
     particles: Vec<ParticleStep>,
 }
 
@@ -79,6 +89,8 @@ struct ObjectRecord {
 #[derive(Debug, Serialize)]
 struct SurfaceRecord {
     pose: [f64; 7],
+    /// Where it was believed in the first track, if it is elsewhere.
+    first: Option<[f64; 7]>,
     rings: Vec<Vec<[i64; 2]>>,
 }
 
@@ -90,21 +102,24 @@ struct PhaseRecord<'a> {
     contact: bool,
 }
 
+#[derive(Debug, Serialize)]
+struct MarkRecord {
+    name: &'static str,
+    start: f64,
+    end: f64,
+    felt: bool,
+}
+
 impl<'a> ViewerRecord<'a> {
-    /// The record, and what was left out of it for the sake of the page's size, in sentences.
-    pub(crate) fn new(input: &MotionInput<'a>, frames: &SampledMotion) -> (Self, Vec<String>) {
-        let (robot, task) = (input.robot, input.task);
-        let mut meshes = Meshes::new(triangles_of_one(input));
-        let units = |q: &Vec<f64>| q.iter().map(|&q| (q * 1e5).round() as i64).collect();
-        let q: Vec<Vec<i64>> = frames.q.iter().map(units).collect();
-        let steps = |variable: usize| -> Vec<i64> {
-            let pairs = q.windows(2).map(|two| two[1][variable] - two[0][variable]);
-            pairs.collect()
-        };
-        let changes = (0..robot.dof())
-            .map(|variable| (variable, steps(variable)))
-            .filter(|(_, steps)| steps.iter().any(|&step| step != 0));
-        let arm = arm(robot, input.tool_link);
+    /// The record of a robot's tracks, of which there is one at least, and what was left out of it for the sake of
+    /// the page's size, in sentences. Robot and tool are those of the plan.
+    pub(crate) fn new(
+        plan: &MotionInput<'a>,
+        tracks: &'a [SampledTrack<'a>],
+    ) -> (Self, Vec<String>) {
+        let robot = plan.robot;
+        let mut meshes = Meshes::new(triangles_of_one(plan));
+        let arm = arm(robot, plan.tool_link);
         let mut shapes = |link: &Link| {
             let shapes = link.collision.iter();
             let solids = shapes.map(|c| meshes.shape(&c.link_from_shape, &c.shape));
@@ -116,6 +131,46 @@ impl<'a> ViewerRecord<'a> {
                 shapes: shapes(link),
             })
             .collect();
+        let tool = ToolRecord {
+            link: plan.tool_link.index(),
+            solid: meshes.solid(&plan.link_from_tool, &plan.task.tool.mesh),
+        };
+        let share = ParticleShare::of(tracks);
+        let first = &tracks[0];
+        let tracks = tracks.iter();
+        let record = Self {
+            joints: robot.joints().iter().map(JointRecord::new).collect(),
+            links,
+            tool,
+            tracks: tracks
+                .map(|track| TrackRecord::new(track, first, &share, &mut meshes))
+                .collect(),
+            meshes,
+        };
+        let cuts = (record.meshes.cut().into_iter()).chain(share.cut());
+        let cuts = cuts.collect();
+        (record, cuts)
+    }
+}
+
+impl<'a> TrackRecord<'a> {
+    fn new(
+        shown: &'a SampledTrack<'a>,
+        first: &SampledTrack,
+        share: &ParticleShare,
+        meshes: &mut Meshes,
+    ) -> Self {
+        let (motion, frames) = (shown.track.motion, &shown.frames);
+        let task = motion.task;
+        let units = |q: &Vec<f64>| q.iter().map(|&q| (q * 1e5).round() as i64).collect();
+        let q: Vec<Vec<i64>> = frames.q.iter().map(units).collect();
+        let steps = |variable: usize| -> Vec<i64> {
+            let pairs = q.windows(2).map(|two| two[1][variable] - two[0][variable]);
+            pairs.collect()
+        };
+        let changes = (0..motion.robot.dof())
+            .map(|variable| (variable, steps(variable)))
+            .filter(|(_, steps)| steps.iter().any(|&step| step != 0));
         let scene = (task.scene.iter())
             .filter_map(|object| {
                 let part = match object.part {
@@ -127,40 +182,41 @@ impl<'a> ViewerRecord<'a> {
                 Some(ObjectRecord { part, solid })
             })
             .collect();
-        let tool = ToolRecord {
-            link: input.tool_link.index(),
-            solid: meshes.solid(&input.link_from_tool, &task.tool.mesh),
-        };
+        let since = |time: f64| rounded(time - frames.start);
         let rings = task.surface.outline.rings();
-        let (particles, particle_cuts) = particles(input, frames.start);
-        let record = Self {
+        let surface = SurfaceRecord {
+            pose: seven(&task.surface.world_from_surface),
+            first: (shown.surface_moved(first))
+                .map(|_| seven(&first.track.motion.task.surface.world_from_surface)),
+            rings: rings.map(|ring| ring.iter().map(flat).collect()).collect(),
+        };
+        Self {
+            round: shown.track.round,
             period: frames.period,
             count: q.len(),
             start: q.first().cloned().unwrap_or_default(),
             changes: changes.collect(),
-            root: seven(&input.world_from_root),
-            joints: robot.joints().iter().map(JointRecord::new).collect(),
-            meshes,
-            links,
-            tool,
+            root: seven(&motion.world_from_root),
             scene,
-            surface: SurfaceRecord {
-                pose: seven(&task.surface.world_from_surface),
-                rings: rings.map(|ring| ring.iter().map(flat).collect()).collect(),
-            },
-            phases: (input.phases.iter())
+            surface,
+            phases: (motion.phases.iter())
                 .map(|phase| PhaseRecord {
                     name: &phase.name,
-                    start: rounded(phase.start - frames.start),
-                    end: rounded(phase.end - frames.start),
+                    start: since(phase.start),
+                    end: since(phase.end),
                     contact: phase.contact == Contact::Wiping,
                 })
                 .collect(),
-            particles,
-        };
-        let cuts = (record.meshes.cut().into_iter()).chain(particle_cuts);
-        let cuts = cuts.collect();
-        (record, cuts)
+            marks: (shown.track.marks.iter())
+                .map(|mark| MarkRecord {
+                    name: mark.name,
+                    start: since(mark.times[0]),
+                    end: since(mark.times[1]),
+                    felt: mark.kind == MarkKind::Felt,
+                })
+                .collect(),
+            particles: particles(motion, frames.start, share),
+        }
     }
 }
 
@@ -226,13 +282,37 @@ fn triangles_of_one(input: &MotionInput) -> usize {
     (MAX_TRIANGLES / count).min(MAX_TRIANGLES_OF_ONE)
 }
 
-/// The frames of particles, each as what differs from the one before, and a sentence if not all are.
-fn particles(input: &MotionInput, start: f64) -> (Vec<ParticleStep>, Option<String>) {
-    let most = input.particles.iter().map(|f| f.positions.len()).max();
-    let one_in = most.unwrap_or(0).div_ceil(MAX_PARTICLES).max(1);
+/// What each track may show of its particles.
+struct ParticleShare {
+    /// One particle in so many is drawn.
+    one_in: usize,
+    /// Changes over all its frames.
+    changes: usize,
+}
+
+impl ParticleShare {
+    fn of(tracks: &[SampledTrack]) -> Self {
+        let frames = tracks.iter().flat_map(|shown| shown.track.motion.particles);
+        let most = frames.map(|frame| frame.positions.len()).max();
+        let allowed = MAX_PARTICLES.min(MAX_PARTICLES_OF_ALL / tracks.len());
+        Self {
+            one_in: most.unwrap_or(0).div_ceil(allowed.max(1)).max(1),
+            changes: MAX_CHANGES / tracks.len(),
+        }
+    }
+
+    /// A sentence, if not all particles are drawn.
+    fn cut(&self) -> Option<String> {
+        let one_in = self.one_in;
+        (one_in > 1).then(|| format!("The moving picture shows about one particle in {one_in}."))
+    }
+}
+
+/// The frames of particles, each as what differs from the one before; times since `start` [s].
+fn particles(input: &MotionInput, start: f64, share: &ParticleShare) -> Vec<ParticleStep> {
     let step = input.particles.len().div_ceil(MAX_PARTICLE_FRAMES).max(1);
     let mut now: Vec<[i64; 2]> = Vec::new();
-    let mut budget = MAX_CHANGES;
+    let mut budget = share.changes;
     let mut records = Vec::new();
     for (i, frame) in input.particles.iter().enumerate() {
         let is_last = i + 1 == input.particles.len();
@@ -241,7 +321,7 @@ fn particles(input: &MotionInput, start: f64) -> (Vec<ParticleStep>, Option<Stri
         }
         let places = frame.positions.iter().map(flat);
         let mut wanted: BTreeMap<[i64; 2], usize> = BTreeMap::new();
-        for place in places.filter(|place| is_drawn(*place, one_in)) {
+        for place in places.filter(|place| is_drawn(*place, share.one_in)) {
             *wanted.entry(place).or_default() += 1;
         }
         let mut removed = Vec::new();
@@ -270,9 +350,7 @@ fn particles(input: &MotionInput, start: f64) -> (Vec<ParticleStep>, Option<Stri
         let time = rounded(frame.time - start);
         records.push((time, removed, added.into_flattened()));
     }
-    let cut =
-        (one_in > 1).then(|| format!("The moving picture shows about one particle in {one_in}."));
-    (records, cut)
+    records
 }
 
 /// Whether a particle is among the one in so many that are drawn: by its place, so that one that rests

@@ -22,10 +22,12 @@ const SCRIPT: &str = include_str!("page.js");
 /// The report as one HTML file: pictures, numbers and the effect over time.
 pub fn page(input: &ReportInput) -> String {
     let drawing = Drawing::new(input);
+    let rounds = input.rounds.map_or(&[][..], |rounds| rounds.rounds);
+    let tracks = rounds.iter().filter_map(RoundView::track);
     let main = html! {
         (header(input))
         (metrics(input))
-        @if let Some(motion) = input.motion { (motion_section(motion)) }
+        @if let Some(motion) = input.motion { (motion_section(motion, tracks.collect())) }
         @if let Some(rounds) = input.rounds { (rounds::section(rounds)) }
         (surface(&drawing))
         (effect(&drawing))
@@ -35,7 +37,7 @@ pub fn page(input: &ReportInput) -> String {
             cite { "Cognition-enabled robotic wiping" }
             ", Robotics and Autonomous Systems 114 (2019). "
             @if input.rounds.is_some() {
-                "What stands under “Round by round” was executed; all else was predicted."
+                "What stands under “Round by round” was executed, and so was what the 3-D view shows as measured; all else was predicted."
             } @else {
                 "Nothing on this page was measured on a robot."
             }

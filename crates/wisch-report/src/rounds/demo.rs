@@ -139,6 +139,7 @@ impl Demo {
                 interpretation: &round.interpretation,
                 truth: Some((&round.truth, round.share)),
                 pushes: &round.pushes,
+                motion: None,
             })
             .collect()
     }

@@ -82,8 +82,12 @@ fn pictured<'r, 'a>(rounds: &'r [RoundView<'a>]) -> Vec<&'r RoundView<'a>> {
 /// All of one round.
 fn details(input: &RoundsInput, round: &RoundView) -> Markup {
     let found = round.interpretation;
+    let shown_in_3d = round.motion.map(|_| round.number);
     html! {
-        h3 { "Round " (round.number) }
+        h3 {
+            "Round " (round.number)
+            @if let Some(number) = shown_in_3d { a class="in-3d" href=(format!("#round={number}")) { "▶ in 3-D" } }
+        }
         p { (words::unbroken(&words::round(input, round))) }
         h4 { "Force and height" }
         (force_plot::figure(input, round).scrolling())
@@ -93,6 +97,6 @@ fn details(input: &RoundsInput, round: &RoundView) -> Markup {
         (chance::section(input, round))
         h4 { "What is left" }
         (residual_map::section(input, round))
-        (overview::events(&found.events))
+        (overview::events(&found.events, shown_in_3d))
     }
 }

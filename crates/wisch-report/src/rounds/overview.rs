@@ -192,8 +192,8 @@ fn row(round: &RoundView, truth: bool) -> Markup {
     }
 }
 
-/// What happened, to be unfolded.
-pub(crate) fn events(events: &[Event]) -> Markup {
+/// What happened, to be unfolded; times lead to the 3-D view of a round, if there is one.
+pub(crate) fn events(events: &[Event], shown_in_3d: Option<usize>) -> Markup {
     let events: Vec<Event> = (events.iter())
         .filter(|event| !event.kind.is_phase())
         .copied()
@@ -218,7 +218,12 @@ pub(crate) fn events(events: &[Event]) -> Markup {
                             @for event in events.iter().take(MAX_LISTED) {
                                 tr {
                                     th scope="row" { (words::kind(event.kind)) }
-                                    td { (metres(event.start, 2)) " s" }
+                                    td {
+                                        @let start = metres(event.start, 2);
+                                        @if let Some(round) = shown_in_3d {
+                                            a href=(format!("#round={round}&motion={start}")) { (start) " s" }
+                                        } @else { (start) " s" }
+                                    }
                                     td { (metres(event.end, 2)) " s" }
                                     td { (words::evidence(event)) }
                                 }

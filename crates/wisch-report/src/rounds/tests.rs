@@ -2,12 +2,13 @@ use super::demo::{Demo, Trouble};
 use super::reduce::Dot;
 use super::residual_map::Cells;
 use super::*;
+use crate::motion::MarkKind;
 use crate::page::document::document;
 use crate::tests::{board, keep, requests, table, windshield};
 use crate::{EffectFrames, ReportInput, rasterize};
 use proptest::prelude::*;
 use wisch::geometry::{Point2, Point3, Polygon, Vector2};
-use wisch::interpret::{Belief, Diagnosis, Estimate, PathPiece, Touch};
+use wisch::interpret::{Belief, Diagnosis, Estimate, EventKind, PathPiece, Touch};
 use wisch::plan::predict;
 use wisch::represent::{Action, GoalState, LogNormal, ParticleDistribution, Performance};
 
@@ -453,4 +454,30 @@ fn a_report_has_rounds_if_there_were_any() {
     ids.sort_unstable();
     ids.dedup();
     assert_eq!(ids.len(), all, "an id stands twice");
+}
+
+#[test]
+fn rounds_that_are_shown_in_3d_are_led_to_with_their_events_as_marks() {
+    let demo = three_rounds();
+    let motion = crate::motion::demo::Demo::new();
+    let motion = motion.input();
+    let mut views = demo.views();
+    views[0].motion = Some(&motion);
+    let html = page(&section(&demo.input(&views)));
+    assert!(html.contains(r##"href="#round=1""##) && !html.contains(r##"href="#round=2""##));
+    let track = views[0].track().expect("it is shown");
+    assert!(track.round == Some(1) && views[1].track().is_none());
+    let [pushes, felt] = [MarkKind::True, MarkKind::Felt].map(|kind| {
+        let of_kind = track.marks.iter().filter(|mark| mark.kind == kind);
+        of_kind.map(|mark| mark.times).collect::<Vec<_>>()
+    });
+    assert_eq!(pushes, views[0].pushes);
+    let collisions = (views[0].interpretation.events.iter())
+        .filter(|event| event.kind == EventKind::Collision)
+        .map(|event| [event.start, event.end]);
+    assert_eq!(felt, collisions.collect::<Vec<_>>());
+    assert!(felt.len() == 2, "{felt:?}");
+    let [start, _] = felt[0];
+    let link = format!(r##"href="#round=1&amp;motion={start:.2}""##);
+    assert!(html.contains(&link), "{link}");
 }

@@ -99,13 +99,14 @@ impl Meshes {
             vertices,
             triangles,
         } = thinned(mesh, self.most);
-        self.coarsened += usize::from(triangles.len() < mesh.triangles().len());
+        let is_coarsened = triangles.len() < mesh.triangles().len();
         let record = MeshRecord {
             vertices: tenths(vertices),
             triangles: triangles.into_flattened(),
         };
         let known = self.records.iter().position(|other| *other == record);
         let mesh = known.unwrap_or_else(|| {
+            self.coarsened += usize::from(is_coarsened);
             self.records.push(record);
             self.records.len() - 1
         });
