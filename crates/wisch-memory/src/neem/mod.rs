@@ -169,6 +169,9 @@ pub enum NeemError {
     },
 }
 
+/// The collection of what was seen.
+const OBSERVATIONS: &str = "observation";
+
 /// Names the file of a fault.
 fn at(path: &Path) -> impl Fn(io::Error) -> NeemError {
     move |error| NeemError::Io {

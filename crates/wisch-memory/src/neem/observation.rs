@@ -3,7 +3,7 @@
 use super::document::number;
 use super::dump::Documents;
 use super::writer::{NeemWriter, check_finite, date, xyz};
-use super::{NeemError, at, collection_file};
+use super::{NeemError, OBSERVATIONS, at, collection_file};
 use crate::observations::{RoundObservations, pose};
 use bson::raw::{CStr, RawArrayBuf, cstr};
 use bson::{RawDocument, RawDocumentBuf, rawdoc};
@@ -13,9 +13,6 @@ use std::io::{self, BufReader};
 use std::path::Path;
 use wisch::geometry::{Point2, Polygon, Pose, Region};
 use wisch::represent::Observation;
-
-/// The collection's name.
-pub(super) const COLLECTION: &str = "observation";
 
 /// The topics before and after a round.
 const TOPICS: [&str; 2] = ["dirt_before", "dirt_after"];
@@ -99,7 +96,7 @@ fn coordinates(places: &[Point2]) -> RawDocumentBuf {
 pub fn observations(
     neem: &Path,
 ) -> Result<BTreeMap<String, BTreeMap<usize, RoundObservations>>, NeemError> {
-    let path = collection_file(neem, COLLECTION);
+    let path = collection_file(neem, OBSERVATIONS);
     let mut episodes = BTreeMap::<String, BTreeMap<usize, RoundObservations>>::new();
     let file = match File::open(&path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(episodes),

@@ -3,9 +3,8 @@
 use super::document::Closures;
 use super::dump::MAX_DOCUMENT;
 use super::meta::NeemMeta;
-use super::observation;
 use super::triples::{self, Triple, individual};
-use super::{NeemError, at, collection_file};
+use super::{NeemError, OBSERVATIONS, at, collection_file};
 use crate::ontology::{Ontology, SEMCO_OWL};
 use crate::record::{EpisodeRecord, Value};
 use bson::oid::ObjectId;
@@ -155,7 +154,7 @@ impl NeemWriter {
             inferred: collection("inferred")?,
             poses: collection("tf")?,
             wrenches: collection("wrench")?,
-            observations: collection(observation::COLLECTION)?,
+            observations: collection(OBSERVATIONS)?,
             closures: Closures::default(),
             episodes: HashSet::new(),
             frames: HashMap::new(),
