@@ -418,8 +418,8 @@ proptest! {
     }
 }
 
-#[test]
-fn obstacles_may_have_a_margin_of_their_own() {
+/// Three links that may touch, before a thin pole.
+fn before_a_pole() -> CollisionModel {
     let mut model = CollisionModel::new(&parsed(CROWDED), None).unwrap();
     model.allow("a", "c").unwrap();
     model.allow("b", "c").unwrap();
@@ -427,6 +427,12 @@ fn obstacles_may_have_a_margin_of_their_own() {
     model
         .add_obstacle("pole", Pose::translation(0.5, 0.0, 0.0), &post)
         .unwrap();
+    model
+}
+
+#[test]
+fn obstacles_may_have_a_margin_of_their_own() {
+    let model = before_a_pole();
     let (from, to) = ([0.0, 0.0, -1.0], [0.0, 0.0, -0.9]);
     let apart = model.clearance(&to, 1.0).unwrap();
     let pair = apart.pair.unwrap();
@@ -463,14 +469,7 @@ fn obstacles_may_have_a_margin_of_their_own() {
 #[test]
 fn sampling_too_coarsely_misses_what_a_segment_finds() {
     // A fast pass by a thin post: free at both ends and in the middle.
-    let robot = parsed(CROWDED);
-    let mut model = CollisionModel::new(&robot, None).unwrap();
-    model.allow("a", "c").unwrap();
-    model.allow("b", "c").unwrap();
-    let post = Mesh::cylinder(0.001, 1.0, 8).unwrap();
-    model
-        .add_obstacle("pole", Pose::translation(0.5, 0.0, 0.0), &post)
-        .unwrap();
+    let model = before_a_pole();
     let (from, to) = ([0.0, 0.0, -1.0], [0.0, 0.0, 1.0]);
     for q in [from, [0.0; 3], to] {
         assert!(model.collision(&q, 0.0).unwrap().is_none());
