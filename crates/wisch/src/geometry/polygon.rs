@@ -30,6 +30,7 @@ impl Edge {
 pub struct Polygon {
     outer: Vec<Point2>,
     holes: Vec<Vec<Point2>>,
+    is_convex: bool,
 }
 
 impl Polygon {
@@ -42,8 +43,10 @@ impl Polygon {
                 ring.into_iter().rev().collect()
             }
         };
+        let outer = turned(outer, true);
         Self {
-            outer: turned(outer, true),
+            is_convex: holes.is_empty() && turns_left_once(&outer),
+            outer,
             holes: holes.into_iter().map(|hole| turned(hole, false)).collect(),
         }
     }
@@ -82,9 +85,14 @@ impl Polygon {
         self.rings().flat_map(|ring| {
             (0..ring.len()).map(move |i| Edge {
                 start: ring[i],
-                end: ring[(i + 1) % ring.len()],
+                end: ring[if i + 1 < ring.len() { i + 1 } else { 0 }],
             })
         })
+    }
+
+    /// Whether a straight line between any two of its points stays in it.
+    pub fn is_convex(&self) -> bool {
+        self.is_convex
     }
 
     /// Area without the holes [m²].
@@ -96,6 +104,20 @@ impl Polygon {
     pub fn contains(&self, point: Point2) -> bool {
         encloses(self.edges(), point)
     }
+}
+
+/// Whether a ring never turns right, and goes around once: along x it changes its direction twice.
+fn turns_left_once(ring: &[Point2]) -> bool {
+    let count = ring.len();
+    let along = |i: usize| ring[(i + 1) % count] - ring[i % count];
+    let turns_left = (0..count).all(|i| along(i).perp(&along(i + 1)) >= 0.0);
+    let ahead: Vec<bool> = (0..count)
+        .map(|i| along(i).x)
+        .filter(|&x| x != 0.0)
+        .map(|x| x > 0.0)
+        .collect();
+    let changes = (0..ahead.len()).filter(|&i| ahead[i] != ahead[(i + 1) % ahead.len()]);
+    turns_left && changes.count() <= 2
 }
 
 /// Whether a point lies inside a boundary of edges in any order (even–odd rule).
@@ -123,6 +145,7 @@ impl Polygon {
         Self {
             outer: ring(&self.outer),
             holes: self.holes.iter().map(ring).collect(),
+            is_convex: self.is_convex,
         }
     }
 }
@@ -143,6 +166,26 @@ impl Region {
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         let scaled = |polygon: &Polygon| polygon.scaled(factor);
         Self::new(self.polygons.iter().map(scaled).collect())
+    }
+
+    /// The same, narrower by a margin on each side of its box [m], but never by more than half.
+    #[must_use]
+    pub(crate) fn narrowed(&self, margin: f64) -> Self {
+        let Some(bounds) = self.bounds() else {
+            return self.clone();
+        };
+        let center = bounds.center();
+        let share = bounds
+            .size()
+            .map(|size| (1.0 - 2.0 * margin / size).clamp(0.5, 1.0));
+        let moved = |corner: &Point2| center + (corner - center).component_mul(&share);
+        let ring = |ring: &Vec<Point2>| ring.iter().map(moved).collect();
+        let narrowed = |polygon: &Polygon| Polygon {
+            outer: ring(&polygon.outer),
+            holes: polygon.holes.iter().map(ring).collect(),
+            ..polygon.clone()
+        };
+        Self::new(self.polygons.iter().map(narrowed).collect())
     }
 
     /// The edges of all pieces, piece by piece, in the order of [`Polygon::edges`].
@@ -206,6 +249,17 @@ impl Bounds2 {
         self.max - self.min
     }
 
+    /// Its corners, counter-clockwise from the smallest x and y [m].
+    pub fn corners(&self) -> [Point2; 4] {
+        let Self { min, max } = *self;
+        [
+            min,
+            Point2::new(max.x, min.y),
+            max,
+            Point2::new(min.x, max.y),
+        ]
+    }
+
     /// The middle of the box [m].
     pub fn center(&self) -> Point2 {
         nalgebra::center(&self.min, &self.max)
@@ -240,6 +294,25 @@ mod tests {
         assert!(!polygon.contains(Point2::origin()));
         assert!(polygon.contains(Point2::new(0.75, 0.0)));
         assert!(!polygon.contains(Point2::new(1.25, 0.0)));
+    }
+
+    #[test]
+    fn what_has_a_notch_a_hole_or_goes_around_twice_is_not_convex() {
+        let ring = |corners: &[[f64; 2]]| corners.iter().map(|&[x, y]| Point2::new(x, y)).collect();
+        let polygon = |corners: &[[f64; 2]]| Polygon::new(ring(corners), Vec::new());
+        assert!(Polygon::rectangle(Vector2::new(2.0, 1.0)).is_convex());
+        assert!(polygon(&[[0.0, 0.0], [0.0, 1.0], [2.0, 0.5]]).is_convex());
+        let on_a_side = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [1.0, 1.0]];
+        assert!(polygon(&on_a_side).is_convex());
+        assert!(!square_with_hole().is_convex());
+        let notched = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 0.5], [0.0, 1.0]];
+        assert!(!polygon(&notched).is_convex());
+        // A five-pointed star in one line never turns right, and goes around twice.
+        let star = [0.0_f64, 2.0, 4.0, 1.0, 3.0].map(|i| {
+            let angle = i * std::f64::consts::TAU / 5.0;
+            [angle.cos(), angle.sin()]
+        });
+        assert!(!polygon(&star).is_convex());
     }
 
     #[test]

@@ -13,13 +13,15 @@ use super::field::{ParticleField, Slot};
 use super::heap::Heap;
 use super::motion::{CLEARANCE, ToolMotion};
 use super::swept_rotation::SweptRotation;
-use super::swept_translation::SweptTranslation;
+use super::swept_translation::{Chords, SweptTranslation};
 use super::{Effect, Fate, Surface};
-use crate::geometry::{Edge, Point2, Region, Vector2};
+use crate::geometry::{Edge, PlanarPose, Point2, Region, Vector2};
 use rayon::prelude::*;
 
 /// From this many particles near a turning tool on, they are followed on all threads.
 const PARALLEL_FROM: usize = 1024;
+/// From this many particles near a tool on, it is looked whether any can leave the surface at all.
+const CHECKED_FROM: usize = 8;
 
 /// How many particles one motion absorbed, displaced or lost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -64,6 +66,8 @@ pub struct MotionEffect {
 pub struct EffectModel {
     kind: Effect,
     edges: Vec<Edge>,
+    /// Whether no line runs through the footprint twice.
+    is_convex: bool,
     /// Largest distance of the footprint from the tool centre point [m].
     reach: f64,
     translation: SweptTranslation,
@@ -91,6 +95,7 @@ impl EffectModel {
         Self {
             kind,
             translation: SweptTranslation::for_edges(edges.len()),
+            is_convex: matches!(footprint.polygons(), [one] if one.is_convex()),
             edges,
             reach,
             near: Vec::new(),
@@ -242,12 +247,21 @@ impl EffectModel {
         let half = Vector2::new(high.x - low.x + length, high.y - low.y) / 2.0;
         field.collect_near(center, along, half, &mut self.near);
 
+        let stays = self.near.len() >= CHECKED_FROM && self.is_inside(surface, &motion.to);
         let mut effect = MotionEffect::default();
         for &slot in &self.near {
             let position = field.position(slot);
             let relative = position - motion.from.position;
             let (ahead, lateral) = (relative.dot(&along), relative.dot(&side));
-            let chords = self.translation.at(lateral);
+            let chord;
+            let chords = if self.is_convex {
+                chord = self.translation.chord(lateral);
+                Chords {
+                    crossings: chord.as_ref().map_or(&[], |chord| &chord[..]),
+                }
+            } else {
+                self.translation.at(lateral)
+            };
             match self.kind {
                 Effect::Absorb => {
                     if chords.covers(ahead, length) && responds(field.index(slot), position) {
@@ -259,13 +273,31 @@ impl EffectModel {
                         && responds(field.index(slot), position)
                     {
                         let to = position + along * (carried - ahead);
-                        effect.settle(field, slot, landing(surface, &[position, to]));
+                        let outcome = match stays {
+                            true => Outcome::Pushed { to },
+                            false => landing(surface, &[position, to]),
+                        };
+                        effect.settle(field, slot, outcome);
                     }
                 }
                 Effect::Push => {}
             }
         }
         effect
+    }
+
+    /// Whether all that the footprint carries to a pose is certain to stay on the surface: it is convex, and the footprint
+    /// lies on it with what its clearance takes.
+    fn is_inside(&self, surface: &Surface, at: &PlanarPose) -> bool {
+        let corners = self.edges.iter().map(|edge| at.transform(edge.start));
+        surface.outline.is_convex()
+            && corners.into_iter().all(|corner| {
+                let mut edges = surface.outline.edges();
+                edges.all(|edge| {
+                    let along = edge.end - edge.start;
+                    along.perp(&(corner - edge.start)) > 2.0 * CLEARANCE * along.norm()
+                })
+            })
     }
 
     fn turn(

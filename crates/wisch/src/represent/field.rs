@@ -19,6 +19,7 @@ pub(super) type Slot = u32;
 pub struct ParticleField {
     origin: Point2,
     cell_size: f64,
+    per_cell_size: f64,
     columns: usize,
     rows: usize,
     head: Vec<u32>,
@@ -53,6 +54,7 @@ impl ParticleField {
         let mut field = Self {
             origin: bounds.min,
             cell_size,
+            per_cell_size: 1.0 / cell_size,
             columns,
             rows,
             head: vec![NONE; columns * rows],
@@ -80,7 +82,8 @@ impl ParticleField {
         // Backwards, so that each list runs in ascending slots.
         for slot in (0..particles.len()).rev() {
             if field.fate[slot] == Fate::OnSurface {
-                field.link(slot as Slot);
+                let cell = field.cell(field.position(slot as Slot));
+                field.link(slot as Slot, cell);
                 field.remaining += 1;
             }
         }
@@ -94,12 +97,23 @@ impl ParticleField {
             y: vec![0.0; self.x.len()],
             fate: vec![Fate::OnSurface; self.x.len()],
         };
+        self.copy_to(&mut particles);
+        particles
+    }
+
+    /// Writes the particles into the distribution that the field was built from.
+    pub(crate) fn copy_to(&self, particles: &mut ParticleDistribution) {
         for (slot, &i) in self.index.iter().enumerate() {
             particles.x[i as usize] = self.x[slot];
             particles.y[i as usize] = self.y[slot];
             particles.fate[i as usize] = self.fate[slot];
         }
-        particles
+    }
+
+    /// Where particle `index` of the distribution is now, and what became of it.
+    pub(crate) fn place(&self, index: usize) -> (Point2, Fate) {
+        let slot = self.slot[index];
+        (self.position(slot), self.fate[slot as usize])
     }
 
     /// Moves particle `index` of the distribution by a vector, or off the surface if an edge is in the way. What
@@ -154,21 +168,18 @@ impl ParticleField {
 
     /// Moves a particle that stays on the surface.
     pub(super) fn relocate(&mut self, slot: Slot, to: Point2) {
-        let from_cell = self.cell(self.position(slot));
-        if self.cell(to) == from_cell {
-            self.x[slot as usize] = to.x;
-            self.y[slot as usize] = to.y;
-        } else {
-            self.unlink(slot);
-            self.x[slot as usize] = to.x;
-            self.y[slot as usize] = to.y;
-            self.link(slot);
+        let (from_cell, to_cell) = (self.cell(self.position(slot)), self.cell(to));
+        self.x[slot as usize] = to.x;
+        self.y[slot as usize] = to.y;
+        if to_cell != from_cell {
+            self.unlink(slot, from_cell);
+            self.link(slot, to_cell);
         }
     }
 
     /// Takes a particle off the surface; `at` is where it went.
     pub(super) fn remove(&mut self, slot: Slot, at: Point2, fate: Fate) {
-        self.unlink(slot);
+        self.unlink(slot, self.cell(self.position(slot)));
         self.x[slot as usize] = at.x;
         self.y[slot as usize] = at.y;
         self.fate[slot as usize] = fate;
@@ -220,7 +231,7 @@ impl ParticleField {
 
     fn clamped(&self, offset: f64, cells: usize) -> usize {
         // Saturating float-to-int conversion: negative offsets become 0.
-        ((offset / self.cell_size) as usize).min(cells - 1)
+        ((offset * self.per_cell_size) as usize).min(cells - 1)
     }
 
     fn cell(&self, position: Point2) -> usize {
@@ -228,8 +239,7 @@ impl ParticleField {
             + self.clamped(position.x - self.origin.x, self.columns)
     }
 
-    fn link(&mut self, slot: Slot) {
-        let cell = self.cell(self.position(slot));
+    fn link(&mut self, slot: Slot, cell: usize) {
         let head = self.head[cell];
         self.next[slot as usize] = head;
         self.previous[slot as usize] = NONE;
@@ -239,10 +249,9 @@ impl ParticleField {
         self.head[cell] = slot;
     }
 
-    fn unlink(&mut self, slot: Slot) {
+    fn unlink(&mut self, slot: Slot, cell: usize) {
         let (previous, next) = (self.previous[slot as usize], self.next[slot as usize]);
         if previous == NONE {
-            let cell = self.cell(self.position(slot));
             self.head[cell] = next;
         } else {
             self.next[previous as usize] = next;

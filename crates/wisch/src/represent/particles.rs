@@ -112,6 +112,21 @@ impl ParticleDistribution {
         })
     }
 
+    /// Those with these numbers, in this order.
+    pub(crate) fn chosen(&self, numbers: &[usize]) -> Self {
+        let mut chosen = Self {
+            x: Vec::new(),
+            y: Vec::new(),
+            fate: Vec::new(),
+        };
+        for &i in numbers {
+            chosen.x.push(self.x[i]);
+            chosen.y.push(self.y[i]);
+            chosen.fate.push(self.fate[i]);
+        }
+        chosen
+    }
+
     /// Number of particles, whatever their fate.
     pub fn len(&self) -> usize {
         self.fate.len()

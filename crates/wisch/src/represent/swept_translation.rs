@@ -20,7 +20,7 @@ pub(super) struct SweptTranslation {
 
 /// The intervals in which one line along the motion runs inside the footprint, in ascending order.
 pub(super) struct Chords<'a> {
-    crossings: &'a [f64],
+    pub(super) crossings: &'a [f64],
 }
 
 impl SweptTranslation {
@@ -92,6 +92,19 @@ impl SweptTranslation {
     /// Smallest and largest coordinates of the footprint in the stroke frame [m].
     pub(super) fn extent(&self) -> Option<(Point2, Point2)> {
         (!self.edges.is_empty()).then_some((self.low, self.high))
+    }
+
+    /// The only chord of a convex footprint, as [`SweptTranslation::at`].
+    pub(super) fn chord(&self, lateral: f64) -> Option<[f64; 2]> {
+        let mut chord = [f64::INFINITY, f64::NEG_INFINITY];
+        for edge in &self.edges {
+            if (edge.start.y > lateral) != (edge.end.y > lateral) {
+                let share = (lateral - edge.start.y) / (edge.end.y - edge.start.y);
+                let x = edge.start.x + share * (edge.end.x - edge.start.x);
+                chord = [chord[0].min(x), chord[1].max(x)];
+            }
+        }
+        (chord[0] <= chord[1]).then_some(chord)
     }
 
     /// The chords of the line at `lateral` [m] to the left of the tool centre point's line.
