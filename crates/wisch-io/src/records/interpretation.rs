@@ -54,10 +54,21 @@ pub struct InterpretationRecord {
     pub world_from_surface: Option<PoseRecord>,
     /// What the sensor adds to the force on the tool along the surface's outward normal, which was taken off.
     pub force_bias_n: f64,
+    /// What is believed of the tool's stiffness by now; null of a tool that does not give way.
+    pub tool_stiffness: Option<ToolStiffnessRecord>,
     /// What happened, by start.
     pub events: Vec<EventRecord>,
     /// What was read.
     pub log: LogRecord,
+}
+
+/// The stiffness of a tool.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ToolStiffnessRecord {
+    /// The most likely one.
+    pub n_per_m: f64,
+    /// Standard deviation of its logarithm.
+    pub ln_deviation: f64,
 }
 
 /// The plane that was touched, in the frame of the believed surface.
@@ -170,6 +181,12 @@ impl InterpretationRecord {
             },
             // No bias is 0, not -0.
             force_bias_n: interpretation.force_bias + 0.0,
+            tool_stiffness: interpretation
+                .tool_stiffness
+                .map(|stiffness| ToolStiffnessRecord {
+                    n_per_m: stiffness.n_per_m,
+                    ln_deviation: stiffness.ln_deviation,
+                }),
             events: interpretation.events.iter().map(EventRecord::new).collect(),
             log,
         }

@@ -291,6 +291,16 @@ impl InterpretConfig {
         }
     }
 
+    /// Stiffness of the tool [N/m], if it gives way.
+    pub(super) fn stiffness(&self) -> Option<f64> {
+        match self.compliance {
+            ToolCompliance::Rigid => None,
+            ToolCompliance::Spring {
+                stiffness_n_per_m, ..
+            } => Some(stiffness_n_per_m),
+        }
+    }
+
     /// f′ of (9) before it is held to at most 1.
     pub(super) fn normalized(&self, normal_force: f64) -> f64 {
         normal_force.min(self.max_normal_force_n) / self.min_normal_force_n

@@ -1,7 +1,7 @@
 //! What a log tells.
 
 use super::belief::{Belief, Estimate, Look, PerformanceDistribution};
-use super::contact::{FittedPlane, PathPiece};
+use super::contact::{FittedPlane, PathPiece, ToolStiffness};
 use super::doubt::Doubt;
 use super::events::Event;
 use crate::geometry::Pose;
@@ -37,6 +37,8 @@ pub struct Interpretation {
     /// What the sensor adds to the force on the tool along the surface's outward normal, as found in free motion and
     /// taken off [N]; 0 where the log shows no free motion.
     pub force_bias: f64,
+    /// What is believed of the tool's stiffness after this log and those before it; nothing of a tool that does not give way.
+    pub tool_stiffness: Option<ToolStiffness>,
     /// Time in contact over the time that the tool was on or near the surface.
     pub contact_share: f64,
     /// Where the dirt now is believed to lie.

@@ -3,15 +3,19 @@
 use super::belief::{Belief, ContactEvidence, Exposure, Replay};
 use super::config::InterpretConfig;
 use super::contact::{
-    ClassifiedPath, ContactClassifier, Downsampler, FittedPlane, PlaneFit, TouchSample, middle,
+    ClassifiedPath, ContactClassifier, Downsampler, FittedPlane, MeasuredStiffness, PlaneFit,
+    StiffnessBelief, TouchSample, middle,
 };
 use super::doubt::{Doubt, doubts};
 use super::error::InterpretError;
 use super::events::{Event, EventDetector};
 use super::interpretation::{Diagnosis, Interpretation};
-use crate::geometry::{Point2, Pose, Region, Vector3};
+use crate::geometry::{PlanarPose, Point2, Pose, Region, Vector3};
 use crate::represent::{Effect, GoalState, ParticleDistribution, ParticleError, Surface, Task};
 use nalgebra::{Translation3, UnitQuaternion};
+
+/// How long before and after a push the force is the hand's as well [s].
+const SETTLING: f64 = 0.5;
 
 /// Takes a log sample by sample, in bounded memory, and interprets at any time what it has so far.
 ///
@@ -136,7 +140,9 @@ impl Interpreter {
         }
         let understood = self.understood();
         let evidence = understood.evidence(self);
-        let replay = self.replay(goal.action().effect());
+        let prior = StiffnessBelief::prior(self.config.uncertainty.stiffness_share);
+        let stiffness = (believed.stiffness().unwrap_or(prior)).updated(understood.stiffness);
+        let replay = self.replay(goal.action().effect(), stiffness);
         let belief = replay.run(believed, &evidence);
         // Without a touch, what was certain stays certain.
         let is_untouched = evidence.is_untouched() && believed.is_certain();
@@ -152,6 +158,7 @@ impl Interpreter {
             events,
             contact_share,
             doubts,
+            stiffness: _,
         } = understood;
         Ok(Interpretation {
             diagnosis: self.diagnosis(&classified, &believed_from_real),
@@ -159,6 +166,10 @@ impl Interpreter {
             contact_share,
             doubts,
             force_bias: classified.bias.z,
+            tool_stiffness: self
+                .config
+                .stiffness()
+                .map(|believed| stiffness.of_tool(believed)),
             performance: distribution.estimate(),
             felt: distribution.estimate(),
             observation: None,
@@ -185,7 +196,8 @@ impl Interpreter {
         let particles = ParticleDistribution::new(places)?;
         let understood = self.understood();
         let evidence = understood.evidence(self);
-        let replay = self.replay(effect);
+        let prior = StiffnessBelief::prior(self.config.uncertainty.stiffness_share);
+        let replay = self.replay(effect, prior.updated(understood.stiffness));
         Ok(replay.exposures(&particles, &evidence, deviation, guesses))
     }
 
@@ -222,21 +234,50 @@ impl Interpreter {
             // What is felt up there is a surface, and no hand.
             events.retain(|event| !event.kind.is_by_hand());
         }
+        let stiffness = self.stiffness(&classified, &events);
         Understood {
             classified,
             believed_from_real,
             events,
             contact_share,
             doubts,
+            stiffness,
         }
     }
 
-    fn replay(&self, effect: Effect) -> Replay<'_> {
+    /// How stiff the tool is, as far as the log shows it while nobody has a hand on it and all of it is on the surface.
+    fn stiffness(
+        &self,
+        classified: &ClassifiedPath,
+        events: &[Event],
+    ) -> Option<MeasuredStiffness> {
+        classified.plane.as_ref()?;
+        let path = &classified.path;
+        let corners = self.footprint.bounds()?.corners();
+        let is_carried = |i: usize| {
+            let tool = PlanarPose::new(path[i].position.xy(), path[i].heading);
+            (corners.iter()).all(|&corner| self.surface.outline.contains(tool.transform(corner)))
+        };
+        let is_pushed = |i: usize| {
+            let time = path[i].time;
+            (events.iter().filter(|event| event.kind.is_by_hand()))
+                .any(|push| time[1] > push.start - SETTLING && time[0] < push.end + SETTLING)
+        };
+        MeasuredStiffness::of(
+            path,
+            self.config.nominal_force(),
+            self.config.nominal_compression(),
+            |i| is_carried(i) && !is_pushed(i),
+        )
+    }
+
+    fn replay(&self, effect: Effect, stiffness: StiffnessBelief) -> Replay<'_> {
         Replay {
             footprint: &self.footprint,
             effect,
             surface: &self.surface,
             config: &self.config,
+            stiffness,
         }
     }
 
@@ -268,6 +309,7 @@ struct Understood {
     events: Vec<Event>,
     contact_share: f64,
     doubts: Vec<Doubt>,
+    stiffness: Option<MeasuredStiffness>,
 }
 
 impl Understood {

@@ -21,7 +21,7 @@ pub use belief::{
     Touched,
 };
 pub use config::{EventConfig, InterpretConfig, PlaneConfig, ToolCompliance, members};
-pub use contact::{FittedPlane, PathPiece, PlaneFit, Touch, TouchSample, fit_plane};
+pub use contact::{FittedPlane, PathPiece, PlaneFit, ToolStiffness, Touch, TouchSample, fit_plane};
 pub use doubt::Doubt;
 pub use error::InterpretError;
 pub use events::{Event, EventKind};

@@ -16,6 +16,9 @@ pub struct Uncertainty {
     pub particle_m: f64,
     /// f′, as a share of itself [1]: what the compliance of the tool and the estimate of the force are off by.
     pub force_share: f64,
+    /// Stiffness of the tool, as the standard deviation of its logarithm [1]; a log in which the force changes often
+    /// enough shows it better.
+    pub stiffness_share: f64,
     /// Most of what is pushed that slips past the tool, per drawing of a threshold [1]: a heap before the tool
     /// spreads, turns about its corners and leaks. No standard deviation: in seven of eight replays nothing
     /// slips, in the others any share up to this one.
@@ -54,6 +57,7 @@ impl Uncertainty {
         footprint_share: 0.0,
         particle_m: 0.0,
         force_share: 0.0,
+        stiffness_share: 0.0,
         slip_share: 0.0,
         heap_depth: 0.0,
         pushed_by_force: 1.0,
@@ -100,7 +104,7 @@ impl Uncertainty {
         fields.try_for_each(|field| within((field.path, *field.value, field.range)))
     }
 
-    fn fields(&mut self) -> [Field<'_>; 16] {
+    fn fields(&mut self) -> [Field<'_>; 17] {
         let share = (0.0, 1.0, "0 to 1");
         let metre = (0.0, 1.0, "0 to 1 m");
         let turn = (0.0, 1.0, "0 to 1 rad");
@@ -120,6 +124,11 @@ impl Uncertainty {
             ),
             ("uncertainty.particle_m", &mut self.particle_m, metre),
             ("uncertainty.force_share", &mut self.force_share, share),
+            (
+                "uncertainty.stiffness_share",
+                &mut self.stiffness_share,
+                share,
+            ),
             ("uncertainty.slip_share", &mut self.slip_share, share),
             ("uncertainty.heap_depth", &mut self.heap_depth, depth),
             (
@@ -191,6 +200,7 @@ impl Default for Uncertainty {
             footprint_share: 0.05,
             particle_m: 1.5e-3,
             force_share: 0.08,
+            stiffness_share: 0.2,
             slip_share: 0.2,
             heap_depth: 0.12,
             pushed_by_force: 0.25,

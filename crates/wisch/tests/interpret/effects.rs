@@ -204,7 +204,7 @@ fn a_sample_of_a_belief_and_its_density_hold_the_mean() {
     let sum: f64 = cells.map(|(column, row)| map.mean(column, row)).sum();
     assert!((sum - mean).abs() < 1e-6);
     // Draws for a plan are members one on top of the other, each about as often as its weight says.
-    let draws = belief.draws(4 * belief.replays().len() as u64, 5).unwrap();
+    let draws = belief.draws(4 * belief.replays().len(), 5).unwrap();
     let expected = mean * 4.0 * members;
     assert!((remaining(&draws) - expected).abs() < 0.01 * expected);
 }

@@ -210,6 +210,38 @@ fn a_force_known_badly_counts_where_contact_is_weak() {
 }
 
 #[test]
+fn a_stiffness_known_badly_counts_where_the_tool_leans() {
+    let task = task(400, STEEP);
+    // A softer tool presses more evenly where the surface leans, which one stroke with full force tells.
+    let press = |place: Point2| {
+        if place.y < -0.05 { PRESS } else { 0.15 * PRESS }
+    };
+    let leaning = Script {
+        press,
+        surface: |place| 0.03 * place.x,
+        ..Script::default()
+    };
+    let even = Script {
+        press,
+        ..Script::default()
+    };
+    let with = |script: &Script, stiffness_share| {
+        let uncertainty = Uncertainty {
+            stiffness_share,
+            ..Uncertainty::NONE
+        };
+        let config = InterpretConfig {
+            uncertainty,
+            ..InterpretConfig::of(&task)
+        };
+        width(&interpreted_with(&script.samples(&task), &task, &config))
+    };
+    let (known, unknown) = (with(&leaning, 0.0), with(&leaning, 0.4));
+    assert!(unknown > 1.5 * known, "{unknown}, known {known}");
+    assert_eq!(with(&even, 0.4), with(&even, 0.0));
+}
+
+#[test]
 fn without_a_touch_what_was_certain_stays_certain() {
     let (task, _) = board();
     let interpretation = pushed(&task, &[], Uncertainty::default());

@@ -4,6 +4,7 @@ use super::activation::Activation;
 use super::density::DensityMap;
 use super::parameter_sampling::MemberParameters;
 use super::performance::PerformanceDistribution;
+use crate::interpret::contact::StiffnessBelief;
 use crate::interpret::error::InterpretError;
 use crate::represent::{GoalState, ParticleDistribution, ParticleError, Surface};
 use rand::RngExt;
@@ -18,6 +19,8 @@ pub struct Belief {
     weights: Vec<f64>,
     /// What each member takes for real; nothing before the first log.
     pub(super) states: Vec<MemberState>,
+    /// What the logs said of the tool's stiffness; nothing before the first.
+    stiffness: Option<StiffnessBelief>,
 }
 
 /// What a member takes for real beside where its dirt lies.
@@ -34,6 +37,7 @@ impl Belief {
             replays: vec![particles],
             weights: vec![1.0],
             states: Vec::new(),
+            stiffness: None,
         }
     }
 
@@ -55,6 +59,7 @@ impl Belief {
             replays: members,
             weights,
             states: Vec::new(),
+            stiffness: None,
         }
     }
 
@@ -62,12 +67,14 @@ impl Belief {
     pub(super) fn continued(
         members: Vec<(ParticleDistribution, MemberState)>,
         weights: Vec<f64>,
+        stiffness: StiffnessBelief,
     ) -> Self {
         let (replays, states) = members.into_iter().unzip();
         Self {
             replays,
             weights,
             states,
+            stiffness: Some(stiffness),
         }
     }
 
@@ -79,8 +86,14 @@ impl Belief {
         }
     }
 
+    /// What the logs so far said of the tool's stiffness.
+    pub(in crate::interpret) fn stiffness(&self) -> Option<StiffnessBelief> {
+        self.stiffness
+    }
+
     /// Members after a look; states only if all have some.
     pub(super) fn after_look(
+        &self,
         members: Vec<(ParticleDistribution, Option<MemberState>)>,
         weights: Vec<f64>,
     ) -> Self {
@@ -92,6 +105,7 @@ impl Belief {
                 .into_iter()
                 .collect::<Option<_>>()
                 .unwrap_or_default(),
+            stiffness: self.stiffness,
         }
     }
 
@@ -148,6 +162,7 @@ impl Belief {
             states: (kept.iter())
                 .filter_map(|&i| states.get(i).map(|&state| state.clone()))
                 .collect(),
+            stiffness: self.stiffness,
         }
     }
 
@@ -177,12 +192,24 @@ impl Belief {
     /// assert!((share_here - 0.5).abs() < 0.1);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn draws(&self, count: u64, seed: u64) -> Result<ParticleDistribution, ParticleError> {
-        let mut particles = Vec::new();
-        for member in self.systematic(count as usize, seed) {
-            particles.extend(self.replays[member].iter());
-        }
+    pub fn draws(&self, count: usize, seed: u64) -> Result<ParticleDistribution, ParticleError> {
+        let members = self.members(count, seed);
+        let particles: Vec<_> = members.iter().flat_map(|dirt| dirt.iter()).collect();
         ParticleDistribution::with_fates(&particles)
+    }
+
+    /// The dirt of several members, drawn by weight; of certainty just the one.
+    ///
+    /// ```
+    /// use wisch::interpret::Belief;
+    /// use wisch::represent::ParticleDistribution;
+    /// let certain = Belief::certain(ParticleDistribution::default());
+    /// assert_eq!(certain.members(8, 1).len(), 1);
+    /// ```
+    pub fn members(&self, count: usize, seed: u64) -> Vec<ParticleDistribution> {
+        let count = if self.is_certain() { 1 } else { count };
+        let chosen = self.systematic(count, seed).into_iter();
+        chosen.map(|member| self.replays[member].clone()).collect()
     }
 
     /// Members drawn so that each comes as often as its weight says, give or take one (systematic resampling).

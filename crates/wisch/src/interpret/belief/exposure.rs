@@ -88,7 +88,6 @@ impl Replay<'_> {
             ..self.config.clone()
         };
         let mut exposures = vec![vec![Exposure::default(); guesses]; particles.len()];
-        let compression = config.nominal_compression();
         (0..guesses).for_each(|guess| {
             let parameters = MemberParameters::draw(&config, guess as u64);
             let there = scattered(
@@ -99,11 +98,12 @@ impl Replay<'_> {
                 guess as u64,
             );
             let mut field = ParticleField::new(&there);
+            let compression = parameters.compression(&config, self.stiffness);
             let footprint = self.footprint.scaled(parameters.footprint_scale);
             let mut model = EffectModel::new(&footprint, self.effect);
             let bounds = footprint.bounds();
             let mut clock = TravelClock::default();
-            for contact in evidence.motions(guess as u64).iter() {
+            for contact in evidence.motions(guess as u64, compression).iter() {
                 let contact = parameters.applied(contact);
                 let travel = clock.advance(&contact);
                 let pressure = PressureDistribution::of(&contact, bounds, compression);

@@ -2,7 +2,7 @@
 
 use crate::geometry::{PlanarPose, Point2};
 use crate::interpret::config::InterpretConfig;
-use crate::interpret::contact::ContactMotion;
+use crate::interpret::contact::{ContactMotion, StiffnessBelief};
 use crate::random::{normal, normal_pair};
 use crate::represent::{Fate, LogNormal, ParticleDistribution, Surface, ToolMotion};
 use rand::{Rng, RngExt};
@@ -25,6 +25,8 @@ pub(super) struct MemberParameters {
     /// Size of the footprint over the believed one [1].
     pub(super) footprint_scale: f64,
     force_scale: f64,
+    /// By how many standard deviations the logarithm of the tool's stiffness is off its mean [1].
+    stiffness: f64,
     /// Depth of a heap of all particles over r_s [1].
     pub(super) heap: f64,
     /// The chance of an effect over the normalised force.
@@ -48,6 +50,7 @@ impl MemberParameters {
         let length = normal(&mut random);
         let size = normal(&mut random);
         let is_outlier = random.random::<f64>() < uncertainty.law_outlier_share;
+        let stiffness = normal(&mut random);
         let off = if is_outlier { OUTLIER } else { 1.0 };
         let LogNormal {
             mu: mean,
@@ -58,6 +61,7 @@ impl MemberParameters {
             heap,
             footprint_scale: (1.0 + size * uncertainty.footprint_share).max(0.1),
             force_scale: (1.0 + scale * uncertainty.force_share).max(0.0),
+            stiffness,
             likelihood: LogNormal {
                 mu: mean + mu * uncertainty.law_mu * off,
                 sigma: spread * libm::exp(sigma * uncertainty.law_sigma * off),
@@ -65,6 +69,11 @@ impl MemberParameters {
             redraw_length: config.redraw_length_m * libm::exp(length * uncertainty.redraw_share),
             is_kept,
         }
+    }
+
+    /// How far the tool is compressed at nominal force [m], with what is believed of its stiffness by now.
+    pub(super) fn compression(&self, config: &InterpretConfig, believed: StiffnessBelief) -> f64 {
+        config.nominal_compression() / believed.scale(self.stiffness)
     }
 
     /// The motion that the tool makes if it sits so in the hand.

@@ -86,8 +86,12 @@ impl<'a> ContactEvidence<'a> {
         self.certain.is_empty() && self.stretches.is_empty()
     }
 
-    /// The motions in contact that a replay believes.
-    pub(in crate::interpret) fn motions(&self, replay: u64) -> Cow<'_, [ContactMotion]> {
+    /// The motions in contact that a replay believes, in which the tool is compressed so far at nominal force [m].
+    pub(in crate::interpret) fn motions(
+        &self,
+        replay: u64,
+        compression: f64,
+    ) -> Cow<'_, [ContactMotion]> {
         if self.stretches.is_empty() {
             return Cow::Borrowed(&self.certain);
         }
@@ -98,7 +102,10 @@ impl<'a> ContactEvidence<'a> {
             .collect();
         let force = |i: usize| {
             let hypothesis = hypotheses.iter().find(|one| one.stretch.contains(&i));
-            hypothesis.map_or_else(|| by_force(&self.path[i]), |one| self.force(i, one))
+            hypothesis.map_or_else(
+                || by_force(&self.path[i]),
+                |one| self.force(i, one, compression),
+            )
         };
         Cow::Owned(contact_motions(self.path, &self.real_from_believed, force))
     }
@@ -141,11 +148,13 @@ impl<'a> ContactEvidence<'a> {
         at(from)..at(from + length) + 1
     }
 
-    fn force(&self, i: usize, hypothesis: &PushHypothesis) -> NormalizedForce {
+    fn force(&self, i: usize, hypothesis: &PushHypothesis, compression: f64) -> NormalizedForce {
         let piece = &self.path[i];
         match hypothesis.criterion {
             _ if hypothesis.hop.contains(&i) => NormalizedForce::NoContact,
-            Criterion::Distance(off) if self.is_pushed[i] => self.by_distance(piece, off),
+            Criterion::Distance(off) if self.is_pushed[i] => {
+                self.by_distance(piece, off, compression)
+            }
             Criterion::Dragging if self.is_pushed[i] && self.is_near(piece) => {
                 NormalizedForce::Mean(1.0)
             }
@@ -158,8 +167,7 @@ impl<'a> ContactEvidence<'a> {
     }
 
     /// As much as the tool must be compressed where it is, if it is as much farther from the plane.
-    fn by_distance(&self, piece: &PathPiece, off: f64) -> NormalizedForce {
-        let compression = self.config.nominal_compression();
+    fn by_distance(&self, piece: &PathPiece, off: f64, compression: f64) -> NormalizedForce {
         let height = piece.height + off;
         if compression <= 0.0 {
             let is_near = height <= self.config.plane.inlier_distance_m;

@@ -11,7 +11,7 @@ use super::parameter_sampling::{MemberParameters, scattered, slip};
 use super::push_hypotheses::ContactEvidence;
 use crate::geometry::Region;
 use crate::interpret::config::InterpretConfig;
-use crate::interpret::contact::{ContactMotion, PressureDistribution};
+use crate::interpret::contact::{ContactMotion, PressureDistribution, StiffnessBelief};
 use crate::represent::{Effect, EffectModel, ParticleDistribution, ParticleField, Surface};
 use rayon::prelude::*;
 
@@ -22,6 +22,7 @@ pub(in crate::interpret) struct Replay<'a> {
     pub(in crate::interpret) effect: Effect,
     pub(in crate::interpret) surface: &'a Surface,
     pub(in crate::interpret) config: &'a InterpretConfig,
+    pub(in crate::interpret) stiffness: StiffnessBelief,
 }
 
 impl Replay<'_> {
@@ -43,12 +44,13 @@ impl Replay<'_> {
         };
         let deviation = self.config.uncertainty.particle_m;
         let members = (0..count).into_par_iter().map(|member| {
-            let motions = &evidence.motions(member as u64);
             let dirt = &before[member % before.len()];
             let mut state = match believed.states.get(member) {
                 Some(state) => state.clone(),
                 None => self.first_state(dirt.len(), member as u64),
             };
+            let compression = state.parameters.compression(self.config, self.stiffness);
+            let motions = &evidence.motions(member as u64, compression);
             // Members of an ensemble already differ in where their particles lie.
             let scattered = believed.is_certain().then(|| {
                 scattered(
@@ -67,7 +69,7 @@ impl Replay<'_> {
             let after = self.once(scattered.as_ref().unwrap_or(dirt), motions, &mut state);
             (after, state)
         });
-        Belief::continued(members.collect(), weights)
+        Belief::continued(members.collect(), weights, self.stiffness)
     }
 
     fn first_state(&self, particles: usize, member: u64) -> MemberState {
@@ -89,6 +91,7 @@ impl Replay<'_> {
             parameters,
             activation,
         } = state;
+        let compression = parameters.compression(self.config, self.stiffness);
         let footprint = self.footprint.scaled(parameters.footprint_scale);
         let mut model = EffectModel::new(&footprint, self.effect);
         if self.effect == Effect::Push {
@@ -104,7 +107,6 @@ impl Replay<'_> {
                 model.lift_off(&mut field, self.surface);
             }
             activation.advance(&contact);
-            let compression = self.config.nominal_compression();
             let pressure = PressureDistribution::of(&contact, bounds, compression);
             let most =
                 (pressure.as_ref()).map_or(contact.force.value(), PressureDistribution::most);

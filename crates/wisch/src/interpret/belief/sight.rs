@@ -86,7 +86,7 @@ impl Belief {
             let state = weighted.states.get(member);
             look.places(was, state, &believed, is_first, &mut random)
         });
-        Self::after_look(members.collect(), weights)
+        weighted.after_look(members.collect(), weights)
     }
 
     /// Whether a log was replayed.

@@ -6,6 +6,7 @@ mod motions;
 mod path;
 mod plane;
 mod pressure_distribution;
+mod stiffness;
 
 pub(super) use classification::{ClassifiedPath, ContactClassifier, middle};
 pub(super) use downsampling::{Downsampler, MeasuredPiece};
@@ -13,3 +14,5 @@ pub(super) use motions::{ContactMotion, MAX_LENGTH, NormalizedForce, contact_mot
 pub use path::{FittedPlane, PathPiece, Touch, TouchSample};
 pub use plane::{PlaneFit, fit_plane};
 pub(super) use pressure_distribution::PressureDistribution;
+pub use stiffness::ToolStiffness;
+pub(super) use stiffness::{MeasuredStiffness, StiffnessBelief};
