@@ -1,5 +1,6 @@
 //! The tests of the method, one module for each of its parts.
 
+mod adaptive;
 mod articulation;
 mod capability;
 mod clearance;

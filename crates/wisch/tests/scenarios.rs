@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use std::ops::RangeInclusive;
 use wisch::geometry::Mesh;
 use wisch::plan::{
-    CoverageStrategy, NodeRole, Plan, PlanConfig, best_plan, best_subplan,
+    CoverageStrategy, NodeRole, Plan, PlanConfig, SearchConfig, best_plan, best_subplan,
     best_subplan_of_candidates, plan, predict,
 };
 use wisch::recover::unfinished;
@@ -40,7 +40,7 @@ fn the_grids_path_is_within_5_percent_of_the_papers() {
     for (name, particles, paper) in SCENARIOS {
         let LoadedTask { task, config, .. } = loaded(name, Some(Action::Absorb), 1);
         assert_eq!(task.particles.len(), particles);
-        let strategy = CoverageStrategy::Grid;
+        let strategy = CoverageStrategy::Grid.into();
         let plan = plan(&task, &PlanConfig { strategy, ..config }).expect("there is room");
         let distance = plan.contact_distance();
         assert!(
@@ -113,12 +113,12 @@ fn every_cell_of_table_1_is_as_published() {
             let name = name.expect("a scenario of Table 1");
             let trials = SEEDS.map(|seed| loaded(name, Some(wanted.expect("an action")), seed));
             let trials: Vec<LoadedTask> = trials.collect();
-            let of = |strategy| {
+            let of = |strategy: CoverageStrategy| {
                 let mut mean = [0.0; 2];
                 for LoadedTask { task, config, .. } in &trials {
                     assert!(task.action != Action::Collect || task.collect_goal.is_some());
                     let config = PlanConfig {
-                        strategy,
+                        strategy: strategy.into(),
                         ..config.clone()
                     };
                     let plan = plan(task, &config).expect("there is room");
@@ -170,10 +170,12 @@ fn dirt_lies_on_the_surface_and_not_where_things_stand() {
 fn as_planned(name: &str) -> (TaskFile, Task, Plan, f64) {
     let LoadedTask { file, task, .. } = loaded(name, None, 1);
     let config = PlanConfig {
-        strategy: CoverageStrategy::Kde,
+        strategy: CoverageStrategy::Kde.into(),
         seed: 1,
         bandwidth: file.bandwidth_m(),
         lift_height: file.lift_height_m(),
+        max_distance: None,
+        search: SearchConfig::default(),
     };
     let plan = plan(&task, &config).expect("there is room");
     let performance = predict(&task, &plan, |_| ()).performance.ratio();
@@ -225,10 +227,12 @@ fn segment_by_segment_the_board_is_wiped() {
         for seed in 1..=3 {
             let mut task = task("chopping-board", action, seed);
             let config = PlanConfig {
-                strategy: CoverageStrategy::Kde,
+                strategy: CoverageStrategy::Kde.into(),
                 seed,
                 bandwidth: None,
                 lift_height: 0.05,
+                max_distance: None,
+                search: SearchConfig::default(),
             };
             let whole = plan(&task, &config).expect("there is room");
             let goal = whole.graph.goal;
@@ -267,10 +271,12 @@ fn segment_by_segment_the_board_is_wiped() {
 #[test]
 fn among_variants_a_plan_that_pushes_less_over_the_edge_is_chosen() {
     let config = |seed| PlanConfig {
-        strategy: CoverageStrategy::Kde,
+        strategy: CoverageStrategy::Kde.into(),
         seed,
         bandwidth: None,
         lift_height: 0.05,
+        max_distance: None,
+        search: SearchConfig::default(),
     };
     let lost = |seed, count| {
         let task = task("chopping-board", Action::Collect, seed);

@@ -4,11 +4,12 @@ use std::ops::ControlFlow;
 use wisch::follow::{FollowConfig, MotionFault};
 use wisch::geometry::Point2;
 use wisch::interpret::TouchSample;
+use wisch::plan::Strategy;
 use wisch::recover::{Verdict, is_claimable};
 use wisch::represent::{Observation, SensorModel, Task};
 use wisch::run::{
-    Ending, Execution, Executor, ExecutorError, MotionOrder, NoExecutor, Round, RunConfig,
-    RunError, RunEvent, SampleSink, Session, Stage, unobserved,
+    Considered, Ending, Execution, Executor, ExecutorError, MotionOrder, NoExecutor, Round,
+    RunConfig, RunError, RunEvent, SampleSink, Session, Stage, unobserved,
 };
 use wisch_io::{LoadOptions, LoadedTask, Robot, load_task};
 
@@ -400,5 +401,86 @@ fn an_executor_has_to_leave_all_joints_somewhere() {
             found,
             expected
         })
+    );
+}
+
+#[test]
+fn the_best_of_all_plans_is_worth_most_with_the_robot() {
+    let mut loaded = loaded();
+    loaded.config.strategy = Strategy::Best;
+    loaded.config.search.evaluations = 2_000;
+    let robot = robot(&loaded);
+    let session = || Session::new(&loaded.task, loaded.run_config());
+    let alone = session().considered().expect("plans");
+    let mut session = session().with_robot(robot.performer());
+    let considered = session.considered().expect("plans");
+    let strategies: Vec<&str> = considered.iter().map(|one| one.strategy.as_str()).collect();
+    assert_eq!(strategies, ["grid", "rrt", "kde", "adaptive"]);
+    for (one, alone) in considered.iter().zip(&alone) {
+        let motion = one.motion.expect("the arm reaches all of the board");
+        assert!(motion.duration > 5.0, "{motion:?}");
+        assert_eq!(motion.abandoned, 0);
+        assert_eq!(alone.motion, None);
+        let [predicted, without] =
+            [one, alone].map(|one| one.prediction.as_ref().map(|p| p.performance));
+        assert_eq!(predicted, without);
+        // All is reached: what the robot changes is what its time costs, a part in a hundred for half a minute.
+        let [worth, without] =
+            [one, alone].map(|one| one.candidate.as_ref().expect("a plan").worth);
+        let cost = without - worth;
+        assert!(
+            (cost - 0.01 * motion.duration / 30.0).abs() < 0.15 * cost,
+            "{cost}"
+        );
+    }
+    session
+        .run_until(Stage::Planned, &mut NoExecutor, &mut unobserved)
+        .expect("a plan");
+    let worth = |one: &Considered| one.candidate.as_ref().expect("a plan").worth;
+    let best = (considered.iter()).max_by(|a, b| worth(a).total_cmp(&worth(b)));
+    let best = best.and_then(|best| best.candidate.as_ref().ok());
+    assert_eq!(session.plan(), best.map(|best| &best.plan));
+
+    // A robot that reaches nothing has no plan, and says why of each.
+    loaded.task.surface.world_from_surface.translation.vector.x += 10.0;
+    let far = Session::new(&loaded.task, loaded.run_config()).with_robot(robot.performer());
+    for one in far.considered().expect("plans") {
+        let abandoned = one.motion.map(|motion| motion.abandoned);
+        assert!(
+            one.candidate.is_err() || abandoned > Some(0),
+            "{abandoned:?}"
+        );
+    }
+}
+
+#[test]
+fn strokes_are_searched_for_where_the_robot_reaches() {
+    let mut loaded = loaded();
+    loaded.config.strategy = Strategy::Adaptive;
+    loaded.config.search.evaluations = 4_000;
+    // So far away that the arm reaches only the nearer part of the board.
+    loaded.task.surface.world_from_surface.translation.vector.y += 0.32;
+    let robot = robot(&loaded);
+    let session = || Session::new(&loaded.task, loaded.run_config());
+    let followed = |session: Session<'_>| {
+        let mut session = session.with_robot(robot.performer());
+        let until = Stage::Followed;
+        session
+            .run_until(until, &mut NoExecutor, &mut unobserved)
+            .expect("a motion");
+        let round = session.planned().expect("a motion");
+        let performance = round.prediction.performance.ratio();
+        (round.followed.abandoned.len(), performance)
+    };
+    let mut alone = session();
+    alone
+        .run_until(Stage::Planned, &mut NoExecutor, &mut unobserved)
+        .expect("a plan");
+    let (failed, reached) = followed(session().with_plan(alone.plan().cloned()));
+    let (fails, reaches) = followed(session());
+    assert!(failed > 0, "all is in reach");
+    assert!(
+        reaches > reached + 0.05,
+        "{reached} {reaches}, {failed} {fails} abandoned"
     );
 }

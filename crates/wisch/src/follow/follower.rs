@@ -349,7 +349,7 @@ impl Follower<'_> {
         if self.cell.base().is_some() {
             return Ok(vec![None; nodes.len()]);
         }
-        let arm = Arm::new(self.cell, self.task, self.config, at)?;
+        let arm = Arm::new(self.cell, self.task, self.config, at)?.following(self.plan);
         let now = Now {
             q: arm.ready(),
             tool: None,
@@ -409,7 +409,8 @@ impl Follower<'_> {
 
     /// Works off strokes from one placement, in order, until one cannot be gone on with.
     fn work(&self, world_from_base: &PlanarPose, open: &[Open]) -> Result<Stay, FollowError> {
-        let arm = Arm::new(self.cell, self.task, self.config, world_from_base)?;
+        let arm =
+            Arm::new(self.cell, self.task, self.config, world_from_base)?.following(self.plan);
         let mut now = Now {
             q: arm.ready(),
             tool: None,

@@ -1,8 +1,9 @@
 //! Candidate plans for the same dirt, of which the predicted effect chooses one.
 
 use super::objective::objective;
+use super::planner::covering;
 use super::subplans::{best_of, composed, space_of};
-use super::{Plan, PlanConfig, PlanError, plan};
+use super::{CoverageStrategy, FreeSpace, Plan, PlanConfig, PlanError};
 use crate::represent::{Action, ParticleDistribution, Task};
 
 /// Bandwidths of the density estimate that are tried beside the configured one, over half the radius of the
@@ -12,36 +13,42 @@ const BANDWIDTHS: [f64; 9] = [0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.7, 2.0, 2.6];
 /// Corners of the surface at which strokes are begun.
 const MAX_CORNERS: usize = 8;
 
-/// The plan with the best predicted effect among `count` candidates; of equal ones that with the shortest
-/// way in contact.
+/// Candidate plans of a coverage strategy, at least one: the first `count` settings.
+///
+/// Nodes are placed on `to_plan_on`, such as the dirt that is not yet where it belongs. Candidates differ in the
+/// bandwidth of the density estimate, if the strategy uses one, and then in where the strokes begin: at the tool, or at a
+/// corner of the surface. The first is the plan as configured, unless that fails. Where as many as there are bandwidths
+/// are asked for, each of their graphs also gives a plan whose strokes are chosen one by one by their predicted effect,
+/// among them straight ones.
+///
+/// # Errors
+/// Those of the first, if no candidate gives a plan.
+pub(super) fn candidate_plans(
+    task: &Task,
+    to_plan_on: &ParticleDistribution,
+    space: &FreeSpace,
+    strategy: CoverageStrategy,
+    config: &PlanConfig,
+    count: usize,
+) -> Result<Vec<Plan>, PlanError> {
+    let mut plans = varied_plans(task, to_plan_on, space, strategy, config, count)?;
+    let is_rooted = matches!(task.action, Action::Collect | Action::Skim);
+    if is_rooted && count >= BANDWIDTHS.len() {
+        let graphs = plans.iter().take(BANDWIDTHS.len());
+        let composed: Vec<Plan> = graphs.map(|plan| composed(task, plan, space)).collect();
+        plans.extend(composed);
+    }
+    Ok(plans)
+}
+
+/// Of some plans for the dirt of a task that with the best predicted effect; of equal ones that with the shortest way in
+/// contact.
 ///
 /// The objective is the number of particles that reach the goal, less several for each that leaves the
 /// surface over a wrong edge: what is left can be wiped again, what is lost cannot; and less for those that
-/// are pushed so near to one that some of a heap would fall.
-///
-/// Nodes are placed on `to_plan_on`, such as the dirt that is not yet where it belongs; what the plans do is
-/// predicted on all of the task's dirt, so that a stroke that scatters a heap counts against its plan.
-/// Candidates differ in the bandwidth of the density estimate, if the strategy uses one, and then in where the
-/// strokes begin: at the tool, or at a corner of the surface. The first is the plan as configured, so with a
-/// count of 1 this is [`plan`]. Where as many as there are bandwidths are asked for, each of their graphs also
-/// gives a plan whose strokes are chosen one by one by their predicted effect, among them straight ones.
-///
-/// # Errors
-/// Those of [`plan`], if no candidate gives a plan.
-pub fn best_plan(
-    task: &Task,
-    to_plan_on: &ParticleDistribution,
-    config: &PlanConfig,
-    count: usize,
-) -> Result<Plan, PlanError> {
-    let mut plans = candidate_plans(task, to_plan_on, config, count)?;
-    let is_rooted = matches!(task.action, Action::Collect | Action::Skim);
-    if is_rooted && count >= BANDWIDTHS.len() {
-        let space = space_of(task)?;
-        let graphs = plans.iter().take(BANDWIDTHS.len());
-        let composed: Vec<Plan> = graphs.map(|plan| composed(task, plan, &space)).collect();
-        plans.extend(composed);
-    }
+/// are pushed so near to one that some of a heap would fall. What the plans do is predicted on all of the task's dirt, so
+/// that a stroke that scatters a heap counts against its plan.
+pub(super) fn best_by_objective(task: &Task, plans: Vec<Plan>) -> Option<Plan> {
     let judged = plans.into_iter().map(|plan| {
         let objective = objective(task, &plan);
         (objective, plan.contact_distance(), plan)
@@ -50,10 +57,10 @@ pub fn best_plan(
         let is_better = next.0 > best.0 || next.0 == best.0 && next.1 < best.1;
         if is_better { next } else { best }
     });
-    best.map_or_else(|| plan(task, config), |(_, _, plan)| Ok(plan))
+    best.map(|(_, _, plan)| plan)
 }
 
-/// The best subplan ([`best_subplan`](super::best_subplan)) of `count` plans, the candidates of [`best_plan`].
+/// The best subplan ([`best_subplan`](super::best_subplan)) of `count` plans, the candidates of [`best_plan`](super::best_plan).
 ///
 /// # Errors
 /// Those of [`plan`], if no candidate gives a plan.
@@ -63,14 +70,24 @@ pub fn best_subplan_of_candidates(
     config: &PlanConfig,
     count: usize,
 ) -> Result<Plan, PlanError> {
-    let plans = candidate_plans(task, to_plan_on, config, count)?;
-    Ok(best_of(task, &plans, &space_of(task)?))
+    let space = space_of(task)?;
+    let plans = varied_plans(
+        task,
+        to_plan_on,
+        &space,
+        config.strategy.covering(),
+        config,
+        count,
+    )?;
+    Ok(best_of(task, &plans, &space))
 }
 
 /// Up to `count` plans, at least one; the first is the plan as configured, unless that fails.
-fn candidate_plans(
+fn varied_plans(
     task: &Task,
     to_plan_on: &ParticleDistribution,
+    space: &FreeSpace,
+    strategy: CoverageStrategy,
     config: &PlanConfig,
     count: usize,
 ) -> Result<Vec<Plan>, PlanError> {
@@ -78,7 +95,7 @@ fn candidate_plans(
     open.particles = to_plan_on.clone();
     let half_radius = task.tool.collision_radius() / 2.0;
     let mut bandwidths = vec![config.bandwidth];
-    if config.strategy.uses_bandwidth() {
+    if strategy.uses_bandwidth() {
         bandwidths.extend(BANDWIDTHS.map(|scale| Some(scale * half_radius)));
     }
     let corners = task.surface.outline.outer().iter().take(MAX_CORNERS);
@@ -92,7 +109,7 @@ fn candidate_plans(
             bandwidth,
             ..config.clone()
         };
-        match plan(&open, &candidate) {
+        match covering(&open, space, strategy, &candidate) {
             Ok(plan) => plans.push(Plan {
                 tool_start: task.tool_start,
                 ..plan

@@ -4,14 +4,17 @@
 //! under a chopping board) and cannot touch a tool that stands on it.
 
 use super::PlanError;
-use crate::geometry::{Mesh, Point2};
+use crate::geometry::{Mesh, Point2, Region, Vector2};
 use crate::represent::{OccupiedArea, SURFACE_SKIN, Surface};
 use parry3d_f64::math::Vector;
 use parry3d_f64::query::PointQuery;
 use parry3d_f64::shape::TriMesh;
+use rayon::prelude::*;
 
 /// Shortest step of the march along an edge [m]: an intrusion thinner than this may be missed.
 const MARCH_STEP: f64 = 1e-3;
+/// Room for the tool that is narrower than this may be overlooked [m].
+const REACH_STEP: f64 = 1e-4;
 
 /// The target surface and the scene above it, in the surface frame.
 #[derive(Clone)]
@@ -122,4 +125,63 @@ impl FreeSpace {
             at = (at + margin.max(MARCH_STEP)).min(length);
         }
     }
+
+    /// The share of these places that no allowed pose of a tool covers: no free place of its centre, whichever way it is
+    /// turned [1]. 0 without any place.
+    pub fn out_of_reach(&self, places: &[Point2], footprint: &Region) -> f64 {
+        let rings = rings(footprint);
+        let missed = (places.par_iter())
+            .filter(|&&place| !self.is_covered(place, &rings))
+            .count();
+        missed as f64 / places.len().max(1) as f64
+    }
+
+    /// Whether a tool whose footprint covers these distances from its centre [m] covers a place from a free one.
+    ///
+    /// Squares around the place are divided until their middle is such a place, or until none of their points can be:
+    /// neither distance grows by more than one moves.
+    fn is_covered(&self, place: Point2, rings: &[[f64; 2]]) -> bool {
+        let reach = rings.iter().map(|ring| ring[1]).fold(0.0, f64::max);
+        let mut squares = vec![(place, reach)];
+        while let Some((middle, half)) = squares.pop() {
+            let distance = (middle - place).norm();
+            let spread = half * std::f64::consts::SQRT_2;
+            let covers = |slack: f64| {
+                (rings.iter())
+                    .any(|[least, most]| distance + slack >= *least && distance - slack <= *most)
+            };
+            let outline = &self.surface.outline;
+            let is_beside = !outline.contains(middle)
+                && outline.edges().all(|edge| edge.distance(middle) > spread);
+            if !covers(spread) || is_beside || self.distance(middle) + spread < self.radius {
+                continue;
+            }
+            if covers(0.0) && self.is_free(middle) {
+                return true;
+            }
+            if half > REACH_STEP {
+                let half = half / 2.0;
+                squares.extend(
+                    [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]]
+                        .map(|[x, y]| (middle + Vector2::new(x, y) * half, half)),
+                );
+            }
+        }
+        false
+    }
+}
+
+/// The distances from the tool centre point that a footprint covers in some direction, for each of its parts [m].
+fn rings(footprint: &Region) -> Vec<[f64; 2]> {
+    let center = Point2::origin();
+    let parts = footprint.polygons().iter().map(|part| {
+        let nearest = if part.contains(center) {
+            0.0
+        } else {
+            (part.edges().map(|edge| edge.distance(center))).fold(f64::INFINITY, f64::min)
+        };
+        let farthest = part.outer().iter().map(|corner| corner.coords.norm());
+        [nearest, farthest.fold(0.0, f64::max)]
+    });
+    parts.collect()
 }

@@ -1,6 +1,7 @@
 //! From a task to strokes: nodes that cover the surface, a graph with the action's policy, an order,
 //! and the predicted effect; paper §3.2 to §3.4.
 
+mod adaptive;
 mod candidates;
 mod clearance;
 mod coverage;
@@ -8,13 +9,15 @@ mod error;
 mod graph;
 mod objective;
 mod planner;
+mod portfolio;
 mod predict;
+mod strategy;
 mod strokes;
 mod subplans;
 mod tour;
 mod tree;
 
-pub use candidates::{best_plan, best_subplan_of_candidates};
+pub use candidates::best_subplan_of_candidates;
 pub use clearance::FreeSpace;
 pub use coverage::{
     CoverageStrategy, DensityMap, KdeConfig, RrtConfig, data_bandwidth, grid, kde, rrt,
@@ -22,8 +25,13 @@ pub use coverage::{
 pub use error::PlanError;
 pub use graph::{Node, NodeRole, SemanticDirectedGraph};
 pub use objective::is_gainful;
-pub use planner::{PlanConfig, joined_anew, plan};
+pub use planner::{PlanConfig, SearchConfig, joined_anew};
+pub(crate) use portfolio::most_worth;
+pub use portfolio::{
+    Candidate, Portfolio, best_plan, plan, plan_around, plan_for_any, portfolio, worth,
+};
 pub use predict::{Prediction, Progress, predict};
+pub use strategy::Strategy;
 pub use strokes::{Plan, Stroke, TcpWaypoint};
 pub use subplans::best_subplan;
 pub use tour::{

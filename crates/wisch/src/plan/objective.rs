@@ -3,16 +3,17 @@
 use super::{Plan, predict};
 use crate::geometry::{Edge, Point2, Polygon, Pose, Vector2};
 use crate::represent::{
-    Fate, GoalState, HEAP_DEPTH, ParticleDistribution, Performance, Task, heap_depth, heap_slide,
+    Fate, GoalState, HEAP_DEPTH, ParticleDistribution, ParticleField, Performance, Surface, Task,
+    heap_depth, heap_slide,
 };
 
 /// How many particles that might still be brought to the goal one is worth that never will: whatever is
 /// left on the surface can be wiped again.
-const LOSS: i64 = 3;
+pub(super) const LOSS: i64 = 3;
 /// How many particles at the goal one takes back that comes right to an edge; within the margin in proportion.
 /// Chosen on `failure-human-push`, seeds 101 to 130: with 1, and where all within the margin counts in full, dirt
 /// is left elsewhere and fewer of them end well.
-const RISK: f64 = 0.5;
+pub(super) const RISK: f64 = 0.5;
 
 /// How far a heap of all particles reaches ahead of where it is pushed to, over the radius of the tool's collision sphere
 /// [1]: between what the belief draws (up to 0.12) and [`HEAP_DEPTH`]. An assumption; with the latter, single strokes leave
@@ -37,9 +38,14 @@ pub fn is_gainful(task: &Task, plan: &Plan) -> bool {
 /// some of the heap would fall. What is pushed heaps up before the tool: what is brought just to the rim of the goal
 /// is partly beyond it.
 pub(super) fn objective(task: &Task, plan: &Plan) -> i64 {
-    let mut margin = EdgeMargin::new(task, plan);
+    let mut margin = EdgeMargin::new(
+        &task.particles,
+        &task.surface,
+        &plan.graph.goal,
+        plan.collision_radius,
+    );
     let prediction = predict(task, plan, |progress| {
-        margin.pass(progress.field.distribution());
+        margin.pass(progress.field);
     });
     let risk = RISK * margin.nearness() + margin.beyond(&plan.graph.goal, &task.surface.outline);
     counted(&prediction.performance) - risk.round() as i64
@@ -50,11 +56,13 @@ const fn counted(performance: &Performance) -> i64 {
 }
 
 /// The strip along the edges over which nothing is to fall, as wide as a heap needs.
-struct EdgeMargin {
+pub(super) struct EdgeMargin {
     edges: Vec<Edge>,
     /// Depth of a heap of all particles [m].
     heap: f64,
     before: ParticleDistribution,
+    /// Particles that the last motion pushed.
+    pushed: Vec<usize>,
     /// How near to an edge each particle came in the worst case, over the width of the margin [1].
     nearness: Vec<f64>,
     world_from_surface: Pose,
@@ -63,33 +71,42 @@ struct EdgeMargin {
 }
 
 impl EdgeMargin {
-    fn new(task: &Task, plan: &Plan) -> Self {
-        let surface = &task.surface;
-        let is_allowed =
-            |edge: usize| plan.graph.goal == GoalState::Skimmed && surface.is_skim_edge(edge);
+    /// For dirt that lies so, a goal, and a collision sphere of this radius [m].
+    pub(super) fn new(
+        particles: &ParticleDistribution,
+        surface: &Surface,
+        goal: &GoalState,
+        radius: f64,
+    ) -> Self {
+        let is_allowed = |edge: usize| *goal == GoalState::Skimmed && surface.is_skim_edge(edge);
         let edges = surface.outline.edges().enumerate();
         Self {
             edges: edges
                 .filter(|&(index, _)| !is_allowed(index))
                 .map(|(_, edge)| edge)
                 .collect(),
-            heap: HEAP_DEPTH * plan.collision_radius,
+            heap: HEAP_DEPTH * radius,
             world_from_surface: surface.world_from_surface,
-            nearness: vec![0.0; task.particles.len()],
-            ahead: vec![Vector2::zeros(); task.particles.len()],
-            before: task.particles.clone(),
+            nearness: vec![0.0; particles.len()],
+            ahead: vec![Vector2::zeros(); particles.len()],
+            before: particles.clone(),
+            pushed: Vec::new(),
         }
     }
 
     /// Takes in where the particles lie after a motion.
-    fn pass(&mut self, after: ParticleDistribution) {
-        let is_pushed = |i: usize| {
-            after.fate(i) == Fate::OnSurface && after.position(i) != self.before.position(i)
-        };
-        let pushed: Vec<usize> = (0..after.len()).filter(|&i| is_pushed(i)).collect();
-        let width = heap_depth(self.heap, pushed.len() as f64 / after.len().max(1) as f64);
-        for i in pushed {
-            let place = after.position(i);
+    pub(super) fn pass(&mut self, after: &ParticleField) {
+        self.pushed.clear();
+        for i in 0..self.before.len() {
+            let (place, fate) = after.place(i);
+            if fate == Fate::OnSurface && place != self.before.position(i) {
+                self.pushed.push(i);
+            }
+        }
+        let share = self.pushed.len() as f64 / self.before.len().max(1) as f64;
+        let width = heap_depth(self.heap, share);
+        for &i in &self.pushed {
+            let (place, _) = after.place(i);
             let distances = self.edges.iter().map(|edge| edge.distance(place));
             let distance = distances.fold(width, f64::min);
             self.nearness[i] = self.nearness[i].max(1.0 - distance / width);
@@ -97,16 +114,17 @@ impl EdgeMargin {
             let reach = along + heap_slide(&self.world_from_surface, along);
             self.ahead[i] = reach * (width * RIM_DEPTH / HEAP_DEPTH);
         }
-        self.before = after;
+        after.copy_to(&mut self.before);
     }
 
-    fn nearness(&self) -> f64 {
+    /// How near to an edge the particles came, each over the width of the margin [1].
+    pub(super) fn nearness(&self) -> f64 {
         self.nearness.iter().sum()
     }
 
     /// How many of the particles that are brought to where dirt is to be collected lie beyond it, as a heap reaches
     /// ahead of the line that they were pushed to.
-    fn beyond(&self, goal: &GoalState, outline: &Polygon) -> f64 {
+    pub(super) fn beyond(&self, goal: &GoalState, outline: &Polygon) -> f64 {
         let GoalState::Collected { center, radius } = goal else {
             return 0.0;
         };
@@ -131,8 +149,7 @@ mod tests {
     use super::*;
     use crate::geometry::{Mesh, PlanarPose, Pose, Region, Vector3};
     use crate::represent::{
-        Action, AngleRange, Interaction, LogNormal, LogNormalSpread, Redraw, Surface, SurfaceScope,
-        Tool,
+        Action, AngleRange, Interaction, LogNormal, LogNormalSpread, Redraw, SurfaceScope, Tool,
     };
     use std::f64::consts::FRAC_PI_2;
 
@@ -187,7 +204,7 @@ mod tests {
     fn towards_the_edge(end: f64, goal: GoalState) -> Plan {
         let at = [Point2::new(0.0, 0.0), Point2::new(0.0, end)];
         Plan {
-            strategy: CoverageStrategy::Kde,
+            strategy: CoverageStrategy::Kde.into(),
             graph: SemanticDirectedGraph {
                 nodes: (at.iter())
                     .map(|&position| Node {

@@ -4,7 +4,7 @@ use super::coverage::CoverageInput;
 use super::tree::{branches, forest};
 use super::{
     CostMatrix, CoverageStrategy, FreeSpace, Node, NodeRole, Plan, PlanError,
-    SemanticDirectedGraph, Stroke, TourConfig, predict, shortest_path_from,
+    SemanticDirectedGraph, Strategy, Stroke, TourConfig, predict, shortest_path_from,
 };
 use crate::geometry::{Edge, Point2};
 use crate::represent::{Action, GoalState, Task};
@@ -12,28 +12,64 @@ use crate::represent::{Action, GoalState, Task};
 /// How nodes are placed and the tool is lifted; what is to be done with what is said by the task.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanConfig {
-    /// Where nodes are placed.
-    pub strategy: CoverageStrategy,
-    /// Seed of the random tree and of the tour's kicks.
+    /// How strokes are found.
+    pub strategy: Strategy,
+    /// Seed of the random tree, of the tour's kicks and of the search for strokes.
     pub seed: u64,
     /// Bandwidth of the density estimate [m]; `None` takes it from the data.
     pub bandwidth: Option<f64>,
     /// How high the tool is lifted between strokes [m].
     pub lift_height: f64,
+    /// How far the tool may go in contact [m]; `None` as far as it takes.
+    pub max_distance: Option<f64>,
+    /// How long strokes are searched for.
+    pub search: SearchConfig,
 }
 
-/// Plans the wiping motion of a task.
-///
-/// # Errors
-/// No free place on the surface, a goal node that is not free, a skim without an edge to push over,
-/// or geometry and costs that the libraries refuse.
-pub fn plan(task: &Task, config: &PlanConfig) -> Result<Plan, PlanError> {
-    let radius = task.tool.collision_radius();
-    let scene: Vec<_> = task.obstacles_in_surface().collect();
-    let space = FreeSpace::new(&task.surface, &scene, radius)?;
+/// How strokes are searched for ([`Strategy::Adaptive`]).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SearchConfig {
+    /// Plans that are tried: the same plan for the same number, however long that takes.
+    pub evaluations: usize,
+    /// By how much the tool may be off its way to either side, and still do what the plan says [m].
+    pub margin_m: f64,
+}
+
+impl Default for PlanConfig {
+    /// By a grid, lifted by 5 cm, as far as it takes.
+    fn default() -> Self {
+        Self {
+            strategy: CoverageStrategy::Grid.into(),
+            seed: 0,
+            bandwidth: None,
+            lift_height: 0.05,
+            max_distance: None,
+            search: SearchConfig::default(),
+        }
+    }
+}
+
+impl Default for SearchConfig {
+    /// As many as take about a second for 80 particles on a board, and the tracking error of a compliant arm.
+    fn default() -> Self {
+        Self {
+            evaluations: 60_000,
+            margin_m: 0.003,
+        }
+    }
+}
+
+/// Plans with the strokes of a coverage strategy and of the action's policy.
+pub(super) fn covering(
+    task: &Task,
+    space: &FreeSpace,
+    strategy: CoverageStrategy,
+    config: &PlanConfig,
+) -> Result<Plan, PlanError> {
+    let radius = space.radius();
     let particles: Vec<Point2> = task.particles.remaining().collect();
-    let coverage = config.strategy.nodes(&CoverageInput {
-        space: &space,
+    let coverage = strategy.nodes(&CoverageInput {
+        space,
         particles: &particles,
         tool_start: task.tool_start,
         tool_reach: task.tool.reach(),
@@ -47,14 +83,14 @@ pub fn plan(task: &Task, config: &PlanConfig) -> Result<Plan, PlanError> {
         });
     }
     let mut plan = match task.action {
-        Action::Absorb => absorb(task, config, &space, coverage)?,
+        Action::Absorb => absorb(task, config, space, coverage)?,
         Action::Collect => match task.collect_goal {
-            Some(goal) => collect(task, config, &space, coverage, goal)?,
-            None => best_collect(task, config, &space, &coverage)?,
+            Some(goal) => collect(task, config, space, coverage, goal)?,
+            None => best_collect(task, config, space, &coverage)?,
         },
-        Action::Skim => skim(task, config, &space, coverage)?,
+        Action::Skim => skim(task, config, space, coverage)?,
     };
-    plan.unreachable_share = unreachable_share(&plan.graph, &particles, radius);
+    plan.strategy = strategy.into();
     Ok(plan)
 }
 
@@ -325,15 +361,4 @@ fn coverage_nodes(positions: Vec<Point2>) -> Vec<Node> {
 
 fn nearest(nodes: &[Point2], to: Point2) -> Option<usize> {
     (0..nodes.len()).min_by(|&a, &b| (nodes[a] - to).norm().total_cmp(&(nodes[b] - to).norm()))
-}
-
-fn unreachable_share(graph: &SemanticDirectedGraph, particles: &[Point2], radius: f64) -> f64 {
-    if particles.is_empty() {
-        return 0.0;
-    }
-    let out_of_reach = particles
-        .iter()
-        .filter(|&&particle| !graph.reaches(particle, radius))
-        .count();
-    out_of_reach as f64 / particles.len() as f64
 }

@@ -1,6 +1,6 @@
 //! Strokes, what the tool does from touching down to lifting off, and the plan that they make up.
 
-use super::{CoverageStrategy, SemanticDirectedGraph};
+use super::{Node, NodeRole, SemanticDirectedGraph, Strategy};
 use crate::geometry::{PlanarPose, Point2, wrap_angle};
 use crate::represent::ToolMotion;
 
@@ -78,15 +78,15 @@ impl Stroke {
 /// Planned strokes and the graph they come from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
-    /// How the nodes were placed.
-    pub strategy: CoverageStrategy,
+    /// How the strokes were found.
+    pub strategy: Strategy,
     /// Nodes and directed edges.
     pub graph: SemanticDirectedGraph,
     /// Strokes in the order of execution.
     pub strokes: Vec<Stroke>,
     /// Radius r_s of the collision sphere [m].
     pub collision_radius: f64,
-    /// Share of the particles that lie further than r_s from every edge and node of the graph.
+    /// Share of the particles planned for that no allowed pose of the tool covers ([`FreeSpace::out_of_reach`]) [1].
     pub unreachable_share: f64,
     /// Where the tool starts, in the surface frame [m].
     pub tool_start: Point2,
@@ -98,6 +98,49 @@ impl Plan {
     /// Way of the tool centre point over all strokes, lifted moves left out [m]; the distance of Table 1.
     pub fn contact_distance(&self) -> f64 {
         self.strokes.iter().map(Stroke::length).sum()
+    }
+
+    /// The plan up to a way in contact [m], where the stroke that is being wiped ends.
+    #[must_use]
+    pub fn cut_off(&self, distance: f64) -> Self {
+        let mut cut = self.clone();
+        cut.strokes.clear();
+        let mut left = distance;
+        for stroke in &self.strokes {
+            if left <= 0.0 {
+                break;
+            }
+            let mut kept = Stroke {
+                nodes: stroke.nodes.first().copied().into_iter().collect(),
+                poses: stroke.poses.first().copied().into_iter().collect(),
+            };
+            for (motion, &node) in stroke.motions().zip(stroke.nodes.iter().skip(1)) {
+                let length = motion.travel().1;
+                if length <= left {
+                    kept.nodes.push(node);
+                    kept.poses.push(motion.to);
+                    left -= length;
+                    continue;
+                }
+                let share = left / length;
+                let way = motion.to.position - motion.from.position;
+                let heading = motion.from.heading + motion.turn() * share;
+                let end = PlanarPose::new(motion.from.position + way * share, heading);
+                if let Some(&last) = kept.nodes.last() {
+                    cut.graph.edges.push((last, cut.graph.nodes.len()));
+                }
+                kept.nodes.push(cut.graph.nodes.len());
+                kept.poses.push(end);
+                cut.graph.nodes.push(Node {
+                    position: end.position,
+                    role: NodeRole::Coverage,
+                });
+                left = 0.0;
+                break;
+            }
+            cut.strokes.push(kept);
+        }
+        cut
     }
 
     /// Distance travelled in all, lifted moves included [m].

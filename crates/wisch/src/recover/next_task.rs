@@ -7,7 +7,7 @@ use crate::represent::{
 };
 
 /// Draws from the belief that plans of later rounds are made on, by [`Belief::draws`] with the seed of the task.
-pub const PLANNING_DRAWS: u64 = 8;
+pub const PLANNING_DRAWS: usize = 8;
 /// Plans that are tried for what is left over, at most and at least; there the density is that of a few
 /// scattered grains, and the prediction shows best what becomes of them.
 const RECOVERY_CANDIDATES: [usize; 2] = [50, 3];

@@ -198,6 +198,7 @@ mod tests {
             doubts: vec![],
             events: vec![],
             force_bias: 0.0,
+            tool_stiffness: None,
             contact_share: 1.0,
             belief: Belief::certain(ParticleDistribution::default()),
             performance: distribution.estimate(),

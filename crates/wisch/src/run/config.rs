@@ -1,7 +1,7 @@
 //! Who wipes, how each stage works, and when to stop.
 
 use crate::follow::{FollowConfig, WorkcellConfig};
-use crate::plan::{CoverageStrategy, PlanConfig};
+use crate::plan::PlanConfig;
 use crate::represent::Sight;
 use crate::robot::{CapabilityMap, RobotModel, Srdf};
 
@@ -49,12 +49,7 @@ impl Default for RunConfig {
     /// One plan by grid, until 95 % are reached or four rounds are over.
     fn default() -> Self {
         Self {
-            plan: PlanConfig {
-                strategy: CoverageStrategy::Grid,
-                seed: 0,
-                bandwidth: None,
-                lift_height: 0.05,
-            },
+            plan: PlanConfig::default(),
             variants: 1,
             workcell: WorkcellConfig::default(),
             follow: FollowConfig::default(),

@@ -4,6 +4,7 @@
 //! and reaches the world through an [`Executor`] alone.
 
 mod config;
+mod considered;
 mod error;
 mod event;
 mod execution;
@@ -14,6 +15,7 @@ mod session;
 mod telemetry;
 
 pub use config::{Pace, Performer, RunConfig};
+pub use considered::{Considered, ConsideredMotion};
 pub use error::RunError;
 pub use event::{Observer, RunEvent, unobserved};
 pub use execution::{Ending, Execution, StopCause};

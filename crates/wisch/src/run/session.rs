@@ -1,21 +1,22 @@
 //! The loop itself: one session, one stage at a time.
 
+use super::considered::{followed, unfollowed, within_reach};
 use super::{
-    Ending, Execution, Executor, MotionOrder, Observer, Performer, PlannedRound, Round, RunConfig,
-    RunError, RunEvent,
+    Considered, Ending, Execution, Executor, MotionOrder, Observer, Performer, PlannedRound, Round,
+    RunConfig, RunError, RunEvent, unobserved,
 };
 use crate::follow::{Audit, Workcell, WorkcellConfig, audit, follow};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::interpret::{Belief, InterpretConfig, Interpretation, Interpreter, Look, TouchSample};
 use crate::plan::{
-    CoverageStrategy, Plan, PlanConfig, best_plan, best_subplan, best_subplan_of_candidates,
-    is_gainful, predict,
+    CoverageStrategy, Plan, PlanConfig, Strategy, best_plan, best_subplan,
+    best_subplan_of_candidates, is_gainful, most_worth, plan_for_any, portfolio, predict,
 };
 use crate::recover::{
     PLANNING_DRAWS, Pace, RoundJudge, RoundOutcome, Verdict, believed_performance, is_done,
     next_task, recovery_candidates, unfinished,
 };
-use crate::represent::{GoalState, Observation, Task};
+use crate::represent::{GoalState, Observation, ParticleDistribution, Task};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::ops::ControlFlow;
 
@@ -332,6 +333,7 @@ impl<'a> Session<'a> {
         let (task, config) = (&self.task, &self.config);
         let whole = match (self.given.take(), self.goal.as_ref()) {
             (Some(plan), _) => plan,
+            (None, None) if config.plan.strategy.is_searched() => self.searched_plan()?,
             (None, None) => {
                 let variants = if self.first_observation().is_some() {
                     // A prediction for dirt that was seen is worth choosing by, as one for what is left over is.
@@ -348,13 +350,15 @@ impl<'a> Session<'a> {
                     ..task.clone()
                 };
                 let open = unfinished(task, goal)?;
+                // What is left over is best covered by its density.
                 let kde = PlanConfig {
-                    strategy: CoverageStrategy::Kde,
+                    strategy: CoverageStrategy::Kde.into(),
                     seed: task.seed,
                     ..config.plan.clone()
                 };
                 let count = recovery_candidates(&task.tool.footprint);
                 let plan = match config.pace {
+                    Pace::Whole if config.plan.strategy.is_searched() => self.searched_plan()?,
                     Pace::Whole => best_plan(task, &open, &kde, count)?,
                     Pace::Greedy => best_subplan_of_candidates(task, &open, &kde, count)?,
                 };
@@ -365,6 +369,44 @@ impl<'a> Session<'a> {
             Pace::Whole => whole,
             Pace::Greedy => best_subplan(task, &whole)?,
         }))
+    }
+
+    /// The plans of all strategies for the dirt as it is believed to lie, whichever of them the session plans with; each
+    /// as its robot does it, if it has one.
+    ///
+    /// # Errors
+    /// Geometry that the libraries refuse.
+    pub fn considered(&self) -> Result<Vec<Considered>, RunError> {
+        let (task, dirt, config) = (&self.task, self.dirt(), &self.config.plan);
+        let portfolio = portfolio(task, &dirt, config)?;
+        Ok(match self.performer {
+            Some(_) => followed(task, &dirt, config, portfolio, |plan| {
+                self.followed(plan, &mut unobserved)
+            }),
+            None => unfollowed(task, portfolio),
+        })
+    }
+
+    /// The dirt as it may lie.
+    fn dirt(&self) -> Vec<ParticleDistribution> {
+        self.belief.members(PLANNING_DRAWS, self.task.seed)
+    }
+
+    /// A plan for all that the belief holds possible; with the best of several, that which is worth most with the robot.
+    fn searched_plan(&self) -> Result<Plan, RunError> {
+        let (task, dirt, config) = (&self.task, self.dirt(), &self.config.plan);
+        if config.strategy == Strategy::Best {
+            let considered = self.considered()?.into_iter();
+            return most_worth(considered.map(|one| one.candidate));
+        }
+        let plan = plan_for_any(task, &dirt, config)?;
+        if self.performer.is_none() {
+            return Ok(plan);
+        }
+        within_reach(task, &dirt, config, plan, &|plan| {
+            self.followed(plan, &mut unobserved)
+        })
+        .map(|(_, round)| round.plan)
     }
 
     fn follow_round(&mut self, plan: Plan, observer: &mut Observer<'_>) -> Result<Stage, RunError> {

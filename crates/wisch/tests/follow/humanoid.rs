@@ -1,7 +1,7 @@
 //! The humanoid at the chopping board.
 
 use wisch::follow::{FollowConfig, Followed, Phase, Workcell, WorkcellConfig, follow};
-use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, SearchConfig, plan};
 use wisch::represent::{Action, Task};
 use wisch_io::{LoadOptions, TaskFile, load_task};
 use wisch_testkit::{faults, humanoid};
@@ -20,10 +20,12 @@ pub fn shipped(scenario: &str, action: Action) -> (TaskFile, Task) {
 /// What the file's strategy plans.
 pub fn planned(file: &TaskFile, task: &Task) -> Plan {
     let config = PlanConfig {
-        strategy: CoverageStrategy::Kde,
+        strategy: CoverageStrategy::Kde.into(),
         seed: 1,
         bandwidth: file.bandwidth_m(),
         lift_height: file.lift_height_m(),
+        max_distance: None,
+        search: SearchConfig::default(),
     };
     plan(task, &config).unwrap()
 }

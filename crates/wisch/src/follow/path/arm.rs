@@ -6,7 +6,8 @@
 use crate::follow::workcell::second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE};
 use crate::follow::{AllowedContact, FollowConfig, Obstruction, ToolPose, Workcell};
 use crate::geometry::{PlanarPose, Pose};
-use crate::represent::Task;
+use crate::plan::Plan;
+use crate::represent::{Action, Task};
 use crate::robot::{
     Contact, IkConfig, IkOutcome, JointPositions, Margins, RobotError, RotationGoal,
 };
@@ -28,6 +29,8 @@ pub(in crate::follow) struct Arm<'a> {
     pub cell: &'a Workcell,
     pub task: &'a Task,
     pub config: &'a FollowConfig,
+    /// Whether it matters how the tool is turned: it pushes, or the plan turned it on purpose.
+    pub keeps_heading: bool,
     /// All n variables; those of the group are overwritten.
     template: Vec<f64>,
     base_from_world: Pose,
@@ -61,10 +64,19 @@ impl<'a> Arm<'a> {
             cell,
             task,
             config,
+            keeps_heading: task.action != Action::Absorb,
             template,
             ik: IkConfig::default(),
             margins: config.margin.into(),
         })
+    }
+
+    /// The same arm for a plan, which may turn the tool on purpose even where it does not push.
+    pub fn following(self, plan: &Plan) -> Self {
+        Self {
+            keeps_heading: self.keeps_heading || plan.strategy.is_searched(),
+            ..self
+        }
     }
 
     /// The same arm, which stays farther from obstacles.

@@ -8,7 +8,6 @@ use super::tool_redundancy::{ToolOrientation, rank, turned};
 use crate::follow::{AllowedContact, Attempt, Obstruction, Phase, SearchScope, ToolPose};
 use crate::geometry::PlanarPose;
 use crate::plan::Stroke;
-use crate::represent::Action;
 use crate::robot::JointPositions;
 
 /// Starts for each orientation in which a stroke may begin, beside the current configuration: for the
@@ -112,7 +111,7 @@ pub(in crate::follow) fn run(
         best: None,
     };
     // Where the orientation makes no difference, it need not be kept to.
-    let is_exact = arm.task.action != Action::Absorb && search.try_any(&exact, EXACT_STARTS);
+    let is_exact = arm.keeps_heading && search.try_any(&exact, EXACT_STARTS);
     if !is_exact
         && !search.try_any(orientations, STARTS)
         && arm.config.search == SearchScope::Global
@@ -310,14 +309,12 @@ impl Contact {
     /// How far the tool is turned away from the plan, summed over the nodes [rad]; nothing where that
     /// makes no difference.
     fn turned(&self, begun: &Begun, arm: &Arm) -> f64 {
-        match arm.task.action {
-            Action::Absorb => 0.0,
-            Action::Collect | Action::Skim => {
-                let symmetric = arm.task.tool.is_half_turn_symmetric();
-                let legs = self.legs.iter().map(|leg| leg.turned);
-                rank(&begun.orientation, symmetric) + legs.sum::<f64>()
-            }
+        if !arm.keeps_heading {
+            return 0.0;
         }
+        let symmetric = arm.task.tool.is_half_turn_symmetric();
+        let legs = self.legs.iter().map(|leg| leg.turned);
+        rank(&begun.orientation, symmetric) + legs.sum::<f64>()
     }
 }
 

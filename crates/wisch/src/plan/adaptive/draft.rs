@@ -1,0 +1,468 @@
+//! Plans in the making, and the ways to change them.
+
+use crate::geometry::{Bounds2, Edge, PlanarPose, Point2, Vector2, wrap_angle};
+use crate::plan::{FreeSpace, Plan};
+use crate::random::normal;
+use crate::represent::{Action, GoalState, Task};
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+
+/// Small and large steps of a place [m] and of a heading [rad], as standard deviations; places over the tool's size.
+const STEPS: [f64; 3] = [0.03, 0.12, 0.5];
+const TURN: f64 = 0.15;
+/// Share of the strokes that are turned across their motion when they change [1].
+const ALIGNED: f64 = 0.6;
+/// Steps towards a place in search of where the tool may stand.
+const REACHES: i32 = 13;
+/// The tool keeps this far from places that are to be avoided [m].
+const AVOIDED: f64 = 0.03;
+/// A stroke ends within this way of the border over which it skims, beyond it, over the radius of the collision sphere [1].
+const BEYOND: f64 = 1.0;
+
+/// Strokes that may change.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Draft {
+    /// Poses of the tool from touching down to lifting off, at least one each.
+    pub(super) strokes: Vec<Vec<PlanarPose>>,
+    pub(super) goal: GoalState,
+}
+
+impl Draft {
+    /// A plan's strokes as the search changes them: pushes are straight.
+    pub(super) fn of(plan: &Plan) -> Self {
+        let strokes = plan.strokes.iter().map(|stroke| stroke.poses.clone());
+        let strokes = if plan.graph.goal == GoalState::Absorbed {
+            strokes.collect()
+        } else {
+            strokes.flat_map(|poses| straight(&poses)).collect()
+        };
+        Self {
+            strokes,
+            goal: plan.graph.goal,
+        }
+    }
+}
+
+impl Draft {
+    /// A plan's strokes as they are.
+    pub(super) fn exactly(plan: &Plan) -> Self {
+        Self {
+            strokes: plan
+                .strokes
+                .iter()
+                .map(|stroke| stroke.poses.clone())
+                .collect(),
+            goal: plan.graph.goal,
+        }
+    }
+
+    /// The draft without what leads to places that are to be avoided: poses of strokes that absorb, whole pushes.
+    pub(super) fn without(mut self, avoid: &[Point2]) -> Self {
+        if self.goal == GoalState::Absorbed {
+            for poses in &mut self.strokes {
+                poses.retain(|pose| !is_near(avoid, pose.position));
+            }
+            self.strokes.retain(|poses| !poses.is_empty());
+        } else {
+            let is_kept =
+                |poses: &Vec<PlanarPose>| !poses.iter().any(|pose| is_near(avoid, pose.position));
+            self.strokes.retain(is_kept);
+        }
+        self
+    }
+
+    /// The way in contact [m].
+    pub(super) fn distance(&self) -> f64 {
+        let legs = self.strokes.iter().flat_map(|stroke| stroke.windows(2));
+        legs.map(|leg| (leg[1].position - leg[0].position).norm())
+            .sum()
+    }
+}
+
+/// Changes drafts at random, within what the tool may do.
+pub(super) struct Mutator<'a> {
+    pub(super) task: &'a Task,
+    pub(super) space: &'a FreeSpace,
+    pub(super) allowed_edges: &'a [Edge],
+    /// Where the tool must not go, such as where no robot leads it [m].
+    pub(super) avoid: &'a [Point2],
+    pub(super) footprint: Bounds2,
+    pub(super) random: ChaCha8Rng,
+}
+
+impl Mutator<'_> {
+    /// A neighbour of a draft that leaves dirt at these places; `None` where the step leads nowhere.
+    pub(super) fn neighbour(&mut self, draft: &Draft, left: &[Point2]) -> Option<Draft> {
+        let mut next = draft.clone();
+        let choice = self.random.random::<f64>();
+        let is_pushing = draft.goal != GoalState::Absorbed;
+        let changed = if is_pushing {
+            match choice {
+                ..0.30 => self.move_pose(&mut next),
+                ..0.42 => self.move_stroke(&mut next),
+                ..0.50 => self.turn(&mut next),
+                ..0.64 => self.add_push(&mut next, left),
+                ..0.74 => self.drop_stroke(&mut next),
+                ..0.86 => self.reorder(&mut next),
+                ..0.92 => self.straighten(&mut next),
+                _ if self.is_goal_free() => self.move_goal(&mut next),
+                _ => self.align(&mut next),
+            }
+        } else {
+            match choice {
+                ..0.30 => self.move_pose(&mut next),
+                ..0.36 => self.move_stroke(&mut next),
+                ..0.50 => self.turn(&mut next),
+                ..0.68 => self.visit(&mut next, left),
+                ..0.78 => self.drop_pose(&mut next),
+                ..0.88 => self.reverse(&mut next),
+                ..0.92 => self.cut(&mut next),
+                ..0.96 => self.join(&mut next),
+                _ => self.drop_stroke(&mut next),
+            }
+        };
+        let strokes = changed?;
+        let is_possible = strokes.into_iter().all(|stroke| {
+            next.strokes
+                .get(stroke)
+                .is_none_or(|poses| self.is_possible(poses))
+        });
+        is_possible.then_some(next)
+    }
+
+    /// Whether the tool may make a stroke.
+    pub(super) fn is_possible(&self, poses: &[PlanarPose]) -> bool {
+        let ends_well = poses
+            .last()
+            .is_some_and(|pose| self.is_allowed(pose.position));
+        let mut before = poses.iter().rev().skip(1);
+        ends_well
+            && !poses.iter().any(|pose| is_near(self.avoid, pose.position))
+            && before.all(|pose| self.space.is_free(pose.position))
+            && poses.windows(2).all(|pair| {
+                let (from, to) = (pair[0].position, pair[1].position);
+                self.space.is_clear_between(from, to)
+            })
+    }
+
+    /// Whether a stroke may end at a place: on the surface, or a little beyond an edge over which dirt is to go.
+    fn is_allowed(&self, place: Point2) -> bool {
+        let beyond = BEYOND * self.space.radius() + 1e-9;
+        let is_beyond = || {
+            let edges = self.allowed_edges.iter();
+            self.task.action == Action::Skim && { edges }.any(|edge| edge.distance(place) <= beyond)
+        };
+        (self.space.surface().outline.contains(place) || is_beyond()) && self.space.is_clear(place)
+    }
+
+    fn is_goal_free(&self) -> bool {
+        self.task.action == Action::Collect && self.task.collect_goal.is_none()
+    }
+
+    /// A place of a number out of so many, if there is any.
+    fn one_of(&mut self, count: usize) -> Option<usize> {
+        (count > 0).then(|| self.random.random_range(0..count))
+    }
+
+    fn step(&mut self) -> Vector2 {
+        let size = self.footprint.size().max();
+        let scale = STEPS[self.random.random_range(0..STEPS.len())] * size;
+        Vector2::new(normal(&mut self.random), normal(&mut self.random)) * scale
+    }
+
+    fn move_pose(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
+        let stroke = self.one_of(draft.strokes.len())?;
+        let pose = self.one_of(draft.strokes[stroke].len())?;
+        draft.strokes[stroke][pose].position += self.step();
+        if draft.goal != GoalState::Absorbed && self.random.random::<f64>() < ALIGNED {
+            aligned(&mut draft.strokes[stroke]);
+        }
+        Some(vec![stroke])
+    }
+
+    fn move_stroke(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
+        let stroke = self.one_of(draft.strokes.len())?;
+        let step = self.step();
+        for pose in &mut draft.strokes[stroke] {
+            pose.position += step;
+        }
+        Some(vec![stroke])
+    }
+
+    /// Turns the tool at a pose, or all along a stroke.
+    fn turn(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
+        let stroke = self.one_of(draft.strokes.len())?;
+        let poses = &mut draft.strokes[stroke];
+        let by = normal(&mut self.random) * TURN;
+        match self.random.random_range(0..3) {
+            0 if draft.goal == GoalState::Absorbed => {
+                let pose = self.random.random_range(0..poses.len());
+                poses[pose].heading += by;
+            }
+            0 | 1 => poses.iter_mut().for_each(|pose| pose.heading += by),
+            _ => {
+                let pose = self.random.random_range(0..poses.len());
+                let heading = poses[pose].heading;
+                poses.iter_mut().for_each(|pose| pose.heading = heading);
+            }
+        }
+        Some(vec![stroke])
+    }
+
+    /// The broad side across the motion again.
+    fn align(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
+        let stroke = self.one_of(draft.strokes.len())?;
+        aligned(&mut draft.strokes[stroke]);
+        Some(vec![stroke])
+    }
+
+    /// A stroke that pushes dirt which is left to where it belongs.
+    fn add_push(&mut self, draft: &mut Draft, left: &[Point2]) -> Option<Vec<usize>> {
+        let dirt = match self.one_of(left.len()) {
+            Some(i) => left[i],
+            None => {
+                let places: Vec<Point2> = self.task.particles.remaining().collect();
+                places[self.one_of(places.len())?]
+            }
+        };
+        let target = self.target(&draft.goal, dirt)?;
+        let along = (target - dirt).try_normalize(1e-9)?;
+        let across = Vector2::new(-along.y, along.x);
+        let size = self.footprint.size();
+        let aside = across * (normal(&mut self.random) * 0.3 * size.y);
+        let behind = (0.5 + 0.3 * self.random.random::<f64>()) * size.x;
+        let before = match draft.goal {
+            GoalState::Skimmed => 0.0,
+            _ => size.x * self.random.random::<f64>(),
+        };
+        let from = dirt - along * behind + aside;
+        let to = target - along * before + aside * self.random.random::<f64>();
+        let mut poses = vec![PlanarPose::new(from, 0.0), PlanarPose::new(to, 0.0)];
+        aligned(&mut poses);
+        if self.random.random::<f64>() >= ALIGNED {
+            let landing = if self.random.random::<bool>() {
+                self.reaching(dirt)?
+            } else {
+                let heading = poses[0].heading + 3.0 * TURN * normal(&mut self.random);
+                self.covering(dirt, heading)
+            };
+            let towards = landing.position + (to - dirt);
+            poses = vec![landing, PlanarPose::new(towards, landing.heading)];
+        }
+        // Most often last, as what is left lies where it lies only then.
+        let at = if self.random.random::<f64>() < 0.6 {
+            draft.strokes.len()
+        } else {
+            self.random.random_range(0..=draft.strokes.len())
+        };
+        draft.strokes.insert(at, poses);
+        Some(vec![at])
+    }
+
+    /// Where dirt is to be pushed: the goal, or a place beyond an edge near it.
+    fn target(&mut self, goal: &GoalState, dirt: Point2) -> Option<Point2> {
+        match goal {
+            GoalState::Absorbed => None,
+            GoalState::Collected { center, .. } => Some(*center),
+            GoalState::Skimmed => {
+                let edge = self.allowed_edges[self.one_of(self.allowed_edges.len())?];
+                let along = edge.end - edge.start;
+                let share = (dirt - edge.start).dot(&along) / along.norm_squared();
+                let share = (share + 0.15 * normal(&mut self.random)).clamp(0.0, 1.0);
+                let outward = Vector2::new(along.y, -along.x).try_normalize(1e-12)?;
+                Some(edge.start + along * share + outward * self.space.radius())
+            }
+        }
+    }
+
+    /// A pose of this heading in which the tool stands on a place, anywhere under it.
+    fn covering(&mut self, place: Point2, heading: f64) -> PlanarPose {
+        let Bounds2 { min, max } = self.footprint;
+        let mut within = |min: f64, max: f64| min + (max - min) * self.random.random::<f64>();
+        let under = Vector2::new(within(min.x, max.x), within(min.y, max.y));
+        let turned = PlanarPose::new(Point2::origin(), heading).transform(Point2::from(under));
+        PlanarPose::new(place - turned.coords, heading)
+    }
+
+    /// A pose in which a corner of the tool comes over a place, from as near to it as the scene lets the tool stand in some
+    /// direction.
+    fn reaching(&mut self, place: Point2) -> Option<PlanarPose> {
+        let angle = std::f64::consts::TAU * self.random.random::<f64>();
+        let away = Vector2::new(libm::cos(angle), libm::sin(angle));
+        let Bounds2 { min, max } = self.footprint;
+        let corners = Bounds2 { min, max }.corners();
+        let corner = corners[self.random.random_range(0..corners.len())].coords;
+        let reach = corner.norm();
+        let mut steps =
+            (0..=REACHES).map(|step| place + away * (reach * f64::from(step) / f64::from(REACHES)));
+        let stands = steps.find(|&stands| self.is_allowed(stands))?;
+        // The corner a little beyond the place.
+        let heading = libm::atan2(-away.y, -away.x) - libm::atan2(corner.y, corner.x);
+        Some(PlanarPose::new(stands, heading))
+    }
+
+    fn drop_stroke(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
+        let stroke = self.one_of(draft.strokes.len())?;
+        draft.strokes.remove(stroke);
+        Some(Vec::new())
+    }
+
+    fn reorder(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
+        let from = self.one_of(draft.strokes.len())?;
+        let to = self.one_of(draft.strokes.len())?;
+        if from == to {
+            return None;
+        }
+        let stroke = draft.strokes.remove(from);
+        draft.strokes.insert(to, stroke);
+        Some(Vec::new())
+    }
+
+    fn drop_pose(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
+        let stroke = self.one_of(draft.strokes.len())?;
+        let poses = &mut draft.strokes[stroke];
+        if poses.len() <= 2 {
+            return None;
+        }
+        let pose = self.random.random_range(0..poses.len());
+        poses.remove(pose);
+        if draft.goal != GoalState::Absorbed {
+            aligned(&mut draft.strokes[stroke]);
+        }
+        Some(vec![stroke])
+    }
+
+    /// Comes by a place where dirt is left, where that is the shortest detour.
+    fn visit(&mut self, draft: &mut Draft, left: &[Point2]) -> Option<Vec<usize>> {
+        let dirt = left[self.one_of(left.len())?];
+        // As the tool stands there already, or turned so that it reaches into a corner.
+        let (place, turned) = if self.random.random::<f64>() < ALIGNED {
+            (dirt + self.step(), None)
+        } else if self.random.random::<bool>() {
+            let pose = self.reaching(dirt)?;
+            (pose.position, Some(pose.heading))
+        } else {
+            let heading = std::f64::consts::TAU * self.random.random::<f64>();
+            (self.covering(dirt, heading).position, Some(heading))
+        };
+        let mut best: Option<(f64, usize, usize)> = None;
+        for (s, poses) in draft.strokes.iter().enumerate() {
+            for at in 0..=poses.len() {
+                let before = at.checked_sub(1).map(|i| poses[i].position);
+                let after = poses.get(at).map(|pose| pose.position);
+                let to = |next: Option<Point2>| next.map_or(0.0, |next| (next - place).norm());
+                let direct = match (before, after) {
+                    (Some(before), Some(after)) => (after - before).norm(),
+                    _ => 0.0,
+                };
+                let detour = to(before) + to(after) - direct;
+                if best.is_none_or(|(least, ..)| detour < least) {
+                    best = Some((detour, s, at));
+                }
+            }
+        }
+        let Some((_, stroke, at)) = best else {
+            draft
+                .strokes
+                .push(vec![PlanarPose::new(place, turned.unwrap_or(0.0))]);
+            return Some(vec![draft.strokes.len() - 1]);
+        };
+        let poses = &mut draft.strokes[stroke];
+        let beside = poses[at.min(poses.len() - 1)].heading;
+        let heading = beside + turned.map_or(0.0, |turned| wrap_angle(turned - beside));
+        poses.insert(at, PlanarPose::new(place, heading));
+        Some(vec![stroke])
+    }
+
+    /// Runs through some poses the other way round (2-opt).
+    fn reverse(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
+        let stroke = self.one_of(draft.strokes.len())?;
+        let poses = &mut draft.strokes[stroke];
+        let a = self.random.random_range(0..poses.len());
+        let b = self.random.random_range(0..poses.len());
+        let (first, last) = (a.min(b), a.max(b));
+        if first == last {
+            return None;
+        }
+        poses[first..=last].reverse();
+        Some(vec![stroke])
+    }
+
+    /// Two strokes of one.
+    fn cut(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
+        let stroke = self.one_of(draft.strokes.len())?;
+        if draft.strokes[stroke].len() < 4 {
+            return None;
+        }
+        let at = self.random.random_range(2..draft.strokes[stroke].len() - 1);
+        let rest = draft.strokes[stroke].split_off(at);
+        draft.strokes.insert(stroke + 1, rest);
+        Some(Vec::new())
+    }
+
+    /// One stroke of two that follow one another.
+    fn join(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
+        let stroke = self.one_of(draft.strokes.len().saturating_sub(1))?;
+        let mut next = draft.strokes.remove(stroke + 1);
+        let poses = &mut draft.strokes[stroke];
+        // As it is turned already, but for whole turns.
+        let heading = poses.last()?.heading;
+        let turns = heading + wrap_angle(next[0].heading - heading) - next[0].heading;
+        next.iter_mut().for_each(|pose| pose.heading += turns);
+        poses.extend(next);
+        Some(vec![stroke])
+    }
+
+    /// One straight stroke from the beginning of one to the end of another.
+    fn straighten(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
+        let stroke = self.one_of(draft.strokes.len().saturating_sub(1))?;
+        let next = draft.strokes.remove(stroke + 1);
+        let mut poses = vec![*draft.strokes[stroke].first()?, *next.last()?];
+        aligned(&mut poses);
+        draft.strokes[stroke] = poses;
+        Some(vec![stroke])
+    }
+
+    fn move_goal(&mut self, draft: &mut Draft) -> Option<Vec<usize>> {
+        let step = self.step();
+        let GoalState::Collected { center, .. } = &mut draft.goal else {
+            return None;
+        };
+        *center += step;
+        let center = *center;
+        self.space.is_free(center).then(Vec::new)
+    }
+}
+
+/// Whether a place is one of those that are to be avoided, or beside it.
+fn is_near(avoid: &[Point2], place: Point2) -> bool {
+    avoid.iter().any(|other| (place - other).norm() < AVOIDED)
+}
+
+/// A stroke's edges, each with the broad side of the tool across it.
+fn straight(poses: &[PlanarPose]) -> Vec<Vec<PlanarPose>> {
+    let edges = poses.windows(2).map(|pair| {
+        let mut edge = pair.to_vec();
+        aligned(&mut edge);
+        edge
+    });
+    edges.collect()
+}
+
+/// Lets every pose of a stroke head for the next one, the last as the one before.
+fn aligned(poses: &mut [PlanarPose]) {
+    let mut heading = None;
+    for i in 0..poses.len() {
+        if let Some(next) = poses.get(i + 1) {
+            let along = next.position - poses[i].position;
+            if along.norm() > 1e-9 {
+                let wanted = libm::atan2(along.y, along.x);
+                let near: f64 = heading.unwrap_or(wanted);
+                heading = Some(near + wrap_angle(wanted - near));
+            }
+        }
+        if let Some(heading) = heading {
+            poses[i].heading = heading;
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! Strokes found by trying: whole plans are changed at random, and kept by what they are simulated to do.
+//!
+//! Simulated annealing (Kirkpatrick, Gelatt and Vecchi, 1983) over the poses of all strokes. A step moves, turns, adds,
+//! drops, joins or reorders strokes (`draft`), and the effect model says what the plan then does to all of the dirt
+//! (`value`). Nothing is bound to nodes of a coverage graph: those of the other strategies only give the plans to begin
+//! with.
+
+mod draft;
+mod value;
+
+use super::{FreeSpace, Node, NodeRole, Plan, PlanConfig, SemanticDirectedGraph, Strategy, Stroke};
+use crate::geometry::{PlanarPose, Point2};
+use crate::represent::{GoalState, ParticleDistribution, Task};
+use draft::{Draft, Mutator};
+use rand::RngExt;
+use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
+use rayon::prelude::*;
+pub(super) use value::Judge;
+use value::Value;
+
+/// Independent searches, of which the best counts; so many however many threads there are.
+const SEARCHES: usize = 4;
+/// Loss of value that is accepted with probability 1/e at the beginning and at the end, in shares of the dirt [1].
+const TEMPERATURES: [f64; 2] = [0.01, 2e-4];
+/// The former where a plan is only mended [1], and the share of the evaluations that this takes [1].
+const MENDING_TEMPERATURE: f64 = 1e-3;
+const MENDING: f64 = 0.3;
+/// Steps that lead nowhere for each that is judged, at most.
+const MAX_REFUSED: usize = 8;
+
+/// The best plan for dirt that may lie like any of these, which the search finds from these plans on the same whatever the number of
+/// threads. A plan that is only mended leads to none of these places [m].
+pub(super) fn searched(
+    task: &Task,
+    dirt: &[ParticleDistribution],
+    space: &FreeSpace,
+    begun_with: &[Plan],
+    mending: Option<&[Point2]>,
+    config: &PlanConfig,
+) -> Option<Plan> {
+    let search = &config.search;
+    let avoid = mending.unwrap_or_default();
+    let (hot, share) = match mending {
+        Some(_) => (MENDING_TEMPERATURE, MENDING),
+        None => (TEMPERATURES[0], 1.0),
+    };
+    let evaluations = (share * search.evaluations as f64) as usize;
+    let judge = Judge::new(task, dirt, space, search.margin_m, config.max_distance).searching();
+    let mut starts: Vec<(Value, Draft)> = begun_with
+        .iter()
+        .map(|plan| Draft::of(plan).without(avoid))
+        .map(|draft| (judge.value(&draft), draft))
+        .collect();
+    starts.sort_by(|a, b| b.0.worth.total_cmp(&a.0.worth));
+    let pattern = begun_with.first()?;
+    let searches = (0..SEARCHES).into_par_iter().map(|number| {
+        let (value, draft) = starts[number % starts.len().min(SEARCHES)].clone();
+        let mut random = ChaCha8Rng::seed_from_u64(config.seed);
+        random.set_stream(number as u64);
+        let mut mutator = Mutator {
+            task,
+            space,
+            allowed_edges: judge.allowed_edges(),
+            avoid,
+            footprint: task.tool.footprint.bounds()?,
+            random,
+        };
+        let budget = evaluations / (SEARCHES * judge.worlds()).max(1);
+        Some(annealed(&judge, &mut mutator, (value, draft), budget, hot))
+    });
+    let found: Vec<Option<(Value, Draft)>> = searches.collect();
+    let best = (found.into_iter().flatten()).reduce(|best, next| {
+        if next.0.worth > best.0.worth {
+            next
+        } else {
+            best
+        }
+    });
+    best.map(|(_, draft)| assembled(pattern, draft))
+}
+
+/// What a plan is worth to the search, in shares of the dirt [1].
+pub(super) fn worth(judge: &Judge<'_>, plan: &Plan) -> f64 {
+    judge.value(&Draft::exactly(plan)).worth
+}
+
+fn annealed(
+    judge: &Judge<'_>,
+    mutator: &mut Mutator<'_>,
+    start: (Value, Draft),
+    budget: usize,
+    hot: f64,
+) -> (Value, Draft) {
+    let mut now = start.clone();
+    let mut best = start;
+    let cold = TEMPERATURES[1];
+    let (mut judged, mut refused) = (0, 0);
+    while judged < budget && refused < MAX_REFUSED * budget {
+        let Some(draft) = mutator.neighbour(&now.1, &now.0.left) else {
+            refused += 1;
+            continue;
+        };
+        let passed = judged as f64 / budget as f64;
+        let temperature = hot * libm::pow(cold / hot, passed);
+        judged += 1;
+        let value = judge.value(&draft);
+        let gain = value.worth - now.0.worth;
+        let chance: f64 = mutator.random.random();
+        if gain >= 0.0 || chance < libm::exp(gain / temperature) {
+            now = (value, draft);
+            if now.0.worth > best.0.worth {
+                best = now.clone();
+            }
+        }
+    }
+    best
+}
+
+/// A draft as a plan: each stroke has nodes of its own, those that it ends at where dirt belongs are goals.
+fn assembled(pattern: &Plan, draft: Draft) -> Plan {
+    let Draft { strokes, goal } = draft;
+    let is_goal =
+        |stroke: &[PlanarPose], i: usize| goal != GoalState::Absorbed && i + 1 == stroke.len();
+    let mut nodes = Vec::new();
+    let mut numbers: Vec<Vec<usize>> = strokes.iter().map(|stroke| vec![0; stroke.len()]).collect();
+    for role in [NodeRole::Coverage, NodeRole::Goal] {
+        for (stroke, numbers) in strokes.iter().zip(&mut numbers) {
+            for (i, pose) in stroke.iter().enumerate() {
+                if is_goal(stroke, i) == (role == NodeRole::Goal) {
+                    numbers[i] = nodes.len();
+                    nodes.push(Node {
+                        position: pose.position,
+                        role,
+                    });
+                }
+            }
+        }
+    }
+    let edges = numbers
+        .iter()
+        .flat_map(|chain| chain.windows(2).map(|pair| (pair[0], pair[1])));
+    let edges = edges.collect();
+    Plan {
+        strategy: Strategy::Adaptive,
+        graph: SemanticDirectedGraph {
+            nodes,
+            edges,
+            goal,
+            max_edge_length: None,
+            unreachable: Vec::new(),
+        },
+        strokes: (strokes.into_iter().zip(numbers))
+            .map(|(poses, nodes)| Stroke { nodes, poses })
+            .collect(),
+        ..pattern.clone()
+    }
+}

@@ -1,0 +1,135 @@
+//! What is considered before a plan is chosen: each candidate as a robot would do it.
+
+use super::{PlannedRound, RunError};
+use crate::plan::{
+    Candidate, Plan, PlanConfig, Portfolio, Prediction, Strategy, plan_around, predict, worth,
+};
+use crate::represent::{ParticleDistribution, Task};
+use rayon::prelude::*;
+
+/// Share of the dirt that a second of motion is worth [1/s]: half a minute, about as long as it takes to wipe a board
+/// once, is worth one part in a hundred.
+const PER_SECOND: f64 = 3e-4;
+
+/// What a robot may lose of a plan before other strokes are searched for, in shares of the dirt [1].
+const LOST: f64 = 0.01;
+/// How often strokes are searched for anew around the places where the robot failed.
+const REPLANNED: usize = 3;
+
+/// A plan that may be chosen, and what is expected of it.
+#[derive(Debug, Clone)]
+pub struct Considered {
+    /// How its strokes were found.
+    pub strategy: Strategy,
+    /// The plan, and what it is worth; if a robot is to follow it, what it wipes, less a hundredth for half a minute of its
+    /// motion. Or why there is none, or no motion.
+    pub candidate: Result<Candidate, RunError>,
+    /// Its predicted effect on the task's dirt; `None` without a plan.
+    pub prediction: Option<Prediction>,
+    /// The robot's motion; `None` without a robot, or without a motion.
+    pub motion: Option<ConsideredMotion>,
+}
+
+/// The motion of a robot that follows a plan.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ConsideredMotion {
+    /// How long it takes [s].
+    pub duration: f64,
+    /// Nodes that it does not reach.
+    pub abandoned: usize,
+}
+
+/// Each plan of a portfolio with what it is expected to do on its own.
+pub(super) fn unfollowed(task: &Task, portfolio: Portfolio) -> Vec<Considered> {
+    let considered = portfolio.into_iter().map(|(strategy, candidate)| {
+        let plan = candidate.as_ref().ok().map(|candidate| &candidate.plan);
+        Considered {
+            strategy,
+            prediction: plan.map(|plan| predict(task, plan, |_| ())),
+            motion: None,
+            candidate: candidate.map_err(RunError::from),
+        }
+    });
+    considered.collect()
+}
+
+/// Each plan of a portfolio as the robot does it. Plans are followed side by side: the result is the same on any number
+/// of threads.
+pub(super) fn followed(
+    task: &Task,
+    dirt: &[ParticleDistribution],
+    config: &PlanConfig,
+    portfolio: Portfolio,
+    follow: impl Fn(Plan) -> Result<PlannedRound, RunError> + Sync,
+) -> Vec<Considered> {
+    let considered = portfolio.into_par_iter().map(|(strategy, candidate)| {
+        let (mut prediction, mut motion) = (None, None);
+        let candidate = candidate.map_err(RunError::from).and_then(|candidate| {
+            let (worth, round) = match strategy {
+                Strategy::Adaptive => within_reach(task, dirt, config, candidate.plan, &follow)?,
+                _ => as_done(task, dirt, config, candidate.plan, &follow)?,
+            };
+            motion = Some(ConsideredMotion {
+                duration: round.followed.duration(),
+                abandoned: round.followed.abandoned.len(),
+            });
+            prediction = Some(round.prediction);
+            Ok(Candidate {
+                worth,
+                plan: round.plan,
+            })
+        });
+        Considered {
+            strategy,
+            candidate,
+            prediction,
+            motion,
+        }
+    });
+    considered.collect()
+}
+
+/// What a plan is worth as the robot does it [1], and that.
+fn as_done(
+    task: &Task,
+    dirt: &[ParticleDistribution],
+    config: &PlanConfig,
+    plan: Plan,
+    follow: &impl Fn(Plan) -> Result<PlannedRound, RunError>,
+) -> Result<(f64, PlannedRound), RunError> {
+    let round = follow(plan)?;
+    let worth =
+        worth(task, dirt, &round.wiped(), &config.search)? - PER_SECOND * round.followed.duration();
+    Ok((worth, round))
+}
+
+/// The same of a plan that is searched for: where the robot does not reach all of it, strokes are searched for that do
+/// without the places where it failed.
+pub(super) fn within_reach(
+    task: &Task,
+    dirt: &[ParticleDistribution],
+    config: &PlanConfig,
+    plan: Plan,
+    follow: &impl Fn(Plan) -> Result<PlannedRound, RunError>,
+) -> Result<(f64, PlannedRound), RunError> {
+    let mut best = as_done(task, dirt, config, plan, follow)?;
+    let mut last = best.1.clone();
+    let mut avoid = Vec::new();
+    for _ in 0..REPLANNED {
+        let wiped = last.wiped();
+        let planned = worth(task, dirt, &last.plan, &config.search)?;
+        let lost = planned - worth(task, dirt, &wiped, &config.search)?;
+        if last.followed.abandoned.is_empty() && lost < LOST {
+            break;
+        }
+        let failed = last.followed.abandoned.iter();
+        avoid.extend(failed.map(|abandoned| last.plan.graph.position(abandoned.node)));
+        let around = plan_around(task, dirt, &wiped, &avoid, config)?;
+        let next = as_done(task, dirt, config, around, follow)?;
+        last = next.1.clone();
+        if next.0 > best.0 {
+            best = next;
+        }
+    }
+    Ok(best)
+}
