@@ -21,7 +21,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum, ValueHint};
 use std::ffi::OsString;
 use std::path::PathBuf;
-use wisch::plan::CoverageStrategy;
+use wisch::plan::Strategy;
 use wisch::represent::Action;
 
 /// Plan robotic wiping, predict what it does to the dirt, and follow the plan with a robot.
@@ -150,8 +150,9 @@ Exit codes: 0 there is an answer, 1 there is none, 2 an error.")]
 Examples:
   wisch plan board.toml
   wisch plan board.toml --strategy grid --out plans/board-grid
+  wisch plan board.toml --explain           the plans of all strategies side by side
   wisch plan board.toml --json | jq .distance_in_contact_m")]
-    Plan(RunArgs),
+    Plan(PlanArgs),
     /// Predict the effect of a plan; without --plan, plan first
     #[command(after_help = "\
 Examples:
@@ -259,9 +260,10 @@ pub struct TaskArgs {
     /// The task file
     #[arg(value_name = "TASK", value_hint = ValueHint::FilePath)]
     pub task: PathBuf,
-    /// Coverage strategy that places the waypoints [default: the task's]
+    /// How strokes are found: by a coverage strategy (grid, rrt, kde), by search, or whichever is worth most
+    /// [default: the task's]
     #[arg(long, value_name = "STRATEGY", value_parser = strategy_parser())]
-    pub strategy: Option<CoverageStrategy>,
+    pub strategy: Option<Strategy>,
     /// Wiping action [default: the task's]
     #[arg(long, value_name = "ACTION", value_parser = action_parser())]
     pub action: Option<Action>,
@@ -288,10 +290,13 @@ impl TaskArgs {
 
 /// Arguments of `plan`.
 #[derive(Debug, Args)]
-pub struct RunArgs {
+pub struct PlanArgs {
     /// The task.
     #[command(flatten)]
     pub task: TaskArgs,
+    /// List the plan of every strategy: its predicted effect, its way, and how long the task's robot takes
+    #[arg(long)]
+    pub explain: bool,
     /// The results.
     #[command(flatten)]
     pub results: ResultArgs,
@@ -357,7 +362,7 @@ pub struct FollowArgs {
 }
 
 /// Which robot, and what is known of it.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 #[command(next_help_heading = "Robot")]
 pub struct RobotArgs {
     /// Robot: a shipped one (humanoid, arm7, arm6), a URDF, or "none" [default: the task's]
@@ -465,9 +470,8 @@ pub struct CheckArgs {
     pub robot: RobotArgs,
 }
 
-fn strategy_parser() -> impl TypedValueParser<Value = CoverageStrategy> {
-    PossibleValuesParser::new(CoverageStrategy::ALL.map(CoverageStrategy::as_str))
-        .try_map(|name| name.parse())
+fn strategy_parser() -> impl TypedValueParser<Value = Strategy> {
+    PossibleValuesParser::new(Strategy::ALL.map(Strategy::as_str)).try_map(|name| name.parse())
 }
 
 fn action_parser() -> impl TypedValueParser<Value = Action> {

@@ -112,6 +112,54 @@ fn the_json_summary_is_one_object_with_its_keys() {
 }
 
 #[test]
+fn the_plans_of_all_strategies_are_listed_with_why_one_is_taken() {
+    let folder = folder_with_task();
+    let few = ["--set", "plan.evaluations=2000"];
+    let plan = |more: &[&str]| {
+        let arguments = [&["plan", "board.toml"], &few[..], more].concat();
+        let (code, out, err) = output(folder.path(), &arguments);
+        assert_eq!((code, err.as_str()), (0, ""));
+        out
+    };
+    let listed = json(&plan(&["--explain", "--json"]));
+    let candidates = listed["candidates"].as_array().expect("a list");
+    let names: Vec<_> = candidates
+        .iter()
+        .map(|one| one["strategy"].as_str())
+        .collect();
+    let all = ["grid", "rrt", "kde", "adaptive"].map(Some);
+    assert_eq!(names, all);
+    let worth = |one: &Value| one["worth"].as_f64().expect("a number");
+    let most = candidates
+        .iter()
+        .map(worth)
+        .fold(f64::NEG_INFINITY, f64::max);
+    for one in candidates {
+        assert_eq!(one["chosen"], worth(one) == most, "{one}");
+        assert!(one["execution_time_s"].as_f64() > Some(5.0), "{one}");
+        assert!(one["covered_share"].as_f64() <= Some(1.0), "{one}");
+        assert!(one["error"].is_null(), "{one}");
+        if one["chosen"] == true {
+            assert_eq!(one["strategy"], listed["strategy"]);
+            assert_eq!(
+                one["distance_in_contact_m"],
+                listed["distance_in_contact_m"]
+            );
+        }
+    }
+    assert!(plan(&["--explain"]).contains(" is worth most, 0."));
+    // Another than the best is said to be that.
+    let grid = plan(&["--explain", "--strategy", "grid"]);
+    assert!(grid.contains("  * grid "), "{grid}");
+    assert!(
+        grid.contains("grid is what was asked for; --strategy best would take"),
+        "{grid}"
+    );
+    // Nobody asked.
+    assert!(json(&plan(&["--json"])).get("candidates").is_none());
+}
+
+#[test]
 fn the_exit_code_follows_the_target() {
     let folder = folder_with_task();
     let run = |target: &str| {
@@ -133,7 +181,9 @@ fn the_exit_code_follows_the_target() {
 fn a_plan_can_be_predicted_later_with_the_same_result() {
     let folder = folder_with_task();
     for action in ["absorb", "collect", "skim"] {
-        let task = ["board.toml", "--action", action];
+        // Which plan is the best is a question of the robot; which the search finds is not.
+        let adaptive = "strategy=\"adaptive\"";
+        let task = ["board.toml", "--action", action, "--set", adaptive];
         let (code, _, err) = output(
             folder.path(),
             &[&["plan"], &task[..], &["--out", "planned"]].concat(),
@@ -144,7 +194,28 @@ fn a_plan_can_be_predicted_later_with_the_same_result() {
             .into_iter()
             .map(|(name, _)| name)
             .collect();
-        assert_eq!(written, ["particles/particles-before.csv", "plan.json"]);
+        let files = [
+            "particles/particles-before.csv",
+            "plan.json",
+            "trajectories/tcp-path.csv",
+        ];
+        assert_eq!(written, files);
+        let path = fs::read_to_string(planned.join("trajectories/tcp-path.csv")).expect("a table");
+        let (mut time, mut phases) = (0.0, Vec::new());
+        for line in path.lines().skip(1) {
+            let fields: Vec<&str> = line.split(',').collect();
+            let [at, height]: [f64; 2] =
+                [fields[0], fields[5]].map(|f| f.parse().expect("a number"));
+            assert!(at >= time, "{line}");
+            time = at;
+            // The board's face is 0.75 m up.
+            assert!(fields[1] != "wipe" || height == 0.75, "{line}");
+            assert!(fields[1] != "lifted" || height > 0.79, "{line}");
+            if phases.last() != Some(&fields[1]) {
+                phases.push(fields[1]);
+            }
+        }
+        assert_eq!(phases[..5], ["lifted", "lower", "wipe", "lift", "lifted"]);
         let (_, direct, _) = output(
             folder.path(),
             // A prediction of the plan itself, not of how a robot follows it.

@@ -23,7 +23,15 @@ fn wisch(folder: &Path, out: &str, more: &[&str]) -> Command {
     let task = root().join("scenarios/chopping-board.toml");
     let mut command = Command::new(path());
     command.current_dir(folder).arg("run").arg(task);
-    command.args(["--greedy", "--rounds", "2", "--out", out]);
+    command.args([
+        "--greedy",
+        "--strategy",
+        "kde",
+        "--rounds",
+        "2",
+        "--out",
+        out,
+    ]);
     command.args(["--set", "target_performance=1.0"]).args(more);
     command
 }

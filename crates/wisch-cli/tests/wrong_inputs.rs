@@ -204,7 +204,7 @@ fn toml_cases() -> Vec<Case> {
         ),
         task(
             "unknown strategy",
-            "strategy = \"kde\"",
+            "strategy = \"best\"",
             "strategy = \"gird\"",
             &["unknown strategy \"gird\"", "nearest: grid"],
         ),

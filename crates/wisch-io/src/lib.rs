@@ -33,12 +33,12 @@ pub use particles::{
 };
 pub use process::{EXECUTOR_PROTOCOL, ProcessExecutor};
 pub use records::{
-    AbandonedRecord, AttemptRecord, EVENT_SCHEMA, EventRecord, EventWriter, FollowedRecord,
-    FollowingSummary, GoalRecord, INTERPRETATION_FORMAT, InterpretationRecord, LogRecord,
-    LoopSummary, MotionRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA, PlacementRecord, PlanRecord,
-    PlanRecordError, PlanarPoseRecord, PlaneRecord, PoseRecord, PredictionSummary, RobotTrajectory,
-    RoleRecord, RoundSummary, RoundTimes, RunEventRecord, SUMMARY_SCHEMA, StrokeRecord, Summary,
-    WaypointRecord, WipedRecord, tcp_path_csv,
+    AbandonedRecord, AttemptRecord, CandidateSummary, EVENT_SCHEMA, EventRecord, EventWriter,
+    FollowedRecord, FollowingSummary, GoalRecord, INTERPRETATION_FORMAT, InterpretationRecord,
+    LogRecord, LoopSummary, MotionRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA, PlacementRecord,
+    PlanRecord, PlanRecordError, PlanarPoseRecord, PlaneRecord, PoseRecord, PredictionSummary,
+    RobotTrajectory, RoleRecord, RoundSummary, RoundTimes, RunEventRecord, SUMMARY_SCHEMA,
+    StrokeRecord, Summary, WaypointRecord, WipedRecord, planned_path_csv, tcp_path_csv,
 };
 pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, shipped_robots};
 pub use task_file::{

@@ -8,11 +8,12 @@ use crate::robots::Robot;
 use crate::task_file::{Intent, TaskFile};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
+use wisch::follow::FollowConfig;
 use wisch::geometry::Mesh;
 use wisch::geometry::Point2;
 use wisch::goal::{GoalLiteral, resolve_goal};
 use wisch::interpret::{Belief, DirtPrior, members};
-use wisch::plan::{CoverageStrategy, PlanConfig};
+use wisch::plan::{CoverageStrategy, PlanConfig, SearchConfig, Strategy};
 use wisch::represent::{
     Action, DirtArea, KnowledgeBase, Observation, OccupiedArea, SensorModel, Sight, Task,
 };
@@ -20,7 +21,7 @@ use wisch::run::{RunConfig, Session};
 use wisch::source_location::UnknownName;
 
 /// What a task gets that asks for none: the paper's plainest, which never leaves a free cell out.
-const DEFAULT_STRATEGY: CoverageStrategy = CoverageStrategy::Grid;
+const DEFAULT_STRATEGY: Strategy = Strategy::Coverage(CoverageStrategy::Grid);
 
 /// What is to be different from what a task file says.
 #[derive(Debug, Clone, Default)]
@@ -32,7 +33,7 @@ pub struct LoadOptions {
     /// What to do; `None` leaves it to the file.
     pub action: Option<Action>,
     /// How to place the nodes; `None` leaves it to the file.
-    pub strategy: Option<CoverageStrategy>,
+    pub strategy: Option<Strategy>,
     /// Seed of everything random; `None` leaves it to the file.
     pub seed: Option<u64>,
 }
@@ -79,7 +80,16 @@ impl LoadedTask {
                 .perception()
                 .sight
                 .map(|sensor| self.sight(sensor)),
+            follow: self.follow_config(),
             ..RunConfig::default()
+        }
+    }
+
+    /// How a robot is to follow the plans of the task.
+    pub fn follow_config(&self) -> FollowConfig {
+        FollowConfig {
+            contact_speed: self.file.contact_speed_m_per_s(),
+            ..FollowConfig::default()
         }
     }
 
@@ -194,7 +204,7 @@ struct Chosen {
 /// let loaded = load_task(path, &LoadOptions { seed: Some(3), ..LoadOptions::default() })?;
 /// assert_eq!(loaded.task.surface.name, "chopping_board");
 /// let plan = wisch::plan::plan(&loaded.task, &loaded.config).unwrap();
-/// assert!(plan.contact_distance() > 1.0);
+/// assert!(plan.contact_distance() > 0.5); // metres
 /// # Ok::<(), wisch_io::Error>(())
 /// ```
 pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error> {
@@ -242,6 +252,11 @@ pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error
         seed,
         bandwidth: file.bandwidth_m(),
         lift_height: file.lift_height_m(),
+        max_distance: file.max_distance_m(),
+        search: SearchConfig {
+            evaluations: file.evaluations(),
+            margin_m: file.margin_m(),
+        },
     };
     inputs.add("strategy", config.strategy.as_str());
     Ok(LoadedTask {
@@ -258,9 +273,9 @@ pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error
     })
 }
 
-fn strategy_named(name: &str, shown: &str) -> Result<CoverageStrategy, Error> {
+fn strategy_named(name: &str, shown: &str) -> Result<Strategy, Error> {
     name.parse().map_err(|_| {
-        let known = CoverageStrategy::ALL.map(CoverageStrategy::as_str);
+        let known = Strategy::ALL.map(Strategy::as_str);
         Error::Strategy {
             file: shown.to_owned(),
             unknown: UnknownName::new("strategy", name, known),

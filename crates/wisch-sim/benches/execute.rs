@@ -35,7 +35,7 @@ struct Wiping {
 fn wiping(name: &str, grains: usize, robot: Robot) -> Wiping {
     let options = LoadOptions {
         action: Some(Action::Collect),
-        strategy: Some(CoverageStrategy::Kde),
+        strategy: Some(CoverageStrategy::Kde.into()),
         seed: Some(1),
         ..LoadOptions::default()
     };

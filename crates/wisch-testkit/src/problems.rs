@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
 use wisch::follow::{FollowConfig, Followed, Workcell, WorkcellConfig, audit, follow};
 use wisch::geometry::{Mesh, Point2, Polygon, Pose, Vector2, Vector3};
-use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, SearchConfig, plan};
 use wisch::represent::{Action, ParticleDistribution, SceneObject, ScenePart, Surface, Task};
 
 /// Thickness of the plate whose upper face is the surface [m].
@@ -96,10 +96,12 @@ impl Problem {
                 seed,
             },
             plan: PlanConfig {
-                strategy,
+                strategy: strategy.into(),
                 seed,
                 bandwidth: None,
                 lift_height: 0.05,
+                search: SearchConfig::default(),
+                max_distance: None,
             },
             cell: WorkcellConfig {
                 world_from_robot: Some(Pose::from_parts(

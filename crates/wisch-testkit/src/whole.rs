@@ -8,7 +8,7 @@ use wisch_io::{LoadOptions, LoadedTask};
 /// A scenario of this seed, with plans by density.
 pub fn by_density(seed: u64) -> LoadOptions {
     LoadOptions {
-        strategy: Some(CoverageStrategy::Kde),
+        strategy: Some(CoverageStrategy::Kde.into()),
         seed: Some(seed),
         ..LoadOptions::default()
     }

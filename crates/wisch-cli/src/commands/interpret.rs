@@ -377,6 +377,14 @@ fn in_words(record: &InterpretationRecord, out: &Path) -> String {
         ),
         ("events", events_in_words(record)),
     ];
+    if let Some(stiffness) = &record.tool_stiffness {
+        let line = format!(
+            "{:.0} N/m stiff, give or take {}",
+            stiffness.n_per_m,
+            percent(stiffness.ln_deviation)
+        );
+        lines.push(("tool", line));
+    }
     if log.unfinished {
         let line = "the log ends before its writer was done".to_owned();
         lines.insert(1, ("", line));

@@ -9,7 +9,7 @@ use wisch::follow::WorkcellConfig;
 use wisch::plan::{Plan, Prediction};
 use wisch::recover::Verdict;
 use wisch::represent::{ParticleDistribution, ParticleError, Task};
-use wisch::run::{Pace, PlannedRound, Round, RunConfig, RunError, Session};
+use wisch::run::{Considered, Pace, PlannedRound, Round, RunConfig, RunError, Session};
 use wisch_io::{OutputFolder, Robot, RoundTimes};
 use wisch_report::{EffectFrames, MeasuredMotion};
 use wisch_sim::{GroundTruth, Schedule};
@@ -76,6 +76,8 @@ pub(super) struct Results {
     pub planning_time_s: Option<f64>,
     pub following: Option<Following>,
     pub predicted: Option<(Prediction, EffectFrames)>,
+    /// All plans that there were to choose from; `None` where nobody asked for them.
+    pub considered: Option<Vec<Considered>>,
     /// What was executed.
     pub rounds: Vec<Done>,
 }

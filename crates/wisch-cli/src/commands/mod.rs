@@ -5,6 +5,7 @@ mod check;
 mod engine;
 mod episode;
 mod eval;
+mod explain;
 mod export;
 mod follow;
 mod footprint;

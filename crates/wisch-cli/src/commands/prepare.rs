@@ -4,7 +4,7 @@ use crate::args::TaskArgs;
 use crate::failure::Failure;
 use crate::terminal::remark;
 use std::ops::{Deref, DerefMut};
-use wisch::plan::CoverageStrategy;
+use wisch::plan::Strategy;
 use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_sim::SimulationSettings;
 
@@ -53,7 +53,7 @@ impl Prepared {
     }
 
     /// How the nodes are placed.
-    pub fn strategy(&self) -> CoverageStrategy {
+    pub fn strategy(&self) -> Strategy {
         self.config.strategy
     }
 

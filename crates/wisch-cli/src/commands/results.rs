@@ -15,7 +15,9 @@ use wisch_io::{
     PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE, REPORT_FILE, ROUNDS_FILE,
     TCP_PATH_FILE, TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE,
 };
-use wisch_io::{FollowedRecord, PlanRecord, RobotTrajectory, particles_to_csv, tcp_path_csv};
+use wisch_io::{
+    FollowedRecord, PlanRecord, RobotTrajectory, particles_to_csv, planned_path_csv, tcp_path_csv,
+};
 use wisch_report::{self as report, EffectFrames, MotionInput, ReportInput, ShownMotion};
 
 /// Pixels per unit of a picture's own size.
@@ -63,6 +65,10 @@ pub(super) fn write(
     )?;
     if let Some(following) = &results.following {
         write_motion(folder, prepared, following)?;
+    } else if results.rounds.is_empty() {
+        let config = prepared.follow_config();
+        let path = planned_path_csv(&results.task, &results.plan, &config);
+        folder.write(TCP_PATH_FILE, path)?;
     }
     if let Some((prediction, frames)) = &results.predicted {
         folder.write(

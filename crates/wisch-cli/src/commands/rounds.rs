@@ -179,6 +179,7 @@ pub fn execute(
         planning_time_s: (!is_given).then_some(planning_s),
         following,
         predicted,
+        considered: None,
         rounds,
     };
     Ok((results, kept))

@@ -9,14 +9,14 @@ use super::summary::{in_words, summary};
 use super::watch::Watch;
 use super::words::{counted, internal};
 use crate::args::{
-    FollowArgs, GlobalArgs, LoopArgs, PredictArgs, ResultArgs, RobotArgs, RunArgs, TaskArgs,
+    FollowArgs, GlobalArgs, LoopArgs, PlanArgs, PredictArgs, ResultArgs, RobotArgs, TaskArgs,
     WipeArgs,
 };
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, remark};
 use std::path::Path;
-use wisch::plan::{Plan, predict};
+use wisch::plan::{Plan, Strategy, predict};
 use wisch::run::{NoExecutor, RunEvent, Stage};
 use wisch_io::OutputFolder;
 use wisch_io::{Found, Leftover, Replaceable};
@@ -26,7 +26,10 @@ use wisch_report::EffectFrames;
 /// How far to go.
 #[derive(Debug, Clone, Copy)]
 enum Extent<'a> {
-    Plan,
+    /// With all plans that there are to choose from, if somebody wants to see them, which takes the task's robot.
+    Plan {
+        explain: bool,
+    },
     Predict,
     /// With the robot of the task, if there is one, round by round.
     Run(&'a RobotArgs, &'a LoopArgs),
@@ -62,8 +65,15 @@ pub fn follow_only(args: &FollowArgs, global: &GlobalArgs) -> Result<Outcome, Fa
 }
 
 /// `wisch plan`.
-pub fn plan_only(args: &RunArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    work(&args.task, &args.results, None, Extent::Plan, global)
+pub fn plan_only(args: &PlanArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let explain = args.explain;
+    work(
+        &args.task,
+        &args.results,
+        None,
+        Extent::Plan { explain },
+        global,
+    )
 }
 
 /// `wisch predict`: plan only where no plan is given.
@@ -87,8 +97,13 @@ fn work(
     };
     let task_args = touching.as_ref().unwrap_or(task_args);
     let mut prepared = Prepared::read(task_args)?;
+    let any_robot = RobotArgs::default();
+    // Which plan is the best is a question of how long the robot takes.
+    let is_weighed = matches!(extent, Extent::Plan { explain: true })
+        || prepared.config.strategy == Strategy::Best;
     let chosen = match extent {
-        Extent::Plan | Extent::Predict => None,
+        Extent::Plan { .. } if is_weighed => Chosen::new(&any_robot, &prepared)?,
+        Extent::Plan { .. } | Extent::Predict => None,
         Extent::Run(args, _) => Chosen::new(args, &prepared)?,
         Extent::Follow(args) => Some(Chosen::new(args, &prepared)?.ok_or_else(|| {
             prepared
@@ -103,7 +118,7 @@ fn work(
         (Extent::Run(..), Some(_)) => "",
         (Extent::Run(..) | Extent::Predict, _) => "-predicted",
         (Extent::Follow(_), _) => "-followed",
-        (Extent::Plan, _) => "-planned",
+        (Extent::Plan { .. }, _) => "-planned",
     };
     let out = out_folder(results, &prepared, done);
     // Before the long part: nobody likes to wait for "permission denied".
@@ -190,17 +205,25 @@ fn simulate_effect(
 ) -> Result<Results, Failure> {
     let is_given = given.is_some();
     let mut session = job.session(job.config(None), given);
+    let considered = match extent {
+        Extent::Plan { explain: true } => {
+            job.progress.say("planning by every strategy");
+            let considered = session.considered();
+            Some(considered.map_err(|error| job.failed(error))?)
+        }
+        _ => None,
+    };
     let mut watch = Watch::new(job);
-    let until = match job.robot {
-        Some(_) => Stage::Audited,
-        None => Stage::Planned,
+    let until = match (extent, job.robot) {
+        (Extent::Plan { .. }, _) | (_, None) => Stage::Planned,
+        (_, Some(_)) => Stage::Audited,
     };
     let mut look = |event: &RunEvent<'_>| watch.see(event);
     (session.run_until(until, &mut NoExecutor, &mut look)).map_err(|error| job.failed(error))?;
     let plan = session.plan().ok_or_else(|| internal("no plan was made"))?;
     let task = &job.prepared.task;
     let predicted = match (extent, session.planned()) {
-        (Extent::Plan, _) => None,
+        (Extent::Plan { .. }, _) => None,
         (_, Some(planned)) => {
             let frames = watch.round(1).effect(task, &planned.wiped());
             Some((planned.prediction.clone(), frames))
@@ -219,6 +242,7 @@ fn simulate_effect(
         planning_time_s: (!is_given).then_some(times.planning_s),
         following: Following::of(&session, times.following_s),
         predicted,
+        considered,
         rounds: Vec::new(),
     })
 }

@@ -1,5 +1,6 @@
 //! What a command says in the end: one record, and its words for people.
 
+use super::explain::{candidates, table};
 use super::follow::Following;
 use super::job::{Done, Results};
 use super::prepare::Prepared;
@@ -23,7 +24,7 @@ pub(super) fn summary(prepared: &Prepared, results: &Results, out: &Path) -> Sum
         surface: task.surface.name.clone(),
         tool: task.tool.name.clone(),
         medium: task.medium.clone(),
-        strategy: prepared.strategy().to_string(),
+        strategy: plan.strategy.to_string(),
         seed: prepared.config.seed,
         particles: task.particles.len(),
         nodes: plan.graph.nodes.len(),
@@ -45,6 +46,7 @@ pub(super) fn summary(prepared: &Prepared, results: &Results, out: &Path) -> Sum
             }
         }),
         execution: LoopSummary::new(results.rounds.iter().map(summary_of_round).collect()),
+        candidates: (results.considered.as_ref()).map(|all| candidates(all, plan, task)),
         out: out.display().to_string(),
     }
 }
@@ -128,6 +130,9 @@ pub(super) fn in_words(summary: &Summary, rounds: &[Done], out: &Path) -> String
     );
     for (name, value) in lines {
         text += &format!("  {name:<18} {value}\n");
+    }
+    if let Some(candidates) = &summary.candidates {
+        text += &table(candidates);
     }
     text
 }

@@ -20,7 +20,7 @@ pub struct Summary {
     pub tool: String,
     /// Name of the medium.
     pub medium: String,
-    /// How the nodes were placed.
+    /// How the strokes were found.
     pub strategy: String,
     /// Seed of everything random.
     pub seed: u64,
@@ -32,7 +32,7 @@ pub struct Summary {
     pub edges: usize,
     /// Strokes.
     pub strokes: usize,
-    /// Share of the particles out of reach of the graph.
+    /// Share of the particles that no allowed pose of the tool covers.
     pub unreachable_share: f64,
     /// Way in contact.
     pub distance_in_contact_m: f64,
@@ -49,8 +49,41 @@ pub struct Summary {
     /// What came of executing it; its keys are missing where nothing was executed.
     #[serde(flatten)]
     pub execution: Option<super::LoopSummary>,
+    /// The plans of all strategies; its key is missing where nobody asked for them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub candidates: Option<Vec<CandidateSummary>>,
     /// The folder with the results.
     pub out: String,
+}
+
+/// One of the plans that there were to choose from. Values are null where there is no plan.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CandidateSummary {
+    /// grid, rrt, kde or adaptive.
+    pub strategy: String,
+    /// Whether this is the plan.
+    pub chosen: bool,
+    /// What it is worth: the dirt that it is expected to bring where it belongs, less losses, way and time, in
+    /// shares of the dirt.
+    pub worth: Option<f64>,
+    /// Share of the particles where the action wants them.
+    pub predicted_performance: Option<f64>,
+    /// Share pushed over an edge where that is not wanted.
+    pub lost_share: Option<f64>,
+    /// Share of the particles that the tool passes over where they lie.
+    pub covered_share: Option<f64>,
+    /// Way in contact.
+    pub distance_in_contact_m: Option<f64>,
+    /// Whole way.
+    pub distance_total_m: Option<f64>,
+    /// Strokes.
+    pub strokes: Option<usize>,
+    /// How long the robot takes; null without a robot.
+    pub execution_time_s: Option<f64>,
+    /// Nodes that the robot does not reach; null without a robot.
+    pub abandoned_nodes: Option<usize>,
+    /// Why there is no plan, or no motion; null where there is.
+    pub error: Option<String>,
 }
 
 /// The part of a summary that takes a prediction.

@@ -3,9 +3,10 @@
 use serde::Serialize;
 use std::fmt::Write;
 use std::io;
-use wisch::follow::{Followed, TrajectorySample, Workcell};
-use wisch::geometry::Pose;
-use wisch::represent::Interaction;
+use wisch::follow::{FollowConfig, Followed, Phase, ToolPose, TrajectorySample, Workcell};
+use wisch::geometry::{PlanarPose, Pose, wrap_angle};
+use wisch::plan::Plan;
+use wisch::represent::{Interaction, Task};
 
 /// Period of the points [s]: what joint controllers interpolate between.
 const PERIOD: f64 = 0.02;
@@ -223,9 +224,7 @@ fn flow(value: &(impl Serialize + ?Sized)) -> serde_json::Result<String> {
 ///
 /// Stiffness and force are those of the knowledge base in contact; free motion asks for no force.
 pub fn tcp_path_csv(followed: &Followed, cell: &Workcell, interaction: &Interaction) -> String {
-    let mut csv = String::from(
-        "time_s,phase,stroke,x_m,y_m,z_m,qx,qy,qz,qw,stiffness_n_per_m,press_force_n\n",
-    );
+    let mut csv = String::from(PATH_HEADER);
     for sample in samples(followed) {
         let Some(motion) = followed.motion_at(sample.time) else {
             continue;
@@ -235,32 +234,113 @@ pub fn tcp_path_csv(followed: &Followed, cell: &Workcell, interaction: &Interact
         };
         let world_from_tool: Pose =
             cell.world_from_root() * kinematics.world_from_link(cell.tip()) * cell.tip_from_tool();
-        let at = world_from_tool.translation.vector;
-        let turned = world_from_tool.rotation.coords;
-        let force = if motion.phase.is_contact() {
-            interaction.press_force_n
-        } else {
-            0.0
-        };
-        let stroke = motion.phase.stroke().map(|stroke| stroke.to_string());
-        let _ = writeln!(
-            csv,
-            "{:.3},{},{},{:.6},{:.6},{:.6},{:.6},{:.6},{:.6},{:.6},{},{}",
+        path_line(
+            &mut csv,
             sample.time,
-            motion.phase.as_str(),
-            stroke.unwrap_or_default(),
-            at.x,
-            at.y,
-            at.z,
-            turned.x,
-            turned.y,
-            turned.z,
-            turned.w,
-            interaction.stiffness_n_per_m,
-            force,
+            motion.phase,
+            &world_from_tool,
+            interaction,
         );
     }
     csv
+}
+
+/// The same of a plan that no robot follows: the tool upright, at the same speed everywhere but where it comes down and goes up.
+/// It turns no faster than its corners move at that speed. Times are when it could be there, not when a robot will.
+pub fn planned_path_csv(task: &Task, plan: &Plan, config: &FollowConfig) -> String {
+    let mut csv = String::from(PATH_HEADER);
+    let mut time = 0.0;
+    for (phase, from, to) in legs(plan) {
+        let speed = match phase {
+            Phase::Lower | Phase::Lift => config.approach_speed,
+            _ => config.contact_speed,
+        };
+        let turn = to.surface_from_tool.heading - from.surface_from_tool.heading;
+        let way = from.distance(&to).max(turn.abs() * plan.collision_radius);
+        let count = (way / config.step).ceil().max(1.0) as usize;
+        for i in 0..=count {
+            let share = i as f64 / count as f64;
+            let at = Workcell::world_from_tool(task, &from.towards(&to, share));
+            let now = time + share * way / speed;
+            path_line(&mut csv, now, phase, &at, &task.interaction);
+        }
+        time += way / speed;
+    }
+    csv
+}
+
+/// Where the tool goes straight in a plan, from its start on.
+fn legs(plan: &Plan) -> Vec<(Phase, ToolPose, ToolPose)> {
+    let on = |pose: PlanarPose| ToolPose {
+        surface_from_tool: pose,
+        height: 0.0,
+        tilt: 0.0,
+    };
+    let mut legs = Vec::new();
+    let mut last: Option<ToolPose> = None;
+    for (number, stroke) in plan.strokes.iter().enumerate() {
+        let (Some(&first), Some(&end)) = (stroke.poses.first(), stroke.poses.last()) else {
+            continue;
+        };
+        let (first, end) = (on(first), on(end));
+        let above = first.lifted(plan.lift_height);
+        let mut from = last.unwrap_or_else(|| {
+            let start = PlanarPose::new(plan.tool_start, first.surface_from_tool.heading);
+            on(start).lifted(plan.lift_height)
+        });
+        // In the air the tool turns the shorter way.
+        let (to, heading) = (
+            above.surface_from_tool.heading,
+            &mut from.surface_from_tool.heading,
+        );
+        *heading = to - wrap_angle(to - *heading);
+        legs.push((Phase::Lifted, from, above));
+        legs.push((Phase::Lower, above, first));
+        let wiped = stroke
+            .poses
+            .windows(2)
+            .map(|pair| (Phase::Wipe(number), on(pair[0]), on(pair[1])));
+        legs.extend(wiped);
+        let up = end.lifted(plan.lift_height);
+        legs.push((Phase::Lift, end, up));
+        last = Some(up);
+    }
+    legs
+}
+
+const PATH_HEADER: &str =
+    "time_s,phase,stroke,x_m,y_m,z_m,qx,qy,qz,qw,stiffness_n_per_m,press_force_n\n";
+
+/// One place of the tool.
+fn path_line(
+    csv: &mut String,
+    time: f64,
+    phase: Phase,
+    world_from_tool: &Pose,
+    interaction: &Interaction,
+) {
+    let at = world_from_tool.translation.vector;
+    let turned = world_from_tool.rotation.coords;
+    let force = if phase.is_contact() {
+        interaction.press_force_n
+    } else {
+        0.0
+    };
+    let stroke = phase.stroke().map(|stroke| stroke.to_string());
+    let _ = writeln!(
+        csv,
+        "{time:.3},{},{},{:.6},{:.6},{:.6},{:.6},{:.6},{:.6},{:.6},{},{force}",
+        phase.as_str(),
+        stroke.unwrap_or_default(),
+        at.x,
+        at.y,
+        at.z,
+        turned.x,
+        turned.y,
+        turned.z,
+        turned.w,
+        interaction.stiffness_n_per_m,
+    );
 }
 
 /// The states at 0, p, 2p, …, and at the end.

@@ -117,6 +117,10 @@ pub struct TaskFile {
     particles_at: Place,
     bandwidth: Option<f64>,
     lift_height: f64,
+    evaluations: usize,
+    margin: f64,
+    max_distance: Option<f64>,
+    contact_speed: f64,
     variants: usize,
     definitions: Definitions,
 }
@@ -218,7 +222,7 @@ impl TaskFile {
         self.seed
     }
 
-    /// Name of the coverage strategy, as typed; `None` leaves it to the program.
+    /// Name of the strategy that finds strokes, as typed; `None` leaves it to the program.
     pub fn strategy(&self) -> Option<&str> {
         self.strategy.as_deref()
     }
@@ -231,6 +235,26 @@ impl TaskFile {
     /// Bandwidth h of the density estimate [m]; `None` takes it from the particles.
     pub fn bandwidth_m(&self) -> Option<f64> {
         self.bandwidth
+    }
+
+    /// How many plans the strategies adaptive and best try.
+    pub fn evaluations(&self) -> usize {
+        self.evaluations
+    }
+
+    /// By how much the tool may be off its way and still do what these strategies plan [m].
+    pub fn margin_m(&self) -> f64 {
+        self.margin
+    }
+
+    /// How far the tool may go in contact in a round [m]; `None` as far as it takes.
+    pub fn max_distance_m(&self) -> Option<f64> {
+        self.max_distance
+    }
+
+    /// Fastest the tool moves in contact [m/s].
+    pub fn contact_speed_m_per_s(&self) -> f64 {
+        self.contact_speed
     }
 
     /// How high the tool is lifted between strokes [m].

@@ -4,10 +4,11 @@ use super::clusters::ClusterTable;
 use super::deserialize::At;
 use super::execution_tables::ExecutionTable;
 use super::values::{
-    AngleRad, BandwidthM, Channel, ColorDistance, DampingRatio, DepthM, FalseAlarms, FootprintM,
-    Friction, GrainM, HalfSizeM, LawSpread, LiftHeightM, LogForce, LogSpread, Name, ParticleCount,
-    Pixel, PositionErrorM, PositionM, PostureWeight, PressForceN, QuaternionPart, RedrawLengthM,
-    Scale, SchemaVersion, Seed, Share, SizeM, Stiffness, Variants,
+    AngleRad, BandwidthM, Channel, ColorDistance, ContactSpeed, DampingRatio, DepthM, DistanceM,
+    Evaluations, FalseAlarms, FootprintM, Friction, GrainM, HalfSizeM, LawSpread, LiftHeightM,
+    LogForce, LogSpread, MarginM, Name, ParticleCount, Pixel, PositionErrorM, PositionM,
+    PostureWeight, PressForceN, QuaternionPart, RedrawLengthM, Scale, SchemaVersion, Seed, Share,
+    SizeM, Stiffness, Variants,
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{EnumAccess, Error as _, VariantAccess, Visitor};
@@ -442,6 +443,14 @@ pub(super) struct PlanTable {
     pub(super) lift_height_m: LiftHeightM,
     /// Candidate plans, of which the best by prediction is taken.
     pub(super) variants: Variants,
+    /// Plans that the strategies adaptive and best try; more take longer and find better ones.
+    pub(super) evaluations: Evaluations,
+    /// By how much the tool may be off its way and still do what these strategies plan [m].
+    pub(super) margin_m: MarginM,
+    /// How far the tool may go in contact in a round [m]; default: as far as it takes.
+    pub(super) max_distance_m: Option<DistanceM>,
+    /// Fastest the tool moves in contact [m/s].
+    pub(super) contact_speed_m_per_s: ContactSpeed,
 }
 
 impl Default for PlanTable {
@@ -450,6 +459,10 @@ impl Default for PlanTable {
             bandwidth_m: None,
             lift_height_m: LiftHeightM(0.05),
             variants: Variants(1),
+            evaluations: Evaluations(60_000),
+            margin_m: MarginM(0.003),
+            max_distance_m: None,
+            contact_speed_m_per_s: ContactSpeed(0.25),
         }
     }
 }

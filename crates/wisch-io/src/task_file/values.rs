@@ -55,6 +55,12 @@ ranges! { f64, NumberWithin;
     Weight = (1e-9, 1e9);
     /// Bandwidths [m]: narrower than the grains, or wider than any surface, says nothing.
     BandwidthM = (1e-3, 10.0);
+    /// Ways in contact [m]: from a touch to a hall.
+    DistanceM = (1e-3, 1e4);
+    /// Speeds of a tool in contact [m/s].
+    ContactSpeed = (1e-3, 2.0);
+    /// Tracking errors [m]: larger ones leave nothing of a tool.
+    MarginM = (0.0, 0.1);
     /// Clear of the surface, within an arm's reach [m].
     LiftHeightM = (1e-3, 1.0);
     /// Distances between colours in RGB; black and white are 441.67 apart.
@@ -137,6 +143,8 @@ ranges! { f64, NumberWithin;
 ranges! { u64, IntegerWithin;
     /// Any seed.
     Seed = (0, u64::MAX);
+    /// Plans that are tried: ten million take minutes to hours.
+    Evaluations = (1, 10_000_000);
     /// How many particles.
     ParticleCount = (1, MAX_PARTICLES as u64);
     /// How many plans to choose from.

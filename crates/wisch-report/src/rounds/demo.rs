@@ -7,7 +7,7 @@ use wisch::interpret::{
     Belief, Diagnosis, Event, EventKind, FittedPlane, InterpretConfig, Interpretation, PathPiece,
     PerformanceDistribution, Touch, TouchSample, interpret,
 };
-use wisch::plan::{CoverageStrategy, Plan, PlanConfig, TcpWaypoint, plan, predict};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, SearchConfig, TcpWaypoint, plan, predict};
 use wisch::represent::{Fate, GoalState, LogNormal, ParticleDistribution, Performance, Task};
 
 /// How fast the tool goes [m/s], and how long a piece of the path is [s].
@@ -72,10 +72,12 @@ impl Demo {
 
     fn play(&self, number: u64, trouble: Trouble, truth: &ParticleDistribution) -> Played {
         let config = PlanConfig {
-            strategy: CoverageStrategy::Kde,
+            strategy: CoverageStrategy::Kde.into(),
             seed: 1,
             bandwidth: None,
             lift_height: 0.05,
+            search: SearchConfig::default(),
+            max_distance: None,
         };
         let plan = plan(&self.task, &config).expect("a plan");
         let predicted = predict(&self.task, &plan, |_| ()).performance.ratio();
@@ -322,6 +324,7 @@ fn interpretation(
         },
         events: events(path),
         force_bias: 0.12,
+        tool_stiffness: None,
         contact_share: contact as f64 / near.max(1) as f64,
         belief,
         distribution,

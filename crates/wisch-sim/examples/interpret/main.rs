@@ -140,7 +140,7 @@ fn main() -> Result<(), AnyError> {
     };
     let options = LoadOptions {
         action: asked.map(named).transpose()?,
-        strategy: Some(CoverageStrategy::Kde),
+        strategy: Some(CoverageStrategy::Kde.into()),
         seed: Some(seed),
         ..LoadOptions::default()
     };

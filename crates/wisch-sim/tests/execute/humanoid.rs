@@ -14,7 +14,7 @@ use wisch_testkit::{first_stroke, humanoid, scenario};
 fn wiping() -> Wiping {
     let options = LoadOptions {
         action: Some(Action::Absorb),
-        strategy: Some(CoverageStrategy::Grid),
+        strategy: Some(CoverageStrategy::Grid.into()),
         seed: Some(1),
         ..LoadOptions::default()
     };

@@ -15,7 +15,7 @@ const FREE_FORCE: f64 = 1.5;
 /// The first stroke of the broom.
 fn sweeping() -> Wiping {
     let options = LoadOptions {
-        strategy: Some(CoverageStrategy::Grid),
+        strategy: Some(CoverageStrategy::Grid.into()),
         seed: Some(1),
         ..LoadOptions::default()
     };

@@ -1,16 +1,18 @@
-//! The nine cells of the paper's Table 1 with KDE, followed by the humanoid: nodes abandoned, execution
+//! The nine cells of the paper's Table 1, with KDE or another strategy, followed by the humanoid: performance of the plan and of
+//! what the robot wipes, nodes abandoned, execution
 //! time beside the paper's, and how long the whole computation takes (§3.4).
 //!
 //! ```text
-//! cargo run --release --package wisch --example follow -- [number of seeds, default 5] [first seed, default 1]
+//! cargo run --release --package wisch --example follow -- [number of seeds, default 5] [first seed, default 1] [strategy, default kde]
 //! ```
 //!
 //! Seeds run one after the other, so that the times of one cell are those of one run.
 
 use std::time::Instant;
 use wisch::follow::{FollowConfig, Workcell, WorkcellConfig, audit, follow};
-use wisch::plan::{CoverageStrategy, Plan, plan, predict};
+use wisch::plan::{CoverageStrategy, Plan, Strategy, predict};
 use wisch::represent::Action;
+use wisch::run::{NoExecutor, Session, Stage, unobserved};
 use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_testkit::{AnyError, Robot, TABLE_1, humanoid, scenario};
 
@@ -36,6 +38,7 @@ const PAPER: [[[f64; 3]; 3]; 3] = [
 /// What a trial gives.
 struct Trial {
     performance: f64,
+    planned: f64,
     nodes: usize,
     abandoned: usize,
     execution: f64,
@@ -51,15 +54,18 @@ fn main() -> Result<(), AnyError> {
     let mut arguments = std::env::args().skip(1);
     let count: u64 = arguments.next().map_or(Ok(5), |text| text.parse())?;
     let first: u64 = arguments.next().map_or(Ok(1), |text| text.parse())?;
+    let strategy: Strategy =
+        (arguments.next()).map_or(Ok(CoverageStrategy::Kde.into()), |text| text.parse())?;
     if count == 0 {
         return Err("at least one seed is needed".into());
     }
     let robot = humanoid();
-    println!("seeds {first} to {}", first + count - 1);
+    println!("{strategy}, seeds {first} to {}", first + count - 1);
     println!(
-        "{:18} {:>7} {:>7} {:>9} {:>7} {:>7} {:>8} {:>6} {:>7} {:>7} {:>7} {:>7} {:>6}",
+        "{:18} {:>7} {:>7} {:>7} {:>9} {:>7} {:>7} {:>8} {:>6} {:>7} {:>7} {:>7} {:>7} {:>6}",
         "",
         "perf %",
+        "planned",
         "paper",
         "abandoned",
         "exec s",
@@ -79,7 +85,7 @@ fn main() -> Result<(), AnyError> {
             for seed in first..first + count {
                 let options = LoadOptions {
                     action: Some(action),
-                    strategy: Some(CoverageStrategy::Kde),
+                    strategy: Some(strategy),
                     seed: Some(seed),
                     ..LoadOptions::default()
                 };
@@ -92,9 +98,10 @@ fn main() -> Result<(), AnyError> {
                 trials.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
             };
             println!(
-                "{action:7} {:10} {:7.2} {:7.2} {:4}/{:4} {:7.1} {:7.1} {:8.1} {:6.1} {:7.2} {:7.2} {:7.2} {:7.1} {:6}",
+                "{action:7} {:10} {:7.2} {:7.2} {:7.2} {:4}/{:4} {:7.1} {:7.1} {:8.1} {:6.1} {:7.2} {:7.2} {:7.2} {:7.1} {:6}",
                 name.trim_start_matches("chopping-"),
                 mean(&|t| t.performance),
+                mean(&|t| t.planned),
                 PAPER[a][s][0],
                 trials.iter().map(|t| t.abandoned).sum::<usize>(),
                 trials.iter().map(|t| t.nodes).sum::<usize>(),
@@ -120,7 +127,9 @@ fn main() -> Result<(), AnyError> {
 fn trial(loaded: &LoadedTask, robot: &Robot) -> Result<Trial, AnyError> {
     let begin = Instant::now();
     let LoadedTask { file, task, .. } = loaded;
-    let plan = plan(task, &loaded.config)?;
+    let mut session = Session::new(task, loaded.run_config()).with_robot(robot.performer());
+    session.run_until(Stage::Planned, &mut NoExecutor, &mut unobserved)?;
+    let plan = session.plan().ok_or("no plan")?.clone();
     let config = WorkcellConfig {
         world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
         ..WorkcellConfig::default()
@@ -143,6 +152,7 @@ fn trial(loaded: &LoadedTask, robot: &Robot) -> Result<Trial, AnyError> {
     };
     Ok(Trial {
         performance: 100.0 * predict(task, &wiped, |_| ()).performance.ratio(),
+        planned: 100.0 * predict(task, &plan, |_| ()).performance.ratio(),
         nodes: plan.strokes.iter().map(|stroke| stroke.nodes.len()).sum(),
         abandoned: followed.abandoned.len(),
         execution: followed.duration(),

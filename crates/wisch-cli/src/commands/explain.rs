@@ -1,0 +1,111 @@
+//! `wisch plan --explain`: the plans of all strategies side by side.
+
+use super::words::percent;
+use wisch::plan::{Plan, predict};
+use wisch::represent::{GoalState, Task};
+use wisch::run::Considered;
+use wisch_io::CandidateSummary;
+
+/// What a plan's worth is.
+const WORTH: &str = "the dirt brought where it belongs, on average over all places where \
+                     it may lie, less three times what is lost, less way and time";
+
+/// All that was considered, with which of it became the plan.
+pub(super) fn candidates(
+    considered: &[Considered],
+    chosen: &Plan,
+    task: &Task,
+) -> Vec<CandidateSummary> {
+    let candidates = considered.iter().map(|one| {
+        let (found, error) = match &one.candidate {
+            Ok(candidate) => (Some(candidate), None),
+            Err(error) => (None, Some(error.to_string())),
+        };
+        let plan = found.map(|found| &found.plan);
+        let performance = found
+            .and(one.prediction.as_ref())
+            .map(|predicted| predicted.performance);
+        CandidateSummary {
+            strategy: one.strategy.to_string(),
+            chosen: one.strategy == chosen.strategy,
+            worth: found.map(|found| found.worth),
+            predicted_performance: performance.map(|performance| performance.ratio()),
+            lost_share: performance.map(|p| p.lost as f64 / p.initial.max(1) as f64),
+            covered_share: plan.map(|plan| covered(plan, task)),
+            distance_in_contact_m: plan.map(Plan::contact_distance),
+            distance_total_m: plan.map(Plan::total_distance),
+            strokes: plan.map(|plan| plan.strokes.len()),
+            execution_time_s: one.motion.map(|motion| motion.duration),
+            abandoned_nodes: one.motion.map(|motion| motion.abandoned),
+            error,
+        }
+    });
+    candidates.collect()
+}
+
+/// The share of the dirt that the tool passes over where it lies now [1].
+fn covered(plan: &Plan, task: &Task) -> f64 {
+    let mut taken_up = plan.clone();
+    taken_up.graph.goal = GoalState::Absorbed;
+    predict(task, &taken_up, |_| ()).performance.ratio()
+}
+
+/// The candidates for people, the plan marked, and why it is the plan.
+pub(super) fn table(candidates: &[CandidateSummary]) -> String {
+    let has_motion = candidates.iter().any(|one| one.execution_time_s.is_some());
+    let mut text = format!(
+        "\n    {:<9} {:>6} {:>9} {:>7} {:>7} {:>11} {:>7} {:>7}",
+        "strategy", "worth", "predicted", "lost", "covered", "in contact", "in all", "strokes"
+    );
+    if has_motion {
+        text += &format!(" {:>7} {:>9}", "time", "abandoned");
+    }
+    text += "\n";
+    for one in candidates {
+        let mark = if one.chosen { '*' } else { ' ' };
+        text += &format!("  {mark} {:<9}", one.strategy);
+        if let Some(error) = &one.error {
+            text += &format!(" none: {error}\n");
+            continue;
+        }
+        let share = |share: Option<f64>| share.map_or_else(|| "–".to_owned(), percent);
+        let metres = |way: Option<f64>| way.map_or_else(|| "–".to_owned(), |m| format!("{m:.2} m"));
+        text += &format!(
+            " {:>6} {:>9} {:>7} {:>7} {:>11} {:>7} {:>7}",
+            one.worth
+                .map_or_else(|| "–".to_owned(), |w| format!("{w:.3}")),
+            share(one.predicted_performance),
+            share(one.lost_share),
+            share(one.covered_share),
+            metres(one.distance_in_contact_m),
+            metres(one.distance_total_m),
+            one.strokes.unwrap_or(0),
+        );
+        if let (Some(time), Some(abandoned)) = (one.execution_time_s, one.abandoned_nodes) {
+            text += &format!(" {:>7} {abandoned:>9}", format!("{time:.1} s"));
+        }
+        text += "\n";
+    }
+    text + &reason(candidates)
+}
+
+/// Why the plan is what it is.
+fn reason(candidates: &[CandidateSummary]) -> String {
+    let mut by_worth: Vec<(&str, f64)> = (candidates.iter())
+        .filter_map(|one| Some((one.strategy.as_str(), one.worth?)))
+        .collect();
+    by_worth.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let Some(chosen) = candidates.iter().find(|one| one.chosen) else {
+        return String::new();
+    };
+    let name = &chosen.strategy;
+    match by_worth[..] {
+        [(best, worth), (next, less), ..] if best == name.as_str() => {
+            format!("\n    {name} is worth most, {worth:.3} against {less:.3} of {next}: {WORTH}\n")
+        }
+        [(best, _), _, ..] => format!(
+            "\n    {name} is what was asked for; --strategy best would take {best}, which is worth most: {WORTH}\n"
+        ),
+        _ => format!("\n    {name} is the only one with a plan\n"),
+    }
+}
