@@ -79,6 +79,9 @@ fn the_humanoid_follows_the_board() {
                 .all(|p| p.as_array().map(Vec::len) == Some(3))
     );
     assert!(number("contact_time_s") > 0.0);
+    // A tool that wipes turns seven joints by about a radian each, and comes from somewhere and goes back.
+    assert!(number("joint_movement_in_contact_rad") > 1.0);
+    assert!(number("joint_movement_rad") > number("joint_movement_in_contact_rad") + 1.0);
     assert!(number("execution_time_s") > number("contact_time_s"));
     assert!(number("following_time_s") > 0.0);
     // The tolerance of the line and the clearance that following is asked to keep.

@@ -251,6 +251,7 @@ pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error
         },
         seed,
         bandwidth: file.bandwidth_m(),
+        heading: file.heading(),
         lift_height: file.lift_height_m(),
         max_distance: file.max_distance_m(),
         search: SearchConfig {

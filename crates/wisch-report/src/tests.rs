@@ -4,9 +4,7 @@ use crate::prediction::frames::{MAX_DRAWN, MAX_FRAMES};
 use resvg::{tiny_skia, usvg};
 use std::path::PathBuf;
 use wisch::geometry::{Mesh, Point2, Pose, Vector2, Vector3};
-use wisch::plan::{
-    CoverageStrategy, FreeSpace, Plan, PlanConfig, Prediction, SearchConfig, plan, predict,
-};
+use wisch::plan::{CoverageStrategy, FreeSpace, Plan, PlanConfig, Prediction, plan, predict};
 use wisch::represent::Task;
 use wisch::represent::{
     Action, Interaction, ParticleDistribution, SceneObject, ScenePart, Surface, Tool,
@@ -29,10 +27,7 @@ impl Run {
         let config = PlanConfig {
             strategy: strategy.into(),
             seed: 1,
-            bandwidth: None,
-            lift_height: 0.05,
-            max_distance: None,
-            search: SearchConfig::default(),
+            ..PlanConfig::default()
         };
         let plan = plan(&task, &config).expect("the scenes of these tests can be planned");
         let mut frames = EffectFrames::new(&task, &plan);

@@ -5,7 +5,7 @@ use crate::problems::lost_nodes;
 use crate::shipped::{Robot, robot};
 use wisch::follow::{FollowConfig, Followed, Workcell, WorkcellConfig, audit};
 use wisch::geometry::{Mesh, Point2, Pose, Vector2, Vector3};
-use wisch::plan::{CoverageStrategy, Plan, PlanConfig, SearchConfig, plan};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan};
 use wisch::represent::{Action, ParticleDistribution, SceneObject, ScenePart, Surface, Task};
 
 /// Extent of the board [m].
@@ -59,10 +59,7 @@ pub fn planned(task: &Task) -> Plan {
     let config = PlanConfig {
         strategy: CoverageStrategy::Grid.into(),
         seed: 1,
-        bandwidth: None,
-        lift_height: 0.05,
-        search: SearchConfig::default(),
-        max_distance: None,
+        ..PlanConfig::default()
     };
     plan(task, &config).unwrap()
 }

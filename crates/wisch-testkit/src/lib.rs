@@ -2,12 +2,14 @@
 //!
 //! Unit tests inside `wisch` and `wisch-io` cannot use it: their types would be others than those it was built with.
 
+mod any_task;
 mod board;
 mod parts;
 mod problems;
 mod shipped;
 mod whole;
 
+pub use any_task::any_task;
 pub use board::{arm7, block, board, cell, faults, first_stroke, planned};
 pub use parts::{interaction, sponge, surface};
 pub use problems::{Outcome, Problem, Tried, lost_nodes};

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
 use wisch::follow::{FollowConfig, Followed, Workcell, WorkcellConfig, audit, follow};
 use wisch::geometry::{Mesh, Point2, Polygon, Pose, Vector2, Vector3};
-use wisch::plan::{CoverageStrategy, Plan, PlanConfig, SearchConfig, plan};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan};
 use wisch::represent::{Action, ParticleDistribution, SceneObject, ScenePart, Surface, Task};
 
 /// Thickness of the plate whose upper face is the surface [m].
@@ -98,10 +98,7 @@ impl Problem {
             plan: PlanConfig {
                 strategy: strategy.into(),
                 seed,
-                bandwidth: None,
-                lift_height: 0.05,
-                search: SearchConfig::default(),
-                max_distance: None,
+                ..PlanConfig::default()
             },
             cell: WorkcellConfig {
                 world_from_robot: Some(Pose::from_parts(

@@ -36,10 +36,8 @@ fn config(strategy: impl Into<Strategy>, search: SearchConfig) -> PlanConfig {
     PlanConfig {
         strategy: strategy.into(),
         seed: 1,
-        bandwidth: None,
-        lift_height: 0.05,
-        max_distance: None,
         search,
+        ..PlanConfig::default()
     }
 }
 

@@ -11,6 +11,7 @@ use wisch::follow::{
     FollowConfig, FollowError, Followed, Obstruction, Phase, SearchScope, WorkcellConfig, audit,
     follow,
 };
+use wisch::plan::{CoverageStrategy, HeadingRule, PlanConfig, plan};
 use wisch::represent::Action;
 use wisch::robot::Margins;
 use wisch_testkit::{Outcome, Problem, arm7, block, board, cell, faults, planned, robots};
@@ -212,9 +213,30 @@ fn the_motion_is_the_same_on_one_thread_and_on_four() {
 const ONLY_GLOBALLY: u64 = 93;
 
 #[test]
+fn the_tool_turns_on_a_node_in_contact() {
+    for action in Action::ALL {
+        let task = board(action, [0.5, 0.0, 0.2]);
+        let config = PlanConfig {
+            strategy: CoverageStrategy::Grid.into(),
+            heading: HeadingRule::AlongEdges,
+            ..PlanConfig::default()
+        };
+        let (plan, cell) = (plan(&task, &config).unwrap(), cell(&task));
+        let turns = |stroke: &wisch::plan::Stroke| stroke.nodes.windows(2).any(|n| n[0] == n[1]);
+        assert!(plan.strokes.iter().any(turns), "{action}");
+        let config = FollowConfig::default();
+        let followed = follow(&task, &plan, &cell, None, &config, &mut |_| ()).unwrap();
+        assert_eq!(followed.abandoned, [], "{action}");
+        assert!(followed.strokes.iter().any(turns), "{action}");
+        assert_eq!(faults(&task, &plan, &cell, &followed), [] as [String; 0]);
+    }
+}
+
+#[test]
 fn the_global_method_finds_a_way_where_the_local_one_finds_none() {
     let robots = robots();
-    let problem = Problem::random(ONLY_GLOBALLY).unwrap();
+    let mut problem = Problem::random(ONLY_GLOBALLY).unwrap();
+    problem.plan.heading = HeadingRule::Blended;
     let with = |search| {
         let config = FollowConfig {
             search,

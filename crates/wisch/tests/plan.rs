@@ -3,8 +3,8 @@
 use proptest::prelude::*;
 use wisch::geometry::{Mesh, Point2, Pose, Vector2, Vector3};
 use wisch::plan::{
-    CoverageStrategy, FreeSpace, KdeConfig, NodeRole, Plan, PlanConfig, PlanError, RrtConfig,
-    SearchConfig, grid, kde, plan, predict, rrt,
+    CoverageStrategy, FreeSpace, HeadingRule, KdeConfig, NodeRole, Plan, PlanConfig, PlanError,
+    RrtConfig, grid, kde, plan, predict, rrt,
 };
 use wisch::represent::{
     Action, Fate, GoalState, ParticleDistribution, Performance, SceneObject, ScenePart, Task,
@@ -50,10 +50,8 @@ fn config(strategy: CoverageStrategy) -> PlanConfig {
     PlanConfig {
         strategy: strategy.into(),
         seed: 1,
-        bandwidth: None,
-        lift_height: 0.05,
-        max_distance: None,
-        search: SearchConfig::default(),
+        heading: HeadingRule::Blended,
+        ..PlanConfig::default()
     }
 }
 

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use std::ops::RangeInclusive;
 use wisch::geometry::Mesh;
 use wisch::plan::{
-    CoverageStrategy, NodeRole, Plan, PlanConfig, SearchConfig, best_plan, best_subplan,
+    CoverageStrategy, NodeRole, Plan, PlanConfig, best_plan, best_subplan,
     best_subplan_of_candidates, plan, predict,
 };
 use wisch::recover::unfinished;
@@ -174,8 +174,7 @@ fn as_planned(name: &str) -> (TaskFile, Task, Plan, f64) {
         seed: 1,
         bandwidth: file.bandwidth_m(),
         lift_height: file.lift_height_m(),
-        max_distance: None,
-        search: SearchConfig::default(),
+        ..PlanConfig::default()
     };
     let plan = plan(&task, &config).expect("there is room");
     let performance = predict(&task, &plan, |_| ()).performance.ratio();
@@ -229,10 +228,7 @@ fn segment_by_segment_the_board_is_wiped() {
             let config = PlanConfig {
                 strategy: CoverageStrategy::Kde.into(),
                 seed,
-                bandwidth: None,
-                lift_height: 0.05,
-                max_distance: None,
-                search: SearchConfig::default(),
+                ..PlanConfig::default()
             };
             let whole = plan(&task, &config).expect("there is room");
             let goal = whole.graph.goal;
@@ -273,10 +269,7 @@ fn among_variants_a_plan_that_pushes_less_over_the_edge_is_chosen() {
     let config = |seed| PlanConfig {
         strategy: CoverageStrategy::Kde.into(),
         seed,
-        bandwidth: None,
-        lift_height: 0.05,
-        max_distance: None,
-        search: SearchConfig::default(),
+        ..PlanConfig::default()
     };
     let lost = |seed, count| {
         let task = task("chopping-board", Action::Collect, seed);

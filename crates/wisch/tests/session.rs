@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use wisch::follow::{FollowConfig, MotionFault};
 use wisch::geometry::Point2;
 use wisch::interpret::TouchSample;
-use wisch::plan::Strategy;
+use wisch::plan::{HeadingRule, Strategy};
 use wisch::recover::{Verdict, is_claimable};
 use wisch::represent::{Observation, SensorModel, Task};
 use wisch::run::{
@@ -409,6 +409,8 @@ fn the_best_of_all_plans_is_worth_most_with_the_robot() {
     let mut loaded = loaded();
     loaded.config.strategy = Strategy::Best;
     loaded.config.search.evaluations = 2_000;
+    // The arm turns the tool as planned, where it does not have to turn it on the spot.
+    loaded.config.heading = HeadingRule::Blended;
     let robot = robot(&loaded);
     let session = || Session::new(&loaded.task, loaded.run_config());
     let alone = session().considered().expect("plans");

@@ -270,8 +270,8 @@ proptest! {
         let fastest = limits.joints().iter().map(|limit| limit.acceleration).fold(0.0, f64::max);
         let config = CheckConfig {
             path_deviation: TimingConfig::default().blend_tolerance + fastest * ramp * ramp / 24.0,
-            // Of differences over the ramp.
-            position_resolution: 1e-12,
+            // Of differences over the ramp, of what is summed up over all of the duration.
+            position_resolution: (4.0 * f64::EPSILON * trajectory.duration() / ramp).max(1e-12),
             ..CheckConfig::default()
         };
         prop_assert_eq!(trajectory_faults(&samples, &path, &limits, &config), vec![]);

@@ -213,7 +213,10 @@ impl Following {
 
     /// The summary.
     pub fn summary(&self) -> FollowingSummary {
+        let [in_contact, in_all] = self.joint_movement();
         FollowingSummary {
+            joint_movement_in_contact_rad: in_contact,
+            joint_movement_rad: in_all,
             robot: self.robot.clone(),
             abandoned_nodes: self.followed.abandoned.len(),
             abandoned_share: self.abandoned_share,
@@ -235,9 +238,14 @@ impl Following {
         }
     }
 
+    fn joint_movement(&self) -> [f64; 2] {
+        self.followed.joint_movement(self.cell.arm_variables())
+    }
+
     /// What it keeps to, for people.
     pub fn facts(&self) -> Vec<(String, String)> {
         let followed = &self.followed;
+        let [in_contact, in_all] = self.joint_movement();
         let mut facts = vec![
             ("Robot", self.robot.clone()),
             (
@@ -252,6 +260,10 @@ impl Following {
             (
                 "Time in contact",
                 format!("{:.1} s", followed.contact_time()),
+            ),
+            (
+                "Joint movement",
+                format!("{in_contact:.1} rad in contact, {in_all:.1} rad in all"),
             ),
             (
                 "Off the line at most",

@@ -117,6 +117,10 @@ pub struct FollowingSummary {
     pub execution_time_s: f64,
     /// How long of it the tool wipes.
     pub contact_time_s: f64,
+    /// How far the joints of the arm move while the tool wipes, summed over them.
+    pub joint_movement_in_contact_rad: f64,
+    /// How far they move in all.
+    pub joint_movement_rad: f64,
     /// How long finding the motion took, placements and timing included.
     pub following_time_s: f64,
     /// How far the tool centre point leaves its line at most.

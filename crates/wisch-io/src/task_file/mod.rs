@@ -25,6 +25,7 @@ use crate::particles::ParticleSource;
 use definitions::Definitions;
 use wisch::follow::WorkcellConfig;
 use wisch::geometry::{Point2, Pose, Vector3};
+use wisch::plan::HeadingRule;
 use wisch::represent::{Action, ScenePart, Surface, Task};
 use wisch::source_location::Place;
 
@@ -116,6 +117,7 @@ pub struct TaskFile {
     particles: ParticleSource,
     particles_at: Place,
     bandwidth: Option<f64>,
+    heading: HeadingRule,
     lift_height: f64,
     evaluations: usize,
     margin: f64,
@@ -235,6 +237,11 @@ impl TaskFile {
     /// Bandwidth h of the density estimate [m]; `None` takes it from the particles.
     pub fn bandwidth_m(&self) -> Option<f64> {
         self.bandwidth
+    }
+
+    /// How the tool is turned along the strokes of a coverage strategy.
+    pub fn heading(&self) -> HeadingRule {
+        self.heading
     }
 
     /// How many plans the strategies adaptive and best try.

@@ -15,6 +15,7 @@ use serde::de::{EnumAccess, Error as _, VariantAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::borrow::Cow;
 use std::fmt;
+use wisch::plan::HeadingRule;
 use wisch::represent::{Action, MediumKind, ScenePart};
 
 /// A task: what is to be wiped, where, with what, and to what end. Lengths in metres, angles in radians.
@@ -439,6 +440,8 @@ pub(super) enum ParticlesTable {
 pub(super) struct PlanTable {
     /// Bandwidth of the density estimate of the strategy kde [m]; default: from the particles.
     pub(super) bandwidth_m: Option<BandwidthM>,
+    /// How the tool is turned along the strokes of the strategies grid, rrt and kde.
+    pub(super) heading: HeadingName,
     /// How high the tool is lifted between strokes [m].
     pub(super) lift_height_m: LiftHeightM,
     /// Candidate plans, of which the best by prediction is taken.
@@ -457,12 +460,35 @@ impl Default for PlanTable {
     fn default() -> Self {
         Self {
             bandwidth_m: None,
+            heading: HeadingName::Best,
             lift_height_m: LiftHeightM(0.05),
             variants: Variants(1),
             evaluations: Evaluations(60_000),
             margin_m: MarginM(0.003),
             max_distance_m: None,
             contact_speed_m_per_s: ContactSpeed(0.25),
+        }
+    }
+}
+
+/// How the tool is turned along strokes.
+#[derive(Deserialize, JsonSchema, Clone, Copy)]
+#[serde(rename = "heading", rename_all = "snake_case")]
+#[schemars(rename = "Heading", inline)]
+pub(super) enum HeadingName {
+    Blended,
+    AlongEdges,
+    Constant,
+    Best,
+}
+
+impl From<HeadingName> for HeadingRule {
+    fn from(name: HeadingName) -> Self {
+        match name {
+            HeadingName::Blended => Self::Blended,
+            HeadingName::AlongEdges => Self::AlongEdges,
+            HeadingName::Constant => Self::Constant,
+            HeadingName::Best => Self::Best,
         }
     }
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use wisch::follow::TrajectorySample;
 use wisch::follow::{JointLimit, JointLimits, JointPath, TimingConfig, time_path};
 use wisch::geometry::{Point3, Pose, Vector3};
-use wisch::plan::{CoverageStrategy, Plan, PlanConfig, SearchConfig, TcpWaypoint, plan, predict};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, TcpWaypoint, plan, predict};
 use wisch::represent::{Action, Task};
 use wisch::robot::{LinkId, RobotModel};
 use wisch_io::{LoadOptions, load_task, read, read_text};
@@ -42,10 +42,8 @@ impl Demo {
         let config = PlanConfig {
             strategy: CoverageStrategy::Kde.into(),
             seed: 1,
-            bandwidth: None,
             lift_height: 0.06,
-            search: SearchConfig::default(),
-            max_distance: None,
+            ..PlanConfig::default()
         };
         let plan = plan(&task, &config).expect("a plan");
         let samples = samples(&robot, &task, &plan);

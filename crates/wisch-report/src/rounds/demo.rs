@@ -7,7 +7,7 @@ use wisch::interpret::{
     Belief, Diagnosis, Event, EventKind, FittedPlane, InterpretConfig, Interpretation, PathPiece,
     PerformanceDistribution, Touch, TouchSample, interpret,
 };
-use wisch::plan::{CoverageStrategy, Plan, PlanConfig, SearchConfig, TcpWaypoint, plan, predict};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, TcpWaypoint, plan, predict};
 use wisch::represent::{Fate, GoalState, LogNormal, ParticleDistribution, Performance, Task};
 
 /// How fast the tool goes [m/s], and how long a piece of the path is [s].
@@ -74,10 +74,7 @@ impl Demo {
         let config = PlanConfig {
             strategy: CoverageStrategy::Kde.into(),
             seed: 1,
-            bandwidth: None,
-            lift_height: 0.05,
-            search: SearchConfig::default(),
-            max_distance: None,
+            ..PlanConfig::default()
         };
         let plan = plan(&self.task, &config).expect("a plan");
         let predicted = predict(&self.task, &plan, |_| ()).performance.ratio();

@@ -254,7 +254,8 @@ impl Follower<'_> {
             first.put_down_anew();
             return Ok(Vec::new());
         }
-        let left: Vec<Waiting> = open.iter().flat_map(Open::unpassed).copied().collect();
+        let mut left: Vec<Waiting> = open.iter().flat_map(Open::unpassed).copied().collect();
+        left.dedup_by_key(|waiting| waiting.node);
         let mut untouched = self.untouched(&left, at)?;
         // Of the first it is known, whether the base can move or not.
         if let Some(first) = untouched.first_mut() {
@@ -562,7 +563,17 @@ impl Open {
 
     /// The nodes that are still to be passed.
     fn unpassed(&self) -> &[Waiting] {
-        &self.nodes[usize::from(self.begun)..]
+        let passed = if self.begun { self.copies(0) } else { 0 };
+        &self.nodes[passed..]
+    }
+
+    /// How often in a row the node there is in it: twice where the tool is turned on it.
+    fn copies(&self, at: usize) -> usize {
+        let [first, ..] = &self.nodes[at..] else {
+            return 0;
+        };
+        let same = |waiting: &&Waiting| waiting.node == first.node;
+        self.nodes[at..].iter().take_while(same).count()
     }
 
     /// Leaves the wiped node that it has come to: the tool is put down at the next.
@@ -621,12 +632,14 @@ fn best_or_here(
 /// that has failed before, the tool is put down anew at the one after.
 fn give_up(open: &mut Vec<Open>, attempts: Vec<Attempt>) -> Option<AbandonedNode> {
     let first = &mut open[0];
-    if first.begun && first.skipped {
+    let is_turn = first.begun && first.copies(0) > 1;
+    if first.begun && first.skipped || is_turn {
         first.put_down_anew();
         return None;
     }
     let at = usize::from(first.begun && first.nodes.len() > 1);
-    let given_up = first.nodes.remove(at);
+    let given_up = first.nodes[at];
+    first.nodes.drain(at..at + first.copies(at));
     if let [before, after, ..] = &mut first.nodes[..]
         && at == 1
     {

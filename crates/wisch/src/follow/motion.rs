@@ -5,6 +5,9 @@ use crate::geometry::{PlanarPose, Pose};
 use crate::plan::Stroke;
 use crate::robot::Range;
 
+/// How finely movement is summed up [s].
+const MOVEMENT_PERIOD: f64 = 0.01;
+
 /// What a motion is for, and by that what may move and what the tool may touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Phase {
@@ -279,5 +282,27 @@ impl Followed {
     pub fn contact_time(&self) -> f64 {
         let contact = self.motions.iter().filter(|m| m.phase.is_contact());
         contact.fold(0.0, |sum, motion| sum + motion.trajectory.duration())
+    }
+
+    /// How far some of the variables move, summed over them: while the tool wipes, and in all [rad].
+    pub fn joint_movement(&self, variables: &[usize]) -> [f64; 2] {
+        let mut movement = [0.0; 2];
+        for motion in &self.motions {
+            let mut samples = motion.trajectory.samples(MOVEMENT_PERIOD);
+            let Some(mut before) = samples.next() else {
+                continue;
+            };
+            let mut moved = 0.0;
+            for sample in samples {
+                let steps = variables.iter().map(|&i| (sample.q[i] - before.q[i]).abs());
+                moved += steps.sum::<f64>();
+                before = sample;
+            }
+            movement[1] += moved;
+            if motion.phase.is_contact() {
+                movement[0] += moved;
+            }
+        }
+        movement
     }
 }

@@ -7,6 +7,7 @@ mod clearance;
 mod coverage;
 mod error;
 mod graph;
+mod heading;
 mod objective;
 mod planner;
 mod portfolio;
@@ -24,6 +25,7 @@ pub use coverage::{
 };
 pub use error::PlanError;
 pub use graph::{Node, NodeRole, SemanticDirectedGraph};
+pub use heading::HeadingRule;
 pub use objective::is_gainful;
 pub use planner::{PlanConfig, SearchConfig, joined_anew};
 pub(crate) use portfolio::most_worth;

@@ -1,13 +1,19 @@
 //! The planner: nodes by strategy, graph by policy, strokes by order.
 
 use super::coverage::CoverageInput;
+use super::objective::best_by_objective;
 use super::tree::{branches, forest};
 use super::{
-    CostMatrix, CoverageStrategy, FreeSpace, Node, NodeRole, Plan, PlanError,
+    CostMatrix, CoverageStrategy, FreeSpace, HeadingRule, Node, NodeRole, Plan, PlanError,
     SemanticDirectedGraph, Strategy, Stroke, TourConfig, predict, shortest_path_from,
 };
 use crate::geometry::{Edge, Point2};
-use crate::represent::{Action, GoalState, Task};
+use crate::represent::{Action, GoalState, ParticleDistribution, Task};
+use rand::RngExt;
+use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
+
+/// Headings are chosen by their effect on no more particles than this.
+const CHOSEN_BY: usize = 2000;
 
 /// How nodes are placed and the tool is lifted; what is to be done with what is said by the task.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,6 +24,8 @@ pub struct PlanConfig {
     pub seed: u64,
     /// Bandwidth of the density estimate [m]; `None` takes it from the data.
     pub bandwidth: Option<f64>,
+    /// How the tool is turned along the strokes of a coverage strategy.
+    pub heading: HeadingRule,
     /// How high the tool is lifted between strokes [m].
     pub lift_height: f64,
     /// How far the tool may go in contact [m]; `None` as far as it takes.
@@ -42,6 +50,7 @@ impl Default for PlanConfig {
             strategy: CoverageStrategy::Grid.into(),
             seed: 0,
             bandwidth: None,
+            heading: HeadingRule::default(),
             lift_height: 0.05,
             max_distance: None,
             search: SearchConfig::default(),
@@ -122,12 +131,9 @@ pub fn joined_anew(
         let forest = forest(&space, &positions, &goals, 2.0 * plan.collision_radius);
         branches(&positions, &forest.parent, from)
     };
-    let symmetric = absorbs && task.tool.is_half_turn_symmetric();
-    let stroke = |chain: Vec<usize>| {
-        let chain = chain.into_iter().map(|i| nodes[i]).collect();
-        Stroke::along(&plan.graph, chain, symmetric)
-    };
-    Ok(chains.into_iter().map(stroke).collect())
+    let named = |chain: Vec<usize>| chain.into_iter().map(|i| nodes[i]).collect();
+    let chains: Vec<Vec<usize>> = chains.into_iter().map(named).collect();
+    Ok(best_headed(task, plan, HeadingRule::Best, &chains).strokes)
 }
 
 /// Absorb: an open tour from the node nearest the tool; paper §3.2.
@@ -334,19 +340,43 @@ fn assemble(
     graph: SemanticDirectedGraph,
     chains: Vec<Vec<usize>>,
 ) -> Plan {
-    let symmetric = task.action == Action::Absorb && task.tool.is_half_turn_symmetric();
-    Plan {
+    let plan = Plan {
         strategy: config.strategy,
-        strokes: chains
-            .into_iter()
-            .map(|chain| Stroke::along(&graph, chain, symmetric))
-            .collect(),
+        strokes: Vec::new(),
         graph,
         collision_radius: space.radius(),
         unreachable_share: 0.0,
         tool_start: task.tool_start,
         lift_height: config.lift_height,
+    };
+    best_headed(task, &plan, config.heading, &chains)
+}
+
+/// The plan with strokes through these chains of its nodes, headed so that their predicted effect is best.
+fn best_headed(task: &Task, plan: &Plan, rule: HeadingRule, chains: &[Vec<usize>]) -> Plan {
+    let headed = rule.choices(task).into_iter().map(|headings| Plan {
+        strokes: headings.strokes(task, &plan.graph, chains),
+        ..plan.clone()
+    });
+    let few = Task {
+        particles: some_of(&task.particles, CHOSEN_BY),
+        ..task.clone()
+    };
+    best_by_objective(&few, headed).expect("a rule has at least one heading")
+}
+
+/// Some dirt, or a random choice of so many of its particles.
+pub(super) fn some_of(dirt: &ParticleDistribution, most: usize) -> ParticleDistribution {
+    if dirt.len() <= most {
+        return dirt.clone();
     }
+    let mut random = ChaCha8Rng::seed_from_u64(dirt.len() as u64);
+    let mut numbers: Vec<usize> = (0..dirt.len()).collect();
+    for i in 0..most {
+        let other = random.random_range(i..numbers.len());
+        numbers.swap(i, other);
+    }
+    dirt.chosen(&numbers[..most])
 }
 
 fn coverage_nodes(positions: Vec<Point2>) -> Vec<Node> {

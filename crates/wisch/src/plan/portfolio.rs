@@ -1,14 +1,13 @@
 //! Plans by any strategy, and the choice among them.
 
 use super::adaptive::{Judge, searched, worth as worth_to};
-use super::candidates::{best_by_objective, candidate_plans};
-use super::planner::covering;
+use super::candidates::candidate_plans;
+use super::objective::best_by_objective;
+use super::planner::{covering, some_of};
 use super::subplans::space_of;
 use super::{CoverageStrategy, FreeSpace, Plan, PlanConfig, PlanError, SearchConfig, Strategy};
 use crate::geometry::Point2;
 use crate::represent::{ParticleDistribution, Task};
-use rand::RngExt;
-use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
 /// Plans of the other strategies from which strokes are searched for: so many settings of each.
 const BEGUN_WITH: [(CoverageStrategy, usize); 2] =
@@ -216,7 +215,9 @@ fn prepared(
     };
     Ok((
         of_first,
-        dirt.iter().map(some_of).collect(),
+        dirt.iter()
+            .map(|dirt| some_of(dirt, MAX_PARTICLES))
+            .collect(),
         space_of(task)?,
     ))
 }
@@ -232,20 +233,6 @@ fn finished(plan: Plan, task: &Task, space: &FreeSpace, config: &PlanConfig) -> 
         unreachable_share: space.out_of_reach(&places, &task.tool.footprint),
         ..plan
     }
-}
-
-/// The dirt, or so much of it that strokes for it serve all of it.
-fn some_of(dirt: &ParticleDistribution) -> ParticleDistribution {
-    if dirt.len() <= MAX_PARTICLES {
-        return dirt.clone();
-    }
-    let mut random = ChaCha8Rng::seed_from_u64(dirt.len() as u64);
-    let mut numbers: Vec<usize> = (0..dirt.len()).collect();
-    for i in 0..MAX_PARTICLES {
-        let other = random.random_range(i..numbers.len());
-        numbers.swap(i, other);
-    }
-    dirt.chosen(&numbers[..MAX_PARTICLES])
 }
 
 /// Strokes that are searched for, begun with those of coverage strategies for the task's dirt.

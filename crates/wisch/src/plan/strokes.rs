@@ -1,13 +1,13 @@
 //! Strokes, what the tool does from touching down to lifting off, and the plan that they make up.
 
 use super::{Node, NodeRole, SemanticDirectedGraph, Strategy};
-use crate::geometry::{PlanarPose, Point2, wrap_angle};
+use crate::geometry::{PlanarPose, Point2};
 use crate::represent::ToolMotion;
 
 /// One motion in contact through a chain of nodes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stroke {
-    /// The nodes it runs through.
+    /// The nodes it runs through; one on which the tool is turned on the spot stands there twice.
     pub nodes: Vec<usize>,
     /// Pose of the tool in the surface frame at each of these nodes. Headings are continuous (not
     /// wrapped), and change linearly along the edges between.
@@ -24,36 +24,6 @@ pub struct TcpWaypoint {
 }
 
 impl Stroke {
-    /// Orients the tool across the motion at every node; paper §3.3.
-    ///
-    /// Each node's heading points to the next node, the last keeps that of its edge. A tool that looks
-    /// the same after half a turn (`half_turn_symmetric`) takes the nearer of the two headings.
-    pub(super) fn along(
-        graph: &SemanticDirectedGraph,
-        nodes: Vec<usize>,
-        half_turn_symmetric: bool,
-    ) -> Self {
-        let mut poses: Vec<PlanarPose> = Vec::with_capacity(nodes.len());
-        let mut heading = 0.0;
-        for (i, &node) in nodes.iter().enumerate() {
-            let position = graph.position(node);
-            if let Some(&next) = nodes.get(i + 1) {
-                let towards = graph.position(next) - position;
-                let wanted = towards.y.atan2(towards.x);
-                heading = match (i, half_turn_symmetric) {
-                    (0, _) => wanted,
-                    (_, true) => {
-                        let turn = wrap_angle(2.0 * (wanted - heading)) / 2.0;
-                        heading + turn
-                    }
-                    (_, false) => heading + wrap_angle(wanted - heading),
-                };
-            }
-            poses.push(PlanarPose::new(position, heading));
-        }
-        Self { nodes, poses }
-    }
-
     /// The motions in contact, edge by edge. A stroke of a single node is a touch without motion.
     pub fn motions(&self) -> impl Iterator<Item = ToolMotion> + '_ {
         let touch = (self.poses.len() == 1).then(|| ToolMotion {

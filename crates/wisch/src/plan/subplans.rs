@@ -1,8 +1,9 @@
 //! One subplan at a time: what is best wiped next, before anybody looks; paper §4.3.
 
+use super::heading::Headings;
 use super::objective::{objective, objective_at_rest};
 use super::{FreeSpace, Plan, PlanError, SemanticDirectedGraph, Stroke, predict};
-use crate::represent::{Action, GoalState, Task};
+use crate::represent::{GoalState, Task};
 
 /// Length of a subplan of a tour, over the radius r_s of the collision sphere: about three widths of the
 /// tool, as far as a wipe reaches before one looks.
@@ -103,7 +104,6 @@ fn best_among(task: &Task, plan: &Plan, strokes: &[Stroke]) -> Option<Found> {
 }
 
 fn subplans(plan: &Plan, task: &Task, space: &FreeSpace) -> Vec<Stroke> {
-    let symmetric = task.action == Action::Absorb && task.tool.is_half_turn_symmetric();
     let graph = &plan.graph;
     let chains: Vec<Vec<usize>> = match graph.goal {
         GoalState::Collected { .. } | GoalState::Skimmed => (0..graph.nodes.len())
@@ -122,8 +122,7 @@ fn subplans(plan: &Plan, task: &Task, space: &FreeSpace) -> Vec<Stroke> {
                 .collect()
         }
     };
-    let along = |chain| Stroke::along(graph, chain, symmetric);
-    chains.into_iter().map(along).collect()
+    Headings::Blended.strokes(task, graph, &chains)
 }
 
 /// From a node along the tree's edges to its root.

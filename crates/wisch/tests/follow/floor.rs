@@ -147,7 +147,7 @@ fn what_nodes_out_of_reach_leave_of_trees_is_joined_anew() {
         ("\"collect\"", ("collect.goal_m", "[0.0, 0.0]"), 20),
         ("\"skim\"", ("surface.skim_edges", "[\"y_min\"]"), 50),
     ] {
-        let floor = rooted(action, &[more]);
+        let floor = rooted(action, &[more, ("plan.heading", "\"blended\"")]);
         let Floor {
             task,
             plan,

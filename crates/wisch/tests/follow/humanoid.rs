@@ -1,7 +1,7 @@
 //! The humanoid at the chopping board.
 
 use wisch::follow::{FollowConfig, Followed, Phase, Workcell, WorkcellConfig, follow};
-use wisch::plan::{CoverageStrategy, Plan, PlanConfig, SearchConfig, plan};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan};
 use wisch::represent::{Action, Task};
 use wisch_io::{LoadOptions, TaskFile, load_task};
 use wisch_testkit::{faults, humanoid};
@@ -24,8 +24,7 @@ pub fn planned(file: &TaskFile, task: &Task) -> Plan {
         seed: 1,
         bandwidth: file.bandwidth_m(),
         lift_height: file.lift_height_m(),
-        max_distance: None,
-        search: SearchConfig::default(),
+        ..PlanConfig::default()
     };
     plan(task, &config).unwrap()
 }

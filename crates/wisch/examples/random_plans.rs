@@ -1,0 +1,122 @@
+//! Random tasks, planned by every strategy: whether `best` is the best. Exits 1 on a panic.
+//!
+//! ```text
+//! cargo run --release --package wisch --example random_plans -- [count, default 200] [first seed, default 1000]
+//! ```
+//!
+//! The predicted performance of `best` is held against the best of grid, rrt and kde. All are judged by one effect model, in the
+//! world that is believed.
+
+use rayon::prelude::*;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::process::ExitCode;
+use wisch::plan::{Plan, PlanConfig, Strategy, plan, portfolio, predict};
+use wisch::represent::{Action, Task};
+use wisch_testkit::{AnyError, any_task};
+
+/// What became of a task.
+struct Row {
+    seed: u64,
+    action: Action,
+    /// Performance [points] of the best of the three, and of `best`.
+    performance: [f64; 2],
+    /// Particles lost by the same two.
+    lost: [usize; 2],
+    chosen: Strategy,
+}
+
+fn main() -> Result<ExitCode, AnyError> {
+    let mut arguments = std::env::args().skip(1);
+    let count: u64 = arguments.next().map_or(Ok(200), |text| text.parse())?;
+    let first: u64 = arguments.next().map_or(Ok(1000), |text| text.parse())?;
+    let tried: Vec<_> = (first..first.saturating_add(count))
+        .into_par_iter()
+        .map(|seed| (seed, catch_unwind(AssertUnwindSafe(|| row(seed)))))
+        .collect();
+    let mut rows = Vec::new();
+    let mut panics = 0;
+    for (seed, tried) in tried {
+        match tried {
+            Ok(Ok(row)) => rows.push(row),
+            Ok(Err(error)) => println!("seed {seed}: refused: {error}"),
+            Err(_) => {
+                println!("seed {seed}: panic");
+                panics += 1;
+            }
+        }
+    }
+    println!("{} of {count} tasks have a plan", rows.len());
+    for action in Action::ALL {
+        let of: Vec<&Row> = rows.iter().filter(|row| row.action == action).collect();
+        let mut gains: Vec<f64> = of
+            .iter()
+            .map(|row| row.performance[1] - row.performance[0])
+            .collect();
+        gains.sort_by(f64::total_cmp);
+        let (Some(least), Some(most)) = (gains.first(), gains.last()) else {
+            continue;
+        };
+        let mean = |which: usize| {
+            of.iter().map(|row| row.performance[which]).sum::<f64>() / of.len() as f64
+        };
+        let lost = |which: usize| of.iter().map(|row| row.lost[which]).sum::<usize>();
+        println!(
+            "{action:7} {:3} tasks: best {:.1} %, of the three {:.1} % (means); gain {:+.1} points at least, {:+.1} median, {:+.1} at most; lost {} against {} particles",
+            of.len(),
+            mean(1),
+            mean(0),
+            least,
+            gains[gains.len() / 2],
+            most,
+            lost(1),
+            lost(0),
+        );
+    }
+    for row in rows
+        .iter()
+        .filter(|row| row.performance[1] < row.performance[0] - 1.0)
+    {
+        println!(
+            "seed {}: {} {:.1} % by {}, {:.1} % by one of the three; lost {} against {}",
+            row.seed,
+            row.action,
+            row.performance[1],
+            row.chosen,
+            row.performance[0],
+            row.lost[1],
+            row.lost[0]
+        );
+    }
+    Ok(ExitCode::from(u8::from(panics > 0)))
+}
+
+fn row(seed: u64) -> Result<Row, AnyError> {
+    let task = any_task(seed)?;
+    let config = PlanConfig {
+        strategy: Strategy::Best,
+        seed,
+        ..PlanConfig::default()
+    };
+    let candidates = portfolio(&task, std::slice::from_ref(&task.particles), &config)?;
+    let of_three = candidates.into_iter().filter_map(|(strategy, candidate)| {
+        let candidate = candidate.ok()?;
+        (!strategy.is_searched()).then(|| effect(&task, &candidate.plan))
+    });
+    let three = of_three.max_by(|a, b| a.0.total_cmp(&b.0));
+    let best = plan(&task, &config)?;
+    let (performance, lost) = effect(&task, &best);
+    let (of_three, lost_by_three) = three.unwrap_or_default();
+    Ok(Row {
+        seed,
+        action: task.action,
+        performance: [of_three, performance],
+        lost: [lost_by_three, lost],
+        chosen: best.strategy,
+    })
+}
+
+/// Predicted performance [points] and particles lost.
+fn effect(task: &Task, plan: &Plan) -> (f64, usize) {
+    let predicted = predict(task, plan, |_| ()).performance;
+    (100.0 * predicted.ratio(), predicted.lost)
+}
