@@ -52,8 +52,8 @@ pub struct StrategyColumn<'a> {
     pub strategy: String,
     /// Its figures, one for each quantity.
     pub figures: Vec<ComparedFigure>,
-    /// The surface after it, and what is said of that.
-    pub picture: Option<(WipedSurface<'a>, String)>,
+    /// The surface after it, and what is said of that: what came of it, and what it took.
+    pub picture: Option<(WipedSurface<'a>, [String; 2])>,
 }
 
 /// A figure of ours, and the paper's.
@@ -169,10 +169,10 @@ fn pictures(surface: &SurfaceColumns) -> Markup {
                     figcaption { b { "before" } }
                 }
             }
-            @for (column, (picture, caption)) in pictured {
+            @for (column, (picture, [outcome, effort])) in pictured {
                 figure {
                     (picture.after().inline(&format!("after, by {}", column.strategy)))
-                    figcaption { b { (column.strategy) } br; (caption) }
+                    figcaption { b { (column.strategy) } " · " (outcome) br; (effort) }
                 }
             }
         }
@@ -185,7 +185,7 @@ mod tests {
     use wisch::geometry::Point2;
     use wisch::represent::GoalState;
 
-    fn input<'a>(picture: Option<(WipedSurface<'a>, String)>) -> Table1Input<'a> {
+    fn input<'a>(picture: Option<(WipedSurface<'a>, [String; 2])>) -> Table1Input<'a> {
         let figure = |ours: &str, paper: Option<&str>| ComparedFigure {
             ours: ours.to_owned(),
             paper: paper.map(str::to_owned),
@@ -235,7 +235,10 @@ mod tests {
             done: vec![],
             lost: vec![],
         };
-        let page = table1_page(&input(Some((picture, "2 of 3".to_owned()))));
+        let page = table1_page(&input(Some((
+            picture,
+            ["2 of 3".to_owned(), "1 lift".to_owned()],
+        ))));
         let dots = |class: &str| {
             let paths = page
                 .split("<path ")

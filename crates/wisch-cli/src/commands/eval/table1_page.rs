@@ -1,5 +1,6 @@
 //! table1.html: the table with pictures of one seed.
 
+use super::super::words::counted;
 use super::table1::{Table1Record, columns, lead, papers};
 use super::wipings::{figure, heading, mean};
 use crate::failure::Failure;
@@ -120,15 +121,17 @@ fn wiped<'a>(task: &'a Task, picture: &Picture) -> WipedSurface<'a> {
     }
 }
 
-/// What came of a run, in a line.
-fn caption(score: &WipingScore) -> String {
-    let performance = match &score.execution {
+/// What came of a run, and what it took.
+fn caption(score: &WipingScore) -> [String; 2] {
+    let outcome = match &score.execution {
         Some(execution) => figure(Quantity::Truth, execution.truth) + " % true",
         None => figure(Quantity::Predicted, score.predicted) + " %",
     };
-    let lifts = if score.lifts == 1 { "lift" } else { "lifts" };
-    format!(
-        "{performance} · {:.2} m · {} {lifts}",
-        score.distance_m, score.lifts
-    )
+    let time = score.execution_s();
+    let time = time.map_or_else(String::new, |time| {
+        format!(" · {} s", figure(Quantity::ExecutionS, time))
+    });
+    let distance = figure(Quantity::DistanceM, score.distance_m);
+    let lifts = counted(score.lifts, "lift");
+    [outcome, format!("{distance} m · {lifts}{time}")]
 }

@@ -7,6 +7,9 @@ use wisch_eval::{ExecutionScore, Quantity, Statistics, Summary, WipingScore};
 /// What stands where there is nothing.
 pub(super) const NONE: &str = "–";
 
+/// Parts of one below which a figure is nothing but rounding.
+const PER_ONE: f64 = 1e9;
+
 /// What the columns before a run's own are called, and those after them.
 const BEFORE: &str = "plan_strategy";
 const AFTER: [&str; 5] = ["before", "low", "high", "verdict", "claimed"];
@@ -86,7 +89,9 @@ pub(super) const fn heading(quantity: Quantity) -> (&'static str, usize) {
 pub(super) fn figure(quantity: Quantity, value: f64) -> String {
     let (name, decimals) = heading(quantity);
     let factor = if name.ends_with('%') { 100.0 } else { 1.0 };
-    format!("{:.decimals$}", factor * value)
+    // Means that are equal but for rounding are written alike.
+    let value = (factor * value * PER_ONE).round() / PER_ONE;
+    format!("{value:.decimals$}")
 }
 
 /// The mean of a quantity in words.
