@@ -82,7 +82,7 @@ fn a_cell_of_table_1_stands_beside_the_papers() {
         "{table}"
     );
     assert!(
-        table.contains("| 84.25 |") && table.contains("2 of 2 cells"),
+        table.contains("| 84.25 |") && table.contains("2 of 2 of the paper's cells"),
         "{table}"
     );
     assert_eq!(text(&out, "runs.csv").lines().count(), 5);

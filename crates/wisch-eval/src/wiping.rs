@@ -57,9 +57,9 @@ pub struct WipingScore {
     pub strategy: String,
     /// Nodes of the first plan.
     pub nodes: usize,
-    /// How often the tool is lifted off the surface: at the end of each stroke.
+    /// How often the tool is lifted off the surface, at the end of each stroke; in all rounds that were executed.
     pub lifts: usize,
-    /// Way in contact [m].
+    /// Way in contact [m]; in all rounds that were executed.
     pub distance_m: f64,
     /// Share of the particles that no pose of the tool covers [1].
     pub out_of_reach: f64,
@@ -259,14 +259,16 @@ fn executed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, 
         verdict: last.verdict.as_str().to_owned(),
         is_claimed: last.verdict == Verdict::GoalMet,
     });
+    let all = rounds
+        .iter()
+        .flat_map(|round| &round.motion.followed.strokes);
+    let wiped = Plan {
+        strokes: all.cloned().collect(),
+        ..first.plan.clone()
+    };
+    score.lifts = wiped.strokes.len();
+    score.distance_m = wiped.contact_distance();
     if options.is_pictured {
-        let all = rounds
-            .iter()
-            .flat_map(|round| &round.motion.followed.strokes);
-        let wiped = Plan {
-            strokes: all.cloned().collect(),
-            ..first.plan.clone()
-        };
         score.picture = Some(Picture::new(&first.task, &wiped, &before, after));
     }
     Ok(score)

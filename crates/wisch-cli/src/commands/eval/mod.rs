@@ -5,7 +5,6 @@ mod journal;
 mod scenarios;
 mod sweep;
 mod table1;
-mod table1_page;
 mod wipings;
 
 pub use calibration::calibration;

@@ -1,8 +1,8 @@
 //! table1.html: the table with pictures of one seed.
 
-use super::super::words::counted;
-use super::table1::{Table1Record, columns, lead, papers};
-use super::wipings::{figure, heading, mean};
+use super::super::super::words::counted;
+use super::super::wipings::{figure, heading, mean};
+use super::record::{Table1Record, columns, lead, papers};
 use crate::failure::Failure;
 use std::path::Path;
 use wisch::geometry::Point2;
@@ -74,7 +74,7 @@ pub(super) fn page(record: &Table1Record) -> Result<String, Failure> {
     let actions = Action::ALL.into_iter().map(of_action);
     let [reached, own] = record.reached;
     let headline = (own > 0).then(|| {
-        let sentence = "cells of the paper's own strategies reach its performance.";
+        let sentence = "of the paper's cells reach its performance: means, predicted.";
         (format!("{reached} of {own}"), sentence.to_owned())
     });
     Ok(table1_page(&Table1Input {

@@ -1,37 +1,25 @@
 //! `wisch eval table1`: the paper's Table 1 beside ours.
 
-use super::super::words::counted;
+mod page;
+mod record;
+
 use super::journal::{Cases, Evaluated};
-use super::table1_page::page;
 use super::wipings::{csv, header, heading, mean, row, runs_csv};
 use super::{Provenance, conclude, evaluated, write};
 use crate::args::{GlobalArgs, Table1Args};
 use crate::failure::Failure;
 use crate::terminal::Outcome;
-use serde::Serialize;
+use record::{Table1Record, columns, lead, papers};
 use std::fmt::Write as _;
 use std::path::Path;
 use wisch::plan::Strategy;
 use wisch_eval::{
-    Extent, PaperFigures, Quantity, Table1Case, Table1Row, Table1Run, Table1Setup, TaskCase,
-    table1_rows,
+    Extent, Quantity, Table1Case, Table1Row, Table1Run, Table1Setup, TaskCase, table1_rows,
 };
 use wisch_io::load_task;
 
 /// The schema of what is written.
 const SCHEMA: u32 = 1;
-
-/// What is written of an evaluation.
-#[derive(Debug, Serialize)]
-pub(super) struct Table1Record {
-    #[serde(flatten)]
-    provenance: Provenance,
-    pub(super) setup: Table1Setup,
-    /// How many of the paper's own cells reach its performance, and of how many.
-    pub(super) reached: [usize; 2],
-    pub(super) rows: Vec<Table1Row>,
-    pub(super) runs: Vec<Table1Run>,
-}
 
 /// Evaluates runs, and makes the table of all in the folder.
 pub fn table1(args: &Table1Args, global: &GlobalArgs) -> Result<Outcome, Failure> {
@@ -69,7 +57,7 @@ pub fn table1(args: &Table1Args, global: &GlobalArgs) -> Result<Outcome, Failure
     };
     write(&out.join("runs.csv"), &runs_table(&record.runs)?)?;
     write(&out.join("table1.csv"), &rows_table(&record.rows)?)?;
-    write(&out.join("table1.html"), &page(&record)?)?;
+    write(&out.join("table1.html"), &page::page(&record)?)?;
     for run in &mut record.runs {
         run.score.picture = None;
     }
@@ -116,34 +104,6 @@ fn check(cases: &[(u64, Table1Case)], setup: &Table1Setup) -> Result<(), Failure
     Ok(())
 }
 
-/// What is listed of a cell, with the paper's figure if it has one.
-pub(super) type Column = (Quantity, Option<fn(&PaperFigures) -> f64>);
-
-/// The columns of an evaluation that goes so far.
-pub(super) fn columns(setup: &Table1Setup) -> Vec<Column> {
-    let predicted: Column = (Quantity::Predicted, Some(|paper| paper.performance_percent));
-    let mut columns = vec![predicted];
-    if setup.extent != Extent::Planned {
-        columns.insert(0, (Quantity::Planned, None));
-    }
-    if setup.is_limited {
-        columns.push((Quantity::Limited, None));
-    }
-    if setup.extent == Extent::Executed {
-        columns.extend([(Quantity::Estimated, None), (Quantity::Truth, None)]);
-        columns.extend([(Quantity::TrueLoss, None), (Quantity::Rounds, None)]);
-    }
-    columns.push((Quantity::OutOfReach, None));
-    columns.push((Quantity::DistanceM, Some(|paper| paper.distance_m)));
-    columns.push((Quantity::Lifts, None));
-    if setup.extent != Extent::Planned {
-        columns.push((Quantity::Abandoned, None));
-        columns.push((Quantity::ExecutionS, Some(|paper| paper.execution_s)));
-    }
-    columns.push((Quantity::ComputationS, Some(|paper| paper.computation_s)));
-    columns
-}
-
 fn in_words(record: &Table1Record) -> String {
     let columns = columns(&record.setup);
     let is_executed = record.setup.extent == Extent::Executed;
@@ -179,33 +139,12 @@ fn in_words(record: &Table1Record) -> String {
     if own > 0 {
         let _ = write!(
             text,
-            "\n{reached} of {own} cells of the paper's own strategies reach its performance.\n"
+            "\n{reached} of {own} of the paper's cells reach its performance.\n"
         );
     }
     text += "\nMeans over the seeds. Bold: the paper's performance is reached. What the paper does not have is held against its best\n\
              figure of three, in brackets. Computation is wall time on one core; the paper's is another planner's on another machine.\n";
     text
-}
-
-/// A figure of the paper's: in brackets where it does not have the strategy.
-pub(super) fn papers(row: &Table1Row, figure: f64) -> String {
-    if row.is_papers_own {
-        format!("{figure:.2}")
-    } else {
-        format!("({figure:.2})")
-    }
-}
-
-pub(super) fn lead(record: &Table1Record) -> String {
-    let settings = record.setup.settings.iter();
-    format!(
-        "{}{}: {}.",
-        record.provenance.in_words(record.setup.extent.as_str()),
-        settings
-            .map(|(key, value)| format!(", {key} = {value}"))
-            .collect::<String>(),
-        counted(record.runs.len(), "run"),
-    )
 }
 
 /// A row for each run.
