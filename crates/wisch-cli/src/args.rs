@@ -8,7 +8,10 @@ mod memory;
 mod robot;
 
 pub use ask::{AskArgs, EngineChoice};
-pub use eval::{CalibrationArgs, EvalCommand, ScenarioEvaluationArgs, SensesChoice};
+pub use eval::{
+    CalibrationArgs, EvalCommand, JournalArgs, ScenarioEvaluationArgs, SensesChoice, SweepArgs,
+    Table1Args,
+};
 pub use learn::LearnArgs;
 pub use log::{InterpretArgs, LogArgs, LoggedArgs};
 pub use memory::{

@@ -15,4 +15,5 @@ mod plans;
 mod program;
 mod robot;
 mod rounds;
+mod wipings;
 mod wrong_inputs;

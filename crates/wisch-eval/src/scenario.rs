@@ -1,5 +1,6 @@
 //! A scenario over many seeds: how its rounds end, and what is believed of them.
 
+use crate::simulated::{SimulatedWorld, robot_of, words};
 use crate::trial::{BeliefScore, EvaluationError};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
@@ -8,8 +9,8 @@ use wisch::interpret::EventKind;
 use wisch::recover::Verdict;
 use wisch::represent::{GoalState, Performance, Task};
 use wisch::run::Session;
-use wisch_io::{LoadOptions, LoadedTask, load_task};
-use wisch_sim::{Dirt, SimulationSettings, Site, World};
+use wisch_io::{LoadOptions, load_task};
+use wisch_sim::Dirt;
 
 /// The level of the intervals that are looked at, among [`LEVELS`](crate::LEVELS).
 const LEVEL_90: usize = 2;
@@ -74,10 +75,6 @@ impl ScenarioRun {
     }
 }
 
-fn words(error: impl std::fmt::Display) -> String {
-    error.to_string()
-}
-
 fn evaluated(
     scenario: &str,
     seed: u64,
@@ -94,13 +91,9 @@ fn evaluated(
         ..LoadOptions::default()
     };
     let loaded = load_task(Path::new(scenario), &options).map_err(words)?;
-    let robot = loaded.robot().map_err(words)?;
-    let robot = robot.ok_or("the scenario has no robot")?;
-    let settings = SimulationSettings::of(&loaded).map_err(words)?;
-    let LoadedTask { task, .. } = &loaded;
-    let site = Site::of(task);
-    let dirt = Dirt::draw(&site, &settings, seed).map_err(words)?;
-    let mut world = World::new(&site, settings, seed).map_err(words)?;
+    let robot = robot_of(&loaded)?;
+    let SimulatedWorld { mut world, dirt } = SimulatedWorld::of(&loaded)?;
+    let task = &loaded.task;
     let mut config = loaded.run_config();
     config.max_rounds = rounds.unwrap_or(config.max_rounds);
     let target = config.target;

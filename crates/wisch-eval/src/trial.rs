@@ -2,6 +2,7 @@
 
 use crate::baselines::Baselines;
 use crate::pushes::PushCounts;
+use crate::simulated::{robot_of, words};
 use crate::variants::{Seen, Variant, VariantBelief};
 use crate::world::{Senses, WorldCase};
 use serde::{Deserialize, Serialize};
@@ -12,7 +13,7 @@ use wisch::interpret::{EventKind, PerformanceDistribution, TouchSample};
 use wisch::recover::Verdict;
 use wisch::represent::{GoalState, Observation};
 use wisch::run::{RunEvent, Session};
-use wisch_io::{LoadOptions, Robot, load_task};
+use wisch_io::{LoadOptions, load_task};
 use wisch_sim::{SimulationSettings, Site, World};
 
 /// The shares of probability whose intervals are looked at [1].
@@ -130,9 +131,6 @@ impl WorldCase {
         asked: &[Variant],
         set: &[(String, String)],
     ) -> Result<WorldScore, String> {
-        fn words(error: impl std::fmt::Display) -> String {
-            error.to_string()
-        }
         let begin = Instant::now();
         let senses_key = match senses {
             Senses::Touch => r#"["touch"]"#,
@@ -146,10 +144,7 @@ impl WorldCase {
             ..LoadOptions::default()
         };
         let loaded = load_task(Path::new(self.task.scenario()), &options).map_err(words)?;
-        let robot: Robot = loaded
-            .robot()
-            .map_err(words)?
-            .ok_or("the scenario has no robot")?;
+        let robot = robot_of(&loaded)?;
         let calm = SimulationSettings::of(&loaded).map_err(words)?;
         let settings = self.settings(&calm, &loaded.task);
         let config = loaded.run_config();

@@ -1,12 +1,13 @@
 //! Worlds that are drawn: which task, how the world differs from the belief, and what disturbs it.
 
+use crate::task_case::TaskCase;
 use nalgebra::{Translation3, UnitQuaternion};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 use wisch::geometry::{Pose, Vector2, Vector3};
-use wisch::represent::{Action, LogNormal, Task};
+use wisch::represent::{LogNormal, Task};
 use wisch_io::{Moment, Push};
 use wisch_sim::{Places, SimulationSettings};
 
@@ -39,41 +40,6 @@ const FRICTION: [f64; 2] = [0.2, 0.9];
 /// Bias of the force sensor per axis, at most, and standard deviation of its noise [N].
 const BIAS: f64 = 1.0;
 const NOISE: [f64; 2] = [0.0, 0.5];
-
-/// A task that worlds are drawn for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub struct TaskCase {
-    /// Index into the shipped scenarios that have a sponge: board, table, windshield.
-    place: usize,
-    /// Index into [`Action::ALL`].
-    action: usize,
-}
-
-/// The shipped scenarios on whose surfaces worlds stand.
-const PLACES: [&str; 3] = ["chopping-board", "table", "windshield"];
-
-impl TaskCase {
-    /// All nine: each action on each surface.
-    pub fn all() -> impl Iterator<Item = Self> {
-        (0..PLACES.len())
-            .flat_map(|place| (0..Action::ALL.len()).map(move |action| Self { place, action }))
-    }
-
-    /// Name of the shipped scenario.
-    pub fn scenario(&self) -> &'static str {
-        PLACES[self.place % PLACES.len()]
-    }
-
-    /// What is to be done.
-    pub fn action(&self) -> Action {
-        Action::ALL[self.action % Action::ALL.len()]
-    }
-
-    /// Such as `collect chopping-board`.
-    pub fn name(&self) -> String {
-        format!("{} {}", self.action(), self.scenario())
-    }
-}
 
 /// How a world differs from what the robot believes of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]

@@ -11,6 +11,7 @@
 //! | answers of the memory, in space and over time | [`AnswersInput`] | [`answers_page`] |
 //! | a tool's footprint | [`wisch::represent::Tool`] | [`footprint_drawing`] |
 //! | how well beliefs hold | [`CalibrationCurve`]s | [`calibration_drawing`] |
+//! | tasks by several strategies beside the paper's figures | [`Table1Input`] | [`table1_page`] |
 //! | any of the SVG as PNG | its text | [`rasterize`] |
 //!
 //! Everything is drawn in memory, with fonts of its own: no file is read, and no page asks anything of the network.
@@ -46,6 +47,7 @@ mod page;
 mod prediction;
 mod rounds;
 mod scene;
+mod table1;
 #[cfg(test)]
 mod tests;
 
@@ -61,3 +63,7 @@ pub use motion::{
 pub use page::{page, pictures};
 pub use prediction::frames::{EffectFrames, Frame};
 pub use rounds::{RoundView, RoundsInput};
+pub use table1::{
+    ActionRows, ComparedFigure, StrategyColumn, SurfaceColumns, Table1Input, WipedSurface,
+    table1_page,
+};

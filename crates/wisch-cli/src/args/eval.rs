@@ -1,10 +1,11 @@
 //! Arguments of `eval`.
 
-use super::setting;
+use super::{setting, strategy_parser};
 use clap::{Args, Subcommand, ValueEnum, ValueHint};
 use std::path::PathBuf;
 use std::str::FromStr;
-use wisch_eval::Variant;
+use wisch::plan::Strategy;
+use wisch_eval::{Axis, Extent, TaskCase, Variant};
 
 /// What is evaluated.
 #[derive(Debug, Subcommand)]
@@ -36,6 +37,145 @@ Writes scenarios.json and scenarios.md. Seeds serve what they serve in `wisch ev
 
 Exit codes: 0 all runs were evaluated, 1 some could not be, 2 an error.")]
     Scenarios(ScenarioEvaluationArgs),
+    /// Make the paper's Table 1 anew: three surfaces, three actions, every strategy, over seeds
+    #[command(after_help = "\
+Examples:
+  wisch eval table1                                        planned without a robot, seeds 1 to 5
+  wisch eval table1 --follow --strategies kde,adaptive     and followed by the humanoid
+  wisch eval table1 --execute --cells board,table/absorb   through the loop, in the simulated world
+  wisch eval table1 --first-seed 1000 --seeds 20 --shard 2/4 --out out/tuned --resume
+
+Writes table1.html (with pictures of the first seed), table1.md, table1.csv and table1.json with the paper's
+figures beside ours, runs.csv (a row per run), and runs-*.jsonl, from which --resume and other shards go
+on. All but computation_s is the same on any machine, number of threads and shards. Seeds serve what they
+serve in `wisch eval calibration`.
+
+Exit codes: 0 all runs were evaluated, 1 some could not be, 2 an error.")]
+    Table1(Table1Args),
+    /// Wipe a task with each combination of some values of its keys, over seeds
+    #[command(after_help = "\
+Examples:
+  wisch eval sweep chopping-board --set strategy=grid,kde,adaptive --set particles.count=50:200:50
+  wisch eval sweep board.toml --set action=absorb,skim --set plan.bandwidth_m=0.02,0.04 --seeds 20
+  wisch eval sweep table --execute --set 'perception.senses=[\"touch\"],[\"touch\", \"sight\"]'
+  wisch eval sweep table --set plan.max_distance_m=1:4:0.5 --shard 1/2 --out out/ways --resume
+
+Values are as in a task file, apart by commas; BEGINNING:END:STEP is a range. Writes sweep.md (median and
+quartiles of each combination), sweep.json, runs.csv (a row per run) and runs-*.jsonl, from which --resume
+and other shards go on. All but computation_s is the same on any machine, number of threads and shards.
+
+Exit codes: 0 all runs were evaluated, 1 some could not be, 2 an error.")]
+    Sweep(SweepArgs),
+}
+
+/// Which part of an evaluation is done now.
+#[derive(Debug, Args)]
+pub struct JournalArgs {
+    /// Evaluate only the I-th of N parts
+    #[arg(long, value_name = "I/N", default_value = "1/1")]
+    pub shard: Shard,
+    /// Go on where an earlier evaluation of the same ended
+    #[arg(long)]
+    pub resume: bool,
+}
+
+/// How far tasks are taken.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct ExtentArgs {
+    /// Let the task's robot follow the plans
+    #[arg(long)]
+    follow: bool,
+    /// Execute in the simulated world that the task describes, round by round
+    #[arg(long, conflicts_with = "follow")]
+    execute: bool,
+}
+
+impl ExtentArgs {
+    /// How far.
+    pub const fn extent(self) -> Extent {
+        match self {
+            Self { execute: true, .. } => Extent::Executed,
+            Self { follow: true, .. } => Extent::Followed,
+            Self { .. } => Extent::Planned,
+        }
+    }
+}
+
+/// The seeds of an evaluation.
+#[derive(Debug, Args)]
+pub struct SeedArgs {
+    /// Number of seeds
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    pub seeds: u64,
+    /// First seed; the others follow
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub first_seed: u64,
+}
+
+/// Arguments of `eval table1`.
+#[derive(Debug, Args)]
+pub struct Table1Args {
+    /// Cells: surfaces (board, table, windshield), actions, or both, such as board/absorb [default: all nine]
+    #[arg(long, value_name = "CELL,…", value_delimiter = ',', value_parser = cells)]
+    pub cells: Vec<Cells>,
+    /// How strokes are found [default: by every strategy]
+    #[arg(long, value_name = "STRATEGY,…", value_delimiter = ',', value_parser = strategy_parser())]
+    pub strategies: Vec<Strategy>,
+    /// The seeds.
+    #[command(flatten)]
+    pub seeds: SeedArgs,
+    /// How far.
+    #[command(flatten)]
+    pub extent: ExtentArgs,
+    /// Also predict plans whose way is no longer than the shortest of the paper's three
+    #[arg(long, conflicts_with_all = ["follow", "execute"])]
+    pub within_shortest: bool,
+    /// Override a value of every task; repeatable
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = setting)]
+    pub settings: Vec<(String, String)>,
+    /// Which part.
+    #[command(flatten)]
+    pub journal: JournalArgs,
+    /// Folder for the results
+    #[arg(long, value_name = "DIR", default_value = "out/table1", value_hint = ValueHint::DirPath)]
+    pub out: PathBuf,
+    /// Print one machine-readable result
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Cells of Table 1 that one word names.
+#[derive(Debug, Clone)]
+pub struct Cells(pub Vec<TaskCase>);
+
+fn cells(text: &str) -> Result<Cells, wisch_eval::UnknownCell> {
+    TaskCase::named(text).map(Cells)
+}
+
+/// Arguments of `eval sweep`.
+#[derive(Debug, Args)]
+pub struct SweepArgs {
+    /// Name of a shipped scenario, or a task file
+    #[arg(value_name = "TASK", value_hint = ValueHint::FilePath)]
+    pub task: String,
+    /// A key of the task and its values; repeatable: all combinations are run
+    #[arg(long = "set", value_name = "KEY=VALUE,…", required = true)]
+    pub axes: Vec<Axis>,
+    /// The seeds.
+    #[command(flatten)]
+    pub seeds: SeedArgs,
+    /// How far.
+    #[command(flatten)]
+    pub extent: ExtentArgs,
+    /// Which part.
+    #[command(flatten)]
+    pub journal: JournalArgs,
+    /// Folder for the results
+    #[arg(long, value_name = "DIR", default_value = "out/sweep", value_hint = ValueHint::DirPath)]
+    pub out: PathBuf,
+    /// Print one machine-readable result
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `eval scenarios`.
@@ -76,18 +216,15 @@ pub struct CalibrationArgs {
     /// What the robot perceives the effect by
     #[arg(long, value_name = "SENSES", default_value = "touch")]
     pub senses: SensesChoice,
-    /// Evaluate only the I-th of N parts of the worlds
-    #[arg(long, value_name = "I/N", default_value = "1/1")]
-    pub shard: Shard,
+    /// Which part.
+    #[command(flatten)]
+    pub journal: JournalArgs,
     /// Also score the method with other uncertainties or fewer members, on the same rounds; may be repeated
     #[arg(long, value_name = "NAME:FIELD=VALUE[,…]")]
     pub variant: Vec<Variant>,
     /// Override a value of every task, such as execution.grains_resist=false; repeatable
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = setting)]
     pub settings: Vec<(String, String)>,
-    /// Go on where an earlier evaluation of the same worlds ended
-    #[arg(long)]
-    pub resume: bool,
     /// Folder for the results
     #[arg(long, value_name = "DIR", default_value = "out/calibration", value_hint = ValueHint::DirPath)]
     pub out: PathBuf,

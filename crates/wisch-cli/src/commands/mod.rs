@@ -53,6 +53,8 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Check(args) => check::check(args, &cli.global),
         Command::Eval(EvalCommand::Calibration(args)) => eval::calibration(args, &cli.global),
         Command::Eval(EvalCommand::Scenarios(args)) => eval::scenarios(args, &cli.global),
+        Command::Eval(EvalCommand::Table1(args)) => eval::table1(args, &cli.global),
+        Command::Eval(EvalCommand::Sweep(args)) => eval::sweep(args, &cli.global),
         Command::Memory(MemoryCommand::List(args)) => memory::list(args),
         Command::Memory(MemoryCommand::Show(args)) => memory::show(args),
         Command::Memory(MemoryCommand::Verify(args)) => memory::verify(args, &cli.global),

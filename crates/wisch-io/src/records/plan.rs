@@ -98,6 +98,35 @@ pub enum GoalRecord {
     Skimmed,
 }
 
+impl From<GoalState> for GoalRecord {
+    fn from(goal: GoalState) -> Self {
+        match goal {
+            GoalState::Absorbed => Self::Absorbed,
+            GoalState::Collected { center, radius } => Self::Collected {
+                center_in_surface_m: center.into(),
+                radius_m: radius,
+            },
+            GoalState::Skimmed => Self::Skimmed,
+        }
+    }
+}
+
+impl From<GoalRecord> for GoalState {
+    fn from(goal: GoalRecord) -> Self {
+        match goal {
+            GoalRecord::Absorbed => Self::Absorbed,
+            GoalRecord::Collected {
+                center_in_surface_m,
+                radius_m,
+            } => Self::Collected {
+                center: center_in_surface_m.into(),
+                radius: radius_m,
+            },
+            GoalRecord::Skimmed => Self::Skimmed,
+        }
+    }
+}
+
 /// A node of the graph.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -247,14 +276,7 @@ impl PlanRecord {
             collision_radius_m: plan.collision_radius,
             lift_height_m: plan.lift_height,
             max_edge_length_m: plan.graph.max_edge_length,
-            goal: match plan.graph.goal {
-                GoalState::Absorbed => GoalRecord::Absorbed,
-                GoalState::Collected { center, radius } => GoalRecord::Collected {
-                    center_in_surface_m: center.into(),
-                    radius_m: radius,
-                },
-                GoalState::Skimmed => GoalRecord::Skimmed,
-            },
+            goal: plan.graph.goal.into(),
             nodes: plan.graph.nodes.iter().map(node_record).collect(),
             edges: plan
                 .graph
@@ -319,17 +341,7 @@ impl PlanRecord {
             graph: SemanticDirectedGraph {
                 nodes: self.nodes.iter().map(node).collect(),
                 edges: self.edges.iter().map(|&[from, to]| (from, to)).collect(),
-                goal: match self.goal {
-                    GoalRecord::Absorbed => GoalState::Absorbed,
-                    GoalRecord::Collected {
-                        center_in_surface_m,
-                        radius_m,
-                    } => GoalState::Collected {
-                        center: center_in_surface_m.into(),
-                        radius: radius_m,
-                    },
-                    GoalRecord::Skimmed => GoalState::Skimmed,
-                },
+                goal: self.goal.into(),
                 max_edge_length: self.max_edge_length_m,
                 unreachable: self.unreachable_nodes.clone(),
             },

@@ -208,7 +208,7 @@ fn a_path_or_a_command_that_leads_nowhere_is_noticed() {
         missing_paths("| `execute/session.rs`, then `heap.rs` | see docs/nowhere.md."),
         ["execute/session.rs", "heap.rs", "docs/nowhere.md"]
     );
-    let commands = "`cargo bench --bench effect`, `target/release/examples/table1 3`, `cargo test --test main house::`";
+    let commands = "`cargo bench --bench effect`, `target/release/examples/random_problems 3`, `cargo test --test main house::`";
     assert_eq!(missing_targets(commands), [""; 0]);
     assert_eq!(
         missing_targets(

@@ -1,20 +1,13 @@
 //! `wisch eval calibration`: what is believed against what is so.
 
 use super::super::words::{counted, percent};
-use super::{Provenance, cannot, points, write};
+use super::journal::{Cases, Evaluated};
+use super::{Provenance, conclude, evaluated, points, write};
 use crate::args::{CalibrationArgs, GlobalArgs, SensesChoice};
 use crate::failure::Failure;
-use crate::progress::Progress;
-use crate::terminal::{Outcome, print, remark};
-use rayon::prelude::*;
+use crate::terminal::Outcome;
 use serde::Serialize;
-use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use std::fs::{self, File, OpenOptions};
-use std::io::Write as _;
-use std::path::Path;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use wisch_eval::{Calibration, GroupScores, MethodScores, Senses, WorldCase, WorldScore};
 use wisch_report::{CalibrationCurve, CalibrationLevel, calibration_drawing};
 
@@ -41,69 +34,29 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
         SensesChoice::Touch => Senses::Touch,
         SensesChoice::Sight => Senses::TouchAndSight,
     };
-    let (shard, out) = (args.shard, &args.out);
-    fs::create_dir_all(out).map_err(|error| cannot(out, "write there", &error))?;
-    let path = out.join(format!("worlds-{}-of-{}.jsonl", shard.index, shard.count));
-    let [_, last] = provenance.seeds;
-    let mut known = read_all(out)?;
-    let is_other = |world: &&WorldScore| {
-        world.senses != senses
-            || world.variants != args.variant
-            || world.settings != args.settings
-            || !(args.first_seed..=last).contains(&world.case.seed)
-    };
-    if let Some(other) = known.values().find(is_other) {
-        let seed = other.case.seed;
-        return Err(Failure::new(format!(
-            "{}: holds another evaluation, among others of seed {seed}",
-            out.display()
-        ))
-        .with_help(
-            "choose another folder with --out: figures of several evaluations are not mixed",
-        ));
-    }
-    if !known.is_empty() && !args.resume {
-        return Err(Failure::new(format!(
-            "{}: holds {} already",
-            out.display(),
-            counted(known.len(), "world")
-        ))
-        .with_help("--resume goes on there; a published figure is not drawn twice"));
-    }
-    let seeds: Vec<u64> = (args.first_seed..=last)
-        .filter(|seed| seed % shard.count == shard.index - 1 && !known.contains_key(seed))
-        .collect();
-    let file = begin_after_whole_lines(&path);
-    let file = Mutex::new(file.map_err(|error| cannot(&path, "write there", &error))?);
-    let progress = Progress::start(global);
-    let (done, all) = (AtomicUsize::new(0), seeds.len());
-    progress.say(format!("0 of {}", counted(all, "world")));
-    let evaluated: Vec<Result<WorldScore, Failure>> = seeds
-        .par_iter()
-        .map(|&seed| {
-            let score = WorldCase::of(seed)
+    let [first, last] = provenance.seeds;
+    let all: Vec<(u64, u64)> = (first..=last).map(|seed| (seed, seed)).collect();
+    let cases = Cases {
+        noun: "world",
+        all: &all,
+        case_of: &|world: &WorldScore| world.case.seed,
+        is_same: &|world| {
+            world.senses == senses
+                && world.variants == args.variant
+                && world.settings == args.settings
+        },
+        name: &|seed| format!("seed {seed}"),
+        evaluate: &|&seed| {
+            WorldCase::of(seed)
                 .evaluate(senses, &args.variant, &args.settings)
-                .map_err(Failure::new)?;
-            write_line(&file, &score).map_err(|error| cannot(&path, "write there", &error))?;
-            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-            progress.say(format!("{done} of {}", counted(all, "world")));
-            Ok(score)
-        })
-        .collect();
-    drop(progress);
-    let mut failed = 0;
-    for result in evaluated {
-        match result {
-            Ok(score) => {
-                known.insert(score.case.seed, score);
-            }
-            Err(failure) => {
-                failed += 1;
-                remark(&failure.to_string());
-            }
-        }
-    }
-    let worlds: Vec<WorldScore> = known.into_values().collect();
+                .map_err(Failure::new)
+        },
+    };
+    let out = &args.out;
+    let Evaluated {
+        all: worlds,
+        failed,
+    } = cases.evaluated(out, &args.journal, global)?;
     let record = CalibrationRecord {
         provenance,
         senses,
@@ -111,77 +64,9 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
         calibration: Calibration::of(&worlds, &args.variant),
     };
     let table = in_words(&record);
-    let text = serde_json::to_string_pretty(&record).map_err(Failure::new)?;
-    write(&out.join("calibration.json"), &(text + "\n"))?;
-    write(&out.join("calibration.md"), &table)?;
     write(&out.join("reliability.svg"), &drawing(&record))?;
-    if args.json {
-        let line = serde_json::to_string(&record).map_err(Failure::new)?;
-        print(&(line + "\n"))?;
-    } else if !global.quiet {
-        print(&table)?;
-    }
-    Ok(if failed == 0 {
-        Outcome::Done
-    } else {
-        Outcome::GoalNotMet
-    })
-}
-
-/// A file to be gone on with; what a killed evaluation left of a line is cut off.
-fn begin_after_whole_lines(path: &Path) -> std::io::Result<File> {
-    let file = OpenOptions::new().create(true).append(true).open(path)?;
-    let text = fs::read(path)?;
-    let whole = text.iter().rposition(|&byte| byte == b'\n');
-    file.set_len(whole.map_or(0, |end| end as u64 + 1))?;
-    Ok(file)
-}
-
-/// A line at once, so that a killed evaluation leaves whole lines but for the last.
-fn write_line(file: &Mutex<File>, score: &WorldScore) -> std::io::Result<()> {
-    let mut line = serde_json::to_vec(score)?;
-    line.push(b'\n');
-    let mut file = file
-        .lock()
-        .unwrap_or_else(std::sync::PoisonError::into_inner);
-    file.write_all(&line)?;
-    file.flush()
-}
-
-/// All worlds that the folder holds, by seed; a line that was not finished is passed over.
-fn read_all(out: &Path) -> Result<BTreeMap<u64, WorldScore>, Failure> {
-    let mut worlds = BTreeMap::new();
-    let entries = fs::read_dir(out).map_err(|error| cannot(out, "read it", &error))?;
-    for entry in entries {
-        let path = entry
-            .map_err(|error| cannot(out, "read it", &error))?
-            .path();
-        let name = path
-            .file_name()
-            .and_then(|name| name.to_str())
-            .unwrap_or_default();
-        if !(name.starts_with("worlds-") && name.ends_with(".jsonl")) {
-            continue;
-        }
-        let text = fs::read_to_string(&path).map_err(|error| cannot(&path, "read it", &error))?;
-        let mut lines = text.split_inclusive('\n').enumerate().peekable();
-        while let Some((number, line)) = lines.next() {
-            match serde_json::from_str::<WorldScore>(line) {
-                Ok(score) => {
-                    worlds.insert(score.case.seed, score);
-                }
-                Err(_) if lines.peek().is_none() && !line.ends_with('\n') => {}
-                Err(error) => {
-                    return Err(Failure::new(format!(
-                        "{}:{}: {error}",
-                        path.display(),
-                        number + 1
-                    )));
-                }
-            }
-        }
-    }
-    Ok(worlds)
+    conclude(out, "calibration", &record, &table, args.json, global)?;
+    Ok(evaluated(failed))
 }
 
 fn in_words(record: &CalibrationRecord) -> String {

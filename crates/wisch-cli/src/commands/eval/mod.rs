@@ -1,12 +1,20 @@
 //! `wisch eval`: the method in many worlds.
 
 mod calibration;
+mod journal;
 mod scenarios;
+mod sweep;
+mod table1;
+mod wipings;
 
 pub use calibration::calibration;
 pub use scenarios::scenarios;
+pub use sweep::sweep;
+pub use table1::table1;
 
+use crate::args::GlobalArgs;
 use crate::failure::Failure;
+use crate::terminal::{Outcome, print};
 use serde::Serialize;
 use std::path::Path;
 use std::process::Command;
@@ -53,6 +61,36 @@ fn cannot(path: &Path, what: &str, error: &std::io::Error) -> Failure {
 
 fn write(path: &Path, text: &str) -> Result<(), Failure> {
     Ok(OutputFile::begin(path)?.finish(text.as_bytes())?)
+}
+
+/// Writes an evaluation's record and its words, and says what was asked for.
+fn conclude(
+    out: &Path,
+    stem: &str,
+    record: &impl Serialize,
+    table: &str,
+    json: bool,
+    global: &GlobalArgs,
+) -> Result<(), Failure> {
+    let text = serde_json::to_string_pretty(record).map_err(Failure::new)?;
+    write(&out.join(format!("{stem}.json")), &(text + "\n"))?;
+    write(&out.join(format!("{stem}.md")), table)?;
+    if json {
+        let line = serde_json::to_string(record).map_err(Failure::new)?;
+        print(&(line + "\n"))?;
+    } else if !global.quiet {
+        print(table)?;
+    }
+    Ok(())
+}
+
+/// How an evaluation ends of which so many cases could not be evaluated.
+const fn evaluated(failed: usize) -> Outcome {
+    if failed == 0 {
+        Outcome::Done
+    } else {
+        Outcome::GoalNotMet
+    }
 }
 
 /// The commit of the checkout that the program runs in, with a mark if anything there differs from it.

@@ -1,16 +1,13 @@
 //! `wisch eval scenarios`: shipped scenarios over many seeds.
 
-use super::super::words::counted;
-use super::{Provenance, cannot, points, write};
+use super::journal::one_on_each_core;
+use super::{Provenance, cannot, conclude, evaluated, points};
 use crate::args::{GlobalArgs, ScenarioEvaluationArgs};
 use crate::failure::Failure;
-use crate::progress::Progress;
-use crate::terminal::{Outcome, print, remark};
-use rayon::prelude::*;
+use crate::terminal::{Outcome, remark};
 use serde::Serialize;
 use std::fmt::Write as _;
 use std::fs;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use wisch_eval::{Quartiles, ScenarioRun, ScenarioScores};
 
 /// The schema of what is written.
@@ -41,20 +38,13 @@ pub fn scenarios(args: &ScenarioEvaluationArgs, global: &GlobalArgs) -> Result<O
     let cases: Vec<(&String, u64)> = (first..=last)
         .flat_map(|seed| args.tasks.iter().map(move |task| (task, seed)))
         .collect();
-    let progress = Progress::start(global);
-    let (done, all) = (AtomicUsize::new(0), cases.len());
-    progress.say(format!("0 of {}", counted(all, "run")));
     let rounds = args.rounds.map(|rounds| rounds as usize);
-    let evaluated: Vec<_> = (cases.par_iter())
-        .map(|(task, seed)| {
-            let run = ScenarioRun::evaluate(task, *seed, rounds, args.touch_only);
-            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-            progress.say(format!("{done} of {}", counted(all, "run")));
-            run.map_err(|error| Failure::new(format!("{task}, {error}")))
-        })
-        .collect();
-    drop(progress);
-    let (runs, failures): (Vec<_>, Vec<_>) = evaluated.into_iter().partition(Result::is_ok);
+    let evaluate = |(task, seed): &(&String, u64)| {
+        ScenarioRun::evaluate(task, *seed, rounds, args.touch_only)
+            .map_err(|error| Failure::new(format!("{task}, {error}")))
+    };
+    let results = one_on_each_core(&cases, "run", global, evaluate)?;
+    let (runs, failures): (Vec<_>, Vec<_>) = results.into_iter().partition(Result::is_ok);
     let runs: Vec<ScenarioRun> = runs.into_iter().flatten().collect();
     for failure in failures.iter().filter_map(|failed| failed.as_ref().err()) {
         remark(&failure.to_string());
@@ -72,20 +62,8 @@ pub fn scenarios(args: &ScenarioEvaluationArgs, global: &GlobalArgs) -> Result<O
         runs,
     };
     let table = in_words(&record);
-    let text = serde_json::to_string_pretty(&record).map_err(Failure::new)?;
-    write(&path, &(text + "\n"))?;
-    write(&out.join("scenarios.md"), &table)?;
-    if args.json {
-        let line = serde_json::to_string(&record).map_err(Failure::new)?;
-        print(&(line + "\n"))?;
-    } else if !global.quiet {
-        print(&table)?;
-    }
-    Ok(if failures.is_empty() {
-        Outcome::Done
-    } else {
-        Outcome::GoalNotMet
-    })
+    conclude(out, "scenarios", &record, &table, args.json, global)?;
+    Ok(evaluated(failures.len()))
 }
 
 fn in_words(record: &ScenariosRecord) -> String {

@@ -1,0 +1,186 @@
+//! `wisch eval sweep`: a task with each combination of some values of its keys.
+
+use super::super::words::counted;
+use super::journal::{Cases, Evaluated};
+use super::wipings::{header, heading, quartiles, row, runs_csv};
+use super::{Provenance, conclude, evaluated, write};
+use crate::args::{GlobalArgs, SweepArgs};
+use crate::failure::Failure;
+use crate::terminal::Outcome;
+use serde::Serialize;
+use std::path::Path;
+use wisch_eval::{
+    Axis, Extent, Quantity, SweepCase, SweepCell, SweepRun, SweepSetup, cells, sweep_cells,
+};
+use wisch_io::{LoadOptions, load_task};
+
+/// The schema of what is written.
+const SCHEMA: u32 = 1;
+
+/// What is written of an evaluation.
+#[derive(Debug, Serialize)]
+struct SweepRecord {
+    #[serde(flatten)]
+    provenance: Provenance,
+    setup: SweepSetup,
+    axes: Vec<Axis>,
+    cells: Vec<SweepCell>,
+    runs: Vec<SweepRun>,
+}
+
+/// Evaluates runs, and sums up all in the folder.
+pub fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let (first, seeds) = (args.seeds.first_seed, args.seeds.seeds);
+    let provenance = Provenance::begin("wisch sweep", SCHEMA, first, seeds)?;
+    let combinations = cells(&args.axes)
+        .filter(|cells| (cells.len() as u64).saturating_mul(seeds) <= MAX_RUNS)
+        .ok_or_else(|| Failure::new(format!("a sweep has at most {MAX_RUNS} runs")))?;
+    let setup = SweepSetup {
+        task: args.task.clone(),
+        inputs: check(args)?,
+        keys: args.axes.iter().map(|axis| axis.key.clone()).collect(),
+        extent: args.extent.extent(),
+    };
+    let [first, last] = provenance.seeds;
+    let of = |values: &Vec<String>| {
+        let values = values.clone();
+        (first..=last).map(move |seed| SweepCase {
+            values: values.clone(),
+            seed,
+        })
+    };
+    let all: Vec<(u64, SweepCase)> = (0..).zip(combinations.iter().flat_map(of)).collect();
+    let name = |case: &SweepCase| {
+        let values = setup.keys.iter().zip(&case.values);
+        let values: String = values
+            .map(|(key, value)| format!("{key}={value}, "))
+            .collect();
+        format!("{values}seed {}", case.seed)
+    };
+    let cases = Cases {
+        noun: "run",
+        all: &all,
+        case_of: &|run: &SweepRun| run.case.clone(),
+        is_same: &|run| run.setup == setup,
+        name: &name,
+        evaluate: &|case| {
+            let run = case.evaluate(&setup);
+            run.map_err(|message| Failure::new(format!("{}: {message}", name(case))))
+        },
+    };
+    let out = &args.out;
+    let Evaluated { all: runs, failed } = cases.evaluated(out, &args.journal, global)?;
+    let record = SweepRecord {
+        provenance,
+        axes: args.axes.clone(),
+        cells: sweep_cells(&combinations, &runs),
+        setup: setup.clone(),
+        runs,
+    };
+    write(&out.join("runs.csv"), &runs_table(&record)?)?;
+    let table = in_words(&record);
+    conclude(out, "sweep", &record, &table, args.json, global)?;
+    Ok(evaluated(failed))
+}
+
+/// Most runs of a sweep.
+const MAX_RUNS: u64 = 1_000_000;
+
+/// Reads the task with each value once, so that a wrong one ends the command before the long part; a digest of what was read.
+fn check(args: &SweepArgs) -> Result<String, Failure> {
+    let keys: Vec<String> = args.axes.iter().map(|axis| axis.key.clone()).collect();
+    for (place, key) in keys.iter().enumerate() {
+        if key == "seed" {
+            return Err(
+                Failure::new("--set seed: a sweep has its seeds from elsewhere")
+                    .with_help("--first-seed and --seeds say which"),
+            );
+        }
+        if keys[..place].contains(key) {
+            return Err(Failure::new(format!("--set {key}: the key is there twice"))
+                .with_help("all its values go into one --set, apart by commas"));
+        }
+    }
+    let load = |settings: Vec<(String, String)>| {
+        let options = LoadOptions {
+            settings,
+            seed: Some(args.seeds.first_seed),
+            ..LoadOptions::default()
+        };
+        load_task(Path::new(&args.task), &options)
+    };
+    // What is wrong with the task by itself is no fault of a value.
+    load(Vec::new())?;
+    let firsts = || {
+        args.axes
+            .iter()
+            .map(|axis| (axis.key.clone(), axis.values[0].clone()))
+    };
+    for (place, Axis { key, values }) in args.axes.iter().enumerate() {
+        for (number, value) in values.iter().enumerate() {
+            let alone = (key.clone(), value.clone());
+            if load(vec![alone.clone()]).is_ok() {
+                continue;
+            }
+            // It may need what another key says.
+            let mut all: Vec<_> = firsts().collect();
+            all[place] = alone;
+            let value = format!("--set {key}, value {} of {}", number + 1, values.len());
+            load(all).map_err(|error| Failure::from(error).within(Path::new(&value)))?;
+        }
+    }
+    Ok(format!("{:016x}", load(firsts().collect())?.inputs.value()))
+}
+
+fn in_words(record: &SweepRecord) -> String {
+    let mut quantities = vec![Quantity::Predicted, Quantity::PredictedLoss];
+    if record.setup.extent == Extent::Executed {
+        quantities.extend([Quantity::Estimated, Quantity::Truth, Quantity::TrueLoss]);
+        quantities.push(Quantity::Rounds);
+    }
+    quantities.extend([Quantity::DistanceM, Quantity::Lifts]);
+    if record.setup.extent != Extent::Planned {
+        quantities.extend([Quantity::Abandoned, Quantity::ExecutionS]);
+    }
+    quantities.push(Quantity::ComputationS);
+    let mut text = format!(
+        "{}: {} of {}.\n\n",
+        record.provenance.in_words(record.setup.extent.as_str()),
+        counted(record.runs.len(), "run"),
+        record.setup.task,
+    );
+    let is_executed = record.setup.extent == Extent::Executed;
+    let claimed = is_executed.then(|| "claimed".to_owned());
+    let names = quantities
+        .iter()
+        .map(|&quantity| heading(quantity).0.to_owned());
+    let keys = record.setup.keys.iter().cloned();
+    text += &header(keys.chain(["runs".to_owned()]).chain(names).chain(claimed));
+    for cell in &record.cells {
+        let figures = quantities
+            .iter()
+            .map(|&quantity| quartiles(&cell.summary, quantity));
+        let claimed = cell.claimed.map(|claimed| claimed.to_string());
+        let values = cell.values.iter().cloned();
+        text += &row(values
+            .chain([cell.runs.to_string()])
+            .chain(figures)
+            .chain(claimed));
+    }
+    text += "\nMedian (quartiles) over the seeds. Computation is wall time on one core.\n";
+    text
+}
+
+/// A row for each run.
+fn runs_table(record: &SweepRecord) -> Result<String, Failure> {
+    let keys = record.setup.keys.iter().map(String::as_str);
+    let names: Vec<&str> = keys.chain(["seed"]).collect();
+    let rows = record.runs.iter().map(|run| {
+        let SweepCase { values, seed } = &run.case;
+        (
+            values.iter().cloned().chain([seed.to_string()]).collect(),
+            &run.score,
+        )
+    });
+    runs_csv(&names, rows)
+}

@@ -1,0 +1,137 @@
+//! table1.html: the table with pictures of one seed.
+
+use super::super::super::words::counted;
+use super::super::wipings::{figure, heading, mean};
+use super::record::{Table1Record, columns, lead, papers};
+use crate::failure::Failure;
+use std::path::Path;
+use wisch::geometry::Point2;
+use wisch::represent::{Action, Task};
+use wisch_eval::{Extent, Picture, Quantity, Table1Row, Table1Run, TaskCase, WipingScore};
+use wisch_io::{LoadOptions, load_task};
+use wisch_report::{
+    ActionRows, ComparedFigure, StrategyColumn, SurfaceColumns, Table1Input, WipedSurface,
+    table1_page,
+};
+
+/// The page of an evaluation whose runs still have their pictures.
+pub(super) fn page(record: &Table1Record) -> Result<String, Failure> {
+    let pictured: Vec<&Table1Run> = (record.runs.iter())
+        .filter(|run| run.score.picture.is_some())
+        .collect();
+    let mut tasks: Vec<(TaskCase, Task)> = Vec::new();
+    for run in &pictured {
+        let case = run.case.task;
+        if tasks.iter().all(|(known, _)| *known != case) {
+            let options = LoadOptions {
+                action: Some(case.action()),
+                settings: record.setup.settings.clone(),
+                ..LoadOptions::default()
+            };
+            tasks.push((case, load_task(Path::new(case.scenario()), &options)?.task));
+        }
+    }
+    let column = |task: TaskCase, row: &Table1Row| {
+        let is_of = |run: &&&Table1Run| run.case.task == task && run.case.strategy == row.strategy;
+        let run = pictured.iter().find(is_of);
+        let surface = tasks.iter().find(|(case, _)| *case == task);
+        let picture = run.zip(surface).and_then(|(run, (_, task))| {
+            let picture = run.score.picture.as_ref()?;
+            Some((wiped(task, picture), caption(&run.score)))
+        });
+        StrategyColumn {
+            strategy: row.strategy.clone(),
+            figures: columns(&record.setup)
+                .into_iter()
+                .map(|(quantity, paper)| ComparedFigure {
+                    ours: mean(&row.ours, quantity),
+                    paper: paper.map(|of| papers(row, of(&row.paper))),
+                    is_strong: quantity == Quantity::Predicted && row.is_reached,
+                })
+                .collect(),
+            picture,
+        }
+    };
+    let surface = |task: TaskCase| {
+        let is_of =
+            |row: &&Table1Row| row.action == task.action().as_str() && row.surface == task.place();
+        let rows = record.rows.iter().filter(is_of);
+        SurfaceColumns {
+            surface: task.place().to_owned(),
+            columns: rows.map(|row| column(task, row)).collect(),
+        }
+    };
+    let of_action = |action: Action| {
+        let cells = TaskCase::by_action().filter(|task| task.action() == action);
+        ActionRows {
+            action: action.to_string(),
+            surfaces: cells
+                .map(surface)
+                .filter(|surface| !surface.columns.is_empty())
+                .collect(),
+        }
+    };
+    let actions = Action::ALL.into_iter().map(of_action);
+    let [reached, own] = record.reached;
+    let headline = (own > 0).then(|| {
+        let sentence = "of the paper's cells reach its performance: means, predicted.";
+        (format!("{reached} of {own}"), sentence.to_owned())
+    });
+    Ok(table1_page(&Table1Input {
+        lead: lead(record),
+        headline,
+        quantities: columns(&record.setup)
+            .into_iter()
+            .map(|(quantity, _)| heading(quantity).0.to_owned())
+            .collect(),
+        actions: actions.filter(|rows| !rows.surfaces.is_empty()).collect(),
+        pictured: format!(
+            "Seed {}, seen from above: {}.",
+            record.setup.pictured_seed,
+            match record.setup.extent {
+                Extent::Executed => "the dirt as it really lay before the first and after the last round",
+                Extent::Followed => "what the robot's strokes are predicted to do",
+                Extent::Planned => "what the plans are predicted to do",
+            }
+        ),
+        notes: [
+            "Means over the seeds. Green: the paper's performance is reached. In brackets the best of the paper's three, where it does not have the strategy.",
+            "Computation is wall time on one core, and the only figure that differs from machine to machine; the paper's is of another planner on another machine.",
+        ]
+        .map(str::to_owned)
+        .to_vec(),
+    }))
+}
+
+fn wiped<'a>(task: &'a Task, picture: &Picture) -> WipedSurface<'a> {
+    let points = |places: &[[f64; 2]]| places.iter().map(|&place| Point2::from(place)).collect();
+    WipedSurface {
+        task,
+        goal: picture.goal.into(),
+        collision_radius: picture.collision_radius_m,
+        strokes: picture
+            .strokes
+            .iter()
+            .map(|stroke| points(stroke))
+            .collect(),
+        before: points(&picture.before),
+        left: points(&picture.left),
+        done: points(&picture.done),
+        lost: points(&picture.lost),
+    }
+}
+
+/// What came of a run, and what it took.
+fn caption(score: &WipingScore) -> [String; 2] {
+    let outcome = match &score.execution {
+        Some(execution) => figure(Quantity::Truth, execution.truth) + " % true",
+        None => figure(Quantity::Predicted, score.predicted) + " %",
+    };
+    let time = score.execution_s();
+    let time = time.map_or_else(String::new, |time| {
+        format!(" · {} s", figure(Quantity::ExecutionS, time))
+    });
+    let distance = figure(Quantity::DistanceM, score.distance_m);
+    let lifts = counted(score.lifts, "lift");
+    [outcome, format!("{distance} m · {lifts}{time}")]
+}

@@ -1,0 +1,67 @@
+//! What is written of Table 1, and what all of its forms share.
+
+use super::super::super::words::counted;
+use super::super::Provenance;
+use serde::Serialize;
+use wisch_eval::{Extent, PaperFigures, Quantity, Table1Row, Table1Run, Table1Setup};
+
+/// What is written of an evaluation.
+#[derive(Debug, Serialize)]
+pub(super) struct Table1Record {
+    #[serde(flatten)]
+    pub(super) provenance: Provenance,
+    pub(super) setup: Table1Setup,
+    /// How many of the paper's own cells reach its performance, and of how many.
+    pub(super) reached: [usize; 2],
+    pub(super) rows: Vec<Table1Row>,
+    pub(super) runs: Vec<Table1Run>,
+}
+
+/// What is listed of a cell, with the paper's figure if it has one.
+pub(super) type Column = (Quantity, Option<fn(&PaperFigures) -> f64>);
+
+/// The columns of an evaluation that goes so far.
+pub(super) fn columns(setup: &Table1Setup) -> Vec<Column> {
+    let predicted: Column = (Quantity::Predicted, Some(|paper| paper.performance_percent));
+    let mut columns = vec![predicted];
+    if setup.extent != Extent::Planned {
+        columns.push((Quantity::Planned, None));
+    }
+    if setup.is_limited {
+        columns.push((Quantity::Limited, None));
+    }
+    if setup.extent == Extent::Executed {
+        columns.extend([(Quantity::Estimated, None), (Quantity::Truth, None)]);
+        columns.extend([(Quantity::TrueLoss, None), (Quantity::Rounds, None)]);
+    }
+    columns.push((Quantity::OutOfReach, None));
+    columns.push((Quantity::DistanceM, Some(|paper| paper.distance_m)));
+    columns.push((Quantity::Lifts, None));
+    if setup.extent != Extent::Planned {
+        columns.push((Quantity::Abandoned, None));
+        columns.push((Quantity::ExecutionS, Some(|paper| paper.execution_s)));
+    }
+    columns.push((Quantity::ComputationS, Some(|paper| paper.computation_s)));
+    columns
+}
+
+/// A figure of the paper's: in brackets where it does not have the strategy.
+pub(super) fn papers(row: &Table1Row, figure: f64) -> String {
+    if row.is_papers_own {
+        format!("{figure:.2}")
+    } else {
+        format!("({figure:.2})")
+    }
+}
+
+pub(super) fn lead(record: &Table1Record) -> String {
+    let settings = record.setup.settings.iter();
+    format!(
+        "{}{}: {}.",
+        record.provenance.in_words(record.setup.extent.as_str()),
+        settings
+            .map(|(key, value)| format!(", {key} = {value}"))
+            .collect::<String>(),
+        counted(record.runs.len(), "run"),
+    )
+}

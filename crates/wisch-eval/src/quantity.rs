@@ -1,0 +1,152 @@
+//! What is measured of a task that was wiped, and how it is summed up over seeds.
+
+use crate::scenario::Quartiles;
+use crate::wiping::{ExecutionScore, MotionScore, WipingScore};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// A quantity of a run. Its name ends in its unit; those without one are counts, or shares of 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Quantity {
+    /// [`WipingScore::planned`].
+    Planned,
+    /// [`WipingScore::predicted`].
+    Predicted,
+    /// [`WipingScore::limited`].
+    Limited,
+    /// [`ExecutionScore::estimated`].
+    Estimated,
+    /// [`ExecutionScore::first`].
+    TruthRound1,
+    /// [`ExecutionScore::truth`].
+    Truth,
+    /// [`WipingScore::predicted_loss`].
+    PredictedLoss,
+    /// [`ExecutionScore::loss`].
+    TrueLoss,
+    /// [`WipingScore::out_of_reach`].
+    OutOfReach,
+    /// [`WipingScore::distance_m`].
+    DistanceM,
+    /// [`WipingScore::lifts`].
+    Lifts,
+    /// [`WipingScore::nodes`].
+    Nodes,
+    /// [`MotionScore::abandoned`].
+    Abandoned,
+    /// [`MotionScore::placements`].
+    Placements,
+    /// [`MotionScore::faults`].
+    Faults,
+    /// [`ExecutionScore::rounds`].
+    Rounds,
+    /// [`WipingScore::execution_s`].
+    ExecutionS,
+    /// [`MotionScore::contact_s`].
+    ContactS,
+    /// [`WipingScore::computation_s`]: the only one that differs from machine to machine.
+    ComputationS,
+}
+
+impl Quantity {
+    /// All of them, in the order in which they are listed.
+    pub const ALL: [Self; 19] = [
+        Self::Planned,
+        Self::Predicted,
+        Self::Limited,
+        Self::Estimated,
+        Self::TruthRound1,
+        Self::Truth,
+        Self::PredictedLoss,
+        Self::TrueLoss,
+        Self::OutOfReach,
+        Self::DistanceM,
+        Self::Lifts,
+        Self::Nodes,
+        Self::Abandoned,
+        Self::Placements,
+        Self::Faults,
+        Self::Rounds,
+        Self::ExecutionS,
+        Self::ContactS,
+        Self::ComputationS,
+    ];
+
+    /// Its name in files.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Planned => "planned",
+            Self::Predicted => "predicted",
+            Self::Limited => "limited",
+            Self::Estimated => "estimated",
+            Self::TruthRound1 => "truth_round1",
+            Self::Truth => "truth",
+            Self::PredictedLoss => "predicted_loss",
+            Self::TrueLoss => "true_loss",
+            Self::OutOfReach => "out_of_reach",
+            Self::DistanceM => "distance_m",
+            Self::Lifts => "lifts",
+            Self::Nodes => "nodes",
+            Self::Abandoned => "abandoned",
+            Self::Placements => "placements",
+            Self::Faults => "faults",
+            Self::Rounds => "rounds",
+            Self::ExecutionS => "execution_s",
+            Self::ContactS => "contact_s",
+            Self::ComputationS => "computation_s",
+        }
+    }
+
+    /// Its value in a run; `None` where nothing was followed, or executed.
+    pub fn of(self, score: &WipingScore) -> Option<f64> {
+        let motion = |of: fn(&MotionScore) -> f64| score.motion.as_ref().map(of);
+        let executed = |of: fn(&ExecutionScore) -> f64| score.execution.as_ref().map(of);
+        match self {
+            Self::Planned => Some(score.planned),
+            Self::Predicted => Some(score.predicted),
+            Self::Limited => score.limited,
+            Self::Estimated => executed(|execution| execution.estimated),
+            Self::TruthRound1 => executed(|execution| execution.first),
+            Self::Truth => executed(|execution| execution.truth),
+            Self::PredictedLoss => Some(score.predicted_loss),
+            Self::TrueLoss => executed(|execution| execution.loss),
+            Self::OutOfReach => Some(score.out_of_reach),
+            Self::DistanceM => Some(score.distance_m),
+            Self::Lifts => Some(score.lifts as f64),
+            Self::Nodes => Some(score.nodes as f64),
+            Self::Abandoned => motion(|motion| motion.abandoned as f64),
+            Self::Placements => motion(|motion| motion.placements as f64),
+            Self::Faults => motion(|motion| motion.faults as f64),
+            Self::Rounds => executed(|execution| execution.rounds as f64),
+            Self::ExecutionS => score.execution_s(),
+            Self::ContactS => motion(|motion| motion.contact_s),
+            Self::ComputationS => Some(score.computation_s),
+        }
+    }
+}
+
+/// A quantity over several runs.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Statistics {
+    /// Arithmetic mean.
+    pub mean: f64,
+    /// Least, quartiles and greatest.
+    pub quartiles: Quartiles,
+}
+
+/// Each quantity that some of the runs have.
+pub type Summary = BTreeMap<Quantity, Statistics>;
+
+/// Sums up runs.
+pub fn summary<'a>(scores: impl IntoIterator<Item = &'a WipingScore> + Clone) -> Summary {
+    let of = |quantity: Quantity| {
+        let values: Vec<f64> = (scores.clone().into_iter())
+            .filter_map(|score| quantity.of(score))
+            .collect();
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        let quartiles = Quartiles::of(values)?;
+        Some((quantity, Statistics { mean, quartiles }))
+    };
+    Quantity::ALL.into_iter().filter_map(of).collect()
+}

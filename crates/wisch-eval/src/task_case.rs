@@ -1,0 +1,97 @@
+//! The nine tasks of the paper's Table 1, on shipped scenarios.
+
+use serde::{Deserialize, Serialize};
+use wisch::represent::Action;
+
+/// A task that is evaluated: an action on the surface of a scenario.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct TaskCase {
+    /// Index into the shipped scenarios that have a sponge: board, table, windshield.
+    place: usize,
+    /// Index into [`Action::ALL`].
+    action: usize,
+}
+
+/// The shipped scenarios, and what they are called beside an action.
+const PLACES: [(&str, &str); 3] = [
+    ("chopping-board", "board"),
+    ("table", "table"),
+    ("windshield", "windshield"),
+];
+
+impl TaskCase {
+    /// All nine: each action on each surface.
+    pub fn all() -> impl Iterator<Item = Self> {
+        (0..PLACES.len())
+            .flat_map(|place| (0..Action::ALL.len()).map(move |action| Self { place, action }))
+    }
+
+    /// All nine in the order of the paper's Table 1: each surface with each action.
+    pub fn by_action() -> impl Iterator<Item = Self> {
+        (0..Action::ALL.len())
+            .flat_map(|action| (0..PLACES.len()).map(move |place| Self { place, action }))
+    }
+
+    /// Index of the surface among board, table and windshield.
+    pub const fn place_index(&self) -> usize {
+        self.place % PLACES.len()
+    }
+
+    /// Index of the action in [`Action::ALL`].
+    pub const fn action_index(&self) -> usize {
+        self.action % Action::ALL.len()
+    }
+
+    /// Name of the shipped scenario.
+    pub fn scenario(&self) -> &'static str {
+        PLACES[self.place_index()].0
+    }
+
+    /// The surface in a word: board, table or windshield.
+    pub fn place(&self) -> &'static str {
+        PLACES[self.place_index()].1
+    }
+
+    /// What is to be done.
+    pub fn action(&self) -> Action {
+        Action::ALL[self.action_index()]
+    }
+
+    /// Such as `collect chopping-board`.
+    pub fn name(&self) -> String {
+        format!("{} {}", self.action(), self.scenario())
+    }
+
+    /// Those of the nine that a text names: a surface, an action, or both, such as `board/absorb`, in the order of
+    /// [`Self::by_action`].
+    ///
+    /// # Errors
+    /// A text that names none of them.
+    ///
+    /// ```
+    /// use wisch_eval::TaskCase;
+    /// let names = |text| TaskCase::named(text).map(|cases| cases.iter().map(TaskCase::name).collect::<Vec<_>>());
+    /// assert_eq!(names("board/absorb"), Ok(vec!["absorb chopping-board".to_owned()]));
+    /// assert_eq!(names("windshield").map(|names| names.len()), Ok(3));
+    /// assert!(names("bord/absorb").is_err());
+    /// ```
+    pub fn named(text: &str) -> Result<Vec<Self>, UnknownCell> {
+        let fits = |case: &Self, word: &str| {
+            [case.place(), case.scenario(), case.action().as_str()].contains(&word)
+        };
+        let cases: Vec<Self> = Self::by_action()
+            .filter(|case| text.split('/').all(|word| fits(case, word)))
+            .collect();
+        if cases.is_empty() {
+            return Err(UnknownCell(text.to_owned()));
+        }
+        Ok(cases)
+    }
+}
+
+/// A text that names no cell of Table 1.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "{0:?} is no cell of Table 1: write a surface (board, table, windshield), an action (absorb, collect, skim), or both, such as board/absorb"
+)]
+pub struct UnknownCell(String);

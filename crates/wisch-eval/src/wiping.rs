@@ -1,0 +1,303 @@
+//! A task planned, followed or executed once, and what came of it.
+
+use crate::picture::Picture;
+use crate::simulated::{SimulatedWorld, robot_of, words};
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+use std::time::Instant;
+use wisch::follow::Audit;
+use wisch::plan::{Plan, plan, predict};
+use wisch::recover::Verdict;
+use wisch::represent::{ParticleDistribution, Performance, Task};
+use wisch::run::{NoExecutor, PlannedRound, Session, Stage, unobserved};
+use wisch_io::{LoadOptions, LoadedTask, load_task};
+use wisch_sim::GroundTruth;
+
+/// How far a task is taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Extent {
+    /// Planned and predicted, without a robot.
+    Planned,
+    /// Followed by the task's robot, and predicted for what it wipes.
+    Followed,
+    /// Executed in the world that the task describes, round by round, until the goal is met or no more can be done.
+    Executed,
+}
+
+impl Extent {
+    /// In words.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Planned => "planned without a robot",
+            Self::Followed => "followed by the robot",
+            Self::Executed => "executed in the simulated world",
+        }
+    }
+}
+
+/// What is done with a task beside how far it is taken.
+#[derive(Debug, Clone, Copy)]
+pub struct WipingOptions {
+    /// How far it goes.
+    pub extent: Extent,
+    /// Whether the dirt is planned for as if its places were certain, as in the paper's Table 1. What is executed is planned
+    /// for what is believed.
+    pub is_certain: bool,
+    /// Also predict a plan whose way in contact is no longer than this [m].
+    pub limit: Option<f64>,
+    /// Whether a picture is kept.
+    pub is_pictured: bool,
+}
+
+/// A task that was wiped once. All but the computation is the same on any machine.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct WipingScore {
+    /// How the strokes of the first plan were found; with `best` that of the chosen plan.
+    pub strategy: String,
+    /// Nodes of the first plan.
+    pub nodes: usize,
+    /// How often the tool is lifted off the surface, at the end of each stroke; in all rounds that were executed.
+    pub lifts: usize,
+    /// Way in contact [m]; in all rounds that were executed.
+    pub distance_m: f64,
+    /// Share of the particles that no pose of the tool covers [1].
+    pub out_of_reach: f64,
+    /// Predicted performance of the plan, each node passed [1].
+    pub planned: f64,
+    /// Predicted performance: with a robot, of what it wipes in the first round [1].
+    pub predicted: f64,
+    /// Share of the particles that is predicted to be lost over a wrong edge [1].
+    pub predicted_loss: f64,
+    /// Predicted performance of the plan within the limit of its way [1].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub limited: Option<f64>,
+    /// The robot's motion of the first round.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motion: Option<MotionScore>,
+    /// What was executed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub execution: Option<ExecutionScore>,
+    /// Wall time of planning and, with a robot, following the first round on one core [s].
+    pub computation_s: f64,
+    /// What there is to see of it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub picture: Option<Picture>,
+}
+
+/// A robot's motion.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct MotionScore {
+    /// Nodes that the robot does not pass.
+    pub abandoned: usize,
+    /// Places of its base.
+    pub placements: usize,
+    /// How long the motion takes [s].
+    pub duration_s: f64,
+    /// Of it, in contact [s].
+    pub contact_s: f64,
+    /// Faults that the audit found.
+    pub faults: usize,
+}
+
+/// Rounds that were executed.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ExecutionScore {
+    /// How many.
+    pub rounds: usize,
+    /// How long they took together [s], in the simulated world's time.
+    pub duration_s: f64,
+    /// What was so before [1].
+    pub before: f64,
+    /// What was so after the first round [1].
+    pub first: f64,
+    /// What was so at the end [1].
+    pub truth: f64,
+    /// Share of the dirt that was really lost over a wrong edge [1].
+    pub loss: f64,
+    /// Estimated at the end, and the ends of its 90 % interval [1].
+    pub estimated: f64,
+    /// Lower end.
+    pub low: f64,
+    /// Upper end.
+    pub high: f64,
+    /// The last verdict in words.
+    pub verdict: String,
+    /// Whether the goal was claimed.
+    pub is_claimed: bool,
+}
+
+impl WipingScore {
+    /// Time of the execution [s]: as it was executed, or as the motion is planned; `None` without a robot.
+    pub fn execution_s(&self) -> Option<f64> {
+        let executed = self
+            .execution
+            .as_ref()
+            .map(|execution| execution.duration_s);
+        executed.or(self.motion.map(|motion| motion.duration_s))
+    }
+
+    /// In how many of some runs the goal was claimed; `None` where nothing was executed.
+    pub(crate) fn claimed(runs: &[&Self]) -> Option<usize> {
+        let executed: Vec<&ExecutionScore> = (runs.iter())
+            .filter_map(|score| score.execution.as_ref())
+            .collect();
+        let claimed = executed.iter().filter(|execution| execution.is_claimed);
+        (!executed.is_empty()).then(|| claimed.count())
+    }
+
+    /// Wipes a shipped scenario, or a task file.
+    ///
+    /// # Errors
+    /// What a stage refuses, in words.
+    pub fn of(scenario: &Path, load: &LoadOptions, options: WipingOptions) -> Result<Self, String> {
+        let loaded = load_task(scenario, load).map_err(words)?;
+        let mut score = match options.extent {
+            Extent::Planned => planned(&loaded, options)?,
+            Extent::Followed => followed(&loaded, options)?,
+            Extent::Executed => executed(&loaded, options)?,
+        };
+        if let Some(limit) = options.limit {
+            let mut config = loaded.config.clone();
+            config.max_distance = Some(config.max_distance.map_or(limit, |most| most.min(limit)));
+            let plan = plan(&loaded.task, &config).map_err(words)?;
+            score.limited = Some(predict(&loaded.task, &plan, |_| ()).performance.ratio());
+        }
+        Ok(score)
+    }
+
+    /// Of a plan for a task, and of the strokes that are wiped of it.
+    fn predicted(task: &Task, plan: &Plan, wiped: &Plan, computation_s: f64) -> Self {
+        let performance = predict(task, wiped, |_| ()).performance;
+        Self {
+            strategy: plan.strategy.to_string(),
+            nodes: plan.graph.nodes.len(),
+            lifts: wiped.strokes.len(),
+            distance_m: wiped.contact_distance(),
+            out_of_reach: plan.unreachable_share,
+            planned: predict(task, plan, |_| ()).performance.ratio(),
+            predicted: performance.ratio(),
+            predicted_loss: lost(&performance),
+            limited: None,
+            motion: None,
+            execution: None,
+            computation_s,
+            picture: None,
+        }
+    }
+}
+
+fn planned(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, String> {
+    let task = &loaded.task;
+    let begin = Instant::now();
+    let mut session = session(loaded, options.is_certain);
+    (session.run_until(Stage::Planned, &mut NoExecutor, &mut unobserved)).map_err(words)?;
+    let computation_s = begin.elapsed().as_secs_f64();
+    let plan = session.plan().ok_or("no plan was made")?;
+    let mut score = WipingScore::predicted(task, plan, plan, computation_s);
+    if options.is_pictured {
+        let after = predict(task, plan, |_| ()).particles;
+        score.picture = Some(Picture::new(task, plan, &task.particles, &after));
+    }
+    Ok(score)
+}
+
+fn followed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, String> {
+    let robot = robot_of(loaded)?;
+    let begin = Instant::now();
+    let mut session = session(loaded, options.is_certain).with_robot(robot.performer());
+    let mut none = NoExecutor;
+    (session.run_until(Stage::Followed, &mut none, &mut unobserved)).map_err(words)?;
+    let computation_s = begin.elapsed().as_secs_f64();
+    (session.run_until(Stage::Audited, &mut none, &mut unobserved)).map_err(words)?;
+    let (first, audit) = session.first().ok_or("no motion was made")?;
+    let mut score = first_round(first, audit, computation_s);
+    if options.is_pictured {
+        let (task, wiped) = (&first.task, first.wiped());
+        let after = &first.prediction.particles;
+        score.picture = Some(Picture::new(task, &wiped, &task.particles, after));
+    }
+    Ok(score)
+}
+
+fn executed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, String> {
+    let robot = robot_of(loaded)?;
+    let SimulatedWorld { mut world, dirt } = SimulatedWorld::of(loaded)?;
+    let begin = Instant::now();
+    let mut session = session(loaded, false).with_robot(robot.performer());
+    (session.run_until(Stage::Followed, &mut world, &mut unobserved)).map_err(words)?;
+    let computation_s = begin.elapsed().as_secs_f64();
+    session.run(&mut world, &mut unobserved).map_err(words)?;
+    let (first, audit) = session.first().ok_or("no motion was made")?;
+    let (goal, surface) = (first.plan.graph.goal, &first.task.surface);
+    let before = dirt.particles().map_err(words)?;
+    let performance = |particles: &ParticleDistribution| Performance::of(particles, &goal, surface);
+    let truths = world.truth().iter().map(GroundTruth::particles);
+    let truths: Vec<ParticleDistribution> = truths
+        .filter_map(Result::transpose)
+        .collect::<Result<_, _>>()
+        .map_err(words)?;
+    // What the audit refuses is not executed, and changes nothing.
+    let after = truths.last().unwrap_or(&before);
+    let rounds = session.rounds();
+    let last = rounds
+        .last()
+        .ok_or("no round was executed: the audit found faults")?;
+    let estimate = last.interpretation.performance;
+    let end = performance(after);
+    let mut score = first_round(first, audit, computation_s);
+    score.execution = Some(ExecutionScore {
+        rounds: rounds.len(),
+        duration_s: rounds.iter().map(|round| round.execution.duration).sum(),
+        before: performance(&before).ratio(),
+        first: performance(truths.first().unwrap_or(&before)).ratio(),
+        truth: end.ratio(),
+        loss: lost(&end),
+        estimated: estimate.mean,
+        low: estimate.low,
+        high: estimate.high,
+        verdict: last.verdict.as_str().to_owned(),
+        is_claimed: last.verdict == Verdict::GoalMet,
+    });
+    let all = rounds
+        .iter()
+        .flat_map(|round| &round.motion.followed.strokes);
+    let wiped = Plan {
+        strokes: all.cloned().collect(),
+        ..first.plan.clone()
+    };
+    score.lifts = wiped.strokes.len();
+    score.distance_m = wiped.contact_distance();
+    if options.is_pictured {
+        score.picture = Some(Picture::new(&first.task, &wiped, &before, after));
+    }
+    Ok(score)
+}
+
+/// What the first round's motion is predicted to do, and how long it takes.
+fn first_round(first: &PlannedRound, audit: &Audit, computation_s: f64) -> WipingScore {
+    let followed = &first.followed;
+    WipingScore {
+        motion: Some(MotionScore {
+            abandoned: followed.abandoned.len(),
+            placements: followed.placements.len(),
+            duration_s: followed.duration(),
+            contact_s: followed.contact_time(),
+            faults: audit.faults.len(),
+        }),
+        ..WipingScore::predicted(&first.task, &first.plan, &first.wiped(), computation_s)
+    }
+}
+
+/// A session that has not planned yet, without a robot.
+fn session(loaded: &LoadedTask, is_certain: bool) -> Session<'static> {
+    if is_certain {
+        Session::new(&loaded.task, loaded.run_config())
+    } else {
+        loaded.session()
+    }
+}
+
+fn lost(performance: &Performance) -> f64 {
+    performance.lost as f64 / performance.initial.max(1) as f64
+}

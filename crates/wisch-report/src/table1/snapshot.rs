@@ -1,0 +1,120 @@
+//! A wiped surface, small: particles before or after, and the strokes between.
+
+use crate::draw::legend::{self, Entry};
+use crate::draw::surface::{self, Outcome};
+use crate::draw::{Panel, Pen, View, inset, px};
+use maud::{Markup, html};
+use wisch::geometry::{Bounds2, Point2, Vector2};
+use wisch::represent::{GoalState, Task};
+
+/// Size of a picture at most.
+const SIZE: [f64; 2] = [300.0, 300.0];
+/// Radius of a particle.
+const RADIUS: [f64; 2] = [1.6, 3.0];
+
+/// A surface with its particles before and after, in its own frame [m].
+#[derive(Debug, Clone)]
+pub struct WipedSurface<'a> {
+    /// Surface and scene.
+    pub task: &'a Task,
+    /// What was to be reached.
+    pub goal: GoalState,
+    /// Radius of the collision sphere [m].
+    pub collision_radius: f64,
+    /// The way of the tool centre point, stroke by stroke.
+    pub strokes: Vec<Vec<Point2>>,
+    /// Where particles lay.
+    pub before: Vec<Point2>,
+    /// Particles that still lie where they should not.
+    pub left: Vec<Point2>,
+    /// Particles that lie where they should.
+    pub done: Vec<Point2>,
+    /// Particles that went over a wrong edge.
+    pub lost: Vec<Point2>,
+}
+
+impl WipedSurface<'_> {
+    /// Before it is wiped.
+    pub(super) fn before(&self) -> Panel {
+        self.panel(|view| {
+            let mut rings = Pen::default();
+            for &particle in &self.before {
+                rings.ring(view.at(particle), self.radius(view));
+            }
+            html! { path class="before" d=(rings.path()) {} }
+        })
+    }
+
+    /// After it was wiped.
+    pub(super) fn after(&self) -> Panel {
+        self.panel(|view| {
+            let of = |places: &'_ [Point2], outcome: Outcome| {
+                places
+                    .iter()
+                    .map(move |&place| (place, outcome))
+                    .collect::<Vec<_>>()
+            };
+            let all = [
+                of(&self.left, Outcome::Left),
+                of(&self.done, Outcome::Done),
+                of(&self.lost, Outcome::Lost),
+            ];
+            html! {
+                @for stroke in &self.strokes {
+                    path class="trail" d=(view.line(stroke.iter().copied())) {}
+                }
+                (surface::particles(view, all.concat(), self.radius(view)))
+            }
+        })
+    }
+
+    fn radius(&self, view: &View) -> f64 {
+        surface::dot_radius(view, self.before.len()).clamp(RADIUS[0], RADIUS[1])
+    }
+
+    /// The surface with something on it.
+    fn panel(&self, marks: impl Fn(&View) -> Markup) -> Panel {
+        let reach = Vector2::new(self.collision_radius, self.collision_radius);
+        let extent = surface::extent(&self.task.surface);
+        let shown = Bounds2 {
+            min: extent.min - reach,
+            max: extent.max + reach,
+        };
+        let view = View::fit(shown, 0.0, 0.0, SIZE.into());
+        let obstacles = surface::obstacle_rings(self.task, self.collision_radius);
+        let body = html! {
+            (surface::ground(&view, &self.task.surface, &self.goal))
+            (marks(&view))
+            @if !obstacles.is_empty() {
+                path class="obstacle" d=(view.rings(obstacles.iter().map(Vec::as_slice))) {}
+            }
+        };
+        Panel {
+            width: view.width(),
+            height: view.height(),
+            body: html! {
+                (inset(&view, body))
+                rect class="rule" x="0.5" y="0.5" width=(px(view.width() - 1.0)) height=(px(view.height() - 1.0)) {}
+            },
+        }
+    }
+}
+
+/// What the marks mean.
+pub(super) fn entries() -> Vec<Entry> {
+    vec![
+        Entry {
+            label: "before".to_owned(),
+            sample: html! { circle class="before" cx="12" cy="0" r="3.6" {} },
+        },
+        legend::dot("dots-left", "after, not where it should be"),
+        legend::dot("dots-done", "after, where it should be"),
+        Entry {
+            label: "lost over a wrong edge".to_owned(),
+            sample: html! { path class="mark-lost" d="M8.5-3.5l7 7m0-7l-7 7" {} },
+        },
+        legend::line("trail", "way of the tool in contact"),
+        legend::area("goal-reach", "counts as collected"),
+        legend::area("obstacle", "obstacle"),
+    ]
+}
