@@ -234,6 +234,7 @@ fn describe_touch(individual: &mut Individual, interpretation: &Interpretation) 
     );
 }
 
+            Diagnosis::Hovering => "hovering",
 fn describe_stroke(
     individual: &mut Individual,
     stroke: usize,

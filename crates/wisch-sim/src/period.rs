@@ -461,7 +461,7 @@ impl<'a> Simulation<'a> {
         let normal = surface * Vector3::z();
         let interaction = &self.task.interaction;
         let depth =
-            self.config.press_margin * interaction.press_force_n / interaction.stiffness_n_per_m;
+            self.config.press_margin * interaction.contact_force() / interaction.stiffness_n_per_m;
         let presses = motions.get(self.motion).is_some_and(|motion| {
             matches!(motion.phase, Phase::Lower | Phase::Wipe(_) | Phase::Lift)
         });

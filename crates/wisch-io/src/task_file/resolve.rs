@@ -261,12 +261,14 @@ impl ObjectRecord {
 
 /// A box that stands on z = 0 [m].
 fn cuboid_on_plane(size: Vector3) -> Result<Mesh, MeshError> {
-    let about_origin = Mesh::cuboid(size)?;
-    let up = Vector3::new(0.0, 0.0, size.z / 2.0);
-    let vertices = (about_origin.vertices().iter())
-        .map(|vertex| vertex + up)
-        .collect();
-    Mesh::new(vertices, about_origin.triangles().to_vec())
+    raised(&Mesh::cuboid(size)?, size.z / 2.0)
+}
+
+/// A mesh, so much higher [m].
+fn raised(mesh: &Mesh, height: f64) -> Result<Mesh, MeshError> {
+    let up = Vector3::new(0.0, 0.0, height);
+    let vertices = mesh.vertices().iter().map(|vertex| vertex + up);
+    Mesh::new(vertices.collect(), mesh.triangles().to_vec())
 }
 
 fn resolved_tool(
@@ -311,3 +313,7 @@ fn start_before(outline: &Polygon) -> Point2 {
         Point2::new(bounds.center().x, bounds.min.y)
     })
 }
+    let mesh = raised(&mesh, interaction.gap_m).map_err(|error| TaskError::Mesh {
+        at: at.clone(),
+        error,
+    })?;

@@ -176,6 +176,8 @@ pub(super) struct InteractionTable {
     pub(super) ln_sigma_spread: Option<LawSpread>,
     /// Travel under the tool after which a grain draws anew from which pressure on it is taken along [m]; default: the radius
     /// of the tool's collision sphere.
+    /// How high the tool hovers over the surface instead of touching it [m]; default: as known, or 0, which touches.
+    pub(super) gap_m: Option<DepthM>,
     pub(super) redraw_length_m: Option<RedrawLengthM>,
     /// How well its logarithm is known, as a standard deviation.
     pub(super) ln_redraw_length_spread: Option<LawSpread>,

@@ -55,6 +55,7 @@ const SETTLING: f64 = 0.5;
 /// #         damping_ratio: 0.7,
 /// #         nullspace_posture_weight: 0.1,
 /// #         compression_depth_m: 0.005,
+/// #         gap_m: 0.0,
 /// #         likelihood: LogNormal { mu: -1.05, sigma: 0.25 },
 /// #         likelihood_spread: LogNormalSpread::default(),
 /// #         redraw: Redraw::default(),
@@ -235,6 +236,10 @@ impl Interpreter {
             events.retain(|event| !event.kind.is_by_hand());
         }
         let stiffness = self.stiffness(&classified, &events);
+        if self.config.gap_m > 0.0 {
+            // What hovers has no contact to begin or to lose.
+            events.retain(|event| event.kind.is_by_hand());
+        }
         Understood {
             classified,
             believed_from_real,
@@ -294,6 +299,7 @@ impl Interpreter {
         };
         match &classified.plane {
             None => Diagnosis::NoContact,
+            None if self.config.gap_m > 0.0 => Diagnosis::Hovering,
             Some((_, plane)) if is_here(plane) => Diagnosis::Localized,
             Some(_) => Diagnosis::Relocalize {
                 world_from_surface: self.surface.world_from_surface * believed_from_real,

@@ -93,7 +93,7 @@ impl Task {
     /// What a tool feels that is pressed as the task asks for: the force of the surface on it, in the axes of the
     /// world [N].
     pub fn surface_reaction(&self) -> Vector3 {
-        self.surface.world_from_surface * Vector3::z() * self.interaction.press_force_n
+        self.surface.world_from_surface * Vector3::z() * self.interaction.contact_force()
     }
 
     /// What stands round the surface: without robot, tool and the object that carries the surface.

@@ -32,6 +32,7 @@ pub fn task(count: usize, likelihood: LogNormal) -> Task {
         interaction: Interaction {
             press_force_n: PRESS,
             compression_depth_m: DEPTH,
+            gap_m: 0.0,
             likelihood,
             ..interaction()
         },

@@ -236,6 +236,7 @@ fn known_interaction(
                 task.name
             )));
         }
+        ("gap_m", used.gap_m, known.gap_m),
     }
     Ok(known.clone())
 }

@@ -226,7 +226,7 @@ pub struct Interaction {
     pub surface: SurfaceScope,
     /// The actions that make sense, at least one.
     pub actions: BTreeSet<Action>,
-    /// Force with which the tool is pressed on, the f_min of equation (9) [N].
+    /// Force with which the tool is pressed on, the f_min of equation (9); the most that holds one that hovers in place [N].
     pub press_force_n: f64,
     /// Cartesian stiffness of the controller [N/m].
     pub stiffness_n_per_m: f64,
@@ -258,6 +258,8 @@ pub struct RankedTool<'a> {
 /// Tools, media and surfaces with what they do to each other. Every name it holds resolves.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct KnowledgeBase {
+    /// How high the tool hovers over the surface instead of being pressed on [m]; 0 touches.
+    pub gap_m: f64,
     tools: BTreeMap<String, ToolEntry>,
     media: BTreeMap<String, MediumEntry>,
     surfaces: BTreeMap<String, SurfaceEntry>,
@@ -266,6 +268,22 @@ pub struct KnowledgeBase {
 }
 
 impl KnowledgeBase {
+impl Interaction {
+    /// Whether the tool acts without touching: what it feels tells nothing.
+    pub fn hovers(&self) -> bool {
+        self.gap_m > 0.0
+    }
+
+    /// Force of the tool on the surface as asked for: none from one that hovers [N].
+    pub fn contact_force(&self) -> f64 {
+        if self.hovers() {
+            0.0
+        } else {
+            self.press_force_n
+        }
+    }
+}
+
     /// Adds a tool, in place of one of the same name.
     pub fn insert_tool(&mut self, tool: ToolEntry) {
         self.tools.insert(tool.name.clone(), tool);
