@@ -45,7 +45,7 @@ const NOISE: [f64; 2] = [0.0, 0.5];
 pub struct TaskCase {
     /// Index into the shipped scenarios that have a sponge: board, table, windshield.
     place: usize,
-    /// Index into [`Action::ALL`].
+    /// Index into [`Action::WIPING`].
     action: usize,
 }
 
@@ -56,7 +56,7 @@ impl TaskCase {
     /// All nine: each action on each surface.
     pub fn all() -> impl Iterator<Item = Self> {
         (0..PLACES.len())
-            .flat_map(|place| (0..Action::ALL.len()).map(move |action| Self { place, action }))
+            .flat_map(|place| (0..Action::WIPING.len()).map(move |action| Self { place, action }))
     }
 
     /// Name of the shipped scenario.
@@ -66,7 +66,7 @@ impl TaskCase {
 
     /// What is to be done.
     pub fn action(&self) -> Action {
-        Action::ALL[self.action % Action::ALL.len()]
+        Action::WIPING[self.action % Action::WIPING.len()]
     }
 
     /// Such as `collect chopping-board`.

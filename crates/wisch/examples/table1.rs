@@ -70,7 +70,7 @@ fn main() -> Result<(), AnyError> {
         "", "perf %", "paper", "dist m", "paper", "nodes", "unreachable", "short %", "ms"
     );
     let mut reached = 0;
-    for (a, action) in Action::ALL.into_iter().enumerate() {
+    for (a, action) in Action::WIPING.into_iter().enumerate() {
         for (s, name) in TABLE_1.into_iter().enumerate() {
             let tasks = (first..first + count)
                 .into_par_iter()

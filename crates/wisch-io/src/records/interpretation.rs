@@ -19,7 +19,7 @@ pub struct InterpretationRecord {
     pub schema: u32,
     /// Name of the task.
     pub task: String,
-    /// absorb, collect or skim.
+    /// absorb, collect, skim, polish or emit.
     pub action: String,
     /// Share of the particles that are estimated to be where the action wants them, mean over the replays.
     pub estimated: f64,

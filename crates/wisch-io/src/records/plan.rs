@@ -24,7 +24,7 @@ pub struct PlanRecord {
     pub schema: u32,
     /// Name of the task.
     pub task: String,
-    /// absorb, collect or skim.
+    /// absorb, collect, skim, polish or emit.
     pub action: String,
     /// Name of the surface, whose frame all positions are in.
     pub surface: String,
@@ -96,6 +96,18 @@ pub enum GoalRecord {
     },
     /// Every particle pushed over an allowed edge.
     Skimmed,
+    /// Every place passed so often.
+    Polished {
+        /// How often.
+        passes: u32,
+    },
+    /// Every place under a coat.
+    Emitted {
+        /// Its thickness.
+        thickness_m: f64,
+        /// What one pass leaves.
+        per_pass_m: f64,
+    },
 }
 
 /// A node of the graph.
@@ -254,6 +266,14 @@ impl PlanRecord {
                     radius_m: radius,
                 },
                 GoalState::Skimmed => GoalRecord::Skimmed,
+                GoalState::Polished { passes } => GoalRecord::Polished { passes },
+                GoalState::Emitted {
+                    thickness,
+                    per_pass,
+                } => GoalRecord::Emitted {
+                    thickness_m: thickness,
+                    per_pass_m: per_pass,
+                },
             },
             nodes: plan.graph.nodes.iter().map(node_record).collect(),
             edges: plan
@@ -329,6 +349,14 @@ impl PlanRecord {
                         radius: radius_m,
                     },
                     GoalRecord::Skimmed => GoalState::Skimmed,
+                    GoalRecord::Polished { passes } => GoalState::Polished { passes },
+                    GoalRecord::Emitted {
+                        thickness_m,
+                        per_pass_m,
+                    } => GoalState::Emitted {
+                        thickness: thickness_m,
+                        per_pass: per_pass_m,
+                    },
                 },
                 max_edge_length: self.max_edge_length_m,
                 unreachable: self.unreachable_nodes.clone(),
@@ -353,6 +381,8 @@ impl PlanRecord {
             GoalRecord::Absorbed => "absorb",
             GoalRecord::Collected { .. } => "collect",
             GoalRecord::Skimmed => "skim",
+            GoalRecord::Polished { .. } => "polish",
+            GoalRecord::Emitted { .. } => "emit",
         };
         for (what, found, expected) in [
             ("action", self.action.as_str(), task.action.as_str()),

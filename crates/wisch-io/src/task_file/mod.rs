@@ -25,7 +25,7 @@ use crate::particles::ParticleSource;
 use definitions::Definitions;
 use wisch::follow::WorkcellConfig;
 use wisch::geometry::{Point2, Pose, Vector3};
-use wisch::represent::{Action, ScenePart, Surface, Task};
+use wisch::represent::{Action, ScenePart, Surface, Task, Treatment};
 use wisch::source_location::Place;
 
 /// The schema that this version reads.
@@ -112,6 +112,8 @@ pub struct TaskFile {
     execution: ExecutionRecord,
     max_rounds: usize,
     collect_goal: Option<Point2>,
+    polish: Option<Treatment>,
+    emit: Option<Treatment>,
     scene: Vec<ObjectRecord>,
     particles: ParticleSource,
     particles_at: Place,

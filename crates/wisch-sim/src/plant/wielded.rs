@@ -68,7 +68,7 @@ impl Wielded {
             parts,
             tip_from_tool: cell.tip_from_tool() * Pose::from_parts(offset, turn),
             press_force: task.interaction.press_force_n,
-            depth: (rest / real.stiffness).max(LEAST_DEPTH),
+            depth: (depth / real.stiffness).max(LEAST_DEPTH),
             rest,
             gap,
             pressure: 1.0 / (size * size),

@@ -62,6 +62,7 @@ const SETTLING: f64 = 0.5;
 /// #     },
 /// #     particles: ParticleDistribution::new(&[Point2::new(0.0, 0.0), Point2::new(0.0, 0.1)])?,
 /// #     collect_goal: None,
+/// #     treatment: None,
 /// #     tool_start: Point2::new(0.0, -0.3),
 /// #     seed: 1,
 /// # };
@@ -235,11 +236,11 @@ impl Interpreter {
             // What is felt up there is a surface, and no hand.
             events.retain(|event| !event.kind.is_by_hand());
         }
-        let stiffness = self.stiffness(&classified, &events);
         if self.config.gap_m > 0.0 {
             // What hovers has no contact to begin or to lose.
             events.retain(|event| event.kind.is_by_hand());
         }
+        let stiffness = self.stiffness(&classified, &events);
         Understood {
             classified,
             believed_from_real,
@@ -298,8 +299,8 @@ impl Interpreter {
                 && plane.offset.abs() < self.config.relocalize_offset_m
         };
         match &classified.plane {
-            None => Diagnosis::NoContact,
             None if self.config.gap_m > 0.0 => Diagnosis::Hovering,
+            None => Diagnosis::NoContact,
             Some((_, plane)) if is_here(plane) => Diagnosis::Localized,
             Some(_) => Diagnosis::Relocalize {
                 world_from_surface: self.surface.world_from_surface * believed_from_real,

@@ -7,6 +7,7 @@ mod clearance;
 mod coverage;
 mod error;
 mod graph;
+mod lanes;
 mod objective;
 mod planner;
 mod portfolio;

@@ -196,6 +196,7 @@ mod tests {
             },
             particles: ParticleDistribution::new(crumbs).unwrap(),
             collect_goal: None,
+            treatment: None,
             tool_start: Point2::new(0.0, -0.3),
             seed: 1,
         }

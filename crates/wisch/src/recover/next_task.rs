@@ -68,7 +68,7 @@ fn open_particles<'a>(
     surface: &'a Surface,
 ) -> impl Iterator<Item = (Point2, Fate)> + 'a {
     particles.iter().filter(|(position, fate)| {
-        *fate == Fate::OnSurface && !goal.is_met_by(*position, *fate, surface)
+        fate.is_on_surface() && !goal.is_met_by(*position, *fate, surface)
     })
 }
 

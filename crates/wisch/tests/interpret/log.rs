@@ -38,6 +38,7 @@ pub fn task(count: usize, likelihood: LogNormal) -> Task {
         },
         particles: ParticleDistribution::new(&uniform(count)).unwrap(),
         collect_goal: None,
+        treatment: None,
         tool_start: Point2::new(0.0, -0.3),
         seed: 7,
         surface,

@@ -96,20 +96,19 @@ impl ContactClassifier<'_> {
     ) -> (PathPiece, [f64; 2]) {
         let force = piece.force - bias;
         let normal_force = -force.z;
-        let share = self.config.normalized(normal_force);
         let center = Point3::new(piece.position.x, piece.position.y, piece.mean_height);
         let height = plane.map_or(center.z, |plane| plane.distance(center));
+        let off = self.off(center.xy(), height, normal_force);
         let hovers = self.config.gap_m > 0.0;
         let share = if hovers {
             nearness(height, self.config.gap_m)
         } else {
             self.config.normalized(normal_force)
         };
-        let off = self.off(center.xy(), height, normal_force);
         let on_plane = plane.is_some() && off[0] <= 0.0;
+        let touch = match (on_plane, share) {
             (_, share) if hovers && share >= NEAR_SHARE => Touch::Weak,
             _ if hovers => Touch::Free,
-        let touch = match (on_plane, share) {
             (true, share) if share >= self.config.confident_share => Touch::Confident,
             (true, _) => Touch::Weak,
             (false, share) if share >= FALSE_POSITIVE_SHARE => Touch::FalsePositive,
@@ -174,12 +173,12 @@ fn slope(piece: &MeasuredPiece, normal: &Vector3) -> Vector2 {
     }
     -normal_in_tool.xy() / normal_in_tool.z
 }
+
 /// f′ of a tool that hovers: its gap over how far its mouth is from the surface, of which the tool centre point is `height`
 /// off [1].
 fn nearness(height: f64, gap: f64) -> f64 {
     gap / (gap + height).max(gap)
 }
-
 
 /// Median force over the time of calm free motion, by component, zero where there is none; and the size that
 /// what is left then hardly passes.

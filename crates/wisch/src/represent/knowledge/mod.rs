@@ -25,11 +25,23 @@ pub enum Action {
     Collect,
     /// Push the medium over an edge of the surface.
     Skim,
+    /// Go over every place of the surface so many times.
+    Polish,
+    /// Leave the medium on the surface, so thick everywhere.
+    Emit,
 }
 
 impl Action {
-    /// Every action, in the order of the paper.
-    pub const ALL: [Self; 3] = [Self::Absorb, Self::Collect, Self::Skim];
+    /// Every action: those of the paper in its order, then those that treat the surface itself.
+    pub const ALL: [Self; 5] = [
+        Self::Absorb,
+        Self::Collect,
+        Self::Skim,
+        Self::Polish,
+        Self::Emit,
+    ];
+    /// The actions that move dirt, in the order of the paper.
+    pub const WIPING: [Self; 3] = [Self::Absorb, Self::Collect, Self::Skim];
 
     /// The action as files and goals write it.
     ///
@@ -44,6 +56,8 @@ impl Action {
             Self::Absorb => "absorb",
             Self::Collect => "collect",
             Self::Skim => "skim",
+            Self::Polish => "polish",
+            Self::Emit => "emit",
         }
     }
 
@@ -52,7 +66,13 @@ impl Action {
         match self {
             Self::Absorb => Effect::Absorb,
             Self::Collect | Self::Skim => Effect::Push,
+            Self::Polish | Self::Emit => Effect::Treat,
         }
+    }
+
+    /// Whether it is the surface that is treated: particles are places of it, and strokes run in lanes.
+    pub fn treats(self) -> bool {
+        self.effect() == Effect::Treat
     }
 }
 
@@ -80,6 +100,8 @@ pub enum Effect {
     Absorb,
     /// The particle is carried along with the tool.
     Push,
+    /// The particle is a place of the surface: it stays, and counts how far the tool slides over it.
+    Treat,
 }
 
 /// A range of angles with `min_rad <= max_rad`, both within ±π.
@@ -236,6 +258,8 @@ pub struct Interaction {
     pub nullspace_posture_weight: f64,
     /// How deep the tool gives way here: the tool's own δ unless the files say otherwise [m].
     pub compression_depth_m: f64,
+    /// How high the tool hovers over the surface instead of being pressed on [m]; 0 touches.
+    pub gap_m: f64,
     /// The chance of an effect over the normalised force.
     pub likelihood: LogNormal,
     /// How well that is known.
@@ -244,30 +268,6 @@ pub struct Interaction {
     pub redraw: Redraw,
 }
 
-/// A tool that can do what was asked, with its prospects.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RankedTool<'a> {
-    /// The tool.
-    pub tool: &'a ToolEntry,
-    /// How to use it.
-    pub interaction: &'a Interaction,
-    /// The chance of an effect at nominal force, P(X ≤ 1).
-    pub probability: f64,
-}
-
-/// Tools, media and surfaces with what they do to each other. Every name it holds resolves.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct KnowledgeBase {
-    /// How high the tool hovers over the surface instead of being pressed on [m]; 0 touches.
-    pub gap_m: f64,
-    tools: BTreeMap<String, ToolEntry>,
-    media: BTreeMap<String, MediumEntry>,
-    surfaces: BTreeMap<String, SurfaceEntry>,
-    /// Tool → medium → surface.
-    interactions: BTreeMap<String, BTreeMap<String, BTreeMap<SurfaceScope, Interaction>>>,
-}
-
-impl KnowledgeBase {
 impl Interaction {
     /// Whether the tool acts without touching: what it feels tells nothing.
     pub fn hovers(&self) -> bool {
@@ -284,6 +284,28 @@ impl Interaction {
     }
 }
 
+/// A tool that can do what was asked, with its prospects.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RankedTool<'a> {
+    /// The tool.
+    pub tool: &'a ToolEntry,
+    /// How to use it.
+    pub interaction: &'a Interaction,
+    /// The chance of an effect at nominal force, P(X ≤ 1).
+    pub probability: f64,
+}
+
+/// Tools, media and surfaces with what they do to each other. Every name it holds resolves.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct KnowledgeBase {
+    tools: BTreeMap<String, ToolEntry>,
+    media: BTreeMap<String, MediumEntry>,
+    surfaces: BTreeMap<String, SurfaceEntry>,
+    /// Tool → medium → surface.
+    interactions: BTreeMap<String, BTreeMap<String, BTreeMap<SurfaceScope, Interaction>>>,
+}
+
+impl KnowledgeBase {
     /// Adds a tool, in place of one of the same name.
     pub fn insert_tool(&mut self, tool: ToolEntry) {
         self.tools.insert(tool.name.clone(), tool);
