@@ -11,9 +11,13 @@
     (can-absorb ?t - tool ?m - medium ?s - surface)
     (can-collect ?t - tool ?m - medium ?s - surface)
     (can-skim ?t - tool ?m - medium ?s - surface)
+    (can-polish ?t - tool ?m - medium ?s - surface)
+    (can-emit ?t - tool ?m - medium ?s - surface)
     (absorbed ?m - medium ?s - surface)
     (collected ?m - medium ?s - surface)
-    (skimmed ?m - medium ?s - surface))
+    (skimmed ?m - medium ?s - surface)
+    (polished ?m - medium ?s - surface)
+    (emitted ?m - medium ?s - surface))
 
   (:action grasp
     :parameters (?t - tool)
@@ -39,4 +43,15 @@
   (:action skim
     :parameters (?t - tool ?m - medium ?s - surface)
     :precondition (and (holding ?t) (on ?m ?s) (can-skim ?t ?m ?s))
-    :effect (and (skimmed ?m ?s) (not (on ?m ?s)))))
+    :effect (and (skimmed ?m ?s) (not (on ?m ?s))))
+
+  ; What treats a surface brings its medium along.
+  (:action polish
+    :parameters (?t - tool ?m - medium ?s - surface)
+    :precondition (and (holding ?t) (can-polish ?t ?m ?s))
+    :effect (polished ?m ?s))
+
+  (:action emit
+    :parameters (?t - tool ?m - medium ?s - surface)
+    :precondition (and (holding ?t) (can-emit ?t ?m ?s))
+    :effect (emitted ?m ?s)))

@@ -8,7 +8,7 @@ use wisch::represent::Action;
 pub struct TaskCase {
     /// Index into the shipped scenarios that have a sponge: board, table, windshield.
     place: usize,
-    /// Index into [`Action::ALL`].
+    /// Index into [`Action::WIPING`].
     action: usize,
 }
 
@@ -23,12 +23,12 @@ impl TaskCase {
     /// All nine: each action on each surface.
     pub fn all() -> impl Iterator<Item = Self> {
         (0..PLACES.len())
-            .flat_map(|place| (0..Action::ALL.len()).map(move |action| Self { place, action }))
+            .flat_map(|place| (0..Action::WIPING.len()).map(move |action| Self { place, action }))
     }
 
     /// All nine in the order of the paper's Table 1: each surface with each action.
     pub fn by_action() -> impl Iterator<Item = Self> {
-        (0..Action::ALL.len())
+        (0..Action::WIPING.len())
             .flat_map(|action| (0..PLACES.len()).map(move |place| Self { place, action }))
     }
 
@@ -37,9 +37,9 @@ impl TaskCase {
         self.place % PLACES.len()
     }
 
-    /// Index of the action in [`Action::ALL`].
+    /// Index of the action in [`Action::WIPING`].
     pub const fn action_index(&self) -> usize {
-        self.action % Action::ALL.len()
+        self.action % Action::WIPING.len()
     }
 
     /// Name of the shipped scenario.
@@ -54,7 +54,7 @@ impl TaskCase {
 
     /// What is to be done.
     pub fn action(&self) -> Action {
-        Action::ALL[self.action_index()]
+        Action::WIPING[self.action_index()]
     }
 
     /// Such as `collect chopping-board`.

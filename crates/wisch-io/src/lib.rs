@@ -38,7 +38,8 @@ pub use records::{
     LogRecord, LoopSummary, MotionRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA, PlacementRecord,
     PlanRecord, PlanRecordError, PlanarPoseRecord, PlaneRecord, PoseRecord, PredictionSummary,
     RobotTrajectory, RoleRecord, RoundSummary, RoundTimes, RunEventRecord, SUMMARY_SCHEMA,
-    StrokeRecord, Summary, WaypointRecord, WipedRecord, planned_path_csv, tcp_path_csv,
+    StrokeRecord, Summary, TreatmentSummary, WaypointRecord, WipedRecord, planned_path_csv,
+    tcp_path_csv,
 };
 pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, shipped_robots};
 pub use task_file::{

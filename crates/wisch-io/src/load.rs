@@ -105,13 +105,17 @@ impl LoadedTask {
 
     /// What the source of the particles says of where dirt may lie.
     pub fn dirt_prior(&self) -> DirtPrior {
+        if self.task.action.treats() {
+            // Places of the surface are where they are.
+            return DirtPrior::Known;
+        }
         match self.file.particle_source() {
             ParticleSource::Uniform { count } => DirtPrior::Anywhere { count: *count },
             ParticleSource::Clusters { count, clusters } => DirtPrior::Heaps {
                 count: *count,
                 heaps: clusters.clone(),
             },
-            ParticleSource::Csv { .. } => DirtPrior::Known,
+            ParticleSource::Csv { .. } | ParticleSource::Surface { .. } => DirtPrior::Known,
             ParticleSource::Image(_) => {
                 let sensor = self.file.perception().sight.unwrap_or_default();
                 DirtPrior::Seen(self.sight(sensor))
@@ -247,6 +251,7 @@ pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error
         strategy: match (options.strategy, file.strategy()) {
             (Some(strategy), _) => strategy,
             (None, Some(name)) => strategy_named(name, &shown)?,
+            (None, None) if task.action.treats() => Strategy::Lanes,
             (None, None) => DEFAULT_STRATEGY,
         },
         seed,

@@ -112,6 +112,8 @@ const fn class_of(action: Action) -> &'static str {
         Action::Absorb => "semco:Absorbing",
         Action::Collect => "semco:Collecting",
         Action::Skim => "semco:Skimming",
+        Action::Polish => "semco:Polishing",
+        Action::Emit => "semco:Painting",
     }
 }
 
@@ -144,6 +146,8 @@ fn goal_of(task: &Task, goal: &GoalState) -> String {
         GoalState::Absorbed => "absorbed",
         GoalState::Collected { .. } => "collected",
         GoalState::Skimmed => "skimmed",
+        GoalState::Polished { .. } => "polished",
+        GoalState::Emitted { .. } => "emitted",
     };
     format!("({predicate} {} {})", task.medium, task.surface.name)
 }
@@ -230,6 +234,7 @@ fn describe_touch(individual: &mut Individual, interpretation: &Interpretation) 
             Diagnosis::Localized => "localized",
             Diagnosis::Relocalize { .. } => "relocalize",
             Diagnosis::NoContact => "no contact",
+            Diagnosis::Hovering => "hovering",
         },
     );
 }

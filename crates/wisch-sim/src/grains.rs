@@ -4,7 +4,8 @@
 //! riding on it, so that grains do not lift the tool; where the tool's pressure at a grain's place
 //! exceeds the grain's own threshold, the grain is taken up (absorb) or moved (push): one that the tool's
 //! side meets is pushed ahead of it, one that the tool was set down on is held under it. Grains do not
-//! roll. Pressure is that of the tool's compliance, uneven where the tool is tilted.
+//! roll. Pressure is that of the tool's compliance, uneven where the tool is tilted; for a tool that hovers, the share of its
+//! gap in the clearance over the grain stands in for it.
 
 use super::Dirt;
 use super::plant::{GRAVITY, Plant, Wielded, groups_of_grains, vector};
@@ -146,9 +147,15 @@ impl GrainBodies {
                 continue;
             }
             let [lifted, higher] = plant.wave(on_surface(&self.real_from_world, &at));
-            let is_reached = in_plate.z + lifted + grain.radius > 0.0
-                && in_plate.z + lifted < grain.radius + tool.depth
-                && compression.pressure(under, higher, tool) >= grain.threshold;
+            let is_reached = if tool.gap > 0.0 {
+                // Suction falls off with the way from the mouth to the grain's foot.
+                let clearance = grain.radius - in_plate.z - lifted;
+                tool.gap / clearance.max(tool.gap) >= grain.threshold
+            } else {
+                in_plate.z + lifted + grain.radius > 0.0
+                    && in_plate.z + lifted < grain.radius + tool.depth
+                    && compression.pressure(under, higher, tool) >= grain.threshold
+            };
             if !is_reached {
                 held.grip = Grip::Below;
                 continue;

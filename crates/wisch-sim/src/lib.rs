@@ -17,6 +17,7 @@ mod mismatch;
 mod period;
 mod plant;
 mod settings;
+mod treated;
 mod truth;
 mod world;
 

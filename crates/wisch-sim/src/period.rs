@@ -3,6 +3,7 @@
 use crate::camera::hidden_by;
 use crate::grains::GrainBodies;
 use crate::plant::{GRAVITY, Plant, Wielded, firm_load, tool_load};
+use crate::treated::TreatedSurface;
 use crate::{Dirt, GroundTruth, SimulationError, SimulationSettings, Spread};
 use nalgebra::{Matrix6xX, Translation3, Vector6};
 use rand::SeedableRng;
@@ -79,6 +80,7 @@ struct Simulation<'a> {
     plant: Plant,
     tool: Wielded,
     grains: GrainBodies,
+    treated: Option<TreatedSurface>,
     dirt: Dirt,
     articulation: Articulation,
     /// As measured, as it is (where that differs), and as planned.
@@ -167,7 +169,11 @@ impl<'a> Simulation<'a> {
         let q: Vec<f64> = articulation.variables().iter().map(|&i| start[i]).collect();
         let firm = loaded(firm_load(&tool))?;
         let mut plant = Plant::new(cell, task, &tool, settings, &firm, &compliant, &q, config)?;
-        let grains = GrainBodies::new(&mut plant, dirt, task, &tool, settings);
+        let treated = TreatedSurface::of(task, &tool, settings);
+        let none = Dirt::default();
+        // Places of the surface are no bodies.
+        let loose = if treated.is_some() { &none } else { dirt };
+        let grains = GrainBodies::new(&mut plant, loose, task, &tool, settings);
         let [state, actual, planned] = [(); 3].map(|()| articulation.state());
         let limits = compliant.iter().map(|&k| {
             let limits = &robot.variable(articulation.variables()[k]).limits;
@@ -204,6 +210,7 @@ impl<'a> Simulation<'a> {
             plant,
             tool,
             grains,
+            treated,
             dirt: dirt.clone(),
             state,
             actual,
@@ -318,6 +325,10 @@ impl<'a> Simulation<'a> {
         let is_pushed = self.disturb(time, &real_tool);
         self.plant.undulate();
         self.grains.act(&mut self.plant, &mut self.dirt, &self.tool);
+        if let Some(treated) = &self.treated {
+            let period = self.config.period;
+            treated.act(&self.plant, &mut self.dirt, &self.tool, period);
+        }
         self.plant.step();
         let is_obstructed = self.plant.is_obstructed();
         let was_obstructed = std::mem::replace(&mut self.was_obstructed, is_obstructed);
@@ -461,7 +472,7 @@ impl<'a> Simulation<'a> {
         let normal = surface * Vector3::z();
         let interaction = &self.task.interaction;
         let depth =
-            self.config.press_margin * interaction.press_force_n / interaction.stiffness_n_per_m;
+            self.config.press_margin * interaction.contact_force() / interaction.stiffness_n_per_m;
         let presses = motions.get(self.motion).is_some_and(|motion| {
             matches!(motion.phase, Phase::Lower | Phase::Wipe(_) | Phase::Lift)
         });

@@ -183,8 +183,15 @@ impl SimulationSettings {
             } else {
                 medium.kind
             },
-            max_bodies: record.max_bodies,
+            // Places of a surface are no bodies.
+            max_bodies: if task.action.treats() {
+                usize::MAX
+            } else {
+                record.max_bodies
+            },
             dirt: match &record.dirt.source {
+                // The surface has the places that it has.
+                _ if task.action.treats() => Places::Listed(believed()),
                 RealDirt::AsBelieved => Places::Listed(believed()),
                 RealDirt::Uniform => Places::Uniform,
                 RealDirt::Clusters(heaps) => Places::Clusters(heaps.clone()),

@@ -5,3 +5,4 @@ mod execute;
 mod guard;
 mod scenarios;
 mod sight;
+mod treated;

@@ -180,6 +180,7 @@ fn what_is_gone_or_hidden_is_not_seen() {
         fate,
         radius: 1e-3,
         threshold: 0.3,
+        wear: 0.0,
     };
     let corners = [(0.05, -0.01), (0.07, -0.01), (0.07, 0.01), (0.05, 0.01)];
     let truth = GroundTruth {

@@ -17,7 +17,7 @@ use wisch::represent::{
 /// Where so much stands on the surface that there is no room for dirt.
 pub fn any_task(seed: u64) -> Result<Task, AnyError> {
     let random = &mut ChaCha8Rng::seed_from_u64(seed);
-    let action = Action::ALL[random.random_range(0..Action::ALL.len())];
+    let action = Action::WIPING[random.random_range(0..Action::WIPING.len())];
     let outline = outline(random);
     let edges = outline.outer().len();
     let count = random.random_range(1..=edges);
@@ -63,6 +63,7 @@ pub fn any_task(seed: u64) -> Result<Task, AnyError> {
         interaction: interaction(),
         particles,
         collect_goal,
+        treatment: None,
         tool_start: Point2::origin(),
         seed,
     })

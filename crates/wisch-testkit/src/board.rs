@@ -49,6 +49,7 @@ pub fn board(action: Action, [x, y, z]: [f64; 3]) -> Task {
         interaction: interaction(),
         particles: ParticleDistribution::new(&crumbs).unwrap(),
         collect_goal: None,
+        treatment: None,
         tool_start: Point2::new(-0.2, 0.0),
         seed: 1,
     }

@@ -48,6 +48,7 @@ pub fn interaction() -> Interaction {
         damping_ratio: 0.7,
         nullspace_posture_weight: 0.1,
         compression_depth_m: 0.005,
+        gap_m: 0.0,
         likelihood: LogNormal {
             mu: -1.0,
             sigma: 0.25,

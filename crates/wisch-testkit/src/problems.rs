@@ -69,7 +69,7 @@ impl Problem {
         let place = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), bearing)
             * Vector3::new(distance, 0.0, random.random_range(height));
         let world_from_surface = Pose::from_parts(place.into(), orientation(random, bearing));
-        let action = Action::ALL[random.random_range(0..Action::ALL.len())];
+        let action = Action::WIPING[random.random_range(0..Action::WIPING.len())];
         let strategies = [CoverageStrategy::Grid, CoverageStrategy::Kde];
         let strategy = strategies[random.random_range(0..2)];
         let particles = particles(random, size);
@@ -92,6 +92,7 @@ impl Problem {
                 interaction: interaction(),
                 particles: ParticleDistribution::new(&particles)?,
                 collect_goal: None,
+                treatment: None,
                 tool_start: Point2::new(-size.x, -size.y),
                 seed,
             },

@@ -46,7 +46,7 @@ fn main() -> Result<ExitCode, AnyError> {
         }
     }
     println!("{} of {count} tasks have a plan", rows.len());
-    for action in Action::ALL {
+    for action in Action::WIPING {
         let of: Vec<&Row> = rows.iter().filter(|row| row.action == action).collect();
         let mut gains: Vec<f64> = of
             .iter()

@@ -18,7 +18,7 @@ use wisch_testkit::{Outcome, Problem, arm7, block, board, cell, faults, planned,
 
 #[test]
 fn an_arm_follows_every_stroke_of_a_board_as_planned() {
-    for action in Action::ALL {
+    for action in Action::WIPING {
         let task = board(action, [0.5, 0.0, 0.2]);
         let (plan, cell) = (planned(&task), cell(&task));
         let config = FollowConfig::default();

@@ -110,6 +110,8 @@ fn every_shipped_interaction_is_reached_by_a_goal() {
                     Action::Absorb => "absorbed",
                     Action::Collect => "collected",
                     Action::Skim => "skimmed",
+                    Action::Polish => "polished",
+                    Action::Emit => "emitted",
                 };
                 let goal = format!("({participle} {} {surface})", interaction.medium);
                 let tool = interaction.tool.as_str();
@@ -146,7 +148,7 @@ fn goals_that_cannot_be_reached_say_why() {
         assert_eq!(
             resolve_error(goal, None, &["sponge"]),
             format!(
-                "goal {goal} takes no wiping action; goals that do: absorbed, collected, skimmed"
+                "goal {goal} takes no wiping action; goals that do: absorbed, collected, emitted, polished, skimmed"
             )
         );
     }

@@ -18,4 +18,5 @@ mod session;
 mod timing;
 mod tool_meshes;
 mod tour;
+mod treatment;
 mod tutorial;

@@ -107,7 +107,7 @@ fn every_cell_of_table_1_is_as_published() {
     assert_eq!(published.len(), 9);
     let off: Vec<String> = (published.into_par_iter())
         .flat_map(|(action, scenario, cells)| {
-            let wanted = Action::ALL.into_iter().find(|a| a.as_str() == action);
+            let wanted = Action::WIPING.into_iter().find(|a| a.as_str() == action);
             let names = SCENARIOS.map(|(name, ..)| name);
             let name = names.into_iter().find(|name| name.ends_with(&scenario));
             let name = name.expect("a scenario of Table 1");

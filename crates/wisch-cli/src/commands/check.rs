@@ -229,6 +229,17 @@ fn destination(plan: &Plan) -> String {
             "every particle within {radius:.4} m of ({:.3}, {:.3}) m on the surface",
             center.x, center.y
         ),
+        GoalState::Polished { passes } => {
+            format!("every place passed {}", counted(passes as usize, "time"))
+        }
+        GoalState::Emitted {
+            thickness,
+            per_pass,
+        } => format!(
+            "a coat of {:.4} mm everywhere, {:.4} mm in each pass",
+            1e3 * thickness,
+            1e3 * per_pass
+        ),
         GoalState::Skimmed => {
             let goals = plan.graph.nodes.iter();
             let goals = goals.filter(|node| node.role == NodeRole::Goal).count();

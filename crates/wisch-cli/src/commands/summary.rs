@@ -8,8 +8,14 @@ use super::round_views::{rounds_in_words, summary as summary_of_round};
 use super::words::{counted, percent};
 use std::path::Path;
 use wisch::recover::Verdict;
+use wisch::represent::{ParticleDistribution, Treatment};
 use wisch_io::{FOLLOWING_FILE, PLAN_FILE, REPORT_FILE, path_in_results};
-use wisch_io::{FollowingSummary, LoopSummary, PredictionSummary, SUMMARY_SCHEMA, Summary};
+use wisch_io::{
+    FollowingSummary, LoopSummary, PredictionSummary, SUMMARY_SCHEMA, Summary, TreatmentSummary,
+};
+
+/// Members of a belief over which a treatment is averaged.
+const SUMMARISED: usize = 64;
 
 /// The record.
 pub(super) fn summary(prepared: &Prepared, results: &Results, out: &Path) -> Summary {
@@ -34,6 +40,7 @@ pub(super) fn summary(prepared: &Prepared, results: &Results, out: &Path) -> Sum
         distance_in_contact_m: plan.contact_distance(),
         distance_total_m: plan.total_distance(),
         planning_time_s: results.planning_time_s,
+        treatment: treatment(prepared, results),
         following: (results.following.as_ref()).map(Following::summary),
         prediction: prediction.map(|prediction| {
             let performance = prediction.performance;
@@ -49,6 +56,30 @@ pub(super) fn summary(prepared: &Prepared, results: &Results, out: &Path) -> Sum
         candidates: (results.considered.as_ref()).map(|all| candidates(all, plan, task)),
         out: out.display().to_string(),
     }
+}
+
+/// What is done to each place of a surface that is treated: as estimated after the last round, or else as predicted.
+fn treatment(prepared: &Prepared, results: &Results) -> Option<TreatmentSummary> {
+    let task = &prepared.task;
+    task.treatment?;
+    let places: Vec<ParticleDistribution> = match results.rounds.last() {
+        Some(done) => {
+            let belief = &done.round.interpretation.belief;
+            belief.members(SUMMARISED, prepared.config.seed)
+        }
+        None => vec![results.predicted.as_ref()?.0.particles.clone()],
+    };
+    let count = places.len() as f64;
+    let spreads = places.iter().map(Treatment::spread);
+    let [mean_passes, passes_deviation] = spreads.fold([0.0; 2], |[mean, deviation], of_one| {
+        [mean + of_one[0] / count, deviation + of_one[1] / count]
+    });
+    let per_pass = task.depth_per_pass();
+    Some(TreatmentSummary {
+        mean_passes,
+        passes_deviation,
+        mean_depth_m: per_pass.map(|per_pass| per_pass * mean_passes),
+    })
 }
 
 /// The summary for people.
@@ -70,9 +101,14 @@ pub(super) fn in_words(summary: &Summary, rounds: &[Done], out: &Path) -> String
         lines.push((
             "performance",
             format!(
-                "{word} {} of {} particles (target {}: {verdict})",
+                "{word} {} of {} {} (target {}: {verdict})",
                 percent(performance),
                 summary.particles,
+                if summary.treatment.is_some() {
+                    "places"
+                } else {
+                    "particles"
+                },
                 percent(prediction.target_performance),
             ),
         ));
@@ -81,7 +117,10 @@ pub(super) fn in_words(summary: &Summary, rounds: &[Done], out: &Path) -> String
             let predicted = percent(prediction.predicted_performance);
             lines.push(("predicted", format!("{predicted} for the first round")));
         }
-        lines.push(("lost over an edge", percent(prediction.lost_share)));
+        match &summary.treatment {
+            Some(treatment) => lines.extend(treatment_in_words(treatment, &summary.action)),
+            None => lines.push(("lost over an edge", percent(prediction.lost_share))),
+        }
     } else {
         lines.push(("particles", summary.particles.to_string()));
     }
@@ -135,6 +174,37 @@ pub(super) fn in_words(summary: &Summary, rounds: &[Done], out: &Path) -> String
         text += &table(candidates);
     }
     text
+}
+
+/// What is done to the places of a surface, for people.
+fn treatment_in_words(treatment: &TreatmentSummary, action: &str) -> Vec<(&'static str, String)> {
+    let TreatmentSummary {
+        mean_passes,
+        passes_deviation,
+        mean_depth_m,
+    } = treatment;
+    let passes =
+        format!("{mean_passes:.2} on average, {passes_deviation:.2} deviation from place to place");
+    let mut lines = vec![("passes", passes)];
+    if let Some(depth) = mean_depth_m {
+        let name = if action == "emit" {
+            "thickness"
+        } else {
+            "removed"
+        };
+        let off = depth * passes_deviation / mean_passes.max(f64::MIN_POSITIVE);
+        let (scale, unit) = if *depth < 1e-6 {
+            (1e9, "nm")
+        } else {
+            (1e6, "µm")
+        };
+        let (depth, off) = (scale * depth, scale * off);
+        lines.push((
+            name,
+            format!("{depth:.1} {unit} on average, {off:.1} {unit} deviation"),
+        ));
+    }
+    lines
 }
 
 /// The robot's part of the summary for people.

@@ -128,6 +128,7 @@ struct InteractionRecord {
     damping_ratio: Spanned<f64>,
     nullspace_posture_weight: Spanned<f64>,
     compression_depth_m: Option<Spanned<f64>>,
+    gap_m: Option<Spanned<f64>>,
     mu: Spanned<f64>,
     sigma: Spanned<f64>,
     mu_spread: Option<Spanned<f64>>,
@@ -300,6 +301,10 @@ impl Source<'_> {
             Some(depth) => self.number("compression_depth_m", depth, DEPTH_M)?,
             None => tool.compression_depth_m,
         };
+        let gap_m = match &record.gap_m {
+            Some(gap) => self.number("gap_m", gap, DEPTH_M)?,
+            None => 0.0,
+        };
         let actions = (record.actions.get_ref().iter())
             .map(|action| {
                 let parsed = action.get_ref().parse::<Action>();
@@ -349,6 +354,7 @@ impl Source<'_> {
                 WEIGHT,
             )?,
             compression_depth_m,
+            gap_m,
             likelihood: LogNormal {
                 mu: number("mu", &record.mu, MU)?,
                 sigma: number("sigma", &record.sigma, SIGMA)?,

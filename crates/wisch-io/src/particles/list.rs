@@ -7,6 +7,8 @@ use wisch::represent::{
     DirtArea, Fate, MAX_PARTICLES, Observation, ParticleDistribution, ParticleError,
 };
 
+/// Header of the lists that [`particles_to_csv`] writes of places that were treated.
+const TREATED_HEADER: [&str; 6] = ["particle", "x_m", "y_m", "fate", "edge", "passes"];
 /// Header of the lists that [`particles_to_csv`] writes.
 const ESTIMATE_HEADER: [&str; 5] = ["particle", "x_m", "y_m", "fate", "edge"];
 /// Furthest a coordinate of a list may be from the surface's origin [m].
@@ -34,7 +36,7 @@ pub fn csv_particles(
             problem,
         };
         match row.fate {
-            Fate::OnSurface if !area.outline.contains(row.position) => {
+            Fate::OnSurface | Fate::Treated { .. } if !area.outline.contains(row.position) => {
                 let Point2 { coords } = row.position;
                 return Err(at(format!(
                     "({}, {}) m lies off the surface's outline",
@@ -72,7 +74,8 @@ pub fn observed_in_list(
 }
 
 /// The particles as CSV with columns `particle,x_m,y_m,fate,edge`: index, position in the surface
-/// frame [m], `on_surface`, `absorbed` or `off_surface`, and for the last the edge it went over.
+/// frame [m], `on_surface`, `absorbed` or `off_surface`, and for the last the edge it went over. Where places were treated
+/// there are `treated` as well, and a column `passes`.
 /// Numbers are written so that reading them gives back the same bits.
 ///
 /// ```
@@ -85,12 +88,24 @@ pub fn observed_in_list(
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn particles_to_csv(particles: &ParticleDistribution) -> String {
-    let mut text = ESTIMATE_HEADER.join(",") + "\n";
+    let is_treated = (particles.iter()).any(|(_, fate)| matches!(fate, Fate::Treated { .. }));
+    let header: &[&str] = if is_treated {
+        &TREATED_HEADER
+    } else {
+        &ESTIMATE_HEADER
+    };
+    let mut text = header.join(",") + "\n";
     for (particle, (position, fate)) in particles.iter().enumerate() {
         let (fate, edge) = match fate {
             Fate::OnSurface => ("on_surface", String::new()),
             Fate::Absorbed => ("absorbed", String::new()),
             Fate::OffSurface { edge } => ("off_surface", edge.to_string()),
+            Fate::Treated { passes } => ("treated", format!(",{passes}")),
+        };
+        let edge = match fate {
+            "treated" => edge,
+            _ if is_treated => edge + ",",
+            _ => edge,
         };
         let (x, y) = (position.x, position.y);
         // Writing to a String does not fail.
@@ -127,6 +142,7 @@ fn distribution(rows: &[Row]) -> Result<ParticleDistribution, ParticleSourceErro
 enum Columns {
     Positions,
     Estimate,
+    Treated,
 }
 
 fn rows(file: &str, text: &[u8]) -> Result<Vec<Row>, ParticleSourceError> {
@@ -171,6 +187,7 @@ fn rows(file: &str, text: &[u8]) -> Result<Vec<Row>, ParticleSourceError> {
         let row = match columns {
             Columns::Positions => position_row(&cells),
             Columns::Estimate => estimate_row(&cells, rows.len()),
+            Columns::Treated => treated_row(&cells, rows.len()),
         };
         let (position, fate) = row.map_err(|problem| fault(line, problem))?;
         rows.push(Row {
@@ -191,6 +208,7 @@ fn header(cells: &[&str]) -> Option<Columns> {
     match cells {
         ["x", "y"] | ["x_m", "y_m"] => Some(Columns::Positions),
         cells if cells == ESTIMATE_HEADER => Some(Columns::Estimate),
+        cells if cells == TREATED_HEADER => Some(Columns::Treated),
         _ => None,
     }
 }
@@ -239,6 +257,23 @@ fn estimate_row(cells: &[&str], expected: usize) -> Result<(Point2, Fate), Strin
         }
     };
     Ok((position, fate))
+}
+
+fn treated_row(cells: &[&str], expected: usize) -> Result<(Point2, Fate), String> {
+    let [particle, x, y, fate, edge, passes] = cells else {
+        let (found, columns) = (cells.len(), TREATED_HEADER.join(","));
+        return Err(format!("{found} columns, expected 6: {columns}"));
+    };
+    if *fate != "treated" {
+        return estimate_row(&[particle, x, y, fate, edge], expected);
+    }
+    let (position, _) = estimate_row(&[particle, x, y, "on_surface", edge], expected)?;
+    match passes.parse::<f64>() {
+        Ok(passes) if passes.is_finite() && passes >= 0.0 => {
+            Ok((position, Fate::Treated { passes }))
+        }
+        _ => Err(format!("passes = {passes:?} is no number from 0 on")),
+    }
 }
 
 fn coordinate(column: &str, cell: &str) -> Result<f64, String> {

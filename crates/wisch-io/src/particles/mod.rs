@@ -13,6 +13,11 @@ use wisch::represent::{Cluster, ParticleError, SourceError};
 /// How the initial particles are made.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ParticleSource {
+    /// The places of the surface, in square cells.
+    Surface {
+        /// About how many.
+        count: usize,
+    },
     /// Evenly over the free surface.
     Uniform {
         /// How many.

@@ -110,6 +110,7 @@ fn fates() -> impl Strategy<Value = Fate> {
         Just(Fate::OnSurface),
         Just(Fate::Absorbed),
         (0_u16..4).prop_map(|edge| Fate::OffSurface { edge }),
+        (0.0..9.0).prop_map(|passes| Fate::Treated { passes }),
     ]
 }
 

@@ -39,6 +39,9 @@ pub(super) struct MotionHead {
     stiffness_n_per_m: f64,
     damping_ratio: f64,
     compression_depth_m: f64,
+    /// How high a tool hovers; left out where it touches.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gap_m: Option<f64>,
     duration_s: f64,
     phases: Vec<PhaseMessage>,
     points: usize,
@@ -181,10 +184,11 @@ impl MotionHead {
                 .collect(),
             tool: order.task.tool.name.clone(),
             world_from_surface: numbers(&order.task.surface.world_from_surface),
-            press_force_n: interaction.press_force_n,
+            press_force_n: interaction.contact_force(),
             stiffness_n_per_m: interaction.stiffness_n_per_m,
             damping_ratio: interaction.damping_ratio,
             compression_depth_m: interaction.compression_depth_m,
+            gap_m: interaction.hovers().then_some(interaction.gap_m),
             duration_s: order.followed.duration(),
             phases: phases.collect(),
             points,

@@ -19,7 +19,7 @@ pub struct InterpretationRecord {
     pub schema: u32,
     /// Name of the task.
     pub task: String,
-    /// absorb, collect or skim.
+    /// absorb, collect, skim, polish or emit.
     pub action: String,
     /// Share of the particles that are estimated to be where the action wants them, mean over the replays.
     pub estimated: f64,
@@ -177,7 +177,7 @@ impl InterpretationRecord {
             diagnosis: diagnosis(&interpretation.diagnosis),
             world_from_surface: match &interpretation.diagnosis {
                 Diagnosis::Relocalize { world_from_surface } => Some(world_from_surface.into()),
-                Diagnosis::Localized | Diagnosis::NoContact => None,
+                Diagnosis::Localized | Diagnosis::NoContact | Diagnosis::Hovering => None,
             },
             // No bias is 0, not -0.
             force_bias_n: interpretation.force_bias + 0.0,
@@ -225,5 +225,6 @@ fn diagnosis(diagnosis: &Diagnosis) -> &'static str {
         Diagnosis::Localized => "localized",
         Diagnosis::Relocalize { .. } => "relocalize",
         Diagnosis::NoContact => "no_contact",
+        Diagnosis::Hovering => "hovering",
     }
 }

@@ -21,5 +21,8 @@ pub use plan::{
     PlanarPoseRecord, PoseRecord, RoleRecord, StrokeRecord, WaypointRecord,
 };
 pub use rounds::{LoopSummary, RoundSummary, RoundTimes};
-pub use summary::{CandidateSummary, FollowingSummary, PredictionSummary, SUMMARY_SCHEMA, Summary};
+pub use summary::{
+    CandidateSummary, FollowingSummary, PredictionSummary, SUMMARY_SCHEMA, Summary,
+    TreatmentSummary,
+};
 pub use trajectory::{RobotTrajectory, planned_path_csv, tcp_path_csv};

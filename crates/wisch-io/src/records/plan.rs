@@ -24,7 +24,7 @@ pub struct PlanRecord {
     pub schema: u32,
     /// Name of the task.
     pub task: String,
-    /// absorb, collect or skim.
+    /// absorb, collect, skim, polish or emit.
     pub action: String,
     /// Name of the surface, whose frame all positions are in.
     pub surface: String,
@@ -96,6 +96,18 @@ pub enum GoalRecord {
     },
     /// Every particle pushed over an allowed edge.
     Skimmed,
+    /// Every place passed so often.
+    Polished {
+        /// How often.
+        passes: u32,
+    },
+    /// Every place under a coat.
+    Emitted {
+        /// Its thickness.
+        thickness_m: f64,
+        /// What one pass leaves.
+        per_pass_m: f64,
+    },
 }
 
 impl From<GoalState> for GoalRecord {
@@ -107,6 +119,14 @@ impl From<GoalState> for GoalRecord {
                 radius_m: radius,
             },
             GoalState::Skimmed => Self::Skimmed,
+            GoalState::Polished { passes } => Self::Polished { passes },
+            GoalState::Emitted {
+                thickness,
+                per_pass,
+            } => Self::Emitted {
+                thickness_m: thickness,
+                per_pass_m: per_pass,
+            },
         }
     }
 }
@@ -123,6 +143,14 @@ impl From<GoalRecord> for GoalState {
                 radius: radius_m,
             },
             GoalRecord::Skimmed => Self::Skimmed,
+            GoalRecord::Polished { passes } => Self::Polished { passes },
+            GoalRecord::Emitted {
+                thickness_m,
+                per_pass_m,
+            } => Self::Emitted {
+                thickness: thickness_m,
+                per_pass: per_pass_m,
+            },
         }
     }
 }
@@ -365,6 +393,8 @@ impl PlanRecord {
             GoalRecord::Absorbed => "absorb",
             GoalRecord::Collected { .. } => "collect",
             GoalRecord::Skimmed => "skim",
+            GoalRecord::Polished { .. } => "polish",
+            GoalRecord::Emitted { .. } => "emit",
         };
         for (what, found, expected) in [
             ("action", self.action.as_str(), task.action.as_str()),

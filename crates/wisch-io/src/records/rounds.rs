@@ -103,6 +103,7 @@ impl RoundSummary {
                 Diagnosis::Localized => "localized",
                 Diagnosis::Relocalize { .. } => "relocalize",
                 Diagnosis::NoContact => "no contact",
+                Diagnosis::Hovering => "hovering",
             },
             verdict: round.verdict.as_str(),
             ending: match &round.execution.ending {

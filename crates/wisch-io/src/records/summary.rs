@@ -12,7 +12,7 @@ pub struct Summary {
     pub schema: u32,
     /// Name of the task.
     pub task: String,
-    /// absorb, collect or skim.
+    /// absorb, collect, skim, polish or emit.
     pub action: String,
     /// Name of the surface.
     pub surface: String,
@@ -43,6 +43,9 @@ pub struct Summary {
     /// What the prediction says; its keys are missing where nothing was predicted.
     #[serde(flatten)]
     pub prediction: Option<PredictionSummary>,
+    /// What was done to each place of a surface that is treated; its keys are missing for what moves dirt.
+    #[serde(flatten)]
+    pub treatment: Option<TreatmentSummary>,
     /// What the robot makes of the plan; its keys are missing where no robot followed it.
     #[serde(flatten)]
     pub following: Option<FollowingSummary>,
@@ -54,6 +57,17 @@ pub struct Summary {
     pub candidates: Option<Vec<CandidateSummary>>,
     /// The folder with the results.
     pub out: String,
+}
+
+/// The part of a summary about a surface that is treated: as estimated after the last round, or else as predicted.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct TreatmentSummary {
+    /// Mean over the places of how often the tool slid over each by its own length.
+    pub mean_passes: f64,
+    /// Standard deviation of that over the places.
+    pub passes_deviation: f64,
+    /// Mean thickness that is removed, or left; null where no coefficient of Preston's law is given.
+    pub mean_depth_m: Option<f64>,
 }
 
 /// One of the plans that there were to choose from. Values are null where there is no plan.

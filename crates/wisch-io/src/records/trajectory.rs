@@ -322,7 +322,7 @@ fn path_line(
     let at = world_from_tool.translation.vector;
     let turned = world_from_tool.rotation.coords;
     let force = if phase.is_contact() {
-        interaction.press_force_n
+        interaction.contact_force()
     } else {
         0.0
     };

@@ -16,7 +16,7 @@ use super::{
 use crate::particles::{MaskSource, ParticleSource};
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 use wisch::geometry::{Pose, Vector2, Vector3};
-use wisch::represent::Surface;
+use wisch::represent::{Surface, Treatment};
 use wisch::source_location::{Place, UnknownName};
 
 /// How far a quaternion's norm may be from 1.
@@ -53,6 +53,14 @@ pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
         collect_goal: (task.collect.as_ref())
             .and_then(|collect| collect.goal_m)
             .map(point),
+        polish: task.polish.as_ref().map(|polish| Treatment::Polish {
+            passes: polish.passes.0 as u32,
+            preston: polish.preston_per_pa.map(|coefficient| coefficient.0),
+        }),
+        emit: task.emit.as_ref().map(|emit| Treatment::Emit {
+            thickness: emit.thickness_m.0,
+            volume_per_metre: emit.volume_m3_per_m.0,
+        }),
         particles_at: task.particles.place(source),
         particles: particle_source(&task.particles.value, source)?,
         scene,
@@ -375,6 +383,9 @@ fn particle_source(
     source: &Source<'_>,
 ) -> Result<ParticleSource, TaskError> {
     Ok(match table {
+        ParticlesTable::Surface { count } => ParticleSource::Surface {
+            count: count.0 as usize,
+        },
         ParticlesTable::Uniform { count } => ParticleSource::Uniform {
             count: count.0 as usize,
         },

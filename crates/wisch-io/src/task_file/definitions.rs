@@ -58,6 +58,7 @@ struct Overrides {
     damping_ratio: Option<f64>,
     nullspace_posture_weight: Option<f64>,
     compression_depth_m: Option<f64>,
+    gap_m: Option<f64>,
     mu: Option<f64>,
     sigma: Option<f64>,
     mu_spread: Option<f64>,
@@ -217,6 +218,7 @@ fn overrides(
         damping_ratio: given.damping_ratio.map(|ratio| ratio.0),
         nullspace_posture_weight: given.nullspace_posture_weight.map(|weight| weight.0),
         compression_depth_m: given.compression_depth_m.map(|depth| depth.0),
+        gap_m: given.gap_m.map(|gap| gap.0),
         mu: given.mu.map(|mu| mu.0),
         sigma: given.sigma.map(|sigma| sigma.0),
         mu_spread: given.mu_spread.map(|spread| spread.0),
@@ -284,6 +286,7 @@ impl TaskFile {
                 damping_ratio: DAMPING_RATIO,
                 nullspace_posture_weight: POSTURE_WEIGHT,
                 compression_depth_m: knowledge.tool(tool).map_err(unknown)?.compression_depth_m,
+                gap_m: 0.0,
                 likelihood: LIKELIHOOD,
                 likelihood_spread: LogNormalSpread::default(),
                 redraw: Redraw::default(),
@@ -305,6 +308,7 @@ impl TaskFile {
                 &mut interaction_now.redraw.ln_length_spread,
             ),
             (given.kept_share, &mut interaction_now.redraw.kept_share),
+            (given.gap_m, &mut interaction_now.gap_m),
         ] {
             *value = given.unwrap_or(*value);
         }
@@ -377,6 +381,7 @@ impl Overrides {
             damping_ratio: None,
             nullspace_posture_weight: None,
             compression_depth_m: None,
+            gap_m: None,
             mu: None,
             sigma: None,
             mu_spread: None,

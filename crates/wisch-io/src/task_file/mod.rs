@@ -26,7 +26,7 @@ use definitions::Definitions;
 use wisch::follow::WorkcellConfig;
 use wisch::geometry::{Point2, Pose, Vector3};
 use wisch::plan::HeadingRule;
-use wisch::represent::{Action, ScenePart, Surface, Task};
+use wisch::represent::{Action, ScenePart, Surface, Task, Treatment};
 use wisch::source_location::Place;
 
 /// The schema that this version reads.
@@ -113,6 +113,8 @@ pub struct TaskFile {
     execution: ExecutionRecord,
     max_rounds: usize,
     collect_goal: Option<Point2>,
+    polish: Option<Treatment>,
+    emit: Option<Treatment>,
     scene: Vec<ObjectRecord>,
     particles: ParticleSource,
     particles_at: Place,

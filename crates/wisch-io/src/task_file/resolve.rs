@@ -8,8 +8,8 @@ use wisch::geometry::{
 };
 use wisch::represent::{
     Action, DirtArea, Interaction, KnowledgeBase, KnowledgeError, OccupiedArea,
-    ParticleDistribution, SceneObject, ScenePart, Task, Tool, ToolEntry, ToolMesh,
-    cluster_particles, uniform_particles,
+    ParticleDistribution, SceneObject, ScenePart, Task, Tool, ToolEntry, ToolMesh, Treatment,
+    cluster_particles, surface_cells, uniform_particles,
 };
 use wisch::source_location::Place;
 
@@ -85,6 +85,7 @@ impl TaskFile {
                 key: "skim_edges",
             });
         }
+        let treatment = self.treatment(action)?;
         let mesh = match &entry.mesh {
             ToolMesh::InKnowledge(file) => parsed_mesh(knowledge_assets, tool_at, file)?,
             ToolMesh::BesideTask(file) => parsed_mesh(assets, tool_at, file)?,
@@ -106,6 +107,7 @@ impl TaskFile {
             interaction: interaction.clone(),
             particles: ParticleDistribution::default(),
             collect_goal: self.collect_goal,
+            treatment,
             seed,
         };
         let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
@@ -115,6 +117,28 @@ impl TaskFile {
         };
         task.particles = self.particles(area, seed, assets)?;
         Ok(task)
+    }
+
+    /// What an action that treats the surface asks for; `None` for one that moves dirt.
+    fn treatment(&self, action: Action) -> Result<Option<Treatment>, TaskError> {
+        let (given, table, key) = match action {
+            Action::Polish => (self.polish, "polish", "passes"),
+            Action::Emit => (self.emit, "emit", "thickness_m"),
+            Action::Absorb | Action::Collect | Action::Skim => return Ok(None),
+        };
+        let at = self.tool_at.clone();
+        if given.is_none() {
+            let table = table.to_owned();
+            return Err(TaskError::Missing { at, table, key });
+        }
+        if self.perception.sight.is_some() {
+            return Err(TaskError::Inconsistent {
+                at,
+                key: "perception.senses".to_owned(),
+                problem: format!("a camera looks for dirt, and sees nothing of a {action}"),
+            });
+        }
+        Ok(given)
     }
 
     /// Where the dirt of a simulated world really lies, in the frame of the real surface [m], if files list it; `None`
@@ -181,6 +205,7 @@ impl TaskFile {
     ) -> Result<ParticleDistribution, TaskError> {
         let at = &self.particles_at;
         let particles = match &self.particles {
+            ParticleSource::Surface { count } => surface_cells(area, *count).map_err(Into::into),
             ParticleSource::Uniform { count } => {
                 uniform_particles(area, *count, seed).map_err(Into::into)
             }
@@ -261,12 +286,14 @@ impl ObjectRecord {
 
 /// A box that stands on z = 0 [m].
 fn cuboid_on_plane(size: Vector3) -> Result<Mesh, MeshError> {
-    let about_origin = Mesh::cuboid(size)?;
-    let up = Vector3::new(0.0, 0.0, size.z / 2.0);
-    let vertices = (about_origin.vertices().iter())
-        .map(|vertex| vertex + up)
-        .collect();
-    Mesh::new(vertices, about_origin.triangles().to_vec())
+    raised(&Mesh::cuboid(size)?, size.z / 2.0)
+}
+
+/// A mesh, so much higher [m].
+fn raised(mesh: &Mesh, height: f64) -> Result<Mesh, MeshError> {
+    let up = Vector3::new(0.0, 0.0, height);
+    let vertices = mesh.vertices().iter().map(|vertex| vertex + up);
+    Mesh::new(vertices.collect(), mesh.triangles().to_vec())
 }
 
 fn resolved_tool(
@@ -293,6 +320,10 @@ fn resolved_tool(
             (region, size)
         }
     };
+    let mesh = raised(&mesh, interaction.gap_m).map_err(|error| TaskError::Mesh {
+        at: at.clone(),
+        error,
+    })?;
     Ok(Tool {
         name: entry.name.clone(),
         mesh,

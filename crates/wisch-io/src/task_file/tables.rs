@@ -6,9 +6,9 @@ use super::execution_tables::ExecutionTable;
 use super::values::{
     AngleRad, BandwidthM, Channel, ColorDistance, ContactSpeed, DampingRatio, DepthM, DistanceM,
     Evaluations, FalseAlarms, FootprintM, Friction, GrainM, HalfSizeM, LawSpread, LiftHeightM,
-    LogForce, LogSpread, MarginM, Name, ParticleCount, Pixel, PositionErrorM, PositionM,
-    PostureWeight, PressForceN, QuaternionPart, RedrawLengthM, Scale, SchemaVersion, Seed, Share,
-    SizeM, Stiffness, Variants,
+    LogForce, LogSpread, MarginM, Name, ParticleCount, Passes, Pixel, PositionErrorM, PositionM,
+    PostureWeight, PressForceN, PrestonPerPa, QuaternionPart, RedrawLengthM, Scale, SchemaVersion,
+    Seed, Share, SizeM, Stiffness, ThicknessM, Variants, VolumePerMetre,
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{EnumAccess, Error as _, VariantAccess, Visitor};
@@ -62,6 +62,10 @@ pub(super) struct TaskTable {
     pub(super) execution: ExecutionTable,
     /// Of the action collect.
     pub(super) collect: Option<CollectTable>,
+    /// Of the action polish.
+    pub(super) polish: Option<PolishTable>,
+    /// Of the action emit.
+    pub(super) emit: Option<EmitTable>,
     /// What stands round the surface.
     #[serde(default)]
     pub(super) scene: Vec<At<ObjectTable>>,
@@ -83,6 +87,10 @@ pub(super) enum ActionName {
     Collect,
     /// Push it over an edge.
     Skim,
+    /// Go over all of the surface so many times.
+    Polish,
+    /// Leave the medium on the surface, so thick everywhere.
+    Emit,
 }
 
 impl From<ActionName> for Action {
@@ -91,6 +99,8 @@ impl From<ActionName> for Action {
             ActionName::Absorb => Self::Absorb,
             ActionName::Collect => Self::Collect,
             ActionName::Skim => Self::Skim,
+            ActionName::Polish => Self::Polish,
+            ActionName::Emit => Self::Emit,
         }
     }
 }
@@ -167,6 +177,8 @@ pub(super) struct InteractionTable {
     pub(super) nullspace_posture_weight: Option<PostureWeight>,
     /// How deep the tool gives way here [m]; 0 is rigid; default: the tool's.
     pub(super) compression_depth_m: Option<DepthM>,
+    /// How high the tool hovers over the surface instead of touching it [m]; default: as known, or 0, which touches.
+    pub(super) gap_m: Option<DepthM>,
     /// Mean of ln f', the pressure over the nominal one from which on a grain is taken along; default -1.05.
     pub(super) mu: Option<LogForce>,
     /// Standard deviation of ln f'; default 0.25.
@@ -303,6 +315,29 @@ pub(super) struct CollectTable {
     pub(super) goal_m: Option<[PositionM; 2]>,
 }
 
+/// Of the action polish.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Polish")]
+pub(super) struct PolishTable {
+    /// How often the tool is to slide over every place, each time by its own length.
+    pub(super) passes: Passes,
+    /// Coefficient of Preston's law, by which a pass removes so much: depth over pressure and way slid [1/Pa]; default: nothing
+    /// is said of that.
+    pub(super) preston_per_pa: Option<PrestonPerPa>,
+}
+
+/// Of the action emit.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Emit")]
+pub(super) struct EmitTable {
+    /// How thick the medium is to lie everywhere [m].
+    pub(super) thickness_m: ThicknessM,
+    /// How much of it the tool leaves on each metre of its way, over all of its width [m³/m].
+    pub(super) volume_m3_per_m: VolumePerMetre,
+}
+
 /// A thing in the scene, of exactly one shape.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -400,6 +435,11 @@ impl From<RoleName> for ScenePart {
 #[serde(rename = "source", rename_all = "lowercase", deny_unknown_fields)]
 #[schemars(rename = "Particles", tag = "source")]
 pub(super) enum ParticlesTable {
+    /// The places of the surface itself, in square cells: what polish and emit are about.
+    Surface {
+        /// About how many.
+        count: ParticleCount,
+    },
     /// Evenly over the free surface.
     Uniform {
         /// How many.

@@ -6,6 +6,7 @@ use wisch::represent::{ScenePart, Task};
 
 mod execution;
 mod faults;
+mod treatment;
 
 /// A task without anything that could be left out, but for a cup on the table.
 const SMALL: &str = r#"schema = 1

@@ -136,6 +136,12 @@ ranges! { f64, NumberWithin;
     HalfSizeM = (0.0, 0.1);
     /// Detections of nothing [1/m²].
     FalseAlarms = (0.0, 1e4);
+    /// Coefficients of Preston's law, from glass in water to sandpaper [1/Pa].
+    PrestonPerPa = (1e-18, 1e-3);
+    /// Coats, from a film to plaster [m].
+    ThicknessM = (1e-7, 0.05);
+    /// What tools leave on a metre of their way [m³/m].
+    VolumePerMetre = (1e-12, 0.01);
     /// Errors of places in images [m].
     PositionErrorM = (0.0, 0.1);
 }
@@ -147,6 +153,8 @@ ranges! { u64, IntegerWithin;
     Evaluations = (1, 10_000_000);
     /// How many particles.
     ParticleCount = (1, MAX_PARTICLES as u64);
+    /// Passes over a surface.
+    Passes = (1, 100);
     /// How many plans to choose from.
     Variants = (1, 100);
     /// A channel of a colour.

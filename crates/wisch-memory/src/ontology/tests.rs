@@ -1,7 +1,7 @@
 use super::*;
 
 /// Every class of an episode's record.
-const CLASSES: [&str; 46] = [
+const CLASSES: [&str; 51] = [
     "WipingEpisode",
     "WipingAction",
     "WipingRound",
@@ -26,6 +26,9 @@ const CLASSES: [&str; 46] = [
     "Absorbing",
     "Collecting",
     "Skimming",
+    "Treating",
+    "Polishing",
+    "Painting",
     "WipingTool",
     "Sponge",
     "Broom",
@@ -39,6 +42,8 @@ const CLASSES: [&str; 46] = [
     "Dust",
     "Water",
     "Detergent",
+    "PolishingPaste",
+    "Paint",
     "WipedSurface",
     "ChoppingBoard",
     "Table",
@@ -133,6 +138,8 @@ fn tasks_and_events_lie_where_the_literature_puts_them() {
         ("semco:Absorbing", "soma:Cleaning"),
         ("semco:Collecting", "soma:Pushing"),
         ("semco:Skimming", "dul:Task"),
+        ("semco:Polishing", "soma:Rubbing"),
+        ("semco:Painting", "dul:Task"),
         ("semco:HumanCollision", "dul:Process"),
         ("semco:ToolContact", "soma:State"),
         ("semco:Stroke", "dul:Action"),

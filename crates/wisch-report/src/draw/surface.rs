@@ -46,8 +46,8 @@ pub(crate) fn outcome(goal: &GoalState, surface: &Surface, particle: Particle) -
     match fate {
         Fate::Absorbed => Outcome::Gone,
         _ if goal.is_met_by(position, fate, surface) => Outcome::Done,
-        Fate::OffSurface { .. } => Outcome::Lost,
-        Fate::OnSurface => Outcome::Left,
+        _ if goal.is_lost(fate) => Outcome::Lost,
+        _ => Outcome::Left,
     }
 }
 
@@ -57,6 +57,25 @@ pub(crate) fn achieved(goal: &GoalState) -> &'static str {
         GoalState::Absorbed => "taken up",
         GoalState::Collected { .. } => "at the goal",
         GoalState::Skimmed => "over the allowed edge",
+        GoalState::Polished { .. } => "passed often enough",
+        GoalState::Emitted { .. } => "as thick as wanted",
+    }
+}
+
+/// What is missing where the goal is not met, in two or three words.
+pub(crate) fn open(goal: &GoalState) -> &'static str {
+    match goal {
+        GoalState::Polished { .. } => "still to be polished",
+        GoalState::Emitted { .. } => "still to be coated",
+        _ => "still to be wiped",
+    }
+}
+
+/// What is lost, in a few words.
+pub(crate) fn lost(goal: &GoalState) -> &'static str {
+    match goal {
+        GoalState::Emitted { .. } => "under too thick a coat",
+        _ => "lost over a wrong edge",
     }
 }
 
@@ -73,7 +92,7 @@ pub(crate) fn ground(view: &View, surface: &Surface, goal: &GoalState) -> Markup
     let skim = surface.skim_edges.iter().filter_map(|&i| edges.get(i));
     let reach = match *goal {
         GoalState::Collected { center, radius } => Some((view.at(center), radius)),
-        GoalState::Absorbed | GoalState::Skimmed => None,
+        _ => None,
     };
     html! {
         path class="surface" fill-rule="evenodd" d=(outline) {}

@@ -5,7 +5,7 @@ use super::{
 };
 use crate::prediction::frames::EffectFrames;
 use wisch::follow::{self, Followed, TrajectorySample, Workcell};
-use wisch::represent::{Fate, Task};
+use wisch::represent::Task;
 
 /// Period of what is shown of a motion [s].
 const SHOWN_PERIOD: f64 = 0.05;
@@ -124,7 +124,7 @@ fn particles(followed: &Followed, frames: &EffectFrames) -> Vec<ParticleFrame> {
         shown.push(ParticleFrame {
             time: at.unwrap_or(since).max(since),
             positions: (frame.particles.iter())
-                .filter(|(_, fate)| *fate == Fate::OnSurface)
+                .filter(|(_, fate)| fate.is_on_surface())
                 .map(|(position, _)| *position)
                 .collect(),
         });

@@ -13,7 +13,7 @@ use crate::rounds::{self, RoundView, RoundsInput};
 use document::document;
 use maud::{Markup, PreEscaped, html};
 use wisch::geometry::Vector2;
-use wisch::represent::GoalState;
+use wisch::represent::{GoalState, THICKNESS_TOLERANCE, Treatment};
 
 /// Narrower than the surface, so that its numbers can be read on a phone.
 const CHART_WIDTH: f64 = 480.0;
@@ -131,6 +131,26 @@ fn verdict(input: &ReportInput) -> &'static str {
     }
 }
 
+/// How evenly a surface is treated, and what comes of it.
+fn treatment_in_words(input: &ReportInput) -> String {
+    let [mean, deviation] = Treatment::spread(&input.prediction.particles);
+    let task = input.task;
+    let per_pass = task.depth_per_pass();
+    let depth = per_pass.map_or_else(String::new, |per_pass| {
+        let [mean, deviation] = [mean, deviation].map(|passes| 1e6 * passes * per_pass);
+        format!(
+            ", {} µm with a deviation of {} µm",
+            metres(mean, 3),
+            metres(deviation, 3)
+        )
+    });
+    format!(
+        "On average it is {} passes with a deviation of {} from place to place{depth}.",
+        metres(mean, 2),
+        metres(deviation, 2)
+    )
+}
+
 /// Where the particles go, counted.
 fn account(input: &ReportInput) -> Vec<String> {
     let (plan, performance) = (input.plan, input.prediction.performance);
@@ -162,12 +182,28 @@ fn account(input: &ReportInput) -> Vec<String> {
                 counted(kept, "stays", "stay")
             )
         }
+        GoalState::Polished { passes } => format!(
+            "{all} places of the surface get {}. {}",
+            counted(passes as usize, "pass", "passes"),
+            treatment_in_words(input)
+        ),
+        GoalState::Emitted { thickness, .. } => format!(
+            "{all} places of the surface get a coat within {} of {} mm. {}",
+            percent(THICKNESS_TOLERANCE),
+            metres(1e3 * thickness, 3),
+            treatment_in_words(input)
+        ),
     }];
     if performance.lost > 0 {
-        sentences.push(format!(
-            "{} over an edge where nothing should.",
-            counted(performance.lost, "falls", "fall")
-        ));
+        sentences.push(match plan.graph.goal {
+            GoalState::Emitted { .. } => {
+                format!("{} too much.", counted(performance.lost, "gets", "get"))
+            }
+            _ => format!(
+                "{} over an edge where nothing should.",
+                counted(performance.lost, "falls", "fall")
+            ),
+        });
     }
     if plan.unreachable_share > 0.0 {
         sentences.push(format!(

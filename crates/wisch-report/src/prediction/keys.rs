@@ -2,6 +2,7 @@
 
 use super::layers::Drawing;
 use crate::draw::Entry;
+use crate::draw::surface::{achieved, lost, open};
 use maud::{Markup, html};
 use wisch::plan::{Node, NodeRole};
 use wisch::represent::GoalState;
@@ -33,13 +34,24 @@ impl Key {
     fn label(self, goal: &GoalState) -> &'static str {
         match (self, goal) {
             (Self::Before, GoalState::Absorbed) => "particle before (empty: taken up)",
-            (Self::Before, _) => "particle before",
             (Self::Left, GoalState::Absorbed) => "after, still there",
             (Self::Left, GoalState::Collected { .. }) => "after, outside the goal",
             (Self::Left, GoalState::Skimmed) => "after, still on the surface",
+            (
+                Self::Left | Self::LeftNow,
+                GoalState::Polished { .. } | GoalState::Emitted { .. },
+            ) => open(goal),
+            (
+                Self::Done | Self::DoneNow,
+                GoalState::Polished { .. } | GoalState::Emitted { .. },
+            ) => achieved(goal),
+            (Self::Before, GoalState::Polished { .. } | GoalState::Emitted { .. }) => {
+                "place of the surface"
+            }
+            (Self::Before, _) => "particle before",
             (Self::Done, GoalState::Skimmed) => "after, pushed over the allowed edge",
             (Self::Done, _) => "after, at the goal",
-            (Self::Lost, _) => "lost over a wrong edge",
+            (Self::Lost, _) => lost(goal),
             (Self::Unreachable, _) => "out of the plan's reach",
             (Self::Node, _) => "node",
             (Self::NodeCut, _) => "node without a way",

@@ -4,12 +4,14 @@ use super::input::{RoundView, RoundsInput};
 use super::words;
 use crate::draw::{
     BANDS, Entry, Figure, GAP, Panel, Pen, View, inset, legend, metres, percent, px, short,
-    surface::{self, Outcome, achieved, dot_radius, extent, ground, obstacle_rings, outcome},
+    surface::{
+        self, Outcome, achieved, dot_radius, extent, ground, lost, obstacle_rings, open, outcome,
+    },
     tick_step,
 };
 use maud::{Markup, html};
 use wisch::geometry::{Bounds2, Point2, Vector2};
-use wisch::represent::{Fate, GoalState, ParticleDistribution, Surface};
+use wisch::represent::{GoalState, ParticleDistribution, Surface};
 
 /// Width of a view on the page, and its most height as a share of that.
 const VIEW: f64 = 306.0;
@@ -25,7 +27,7 @@ const NARROWEST: f64 = 600.0;
 /// Most particles that are drawn.
 const MAX_DRAWN: usize = 3_000;
 
-/// The particles that are still to be wiped, counted in square cells.
+/// The particles that are still to be wiped, counted in square cells; of a surface that is treated, its mean passes there.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Cells {
     pub(crate) low: Point2,
@@ -38,7 +40,7 @@ pub(crate) struct Cells {
 }
 
 impl Cells {
-    /// Counts what lies on the surface and not at the goal, replay by replay.
+    /// Counts what lies on the surface and not at the goal, or takes the mean of what was treated, replay by replay.
     pub(crate) fn new(
         replays: &[ParticleDistribution],
         goal: &GoalState,
@@ -57,14 +59,23 @@ impl Cells {
         let mut squares = sum.clone();
         for replay in replays {
             let mut counts = vec![0.0; columns * rows];
-            let left = replay
-                .iter()
-                .filter(|&(p, fate)| fate == Fate::OnSurface && !goal.is_met_by(p, fate, surface));
-            for (p, _) in left {
+            let mut places = counts.clone();
+            let treats = goal.action().treats();
+            let left = replay.iter().filter(|&(p, fate)| {
+                treats || fate.is_on_surface() && !goal.is_met_by(p, fate, surface)
+            });
+            for (p, fate) in left {
                 let place = (p - bounds.min) / side;
                 let column = (place.x.max(0.0) as usize).min(columns - 1);
                 let row = (place.y.max(0.0) as usize).min(rows - 1);
-                counts[row * columns + column] += 1.0;
+                let cell = row * columns + column;
+                counts[cell] += if treats { fate.passes() } else { 1.0 };
+                places[cell] += 1.0;
+            }
+            if treats {
+                for (count, places) in counts.iter_mut().zip(&places) {
+                    *count /= f64::max(*places, 1.0);
+                }
             }
             for (cell, count) in counts.into_iter().enumerate() {
                 sum[cell] += count;
@@ -152,7 +163,11 @@ pub(crate) fn section(input: &RoundsInput, round: &RoundView) -> Markup {
         }
         (legend::list(&particle_entries(input, round)))
         div class="pair" {
-            figure { (mean.inline("Mean number of particles still to be wiped, by cell")) }
+            @if input.goal.action().treats() {
+                figure { (mean.inline("Mean number of passes, by cell")) }
+            } @else {
+                figure { (mean.inline("Mean number of particles still to be wiped, by cell")) }
+            }
             figure { (deviation.inline("Standard deviation of that number over the replays, by cell")) }
         }
         @if round.replays().len() < 2 {
@@ -179,9 +194,18 @@ pub(crate) fn density_figure(input: &RoundsInput, round: &RoundView) -> Figure {
         panel: beside(maps(input, round, &cells).into()),
         entries: Vec::new(),
         what: match round.replays().len() {
-            1 => "Particles still to be wiped, by the one replay".to_owned(),
-            many => format!("Particles still to be wiped, over {many} replays"),
+            1 => format!("{}, by the one replay", counted(input.goal)),
+            many => format!("{}, over {many} replays", counted(input.goal)),
         },
+    }
+}
+
+/// What the maps show, as a title.
+fn counted(goal: &GoalState) -> &'static str {
+    if goal.action().treats() {
+        "Passes"
+    } else {
+        "Particles still to be wiped"
     }
 }
 
@@ -327,21 +351,26 @@ fn particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
     let has = |outcome| outcomes.contains(&outcome);
     let mut entries = Vec::new();
     if has(Outcome::Left) {
-        entries.push(legend::dot("dots-left", "still to be wiped"));
+        entries.push(legend::dot("dots-left", open(input.goal)));
     }
     if has(Outcome::Done) {
         entries.push(legend::dot("dots-done", achieved(input.goal)));
     }
     if has(Outcome::Lost) {
         entries.push(Entry {
-            label: "lost over a wrong edge".to_owned(),
+            label: lost(input.goal).to_owned(),
             sample: html! { path class="mark-lost" d="M8.5-3.5l7 7m0-7l-7 7" {} },
         });
     }
     if !round.plan.strokes.is_empty() {
         entries.push(legend::line("trail", "planned stroke"));
     }
-    entries.push(legend::area("band-4", "where more is believed to be left"));
+    let dark = if input.goal.action().treats() {
+        "where more passes are believed"
+    } else {
+        "where more is believed to be left"
+    };
+    entries.push(legend::area("band-4", dark));
     entries
 }
 
@@ -351,7 +380,11 @@ fn maps(input: &RoundsInput, round: &RoundView, cells: &Cells) -> [Panel; 2] {
     [
         (
             "mean",
-            "mean of the particles still to be wiped",
+            if input.goal.action().treats() {
+                "mean of the passes"
+            } else {
+                "mean of the particles still to be wiped"
+            },
             &cells.mean,
         ),
         (

@@ -85,7 +85,7 @@ pub(crate) fn round(input: &RoundsInput, view: &RoundView) -> String {
         view.believed.tally().remaining,
         diagnosis(found)
     );
-    if found.diagnosis != Diagnosis::NoContact {
+    if !matches!(found.diagnosis, Diagnosis::NoContact | Diagnosis::Hovering) {
         text += &format!(
             " The tool was in contact for {} of the time near the surface.",
             percent(found.contact_share)
@@ -115,6 +115,10 @@ pub(crate) fn diagnosis(found: &Interpretation) -> String {
         Diagnosis::NoContact => {
             "There were too few confident contacts to tell where the surface is.".to_owned()
         }
+        Diagnosis::Hovering => {
+            "The tool hovers: nothing is felt, and the estimate goes by where the tool was."
+                .to_owned()
+        }
     }
 }
 
@@ -124,6 +128,7 @@ pub(crate) const fn verdict(diagnosis: Diagnosis) -> &'static str {
         Diagnosis::Localized => "as believed",
         Diagnosis::Relocalize { .. } => "surface elsewhere",
         Diagnosis::NoContact => "no contact found",
+        Diagnosis::Hovering => "nothing to feel",
     }
 }
 

@@ -133,7 +133,7 @@ fn main() -> Result<(), AnyError> {
     let seed: u64 = arguments.next().map_or(Ok(1), |text| text.parse())?;
     let robot = humanoid();
     let named = |asked: String| {
-        let mut actions = Action::ALL.into_iter();
+        let mut actions = Action::WIPING.into_iter();
         actions
             .find(|action| action.as_str() == asked)
             .ok_or("no such action")

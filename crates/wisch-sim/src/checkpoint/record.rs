@@ -83,6 +83,8 @@ struct GrainRecord {
     fate: FateRecord,
     radius_m: f64,
     threshold: f64,
+    #[serde(default)]
+    wear_m: f64,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -91,6 +93,7 @@ enum FateRecord {
     OnSurface,
     Absorbed,
     OffSurface(u16),
+    Treated(f64),
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -203,9 +206,11 @@ impl From<&Grain> for GrainRecord {
                 Fate::OnSurface => FateRecord::OnSurface,
                 Fate::Absorbed => FateRecord::Absorbed,
                 Fate::OffSurface { edge } => FateRecord::OffSurface(edge),
+                Fate::Treated { passes } => FateRecord::Treated(passes),
             },
             radius_m: grain.radius,
             threshold: grain.threshold,
+            wear_m: grain.wear,
         }
     }
 }
@@ -219,9 +224,11 @@ impl From<GrainRecord> for Grain {
                 FateRecord::OnSurface => Fate::OnSurface,
                 FateRecord::Absorbed => Fate::Absorbed,
                 FateRecord::OffSurface(edge) => Fate::OffSurface { edge },
+                FateRecord::Treated(passes) => Fate::Treated { passes },
             },
             radius: record.radius_m,
             threshold: record.threshold,
+            wear: record.wear_m,
         }
     }
 }
@@ -319,6 +326,7 @@ mod tests {
             fate,
             radius: 1e-3 / 3.0,
             threshold: 0.7_f64.exp(),
+            wear: 1e-7 / 3.0,
         };
         let causes = [
             StopCause::Astray {
@@ -351,6 +359,7 @@ mod tests {
                     grain(Fate::OnSurface),
                     grain(Fate::Absorbed),
                     grain(Fate::OffSurface { edge: 3 }),
+                    grain(Fate::Treated { passes: 2.0 / 3.0 }),
                 ]),
                 contact_force: Spread::of(7, 9.9, 1.0 / 7.0),
                 max_plane_distance: 0.001,

@@ -25,6 +25,8 @@ pub struct Grain {
     pub radius: f64,
     /// Pressure under the tool over the nominal one from which on the tool takes it along [1].
     pub threshold: f64,
+    /// Depth that was rubbed off at this place [m].
+    pub wear: f64,
 }
 
 /// The truth about the dirt, which only the simulated world knows.
@@ -67,6 +69,7 @@ impl Dirt {
                 threshold: libm::exp(
                     settings.likelihood.mu + settings.likelihood.sigma * normal(&mut random),
                 ),
+                wear: 0.0,
             }
         };
         Self {
@@ -82,6 +85,12 @@ impl Dirt {
     /// The grains.
     pub fn grains(&self) -> &[Grain] {
         &self.grains
+    }
+
+    /// Mean depth that was rubbed off at the places of a surface that is polished [m].
+    pub fn mean_wear(&self) -> f64 {
+        let wear: f64 = self.grains.iter().map(|grain| grain.wear).sum();
+        wear / self.grains.len().max(1) as f64
     }
 
     /// Where they lie, as particles in the frame of the real surface.

@@ -32,6 +32,8 @@ pub(crate) struct Wielded {
     /// How far its underside hangs below the tool centre point when nothing presses [m]: what is believed, for a
     /// tool is measured unloaded.
     pub rest: f64,
+    /// How high it hovers over the surface instead [m]; 0 where it is pressed on.
+    pub gap: f64,
     /// Pressure at that force over the one that a tool of the believed area has [1].
     pub pressure: f64,
 }
@@ -53,7 +55,10 @@ impl Wielded {
         for vertex in parts.iter_mut().flatten() {
             (vertex.x, vertex.y) = (vertex.x * size, vertex.y * size);
         }
-        let rest = nominal_depth(task);
+        let gap = task.interaction.gap_m;
+        let depth = nominal_depth(task);
+        // One that hovers hangs above the tool centre point.
+        let rest = if gap > 0.0 { -gap } else { depth };
         let offset = Translation3::new(real.grasp_offset.x, real.grasp_offset.y, 0.0);
         let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), real.grasp_turn);
         Self {
@@ -63,8 +68,9 @@ impl Wielded {
             parts,
             tip_from_tool: cell.tip_from_tool() * Pose::from_parts(offset, turn),
             press_force: task.interaction.press_force_n,
-            depth: (rest / real.stiffness).max(LEAST_DEPTH),
+            depth: (depth / real.stiffness).max(LEAST_DEPTH),
             rest,
+            gap,
             pressure: 1.0 / (size * size),
         }
     }

@@ -154,7 +154,7 @@ fn no_grain_is_lost_and_thresholds_are_for_good() {
                 assert!(wiping.task.surface.outline.contains(after.position));
             }
             Fate::OffSurface { edge } => assert!(edge < 4),
-            Fate::Absorbed => panic!("a skim absorbs nothing"),
+            Fate::Absorbed | Fate::Treated { .. } => panic!("a skim absorbs and treats nothing"),
         }
     }
 }

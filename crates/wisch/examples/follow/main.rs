@@ -79,7 +79,7 @@ fn main() -> Result<(), AnyError> {
         "faults"
     );
     let mut all: Vec<Trial> = Vec::new();
-    for (a, action) in Action::ALL.into_iter().enumerate() {
+    for (a, action) in Action::WIPING.into_iter().enumerate() {
         for (s, name) in TABLE_1.into_iter().enumerate() {
             let mut trials = Vec::new();
             for seed in first..first + count {

@@ -32,6 +32,7 @@ fn interaction(damping_ratio: f64) -> Interaction {
         damping_ratio,
         nullspace_posture_weight: 0.1,
         compression_depth_m: 0.005,
+        gap_m: 0.0,
         likelihood: LogNormal {
             mu: -1.0,
             sigma: 0.25,

@@ -240,6 +240,9 @@ impl Follower<'_> {
         at: &PlanarPose,
         attempts: Vec<Attempt>,
     ) -> Result<Vec<AbandonedNode>, FollowError> {
+        if self.task.action.treats() {
+            return Ok(give_up(open, attempts).into_iter().collect());
+        }
         if self.task.action != Action::Absorb {
             return match self.joined_to_goals(open, at)? {
                 Some((strokes, abandoned)) => {

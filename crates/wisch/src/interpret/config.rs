@@ -17,6 +17,9 @@ pub struct InterpretConfig {
     pub force_noise_n: f64,
     /// How far the tool gives way under a force.
     pub compliance: ToolCompliance,
+    /// How high the tool hovers over the surface instead of touching it [m]; with 0 it touches. Of one that hovers, f′ is this
+    /// over its clearance from the believed surface.
+    pub gap_m: f64,
     /// How the plane is found.
     pub plane: PlaneConfig,
     /// μ and σ of (12).
@@ -166,7 +169,7 @@ impl InterpretConfig {
     /// The settings for a task: forces, compliance, likelihood, ℓ and seed are the task's.
     pub fn of(task: &Task) -> Self {
         let interaction = &task.interaction;
-        let compliance = if interaction.compression_depth_m > 0.0 {
+        let compliance = if interaction.compression_depth_m > 0.0 && !interaction.hovers() {
             ToolCompliance::Spring {
                 stiffness_n_per_m: interaction.press_force_n / interaction.compression_depth_m,
                 uncertainty: 0.2,
@@ -180,6 +183,7 @@ impl InterpretConfig {
             confident_share: 0.9,
             force_noise_n: 1.0,
             compliance,
+            gap_m: interaction.gap_m,
             plane: PlaneConfig::default(),
             likelihood: interaction.likelihood,
             uncertainty: Uncertainty {
@@ -231,6 +235,7 @@ impl InterpretConfig {
             ("likelihood.mu", likelihood.mu, mu),
             ("likelihood.sigma", likelihood.sigma, sigma),
             ("redraw_length_m", self.redraw_length_m, positive),
+            ("gap_m", self.gap_m, metres),
             ("relocalize_tilt", self.relocalize_tilt, tilt),
             ("relocalize_offset_m", self.relocalize_offset_m, metres),
             ("free_height_m", self.free_height_m, metres),

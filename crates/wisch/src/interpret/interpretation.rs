@@ -19,6 +19,8 @@ pub enum Diagnosis {
     },
     /// Too few confident contacts for a plane: nothing can be said.
     NoContact,
+    /// The tool hovers: nothing can be felt, and the belief goes by where the tool was.
+    Hovering,
 }
 
 /// What a log of poses and forces says of the contact, the real plane of the surface, and the dirt; paper §4.2.

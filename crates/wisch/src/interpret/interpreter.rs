@@ -55,12 +55,14 @@ const SETTLING: f64 = 0.5;
 /// #         damping_ratio: 0.7,
 /// #         nullspace_posture_weight: 0.1,
 /// #         compression_depth_m: 0.005,
+/// #         gap_m: 0.0,
 /// #         likelihood: LogNormal { mu: -1.05, sigma: 0.25 },
 /// #         likelihood_spread: LogNormalSpread::default(),
 /// #         redraw: Redraw::default(),
 /// #     },
 /// #     particles: ParticleDistribution::new(&[Point2::new(0.0, 0.0), Point2::new(0.0, 0.1)])?,
 /// #     collect_goal: None,
+/// #     treatment: None,
 /// #     tool_start: Point2::new(0.0, -0.3),
 /// #     seed: 1,
 /// # };
@@ -234,6 +236,10 @@ impl Interpreter {
             // What is felt up there is a surface, and no hand.
             events.retain(|event| !event.kind.is_by_hand());
         }
+        if self.config.gap_m > 0.0 {
+            // What hovers has no contact to begin or to lose.
+            events.retain(|event| event.kind.is_by_hand());
+        }
         let stiffness = self.stiffness(&classified, &events);
         Understood {
             classified,
@@ -293,6 +299,7 @@ impl Interpreter {
                 && plane.offset.abs() < self.config.relocalize_offset_m
         };
         match &classified.plane {
+            None if self.config.gap_m > 0.0 => Diagnosis::Hovering,
             None => Diagnosis::NoContact,
             Some((_, plane)) if is_here(plane) => Diagnosis::Localized,
             Some(_) => Diagnosis::Relocalize {

@@ -133,6 +133,7 @@ impl LearnedLaw {
 /// #     damping_ratio: 0.7,
 /// #     nullspace_posture_weight: 0.1,
 /// #     compression_depth_m: 0.005,
+/// #     gap_m: 0.0,
 /// #     likelihood: LogNormal { mu: -1.05, sigma: 0.25 },
 /// #     likelihood_spread: LogNormalSpread::default(),
 /// #     redraw: Redraw::default(),

@@ -1,6 +1,7 @@
 //! Why a task cannot be planned.
 
 use super::TourError;
+use crate::represent::Action;
 
 /// Why no plan could be made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -38,6 +39,22 @@ pub enum PlanError {
     NoSkimEdge {
         /// Name of the surface.
         surface: String,
+    },
+    /// A strategy that is none for what is to be done.
+    #[error("strategy \"{strategy}\" plans no {action}; it is planned by {fitting}")]
+    StrategyDoesNotFit {
+        /// As given.
+        strategy: &'static str,
+        /// What is to be done.
+        action: Action,
+        /// Strategies that plan that.
+        fitting: String,
+    },
+    /// A surface is to be treated, and it is not said to what.
+    #[error("{action}: the task does not say how often, or how thick")]
+    NoTreatment {
+        /// What is to be done.
+        action: Action,
     },
     /// The scene's geometry cannot be used.
     #[error("scene: {0}")]

@@ -8,6 +8,7 @@ mod coverage;
 mod error;
 mod graph;
 mod heading;
+mod lanes;
 mod objective;
 mod planner;
 mod portfolio;

@@ -208,6 +208,7 @@ mod tests {
                 damping_ratio: 0.7,
                 nullspace_posture_weight: 0.1,
                 compression_depth_m: 0.005,
+                gap_m: 0.0,
                 likelihood: LogNormal {
                     mu: -1.05,
                     sigma: 0.25,
@@ -217,6 +218,7 @@ mod tests {
             },
             particles: ParticleDistribution::new(crumbs).unwrap(),
             collect_goal: None,
+            treatment: None,
             tool_start: Point2::new(0.0, -0.3),
             seed: 1,
         }

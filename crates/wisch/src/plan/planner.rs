@@ -1,6 +1,7 @@
 //! The planner: nodes by strategy, graph by policy, strokes by order.
 
 use super::coverage::CoverageInput;
+use super::lanes::lanes;
 use super::objective::best_by_objective;
 use super::tree::{branches, forest};
 use super::{
@@ -98,6 +99,7 @@ pub(super) fn covering(
             None => best_collect(task, config, space, &coverage)?,
         },
         Action::Skim => skim(task, config, space, coverage)?,
+        Action::Polish | Action::Emit => return lanes(task, space, config),
     };
     plan.strategy = strategy.into();
     Ok(plan)

@@ -50,6 +50,7 @@ pub fn plan_for_any(
     dirt: &[ParticleDistribution],
     config: &PlanConfig,
 ) -> Result<Plan, PlanError> {
+    fitting(config.strategy, task)?;
     if config.strategy == Strategy::Best {
         let candidates = portfolio(task, dirt, config)?;
         return most_worth(candidates.into_iter().map(|(_, candidate)| candidate));
@@ -84,7 +85,8 @@ pub fn portfolio(
     let (task, few, space) = prepared(task, dirt)?;
     let task = &task;
     let judge = Judge::new(task, &few, &space, config.search.margin_m, None);
-    let strategies = (Strategy::ALL.into_iter()).filter(|&strategy| strategy != Strategy::Best);
+    let strategies = (Strategy::ALL.into_iter())
+        .filter(|&strategy| strategy != Strategy::Best && strategy.fits(task.action));
     let candidates = strategies.map(|strategy| {
         let plan = one_by(strategy, task, &few, &space, config);
         let candidate = plan.map(|plan| {
@@ -168,9 +170,11 @@ pub fn best_plan(
     config: &PlanConfig,
     count: usize,
 ) -> Result<Plan, PlanError> {
+    fitting(config.strategy, task)?;
     let space = space_of(task)?;
     match config.strategy {
-        Strategy::Coverage(strategy) => {
+        Strategy::Coverage(_) | Strategy::Lanes => {
+            let strategy = config.strategy.covering();
             let plans = candidate_plans(task, to_plan_on, &space, strategy, config, count)?;
             let plan = best_by_objective(task, plans)
                 .map_or_else(|| covering(task, &space, strategy, config), Ok)?;
@@ -186,6 +190,20 @@ pub fn best_plan(
     }
 }
 
+/// Whether a strategy plans the task's action.
+fn fitting(strategy: Strategy, task: &Task) -> Result<(), PlanError> {
+    let action = task.action;
+    if strategy.fits(action) {
+        Ok(())
+    } else {
+        Err(PlanError::StrategyDoesNotFit {
+            strategy: strategy.as_str(),
+            fitting: Strategy::names_for(action),
+            action,
+        })
+    }
+}
+
 /// The plan of one strategy; none is [`Strategy::Best`] by itself.
 fn one_by(
     strategy: Strategy,
@@ -195,7 +213,9 @@ fn one_by(
     config: &PlanConfig,
 ) -> Result<Plan, PlanError> {
     match strategy {
-        Strategy::Coverage(strategy) => covering(task, space, strategy, config),
+        Strategy::Coverage(_) | Strategy::Lanes => {
+            covering(task, space, strategy.covering(), config)
+        }
         Strategy::Adaptive | Strategy::Best => adaptive(task, dirt, space, config),
     }
 }

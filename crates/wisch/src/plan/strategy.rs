@@ -1,7 +1,7 @@
 //! How strokes are found.
 
 use super::CoverageStrategy;
-use crate::represent::UnknownName;
+use crate::represent::{Action, UnknownName};
 use std::str::FromStr;
 
 /// How the strokes of a plan are found.
@@ -11,19 +11,48 @@ pub enum Strategy {
     Coverage(CoverageStrategy),
     /// Whole plans that are changed at random and kept by what they are simulated to do.
     Adaptive,
+    /// Parallel strips as wide as the tool, for actions that treat the surface itself.
+    Lanes,
     /// Whichever of the others is predicted to be worth most. No plan has this as its own strategy.
     Best,
 }
 
 impl Strategy {
     /// Every strategy, the paper's first; names in flags, files and error texts are taken from here.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::Coverage(CoverageStrategy::ALL[0]),
         Self::Coverage(CoverageStrategy::ALL[1]),
         Self::Coverage(CoverageStrategy::ALL[2]),
         Self::Adaptive,
+        Self::Lanes,
         Self::Best,
     ];
+
+    /// Whether it plans an action: lanes those that treat the surface, and the others those that move dirt.
+    pub fn fits(self, action: Action) -> bool {
+        match self {
+            Self::Best => true,
+            Self::Lanes => action.treats(),
+            Self::Coverage(_) | Self::Adaptive => !action.treats(),
+        }
+    }
+
+    /// The names of those that plan an action, for people to read.
+    pub fn names_for(action: Action) -> String {
+        let fitting = Self::ALL
+            .into_iter()
+            .filter(|strategy| strategy.fits(action));
+        fitting.map(Self::as_str).collect::<Vec<_>>().join(", ")
+    }
+
+    /// That by which a later round of an action is planned: what is left over is best covered by its density.
+    pub(crate) fn for_what_is_left(action: Action) -> Self {
+        if action.treats() {
+            Self::Lanes
+        } else {
+            CoverageStrategy::Kde.into()
+        }
+    }
 
     /// Whether strokes are searched for by what they are simulated to do.
     pub const fn is_searched(self) -> bool {
@@ -34,7 +63,7 @@ impl Strategy {
     pub(super) fn covering(self) -> CoverageStrategy {
         match self {
             Self::Coverage(strategy) => strategy,
-            Self::Adaptive | Self::Best => CoverageStrategy::Kde,
+            Self::Adaptive | Self::Lanes | Self::Best => CoverageStrategy::Kde,
         }
     }
 
@@ -43,6 +72,7 @@ impl Strategy {
         match self {
             Self::Coverage(strategy) => strategy.as_str(),
             Self::Adaptive => "adaptive",
+            Self::Lanes => "lanes",
             Self::Best => "best",
         }
     }

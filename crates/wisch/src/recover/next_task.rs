@@ -27,7 +27,7 @@ pub fn next_task(
 ) -> Result<Task, ParticleError> {
     let mut next = match interpretation.diagnosis {
         Diagnosis::Relocalize { world_from_surface } => relocalized(task, world_from_surface),
-        Diagnosis::Localized | Diagnosis::NoContact => task.clone(),
+        Diagnosis::Localized | Diagnosis::NoContact | Diagnosis::Hovering => task.clone(),
     };
     if let GoalState::Collected { center, .. } = goal {
         next.collect_goal = Some(*center);
@@ -68,7 +68,7 @@ fn open_particles<'a>(
     surface: &'a Surface,
 ) -> impl Iterator<Item = (Point2, Fate)> + 'a {
     particles.iter().filter(|(position, fate)| {
-        *fate == Fate::OnSurface && !goal.is_met_by(*position, *fate, surface)
+        fate.is_on_surface() && !goal.is_met_by(*position, *fate, surface)
     })
 }
 

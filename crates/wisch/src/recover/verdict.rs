@@ -39,7 +39,8 @@ pub enum Verdict {
     UnsafeMotion,
     /// The surface was not felt in the first round, and nobody was in the way: nothing is known of the effect.
     NoContact,
-    /// The goal may be met or not: wiping again is expected to change nothing, and touch cannot tell.
+    /// The goal may be met or not: wiping again is expected to change nothing, and touch cannot tell. Of a tool that hovers it
+    /// never can.
     UnknowableByTouch,
 }
 
@@ -126,7 +127,8 @@ impl RoundJudge {
             || estimate.low >= self.low_before + LEAST_PROGRESS;
         let is_elsewhere = matches!(interpretation.diagnosis, Diagnosis::Relocalize { .. });
         self.low_before = estimate.low;
-        let is_felt = interpretation.plane.is_some();
+        let is_hovering = interpretation.diagnosis == Diagnosis::Hovering;
+        let is_felt = interpretation.plane.is_some() || is_hovering;
         if !is_felt && !is_seen && (is_disturbed || self.is_first) {
             self.is_first = false;
             return if is_disturbed {
@@ -138,7 +140,11 @@ impl RoundJudge {
         self.is_first = false;
         let is_shown = is_seen || !is_disturbed;
         if is_shown && is_claimable(&interpretation.distribution, self.target) {
-            return Verdict::GoalMet;
+            return if is_seen || !is_hovering {
+                Verdict::GoalMet
+            } else {
+                Verdict::UnknowableByTouch
+            };
         }
         self.stalled = if is_rising { 0 } else { self.stalled + 1 };
         // A single stroke says little: the next best one is another.
@@ -291,6 +297,18 @@ mod tests {
             is_protective_stop: true,
         };
         assert_eq!(judge.verdict(&stopped), Again);
+    }
+
+    #[test]
+    fn what_hovers_feels_nothing_and_shows_its_goal_to_a_camera_only() {
+        let hovering = |shares: &[f64]| Interpretation {
+            plane: None,
+            diagnosis: Diagnosis::Hovering,
+            ..felt(shares)
+        };
+        assert_eq!(of_one(hovering(&[0.95; 8])), Verdict::UnknowableByTouch);
+        assert_eq!(of_one(seen(hovering(&[0.95; 8]))), Verdict::GoalMet);
+        assert_eq!(of_one(hovering(&[0.5; 8])), Verdict::Again);
     }
 
     #[test]

@@ -4,6 +4,8 @@
 //! - *push*: a particle that comes under the footprint is carried along with the tool's motion until
 //!   it is outside: it rides on the footprint's leading boundary as long as that boundary advances
 //!   towards it, and is left behind when the boundary recedes.
+//! - *treat*: a particle is a place of the surface. It stays, and counts how far the footprint slides over it, in passes:
+//!   what the footprint's mean length along the tool is of that. Polishing and painting differ in what they want of it.
 //!
 //! Particles do not touch each other, so each is computed alone: in closed form for a translation
 //! ([`swept_translation`](super::swept_translation)), by contact events along the way for a motion that also turns
@@ -32,6 +34,8 @@ pub struct MotionEffect {
     pub pushed: usize,
     /// Particles that the tool pushed over an edge of the surface.
     pub off_surface: usize,
+    /// Places that the tool slid over.
+    pub treated: usize,
 }
 
 /// Effect of one tool on one kind of medium.
@@ -70,6 +74,8 @@ pub struct EffectModel {
     is_convex: bool,
     /// Largest distance of the footprint from the tool centre point [m].
     reach: f64,
+    /// Way over a place that counts as one pass [m].
+    pass_length: f64,
     translation: SweptTranslation,
     near: Vec<Slot>,
     outcomes: Vec<Option<Outcome>>,
@@ -82,6 +88,7 @@ enum Outcome {
     Absorbed,
     Pushed { to: Point2 },
     OffSurface { at: Point2, edge: u16 },
+    Treated { passes: f64 },
 }
 
 impl EffectModel {
@@ -94,6 +101,7 @@ impl EffectModel {
             .fold(0.0, f64::max);
         Self {
             kind,
+            pass_length: mean_length(footprint),
             translation: SweptTranslation::for_edges(edges.len()),
             is_convex: matches!(footprint.polygons(), [one] if one.is_convex()),
             edges,
@@ -281,6 +289,13 @@ impl EffectModel {
                     }
                 }
                 Effect::Push => {}
+                Effect::Treat => {
+                    let slid = chords.slid(ahead, length);
+                    if slid > 0.0 && responds(field.index(slot), position) {
+                        let passes = slid / self.pass_length;
+                        effect.settle(field, slot, Outcome::Treated { passes });
+                    }
+                }
             }
         }
         effect
@@ -326,6 +341,11 @@ impl EffectModel {
                 Effect::Push => rotation
                     .ride(position)
                     .map(|way| landing(surface, way.points())),
+                Effect::Treat => {
+                    let slid = rotation.slid(position);
+                    let passes = slid / self.pass_length;
+                    (slid > 0.0).then_some(Outcome::Treated { passes })
+                }
             }
         };
         // Each particle is computed alone, so the number of threads changes nothing.
@@ -365,6 +385,10 @@ impl MotionEffect {
                 field.remove(slot, at, Fate::OffSurface { edge });
                 self.off_surface += 1;
             }
+            Outcome::Treated { passes } => {
+                field.treat(slot, passes);
+                self.treated += 1;
+            }
         }
     }
 }
@@ -381,4 +405,14 @@ fn landing(surface: &Surface, way: &[Point2]) -> Outcome {
     off.unwrap_or(Outcome::Pushed {
         to: way.last().copied().unwrap_or_else(Point2::origin),
     })
+}
+
+/// Mean length of a footprint along the tool's x over all of its width [m]: its area over that.
+fn mean_length(footprint: &Region) -> f64 {
+    let width = footprint.bounds().map_or(0.0, |bounds| bounds.size().y);
+    if width > 0.0 {
+        footprint.area() / width
+    } else {
+        f64::INFINITY
+    }
 }

@@ -81,7 +81,7 @@ impl ParticleField {
         }
         // Backwards, so that each list runs in ascending slots.
         for slot in (0..particles.len()).rev() {
-            if field.fate[slot] == Fate::OnSurface {
+            if field.fate[slot].is_on_surface() {
                 let cell = field.cell(field.position(slot as Slot));
                 field.link(slot as Slot, cell);
                 field.remaining += 1;
@@ -120,7 +120,7 @@ impl ParticleField {
     /// is off the surface is left alone.
     pub(super) fn displace(&mut self, index: usize, surface: &Surface, by: Vector2) {
         let slot = self.slot[index];
-        let is_here = self.fate[slot as usize] == Fate::OnSurface;
+        let is_here = self.fate[slot as usize].is_on_surface();
         if is_here && !self.drop_beyond_edge(index, surface, by) {
             self.relocate(slot, self.position(slot) + by);
         }
@@ -134,7 +134,7 @@ impl ParticleField {
         by: Vector2,
     ) -> bool {
         let slot = self.slot[index];
-        if self.fate[slot as usize] != Fate::OnSurface {
+        if !self.fate[slot as usize].is_on_surface() {
             return false;
         }
         let from = self.position(slot);
@@ -175,6 +175,13 @@ impl ParticleField {
             self.unlink(slot, from_cell);
             self.link(slot, to_cell);
         }
+    }
+
+    /// Counts so many more passes of a tool over a place.
+    pub(super) fn treat(&mut self, slot: Slot, more: f64) {
+        let fate = &mut self.fate[slot as usize];
+        let passes = fate.passes() + more;
+        *fate = Fate::Treated { passes };
     }
 
     /// Takes a particle off the surface; `at` is where it went.

@@ -17,7 +17,24 @@ pub enum GoalState {
     },
     /// Every particle off the surface, over an edge where that is allowed (6).
     Skimmed,
+    /// Every place passed so often.
+    Polished {
+        /// Passes, counted whole: the nearest number to what was slid.
+        passes: u32,
+    },
+    /// Every place so thick, within [`THICKNESS_TOLERANCE`].
+    Emitted {
+        /// Wanted [m].
+        thickness: f64,
+        /// What one pass leaves [m].
+        per_pass: f64,
+    },
 }
+
+/// By how much of the wanted thickness a coat may be off [1].
+pub const THICKNESS_TOLERANCE: f64 = 0.2;
+/// What is slid of a pass from which on it counts as one [1].
+const COUNTED_PASS: f64 = 0.5;
 
 impl GoalState {
     /// The action that strives for this state.
@@ -26,6 +43,36 @@ impl GoalState {
             Self::Absorbed => Action::Absorb,
             Self::Collected { .. } => Action::Collect,
             Self::Skimmed => Action::Skim,
+            Self::Polished { .. } => Action::Polish,
+            Self::Emitted { .. } => Action::Emit,
+        }
+    }
+
+    /// How many whole passes a place that has so many still needs: 0 where it is done.
+    pub fn missing_passes(&self, passes: f64) -> u32 {
+        let wanted = match *self {
+            Self::Polished { passes } => f64::from(passes),
+            Self::Emitted {
+                thickness,
+                per_pass,
+            } => thickness / per_pass,
+            Self::Absorbed | Self::Collected { .. } | Self::Skimmed => 0.0,
+        };
+        (wanted - passes).round().max(0.0) as u32
+    }
+
+    /// Whether nothing brings a particle back that does not meet the goal: it is over a wrong edge, or under too thick a coat.
+    pub fn is_lost(&self, fate: Fate) -> bool {
+        match (self, fate) {
+            (_, Fate::OffSurface { .. }) => true,
+            (
+                Self::Emitted {
+                    thickness,
+                    per_pass,
+                },
+                Fate::Treated { passes },
+            ) => passes * per_pass > *thickness,
+            _ => false,
         }
     }
 
@@ -37,6 +84,16 @@ impl GoalState {
                 (position - center).norm() <= *radius
             }
             (Self::Skimmed, Fate::OffSurface { edge }) => surface.is_skim_edge(usize::from(edge)),
+            (Self::Polished { passes: wanted }, Fate::Treated { passes }) => {
+                passes + COUNTED_PASS >= f64::from(*wanted)
+            }
+            (
+                Self::Emitted {
+                    thickness,
+                    per_pass,
+                },
+                Fate::Treated { passes },
+            ) => (passes * per_pass - thickness).abs() <= THICKNESS_TOLERANCE * thickness,
             _ => false,
         }
     }
@@ -49,7 +106,7 @@ pub struct Performance {
     pub initial: usize,
     /// Particles where the goal wants them.
     pub achieved: usize,
-    /// Particles pushed over an edge over which they should not go.
+    /// Particles pushed over an edge over which they should not go, and places under too thick a coat.
     pub lost: usize,
 }
 
@@ -63,7 +120,7 @@ impl Performance {
         for (position, fate) in particles.iter() {
             if goal.is_met_by(position, fate, surface) {
                 performance.achieved += 1;
-            } else if matches!(fate, Fate::OffSurface { .. }) {
+            } else if goal.is_lost(fate) {
                 performance.lost += 1;
             }
         }

@@ -15,6 +15,7 @@ mod surface;
 mod swept_rotation;
 mod swept_translation;
 mod task;
+mod treatment;
 
 pub use effect::{EffectModel, MotionEffect};
 pub use field::ParticleField;
@@ -24,7 +25,7 @@ pub use knowledge::{
     KnowledgeError, LogNormal, LogNormalSpread, MediumEntry, MediumKind, Place, RankedTool, Redraw,
     SecondGrip, SurfaceEntry, SurfaceScope, TiltFreedom, ToolEntry, ToolMesh, UnknownName,
 };
-pub use metrics::{GoalState, Performance};
+pub use metrics::{GoalState, Performance, THICKNESS_TOLERANCE};
 pub use motion::ToolMotion;
 pub use observation::{Observation, SensorModel, Sight};
 pub use occupied_area::{OccupiedArea, SURFACE_SKIN};
@@ -35,3 +36,4 @@ pub use sources::{
 };
 pub use surface::Surface;
 pub use task::{Task, Tool};
+pub use treatment::{Treatment, surface_cells};

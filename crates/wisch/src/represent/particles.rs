@@ -5,8 +5,9 @@ use crate::geometry::Point2;
 /// Most particles a distribution may hold.
 pub const MAX_PARTICLES: usize = 20_000_000;
 
-/// Where a particle is: on the surface, in a tool, or over an edge. Only the effect model changes it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+/// Where a particle is: on the surface, in a tool, or over an edge; or how much a place of the surface was treated. Only the
+/// effect model changes it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Fate {
     /// It still lies on the surface.
     #[default]
@@ -18,6 +19,26 @@ pub enum Fate {
         /// Index of that edge, see [`crate::geometry::Polygon::edges`].
         edge: u16,
     },
+    /// It is a place of the surface, over which a tool slid.
+    Treated {
+        /// How often: the way that the tool slid over the place, over the mean length of its footprint along itself [1].
+        passes: f64,
+    },
+}
+
+impl Fate {
+    /// Whether the particle is there still.
+    pub fn is_on_surface(self) -> bool {
+        matches!(self, Self::OnSurface | Self::Treated { .. })
+    }
+
+    /// How often a tool slid over it [1].
+    pub fn passes(self) -> f64 {
+        match self {
+            Self::Treated { passes } => passes,
+            _ => 0.0,
+        }
+    }
 }
 
 /// Why positions do not make a [`ParticleDistribution`].
@@ -158,7 +179,7 @@ impl ParticleDistribution {
     /// Positions of the particles that still lie on the surface [m].
     pub fn remaining(&self) -> impl Iterator<Item = Point2> + '_ {
         self.iter()
-            .filter(|(_, fate)| *fate == Fate::OnSurface)
+            .filter(|(_, fate)| fate.is_on_surface())
             .map(|(position, _)| position)
     }
 
@@ -170,7 +191,7 @@ impl ParticleDistribution {
         };
         for fate in &self.fate {
             match fate {
-                Fate::OnSurface => tally.remaining += 1,
+                Fate::OnSurface | Fate::Treated { .. } => tally.remaining += 1,
                 Fate::Absorbed => tally.absorbed += 1,
                 Fate::OffSurface { .. } => tally.off_surface += 1,
             }

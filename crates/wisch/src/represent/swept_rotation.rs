@@ -14,6 +14,9 @@ use crate::geometry::{Bounds2, Edge, Point2, Vector2, encloses};
 const STRAIGHT: f64 = 1e-12;
 /// Shortest piece of the motion that is looked at (share of the whole).
 const SHORTEST: f64 = 1e-13;
+/// Shortest piece of the motion that is looked at for when a particle is under the tool (share of the whole): what lies in it
+/// counts as its middle does.
+const SHORTEST_SLIDE: f64 = 1e-7;
 /// Steps of Newton's method towards an entry, which begin within a share of a millimetre of it.
 const MAX_REFINEMENTS: usize = 8;
 /// Entries and releases of one particle in one motion before it is let go.
@@ -93,6 +96,30 @@ impl<'a> SweptRotation<'a> {
     /// Whether the particle ever comes under the footprint.
     pub(super) fn touches(&self, particle: Point2) -> bool {
         self.covers(self.in_tool(particle, 0.0)) || self.entry(particle, 0.0, 1.0).is_some()
+    }
+
+    /// How far the tool slides over a resting particle, on which it lies [m].
+    pub(super) fn slid(&self, particle: Point2) -> f64 {
+        // Velocity of the tool over the particle: linear in time, and so its way has a closed form.
+        let arm = particle - self.motion.from.position;
+        let begin = self.travel + Vector2::new(-arm.y, arm.x) * self.turn;
+        let change = -Vector2::new(-self.travel.y, self.travel.x) * self.turn;
+        let bend = self.turn.abs() * self.travel.norm();
+        let fastest = begin.norm().max((begin + change).norm()) + bend;
+        let mut slid = 0.0;
+        let mut spans = vec![(0.0, 1.0)];
+        while let Some((from, to)) = spans.pop() {
+            let half = (to - from) / 2.0;
+            let middle = self.in_tool(particle, from + half);
+            let to_boundary = self.edges.iter().map(|edge| edge.distance(middle));
+            let is_split = to_boundary.fold(f64::INFINITY, f64::min) < fastest * half;
+            if is_split && to - from > SHORTEST_SLIDE {
+                spans.extend([(from, from + half), (from + half, to)]);
+            } else if self.covers(middle) {
+                slid += arc_length(begin, change, from, to);
+            }
+        }
+        slid
     }
 
     /// The way that the tool carries a particle; `None` if it never touches it.
@@ -436,6 +463,28 @@ impl Curve {
         let root = (rate * rate + 2.0 * bend * missing).max(0.0).sqrt();
         2.0 * missing / (rate + root)
     }
+}
+
+/// Length of the way with the velocity begin + change t between two times: the arc of a parabola.
+fn arc_length(begin: Vector2, change: Vector2, from: f64, to: f64) -> f64 {
+    let rate = change.norm();
+    if rate * (to - from) < STRAIGHT {
+        return (begin + change * ((from + to) / 2.0)).norm() * (to - from);
+    }
+    // Least speed, and when; from there on the speed is that of a right angle.
+    let least_at = -begin.dot(&change) / (rate * rate);
+    let least = (begin + change * least_at).norm();
+    let primitive = |t: f64| {
+        let u = rate * (t - least_at);
+        let speed = u.hypot(least);
+        let slow = if least > 0.0 {
+            least * least * (u / least).asinh()
+        } else {
+            0.0
+        };
+        (u * speed + slow) / (2.0 * rate)
+    };
+    primitive(to) - primitive(from)
 }
 
 /// Unit normal of a boundary edge that points out of the footprint.

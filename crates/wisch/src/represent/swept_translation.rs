@@ -149,6 +149,13 @@ impl Chords<'_> {
             .any(|chord| chord[0] <= ahead && ahead <= chord[1] + length)
     }
 
+    /// How far the footprint slides over a particle `ahead` of the tool's start on a way of `length` [m].
+    pub(super) fn slid(&self, ahead: f64, length: f64) -> f64 {
+        let over = |chord: &[f64]| (ahead - chord[0]).min(length) - (ahead - chord[1]).max(0.0);
+        let chords = self.crossings.chunks_exact(2);
+        chords.map(|chord| over(chord).max(0.0)).sum()
+    }
+
     /// Where a particle `ahead` of the tool's start has been carried to after a way of `length`.
     ///
     /// The foremost chord that begins behind the particle is the one that reaches it first: all

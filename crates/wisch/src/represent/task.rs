@@ -2,7 +2,7 @@
 
 use super::{
     Action, AngleRange, GoalState, Grip, Interaction, ParticleDistribution, SceneObject, ScenePart,
-    SecondGrip, Surface, TiltFreedom,
+    SecondGrip, Surface, TiltFreedom, Treatment,
 };
 use crate::geometry::{Mesh, Point2, Pose, Region, Vector2, Vector3};
 
@@ -31,6 +31,12 @@ impl Tool {
     /// Radius r_s = ‖D_aoe‖ / 2 of the collision sphere [m].
     pub fn collision_radius(&self) -> f64 {
         self.area_of_effect.norm() / 2.0
+    }
+
+    /// Extent of the footprint across the motion [m].
+    pub fn width(&self) -> f64 {
+        let bounds = self.footprint.bounds();
+        bounds.map_or(self.area_of_effect.y, |bounds| bounds.size().y)
     }
 
     /// Distance from the tool centre point within which a particle counts as reached [m].
@@ -71,6 +77,8 @@ pub struct Task {
     pub particles: ParticleDistribution,
     /// n_goal for a collect, in the surface frame [m]; `None` leaves the choice to the planner.
     pub collect_goal: Option<Point2>,
+    /// What a polish or an emit asks for; `None` for what moves dirt.
+    pub treatment: Option<Treatment>,
     /// Where the tool starts, in the surface frame [m].
     pub tool_start: Point2,
     /// Seed of everything random in this task.
@@ -87,13 +95,23 @@ impl Task {
                 center,
                 radius: self.tool.collision_radius(),
             }),
+            (Action::Polish | Action::Emit, _) => {
+                (self.treatment).map(|treatment| treatment.goal(self.tool.width()))
+            }
         }
+    }
+
+    /// What one pass with the force that is asked for does to the surface [m]: how much it removes, or leaves; `None` for what
+    /// moves dirt, or where that is not said.
+    pub fn depth_per_pass(&self) -> Option<f64> {
+        let force = self.interaction.contact_force();
+        self.treatment?.per_pass(self.tool.width(), force)
     }
 
     /// What a tool feels that is pressed as the task asks for: the force of the surface on it, in the axes of the
     /// world [N].
     pub fn surface_reaction(&self) -> Vector3 {
-        self.surface.world_from_surface * Vector3::z() * self.interaction.press_force_n
+        self.surface.world_from_surface * Vector3::z() * self.interaction.contact_force()
     }
 
     /// What stands round the surface: without robot, tool and the object that carries the surface.

@@ -9,8 +9,8 @@ use crate::follow::{Audit, Workcell, WorkcellConfig, audit, follow};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::interpret::{Belief, InterpretConfig, Interpretation, Interpreter, Look, TouchSample};
 use crate::plan::{
-    CoverageStrategy, Plan, PlanConfig, Strategy, best_plan, best_subplan,
-    best_subplan_of_candidates, is_gainful, most_worth, plan_for_any, portfolio, predict,
+    Plan, PlanConfig, Strategy, best_plan, best_subplan, best_subplan_of_candidates, is_gainful,
+    most_worth, plan_for_any, portfolio, predict,
 };
 use crate::recover::{
     PLANNING_DRAWS, Pace, RoundJudge, RoundOutcome, Verdict, believed_performance, is_done,
@@ -350,17 +350,16 @@ impl<'a> Session<'a> {
                     ..task.clone()
                 };
                 let open = unfinished(task, goal)?;
-                // What is left over is best covered by its density.
-                let kde = PlanConfig {
-                    strategy: CoverageStrategy::Kde.into(),
+                let left = PlanConfig {
+                    strategy: Strategy::for_what_is_left(task.action),
                     seed: task.seed,
                     ..config.plan.clone()
                 };
                 let count = recovery_candidates(&task.tool.footprint);
                 let plan = match config.pace {
                     Pace::Whole if config.plan.strategy.is_searched() => self.searched_plan()?,
-                    Pace::Whole => best_plan(task, &open, &kde, count)?,
-                    Pace::Greedy => best_subplan_of_candidates(task, &open, &kde, count)?,
+                    Pace::Whole => best_plan(task, &open, &left, count)?,
+                    Pace::Greedy => best_subplan_of_candidates(task, &open, &left, count)?,
                 };
                 return Ok(Some(plan).filter(|plan| is_gainful(task, plan)));
             }

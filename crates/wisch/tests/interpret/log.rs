@@ -32,11 +32,13 @@ pub fn task(count: usize, likelihood: LogNormal) -> Task {
         interaction: Interaction {
             press_force_n: PRESS,
             compression_depth_m: DEPTH,
+            gap_m: 0.0,
             likelihood,
             ..interaction()
         },
         particles: ParticleDistribution::new(&uniform(count)).unwrap(),
         collect_goal: None,
+        treatment: None,
         tool_start: Point2::new(0.0, -0.3),
         seed: 7,
         surface,

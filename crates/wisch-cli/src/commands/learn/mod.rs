@@ -213,6 +213,14 @@ fn known_interaction(
     place: &Path,
 ) -> Result<Interaction, Failure> {
     let task = &prepared.task;
+    if task.action.treats() {
+        return Err(Failure::new(format!(
+            "{}: task {:?} is to {}, which no camera sees: there is nothing to learn a law from",
+            place.display(),
+            task.name,
+            task.action
+        )));
+    }
     let known = knowledge
         .interaction(&task.tool.name, &task.medium, &task.surface.name)
         .map_err(|error| {
@@ -228,6 +236,7 @@ fn known_interaction(
             used.compression_depth_m,
             known.compression_depth_m,
         ),
+        ("gap_m", used.gap_m, known.gap_m),
     ] {
         if used != known {
             return Err(Failure::new(format!(

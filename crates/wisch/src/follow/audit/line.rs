@@ -12,8 +12,9 @@ const MAX_TURN: f64 = 0.5;
 const AHEAD: f64 = 0.12;
 /// A turn of a radian counts as so many metres where the nearest point of a line is looked for.
 const METRES_PER_RADIAN: f64 = 0.1;
-/// A later place of the line has to be nearer by more than this, so that rounding passes nothing over [m].
-const NEARER: f64 = 1e-9;
+/// A later place of the line has to be nearer by more than this [m]: where a line goes back on itself, what inverse kinematics
+/// leaves of an error passes nothing over.
+const NEARER: f64 = 1e-5;
 
 /// The tool in the world.
 pub(super) fn world_from_tool(cell: &Workcell, q: &[f64]) -> Frame {

@@ -51,8 +51,9 @@ impl Replay<'_> {
             };
             let compression = state.parameters.compression(self.config, self.stiffness);
             let motions = &evidence.motions(member as u64, compression);
-            // Members of an ensemble already differ in where their particles lie.
-            let scattered = believed.is_certain().then(|| {
+            // Members of an ensemble already differ in where their particles lie, and places of the surface lie where they do.
+            let is_scattered = believed.is_certain() && self.effect != Effect::Treat;
+            let scattered = is_scattered.then(|| {
                 scattered(
                     dirt,
                     self.surface,
@@ -63,7 +64,7 @@ impl Replay<'_> {
             });
             let slip = match self.effect {
                 Effect::Push => slip(self.config, member as u64),
-                Effect::Absorb => 0.0,
+                Effect::Absorb | Effect::Treat => 0.0,
             };
             state.activation.begin_log(slip);
             let after = self.once(scattered.as_ref().unwrap_or(dirt), motions, &mut state);

@@ -265,7 +265,7 @@ impl Look<'_> {
         let crossed: Vec<u16> = (was.iter())
             .filter_map(|(_, fate)| match fate {
                 Fate::OffSurface { edge } => Some(edge),
-                Fate::OnSurface | Fate::Absorbed => None,
+                Fate::OnSurface | Fate::Absorbed | Fate::Treated { .. } => None,
             })
             .collect();
         let mut is_there = vec![true; particles.len()];
@@ -347,6 +347,8 @@ impl Look<'_> {
     fn fate_of_missing(&self, place: Point2, crossed: &[u16], random: &mut ChaCha8Rng) -> Fate {
         match self.goal.action().effect() {
             Effect::Absorb => Fate::Absorbed,
+            // A place of the surface does not go.
+            Effect::Treat => Fate::OnSurface,
             Effect::Push if !crossed.is_empty() => Fate::OffSurface {
                 edge: crossed[random.random_range(0..crossed.len())],
             },

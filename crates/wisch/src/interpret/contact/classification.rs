@@ -26,6 +26,8 @@ const TOUCHING_SHARE: f64 = 0.3;
 const LEAST_SUPPORT: f64 = 0.3;
 /// Cosine of the angle between tool axis and plane normal from which on the underside faces the plane [1].
 const LEAST_FACING: f64 = 0.5;
+/// f′ from which on a tool that hovers is near enough to act [1]: five times its gap away.
+const NEAR_SHARE: f64 = 0.2;
 /// f′ from which on force off the plane is a force like that of contact [1].
 const FALSE_POSITIVE_SHARE: f64 = 0.2;
 
@@ -60,7 +62,8 @@ impl ContactClassifier<'_> {
         let config = self.config;
         let (bias, noise) = bias_and_noise(pieces, config);
         let confident = touching_points(pieces, bias.z, config.confident_share, config);
-        let plane = fit_plane(&confident, &config.plane, config.seed).map(|fit| {
+        let fit = fit_plane(&confident, &config.plane, config.seed);
+        let plane = fit.filter(|_| config.gap_m == 0.0).map(|fit| {
             let touching = touching_points(pieces, bias.z, TOUCHING_SHARE, config);
             let fit = widened(fit, &confident, &touching, config);
             let described = describe(&fit, &confident, self.surface, config);
@@ -93,12 +96,19 @@ impl ContactClassifier<'_> {
     ) -> (PathPiece, [f64; 2]) {
         let force = piece.force - bias;
         let normal_force = -force.z;
-        let share = self.config.normalized(normal_force);
         let center = Point3::new(piece.position.x, piece.position.y, piece.mean_height);
         let height = plane.map_or(center.z, |plane| plane.distance(center));
         let off = self.off(center.xy(), height, normal_force);
+        let hovers = self.config.gap_m > 0.0;
+        let share = if hovers {
+            nearness(height, self.config.gap_m)
+        } else {
+            self.config.normalized(normal_force)
+        };
         let on_plane = plane.is_some() && off[0] <= 0.0;
         let touch = match (on_plane, share) {
+            (_, share) if hovers && share >= NEAR_SHARE => Touch::Weak,
+            _ if hovers => Touch::Free,
             (true, share) if share >= self.config.confident_share => Touch::Confident,
             (true, _) => Touch::Weak,
             (false, share) if share >= FALSE_POSITIVE_SHARE => Touch::FalsePositive,
@@ -162,6 +172,12 @@ fn slope(piece: &MeasuredPiece, normal: &Vector3) -> Vector2 {
         return Vector2::zeros();
     }
     -normal_in_tool.xy() / normal_in_tool.z
+}
+
+/// f′ of a tool that hovers: its gap over how far its mouth is from the surface, of which the tool centre point is `height`
+/// off [1].
+fn nearness(height: f64, gap: f64) -> f64 {
+    gap / (gap + height).max(gap)
 }
 
 /// Median force over the time of calm free motion, by component, zero where there is none; and the size that

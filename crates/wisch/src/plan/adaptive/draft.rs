@@ -262,7 +262,7 @@ impl Mutator<'_> {
     /// Where dirt is to be pushed: the goal, or a place beyond an edge near it.
     fn target(&mut self, goal: &GoalState, dirt: Point2) -> Option<Point2> {
         match goal {
-            GoalState::Absorbed => None,
+            GoalState::Absorbed | GoalState::Polished { .. } | GoalState::Emitted { .. } => None,
             GoalState::Collected { center, .. } => Some(*center),
             GoalState::Skimmed => {
                 let edge = self.allowed_edges[self.one_of(self.allowed_edges.len())?];

@@ -6,7 +6,7 @@ use crate::plan::FreeSpace;
 use crate::plan::objective::{EdgeMargin, LOSS, RISK};
 use crate::random::normal_pair;
 use crate::represent::{
-    EffectModel, Fate, GoalState, ParticleDistribution, ParticleField, Performance, Task,
+    Effect, EffectModel, GoalState, ParticleDistribution, ParticleField, Performance, Task,
     ToolMotion,
 };
 use rand::RngExt;
@@ -171,11 +171,11 @@ impl<'a> Judge<'a> {
         let mut field = world.field.clone();
         let mut model = EffectModel::new(&world.footprint, goal.action().effect());
         if let Some(seed) = world.heap
-            && *goal != GoalState::Absorbed
+            && goal.action().effect() == Effect::Push
         {
             model = model.with_heap(HEAP * self.radius, seed);
         }
-        let is_pushing = *goal != GoalState::Absorbed;
+        let is_pushing = goal.action().effect() == Effect::Push;
         let mut margin =
             is_pushing.then(|| EdgeMargin::new(&world.dirt, surface, goal, self.radius));
         for stroke in &draft.strokes {
@@ -209,7 +209,7 @@ impl<'a> Judge<'a> {
         let performance = Performance::of(&after, &wanted, surface);
         let mut away = 0.0;
         for (place, fate) in after.iter() {
-            if fate == Fate::OnSurface && !wanted.is_met_by(place, fate, surface) {
+            if fate.is_on_surface() && !wanted.is_met_by(place, fate, surface) {
                 away += self.distance(&wanted, place);
                 left.push(place);
             }
@@ -227,7 +227,7 @@ impl<'a> Judge<'a> {
     /// How far dirt is from where it belongs [m].
     fn distance(&self, goal: &GoalState, place: Point2) -> f64 {
         match goal {
-            GoalState::Absorbed => 0.0,
+            GoalState::Absorbed | GoalState::Polished { .. } | GoalState::Emitted { .. } => 0.0,
             GoalState::Collected { center, radius } => ((place - center).norm() - radius).max(0.0),
             GoalState::Skimmed => {
                 let distances = self.allowed_edges.iter().map(|edge| edge.distance(place));

@@ -25,11 +25,23 @@ pub enum Action {
     Collect,
     /// Push the medium over an edge of the surface.
     Skim,
+    /// Go over every place of the surface so many times.
+    Polish,
+    /// Leave the medium on the surface, so thick everywhere.
+    Emit,
 }
 
 impl Action {
-    /// Every action, in the order of the paper.
-    pub const ALL: [Self; 3] = [Self::Absorb, Self::Collect, Self::Skim];
+    /// Every action: those of the paper in its order, then those that treat the surface itself.
+    pub const ALL: [Self; 5] = [
+        Self::Absorb,
+        Self::Collect,
+        Self::Skim,
+        Self::Polish,
+        Self::Emit,
+    ];
+    /// The actions that move dirt, in the order of the paper.
+    pub const WIPING: [Self; 3] = [Self::Absorb, Self::Collect, Self::Skim];
 
     /// The action as files and goals write it.
     ///
@@ -44,6 +56,8 @@ impl Action {
             Self::Absorb => "absorb",
             Self::Collect => "collect",
             Self::Skim => "skim",
+            Self::Polish => "polish",
+            Self::Emit => "emit",
         }
     }
 
@@ -52,7 +66,13 @@ impl Action {
         match self {
             Self::Absorb => Effect::Absorb,
             Self::Collect | Self::Skim => Effect::Push,
+            Self::Polish | Self::Emit => Effect::Treat,
         }
+    }
+
+    /// Whether it is the surface that is treated: particles are places of it, and strokes run in lanes.
+    pub fn treats(self) -> bool {
+        self.effect() == Effect::Treat
     }
 }
 
@@ -80,6 +100,8 @@ pub enum Effect {
     Absorb,
     /// The particle is carried along with the tool.
     Push,
+    /// The particle is a place of the surface: it stays, and counts how far the tool slides over it.
+    Treat,
 }
 
 /// A range of angles with `min_rad <= max_rad`, both within ±π.
@@ -226,7 +248,7 @@ pub struct Interaction {
     pub surface: SurfaceScope,
     /// The actions that make sense, at least one.
     pub actions: BTreeSet<Action>,
-    /// Force with which the tool is pressed on, the f_min of equation (9) [N].
+    /// Force with which the tool is pressed on, the f_min of equation (9); the most that holds one that hovers in place [N].
     pub press_force_n: f64,
     /// Cartesian stiffness of the controller [N/m].
     pub stiffness_n_per_m: f64,
@@ -236,12 +258,30 @@ pub struct Interaction {
     pub nullspace_posture_weight: f64,
     /// How deep the tool gives way here: the tool's own δ unless the files say otherwise [m].
     pub compression_depth_m: f64,
+    /// How high the tool hovers over the surface instead of being pressed on [m]; 0 touches.
+    pub gap_m: f64,
     /// The chance of an effect over the normalised force.
     pub likelihood: LogNormal,
     /// How well that is known.
     pub likelihood_spread: LogNormalSpread,
     /// How a particle that stays draws its threshold again.
     pub redraw: Redraw,
+}
+
+impl Interaction {
+    /// Whether the tool acts without touching: what it feels tells nothing.
+    pub fn hovers(&self) -> bool {
+        self.gap_m > 0.0
+    }
+
+    /// Force of the tool on the surface as asked for: none from one that hovers [N].
+    pub fn contact_force(&self) -> f64 {
+        if self.hovers() {
+            0.0
+        } else {
+            self.press_force_n
+        }
+    }
 }
 
 /// A tool that can do what was asked, with its prospects.

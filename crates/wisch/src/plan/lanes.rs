@@ -1,0 +1,307 @@
+//! Lanes: a surface is treated in parallel strips as wide as the tool, gone over to and fro; the policy of actions that treat.
+//!
+//! The tool keeps its heading: its broad side stays across the lanes. Where a lane ends at the surface's border, the tool
+//! goes on over it as far as it stays carried.
+
+use super::objective::objective;
+use super::{
+    FreeSpace, Node, NodeRole, Plan, PlanConfig, PlanError, SemanticDirectedGraph, Strategy, Stroke,
+};
+use crate::geometry::{PlanarPose, Point2, Vector2};
+use crate::represent::{Action, GoalState, Task};
+use std::f64::consts::FRAC_PI_2;
+
+/// How far beyond the border the tool centre point may go, over the tool's length along the lane [1]: a quarter of the tool
+/// still lies on the surface, and keeps it from tipping.
+const OVERHANG: f64 = 0.25;
+/// Nodes of a lane are no farther apart than this, over the radius of the collision sphere [1].
+const NODE_PITCH: f64 = 2.0;
+/// Halvings until the end of a lane is as exact as is of use: to a micrometre.
+const HALVINGS: usize = 20;
+
+/// Lanes along x or y of the surface, whichever are predicted to do better, or else are shorter, over all places of the task's
+/// dirt that are not done.
+pub(super) fn lanes(
+    task: &Task,
+    space: &FreeSpace,
+    config: &PlanConfig,
+) -> Result<Plan, PlanError> {
+    let Some(goal) = task.goal() else {
+        return Err(PlanError::NoTreatment {
+            action: task.action,
+        });
+    };
+    let plans = [0.0, FRAC_PI_2].map(|heading| {
+        let direction = Lanes::new(task, space, goal, heading, config.search.margin_m);
+        assembled(task, space, goal, config, direction.strokes())
+    });
+    let [along_x, along_y] = plans;
+    let [x, y] = [&along_x, &along_y].map(|plan| (objective(task, plan), plan.contact_distance()));
+    let is_along_y = y.0 > x.0 || y.0 == x.0 && y.1 < x.1;
+    let best = if is_along_y { along_y } else { along_x };
+    if best.strokes.is_empty() && !task.particles.is_empty() {
+        return Err(PlanError::NoFreeNode {
+            surface: task.surface.name.clone(),
+            diameter: 2.0 * space.radius(),
+        });
+    }
+    Ok(best)
+}
+
+/// A place that is not done, in the frame of the lanes.
+#[derive(Debug, Clone, Copy)]
+struct Open {
+    along: f64,
+    across: f64,
+    /// Passes that it needs.
+    missing: u32,
+}
+
+/// Lanes of one direction.
+struct Lanes<'a> {
+    space: &'a FreeSpace,
+    heading: f64,
+    /// Length and width of the tool [m].
+    tool: Vector2,
+    /// Distance between lanes at most, and whether they fill it exactly.
+    strip: f64,
+    /// Whether places may have more passes than they need: then lanes overlap, and their ends are gone over again.
+    is_lenient: bool,
+    open: Vec<Open>,
+    start: Point2,
+}
+
+impl<'a> Lanes<'a> {
+    fn new(task: &Task, space: &'a FreeSpace, goal: GoalState, heading: f64, margin: f64) -> Self {
+        let size =
+            (task.tool.footprint.bounds()).map_or(task.tool.area_of_effect, |bounds| bounds.size());
+        let is_lenient = task.action == Action::Polish;
+        // As wide as it is sure to be gone over if the tool is a little off its way.
+        let strip = if is_lenient {
+            (size.y - 2.0 * margin).max(size.y / 2.0)
+        } else {
+            size.y
+        };
+        let to_lanes = PlanarPose::new(Point2::origin(), heading);
+        let places = task.particles.iter();
+        let open = places
+            .filter(|(_, fate)| fate.is_on_surface())
+            .map(|(place, fate)| {
+                let there = to_lanes.inverse_transform(place);
+                Open {
+                    along: there.x,
+                    across: there.y,
+                    missing: goal.missing_passes(fate.passes()),
+                }
+            });
+        Self {
+            space,
+            heading,
+            tool: size,
+            strip,
+            is_lenient,
+            open: open.filter(|open| open.missing > 0).collect(),
+            start: to_lanes.inverse_transform(task.tool_start),
+        }
+    }
+
+    /// Where the lanes run, across them, in the order in which they are gone over [m].
+    fn middles(&self) -> Vec<f64> {
+        let across = self.open.iter().map(|open| open.across);
+        let (low, high) = across.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
+            (low.min(at), high.max(at))
+        });
+        if low > high {
+            return Vec::new();
+        }
+        let count = ((high - low) / self.strip).ceil().max(1.0);
+        // Of lanes that overlap, what they are wider in all lies between them and beyond the borders alike.
+        let spare = match self.is_lenient {
+            true => (count * self.strip - (high - low)) / (count + 1.0),
+            false => 0.0,
+        };
+        let pitch = self.strip - spare;
+        let first = (low + high) / 2.0 - pitch * (count - 1.0) / 2.0;
+        let mut middles: Vec<f64> = (0..count as usize)
+            .map(|i| first + pitch * i as f64)
+            .collect();
+        if (self.start.y - low).abs() > (self.start.y - high).abs() {
+            middles.reverse();
+        }
+        middles
+    }
+
+    /// The tool's poses, stroke by stroke.
+    fn strokes(&self) -> Vec<Vec<PlanarPose>> {
+        let middles = self.middles();
+        let mut strokes: Vec<Vec<PlanarPose>> = Vec::new();
+        let mut at = self.start.x;
+        for (i, &across) in middles.iter().enumerate() {
+            let nearest = |open: &&Open| {
+                let distance = |middle: f64| (open.across - middle).abs();
+                let others = middles.iter().enumerate();
+                distance(across) <= self.tool.y / 2.0
+                    && others.into_iter().all(|(j, &other)| {
+                        distance(across) < distance(other)
+                            || distance(across) == distance(other) && i <= j
+                    })
+            };
+            let mut of_lane: Vec<Open> = self.open.iter().filter(nearest).copied().collect();
+            of_lane.retain(|open| self.space.is_clear(self.in_surface(open.along, across)));
+            of_lane.sort_by(|a, b| a.along.total_cmp(&b.along));
+            let mut runs: Vec<&[Open]> = of_lane
+                .chunk_by(|a, b| self.goes_on(a.along, b.along, across))
+                .collect();
+            let [first, last] = [of_lane.first(), of_lane.last()].map(|open| open.map(|o| o.along));
+            let is_backward = match (first, last) {
+                (Some(first), Some(last)) => (at - first).abs() > (at - last).abs(),
+                _ => continue,
+            };
+            if is_backward {
+                runs.reverse();
+            }
+            for run in runs {
+                for way in self.ways(run, across, is_backward) {
+                    at = way.last().copied().unwrap_or(at);
+                    strokes.push(self.poses(&way, across));
+                }
+            }
+        }
+        strokes
+    }
+
+    /// Whether a lane goes on from one place to the next.
+    fn goes_on(&self, from: f64, to: f64, across: f64) -> bool {
+        let [a, b] = [from, to].map(|along| self.in_surface(along, across));
+        to - from <= 2.0 * self.space.radius() && self.space.is_clear_between(a, b)
+    }
+
+    /// The turning points of the tool along a lane [m], stroke by stroke: to and fro until no place of the run needs more.
+    fn ways(&self, run: &[Open], across: f64, is_backward: bool) -> Vec<Vec<f64>> {
+        let most = run.iter().map(|open| open.missing).max().unwrap_or(0);
+        let mut ways: Vec<Vec<f64>> = Vec::new();
+        let mut whole = Vec::new();
+        for pass in 1..=most {
+            let mut needy = run.iter().filter(|open| open.missing >= pass);
+            let Some(first) = needy.next() else { break };
+            let last = needy.next_back().unwrap_or(first);
+            let mut ends = [
+                self.end(first.along, across, -1.0),
+                self.end(last.along, across, 1.0),
+            ];
+            if is_backward != (pass % 2 == 0) {
+                ends.reverse();
+            }
+            let [begin, end] = ends;
+            if self.is_lenient {
+                let [again, anew] = [begin, end].map(|end| end.place + end.again);
+                whole.extend([again, begin.place, end.place, anew]);
+            } else {
+                ways.push(vec![begin.place, end.place]);
+            }
+        }
+        whole.dedup();
+        ways.extend((!whole.is_empty()).then_some(whole));
+        ways
+    }
+
+    /// Where a lane ends whose last place is here, towards one side (1 or -1): where the tool has left that place, or as far as
+    /// it may go.
+    fn end(&self, last: f64, across: f64, side: f64) -> LaneEnd {
+        let half = self.tool.x / 2.0;
+        let surface = &self.space.surface().outline;
+        let may_go = |beyond: f64| {
+            let carried = (beyond - OVERHANG * self.tool.x).max(0.0);
+            let at = |way: f64| self.in_surface(last + side * way, across);
+            surface.contains(at(carried)) && self.space.is_clear_between(at(0.0), at(beyond))
+        };
+        let (mut least, mut most) = (0.0, half);
+        if may_go(half) {
+            least = half;
+        } else {
+            for _ in 0..HALVINGS {
+                let middle = (least + most) / 2.0;
+                if may_go(middle) {
+                    least = middle;
+                } else {
+                    most = middle;
+                }
+            }
+        }
+        LaneEnd {
+            place: last + side * least,
+            again: -side * (half - least),
+        }
+    }
+
+    fn poses(&self, way: &[f64], across: f64) -> Vec<PlanarPose> {
+        let pitch = NODE_PITCH * self.space.radius();
+        let mut poses: Vec<PlanarPose> = Vec::new();
+        let mut push = |along: f64| {
+            poses.push(PlanarPose::new(
+                self.in_surface(along, across),
+                self.heading,
+            ));
+        };
+        way.iter().take(1).for_each(|&first| push(first));
+        for leg in way.windows(2) {
+            let parts = ((leg[1] - leg[0]).abs() / pitch).ceil().max(1.0);
+            for part in 1..=parts as usize {
+                push(leg[0] + (leg[1] - leg[0]) * (part as f64 / parts));
+            }
+        }
+        poses
+    }
+
+    fn in_surface(&self, along: f64, across: f64) -> Point2 {
+        PlanarPose::new(Point2::origin(), self.heading).transform(Point2::new(along, across))
+    }
+}
+
+/// Where a lane ends, along it [m].
+#[derive(Debug, Clone, Copy)]
+struct LaneEnd {
+    place: f64,
+    /// How far back, and forth again, the tool goes so that the last place is slid over as long as the others.
+    again: f64,
+}
+
+/// The plan of strokes with these poses, each a node of its own.
+fn assembled(
+    task: &Task,
+    space: &FreeSpace,
+    goal: GoalState,
+    config: &PlanConfig,
+    strokes: Vec<Vec<PlanarPose>>,
+) -> Plan {
+    let mut nodes: Vec<Node> = Vec::new();
+    let mut edges = Vec::new();
+    let strokes = strokes.into_iter().map(|poses| {
+        let first = nodes.len();
+        nodes.extend(poses.iter().map(|pose| Node {
+            position: pose.position,
+            role: NodeRole::Coverage,
+        }));
+        edges.extend((first + 1..nodes.len()).map(|to| (to - 1, to)));
+        Stroke {
+            nodes: (first..nodes.len()).collect(),
+            poses,
+        }
+    });
+    let strokes = strokes.collect();
+    Plan {
+        strategy: Strategy::Lanes,
+        strokes,
+        graph: SemanticDirectedGraph {
+            nodes,
+            edges,
+            goal,
+            max_edge_length: None,
+            unreachable: Vec::new(),
+        },
+        collision_radius: space.radius(),
+        unreachable_share: 0.0,
+        tool_start: task.tool_start,
+        lift_height: config.lift_height,
+    }
+}

@@ -1,0 +1,117 @@
+//! What a surface is treated to: polishing and painting, whose particles are places of the surface itself.
+
+use super::{DirtArea, Fate, GoalState, ParticleDistribution, ParticleError, SourceError};
+use crate::geometry::{Bounds2, Point2};
+
+/// What a treatment asks for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Treatment {
+    /// Passes of a pad under pressure.
+    Polish {
+        /// Wanted over every place.
+        passes: u32,
+        /// What a pass removes by, k_p of Preston's law: depth over pressure and way slid (Preston 1927) [1/Pa].
+        preston: Option<f64>,
+    },
+    /// A coat of paint.
+    Emit {
+        /// Wanted everywhere [m].
+        thickness: f64,
+        /// Paint that the tool leaves on each metre of its way [m³/m].
+        volume_per_metre: f64,
+    },
+}
+
+impl Treatment {
+    /// What the places of the surface are measured against, with a tool of this width [m].
+    pub fn goal(&self, width: f64) -> GoalState {
+        match *self {
+            Self::Polish { passes, .. } => GoalState::Polished { passes },
+            Self::Emit {
+                thickness,
+                volume_per_metre,
+            } => GoalState::Emitted {
+                thickness,
+                per_pass: volume_per_metre / width,
+            },
+        }
+    }
+
+    /// What one pass of a tool of this width [m] with this force [N] does to the surface [m]: how much it removes, or leaves; `None`
+    /// where no coefficient is given.
+    pub fn per_pass(&self, width: f64, force: f64) -> Option<f64> {
+        match *self {
+            // Pressure times the mean length of the footprint: the force over its width.
+            Self::Polish { preston, .. } => preston.map(|preston| preston * force / width),
+            Self::Emit {
+                volume_per_metre, ..
+            } => Some(volume_per_metre / width),
+        }
+    }
+
+    /// Mean of what the places were treated with and its standard deviation over them, both in passes [1].
+    ///
+    /// ```
+    /// use wisch::geometry::Point2;
+    /// use wisch::represent::{Fate, ParticleDistribution, Treatment};
+    /// let at = |passes| (Point2::origin(), Fate::Treated { passes });
+    /// let places = ParticleDistribution::with_fates(&[at(1.0), at(3.0)])?;
+    /// assert_eq!(Treatment::spread(&places), [2.0, 1.0]);
+    /// # Ok::<(), wisch::represent::ParticleError>(())
+    /// ```
+    pub fn spread(places: &ParticleDistribution) -> [f64; 2] {
+        let count = places.len().max(1) as f64;
+        let passes = || places.iter().map(|(_, fate)| fate.passes());
+        let mean = passes().sum::<f64>() / count;
+        let squares: f64 = passes().map(|passes| (passes - mean).powi(2)).sum();
+        [mean, (squares / count).sqrt()]
+    }
+}
+
+/// About `count` places of a surface: the middles of square cells, row by row along x; none where an object stands.
+///
+/// # Errors
+/// A count out of its limits, or so few cells for so large a bounding box that none is free.
+///
+/// ```
+/// use wisch::geometry::{Polygon, Vector2};
+/// use wisch::represent::{DirtArea, OccupiedArea, surface_cells};
+/// let plate = Polygon::rectangle(Vector2::new(0.4, 0.3));
+/// let area = DirtArea { outline: &plate, occupied: &OccupiedArea::default() };
+/// assert_eq!(surface_cells(area, 1200)?.len(), 40 * 30);
+/// # Ok::<(), wisch::represent::SourceError>(())
+/// ```
+pub fn surface_cells(
+    area: DirtArea<'_>,
+    count: usize,
+) -> Result<ParticleDistribution, SourceError> {
+    SourceError::check_count(count)?;
+    let bounds = Bounds2::of(area.outline.outer().iter().copied());
+    let none = SourceError::NoRoom {
+        draws: 0,
+        placed: 0,
+        count,
+    };
+    let Some(bounds) = bounds else {
+        return Err(none);
+    };
+    let size = bounds.size();
+    // Of the outline's own area, so that about as many lie on it.
+    let side = (area.outline.area() / count as f64).sqrt();
+    let cells = |length: f64| ((length / side).round() as usize).max(1);
+    let (columns, rows) = (cells(size.x), cells(size.y));
+    let middle = |i: usize, count: usize| (i as f64 + 0.5) / count as f64;
+    let places: Vec<(Point2, Fate)> = (0..rows)
+        .flat_map(|row| (0..columns).map(move |column| (row, column)))
+        .map(|(row, column)| {
+            let (x, y) = (middle(column, columns), middle(row, rows));
+            bounds.min + size.component_mul(&nalgebra::Vector2::new(x, y))
+        })
+        .filter(|&place| area.contains(place))
+        .map(|place| (place, Fate::OnSurface))
+        .collect();
+    if places.is_empty() {
+        return Err(none);
+    }
+    ParticleDistribution::with_fates(&places).map_err(|error: ParticleError| error.into())
+}
