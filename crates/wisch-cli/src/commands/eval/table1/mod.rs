@@ -13,6 +13,7 @@ use record::{Table1Record, columns, lead, papers};
 use std::fmt::Write as _;
 use std::path::Path;
 use wisch::plan::Strategy;
+use wisch::represent::Action;
 use wisch_eval::{
     Extent, Quantity, Table1Case, Table1Row, Table1Run, Table1Setup, TaskCase, table1_rows,
 };
@@ -72,8 +73,12 @@ fn cases(args: &Table1Args, [first, last]: [u64; 2]) -> Vec<(u64, Table1Case)> {
         let mut named = args.cells.iter().flat_map(|cells| &cells.0);
         args.cells.is_empty() || named.any(|named| named == task)
     };
-    let is_wanted =
-        |strategy: &Strategy| args.strategies.is_empty() || args.strategies.contains(strategy);
+    // All three actions move dirt, so that what fits one fits the others.
+    let fits = |strategy: &Strategy| strategy.fits(Action::Absorb);
+    let is_wanted = |strategy: &Strategy| match args.strategies.is_empty() {
+        true => fits(strategy),
+        false => args.strategies.contains(strategy),
+    };
     let strategies: Vec<Strategy> = Strategy::ALL.into_iter().filter(is_wanted).collect();
     let of = |task: TaskCase| {
         let of = move |strategy: &Strategy| {
