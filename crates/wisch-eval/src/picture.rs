@@ -59,7 +59,7 @@ impl Picture {
                 Fate::Absorbed => continue,
                 _ if goal.is_met_by(position, fate, surface) => &mut picture.done,
                 Fate::OffSurface { .. } => &mut picture.lost,
-                Fate::OnSurface => &mut picture.left,
+                Fate::OnSurface | Fate::Treated { .. } => &mut picture.left,
             };
             kind.push(place(position));
         }
