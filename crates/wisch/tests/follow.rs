@@ -214,7 +214,7 @@ const ONLY_GLOBALLY: u64 = 93;
 
 #[test]
 fn the_tool_turns_on_a_node_in_contact() {
-    for action in Action::ALL {
+    for action in Action::WIPING {
         let task = board(action, [0.5, 0.0, 0.2]);
         let config = PlanConfig {
             strategy: CoverageStrategy::Grid.into(),

@@ -1,6 +1,7 @@
 //! The planner: nodes by strategy, graph by policy, strokes by order.
 
 use super::coverage::CoverageInput;
+use super::heading::Headings;
 use super::lanes::lanes;
 use super::objective::best_by_objective;
 use super::tree::{branches, forest};
@@ -135,7 +136,8 @@ pub fn joined_anew(
     };
     let named = |chain: Vec<usize>| chain.into_iter().map(|i| nodes[i]).collect();
     let chains: Vec<Vec<usize>> = chains.into_iter().map(named).collect();
-    Ok(best_headed(task, plan, HeadingRule::Best, &chains).strokes)
+    // Where a robot reaches just some nodes, it is the less able to turn the tool on the spot.
+    Ok(Headings::Blended.strokes(task, &plan.graph, &chains))
 }
 
 /// Absorb: an open tour from the node nearest the tool; paper §3.2.
