@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 pub enum Quantity {
     /// [`WipingScore::planned`].
     Planned,
-    /// [`WipingScore::predicted`].
+    /// `predicted` of a score.
     Predicted,
     /// [`WipingScore::limited`].
     Limited,
