@@ -4,7 +4,7 @@ use super::wiping::{Log, Wiping, as_believed};
 use wisch::control::ControlConfig;
 use wisch::follow::{FollowConfig, Phase, Workcell, follow};
 use wisch::geometry::{Point3, Vector3};
-use wisch::plan::{CoverageStrategy, HeadingRule, PlanConfig, plan};
+use wisch::plan::{CoverageStrategy, plan};
 use wisch_io::{LoadOptions, LoadedTask, Moment, Push, load_task};
 use wisch_sim::Dirt;
 use wisch_testkit::{first_stroke, humanoid, scenario};
@@ -22,10 +22,6 @@ fn sweeping() -> Wiping {
     let LoadedTask {
         file, task, config, ..
     } = load_task(&scenario("broom-chippings"), &options).unwrap();
-    let config = PlanConfig {
-        heading: HeadingRule::Blended,
-        ..config
-    };
     let plan = first_stroke(plan(&task, &config).unwrap());
     let humanoid = humanoid();
     let config = file.robot().unwrap().workcell_config(&task);

@@ -147,6 +147,21 @@ pub struct Range {
     pub upper: f64,
 }
 
+impl Range {
+    /// The share of its width that a range loses at either end at most.
+    const MOST_NARROWED: f64 = 0.1;
+
+    /// The same without a margin at either end, which is at most a tenth of the range.
+    #[must_use]
+    pub fn narrowed(self, margin: f64) -> Self {
+        let margin = margin.min(Self::MOST_NARROWED * (self.upper - self.lower));
+        Self {
+            lower: self.lower + margin,
+            upper: self.upper - margin,
+        }
+    }
+}
+
 /// The limits of a joint; what is `None` is not limited.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SingleJointLimits {

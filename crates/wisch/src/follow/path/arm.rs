@@ -9,7 +9,7 @@ use crate::geometry::{PlanarPose, Pose};
 use crate::plan::Plan;
 use crate::represent::{Action, Task};
 use crate::robot::{
-    Contact, IkConfig, IkOutcome, JointPositions, Margins, RobotError, RotationGoal,
+    Contact, IkConfig, IkOutcome, Joint, JointPositions, Margins, RobotError, RotationGoal,
 };
 use std::f64::consts::PI;
 
@@ -112,28 +112,34 @@ impl<'a> Arm<'a> {
         self.of_robot(&self.template)
     }
 
-    /// Where the group's variables may be; one turn either way for joints without limits.
+    /// Where the group's variables are to be; one turn either way for joints without limits.
     pub fn ranges(&self) -> Vec<[f64; 2]> {
-        let variables = self.cell.arm_variables();
         let range = |&i: &usize| {
-            let limit = &self.cell.limits().joints()[i];
-            if limit.lower.is_finite() && limit.upper.is_finite() {
-                [limit.lower, limit.upper]
-            } else {
-                [-PI, PI]
-            }
+            let range = self.cell.range_kept(self.cell.robot().variable(i));
+            range.map_or([-PI, PI], |range| [range.lower, range.upper])
         };
-        variables.iter().map(range).collect()
+        self.cell.arm_variables().iter().map(range).collect()
     }
 
-    /// Whether every joint is within its limits, those that follow several others included.
-    pub fn is_within_limits(&self, arm: &JointPositions) -> bool {
+    /// Whether every joint that the group moves is within the range that is kept to, those that follow several others
+    /// included.
+    pub fn keeps_ranges(&self, arm: &JointPositions) -> bool {
         let q = self.to_robot(arm);
-        self.cell.robot().joints().iter().all(|joint| {
+        self.moved_joints().all(|joint| {
             let position = joint.drive.position(&q);
-            let limits = joint.limits.position;
-            limits.is_none_or(|limits| (limits.lower..=limits.upper).contains(&position))
+            let range = self.cell.range_kept(joint);
+            range.is_none_or(|range| (range.lower..=range.upper).contains(&position))
         })
+    }
+
+    /// The joints that the group's variables move.
+    fn moved_joints(&self) -> impl Iterator<Item = &Joint> {
+        let ours = self.cell.arm_variables();
+        let is_moved = move |joint: &&Joint| {
+            let mut terms = joint.drive.terms.iter();
+            terms.any(|(variable, _)| ours.contains(variable))
+        };
+        self.cell.robot().joints().iter().filter(is_moved)
     }
 
     /// Where the tool is wanted, from the group's base.
@@ -299,13 +305,12 @@ impl<'a> Arm<'a> {
 
     fn at_limit(&self, arm: &JointPositions) -> Option<Obstruction> {
         let q = self.to_robot(arm);
-        self.cell.robot().joints().iter().find_map(|joint| {
-            let limits = joint.limits.position?;
+        self.moved_joints().find_map(|joint| {
+            let range = self.cell.range_kept(joint)?;
             let position = joint.drive.position(&q);
-            let moves = (joint.drive.terms.iter())
-                .any(|(variable, _)| self.cell.arm_variables().contains(variable));
-            let is_at = position < limits.lower + AT_LIMIT || position > limits.upper - AT_LIMIT;
-            (moves && is_at).then(|| Obstruction::JointLimit {
+            let is_at = position < range.lower + AT_LIMIT || position > range.upper - AT_LIMIT;
+            let limits = joint.limits.position.filter(|_| is_at)?;
+            Some(Obstruction::JointLimit {
                 joint: joint.name.clone(),
                 limits,
             })

@@ -98,7 +98,7 @@ fn free_way(
             .iter()
             .map(|&[lower, upper]| random.random_range(lower..=upper))
             .collect();
-        if !arm.is_within_limits(&q) {
+        if !arm.keeps_ranges(&q) {
             continue;
         }
         let Some(q) = arm.hold(&q) else { continue };

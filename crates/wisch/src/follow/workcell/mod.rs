@@ -11,7 +11,7 @@ use crate::follow::{FollowError, FollowerLimit, JointLimit, JointLimits, ToolPos
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::represent::{SceneObject, ScenePart, Task};
 use crate::robot::{
-    CollisionModel, IkConfig, IkSolver, Joint, JointKind, LinkId, RobotModel, Srdf,
+    CollisionModel, IkConfig, IkSolver, Joint, JointKind, LinkId, Range, RobotModel, Srdf,
 };
 use grasp::{relaxed, tip_from_tool, without_rim};
 use group::{READY_STATE, hand_and_holder, planar_base, put_in, standing_links};
@@ -51,11 +51,15 @@ pub struct WorkcellConfig {
     pub tip_from_tool: Option<Pose>,
     /// How far the hand leans back from upright over the tool, against its motion [rad].
     pub hand_lean: f64,
+    /// How far inside their limits turning joints are kept while the tool is wielded [rad]: a compliant arm is not
+    /// exactly where it is wanted.
+    pub limit_margin: f64,
 }
 
 impl Default for WorkcellConfig {
     /// The first group, the robot at the origin, the hand leaning back by 0.8 rad: so far that a hand as
-    /// thick as the tool is wide reaches along obstacles, not so far that it touches the surface.
+    /// thick as the tool is wide reaches along obstacles, not so far that it touches the surface. Joints
+    /// stay 0.02 rad inside their limits, twice what a torso sags by.
     fn default() -> Self {
         Self {
             group: None,
@@ -63,6 +67,7 @@ impl Default for WorkcellConfig {
             world_from_robot: None,
             tip_from_tool: None,
             hand_lean: 0.8,
+            limit_margin: 0.02,
         }
     }
 }
@@ -85,6 +90,7 @@ pub struct Workcell {
     arm_collisions: CollisionModel,
     arm_collisions_in_contact: CollisionModel,
     limits: JointLimits,
+    limit_margin: f64,
     obstacles: BTreeSet<String>,
 }
 
@@ -130,7 +136,7 @@ impl Workcell {
             .unwrap_or_else(|| tip_from_tool(&robot, tip, &task.tool, config.hand_lean));
         let ik = IkSolver::new(&robot, base_link, tip, tip_from_tool)?;
         let posture: Vec<f64> = ik.chain().variables().iter().map(|&i| ready[i]).collect();
-        let ik = ik.with_posture(&posture)?;
+        let ik = (ik.with_posture(&posture)?).with_limit_margin(config.limit_margin)?;
         let second = match &config.second_group {
             None => None,
             Some(name) => {
@@ -149,6 +155,7 @@ impl Workcell {
                     tip,
                     grip,
                     &ready,
+                    config.limit_margin,
                 )?)
             }
         };
@@ -231,6 +238,7 @@ impl Workcell {
             arm_collisions,
             arm_collisions_in_contact,
             limits,
+            limit_margin: config.limit_margin,
             obstacles,
             robot,
         })
@@ -306,6 +314,14 @@ impl Workcell {
             AllowedContact::None => &self.arm_collisions,
             AllowedContact::Surface => &self.arm_collisions_in_contact,
         }
+    }
+
+    /// The range of a joint that is kept to, inside its limits by [`WorkcellConfig::limit_margin`]; `None` for one
+    /// without limits.
+    pub(crate) fn range_kept(&self, joint: &Joint) -> Option<Range> {
+        let limits = joint.limits.position?;
+        let slides = joint.kind == JointKind::Prismatic;
+        Some(limits.narrowed(if slides { 0.0 } else { self.limit_margin }))
     }
 
     /// Position, velocity and acceleration limits of all n variables, in the order of the robot's, and of the

@@ -64,6 +64,7 @@ impl SecondArm {
         tip: LinkId,
         grip: SecondGrip,
         posture: &[f64],
+        limit_margin: f64,
     ) -> Result<Self, FollowError> {
         let leading = leading.chain();
         let fork = fork(robot, leading.tip(), tip);
@@ -93,7 +94,7 @@ impl SecondArm {
             leading_tip_from_tool,
             tip_from_hand,
             grip,
-            ik: ik.with_posture(&posture)?,
+            ik: (ik.with_posture(&posture)?).with_limit_margin(limit_margin)?,
         })
     }
 

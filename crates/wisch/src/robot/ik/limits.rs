@@ -34,6 +34,8 @@ pub(super) struct Limit {
     normal: Vec<(usize, f64)>,
     lower: f64,
     upper: f64,
+    /// How much of this there is to a radian of the joint; `None` if it slides.
+    per_rad: Option<f64>,
 }
 
 impl Limits {
@@ -51,13 +53,26 @@ impl Limits {
                 && normal.len() == terms.len()
                 && !normal.is_empty()
             {
-                limits.push(Limit::new(normal, joint.drive.offset, range));
+                let slides = joint.kind == JointKind::Prismatic;
+                limits.push(Limit::new(normal, joint.drive.offset, range, slides));
             }
         }
         let slides = |&i: &usize| robot.variable(i).kind == JointKind::Prismatic;
         Self {
             slides: variables.iter().map(slides).collect(),
             limits,
+        }
+    }
+
+    /// Takes a margin off both ends of what turns [rad], at most a tenth of its range.
+    pub(super) fn narrow(&mut self, margin: f64) {
+        for limit in &mut self.limits {
+            let range = Range {
+                lower: limit.lower,
+                upper: limit.upper,
+            };
+            let range = range.narrowed(limit.per_rad.map_or(0.0, |per_rad| margin * per_rad));
+            (limit.lower, limit.upper) = (range.lower, range.upper);
         }
     }
 
@@ -155,7 +170,7 @@ impl Limits {
 
 impl Limit {
     /// lower ≤ offset + Σ factor · q ≤ upper, with factors of any size.
-    fn new(mut normal: Vec<(usize, f64)>, offset: f64, range: Range) -> Self {
+    fn new(mut normal: Vec<(usize, f64)>, offset: f64, range: Range, slides: bool) -> Self {
         let norm = normal
             .iter()
             .map(|(_, factor)| factor * factor)
@@ -172,6 +187,7 @@ impl Limit {
             normal,
             lower: lower + margin,
             upper: (upper - margin).max(lower + margin),
+            per_rad: (!slides).then_some(1.0 / norm),
         }
     }
 

@@ -246,6 +246,25 @@ impl IkSolver {
         Ok(self)
     }
 
+    /// The same, which stays so far inside the limits of turning joints [rad], but no further than a tenth of their
+    /// range: a compliant arm is not exactly where it is wanted, and an end stop there would push it.
+    ///
+    /// # Errors
+    /// If the margin is negative or not finite.
+    pub fn with_limit_margin(mut self, margin: f64) -> Result<Self, RobotError> {
+        if !(margin.is_finite() && margin >= 0.0) {
+            return Err(RobotError::Value {
+                what: "limit_margin",
+                value: margin,
+                limit: "0 rad or more",
+            });
+        }
+        self.limits.narrow(margin);
+        let posture = self.posture;
+        self.posture = self.inside(&posture)?;
+        Ok(self)
+    }
+
     /// The chain that is solved for.
     pub const fn chain(&self) -> &Chain {
         &self.chain
