@@ -13,7 +13,7 @@ use wisch::geometry::Mesh;
 use wisch::geometry::Point2;
 use wisch::goal::{GoalLiteral, resolve_goal};
 use wisch::interpret::{Belief, DirtPrior, members};
-use wisch::plan::{CoverageStrategy, PlanConfig, SearchConfig, Strategy};
+use wisch::plan::{CoverageStrategy, HeadingRule, PlanConfig, SearchConfig, Strategy};
 use wisch::represent::{
     Action, DirtArea, KnowledgeBase, Observation, OccupiedArea, SensorModel, Sight, Task,
 };
@@ -89,6 +89,8 @@ impl LoadedTask {
     pub fn follow_config(&self) -> FollowConfig {
         FollowConfig {
             contact_speed: self.file.contact_speed_m_per_s(),
+            // A rule that the user chose is kept to.
+            free_yaw: self.file.heading() == HeadingRule::Best,
             ..FollowConfig::default()
         }
     }

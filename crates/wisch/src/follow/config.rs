@@ -39,6 +39,9 @@ pub struct FollowConfig {
     /// Over which a change of a joint's acceleration is spread [s]: its jerk is at most twice its largest acceleration over
     /// this; 0 lets accelerations jump.
     pub acceleration_ramp: f64,
+    /// Whether the robot turns the tool so that its joints move little, where one hand holds it and its predicted effect is
+    /// as good; else it is turned as planned.
+    pub free_yaw: bool,
     /// How hard a way along an edge is looked for.
     pub search: SearchScope,
     /// How many configurations are tried at the begin of a stroke.
@@ -65,6 +68,7 @@ impl Default for FollowConfig {
             contact_speed: 0.25,
             approach_speed: 0.1,
             acceleration_ramp: 0.04,
+            free_yaw: true,
             search: SearchScope::Global,
             start_configurations: 10,
             placements: 4,

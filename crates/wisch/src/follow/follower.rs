@@ -2,6 +2,7 @@
 
 use super::path::arm::Arm;
 use super::path::free_motion::free_motion;
+use super::path::free_yaw::eased;
 use super::path::stroke_run::{Now, Run, UntimedMotion, UntimedPhase, run};
 use super::path::tool_redundancy::{ToolOrientation, orientations};
 use super::placement::{Candidate, Reachability, best, drive::drive};
@@ -43,6 +44,8 @@ struct Open {
     begun: bool,
     /// Whether the node after it has been given up.
     skipped: bool,
+    /// A configuration that puts the tool down there, if one is known from which it can go on well.
+    start: Option<JointPositions>,
 }
 
 /// What the arm does from one placement.
@@ -222,6 +225,40 @@ impl Follower<'_> {
         }
     }
 
+    /// What is open, with the tool turned so that the joints move little. Nothing where that makes a difference to its
+    /// predicted effect.
+    fn eased(&self, arm: &Arm, open: &[Open]) -> Option<Vec<Open>> {
+        if !self.config.free_yaw || arm.keeps_heading || self.cell.second().is_some() {
+            return None;
+        }
+        let mut at = arm.ready();
+        let mut turned = open.to_vec();
+        for (i, open) in turned.iter_mut().enumerate() {
+            let seed = self.config.seed ^ (i as u64) << 32;
+            // The tool does not turn on the spot any more.
+            open.nodes.dedup_by_key(|waiting| waiting.node);
+            let poses: Vec<PlanarPose> = open.nodes.iter().map(|waiting| waiting.pose).collect();
+            let Some(eased) = eased(arm, &at, &poses, seed) else {
+                continue;
+            };
+            for (waiting, pose) in open.nodes.iter_mut().zip(eased.poses) {
+                waiting.pose = pose;
+            }
+            open.start = Some(eased.start);
+            at = eased.end;
+        }
+        (self.achieved(&turned) >= self.achieved(open)).then_some(turned)
+    }
+
+    /// Particles where the action wants them once strokes have been wiped, as the effect model predicts.
+    fn achieved(&self, open: &[Open]) -> usize {
+        let wiped = Plan {
+            strokes: open.iter().map(Open::stroke).collect(),
+            ..self.plan.clone()
+        };
+        predict(self.task, &wiped, |_| ()).performance.achieved
+    }
+
     fn open(&self) -> Vec<Open> {
         let strokes = self.plan.strokes.iter().enumerate();
         strokes
@@ -360,7 +397,16 @@ impl Follower<'_> {
         };
         let (lift, seed) = (self.plan.lift_height, self.config.seed);
         let touch = |waiting: &Waiting| {
-            run(&arm, &now, &[waiting.pose], lift, &self.orientations, seed).err()
+            run(
+                &arm,
+                &now,
+                &[waiting.pose],
+                None,
+                lift,
+                &self.orientations,
+                seed,
+            )
+            .err()
         };
         Ok(nodes.par_iter().map(touch).collect())
     }
@@ -423,7 +469,7 @@ impl Follower<'_> {
             world_from_base: *world_from_base,
             runs: Vec::new(),
             back: Vec::new(),
-            open: open.to_vec(),
+            open: self.eased(&arm, open).unwrap_or_else(|| open.to_vec()),
             stopped: Vec::new(),
         };
         while let Some(first) = stay.open.first_mut() {
@@ -433,6 +479,7 @@ impl Follower<'_> {
                 &arm,
                 &now,
                 &planned,
+                first.start.as_ref(),
                 self.plan.lift_height,
                 &self.orientations,
                 seed,
@@ -457,6 +504,7 @@ impl Follower<'_> {
             now = run.now;
             first.nodes.drain(..run.last);
             first.begun = true;
+            first.start = None;
             first.skipped &= run.last == 0;
             if first.nodes.len() == 1 {
                 stay.open.remove(0);
@@ -556,6 +604,7 @@ impl Open {
                 .collect(),
             begun: false,
             skipped: false,
+            start: None,
         }
     }
 
@@ -584,6 +633,15 @@ impl Open {
         self.nodes.remove(0);
         self.begun = false;
         self.skipped = false;
+        self.start = None;
+    }
+
+    /// The stroke through its nodes.
+    fn stroke(&self) -> Stroke {
+        Stroke {
+            nodes: self.nodes.iter().map(|waiting| waiting.node).collect(),
+            poses: self.nodes.iter().map(|waiting| waiting.pose).collect(),
+        }
     }
 }
 

@@ -47,6 +47,21 @@ impl Tool {
         (self.area_of_effect.min() / 2.0).max(self.collision_radius() / 2.0)
     }
 
+    /// Whether its footprint is a disc about the tool centre point, to a fiftieth of its radius: what it does does not depend
+    /// on how it is turned.
+    pub fn is_round(&self) -> bool {
+        let [disc] = self.footprint.polygons() else {
+            return false;
+        };
+        let corners = disc.edges().map(|edge| edge.start.coords.norm());
+        let radius = corners.fold(0.0, f64::max);
+        disc.is_convex()
+            && disc.edges().all(|edge| {
+                let middle = nalgebra::center(&edge.start, &edge.end);
+                middle.coords.norm() > 0.98 * radius
+            })
+    }
+
     /// Whether half a turn about the tool centre point maps the footprint onto itself.
     pub fn is_half_turn_symmetric(&self) -> bool {
         let corners: Vec<Point2> = self.footprint.edges().map(|edge| edge.start).collect();

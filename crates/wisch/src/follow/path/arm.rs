@@ -5,7 +5,7 @@
 
 use crate::follow::workcell::second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE};
 use crate::follow::{AllowedContact, FollowConfig, Obstruction, ToolPose, Workcell};
-use crate::geometry::{PlanarPose, Pose};
+use crate::geometry::{PlanarPose, Pose, Vector3};
 use crate::plan::Plan;
 use crate::represent::{Action, Task};
 use crate::robot::{
@@ -64,7 +64,7 @@ impl<'a> Arm<'a> {
             cell,
             task,
             config,
-            keeps_heading: task.action != Action::Absorb,
+            keeps_heading: task.action != Action::Absorb && !task.tool.is_round(),
             template,
             ik: IkConfig::default(),
             margins: config.margin.into(),
@@ -157,6 +157,34 @@ impl<'a> Arm<'a> {
         let (leading, second) = start.split_at(self.leading());
         let outcome = (self.cell.ik()).solve_from(&target, RotationGoal::Full, leading, &self.ik);
         self.held(&self.solved(outcome)?, second)
+    }
+
+    /// A configuration that puts the tool there, turned about its z axis in any way, near `start`. One arm alone: a second
+    /// hand is not brought to the tool.
+    pub fn reach_with_free_yaw(
+        &self,
+        pose: &ToolPose,
+        start: &JointPositions,
+    ) -> Option<JointPositions> {
+        let target = self.base_from_tool(pose);
+        let goal = RotationGoal::AboutToolZFree;
+        match self.cell.ik().solve_from(&target, goal, start, &self.ik) {
+            Ok(IkOutcome::Solved(q)) => Some(q),
+            _ => None,
+        }
+    }
+
+    /// How the tool is turned about the surface's normal [rad].
+    pub fn heading(&self, q: &JointPositions) -> f64 {
+        let Ok(kinematics) = (self.cell.ik().chain()).forward_kinematics(&q[..self.leading()])
+        else {
+            return 0.0;
+        };
+        let base_from_tool = kinematics.base_from_tip() * self.cell.tip_from_tool();
+        let surface_from_base =
+            self.task.surface.world_from_surface.inverse() * self.base_from_world.inverse();
+        let x = (surface_from_base * base_from_tool).rotation * Vector3::x();
+        libm::atan2(x.y, x.x)
     }
 
     /// A configuration that puts the tool there, from `starts` and from random ones.

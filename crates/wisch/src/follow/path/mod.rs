@@ -4,6 +4,7 @@
 pub(super) mod arm;
 mod edge;
 pub(super) mod free_motion;
+pub(super) mod free_yaw;
 mod global;
 pub(super) mod stroke_run;
 pub(super) mod tool_redundancy;

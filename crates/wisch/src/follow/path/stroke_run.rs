@@ -84,7 +84,7 @@ struct Contact {
 
 /// Follows a stroke through `planned` poses as far as possible from any of several configurations.
 ///
-/// First with the tool oriented exactly as planned; only if no configuration can do that, with all its
+/// From a `known` configuration first, if there is one. First with the tool oriented exactly as planned; only if no configuration can do that, with all its
 /// orientations.
 ///
 /// # Errors
@@ -93,6 +93,7 @@ pub(in crate::follow) fn run(
     arm: &Arm,
     now: &Now,
     planned: &[PlanarPose],
+    known: Option<&JointPositions>,
     lift_height: f64,
     orientations: &[ToolOrientation],
     seed: u64,
@@ -105,6 +106,7 @@ pub(in crate::follow) fn run(
         arm,
         now,
         planned,
+        known,
         lift_height,
         seed,
         attempts: Vec::new(),
@@ -126,6 +128,8 @@ struct Search<'a> {
     arm: &'a Arm<'a>,
     now: &'a Now,
     planned: &'a [PlanarPose],
+    /// A configuration at the first of them from which the arm is known to go on well.
+    known: Option<&'a JointPositions>,
     lift_height: f64,
     seed: u64,
     attempts: Vec<Attempt>,
@@ -198,6 +202,7 @@ impl Search<'_> {
             arm,
             now,
             &planned[0],
+            self.known,
             self.lift_height,
             orientation,
             start,
@@ -250,6 +255,7 @@ fn begin(
     arm: &Arm,
     now: &Now,
     planned: &PlanarPose,
+    known: Option<&JointPositions>,
     lift_height: f64,
     orientation: &ToolOrientation,
     start: u64,
@@ -275,7 +281,10 @@ fn begin(
             (Some(path), above)
         }
         _ => {
-            let near: [&[f64]; 2] = [&now.q, &arm.ready()];
+            let ready = arm.ready();
+            let near: Vec<&[f64]> = (known.into_iter().chain([&now.q, &ready]))
+                .map(|q| &q[..])
+                .collect();
             // The first start looks near the current configuration, the others anywhere.
             let mut found =
                 arm.reach_free(&lifted, if start == 1 { &near } else { &[] }, seed ^ start);
