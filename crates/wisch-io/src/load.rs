@@ -75,6 +75,7 @@ impl LoadedTask {
                 .map_or_else(Default::default, |robot| robot.workcell_config(&self.task)),
             target: self.file.target_performance(),
             max_rounds: self.file.max_rounds(),
+            end_strokes_early: self.file.end_strokes_early(),
             sight: self
                 .file
                 .perception()

@@ -182,7 +182,7 @@ impl RecordBuilder {
             during: [start, end],
             stopped: match round.ending {
                 Ending::ProtectiveStop { time, .. } => Some(*time),
-                Ending::Complete | Ending::Stopped => None,
+                Ending::Complete | Ending::Stopped | Ending::Early { .. } => None,
             },
         };
         context.add_parts(&mut self.individuals, number, &round.log.spans());
@@ -203,14 +203,7 @@ fn describe(individual: &mut Individual, round: &EpisodeRound<'_>) {
         individual.set_number("semco:simulatedPerformance", truth);
     }
     individual.set_text("semco:verdict", round.verdict.as_str());
-    individual.set_text(
-        "semco:ending",
-        match round.ending {
-            Ending::Complete => "complete",
-            Ending::Stopped => "stopped",
-            Ending::ProtectiveStop { .. } => "protective stop",
-        },
-    );
+    individual.set_text("semco:ending", round.ending.as_str());
     individual.relations = participants(round);
     individual.relate("soma:hasExecutionState", state(round.verdict));
 }

@@ -3,10 +3,10 @@
 use std::ops::ControlFlow;
 use wisch::interpret::EventKind;
 use wisch::recover::Verdict;
-use wisch::run::{Ending, Round, RunConfig, Session};
+use wisch::run::{Ending, Round, RunConfig, Session, StrokeEnd};
 use wisch_io::{LoadOptions, LoadedTask, Moment, load_task};
 use wisch_sim::{GroundTruth, SimulationSettings, Site, World};
-use wisch_testkit::{by_density, humanoid, run_config, scenario};
+use wisch_testkit::{arm7, by_density, humanoid, run_config, scenario};
 
 /// How far the estimate may be off the truth where it is narrower than that [1]; of 29 rounds on the board the worst was off by 0.092, of those since by 0.119.
 const ESTIMATE: f64 = 0.12;
@@ -167,4 +167,43 @@ fn the_wiper_cleans_the_solar_panel_as_far_as_it_believes() {
         "{performance}"
     );
     assert!(truth.contact_force.count() > 1000);
+}
+
+#[test]
+fn a_round_ends_amid_a_stroke_that_somebody_leads_away_and_the_rest_is_planned_anew() {
+    let push = "[{ round = 1, start_stroke = 2, duration_s = 2.5, force_n = [0, 40, 0], hand_speed_m_per_s = 0.3 }]";
+    let set = [
+        ("strategy", "kde"),
+        ("execution.push", push),
+        ("execution.end_strokes_early", "true"),
+    ];
+    let options = LoadOptions {
+        settings: set
+            .map(|(key, value)| (key.to_owned(), value.to_owned()))
+            .to_vec(),
+        seed: Some(1),
+        ..LoadOptions::default()
+    };
+    let loaded = load_task(&scenario("arm-board"), &options).unwrap();
+    let mut world = World::new(&Site::of(&loaded.task), settings(&loaded), 1).unwrap();
+    let robot = arm7();
+    let session = Session::new(&loaded.task, loaded.run_config()).with_belief(loaded.belief());
+    let mut session = session.with_robot(robot.performer());
+    let all = session.run(&mut world, &mut |_| ControlFlow::Continue(()));
+    all.unwrap();
+    let [first, second, ..] = session.rounds() else {
+        panic!("the rest is not planned anew");
+    };
+    let Ending::Early { time, cause } = &first.execution.ending else {
+        panic!("ends with {:?}", first.execution.ending);
+    };
+    assert!(matches!(cause, StrokeEnd::LedAway { distance } if *distance < 0.5));
+    assert!(*time < first.motion.followed.duration());
+    assert_eq!(first.execution.duration.to_bits(), time.to_bits());
+    assert_eq!(second.execution.ending, Ending::Complete);
+    let estimated = session
+        .rounds()
+        .iter()
+        .map(|round| round.interpretation.performance.mean);
+    assert!(estimated.clone().last() > estimated.clone().next());
 }

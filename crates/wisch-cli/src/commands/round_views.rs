@@ -88,6 +88,9 @@ pub fn rounds_in_words(done: &[Done]) -> Vec<(&'static str, String)> {
                     1e3 * plane.offset
                 );
             }
+            if let Ending::Early { time, cause } = &round.execution.ending {
+                text += &format!(", ended at {time:.1} s, as {cause}");
+            }
             if let Ending::ProtectiveStop { time, cause } = &round.execution.ending {
                 text += &format!(", stopped at {time:.1} s: {cause}");
             }

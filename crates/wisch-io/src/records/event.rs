@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use std::io::{self, Write};
-use wisch::run::{Ending, RunEvent};
+use wisch::run::RunEvent;
 
 /// The schema of the records of events.
 pub const EVENT_SCHEMA: u32 = 1;
@@ -90,7 +90,7 @@ pub enum RunEventRecord {
         estimated_low: f64,
         /// Upper end of its 90 % interval.
         estimated_high: f64,
-        /// complete, stopped or protective stop.
+        /// complete, stopped, ended early or protective stop.
         ending: &'static str,
         /// What follows.
         verdict: &'static str,
@@ -188,11 +188,7 @@ impl<W: Write> EventWriter<W> {
                     estimated: estimate.mean,
                     estimated_low: estimate.low,
                     estimated_high: estimate.high,
-                    ending: match round.execution.ending {
-                        Ending::Complete => "complete",
-                        Ending::Stopped => "stopped",
-                        Ending::ProtectiveStop { .. } => "protective stop",
-                    },
+                    ending: round.execution.ending.as_str(),
                     verdict: round.verdict.as_str(),
                 }
             }

@@ -107,8 +107,8 @@ impl RoundSummary {
             },
             verdict: round.verdict.as_str(),
             ending: match &round.execution.ending {
-                Ending::Complete => "complete".to_owned(),
-                Ending::Stopped => "stopped".to_owned(),
+                ending @ (Ending::Complete | Ending::Stopped) => ending.as_str().to_owned(),
+                Ending::Early { time, cause } => format!("early at {time:.3} s: {cause}"),
                 Ending::ProtectiveStop { time, cause } => format!("at {time:.3} s: {cause}"),
             },
             execution_time_s: round.execution.duration,

@@ -50,6 +50,7 @@ pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
         perception: perception(&task.perception, source)?,
         execution: execution(&task.execution, source)?,
         max_rounds: task.execution.max_rounds.0 as usize,
+        end_strokes_early: task.execution.end_strokes_early,
         collect_goal: (task.collect.as_ref())
             .and_then(|collect| collect.goal_m)
             .map(point),

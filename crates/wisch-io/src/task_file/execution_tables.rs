@@ -72,6 +72,8 @@ pub(super) struct ExecutionTable {
     pub(super) max_bodies: Bodies,
     /// Most rounds of wiping and estimating.
     pub(super) max_rounds: Rounds,
+    /// Whether a round ends amid a stroke once contact is lost or the tool is led away, and the rest is planned anew.
+    pub(super) end_strokes_early: bool,
 }
 
 impl Default for ExecutionTable {
@@ -107,6 +109,7 @@ impl Default for ExecutionTable {
             // As many grains as are simulated at several times real time.
             max_bodies: Bodies(400),
             max_rounds: Rounds(4),
+            end_strokes_early: false,
         }
     }
 }

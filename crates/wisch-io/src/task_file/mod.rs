@@ -112,6 +112,7 @@ pub struct TaskFile {
     perception: Perception,
     execution: ExecutionRecord,
     max_rounds: usize,
+    end_strokes_early: bool,
     collect_goal: Option<Point2>,
     polish: Option<Treatment>,
     emit: Option<Treatment>,
@@ -284,6 +285,11 @@ impl TaskFile {
     /// How the particles are made.
     pub fn particle_source(&self) -> &ParticleSource {
         &self.particles
+    }
+
+    /// Whether a round ends amid a stroke that brings nothing any more, `execution.end_strokes_early`.
+    pub fn end_strokes_early(&self) -> bool {
+        self.end_strokes_early
     }
 
     /// How many rounds there may be, `execution.max_rounds`.

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use wisch::geometry::{Point2, Polygon, Region};
 use wisch::represent::{Fate, Observation};
 use wisch::robot::Range;
-use wisch::run::{Ending, Execution, StopCause};
+use wisch::run::{Ending, Execution, StopCause, StrokeEnd};
 
 /// Version of the record.
 pub const CHECKPOINT_SCHEMA: u32 = 5;
@@ -51,7 +51,22 @@ struct LookRecord {
 enum EndingRecord {
     Complete,
     Stopped,
-    ProtectiveStop { time_s: f64, cause: CauseRecord },
+    Early {
+        time_s: f64,
+        why: EarlyRecord,
+        metres: f64,
+    },
+    ProtectiveStop {
+        time_s: f64,
+        cause: CauseRecord,
+    },
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum EarlyRecord {
+    ContactLost,
+    LedAway,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -238,6 +253,17 @@ impl From<&Ending> for EndingRecord {
         let (time, cause) = match ending {
             Ending::Complete => return Self::Complete,
             Ending::Stopped => return Self::Stopped,
+            Ending::Early { time, cause } => {
+                let (why, metres) = match *cause {
+                    StrokeEnd::ContactLost { way } => (EarlyRecord::ContactLost, way),
+                    StrokeEnd::LedAway { distance } => (EarlyRecord::LedAway, distance),
+                };
+                return Self::Early {
+                    time_s: *time,
+                    why,
+                    metres,
+                };
+            }
             Ending::ProtectiveStop { time, cause } => (time, cause.clone()),
         };
         Self::ProtectiveStop {
@@ -277,6 +303,17 @@ impl From<EndingRecord> for Ending {
         let (time, cause) = match record {
             EndingRecord::Complete => return Self::Complete,
             EndingRecord::Stopped => return Self::Stopped,
+            EndingRecord::Early {
+                time_s: time,
+                why,
+                metres,
+            } => {
+                let cause = match why {
+                    EarlyRecord::ContactLost => StrokeEnd::ContactLost { way: metres },
+                    EarlyRecord::LedAway => StrokeEnd::LedAway { distance: metres },
+                };
+                return Self::Early { time, cause };
+            }
             EndingRecord::ProtectiveStop { time_s, cause } => (time_s, cause),
         };
         Self::ProtectiveStop {
@@ -348,6 +385,14 @@ mod tests {
             },
         ];
         let stops = causes.map(|cause| Ending::ProtectiveStop { time: 0.1, cause });
+        let early = [
+            StrokeEnd::ContactLost { way: 0.1 },
+            StrokeEnd::LedAway {
+                distance: 1.0 / 3.0,
+            },
+        ];
+        let early = early.map(|cause| Ending::Early { time: 0.1, cause });
+        let stops = early.into_iter().chain(stops);
         for ending in [Ending::Complete, Ending::Stopped].into_iter().chain(stops) {
             let execution = Execution {
                 duration: 12.345,

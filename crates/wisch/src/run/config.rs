@@ -41,6 +41,9 @@ pub struct RunConfig {
     pub max_rounds: usize,
     /// How far a round goes.
     pub pace: Pace,
+    /// Whether a round ends amid a stroke once touch tells that it brings nothing any more, because contact is lost or the
+    /// tool is led away; what is left is planned anew.
+    pub end_strokes_early: bool,
     /// How well the robot sees dirt; `None` for a robot that only feels.
     pub sight: Option<Sight>,
 }
@@ -56,6 +59,7 @@ impl Default for RunConfig {
             target: 0.95,
             max_rounds: 4,
             pace: Pace::Whole,
+            end_strokes_early: false,
             sight: None,
         }
     }

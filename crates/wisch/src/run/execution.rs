@@ -1,5 +1,6 @@
 //! What an execution gives, and how it ended.
 
+use super::StrokeEnd;
 use crate::robot::Range;
 
 /// How an execution ended; one that ended early is interpreted as far as it went.
@@ -9,6 +10,13 @@ pub enum Ending {
     Complete,
     /// Who took the samples stopped it.
     Stopped,
+    /// It was ended amid a stroke that brought nothing any more; see [`RunConfig::end_strokes_early`](super::RunConfig).
+    Early {
+        /// When [s].
+        time: f64,
+        /// Why.
+        cause: StrokeEnd,
+    },
     /// The robot stopped itself, as robots do that are caught on something or led far astray.
     ProtectiveStop {
         /// When [s].
@@ -16,6 +24,18 @@ pub enum Ending {
         /// Why.
         cause: StopCause,
     },
+}
+
+impl Ending {
+    /// The kind of it in a word or two, as records call it.
+    pub const fn as_str(&self) -> &'static str {
+        match self {
+            Self::Complete => "complete",
+            Self::Stopped => "stopped",
+            Self::Early { .. } => "ended early",
+            Self::ProtectiveStop { .. } => "protective stop",
+        }
+    }
 }
 
 /// Why a robot stopped itself: its position, a joint, or its own word.

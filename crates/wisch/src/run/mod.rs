@@ -12,6 +12,7 @@ mod executor;
 mod order;
 mod round;
 mod session;
+mod stroke_watch;
 mod telemetry;
 
 pub use config::{Pace, Performer, RunConfig};
@@ -23,6 +24,7 @@ pub use executor::{Executor, ExecutorError, NoExecutor, RecordedRound, Recording
 pub use order::{MotionOrder, Setpoint};
 pub use round::{PlannedRound, Round};
 pub use session::{Session, Stage};
+pub use stroke_watch::StrokeEnd;
 pub use telemetry::{RecordedSample, TelemetrySample};
 
 pub use crate::control::Wrench;

@@ -1,6 +1,7 @@
 //! The loop itself: one session, one stage at a time.
 
 use super::considered::{followed, unfollowed, within_reach};
+use super::stroke_watch::StrokeWatch;
 use super::{
     Considered, Ending, Execution, Executor, MotionOrder, Observer, Performer, PlannedRound, Round,
     RunConfig, RunError, RunEvent, unobserved,
@@ -513,7 +514,9 @@ impl<'a> Session<'a> {
             followed: &planned.followed,
         };
         let mut refused = None;
-        let execution = executor.execute(&order, &mut |sample| {
+        let mut watch = (self.config.end_strokes_early).then(|| StrokeWatch::new(&planned.task));
+        let mut ended_early = None;
+        let mut execution = executor.execute(&order, &mut |sample| {
             let touch = TouchSample {
                 time: sample.time,
                 world_from_tool: sample.world_from_tool,
@@ -523,8 +526,21 @@ impl<'a> Session<'a> {
                 refused = Some(error);
                 return ControlFlow::Break(());
             }
-            observer(&RunEvent::Sample(sample))
+            let flow = observer(&RunEvent::Sample(sample));
+            if flow.is_continue()
+                && let Some(cause) = watch.as_mut().and_then(|watch| watch.look(sample))
+            {
+                let time = sample.time;
+                ended_early = Some(Ending::Early { time, cause });
+                return ControlFlow::Break(());
+            }
+            flow
         })?;
+        if execution.ending == Ending::Stopped
+            && let Some(ending) = ended_early
+        {
+            execution.ending = ending;
+        }
         if let Some(error) = refused {
             return Err(error.into());
         }

@@ -1,0 +1,174 @@
+//! Whether a stroke still brings anything, as far as that is felt while it is wiped.
+
+use super::TelemetrySample;
+use crate::follow::Phase;
+use crate::geometry::{Point2, Pose};
+use crate::represent::Task;
+
+/// The share of the force that is pressed with below which nothing is wiped.
+const CONTACT_SHARE: f64 = 0.2;
+/// How far the tool wipes without contact before that is sure, in collision radii.
+const WITHOUT_CONTACT: f64 = 2.0;
+/// How long it is led off its way before that is sure [s].
+const LED_FOR: f64 = 0.3;
+
+/// Why a round was ended amid a stroke.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum StrokeEnd {
+    /// The tool went on without pressing on anything.
+    #[error("the tool had lost contact for {way:.2} m of its stroke")]
+    ContactLost {
+        /// How far [m].
+        way: f64,
+    },
+    /// Something led the tool off its stroke.
+    #[error("the tool had been led {distance:.2} m off its stroke")]
+    LedAway {
+        /// How far [m].
+        distance: f64,
+    },
+}
+
+/// Looks at the samples of a round, one after the other.
+#[derive(Debug)]
+pub(super) struct StrokeWatch {
+    surface_from_world: Pose,
+    /// Force below which there is no contact [N]; 0 for a tool that hovers.
+    least_force: f64,
+    radius: f64,
+    last: Option<(usize, Point2)>,
+    without_contact: f64,
+    led_since: Option<f64>,
+}
+
+impl StrokeWatch {
+    pub(super) fn new(task: &Task) -> Self {
+        let hovers = task.interaction.gap_m > 0.0;
+        Self {
+            surface_from_world: task.surface.world_from_surface.inverse(),
+            least_force: if hovers {
+                0.0
+            } else {
+                CONTACT_SHARE * task.interaction.press_force_n
+            },
+            radius: task.tool.collision_radius(),
+            last: None,
+            without_contact: 0.0,
+            led_since: None,
+        }
+    }
+
+    /// Why the stroke brings nothing any more, if this sample shows it.
+    pub(super) fn look(&mut self, sample: &TelemetrySample<'_>) -> Option<StrokeEnd> {
+        let Phase::Wipe(stroke) = sample.phase else {
+            self.begin_anew();
+            return None;
+        };
+        let in_surface = |pose: &Pose| (self.surface_from_world * pose).translation.vector.xy();
+        let at = Point2::from(in_surface(&sample.world_from_tool));
+        let wanted = Point2::from(in_surface(&sample.world_from_commanded));
+        let way = match self.last.replace((stroke, at)) {
+            Some((last, before)) if last == stroke => (at - before).norm(),
+            _ => {
+                self.begin_anew();
+                self.last = Some((stroke, at));
+                0.0
+            }
+        };
+        let pressed = (self.surface_from_world.rotation * sample.external.force).z;
+        self.without_contact = if pressed < self.least_force {
+            self.without_contact + way
+        } else {
+            0.0
+        };
+        if self.without_contact > WITHOUT_CONTACT * self.radius {
+            let way = self.without_contact;
+            return Some(StrokeEnd::ContactLost { way });
+        }
+        let distance = (at - wanted).norm();
+        self.led_since = (distance > self.radius).then(|| self.led_since.unwrap_or(sample.time));
+        (self.led_since)
+            .filter(|since| sample.time - since >= LED_FOR)
+            .map(|_| StrokeEnd::LedAway { distance })
+    }
+
+    fn begin_anew(&mut self) {
+        self.last = None;
+        self.without_contact = 0.0;
+        self.led_since = None;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::control::Wrench;
+    use crate::geometry::Vector3;
+
+    fn watch() -> StrokeWatch {
+        StrokeWatch {
+            surface_from_world: Pose::identity(),
+            least_force: 2.0,
+            radius: 0.05,
+            last: None,
+            without_contact: 0.0,
+            led_since: None,
+        }
+    }
+
+    /// A stroke of 0.3 m in 3 s; `touch` says at a time how hard the tool presses and how far it is off.
+    fn ended(phase: Phase, touch: impl Fn(f64) -> (f64, f64)) -> Option<(f64, StrokeEnd)> {
+        let mut watch = watch();
+        (0..3000).find_map(|i| {
+            let time = f64::from(i) * 1e-3;
+            let (pressed, off) = touch(time);
+            let pose = Pose::translation(0.1 * time, off, 0.0);
+            let end = watch.look(&TelemetrySample {
+                time,
+                positions: &[],
+                velocities: &[],
+                efforts: &[],
+                world_from_commanded: Pose::translation(0.1 * time, 0.0, -0.01),
+                world_from_tool: pose,
+                controller: Wrench::default(),
+                external: Wrench {
+                    force: Vector3::new(0.0, 0.0, pressed),
+                    ..Wrench::default()
+                },
+                motion: 0,
+                phase,
+            });
+            end.map(|end| (time, end))
+        })
+    }
+
+    #[test]
+    fn a_stroke_that_presses_where_it_should_is_not_ended() {
+        assert_eq!(ended(Phase::Wipe(0), |_| (10.0, 0.01)), None);
+        // A tool that jumps over an edge now and then, and one that is shoved for a moment.
+        let bumpy = |time: f64| (if time % 1.0 < 0.5 { 0.0 } else { 10.0 }, 0.0);
+        assert_eq!(ended(Phase::Wipe(0), bumpy), None);
+        let shoved = |time: f64| (10.0, if (1.0..1.2).contains(&time) { 0.1 } else { 0.0 });
+        assert_eq!(ended(Phase::Wipe(0), shoved), None);
+    }
+
+    #[test]
+    fn a_stroke_without_contact_is_ended_after_two_radii() {
+        let (time, end) = ended(Phase::Wipe(0), |time| {
+            (if time < 1.0 { 10.0 } else { 0.5 }, 0.0)
+        })
+        .expect("it is ended");
+        assert!((time - 2.0).abs() < 0.01, "{time} s");
+        assert!(matches!(end, StrokeEnd::ContactLost { way } if (way - 0.1).abs() < 1e-3));
+        // In the air nothing is pressed on.
+        assert_eq!(ended(Phase::Lifted, |_| (0.0, 0.0)), None);
+    }
+
+    #[test]
+    fn a_stroke_that_is_led_away_is_ended() {
+        let led = |time: f64| (10.0, if time > 1.0 { 0.06 } else { 0.0 });
+        let (time, end) = ended(Phase::Wipe(0), led).expect("it is ended");
+        assert!((time - 1.3).abs() < 0.01, "{time} s");
+        assert!(matches!(end, StrokeEnd::LedAway { distance } if (distance - 0.06).abs() < 1e-9));
+    }
+}
