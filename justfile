@@ -29,6 +29,10 @@ ci:
 bench *options:
     cargo bench --workspace --locked {{options}}
 
+# How long each stage takes, and how that grows with the dirt: a table and a plot.
+growth plot="out/growth.svg":
+    cargo run --release --locked --package wisch-eval --example growth -- {{plot}}
+
 # Feed a reader of files with what nobody would write (needs a nightly Rust and cargo-fuzz).
 fuzz target="task" seconds="60":
     cargo +nightly fuzz run {{target}} -- -max_total_time={{seconds}}

@@ -76,6 +76,7 @@ impl LoadedTask {
             target: self.file.target_performance(),
             max_rounds: self.file.max_rounds(),
             end_strokes_early: self.file.end_strokes_early(),
+            pace: self.file.pace(),
             sight: self
                 .file
                 .perception()

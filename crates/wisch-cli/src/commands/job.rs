@@ -32,7 +32,7 @@ impl Job<'_> {
         let (pace, usual_rounds) = if args.is_some_and(|args| args.greedy) {
             (Pace::Greedy, GREEDY_ROUNDS * self.prepared.max_rounds())
         } else {
-            (Pace::Whole, self.prepared.max_rounds())
+            (self.prepared.file.pace(), self.prepared.max_rounds())
         };
         let rounds = args.and_then(|args| args.rounds);
         RunConfig {

@@ -51,6 +51,7 @@ pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
         execution: execution(&task.execution, source)?,
         max_rounds: task.execution.max_rounds.0 as usize,
         end_strokes_early: task.execution.end_strokes_early,
+        pace: task.execution.pace.into(),
         collect_goal: (task.collect.as_ref())
             .and_then(|collect| collect.goal_m)
             .map(point),

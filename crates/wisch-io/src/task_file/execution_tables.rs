@@ -11,6 +11,7 @@ use super::values::{
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
+use wisch::run::Pace;
 
 /// What a simulated execution takes for real, hidden from planner and interpreter.
 #[derive(Deserialize, JsonSchema)]
@@ -74,6 +75,26 @@ pub(super) struct ExecutionTable {
     pub(super) max_rounds: Rounds,
     /// Whether a round ends amid a stroke once contact is lost or the tool is led away, and the rest is planned anew.
     pub(super) end_strokes_early: bool,
+    /// How far a round goes before its outcome is looked at: a whole plan, or the segment that is predicted to gain most.
+    pub(super) pace: PaceName,
+}
+
+/// How far a round goes.
+#[derive(Deserialize, JsonSchema, Clone, Copy)]
+#[serde(rename = "pace", rename_all = "snake_case")]
+#[schemars(rename = "Pace", inline)]
+pub(super) enum PaceName {
+    Whole,
+    Greedy,
+}
+
+impl From<PaceName> for Pace {
+    fn from(name: PaceName) -> Self {
+        match name {
+            PaceName::Whole => Self::Whole,
+            PaceName::Greedy => Self::Greedy,
+        }
+    }
 }
 
 impl Default for ExecutionTable {
@@ -110,6 +131,7 @@ impl Default for ExecutionTable {
             max_bodies: Bodies(400),
             max_rounds: Rounds(4),
             end_strokes_early: false,
+            pace: PaceName::Whole,
         }
     }
 }

@@ -27,6 +27,7 @@ use wisch::follow::WorkcellConfig;
 use wisch::geometry::{Point2, Pose, Vector3};
 use wisch::plan::HeadingRule;
 use wisch::represent::{Action, ScenePart, Surface, Task, Treatment};
+use wisch::run::Pace;
 use wisch::source_location::Place;
 
 /// The schema that this version reads.
@@ -113,6 +114,7 @@ pub struct TaskFile {
     execution: ExecutionRecord,
     max_rounds: usize,
     end_strokes_early: bool,
+    pace: Pace,
     collect_goal: Option<Point2>,
     polish: Option<Treatment>,
     emit: Option<Treatment>,
@@ -290,6 +292,11 @@ impl TaskFile {
     /// Whether a round ends amid a stroke that brings nothing any more, `execution.end_strokes_early`.
     pub fn end_strokes_early(&self) -> bool {
         self.end_strokes_early
+    }
+
+    /// How far a round goes, `execution.pace`.
+    pub fn pace(&self) -> Pace {
+        self.pace
     }
 
     /// How many rounds there may be, `execution.max_rounds`.
