@@ -83,7 +83,6 @@ impl LoadedTask {
                 .sight
                 .map(|sensor| self.sight(sensor)),
             follow: self.follow_config(),
-            ..RunConfig::default()
         }
     }
 

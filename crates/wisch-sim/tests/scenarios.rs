@@ -201,9 +201,7 @@ fn a_round_ends_amid_a_stroke_that_somebody_leads_away_and_the_rest_is_planned_a
     assert!(*time < first.motion.followed.duration());
     assert_eq!(first.execution.duration.to_bits(), time.to_bits());
     assert_eq!(second.execution.ending, Ending::Complete);
-    let estimated = session
-        .rounds()
-        .iter()
-        .map(|round| round.interpretation.performance.mean);
-    assert!(estimated.clone().last() > estimated.clone().next());
+    let estimated = |round: &Round| round.interpretation.performance.mean;
+    let last = &session.rounds()[session.rounds().len() - 1];
+    assert!(estimated(last) > estimated(first));
 }

@@ -189,6 +189,63 @@ impl Search<'_> {
         })
     }
 
+    /// The tool put down at the first pose, in an orientation.
+    fn begin(&self, orientation: &ToolOrientation, start: u64) -> Result<Begun, Attempt> {
+        let (arm, now, planned) = (self.arm, self.now, &self.planned[0]);
+        let (known, lift_height, seed) = (self.known, self.lift_height, self.seed);
+        let heading = now
+            .tool
+            .map_or(planned.heading, |tool| tool.surface_from_tool.heading);
+        let pose = turned(planned, orientation, heading);
+        let lifted = pose.lifted(lift_height);
+        let failed = |progress: f64, obstruction| Attempt {
+            rotation: orientation.rotation,
+            tilt: orientation.tilt,
+            progress,
+            obstruction,
+        };
+        let (over, above) = match (start, now.tool) {
+            (0, Some(tool)) => {
+                let path = arm
+                    .along(&now.q, &tool, &lifted, AllowedContact::None)
+                    .map_err(|broken| failed(broken.progress, broken.obstruction))?;
+                let above = *path.last().unwrap_or(&now.q);
+                (Some(path), above)
+            }
+            _ => {
+                let ready = arm.ready();
+                let near: Vec<&[f64]> = (known.into_iter().chain([&now.q, &ready]))
+                    .map(|q| &q[..])
+                    .collect();
+                // The first start looks near the current configuration, the others anywhere.
+                let mut found =
+                    arm.reach_free(&lifted, if start == 1 { &near } else { &[] }, seed ^ start);
+                for i in 1..FREE_TRIES {
+                    if !matches!(
+                        found,
+                        Err(Obstruction::SelfCollision { .. }
+                            | Obstruction::SceneCollision { .. }
+                            | Obstruction::SecondHand { .. })
+                    ) {
+                        break;
+                    }
+                    found = arm.reach_free(&lifted, &[], seed ^ start ^ (i << 16));
+                }
+                (None, found.map_err(|obstruction| failed(0.0, obstruction))?)
+            }
+        };
+        let down = arm
+            .along(&above, &lifted, &pose, AllowedContact::Surface)
+            .map_err(|broken| failed(broken.progress, broken.obstruction))?;
+        Ok(Begun {
+            over,
+            above,
+            down,
+            pose,
+            orientation: *orientation,
+        })
+    }
+
     /// One configuration: whether it gives the best run so far; `None` if the tool cannot be put down.
     fn try_one(
         &mut self,
@@ -198,16 +255,7 @@ impl Search<'_> {
         search: SearchScope,
     ) -> Option<bool> {
         let (arm, now, planned) = (self.arm, self.now, self.planned);
-        let begun = match begin(
-            arm,
-            now,
-            &planned[0],
-            self.known,
-            self.lift_height,
-            orientation,
-            start,
-            self.seed,
-        ) {
+        let begun = match self.begin(orientation, start) {
             Ok(begun) => begun,
             Err(attempt) => {
                 self.attempts.push(attempt);
@@ -249,69 +297,6 @@ impl Begun {
     fn start(&self) -> JointPositions {
         *self.down.last().unwrap_or(&self.above)
     }
-}
-
-fn begin(
-    arm: &Arm,
-    now: &Now,
-    planned: &PlanarPose,
-    known: Option<&JointPositions>,
-    lift_height: f64,
-    orientation: &ToolOrientation,
-    start: u64,
-    seed: u64,
-) -> Result<Begun, Attempt> {
-    let heading = now
-        .tool
-        .map_or(planned.heading, |tool| tool.surface_from_tool.heading);
-    let pose = turned(planned, orientation, heading);
-    let lifted = pose.lifted(lift_height);
-    let failed = |progress: f64, obstruction| Attempt {
-        rotation: orientation.rotation,
-        tilt: orientation.tilt,
-        progress,
-        obstruction,
-    };
-    let (over, above) = match (start, now.tool) {
-        (0, Some(tool)) => {
-            let path = arm
-                .along(&now.q, &tool, &lifted, AllowedContact::None)
-                .map_err(|broken| failed(broken.progress, broken.obstruction))?;
-            let above = *path.last().unwrap_or(&now.q);
-            (Some(path), above)
-        }
-        _ => {
-            let ready = arm.ready();
-            let near: Vec<&[f64]> = (known.into_iter().chain([&now.q, &ready]))
-                .map(|q| &q[..])
-                .collect();
-            // The first start looks near the current configuration, the others anywhere.
-            let mut found =
-                arm.reach_free(&lifted, if start == 1 { &near } else { &[] }, seed ^ start);
-            for i in 1..FREE_TRIES {
-                if !matches!(
-                    found,
-                    Err(Obstruction::SelfCollision { .. }
-                        | Obstruction::SceneCollision { .. }
-                        | Obstruction::SecondHand { .. })
-                ) {
-                    break;
-                }
-                found = arm.reach_free(&lifted, &[], seed ^ start ^ (i << 16));
-            }
-            (None, found.map_err(|obstruction| failed(0.0, obstruction))?)
-        }
-    };
-    let down = arm
-        .along(&above, &lifted, &pose, AllowedContact::Surface)
-        .map_err(|broken| failed(broken.progress, broken.obstruction))?;
-    Ok(Begun {
-        over,
-        above,
-        down,
-        pose,
-        orientation: *orientation,
-    })
 }
 
 impl Contact {
