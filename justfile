@@ -29,6 +29,10 @@ ci:
 bench *options:
     cargo bench --workspace --locked {{options}}
 
+# One table of what wisch and its peers take for the same computations (needs what peers/requirements.txt lists).
+bench-peers:
+    python3 peers/table.py
+
 # How long each stage takes, and how that grows with the dirt: a table and a plot.
 growth plot="out/growth.svg":
     cargo run --release --locked --package wisch-eval --example growth -- {{plot}}

@@ -47,8 +47,8 @@ def wisch(path, repeats):
     return after, float(run.stderr.splitlines()[-1]) * 1e-6
 
 
-def main():
-    print(f"{'particles':>10} {'wisch [us]':>12} {'NumPy [us]':>12} {'NumPy/wisch':>12} {'apart [m]':>10}")
+def compared():
+    """Particles, our time and theirs [s], and how far apart the answers are [m]."""
     with tempfile.TemporaryDirectory() as folder:
         for count in (400, 10_000, 100_000, 1_000_000):
             points = numpy.random.default_rng(count).uniform(-0.5, 0.5, (count, 2))
@@ -57,8 +57,14 @@ def main():
             ours, our_time = wisch(path, 51)
             theirs, their_time = timed(push, points, 51)
             apart = numpy.abs(ours - theirs).max()
-            print(f"{count:>10} {our_time * 1e6:>12.1f} {their_time * 1e6:>12.1f} "
-                  f"{their_time / our_time:>12.1f} {apart:>10.1e}")
+            yield count, our_time, their_time, apart
+
+
+def main():
+    print(f"{'particles':>10} {'wisch [us]':>12} {'NumPy [us]':>12} {'NumPy/wisch':>12} {'apart [m]':>10}")
+    for count, our_time, their_time, apart in compared():
+        print(f"{count:>10} {our_time * 1e6:>12.1f} {their_time * 1e6:>12.1f} "
+              f"{their_time / our_time:>12.1f} {apart:>10.1e}", flush=True)
 
 
 if __name__ == "__main__":

@@ -108,13 +108,19 @@ def print_best():
     print(f"uniform200, open from the first point: {path:.6f}")
 
 
-def compare():
-    print("nodes   wisch/LKH length   time   OR-tools/LKH length   time   (time: share of LKH's)")
+def compared():
+    """Nodes, then length and time [s] of LKH's tour, of ours, and of OR-tools' within the time of ours."""
     for count in UNIFORM_COUNTS:
         points = read_points(data_file(count))
         best, lkh_seconds = lkh(points, runs=1)
         ours, our_seconds = wisch(data_file(count))
         theirs, their_seconds = ortools_routing(points, seconds=max(0.1, our_seconds))
+        yield count, (best, lkh_seconds), (ours, our_seconds), (theirs, their_seconds)
+
+
+def compare():
+    print("nodes   wisch/LKH length   time   OR-tools/LKH length   time   (time: share of LKH's)")
+    for count, (best, lkh_seconds), (ours, our_seconds), (theirs, their_seconds) in compared():
         print(
             f"{count:5}   {ours / best:16.4f} {our_seconds / lkh_seconds:7.3f}"
             f"   {theirs / best:18.4f} {their_seconds / lkh_seconds:7.3f}",
