@@ -37,7 +37,7 @@ struct Panel {
 }
 
 /// How many particles there are.
-const PARTICLES: [usize; 4] = [20, 80, 320, 1280];
+const PARTICLES: [usize; 3] = [20, 80, 320];
 /// The same for the effect model alone.
 const STROKES_OVER: [usize; 5] = [100, 1_000, 10_000, 100_000, 1_000_000];
 /// How many members the belief has, of 80 particles each.
@@ -202,7 +202,7 @@ fn stages(
         settings: vec![
             ("particles.count".to_owned(), count.to_string()),
             ("perception.senses".to_owned(), "[\"touch\"]".to_owned()),
-            ("execution.max_bodies".to_owned(), "2000".to_owned()),
+            ("execution.max_bodies".to_owned(), "500".to_owned()),
         ],
         strategy: Some(strategy),
         seed: Some(1),

@@ -78,13 +78,14 @@ const fn counted(performance: &Performance) -> i64 {
 }
 
 /// The strip along the edges over which nothing is to fall, as wide as a heap needs.
+#[derive(Debug, Clone)]
 pub(super) struct EdgeMargin {
     edges: Vec<Edge>,
     /// Depth of a heap of all particles [m].
     heap: f64,
     before: ParticleDistribution,
-    /// Particles that the last motion pushed.
-    pushed: Vec<usize>,
+    /// Particles that the last motion pushed, and from where.
+    pushed: Vec<(usize, Point2)>,
     /// How near to an edge each particle came in the worst case, over the width of the margin [1].
     nearness: Vec<f64>,
     world_from_surface: Pose,
@@ -118,25 +119,35 @@ impl EdgeMargin {
 
     /// Takes in where the particles lie after a motion.
     pub(super) fn pass(&mut self, after: &ParticleField) {
+        self.pass_of(after, 0..self.before.len());
+    }
+
+    /// The same where only these may have moved since the last time; one may be named twice.
+    pub(super) fn pass_of(
+        &mut self,
+        after: &ParticleField,
+        moved: impl IntoIterator<Item = usize>,
+    ) {
         self.pushed.clear();
-        for i in 0..self.before.len() {
+        for i in moved {
             let (place, fate) = after.place(i);
-            if fate == Fate::OnSurface && place != self.before.position(i) {
-                self.pushed.push(i);
+            let from = self.before.position(i);
+            if fate == Fate::OnSurface && place != from {
+                self.pushed.push((i, from));
             }
+            self.before.put(i, place, fate);
         }
         let share = self.pushed.len() as f64 / self.before.len().max(1) as f64;
         let width = heap_depth(self.heap, share);
-        for &i in &self.pushed {
+        for &(i, from) in &self.pushed {
             let (place, _) = after.place(i);
             let distances = self.edges.iter().map(|edge| edge.distance(place));
             let distance = distances.fold(width, f64::min);
             self.nearness[i] = self.nearness[i].max(1.0 - distance / width);
-            let along = (place - self.before.position(i)).normalize();
+            let along = (place - from).normalize();
             let reach = along + heap_slide(&self.world_from_surface, along);
             self.ahead[i] = reach * (width * RIM_DEPTH / HEAP_DEPTH);
         }
-        after.copy_to(&mut self.before);
     }
 
     /// How near to an edge the particles came, each over the width of the margin [1].

@@ -157,6 +157,13 @@ impl EffectModel {
         }
     }
 
+    /// Goes on as if the tool had lifted off so many times, and carries nothing.
+    pub(crate) fn resume_after(&mut self, contacts: u32) {
+        if let Some(heap) = &mut self.heap {
+            heap.resume(contacts);
+        }
+    }
+
     /// Applies one motion in contact to the particles.
     pub fn apply(
         &mut self,

@@ -83,6 +83,12 @@ impl Heap {
         }
     }
 
+    /// Nothing is carried, after so many contacts.
+    pub(super) fn resume(&mut self, contacts: u32) {
+        self.carried.clear();
+        self.contact = contacts;
+    }
+
     /// A motion begins.
     pub(super) fn begin(&mut self, motion: &ToolMotion, surface: &Surface) {
         self.carried.clear();

@@ -133,6 +133,13 @@ impl ParticleDistribution {
         })
     }
 
+    /// Puts a particle to another place, with another fate.
+    pub(crate) fn put(&mut self, index: usize, place: Point2, fate: Fate) {
+        self.x[index] = place.x;
+        self.y[index] = place.y;
+        self.fate[index] = fate;
+    }
+
     /// Those with these numbers, in this order.
     pub(crate) fn chosen(&self, numbers: &[usize]) -> Self {
         let mut chosen = Self {

@@ -6,6 +6,7 @@ use crate::random::normal;
 use crate::represent::{Action, GoalState, Task};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
+use std::collections::HashMap;
 
 /// Small and large steps of a place [m] and of a heading [rad], as standard deviations; places over the tool's size.
 const STEPS: [f64; 3] = [0.03, 0.12, 0.5];
@@ -79,6 +80,36 @@ impl Draft {
     }
 }
 
+/// What is known of where the tool may go: most of a stroke stays as it was when a part of it changes.
+#[derive(Default)]
+pub(super) struct KnownWays {
+    places: HashMap<[u64; 2], bool>,
+    legs: HashMap<[u64; 4], bool>,
+}
+
+impl KnownWays {
+    /// At most so many places and legs are remembered.
+    const MOST: usize = 1 << 16;
+
+    /// Whether the tool may stand here within a stroke.
+    fn is_free(&mut self, space: &FreeSpace, place: Point2) -> bool {
+        if self.places.len() >= Self::MOST {
+            self.places.clear();
+        }
+        let key = [place.x, place.y].map(f64::to_bits);
+        *(self.places.entry(key)).or_insert_with(|| space.is_free(place))
+    }
+
+    /// Whether the tool may go straight from `a` to `b`.
+    fn is_clear(&mut self, space: &FreeSpace, a: Point2, b: Point2) -> bool {
+        if self.legs.len() >= Self::MOST {
+            self.legs.clear();
+        }
+        let key = [a.x, a.y, b.x, b.y].map(f64::to_bits);
+        *(self.legs.entry(key)).or_insert_with(|| space.is_clear_between(a, b))
+    }
+}
+
 /// Changes drafts at random, within what the tool may do.
 pub(super) struct Mutator<'a> {
     pub(super) task: &'a Task,
@@ -86,6 +117,7 @@ pub(super) struct Mutator<'a> {
     pub(super) allowed_edges: &'a [Edge],
     /// Where the tool must not go, such as where no robot leads it [m].
     pub(super) avoid: &'a [Point2],
+    pub(super) ways: KnownWays,
     pub(super) footprint: Bounds2,
     pub(super) random: ChaCha8Rng,
 }
@@ -131,18 +163,18 @@ impl Mutator<'_> {
     }
 
     /// Whether the tool may make a stroke.
-    pub(super) fn is_possible(&self, poses: &[PlanarPose]) -> bool {
+    pub(super) fn is_possible(&mut self, poses: &[PlanarPose]) -> bool {
         let ends_well = poses
             .last()
             .is_some_and(|pose| self.is_allowed(pose.position));
         let mut before = poses.iter().rev().skip(1);
+        let (ways, space) = (&mut self.ways, self.space);
         ends_well
             && !poses.iter().any(|pose| is_near(self.avoid, pose.position))
-            && before.all(|pose| self.space.is_free(pose.position))
-            && poses.windows(2).all(|pair| {
-                let (from, to) = (pair[0].position, pair[1].position);
-                self.space.is_clear_between(from, to)
-            })
+            && before.all(|pose| ways.is_free(space, pose.position))
+            && poses
+                .windows(2)
+                .all(|pair| ways.is_clear(space, pair[0].position, pair[1].position))
     }
 
     /// Whether a stroke may end at a place: on the surface, or a little beyond an edge over which dirt is to go.

@@ -2,19 +2,21 @@
 //!
 //! Simulated annealing (Kirkpatrick, Gelatt and Vecchi, 1983) over the poses of all strokes. A step moves, turns, adds,
 //! drops, joins or reorders strokes (`draft`), and the effect model says what the plan then does to all of the dirt
-//! (`value`). Nothing is bound to nodes of a coverage graph: those of the other strategies only give the plans to begin
+//! (`trials`, `value`). Nothing is bound to nodes of a coverage graph: those of the other strategies only give the plans to begin
 //! with.
 
 mod draft;
+mod trials;
 mod value;
 
 use super::{FreeSpace, Node, NodeRole, Plan, PlanConfig, SemanticDirectedGraph, Strategy, Stroke};
 use crate::geometry::{PlanarPose, Point2};
 use crate::represent::{GoalState, ParticleDistribution, Task};
-use draft::{Draft, Mutator};
+use draft::{Draft, KnownWays, Mutator};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use rayon::prelude::*;
+use trials::Trials;
 pub(super) use value::Judge;
 use value::Value;
 
@@ -49,7 +51,7 @@ pub(super) fn searched(
     let mut starts: Vec<(Value, Draft)> = begun_with
         .iter()
         .map(|plan| Draft::of(plan).without(avoid))
-        .map(|draft| (judge.value(&draft), draft))
+        .map(|draft| (Trials::new(&judge, &draft.goal).value(&draft), draft))
         .collect();
     starts.sort_by(|a, b| b.0.worth.total_cmp(&a.0.worth));
     let pattern = begun_with.first()?;
@@ -62,10 +64,11 @@ pub(super) fn searched(
             space,
             allowed_edges: judge.allowed_edges(),
             avoid,
+            ways: KnownWays::default(),
             footprint: task.tool.footprint.bounds()?,
             random,
         };
-        let budget = evaluations / (SEARCHES * judge.worlds()).max(1);
+        let budget = evaluations / (SEARCHES * judge.worlds().len()).max(1);
         Some(annealed(&judge, &mut mutator, (value, draft), budget, hot))
     });
     let found: Vec<Option<(Value, Draft)>> = searches.collect();
@@ -81,7 +84,8 @@ pub(super) fn searched(
 
 /// What a plan is worth to the search, in shares of the dirt [1].
 pub(super) fn worth(judge: &Judge<'_>, plan: &Plan) -> f64 {
-    judge.value(&Draft::exactly(plan)).worth
+    let draft = Draft::exactly(plan);
+    Trials::new(judge, &draft.goal).value(&draft).worth
 }
 
 fn annealed(
@@ -93,6 +97,9 @@ fn annealed(
 ) -> (Value, Draft) {
     let mut now = start.clone();
     let mut best = start;
+    let mut trials = Trials::new(judge, &now.1.goal);
+    trials.value(&now.1);
+    trials.keep();
     let cold = TEMPERATURES[1];
     let (mut judged, mut refused) = (0, 0);
     while judged < budget && refused < MAX_REFUSED * budget {
@@ -103,10 +110,11 @@ fn annealed(
         let passed = judged as f64 / budget as f64;
         let temperature = hot * libm::pow(cold / hot, passed);
         judged += 1;
-        let value = judge.value(&draft);
+        let value = trials.value(&draft);
         let gain = value.worth - now.0.worth;
         let chance: f64 = mutator.random.random();
         if gain >= 0.0 || chance < libm::exp(gain / temperature) {
+            trials.keep();
             now = (value, draft);
             if now.0.worth > best.0.worth {
                 best = now.clone();

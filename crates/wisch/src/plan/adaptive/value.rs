@@ -6,8 +6,7 @@ use crate::plan::FreeSpace;
 use crate::plan::objective::{EdgeMargin, LOSS, RISK};
 use crate::random::normal_pair;
 use crate::represent::{
-    Effect, EffectModel, GoalState, ParticleDistribution, ParticleField, Performance, Task,
-    ToolMotion,
+    GoalState, ParticleDistribution, ParticleField, Performance, Task, ToolMotion,
 };
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
@@ -35,11 +34,6 @@ pub(super) struct Value {
     pub(super) left: Vec<Point2>,
 }
 
-/// How far the force has not yet risen when a stroke begins [m].
-const LANDING: f64 = 0.005;
-/// Depth of a heap of all particles, over the radius of the collision sphere: between what the belief draws and
-/// [`HEAP_DEPTH`](crate::represent::HEAP_DEPTH) [1].
-const HEAP: f64 = 0.2;
 /// By how much the tool is narrower to each side, at most, than what it carries needs: heaps leak at its ends [m].
 const LEAK: f64 = 0.012;
 /// Radius of the goal within which dirt is to end where strokes are searched for, over the goal's [1].
@@ -48,13 +42,22 @@ const RIM: f64 = 0.75;
 const STREAM: u64 = 0x6772_6173_7000_0000;
 
 /// Dirt as it may lie, and the tool as it may be held.
-struct World {
-    dirt: ParticleDistribution,
-    field: ParticleField,
+pub(super) struct World {
+    pub(super) dirt: ParticleDistribution,
+    pub(super) field: ParticleField,
     /// Of the tool in the hand, and its size over the believed one.
-    grasp: PlanarPose,
-    footprint: Region,
-    heap: Option<u64>,
+    pub(super) grasp: PlanarPose,
+    pub(super) footprint: Region,
+    pub(super) heap: Option<u64>,
+}
+
+/// A world amid a draft.
+#[derive(Clone)]
+pub(super) struct State {
+    pub(super) field: ParticleField,
+    pub(super) margin: Option<EdgeMargin>,
+    /// Particles that the last motion touched: they may move once more when the tool lifts off.
+    pub(super) touched: Vec<usize>,
 }
 
 /// Judges plans for one task.
@@ -127,14 +130,12 @@ impl<'a> Judge<'a> {
         Self { rim: RIM, ..self }
     }
 
-    /// What a draft is worth on average.
-    pub(super) fn value(&self, draft: &Draft) -> Value {
+    /// What a draft is worth that leaves its worlds so.
+    pub(super) fn value(&self, draft: &Draft, after: &[State]) -> Value {
         let mut left = Vec::new();
-        let worths = self
-            .worlds
-            .iter()
-            .map(|world| self.gain(world, draft, &mut left));
-        let gain = worths.sum::<f64>() / self.worlds.len() as f64;
+        let worlds = self.worlds.iter().zip(after);
+        let gains = worlds.map(|(world, state)| self.gain(world, state, &draft.goal, &mut left));
+        let gain = gains.sum::<f64>() / self.worlds.len() as f64;
         let beyond = (draft.distance() - self.max_distance).max(0.0);
         Value {
             worth: gain - self.per_metre * self.cost(draft) - BEYOND * beyond,
@@ -163,40 +164,11 @@ impl<'a> Judge<'a> {
         cost
     }
 
-    /// The share of the dirt that a draft brings where it belongs in a world, less what it loses or risks [1]; and where dirt
-    /// is left.
-    fn gain(&self, world: &World, draft: &Draft, left: &mut Vec<Point2>) -> f64 {
-        let goal = &draft.goal;
+    /// The share of the dirt that is brought where it belongs in a world, less what is lost or at risk [1]; and where dirt is
+    /// left.
+    fn gain(&self, world: &World, state: &State, goal: &GoalState, left: &mut Vec<Point2>) -> f64 {
         let surface = &self.task.surface;
-        let mut field = world.field.clone();
-        let mut model = EffectModel::new(&world.footprint, goal.action().effect());
-        if let Some(seed) = world.heap
-            && goal.action().effect() == Effect::Push
-        {
-            model = model.with_heap(HEAP * self.radius, seed);
-        }
-        let is_pushing = goal.action().effect() == Effect::Push;
-        let mut margin =
-            is_pushing.then(|| EdgeMargin::new(&world.dirt, surface, goal, self.radius));
-        for stroke in &draft.strokes {
-            for (i, pair) in stroke.windows(2).enumerate() {
-                let mut motion = ToolMotion {
-                    from: pair[0],
-                    to: pair[1],
-                };
-                if world.heap.is_some() {
-                    motion = late(motion, i == 0);
-                    motion.from = held(&motion.from, &world.grasp);
-                    motion.to = held(&motion.to, &world.grasp);
-                }
-                model.apply(&mut field, surface, &motion);
-                if let Some(margin) = &mut margin {
-                    margin.pass(&field);
-                }
-            }
-            model.lift_off(&mut field, surface);
-        }
-        let after = field.distribution();
+        let after = state.field.distribution();
         let wanted = match *goal {
             GoalState::Collected { center, radius } if world.heap.is_some() => {
                 GoalState::Collected {
@@ -214,7 +186,7 @@ impl<'a> Judge<'a> {
                 left.push(place);
             }
         }
-        let risk = margin.map_or(0.0, |margin| {
+        let risk = state.margin.as_ref().map_or(0.0, |margin| {
             RISK * margin.nearness() + margin.beyond(&wanted, &surface.outline)
         });
         let gain = performance.achieved as f64
@@ -236,32 +208,22 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// How many worlds there are: each takes an evaluation.
-    pub(super) fn worlds(&self) -> usize {
-        self.worlds.len()
+    /// The worlds that a draft is tried in: each takes an evaluation.
+    pub(super) fn worlds(&self) -> &[World] {
+        &self.worlds
+    }
+
+    pub(super) fn task(&self) -> &Task {
+        self.task
+    }
+
+    /// Radius of the collision sphere [m].
+    pub(super) fn radius(&self) -> f64 {
+        self.radius
     }
 
     /// The edges over which dirt is to go.
     pub(super) fn allowed_edges(&self) -> &[Edge] {
         &self.allowed_edges
     }
-}
-
-/// A motion whose contact begins a little late, if it is a stroke's first.
-fn late(motion: ToolMotion, is_first: bool) -> ToolMotion {
-    let (along, length) = motion.travel();
-    if !is_first || length <= LANDING {
-        return motion;
-    }
-    let share = LANDING / length;
-    let heading = motion.from.heading + motion.turn() * share;
-    ToolMotion {
-        from: PlanarPose::new(motion.from.position + along * LANDING, heading),
-        ..motion
-    }
-}
-
-/// A tool's pose if it sits so in the hand.
-fn held(pose: &PlanarPose, grasp: &PlanarPose) -> PlanarPose {
-    PlanarPose::new(pose.transform(grasp.position), pose.heading + grasp.heading)
 }

@@ -1,0 +1,191 @@
+//! Plans tried in worlds, one after the other; what they begin with alike is simulated once.
+
+use super::draft::Draft;
+use super::value::{Judge, State, Value, World};
+use crate::geometry::PlanarPose;
+use crate::plan::objective::EdgeMargin;
+use crate::represent::{Effect, EffectModel, GoalState, Task, ToolMotion};
+use std::rc::Rc;
+
+/// How far the force has not yet risen when a stroke begins [m].
+const LANDING: f64 = 0.005;
+/// Depth of a heap of all particles, over the radius of the collision sphere: between what the belief draws and
+/// [`HEAP_DEPTH`](crate::represent::HEAP_DEPTH) [1].
+const HEAP: f64 = 0.2;
+/// States are kept so many steps apart.
+const APART: usize = 4;
+
+/// What the tool does at once: a motion in contact, or none where it only touches down.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Step {
+    motion: Option<ToolMotion>,
+    is_first: bool,
+    /// Whether the tool lifts off after it.
+    lifts: bool,
+}
+
+fn steps_of(draft: &Draft) -> Vec<Step> {
+    let mut steps = Vec::new();
+    for stroke in &draft.strokes {
+        let motions = stroke.len().saturating_sub(1);
+        if motions == 0 {
+            steps.push(Step {
+                motion: None,
+                is_first: true,
+                lifts: true,
+            });
+        }
+        steps.extend(stroke.windows(2).enumerate().map(|(i, pair)| Step {
+            motion: Some(ToolMotion {
+                from: pair[0],
+                to: pair[1],
+            }),
+            is_first: i == 0,
+            lifts: i + 1 == motions,
+        }));
+    }
+    steps
+}
+
+/// The steps of a draft, and for each world how it was before some of them.
+#[derive(Default)]
+struct Course {
+    steps: Vec<Step>,
+    states: Vec<Vec<(usize, Rc<State>)>>,
+}
+
+/// Values one draft after the other. What a draft has in common with the one that was kept last, from its beginning on, is
+/// not simulated again.
+pub(super) struct Trials<'a> {
+    judge: &'a Judge<'a>,
+    models: Vec<EffectModel>,
+    kept: Course,
+    tried: Course,
+}
+
+impl<'a> Trials<'a> {
+    /// For drafts with the action of this goal.
+    pub(super) fn new(judge: &'a Judge<'a>, goal: &GoalState) -> Self {
+        let effect = goal.action().effect();
+        let models = judge.worlds().iter().map(|world| {
+            let model = EffectModel::new(&world.footprint, effect);
+            match world.heap {
+                Some(seed) if effect == Effect::Push => {
+                    model.with_heap(HEAP * judge.radius(), seed)
+                }
+                _ => model,
+            }
+        });
+        let surface = &judge.task().surface;
+        let begin = judge.worlds().iter().map(|world| {
+            let margin = (effect == Effect::Push)
+                .then(|| EdgeMargin::new(&world.dirt, surface, goal, judge.radius()));
+            let state = State {
+                field: world.field.clone(),
+                margin,
+                touched: Vec::new(),
+            };
+            vec![(0, Rc::new(state))]
+        });
+        Self {
+            judge,
+            models: models.collect(),
+            kept: Course {
+                steps: Vec::new(),
+                states: begin.collect(),
+            },
+            tried: Course::default(),
+        }
+    }
+
+    /// What a draft is worth on average.
+    pub(super) fn value(&mut self, draft: &Draft) -> Value {
+        let steps = steps_of(draft);
+        let pairs = steps.iter().zip(&self.kept.steps);
+        let common = pairs.take_while(|(one, other)| one == other).count();
+        let mut states = Vec::with_capacity(self.models.len());
+        let worlds = self.judge.worlds().iter().zip(&mut self.models);
+        let after = worlds
+            .zip(&self.kept.states)
+            .map(|((world, model), before)| {
+                let shared = before.partition_point(|(at, _)| *at <= common);
+                let mut known = before[..shared].to_vec();
+                let state = played(model, (self.judge.task(), world), &steps, &mut known);
+                states.push(known);
+                state
+            });
+        let after: Vec<State> = after.collect();
+        self.tried = Course { steps, states };
+        self.judge.value(draft, &after)
+    }
+
+    /// Keeps the draft that was valued last: the next ones are like it.
+    pub(super) fn keep(&mut self) {
+        std::mem::swap(&mut self.kept, &mut self.tried);
+    }
+}
+
+/// Plays the rest of some steps in a world, from the last state on that is known; adds some of those on the way.
+fn played(
+    model: &mut EffectModel,
+    (task, world): (&Task, &World),
+    steps: &[Step],
+    states: &mut Vec<(usize, Rc<State>)>,
+) -> State {
+    let surface = &task.surface;
+    let (from, state) = states.last().expect("that before all steps");
+    let (from, mut state) = (*from, State::clone(state));
+    model.resume_after(steps[..from].iter().filter(|step| step.lifts).count() as u32);
+    for (at, step) in steps.iter().enumerate().skip(from) {
+        // Amid a stroke a tool that pushes may carry something, which is no part of a state.
+        let is_whole = state.margin.is_none() || at == 0 || steps[at - 1].lifts;
+        if at > from && at % APART == 0 && is_whole {
+            states.push((at, Rc::new(state.clone())));
+        }
+        if let Some(mut motion) = step.motion {
+            if world.heap.is_some() {
+                motion = late(motion, step.is_first);
+                motion.from = held(&motion.from, &world.grasp);
+                motion.to = held(&motion.to, &world.grasp);
+            }
+            match &mut state.margin {
+                None => {
+                    model.apply(&mut state.field, surface, &motion);
+                }
+                Some(margin) => {
+                    let displaced = state.touched.len();
+                    let touched = &mut state.touched;
+                    model.apply_where(&mut state.field, surface, &motion, |particle, _| {
+                        touched.push(particle);
+                        true
+                    });
+                    margin.pass_of(&state.field, state.touched.iter().copied());
+                    state.touched.drain(..displaced);
+                }
+            }
+        }
+        if step.lifts {
+            model.lift_off(&mut state.field, surface);
+        }
+    }
+    state
+}
+
+/// A motion whose contact begins a little late, if it is a stroke's first.
+fn late(motion: ToolMotion, is_first: bool) -> ToolMotion {
+    let (along, length) = motion.travel();
+    if !is_first || length <= LANDING {
+        return motion;
+    }
+    let share = LANDING / length;
+    let heading = motion.from.heading + motion.turn() * share;
+    ToolMotion {
+        from: PlanarPose::new(motion.from.position + along * LANDING, heading),
+        ..motion
+    }
+}
+
+/// A tool's pose if it sits so in the hand.
+fn held(pose: &PlanarPose, grasp: &PlanarPose) -> PlanarPose {
+    PlanarPose::new(pose.transform(grasp.position), pose.heading + grasp.heading)
+}
