@@ -80,12 +80,13 @@ fn executed(
     lines: &str,
     most: usize,
 ) -> Result<(Execution, usize), ExecutorError> {
-    // A machine that is busy may keep a child waiting; only one that sleeps is to be given up soon.
-    let limit = Duration::from_millis(if lines.contains("sleep(60)") {
+    // A machine that is busy may keep a child waiting; only those that sleep are given up soon.
+    let patience = if lines.contains("time.sleep") {
         700
     } else {
         20_000
-    });
+    };
+    let limit = Duration::from_millis(patience);
     let mut child = start(&format!("{CHILD}{lines}\n"))?.with_silence_limit(limit);
     let order = MotionOrder {
         round: 1,

@@ -49,7 +49,7 @@ fn steps_of(draft: &Draft) -> Vec<Step> {
 
 /// The steps of a draft, and for each world how it was before some of them.
 #[derive(Default)]
-struct Course {
+struct Rollout {
     steps: Vec<Step>,
     states: Vec<Vec<(usize, Rc<State>)>>,
 }
@@ -59,8 +59,8 @@ struct Course {
 pub(super) struct Trials<'a> {
     judge: &'a Judge<'a>,
     models: Vec<EffectModel>,
-    kept: Course,
-    tried: Course,
+    kept: Rollout,
+    tried: Rollout,
 }
 
 impl<'a> Trials<'a> {
@@ -90,11 +90,11 @@ impl<'a> Trials<'a> {
         Self {
             judge,
             models: models.collect(),
-            kept: Course {
+            kept: Rollout {
                 steps: Vec::new(),
                 states: begin.collect(),
             },
-            tried: Course::default(),
+            tried: Rollout::default(),
         }
     }
 
@@ -110,12 +110,12 @@ impl<'a> Trials<'a> {
             .map(|((world, model), before)| {
                 let shared = before.partition_point(|(at, _)| *at <= common);
                 let mut known = before[..shared].to_vec();
-                let state = played(model, (self.judge.task(), world), &steps, &mut known);
+                let state = rolled_out(model, (self.judge.task(), world), &steps, &mut known);
                 states.push(known);
                 state
             });
         let after: Vec<State> = after.collect();
-        self.tried = Course { steps, states };
+        self.tried = Rollout { steps, states };
         self.judge.value(draft, &after)
     }
 
@@ -126,7 +126,7 @@ impl<'a> Trials<'a> {
 }
 
 /// Plays the rest of some steps in a world, from the last state on that is known; adds some of those on the way.
-fn played(
+fn rolled_out(
     model: &mut EffectModel,
     (task, world): (&Task, &World),
     steps: &[Step],
