@@ -41,7 +41,7 @@ def rows():
             yield f"timing, {path.replace(' x ', ' × ')} joints", 1e-3 * ours[2], peer, 1e-3 * milliseconds, quality
     for count, best, ours, theirs in tours.compared():
         for peer, (length, seconds) in (("LKH", best), ("OR-tools", theirs)):
-            quality = f"{100 * (ours[0] / length - 1):+.1f} % longer"
+            quality = f"{ours[0] / length:.3f} times as long"
             yield f"tour of {count} nodes", ours[1], peer, seconds, quality
 
 
@@ -50,6 +50,10 @@ def in_words(seconds):
         if seconds >= size:
             break
     return f"{seconds / size:.3g} {unit}"
+
+
+def ratio(value):
+    return f"{value:,.0f}" if value >= 10 else f"{value:.2g}"
 
 
 def processor():
@@ -67,7 +71,7 @@ def main():
     print("| computation | wisch | peer | takes | times as long | answers (wisch first) |")
     print("|---|--:|---|--:|--:|---|", flush=True)
     for what, ours, peer, theirs, quality in rows():
-        print(f"| {what} | {in_words(ours)} | {peer} | {in_words(theirs)} | {theirs / ours:.3g} | {quality} |", flush=True)
+        print(f"| {what} | {in_words(ours)} | {peer} | {in_words(theirs)} | {ratio(theirs / ours)} | {quality} |", flush=True)
 
 
 if __name__ == "__main__":
