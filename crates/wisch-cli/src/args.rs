@@ -1,6 +1,7 @@
 //! What the user may type.
 
 mod ask;
+mod budget;
 mod eval;
 mod learn;
 mod log;
@@ -8,6 +9,7 @@ mod memory;
 mod robot;
 
 pub use ask::{AskArgs, EngineChoice};
+pub use budget::Budget;
 pub use eval::{
     CalibrationArgs, EvalCommand, JournalArgs, ScenarioEvaluationArgs, SensesChoice, SweepArgs,
     Table1Args,
@@ -154,6 +156,7 @@ Examples:
   wisch plan board.toml
   wisch plan board.toml --strategy grid --out plans/board-grid
   wisch plan board.toml --explain           the plans of all strategies side by side
+  wisch plan board.toml --strategy adaptive --budget 2s
   wisch plan board.toml --json | jq .distance_in_contact_m")]
     Plan(PlanArgs),
     /// Predict the effect of a plan; without --plan, plan first
@@ -273,6 +276,11 @@ pub struct TaskArgs {
     /// Random seed [default: the task's]
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
+    /// What the search of adaptive and best may take: a number of plans to try, such as 60000, which makes the
+    /// same plan everywhere, or a time, such as 2s, for which the pace here is measured first [default: the
+    /// task's plan.evaluations]
+    #[arg(long, value_name = "N|TIME")]
+    pub budget: Option<Budget>,
     /// Override a value of the task file; repeatable
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = setting)]
     pub settings: Vec<(String, String)>,

@@ -92,6 +92,18 @@ fn the_humanoid_follows_the_board() {
     let following = json(&result.join("trajectories/following.json"));
     assert_eq!(following["format"], "wisch-following");
     assert_eq!(following["faults"], serde_json::json!([]));
+    // Each node that is passed is in reach by the capability map as well.
+    let nodes = json(&result.join("plan.json"))["nodes"]
+        .as_array()
+        .map(Vec::len);
+    let ample = following["node_reachability"].as_array().expect("a list");
+    assert_eq!(Some(ample.len()), nodes);
+    assert!(
+        ample
+            .iter()
+            .all(|ample| (0.05..=1.0).contains(&ample.as_f64().unwrap())),
+        "{ample:?}"
+    );
     let motions = following["motions"].as_array().expect("a list");
     let ends = motions.last().expect("a motion")["end_s"].as_f64();
     assert_eq!(ends, Some(number("execution_time_s")));

@@ -69,3 +69,45 @@ fn following_and_running_make_the_same_plan_too() {
         assert_eq!(plan(&once, &scenario, &out("run")), planned, "{name}");
     }
 }
+
+#[test]
+fn a_search_tries_as_many_plans_as_its_budget_says() {
+    let folder = tempfile::tempdir().unwrap();
+    let board = Path::new("chopping-board");
+    let planned = |words: &[&str], to: &str| {
+        let words = [&["plan", "--strategy", "adaptive"], words].concat();
+        plan(&words, board, &folder.path().join(to))
+    };
+    let few = planned(&["--budget", "3000"], "few");
+    assert_eq!(planned(&["--set", "plan.evaluations=3000"], "set"), few);
+    assert_ne!(planned(&["--budget", "9000"], "more"), few);
+
+    // In a time so many are tried as it says, with the same plan again for that number.
+    let mut timed = command(folder.path());
+    timed.args(["plan", "chopping-board", "--strategy", "adaptive"]);
+    let timed = timed
+        .args(["--budget", "400ms", "--out", "timed"])
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&timed.stderr);
+    assert_eq!(timed.status.code(), Some(0), "{said}");
+    let number = said
+        .split("--budget ")
+        .nth(1)
+        .and_then(|rest| rest.split(' ').next());
+    let again = planned(&["--budget", number.expect("a number of plans")], "again");
+    let timed = fs::read_to_string(folder.path().join("timed/plan.json")).unwrap();
+    assert_eq!(again, timed, "{said}");
+
+    for (strategy, budget) in [("kde", "3000"), ("adaptive", "2h"), ("adaptive", "0")] {
+        let mut refused = command(folder.path());
+        refused.args(["plan", "chopping-board", "--strategy", strategy]);
+        let refused = refused.args(["--budget", budget]).output().unwrap();
+        let said = String::from_utf8_lossy(&refused.stderr);
+        assert_eq!(refused.status.code(), Some(2), "{said}");
+        assert!(
+            said.contains("budget") || said.contains("evaluations"),
+            "{said}"
+        );
+    }
+}

@@ -1,5 +1,6 @@
 //! `wisch check`: what a task asks for, in words.
 
+use super::budget::in_evaluations;
 use super::follow::{Chosen, can_start, stand_in_words, workcell};
 use super::prepare::Prepared;
 use super::words::{counted, internal, percent};
@@ -23,20 +24,21 @@ const LISTED: usize = 8;
 pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
     progress.say("reading the task");
-    let prepared = Prepared::read(&args.task)?;
-    let failure = |error| prepared.failure(&args.task, error);
+    let task_args = &in_evaluations(&args.task)?;
+    let prepared = Prepared::read(task_args)?;
+    let failure = |error| prepared.failure(task_args, error);
     let room = Room::of(&prepared.task, &progress).map_err(failure)?;
     progress.say(format!("planning ({})", prepared.strategy()));
     let mut session = Session::new(&prepared.task, prepared.run_config());
     (session.run_until(Stage::Planned, &mut NoExecutor, &mut unobserved))
-        .map_err(|error| prepared.failure(&args.task, error))?;
+        .map_err(|error| prepared.failure(task_args, error))?;
     let plan = (session.plan()).ok_or_else(|| internal("no plan was made"))?;
     let objects = counted(prepared.task.scene.len(), "object");
     progress.say(format!("putting the robot before {objects}"));
     let robot = match Chosen::new(&args.robot, &prepared)? {
         Some(chosen) => {
-            let (cell, _) = workcell(&chosen, &args.task, &prepared)?;
-            can_start(&cell, &chosen, &args.task, &prepared, plan)?;
+            let (cell, _) = workcell(&chosen, task_args, &prepared)?;
+            can_start(&cell, &chosen, task_args, &prepared, plan)?;
             stand_in_words(&cell)
         }
         None => "none; the plan can be predicted, but not followed".to_owned(),

@@ -188,6 +188,7 @@ pub(super) fn task_args(args: &LoggedArgs) -> TaskArgs {
     TaskArgs {
         task: args.task.clone(),
         strategy: None,
+        budget: None,
         action: args.action,
         seed: args.seed,
         settings: args.settings.clone(),

@@ -63,6 +63,7 @@ fn surroundings(episode: &Episode) -> Surroundings {
     let args = TaskArgs {
         task: episode.folder().join("task.toml"),
         strategy: None,
+        budget: None,
         action: None,
         seed: None,
         settings: options.unwrap_or_default().settings,

@@ -1,6 +1,7 @@
 //! The commands, each in its file.
 
 mod ask;
+mod budget;
 mod check;
 mod engine;
 mod episode;

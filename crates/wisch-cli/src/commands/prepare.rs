@@ -31,8 +31,15 @@ impl DerefMut for Prepared {
 }
 
 impl Prepared {
-    /// Reads the task file and everything that it refers to.
+    /// Reads the task file and everything that it refers to, and says what it takes for granted.
     pub fn read(args: &TaskArgs) -> Result<Self, Failure> {
+        let prepared = Self::load(args)?;
+        prepared.assumptions.iter().for_each(|text| remark(text));
+        Ok(prepared)
+    }
+
+    /// The same without a word.
+    pub fn load(args: &TaskArgs) -> Result<Self, Failure> {
         let options = LoadOptions {
             settings: args.settings.clone(),
             knowledge: args.knowledge.clone(),
@@ -41,7 +48,6 @@ impl Prepared {
             seed: args.seed,
         };
         let loaded = load_task(&args.task, &options)?;
-        loaded.assumptions.iter().for_each(|text| remark(text));
         let reality = SimulationSettings::of(&loaded)
             .map_err(|error| Failure::new(error).within(&args.task))?;
         Ok(Self { loaded, reality })

@@ -1,5 +1,6 @@
 //! `wisch run`, `wisch plan`, `wisch predict` and `wisch follow`: the stages, and the folder with their results.
 
+use super::budget::in_evaluations;
 use super::follow::{Chosen, Following, performer};
 use super::job::{Job, Results};
 use super::prepare::Prepared;
@@ -91,11 +92,11 @@ fn work(
 ) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
     progress.say("reading the task");
-    let touching = match extent {
-        Extent::Run(_, rounds) if rounds.touch_only => Some(task_args.touch_only()),
-        _ => None,
-    };
-    let task_args = touching.as_ref().unwrap_or(task_args);
+    let mut task_args = in_evaluations(task_args)?;
+    if matches!(extent, Extent::Run(_, rounds) if rounds.touch_only) {
+        task_args = task_args.touch_only();
+    }
+    let task_args = &task_args;
     let mut prepared = Prepared::read(task_args)?;
     let any_robot = RobotArgs::default();
     // Which plan is the best is a question of how long the robot takes.

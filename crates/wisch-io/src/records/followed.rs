@@ -23,6 +23,10 @@ pub struct FollowedRecord {
     pub motions: Vec<MotionRecord>,
     /// The strokes as they are wiped: nodes of the plan, and the tool in the surface frame.
     pub strokes: Vec<WipedRecord>,
+    /// How amply each node of the plan is in reach by the capability map, from that of the placements that suits it best,
+    /// 0 to 1; left out without a map.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub node_reachability: Vec<f64>,
     /// Nodes that are not passed.
     pub abandoned: Vec<AbandonedRecord>,
     /// What an independent check found wrong.
@@ -115,6 +119,7 @@ impl FollowedRecord {
                         .collect(),
                 })
                 .collect(),
+            node_reachability: followed.node_reachability.clone(),
             abandoned: followed.abandoned.iter().map(abandoned).collect(),
             faults,
         }

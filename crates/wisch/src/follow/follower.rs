@@ -524,6 +524,29 @@ impl Follower<'_> {
         Ok(stay)
     }
 
+    /// Of each node of the plan how amply it is in reach from where it is best; none without a map.
+    fn node_reachability(&self, stays: &[Reached]) -> Result<Vec<f64>, FollowError> {
+        if self.map.is_none() {
+            return Ok(Vec::new());
+        }
+        let reachability = Reachability::new(self.cell, self.task, self.map)?;
+        let mut places: Vec<PlanarPose> = stays
+            .iter()
+            .map(|(.., stay)| stay.world_from_base)
+            .collect();
+        if places.is_empty() {
+            places.push(self.cell.base_pose(self.cell.ready()));
+        }
+        let strokes = self.plan.strokes.iter();
+        let mut poses: Vec<PlanarPose> = (self.plan.graph.nodes.iter())
+            .map(|node| PlanarPose::new(node.position, 0.0))
+            .collect();
+        for (&node, &pose) in strokes.flat_map(|stroke| stroke.nodes.iter().zip(&stroke.poses)) {
+            poses[node] = pose;
+        }
+        Ok(reachability.of_each(&poses, &places))
+    }
+
     /// Puts everything in order and times it.
     fn timed(
         &self,
@@ -535,6 +558,7 @@ impl Follower<'_> {
             motions: Vec::new(),
             strokes: Vec::new(),
             placements: Vec::new(),
+            node_reachability: self.node_reachability(&stays)?,
             rated,
             abandoned,
             tip_from_tool: *self.cell.tip_from_tool(),

@@ -252,6 +252,9 @@ pub struct Followed {
     pub placements: Vec<Placement>,
     /// Places for the base that were rated for the whole path.
     pub rated: Vec<RatedPlace>,
+    /// How amply each node of the plan's graph is in reach, by the capability map and from that of the placements that suits
+    /// it best, 0 (from none) to 1: what extends the semantic directed graph. Empty without a map.
+    pub node_reachability: Vec<f64>,
     /// Nodes that are not passed.
     pub abandoned: Vec<AbandonedNode>,
     /// The tool in the frame of the link that holds it.

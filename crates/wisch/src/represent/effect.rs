@@ -78,6 +78,9 @@ pub struct EffectModel {
     pass_length: f64,
     translation: SweptTranslation,
     near: Vec<Slot>,
+    /// Of each of these particles how far it is beside the motion [m], and the footprint's chord there if it is convex.
+    laterals: Vec<f64>,
+    chords: Vec<[f64; 2]>,
     outcomes: Vec<Option<Outcome>>,
     heap: Option<Heap>,
 }
@@ -107,6 +110,8 @@ impl EffectModel {
             edges,
             reach,
             near: Vec::new(),
+            laterals: Vec::new(),
+            chords: Vec::new(),
             outcomes: Vec::new(),
             heap: None,
         }
@@ -264,18 +269,23 @@ impl EffectModel {
 
         let stays = self.near.len() >= CHECKED_FROM && self.is_inside(surface, &motion.to);
         let mut effect = MotionEffect::default();
-        for &slot in &self.near {
+        if self.is_convex {
+            let relative = self
+                .near
+                .iter()
+                .map(|&slot| field.position(slot) - motion.from.position);
+            self.laterals.clear();
+            self.laterals
+                .extend(relative.map(|relative| relative.dot(&side)));
+            self.translation.chords(&self.laterals, &mut self.chords);
+        }
+        for (i, &slot) in self.near.iter().enumerate() {
             let position = field.position(slot);
             let relative = position - motion.from.position;
-            let (ahead, lateral) = (relative.dot(&along), relative.dot(&side));
-            let chord;
-            let chords = if self.is_convex {
-                chord = self.translation.chord(lateral);
-                Chords {
-                    crossings: chord.as_ref().map_or(&[], |chord| &chord[..]),
-                }
-            } else {
-                self.translation.at(lateral)
+            let ahead = relative.dot(&along);
+            let chords = match self.chords.get(i) {
+                Some(chord) if self.is_convex => Chords::of_convex(chord),
+                _ => self.translation.at(relative.dot(&side)),
             };
             match self.kind {
                 Effect::Absorb => {

@@ -94,17 +94,33 @@ impl SweptTranslation {
         (!self.edges.is_empty()).then_some((self.low, self.high))
     }
 
-    /// The only chord of a convex footprint, as [`SweptTranslation::at`].
-    pub(super) fn chord(&self, lateral: f64) -> Option<[f64; 2]> {
-        let mut chord = [f64::INFINITY, f64::NEG_INFINITY];
-        for edge in &self.edges {
-            if (edge.start.y > lateral) != (edge.end.y > lateral) {
-                let share = (lateral - edge.start.y) / (edge.end.y - edge.start.y);
-                let x = edge.start.x + share * (edge.end.x - edge.start.x);
-                chord = [chord[0].min(x), chord[1].max(x)];
+    /// The only chords of a convex footprint, one for each line at so much [m] to the left of the tool centre point's line; one
+    /// that misses it ends before it begins.
+    ///
+    /// Edge by edge over all lines, without a branch: the compiler takes several at once.
+    pub(super) fn chords(&self, laterals: &[f64], chords: &mut Vec<[f64; 2]>) {
+        chords.clear();
+        chords.resize(laterals.len(), [f64::INFINITY, f64::NEG_INFINITY]);
+        for Edge { start, end } in &self.edges {
+            let (rise, run) = (end.y - start.y, end.x - start.x);
+            for (lateral, chord) in laterals.iter().zip(&mut *chords) {
+                let x = match run == 0.0 {
+                    true => start.x,
+                    false => start.x + (lateral - start.y) / rise * run,
+                };
+                let is_crossed = (start.y > *lateral) != (end.y > *lateral);
+                chord[0] = if is_crossed && x < chord[0] {
+                    x
+                } else {
+                    chord[0]
+                };
+                chord[1] = if is_crossed && x > chord[1] {
+                    x
+                } else {
+                    chord[1]
+                };
             }
         }
-        (chord[0] <= chord[1]).then_some(chord)
     }
 
     /// The chords of the line at `lateral` [m] to the left of the tool centre point's line.
@@ -138,6 +154,17 @@ impl SweptTranslation {
         let bins = self.bin_start.len() - 1;
         let share = (lateral - self.low.y) / (self.high.y - self.low.y);
         ((share * bins as f64) as usize).min(bins - 1)
+    }
+}
+
+impl<'a> Chords<'a> {
+    /// That of a convex footprint; see [`SweptTranslation::chords`].
+    pub(super) fn of_convex(chord: &'a [f64; 2]) -> Self {
+        let crossings = match chord[0] <= chord[1] {
+            true => &chord[..],
+            false => &[],
+        };
+        Self { crossings }
     }
 }
 

@@ -204,6 +204,7 @@ fn moved_within(
         strokes: Vec::new(),
         placements: Vec::new(),
         rated: Vec::new(),
+        node_reachability: Vec::new(),
         abandoned: Vec::new(),
         tip_from_tool: *cell.tip_from_tool(),
     }

@@ -125,6 +125,7 @@ impl Tasks {
         Prepared::read(&TaskArgs {
             task: path.to_owned(),
             strategy: None,
+            budget: None,
             action: None,
             seed: None,
             settings: Vec::new(),

@@ -113,6 +113,23 @@ impl<'a> Reachability<'a> {
         }
     }
 
+    /// How amply poses of the tool on the surface are in reach from that of some places that suits each best, 0 to 1.
+    pub fn of_each(&self, poses: &[PlanarPose], places: &[PlanarPose]) -> Vec<f64> {
+        let ample = |&surface_from_tool: &PlanarPose| {
+            let pose = ToolPose {
+                surface_from_tool,
+                height: 0.0,
+                tilt: 0.0,
+            };
+            let world_from_tool = Workcell::world_from_tool(self.task, &pose);
+            let ratings = places
+                .iter()
+                .filter_map(|place| self.of(&world_from_tool, place));
+            ratings.fold(0.0, f64::max)
+        };
+        poses.par_iter().map(ample).collect()
+    }
+
     /// Places round the path: how many of its poses are in reach one after the other, and how amply.
     pub fn rated(&self, ahead: &[ToolPose], config: &FollowConfig) -> Vec<Candidate> {
         let poses = self.sampled(ahead);

@@ -1,0 +1,113 @@
+//! `--budget`: how many plans a search tries, and how many that are in a time.
+
+use super::prepare::Prepared;
+use crate::args::{Budget, TaskArgs};
+use crate::failure::Failure;
+use crate::terminal::remark;
+use std::time::Instant;
+use wisch::plan::{PlanConfig, PlanError, SearchConfig, Strategy, plan};
+
+/// Plans tried to see how long they take.
+const TRIED: [usize; 2] = [1, 20_000];
+/// Plans are counted in steps of one part in so many.
+const STEPS: f64 = 20.0;
+
+/// The same arguments with the budget as a value of the task file: what is kept of a run says how many plans were tried.
+pub(super) fn in_evaluations(args: &TaskArgs) -> Result<TaskArgs, Failure> {
+    let Some(budget) = args.budget else {
+        return Ok(args.clone());
+    };
+    let mut args = TaskArgs {
+        budget: None,
+        ..args.clone()
+    };
+    let prepared = Prepared::load(&args)?;
+    let strategy = prepared.strategy();
+    if !matches!(strategy, Strategy::Adaptive | Strategy::Best) {
+        let problem = format!("the strategy {strategy} does not search, so it has no budget");
+        let failure = Failure::new(problem).within(&args.task);
+        return Err(failure.with_help("--strategy adaptive and best search"));
+    }
+    let evaluations = match budget {
+        Budget::Evaluations(evaluations) => evaluations,
+        Budget::Time(time) => {
+            let seconds = time.as_secs_f64();
+            let pace = Pace::measured(&prepared).map_err(|error| prepared.failure(&args, error))?;
+            let evaluations = pace.affordable(seconds);
+            remark(&format!(
+                "in {seconds} s a search tries about {evaluations} plans here, beside {:.1} s for those that it begins with; \
+                 --budget {evaluations} makes the same plan again",
+                pace.begun
+            ));
+            evaluations
+        }
+    };
+    let setting = ("plan.evaluations".to_owned(), evaluations.to_string());
+    args.settings.push(setting);
+    Ok(args)
+}
+
+/// How long a search takes.
+struct Pace {
+    /// For the plans that it begins with [s].
+    begun: f64,
+    /// For each plan that is tried [s].
+    each: f64,
+}
+
+impl Pace {
+    fn measured(prepared: &Prepared) -> Result<Self, PlanError> {
+        let mut took = [0.0; 2];
+        for (evaluations, took) in TRIED.into_iter().zip(&mut took) {
+            let config = PlanConfig {
+                strategy: Strategy::Adaptive,
+                search: SearchConfig {
+                    evaluations,
+                    ..prepared.config.search
+                },
+                ..prepared.config.clone()
+            };
+            let begin = Instant::now();
+            plan(&prepared.task, &config)?;
+            *took = begin.elapsed().as_secs_f64();
+        }
+        let [few, many] = TRIED.map(|tried| tried as f64);
+        Ok(Self {
+            begun: took[0],
+            each: ((took[1] - took[0]) / (many - few)).max(f64::EPSILON),
+        })
+    }
+
+    /// How many plans are tried in a time [s].
+    fn affordable(&self, seconds: f64) -> u64 {
+        rounded((seconds - self.begun) / self.each)
+    }
+}
+
+/// A number of plans that is easily read.
+fn rounded(plans: f64) -> u64 {
+    let plans = plans.clamp(1.0, 1e7);
+    let step = 10_f64.powf((plans / STEPS).log10().floor()).max(1.0);
+    ((plans / step).round() * step) as u64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Pace, rounded};
+
+    #[test]
+    fn numbers_of_plans_are_round_and_within_what_a_task_takes() {
+        let plans = [-5.0, 7.4, 123.0, 48_211.0, 3e9].map(rounded);
+        assert_eq!(plans, [1, 7, 123, 48_000, 10_000_000]);
+    }
+
+    #[test]
+    fn what_a_search_begins_with_takes_its_part_of_the_time() {
+        let pace = Pace {
+            begun: 0.5,
+            each: 1e-5,
+        };
+        assert_eq!(pace.affordable(1.0), 50_000);
+        assert_eq!(pace.affordable(0.4), 1);
+    }
+}
