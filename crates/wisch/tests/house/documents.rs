@@ -89,11 +89,12 @@ fn an_item_that_is_not_there_is_noticed() {
 }
 
 /// The documents for readers.
-const DOCUMENTS: [&str; 6] = [
+const DOCUMENTS: [&str; 7] = [
     "README.md",
     "ARCHITECTURE.md",
     "CONTRIBUTING.md",
     "PAPER.md",
+    "PERFORMANCE.md",
     "STYLE.md",
     "docs/executor-protocol.md",
 ];
