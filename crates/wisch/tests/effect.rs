@@ -200,6 +200,48 @@ fn the_effect_does_not_depend_on_the_order_of_the_particles() {
     }
 }
 
+/// Blocks of neighbours are looked at or passed over as a whole, stroke after stroke.
+#[test]
+fn what_becomes_of_a_particle_does_not_depend_on_the_others() {
+    let points: Vec<Point2> = (0..400)
+        .map(|i| {
+            let a = f64::from(i) * 2.399_963;
+            Point2::new(a.cos(), a.sin()) * (0.24 * (f64::from(i) / 400.0).sqrt())
+        })
+        .collect();
+    let poses: Vec<_> = (0..24)
+        .map(|i| {
+            let a = f64::from(i) * 2.1;
+            let heading = if i % 4 < 2 { 0.3 } else { a };
+            pose(0.22 * a.cos(), 0.22 * (1.7 * a).sin(), heading)
+        })
+        .collect();
+    let surface = board(0.25);
+    let played = |points: &[Point2], tool: &Region, kind| {
+        let mut field = ParticleField::new(&ParticleDistribution::new(points).unwrap());
+        let mut model = EffectModel::new(tool, kind);
+        for pair in poses.windows(2) {
+            let motion = ToolMotion {
+                from: pair[0],
+                to: pair[1],
+            };
+            model.apply(&mut field, &surface, &motion);
+        }
+        (field.distribution(), field.remaining())
+    };
+    for tool in [sponge(), brush()] {
+        for kind in [Effect::Push, Effect::Absorb, Effect::Treat] {
+            let (together, remaining) = played(&points, &tool, kind);
+            assert_eq!(remaining, together.tally().remaining);
+            for (i, &point) in points.iter().enumerate() {
+                let (alone, _) = played(&[point], &tool, kind);
+                let after = |all: &ParticleDistribution, i| (all.position(i), all.fate(i));
+                assert_eq!(after(&together, i), after(&alone, 0), "{kind:?} {i}");
+            }
+        }
+    }
+}
+
 #[test]
 fn the_number_of_threads_changes_nothing() {
     let points: Vec<Point2> = (0..20_000)

@@ -11,18 +11,18 @@
 //! ([`swept_translation`](super::swept_translation)), by contact events along the way for a motion that also turns
 //! ([`swept_rotation`](super::swept_rotation)). No step size enters either.
 
-use super::field::{ParticleField, Slot};
+use super::field::{OrientedBox, ParticleField, Slot};
 use super::heap::Heap;
 use super::motion::{CLEARANCE, ToolMotion};
 use super::swept_rotation::SweptRotation;
-use super::swept_translation::{Chords, SweptTranslation};
+use super::swept_translation::SweptTranslation;
 use super::{Effect, Fate, Surface};
 use crate::geometry::{Edge, PlanarPose, Point2, Region, Vector2};
 use rayon::prelude::*;
 
 /// From this many particles near a turning tool on, they are followed on all threads.
 const PARALLEL_FROM: usize = 1024;
-/// From this many particles near a tool on, it is looked whether any can leave the surface at all.
+/// From this many particles of a block before a tool on, it is looked whether any can leave the surface at all.
 const CHECKED_FROM: usize = 8;
 
 /// How many particles one motion absorbed, displaced or lost.
@@ -40,7 +40,7 @@ pub struct MotionEffect {
 
 /// Effect of one tool on one kind of medium.
 ///
-/// Cost of a motion: proportional to the particles near the swept area. After the first motions have
+/// Cost of a motion: proportional to the particles that lie near the swept area or in one block with such. After the first motions have
 /// sized its scratch space, it allocates nothing; only where a turning tool meets so many particles that
 /// they are followed on all threads does the thread pool keep its books.
 ///
@@ -70,17 +70,14 @@ pub struct MotionEffect {
 pub struct EffectModel {
     kind: Effect,
     edges: Vec<Edge>,
-    /// Whether no line runs through the footprint twice.
-    is_convex: bool,
     /// Largest distance of the footprint from the tool centre point [m].
     reach: f64,
     /// Way over a place that counts as one pass [m].
     pass_length: f64,
     translation: SweptTranslation,
+    /// Blocks of particles near a motion, and those of their particles that may be touched where the tool turns.
+    blocks: Vec<u32>,
     near: Vec<Slot>,
-    /// Of each of these particles how far it is beside the motion [m], and the footprint's chord there if it is convex.
-    laterals: Vec<f64>,
-    chords: Vec<[f64; 2]>,
     outcomes: Vec<Option<Outcome>>,
     heap: Option<Heap>,
 }
@@ -105,13 +102,14 @@ impl EffectModel {
         Self {
             kind,
             pass_length: mean_length(footprint),
-            translation: SweptTranslation::for_edges(edges.len()),
-            is_convex: matches!(footprint.polygons(), [one] if one.is_convex()),
+            translation: SweptTranslation::new(
+                edges.len(),
+                matches!(footprint.polygons(), [one] if one.is_convex()),
+            ),
             edges,
             reach,
+            blocks: Vec::new(),
             near: Vec::new(),
-            laterals: Vec::new(),
-            chords: Vec::new(),
             outcomes: Vec::new(),
             heap: None,
         }
@@ -255,81 +253,62 @@ impl EffectModel {
         mut responds: impl FnMut(usize, Point2) -> bool,
     ) -> MotionEffect {
         let (along, length) = motion.travel();
-        self.translation
-            .fill(&self.edges, motion.from.heading, along);
+        if self.kind == Effect::Push && length == 0.0 {
+            return MotionEffect::default();
+        }
+        let edges = &self.edges;
+        (self.translation).fill(edges, motion.from.heading, (along, length));
         let Some((low, high)) = self.translation.extent() else {
             return MotionEffect::default();
         };
         let side = Vector2::new(-along.y, along.x);
-        let center = motion.from.position
-            + along * ((low.x + high.x + length) / 2.0)
-            + side * ((low.y + high.y) / 2.0);
-        let half = Vector2::new(high.x - low.x + length, high.y - low.y) / 2.0;
-        field.collect_near(center, along, half, &mut self.near);
+        let near = OrientedBox {
+            center: motion.from.position
+                + along * ((low.x + high.x + length) / 2.0)
+                + side * ((low.y + high.y) / 2.0),
+            axis: along,
+            half: Vector2::new(high.x - low.x + length, high.y - low.y) / 2.0,
+        };
+        field.blocks_near(&near, &mut self.blocks);
 
-        let stays = self.near.len() >= CHECKED_FROM && self.is_inside(surface, &motion.to);
+        let mut stays = None;
         let mut effect = MotionEffect::default();
-        if self.is_convex {
-            let relative = self
-                .near
-                .iter()
-                .map(|&slot| field.position(slot) - motion.from.position);
-            self.laterals.clear();
-            self.laterals
-                .extend(relative.map(|relative| relative.dot(&side)));
-            self.translation.chords(&self.laterals, &mut self.chords);
-        }
-        for (i, &slot) in self.near.iter().enumerate() {
-            let position = field.position(slot);
-            let relative = position - motion.from.position;
-            let ahead = relative.dot(&along);
-            let chords = match self.chords.get(i) {
-                Some(chord) if self.is_convex => Chords::of_convex(chord),
-                _ => self.translation.at(relative.dot(&side)),
-            };
-            match self.kind {
-                Effect::Absorb => {
-                    if chords.covers(ahead, length) && responds(field.index(slot), position) {
-                        effect.settle(field, slot, Outcome::Absorbed);
-                    }
+        for &block in &self.blocks {
+            let slots = field.slots(block);
+            let particles = field.coordinates(slots.clone());
+            let met = (self.translation).met(particles, motion.from.position, self.kind);
+            if met >= CHECKED_FROM {
+                stays.get_or_insert_with(|| is_inside(surface, edges, &motion.to));
+            }
+            let pushed = effect.pushed;
+            // Backwards: what leaves the surface gives its slot to the last of its block.
+            for number in (0..met).rev() {
+                let (particle, extent) = self.translation.outcome(number);
+                let slot = slots.start + particle;
+                let position = field.position(slot);
+                if !responds(field.index(slot), position) {
+                    continue;
                 }
-                Effect::Push if length > 0.0 => {
-                    if let Some(carried) = chords.carried(ahead, length)
-                        && responds(field.index(slot), position)
-                    {
-                        let to = position + along * (carried - ahead);
-                        let outcome = match stays {
-                            true => Outcome::Pushed { to },
-                            false => landing(surface, &[position, to]),
-                        };
-                        effect.settle(field, slot, outcome);
-                    }
+                let to = position + along * extent;
+                if self.kind == Effect::Push && stays == Some(true) {
+                    field.put(slot, to);
+                    effect.pushed += 1;
+                    continue;
                 }
-                Effect::Push => {}
-                Effect::Treat => {
-                    let slid = chords.slid(ahead, length);
-                    if slid > 0.0 && responds(field.index(slot), position) {
-                        let passes = slid / self.pass_length;
-                        effect.settle(field, slot, Outcome::Treated { passes });
-                    }
-                }
+                let outcome = match self.kind {
+                    Effect::Push => landing(surface, &[position, to]),
+                    Effect::Absorb => Outcome::Absorbed,
+                    Effect::Treat => Outcome::Treated {
+                        passes: extent / self.pass_length,
+                    },
+                };
+                effect.settle(field, slot, outcome);
+            }
+            if effect.pushed > pushed {
+                field.refit(block as usize);
             }
         }
         effect
-    }
-
-    /// Whether all that the footprint carries to a pose is certain to stay on the surface: it is convex, and the footprint
-    /// lies on it with what its clearance takes.
-    fn is_inside(&self, surface: &Surface, at: &PlanarPose) -> bool {
-        let corners = self.edges.iter().map(|edge| at.transform(edge.start));
-        surface.outline.is_convex()
-            && corners.into_iter().all(|corner| {
-                let mut edges = surface.outline.edges();
-                edges.all(|edge| {
-                    let along = edge.end - edge.start;
-                    along.perp(&(corner - edge.start)) > 2.0 * CLEARANCE * along.norm()
-                })
-            })
     }
 
     fn turn(
@@ -341,8 +320,18 @@ impl EffectModel {
     ) -> MotionEffect {
         let (along, length) = motion.travel();
         let center = nalgebra::center(&motion.from.position, &motion.to.position);
-        let half = Vector2::new(length / 2.0 + self.reach, self.reach);
-        field.collect_near(center, along, half, &mut self.near);
+        let near = OrientedBox {
+            center,
+            axis: along,
+            half: Vector2::new(length / 2.0 + self.reach, self.reach),
+        };
+        field.blocks_near(&near, &mut self.blocks);
+        self.near.clear();
+        for &block in &self.blocks {
+            let slots = field.slots(block);
+            self.near
+                .extend(slots.filter(|&slot| near.contains(field.position(slot))));
+        }
 
         let rotation = SweptRotation::new(&self.edges, motion);
         let corridor = Edge {
@@ -375,19 +364,39 @@ impl EffectModel {
             positions.map(outcome).collect_into_vec(&mut self.outcomes);
         }
         let mut effect = MotionEffect::default();
-        for (&slot, outcome) in self.near.iter().zip(&self.outcomes) {
+        // Backwards: what leaves the surface gives its slot to the last of its block.
+        for (&slot, outcome) in self.near.iter().zip(&self.outcomes).rev() {
             if let Some(outcome) = *outcome
                 && responds(field.index(slot), field.position(slot))
             {
                 effect.settle(field, slot, outcome);
             }
         }
+        if effect.pushed > 0 {
+            (self.blocks.iter()).for_each(|&block| field.refit(block as usize));
+        }
         effect
     }
 }
 
+/// Whether all that a footprint of these edges carries to a pose is certain to stay on the surface: it is convex, and the
+/// footprint lies on it with what its clearance takes.
+fn is_inside(surface: &Surface, footprint: &[Edge], at: &PlanarPose) -> bool {
+    let (sin, cos) = at.heading.sin_cos();
+    surface.outline.is_convex()
+        && surface.outline.edges().all(|edge| {
+            let along = edge.end - edge.start;
+            let least = 2.0 * CLEARANCE * along.norm();
+            footprint.iter().all(|corner| {
+                let Point2 { coords: p } = corner.start;
+                let turned = Vector2::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y);
+                along.perp(&(at.position + turned - edge.start)) > least
+            })
+        })
+}
+
 impl MotionEffect {
-    /// Lets a particle meet its outcome, and counts it.
+    /// Lets a particle meet its outcome, and counts it; the block of one that is pushed is to be refitted.
     fn settle(&mut self, field: &mut ParticleField, slot: Slot, outcome: Outcome) {
         match outcome {
             Outcome::Absorbed => {
@@ -395,7 +404,7 @@ impl MotionEffect {
                 self.absorbed += 1;
             }
             Outcome::Pushed { to } => {
-                field.relocate(slot, to);
+                field.put(slot, to);
                 self.pushed += 1;
             }
             Outcome::OffSurface { at, edge } => {

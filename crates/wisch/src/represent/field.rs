@@ -1,92 +1,108 @@
-//! Particles sorted into cells, so that a stroke only meets the particles near it.
+//! Particles in blocks of neighbours, so that a stroke only meets the blocks near it.
 
 use super::{Fate, ParticleDistribution, Surface};
 use crate::geometry::{Bounds2, Point2, Vector2};
+use std::ops::Range;
 
-const NONE: u32 = u32::MAX;
-/// Particles per cell that the cell size aims at.
-const PARTICLES_PER_CELL: f64 = 8.0;
-const MIN_CELL_SIZE: f64 = 1e-3;
+/// Particles that are looked at together: enough for the processor to take several at once, few enough to lie close together.
+pub(super) const BLOCK: usize = 32;
+/// Blocks that are passed over together.
+const GROUP: usize = 64;
 
 /// A particle's place in the field's own order, in which neighbours in space are neighbours in memory.
 pub(super) type Slot = u32;
 
-/// Particles of one surface in cells of a uniform grid, each cell a doubly linked list.
+/// Particles of one surface, sorted once into blocks of neighbours (sort-tile-recursive packing), each with the box that they lie
+/// in.
 ///
-/// Moving a particle costs constant time and no allocation. The field keeps its own copy of the
-/// positions, sorted by cell; [`ParticleField::distribution`] gives them back in the original order.
+/// A particle that moves stays in its block, whose box grows with it: that takes constant time and no allocation. The field
+/// keeps its own copy of the positions, sorted by block; [`ParticleField::distribution`] gives them back in the original order.
 #[derive(Debug, Clone)]
 pub struct ParticleField {
-    origin: Point2,
-    cell_size: f64,
-    per_cell_size: f64,
-    columns: usize,
-    rows: usize,
-    head: Vec<u32>,
-    next: Vec<u32>,
-    previous: Vec<u32>,
     x: Vec<f64>,
     y: Vec<f64>,
-    fate: Vec<Fate>,
     /// Slot → index in the distribution that the field was built from.
     index: Vec<u32>,
     /// The way back.
     slot: Vec<Slot>,
+    /// By index.
+    fate: Vec<Fate>,
+    /// How many particles of each block still lie on the surface: those in its first slots.
+    present: Vec<u32>,
+    /// Round those of each block, and of each group of blocks.
+    blocks: Vec<Bounds2>,
+    groups: Vec<Bounds2>,
     remaining: usize,
 }
 
+/// A box in which a motion may meet particles: `center ± half` along `axis` and to its left [m].
+#[derive(Debug, Clone, Copy)]
+pub(super) struct OrientedBox {
+    pub(super) center: Point2,
+    pub(super) axis: Vector2,
+    pub(super) half: Vector2,
+}
+
+impl OrientedBox {
+    /// Whether it shares a point with an upright box: no line along the sides of either parts them.
+    fn meets(&self, other: &Bounds2) -> bool {
+        let Self { axis, half, .. } = self;
+        let apart = other.center() - self.center;
+        let size = other.size() / 2.0;
+        let [c, s] = [axis.x.abs(), axis.y.abs()];
+        apart.x.abs() <= size.x + half.x * c + half.y * s
+            && apart.y.abs() <= size.y + half.x * s + half.y * c
+            && apart.dot(axis).abs() <= half.x + size.x * c + size.y * s
+            && axis.perp(&apart).abs() <= half.y + size.x * s + size.y * c
+    }
+
+    /// Whether a point lies in it.
+    pub(super) fn contains(&self, point: Point2) -> bool {
+        let apart = point - self.center;
+        (apart.dot(&self.axis).abs() <= self.half.x) & (self.axis.perp(&apart).abs() <= self.half.y)
+    }
+}
+
+/// Of no point.
+const NOWHERE: Bounds2 = Bounds2 {
+    min: Point2::new(f64::INFINITY, f64::INFINITY),
+    max: Point2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
+};
+
+fn joined(one: &Bounds2, other: &Bounds2) -> Bounds2 {
+    Bounds2 {
+        min: one.min.inf(&other.min),
+        max: one.max.sup(&other.max),
+    }
+}
+
 impl ParticleField {
-    /// Sorts the particles into cells. Cost: proportional to the number of particles.
+    /// Sorts the particles into blocks. Cost: n log n in the number of particles.
     pub fn new(particles: &ParticleDistribution) -> Self {
-        let bounds = Bounds2::of(particles.remaining()).unwrap_or(Bounds2 {
-            min: Point2::origin(),
-            max: Point2::origin(),
-        });
-        let size = bounds.size();
-        let count = particles.len().max(1) as f64;
-        let cell_size =
-            (PARTICLES_PER_CELL * size.x.max(MIN_CELL_SIZE) * size.y.max(MIN_CELL_SIZE) / count)
-                .sqrt()
-                .max(MIN_CELL_SIZE)
-                .max(size.amax() / 4096.0);
-        let columns = (size.x / cell_size) as usize + 1;
-        let rows = (size.y / cell_size) as usize + 1;
+        let count = particles.len();
+        let (mut order, gone): (Vec<u32>, Vec<u32>) =
+            (0..count as u32).partition(|&i| particles.fate[i as usize].is_on_surface());
+        pack(&mut order, particles);
+        let remaining = order.len();
+        order.extend(gone);
+        let blocks = remaining.div_ceil(BLOCK);
         let mut field = Self {
-            origin: bounds.min,
-            cell_size,
-            per_cell_size: 1.0 / cell_size,
-            columns,
-            rows,
-            head: vec![NONE; columns * rows],
-            next: vec![NONE; particles.len()],
-            previous: vec![NONE; particles.len()],
-            x: Vec::with_capacity(particles.len()),
-            y: Vec::with_capacity(particles.len()),
-            fate: Vec::with_capacity(particles.len()),
-            index: (0..particles.len() as u32).collect(),
-            slot: vec![0; particles.len()],
-            remaining: 0,
+            x: order.iter().map(|&i| particles.x[i as usize]).collect(),
+            y: order.iter().map(|&i| particles.y[i as usize]).collect(),
+            slot: vec![0; count],
+            fate: particles.fate.clone(),
+            present: (0..blocks)
+                .map(|block| BLOCK.min(remaining - block * BLOCK) as u32)
+                .collect(),
+            blocks: vec![NOWHERE; blocks],
+            groups: vec![NOWHERE; blocks.div_ceil(GROUP)],
+            index: order,
+            remaining,
         };
-        let cells: Vec<u32> = particles
-            .iter()
-            .map(|(position, _)| field.cell(position) as u32)
-            .collect();
-        field.index.sort_by_key(|&i| cells[i as usize]);
-        for slot in 0..particles.len() {
-            let i = field.index[slot] as usize;
-            field.slot[i] = slot as Slot;
-            field.x.push(particles.x[i]);
-            field.y.push(particles.y[i]);
-            field.fate.push(particles.fate[i]);
+        for (slot, &i) in field.index.iter().enumerate() {
+            field.slot[i as usize] = slot as Slot;
         }
-        // Backwards, so that each list runs in ascending slots.
-        for slot in (0..particles.len()).rev() {
-            if field.fate[slot].is_on_surface() {
-                let cell = field.cell(field.position(slot as Slot));
-                field.link(slot as Slot, cell);
-                field.remaining += 1;
-            }
-        }
+        (0..blocks).for_each(|block| field.refit(block));
         field
     }
 
@@ -106,23 +122,25 @@ impl ParticleField {
         for (slot, &i) in self.index.iter().enumerate() {
             particles.x[i as usize] = self.x[slot];
             particles.y[i as usize] = self.y[slot];
-            particles.fate[i as usize] = self.fate[slot];
         }
+        particles.fate.copy_from_slice(&self.fate);
     }
 
     /// Where particle `index` of the distribution is now, and what became of it.
     pub(crate) fn place(&self, index: usize) -> (Point2, Fate) {
-        let slot = self.slot[index];
-        (self.position(slot), self.fate[slot as usize])
+        (self.position(self.slot[index]), self.fate[index])
     }
 
     /// Moves particle `index` of the distribution by a vector, or off the surface if an edge is in the way. What
     /// is off the surface is left alone.
     pub(super) fn displace(&mut self, index: usize, surface: &Surface, by: Vector2) {
-        let slot = self.slot[index];
-        let is_here = self.fate[slot as usize].is_on_surface();
-        if is_here && !self.drop_beyond_edge(index, surface, by) {
-            self.relocate(slot, self.position(slot) + by);
+        if self.fate[index].is_on_surface() && !self.drop_beyond_edge(index, surface, by) {
+            let slot = self.slot[index];
+            let to = self.position(slot) + by;
+            self.put(slot, to);
+            let block = slot as usize / BLOCK;
+            self.blocks[block] = joined(&self.blocks[block], &Bounds2 { min: to, max: to });
+            self.regroup(block);
         }
     }
 
@@ -133,10 +151,10 @@ impl ParticleField {
         surface: &Surface,
         by: Vector2,
     ) -> bool {
-        let slot = self.slot[index];
-        if !self.fate[slot as usize].is_on_surface() {
+        if !self.fate[index].is_on_surface() {
             return false;
         }
+        let slot = self.slot[index];
         let from = self.position(slot);
         let edge = surface.exit_edge(from, from + by);
         if let Some(edge) = edge {
@@ -166,133 +184,134 @@ impl ParticleField {
         Point2::new(self.x[slot as usize], self.y[slot as usize])
     }
 
-    /// Moves a particle that stays on the surface.
-    pub(super) fn relocate(&mut self, slot: Slot, to: Point2) {
-        let (from_cell, to_cell) = (self.cell(self.position(slot)), self.cell(to));
+    /// Moves a particle that stays on the surface; its block is to be refitted.
+    pub(super) fn put(&mut self, slot: Slot, to: Point2) {
         self.x[slot as usize] = to.x;
         self.y[slot as usize] = to.y;
-        if to_cell != from_cell {
-            self.unlink(slot, from_cell);
-            self.link(slot, to_cell);
-        }
     }
 
     /// Counts so many more passes of a tool over a place.
     pub(super) fn treat(&mut self, slot: Slot, more: f64) {
-        let fate = &mut self.fate[slot as usize];
+        let index = self.index(slot);
+        let fate = &mut self.fate[index];
         let passes = fate.passes() + more;
         *fate = Fate::Treated { passes };
     }
 
-    /// Takes a particle off the surface; `at` is where it went.
+    /// Takes a particle off the surface; `at` is where it went. The last one of its block takes its slot.
     pub(super) fn remove(&mut self, slot: Slot, at: Point2, fate: Fate) {
-        self.unlink(slot, self.cell(self.position(slot)));
-        self.x[slot as usize] = at.x;
-        self.y[slot as usize] = at.y;
-        self.fate[slot as usize] = fate;
+        let slot = slot as usize;
+        let block = slot / BLOCK;
+        self.present[block] -= 1;
+        let last = block * BLOCK + self.present[block] as usize;
+        let (gone, other) = (self.index[slot] as usize, self.index[last] as usize);
+        self.fate[gone] = fate;
+        self.x[slot] = self.x[last];
+        self.y[slot] = self.y[last];
+        self.x[last] = at.x;
+        self.y[last] = at.y;
+        self.index.swap(slot, last);
+        self.slot[other] = slot as Slot;
+        self.slot[gone] = last as Slot;
         self.remaining -= 1;
     }
 
-    /// Collects the slots in all cells that touch the oriented box `center ± half` along `axis`.
-    ///
-    /// Finds every particle in the box, and some near it.
-    pub(super) fn collect_near(
-        &self,
-        center: Point2,
-        axis: Vector2,
-        half: Vector2,
-        slots: &mut Vec<Slot>,
-    ) {
-        slots.clear();
-        // Extent of the box along x and y, and for a given band of rows its extent along x.
-        let side = Vector2::new(-axis.y, axis.x);
-        let reach_y = axis.y.abs() * half.x + side.y.abs() * half.y;
-        let row_of = |y: f64| self.clamped(y - self.origin.y, self.rows);
-        for row in row_of(center.y - reach_y)..=row_of(center.y + reach_y) {
-            // Cells at the rim also hold what lies beyond it.
-            let band_min = if row == 0 {
-                f64::NEG_INFINITY
-            } else {
-                self.origin.y + row as f64 * self.cell_size
-            };
-            let band_max = if row + 1 == self.rows {
-                f64::INFINITY
-            } else {
-                self.origin.y + (row + 1) as f64 * self.cell_size
-            };
-            let Some((x_min, x_max)) = box_extent_in_band(center, axis, half, (band_min, band_max))
-            else {
-                continue;
-            };
-            let first = self.clamped(x_min - self.origin.x, self.columns);
-            let last = self.clamped(x_max - self.origin.x, self.columns);
-            for cell in row * self.columns + first..=row * self.columns + last {
-                let mut slot = self.head[cell];
-                while slot != NONE {
-                    slots.push(slot);
-                    slot = self.next[slot as usize];
-                }
+    /// Collects the blocks of which a particle may lie in a box, in ascending order.
+    pub(super) fn blocks_near(&self, near: &OrientedBox, found: &mut Vec<u32>) {
+        found.clear();
+        for (group, bounds) in self.groups.iter().enumerate() {
+            if near.meets(bounds) {
+                let first = group * GROUP;
+                let last = (first + GROUP).min(self.blocks.len());
+                let blocks = (first..last).zip(&self.blocks[first..last]);
+                let met = blocks.filter(|(_, bounds)| near.meets(bounds));
+                found.extend(met.map(|(block, _)| block as u32));
             }
         }
     }
 
-    fn clamped(&self, offset: f64, cells: usize) -> usize {
-        // Saturating float-to-int conversion: negative offsets become 0.
-        ((offset * self.per_cell_size) as usize).min(cells - 1)
+    /// The slots of a block's particles that are on the surface.
+    pub(super) fn slots(&self, block: u32) -> Range<Slot> {
+        let first = block * BLOCK as u32;
+        first..first + self.present[block as usize]
     }
 
-    fn cell(&self, position: Point2) -> usize {
-        self.clamped(position.y - self.origin.y, self.rows) * self.columns
-            + self.clamped(position.x - self.origin.x, self.columns)
+    /// Coordinates of the particles in some slots [m].
+    pub(super) fn coordinates(&self, slots: Range<Slot>) -> (&[f64], &[f64]) {
+        let slots = slots.start as usize..slots.end as usize;
+        (&self.x[slots.clone()], &self.y[slots])
     }
 
-    fn link(&mut self, slot: Slot, cell: usize) {
-        let head = self.head[cell];
-        self.next[slot as usize] = head;
-        self.previous[slot as usize] = NONE;
-        if head != NONE {
-            self.previous[head as usize] = slot;
-        }
-        self.head[cell] = slot;
+    /// Takes in that particles of a block have moved.
+    pub(super) fn refit(&mut self, block: usize) {
+        let (x, y) = self.coordinates(self.slots(block as u32));
+        let [(left, right), (bottom, top)] = [extent(x), extent(y)];
+        self.blocks[block] = Bounds2 {
+            min: Point2::new(left, bottom),
+            max: Point2::new(right, top),
+        };
+        self.regroup(block);
     }
 
-    fn unlink(&mut self, slot: Slot, cell: usize) {
-        let (previous, next) = (self.previous[slot as usize], self.next[slot as usize]);
-        if previous == NONE {
-            self.head[cell] = next;
-        } else {
-            self.next[previous as usize] = next;
-        }
-        if next != NONE {
-            self.previous[next as usize] = previous;
-        }
+    fn regroup(&mut self, block: usize) {
+        let group = &mut self.groups[block / GROUP];
+        *group = joined(group, &self.blocks[block]);
     }
 }
 
-/// Smallest and largest x of the part of an oriented box that lies in a band of y; `None` if none does.
-fn box_extent_in_band(
-    center: Point2,
-    axis: Vector2,
-    half: Vector2,
-    (band_min, band_max): (f64, f64),
-) -> Option<(f64, f64)> {
-    let side = Vector2::new(-axis.y, axis.x);
-    let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
-        .map(|(u, v)| center + axis * (u * half.x) + side * (v * half.y));
-    let mut extent: Option<(f64, f64)> = None;
-    let mut include = |x: f64| {
-        extent = Some(extent.map_or((x, x), |(low, high): (f64, f64)| (low.min(x), high.max(x))));
+/// The smallest and the largest of some numbers; without a branch, so that the compiler takes several at once.
+fn extent(numbers: &[f64]) -> (f64, f64) {
+    const LANES: usize = 4;
+    let mut low = [f64::INFINITY; LANES];
+    let mut high = [f64::NEG_INFINITY; LANES];
+    let mut take = |lane: usize, number: f64| {
+        low[lane] = if number < low[lane] {
+            number
+        } else {
+            low[lane]
+        };
+        high[lane] = if number > high[lane] {
+            number
+        } else {
+            high[lane]
+        };
     };
-    for i in 0..4 {
-        let (a, b) = (corners[i], corners[(i + 1) % 4]);
-        if (band_min..=band_max).contains(&a.y) {
-            include(a.x);
-        }
-        for y in [band_min, band_max] {
-            if (a.y < y) != (b.y < y) {
-                include(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
-            }
-        }
+    let (whole, rest) = numbers.as_chunks::<LANES>();
+    for chunk in whole {
+        (0..LANES).for_each(|lane| take(lane, chunk[lane]));
     }
-    extent
+    rest.iter().for_each(|&number| take(0, number));
+    (
+        low.into_iter().fold(f64::INFINITY, f64::min),
+        high.into_iter().fold(f64::NEG_INFINITY, f64::max),
+    )
+}
+
+/// Sorts particles so that every [`BLOCK`] of them are neighbours: into slices along x, and each slice along y
+/// (Leutenegger, Lopez and Edgington, 1997).
+fn pack(order: &mut [u32], particles: &ParticleDistribution) {
+    if order.len() <= BLOCK {
+        return;
+    }
+    let sort = |order: &mut [u32], coordinates: &[f64]| {
+        let mut keys: Vec<(f64, u32)> = (order.iter())
+            .map(|&i| (coordinates[i as usize], i))
+            .collect();
+        keys.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        order
+            .iter_mut()
+            .zip(keys)
+            .for_each(|(place, (_, i))| *place = i);
+    };
+    let bounds = Bounds2::of(order.iter().map(|&i| particles.position(i as usize)));
+    let size = bounds.map_or(Vector2::zeros(), |bounds| bounds.size());
+    let blocks = order.len().div_ceil(BLOCK);
+    // Blocks about as wide as high.
+    let slices = (blocks as f64 * size.x / size.y).sqrt().round();
+    let slices = (slices as usize).clamp(1, blocks);
+    sort(order, &particles.x);
+    let per_slice = blocks.div_ceil(slices) * BLOCK;
+    order
+        .chunks_mut(per_slice)
+        .for_each(|slice| sort(slice, &particles.y));
 }

@@ -1,9 +1,13 @@
-//! Where a line along the motion runs through a translating footprint.
+//! Where a line along the motion runs through a translating footprint, and so which particles it meets.
 
+use super::Effect;
+use super::field::BLOCK;
 use super::motion::CLEARANCE;
 use crate::geometry::{Edge, Point2, Vector2};
 
 const MAX_BINS: usize = 256;
+/// Particles of a block whose chords are computed at once; divides [`BLOCK`].
+const LANES: usize = 4;
 
 /// The footprint's edges in the frame of a stroke (x along the motion, y to its left), sorted into
 /// bins of y so that a particle only meets the edges beside it.
@@ -16,15 +20,28 @@ pub(super) struct SweptTranslation {
     bin_start: Vec<u32>,
     bin_edges: Vec<u32>,
     crossings: Vec<f64>,
+    /// Whether no line runs through the footprint twice.
+    is_convex: bool,
+    along: Vector2,
+    length: f64,
+    /// The particles of a block, in the frame of the stroke [m].
+    ahead: [f64; BLOCK],
+    lateral: [f64; BLOCK],
+    /// How far each is carried, or the tool slides over it, if it is met [m].
+    extent: [f64; BLOCK],
+    is_met: [bool; BLOCK],
+    /// Which are met.
+    met: [u8; BLOCK],
 }
 
 /// The intervals in which one line along the motion runs inside the footprint, in ascending order.
-pub(super) struct Chords<'a> {
-    pub(super) crossings: &'a [f64],
+struct Chords<'a> {
+    crossings: &'a [f64],
 }
 
 impl SweptTranslation {
-    pub(super) fn for_edges(edges: usize) -> Self {
+    /// For a footprint of so many edges, through which no line runs twice if it is convex.
+    pub(super) fn new(edges: usize, is_convex: bool) -> Self {
         let bins = (edges / 4).clamp(1, MAX_BINS);
         Self {
             edges: Vec::with_capacity(edges),
@@ -33,11 +50,20 @@ impl SweptTranslation {
             bin_start: vec![0; bins + 1],
             bin_edges: Vec::new(),
             crossings: Vec::new(),
+            is_convex,
+            along: Vector2::x(),
+            length: 0.0,
+            ahead: [0.0; BLOCK],
+            lateral: [0.0; BLOCK],
+            extent: [0.0; BLOCK],
+            is_met: [false; BLOCK],
+            met: [0; BLOCK],
         }
     }
 
-    /// Turns the footprint (tool frame, at `heading`) into the frame of a stroke along `along`.
-    pub(super) fn fill(&mut self, edges: &[Edge], heading: f64, along: Vector2) {
+    /// Turns the footprint (tool frame, at `heading`) into the frame of a stroke of a length [m] along `along`.
+    pub(super) fn fill(&mut self, edges: &[Edge], heading: f64, (along, length): (Vector2, f64)) {
+        (self.along, self.length) = (along, length);
         let (sin, cos) = heading.sin_cos();
         let into_stroke = |p: Point2| {
             let turned = Vector2::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y);
@@ -46,6 +72,7 @@ impl SweptTranslation {
         self.edges.clear();
         self.low = Point2::new(f64::INFINITY, f64::INFINITY);
         self.high = -self.low;
+        let is_convex = self.is_convex;
         for edge in edges {
             let edge = Edge {
                 start: into_stroke(edge.start),
@@ -53,9 +80,14 @@ impl SweptTranslation {
             };
             self.low = self.low.inf(&edge.start);
             self.high = self.high.sup(&edge.start);
-            self.edges.push(edge);
+            // No line along the motion crosses an edge along it.
+            if !is_convex || edge.start.y != edge.end.y {
+                self.edges.push(edge);
+            }
         }
-        self.sort_into_bins();
+        if !self.is_convex {
+            self.sort_into_bins();
+        }
     }
 
     /// Counting sort: sizes, then starts, then the edges themselves.
@@ -91,40 +123,119 @@ impl SweptTranslation {
 
     /// Smallest and largest coordinates of the footprint in the stroke frame [m].
     pub(super) fn extent(&self) -> Option<(Point2, Point2)> {
-        (!self.edges.is_empty()).then_some((self.low, self.high))
+        (self.low.x <= self.high.x).then_some((self.low, self.high))
     }
 
-    /// The only chords of a convex footprint, one for each line at so much [m] to the left of the tool centre point's line; one
-    /// that misses it ends before it begins.
-    ///
-    /// Edge by edge over all lines, without a branch: the compiler takes several at once.
-    pub(super) fn chords(&self, laterals: &[f64], chords: &mut Vec<[f64; 2]>) {
-        chords.clear();
-        chords.resize(laterals.len(), [f64::INFINITY, f64::NEG_INFINITY]);
-        for Edge { start, end } in &self.edges {
-            let (rise, run) = (end.y - start.y, end.x - start.x);
-            for (lateral, chord) in laterals.iter().zip(&mut *chords) {
-                let x = match run == 0.0 {
-                    true => start.x,
-                    false => start.x + (lateral - start.y) / rise * run,
-                };
-                let is_crossed = (start.y > *lateral) != (end.y > *lateral);
-                chord[0] = if is_crossed && x < chord[0] {
-                    x
-                } else {
-                    chord[0]
-                };
-                chord[1] = if is_crossed && x > chord[1] {
-                    x
-                } else {
-                    chord[1]
-                };
-            }
+    /// The particles of a block, at these coordinates [m], that the stroke from `from` affects: which of the block, in ascending
+    /// order, says [`SweptTranslation::outcome`]; returns how many.
+    pub(super) fn met(&mut self, (x, y): (&[f64], &[f64]), from: Point2, kind: Effect) -> usize {
+        let (along, side) = (self.along, Vector2::new(-self.along.y, self.along.x));
+        let frame = self.ahead.iter_mut().zip(&mut self.lateral);
+        for ((x, y), (ahead, lateral)) in x.iter().zip(y).zip(frame) {
+            let relative = Vector2::new(x - from.x, y - from.y);
+            *ahead = relative.dot(&along);
+            *lateral = relative.dot(&side);
+        }
+        let count = x.len();
+        if self.is_convex {
+            self.met_by_convex(count, kind)
+        } else {
+            self.met_by_any(count, kind)
         }
     }
 
+    /// The particle of the block that was met as this one, and how far it is carried or the tool slides over it [m].
+    pub(super) fn outcome(&self, number: usize) -> (u32, f64) {
+        let particle = self.met[number];
+        (particle.into(), self.extent[particle as usize])
+    }
+
+    /// Step by step over all particles, without a branch in any: the compiler takes several at once.
+    fn met_by_convex(&mut self, count: usize, kind: Effect) -> usize {
+        let length = self.length;
+        let (low, high) = self.chords();
+        let particles = self.ahead.iter().zip(low.iter().zip(&high));
+        let found = (self.extent.iter_mut().zip(&mut self.is_met)).zip(particles);
+        match kind {
+            Effect::Absorb => {
+                for ((_, is_met), (ahead, (low, high))) in found {
+                    *is_met = (low <= ahead) & (*ahead <= high + length);
+                }
+            }
+            Effect::Push => {
+                for ((advance, is_met), (ahead, (low, high))) in found {
+                    let carried = high + length + CLEARANCE;
+                    *advance = carried - ahead;
+                    *is_met = (low < ahead) & (carried > *ahead);
+                }
+            }
+            Effect::Treat => {
+                for ((slid, is_met), (ahead, (low, high))) in found {
+                    *slid = (ahead - low).min(length) - (ahead - high).max(0.0);
+                    *is_met = *slid > 0.0;
+                }
+            }
+        }
+        let mut met = 0;
+        for (particle, &is_met) in self.is_met[..count].iter().enumerate() {
+            self.met[met % BLOCK] = particle as u8;
+            met += usize::from(is_met);
+        }
+        met
+    }
+
+    /// Where the lines of all particles of a block enter and leave a convex footprint; one that misses it leaves before it enters.
+    fn chords(&self) -> ([f64; BLOCK], [f64; BLOCK]) {
+        let mut chords = ([f64::INFINITY; BLOCK], [f64::NEG_INFINITY; BLOCK]);
+        for (first, laterals) in self.lateral.as_chunks::<LANES>().0.iter().enumerate() {
+            let mut low = [f64::INFINITY; LANES];
+            let mut high = [f64::NEG_INFINITY; LANES];
+            for Edge { start, end } in &self.edges {
+                let (rise, run) = (end.y - start.y, end.x - start.x);
+                let crossings = match run == 0.0 {
+                    true => [start.x; LANES],
+                    false => laterals.map(|lateral| start.x + (lateral - start.y) / rise * run),
+                };
+                for lane in 0..LANES {
+                    let lateral = laterals[lane];
+                    let is_crossed = (start.y > lateral) != (end.y > lateral);
+                    let x = crossings[lane];
+                    let (least, most) = (low[lane], high[lane]);
+                    low[lane] = if is_crossed & (x < least) { x } else { least };
+                    high[lane] = if is_crossed & (x > most) { x } else { most };
+                }
+            }
+            let lanes = first * LANES..(first + 1) * LANES;
+            chords.0[lanes.clone()].copy_from_slice(&low);
+            chords.1[lanes].copy_from_slice(&high);
+        }
+        chords
+    }
+
+    fn met_by_any(&mut self, count: usize, kind: Effect) -> usize {
+        let mut met = 0;
+        for number in 0..count {
+            let (ahead, length) = (self.ahead[number], self.length);
+            if ahead < self.low.x || ahead > self.high.x + length {
+                continue;
+            }
+            let chords = self.at(self.lateral[number]);
+            let outcome = match kind {
+                Effect::Absorb => chords.covers(ahead, length).then_some(ahead),
+                Effect::Push => chords.carried(ahead, length).map(|to| to - ahead),
+                Effect::Treat => Some(chords.slid(ahead, length)).filter(|&slid| slid > 0.0),
+            };
+            if let Some(outcome) = outcome {
+                self.extent[number] = outcome;
+                self.met[met] = number as u8;
+                met += 1;
+            }
+        }
+        met
+    }
+
     /// The chords of the line at `lateral` [m] to the left of the tool centre point's line.
-    pub(super) fn at(&mut self, lateral: f64) -> Chords<'_> {
+    fn at(&mut self, lateral: f64) -> Chords<'_> {
         self.crossings.clear();
         if lateral < self.low.y || lateral > self.high.y {
             return Chords { crossings: &[] };
@@ -157,27 +268,16 @@ impl SweptTranslation {
     }
 }
 
-impl<'a> Chords<'a> {
-    /// That of a convex footprint; see [`SweptTranslation::chords`].
-    pub(super) fn of_convex(chord: &'a [f64; 2]) -> Self {
-        let crossings = match chord[0] <= chord[1] {
-            true => &chord[..],
-            false => &[],
-        };
-        Self { crossings }
-    }
-}
-
 impl Chords<'_> {
     /// Whether a particle `ahead` of the tool's start comes under the footprint on a way of `length`.
-    pub(super) fn covers(&self, ahead: f64, length: f64) -> bool {
+    fn covers(&self, ahead: f64, length: f64) -> bool {
         self.crossings
             .chunks_exact(2)
             .any(|chord| chord[0] <= ahead && ahead <= chord[1] + length)
     }
 
     /// How far the footprint slides over a particle `ahead` of the tool's start on a way of `length` [m].
-    pub(super) fn slid(&self, ahead: f64, length: f64) -> f64 {
+    fn slid(&self, ahead: f64, length: f64) -> f64 {
         let over = |chord: &[f64]| (ahead - chord[0]).min(length) - (ahead - chord[1]).max(0.0);
         let chords = self.crossings.chunks_exact(2);
         chords.map(|chord| over(chord).max(0.0)).sum()
@@ -187,7 +287,7 @@ impl Chords<'_> {
     ///
     /// The foremost chord that begins behind the particle is the one that reaches it first: all
     /// chords move alike, so none of those further back ever catches up.
-    pub(super) fn carried(&self, ahead: f64, length: f64) -> Option<f64> {
+    fn carried(&self, ahead: f64, length: f64) -> Option<f64> {
         let leading = self
             .crossings
             .chunks_exact(2)
