@@ -5,7 +5,8 @@ use crate::args::{Budget, TaskArgs};
 use crate::failure::Failure;
 use crate::terminal::remark;
 use std::time::Instant;
-use wisch::plan::{PlanConfig, PlanError, SearchConfig, Strategy, plan};
+use wisch::plan::Strategy;
+use wisch::run::{NoExecutor, RunError, Session, Stage, unobserved};
 
 /// Plans tried to see how long they take.
 const TRIED: [usize; 2] = [1, 20_000];
@@ -56,19 +57,17 @@ struct Pace {
 }
 
 impl Pace {
-    fn measured(prepared: &Prepared) -> Result<Self, PlanError> {
+    /// By planning as the commands do, without a robot.
+    fn measured(prepared: &Prepared) -> Result<Self, RunError> {
+        let belief = prepared.belief();
         let mut took = [0.0; 2];
         for (evaluations, took) in TRIED.into_iter().zip(&mut took) {
-            let config = PlanConfig {
-                strategy: Strategy::Adaptive,
-                search: SearchConfig {
-                    evaluations,
-                    ..prepared.config.search
-                },
-                ..prepared.config.clone()
-            };
+            let mut config = prepared.run_config();
+            config.plan.strategy = Strategy::Adaptive;
+            config.plan.search.evaluations = evaluations;
+            let mut session = Session::new(&prepared.task, config).with_belief(belief.clone());
             let begin = Instant::now();
-            plan(&prepared.task, &config)?;
+            session.run_until(Stage::Planned, &mut NoExecutor, &mut unobserved)?;
             *took = begin.elapsed().as_secs_f64();
         }
         let [few, many] = TRIED.map(|tried| tried as f64);
