@@ -18,6 +18,7 @@ from ._wisch import (
     EffectField,
     ImpedanceController,
     Interpretation,
+    Memory,
     Motion,
     Plan,
     Prediction,
@@ -26,6 +27,7 @@ from ._wisch import (
     Session,
     Sink,
     Telemetry,
+    read_log,
 )
 
 __all__ = [
@@ -33,6 +35,7 @@ __all__ = [
     "EffectField",
     "ImpedanceController",
     "Interpretation",
+    "Memory",
     "Motion",
     "Plan",
     "Prediction",
@@ -45,4 +48,5 @@ __all__ = [
     "WischError",
     "build_task",
     "load_task",
+    "read_log",
 ]
