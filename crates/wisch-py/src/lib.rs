@@ -48,7 +48,7 @@ mod _wisch {
     #[pymodule_export]
     use crate::session::{PyAudit, PyRound, PySession};
     #[pymodule_export]
-    use crate::task::{PyTask, load_task, task_of_json};
+    use crate::task::{PyTask, load_task, task_of_keys};
     #[pymodule_export]
     use crate::telemetry::{PyTelemetry, read_log};
 }

@@ -66,13 +66,13 @@ fn made(path: &Path, text: String, csv: Option<String>, options: LoadOptions) ->
     })
 }
 
-/// The task of the keys of a task file as JSON; `particles` (N, 2) are its particles, if they are given.
+/// The task of the keys of a task file; `particles` (N, 2) are its particles, if they are given.
 #[pyfunction]
-#[pyo3(signature = (json, particles = None, *, path = None, set = None, seed = None, action = None, strategy = None, knowledge = None))]
+#[pyo3(signature = (keys, particles = None, *, path = None, set = None, seed = None, action = None, strategy = None, knowledge = None))]
 #[expect(clippy::too_many_arguments, reason = "Python names them")]
-pub fn task_of_json(
+pub fn task_of_keys(
     py: Python<'_>,
-    json: &str,
+    keys: &Bound<'_, PyDict>,
     particles: Option<&Bound<'_, PyAny>>,
     path: Option<PathBuf>,
     set: Option<&Bound<'_, PyDict>>,
@@ -82,15 +82,11 @@ pub fn task_of_json(
     knowledge: Option<PathBuf>,
 ) -> PyResult<PyTask> {
     let options = options_of(set, seed, action, strategy, knowledge)?;
-    let mut table: toml::Table = serde_json::from_str(json).map_err(plain)?;
     let csv = particles.map(csv_of).transpose()?;
+    let mut text = text_of(keys)?;
     if csv.is_some() {
-        let source = [("source", "csv"), ("file", GIVEN_PARTICLES)];
-        let source = source.map(|(key, value)| (key.to_owned(), value.into()));
-        let source = toml::Table::from_iter(source);
-        table.insert("particles".to_owned(), source.into());
+        text += &format!("\n[particles]\nsource = \"csv\"\nfile = {GIVEN_PARTICLES:?}\n");
     }
-    let text = toml::to_string(&table).map_err(plain)?;
     let path = path.unwrap_or_else(|| PathBuf::from(NO_FILE));
     py.detach(|| made(&path, text, csv, options))
 }
@@ -102,10 +98,30 @@ fn csv_of(particles: &Bound<'_, PyAny>) -> PyResult<String> {
     Ok(particles_to_csv(&particles))
 }
 
+/// The text of a task file with these keys: a line for each, tables after what stands alone.
+fn text_of(keys: &Bound<'_, PyDict>) -> PyResult<String> {
+    let (mut alone, mut tables) = (String::new(), String::new());
+    for (key, value) in keys {
+        let key: String = key.extract()?;
+        let name = toml::Value::String(key.clone());
+        let Ok(table) = value.cast::<PyMapping>() else {
+            alone += &format!("{name} = {}\n", toml_of(&key, &value)?);
+            continue;
+        };
+        tables += &format!("\n[{name}]\n");
+        for entry in table.keys()?.iter() {
+            let inner: String = entry.extract()?;
+            let value = toml_of(&format!("{key}.{inner}"), &table.get_item(&entry)?)?;
+            tables += &format!("{} = {value}\n", toml::Value::String(inner));
+        }
+    }
+    Ok(alone + &tables)
+}
+
 /// A value of Python as TOML.
-fn toml_of(value: &Bound<'_, PyAny>) -> PyResult<String> {
+fn toml_of(key: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
     if let Ok(list) = value.call_method0("tolist") {
-        return toml_of(&list);
+        return toml_of(key, &list);
     }
     if let Ok(is_true) = value.extract::<bool>() {
         return Ok(is_true.to_string());
@@ -113,11 +129,15 @@ fn toml_of(value: &Bound<'_, PyAny>) -> PyResult<String> {
     if let Ok(text) = value.extract::<String>() {
         return Ok(toml::Value::String(text).to_string());
     }
+    if let Ok(path) = value.call_method0("__fspath__") {
+        return toml_of(key, &path);
+    }
     if let Ok(table) = value.cast::<PyMapping>() {
         let mut entries = Vec::new();
-        for key in table.keys()?.iter() {
-            let name = toml::Value::String(key.extract()?);
-            entries.push(format!("{name} = {}", toml_of(&table.get_item(&key)?)?));
+        for entry in table.keys()?.iter() {
+            let inner: String = entry.extract()?;
+            let value = toml_of(&format!("{key}.{inner}"), &table.get_item(&entry)?)?;
+            entries.push(format!("{} = {value}", toml::Value::String(inner)));
         }
         return Ok(format!("{{ {} }}", entries.join(", ")));
     }
@@ -126,9 +146,9 @@ fn toml_of(value: &Bound<'_, PyAny>) -> PyResult<String> {
     }
     let items = value.try_iter().map_err(|_| {
         let found = arrays::kind_of(value);
-        refused("set", found, "numbers, words, lists and dicts")
+        refused(key, found, "numbers, words, lists and dicts")
     })?;
-    let items: PyResult<Vec<String>> = items.map(|item| toml_of(&item?)).collect();
+    let items: PyResult<Vec<String>> = items.map(|item| toml_of(key, &item?)).collect();
     Ok(format!("[{}]", items?.join(", ")))
 }
 
@@ -141,12 +161,13 @@ fn options_of(
 ) -> PyResult<LoadOptions> {
     let mut settings = Vec::new();
     for (key, value) in set.into_iter().flatten() {
+        let key: String = key.extract()?;
         let value = match value.extract() {
             // As on the command line: TOML, or a word.
             Ok(text) => text,
-            Err(_) => toml_of(&value)?,
+            Err(_) => toml_of(&key, &value)?,
         };
-        settings.push((key.extract()?, value));
+        settings.push((key, value));
     }
     let named = |name: &str, known: &dyn std::fmt::Display| refused(name, known, "a known name");
     Ok(LoadOptions {

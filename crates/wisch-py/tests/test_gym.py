@@ -19,8 +19,8 @@ def test_it_passes_gymnasiums_checker():
         check_env(gymnasium.make("wisch/Wiping-v0").unwrapped, skip_render_check=True)
 
 
-def test_it_is_known_without_importing_wisch():
-    script = "import gymnasium; env = gymnasium.make('wisch/Wiping-v0'); print(env.reset(seed=1)[0]['density'].sum())"
+def test_it_is_known_by_the_name_of_its_module():
+    script = "import gymnasium; env = gymnasium.make('wisch.gym:wisch/Wiping-v0'); print(env.reset(seed=1)[0]['density'].sum())"
     ended = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     assert float(ended.stdout) == pytest.approx(1.0, abs=1e-5)
 

@@ -23,14 +23,15 @@ def test_a_session_is_kept_with_its_telemetry(remembered):
     assert memory.episodes == [episode]
     columns = memory.telemetry(episode, 2)
     log = rounds[1].telemetry
-    np.testing.assert_array_equal(columns["time_s"], log.time_s)
+    # Times are kept in nanoseconds.
+    np.testing.assert_allclose(columns["time_s"], log.time_s, atol=1e-9)
     for column, of_log in [
         ("measured/x", log.world_from_tool[:, 0]),
         ("external/fz", log.force_n[:, 2]),
         ("position/joint_7", log.positions[:, 6]),
         ("stroke", np.where(log.stroke < 0, columns["stroke"], log.stroke)),
     ]:
-        np.testing.assert_array_equal(columns[column], of_log)
+        np.testing.assert_allclose(columns[column], of_log, atol=1e-12)
     only = memory.telemetry(episode, 1, columns=[])
     assert list(only) == ["time_s"]
     with pytest.raises(wisch.WischError):

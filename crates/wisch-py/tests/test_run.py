@@ -18,7 +18,7 @@ def test_samples_one_by_one_and_all_at_once_are_the_same(task, robot):
     assert told(by_one) == told(at_once)
     assert len(by_one) == 2
     assert by_one[-1].performance > 0.8
-    np.testing.assert_array_equal(by_one[0].telemetry.world_from_tool, by_one[0].motion.world_from_tool)
+    np.testing.assert_allclose(by_one[0].telemetry.world_from_tool, by_one[0].motion.world_from_tool, atol=1e-12)
 
 
 def test_telemetry_is_handed_out_without_a_copy(task, robot, exact):
@@ -141,7 +141,7 @@ def test_a_table_is_read_as_a_log(task, robot, exact, tmp_path):
     log = first.telemetry
     table = np.column_stack([log.time_s, log.world_from_tool, log.force_n])
     file = tmp_path / "log.csv"
-    np.savetxt(file, table, delimiter=",", header="t,x,y,z,qx,qy,qz,qw,fx,fy,fz", comments="", fmt="%r")
+    np.savetxt(file, table, delimiter=",", header="t,x,y,z,qx,qy,qz,qw,fx,fy,fz", comments="", fmt="%.17g")
     read = wisch.read_log(file, wrench_frame="world")
     np.testing.assert_allclose(read.force_n, log.force_n, atol=1e-12)
     assert task.interpret(read).performance == pytest.approx(first.performance, abs=0.02)

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import json
-import os
 from collections.abc import Mapping
 
 from . import _wisch
-from ._errors import WischError
 from ._wisch import Task, load_task
 
 __all__ = ["Task", "build_task", "load_task"]
@@ -57,21 +54,10 @@ def build_task(
         table["particles"] = particles
     elif particles is not None:
         given = particles
-    return _wisch.task_of_json(
-        json.dumps(table, default=_plain, allow_nan=True),
+    return _wisch.task_of_keys(
+        table,
         given,
         path=path,
         set=set,
         knowledge=knowledge,
     )
-
-
-def _plain(value):
-    """What JSON does not know: arrays, NumPy's numbers, paths."""
-    if hasattr(value, "tolist"):
-        return value.tolist()
-    if isinstance(value, os.PathLike):
-        return os.fspath(value)
-    if isinstance(value, Mapping):
-        return dict(value)
-    raise WischError(f"a task cannot hold a {type(value).__name__}: {value!r}", value=repr(value))

@@ -656,8 +656,8 @@ def read_log(
     Options are those of ``wisch interpret``; poses are (7).
     """
 
-def task_of_json(
-    json: str,
+def task_of_keys(
+    keys: Mapping[str, Any],
     particles: ArrayLike | None = None,
     *,
     path: Path | None = None,

@@ -115,19 +115,27 @@ class _Sink:
 
     def __init__(self, wire: _Wire, joints: list[str]) -> None:
         self._wire = wire
-        self._joints = joints
+        self._joints = list(joints)
         self.last: dict[str, Any] = {}
 
     def __call__(self, sample=None, /, **keys) -> bool:
         sample = dict(keys if sample is None else sample)
         for key in ("positions", "velocities", "efforts"):
             if isinstance(sample.get(key), dict):
-                sample[key] = [sample[key][joint] for joint in self._joints]
+                sample[key] = self._in_order(key, sample[key])
         sample.setdefault("positions", [])
         sample = {key: _finite(key, value) for key, value in sample.items()}
         self._wire.say(sample=sample)
         self.last = sample
         return not self._wire.is_stopped.is_set()
+
+    def _in_order(self, key: str, by_name: dict[str, float]) -> list[float]:
+        for joint in self._joints:
+            if joint not in by_name:
+                raise ValueError(f"{key}: joint {joint!r} is missing, there are {', '.join(by_name)}")
+        if unknown := by_name.keys() - set(self._joints):
+            raise ValueError(f"{key}: unknown joint {min(unknown)!r}; known: {', '.join(self._joints)}")
+        return [by_name[joint] for joint in self._joints]
 
     def many(self, samples=None, /, **keys) -> bool:
         columns = {key: np.asarray(value) for key, value in (keys if samples is None else samples).items()}

@@ -1,5 +1,7 @@
 """A Gymnasium environment to learn wiping in: ``wisch/Wiping-v0``, on the effect model.
 
+Importing this module makes it known; ``gymnasium.make("wisch.gym:wisch/Wiping-v0")`` imports it by itself.
+
 An episode begins with particles spread evenly over a surface. Each step is a straight stroke of the tool in contact; the
 reward is what it gains of the task's performance, less what its way costs. It ends when the target is reached (terminated) or
 after so many strokes (truncated).
@@ -15,6 +17,7 @@ in the box of the actions, and cosine and sine of its heading.
 **Reward**: performance after less before (0 to 1), less ``cost_per_m`` for each metre of way, in contact or lifted.
 
 >>> import gymnasium
+>>> import wisch.gym
 >>> env = gymnasium.make("wisch/Wiping-v0")
 >>> observation, info = env.reset(seed=1)
 >>> observation, reward, terminated, truncated, info = env.step(env.action_space.sample())
@@ -35,24 +38,10 @@ from gymnasium.vector.utils import batch_space
 from . import _wisch
 from ._task import Task, build_task, load_task
 
-__all__ = ["AdaptivePolicy", "RandomPolicy", "WipingEnv", "WipingVectorEnv", "register"]
+__all__ = ["AdaptivePolicy", "RandomPolicy", "WipingEnv", "WipingVectorEnv"]
 
 #: Of an action: start x, y, end x, y, heading.
 _ACTION = 5
-
-
-def register() -> None:
-    """Make ``wisch/Wiping-v0`` known; Gymnasium does it by itself where wisch is installed."""
-    if "wisch/Wiping-v0" not in gymnasium.registry:
-        # Gymnasium calls this within the name space "wisch" when it looks for plugins.
-        from gymnasium.envs import registration
-
-        name = "Wiping-v0" if registration.current_namespace == "wisch" else "wisch/Wiping-v0"
-        gymnasium.register(
-            name,
-            entry_point="wisch.gym:WipingEnv",
-            vector_entry_point="wisch.gym:WipingVectorEnv",
-        )
 
 
 def _default_task() -> Task:
@@ -259,3 +248,10 @@ class AdaptivePolicy:
         start, end = ((pose[:2] - self._middle) / self._half for pose in (before, after))
         heading = math.remainder((before[2] + after[2]) / 2, 2 * math.pi) / math.pi
         return np.clip([*start, *end, heading], -1.0, 1.0).astype(np.float32)
+
+
+gymnasium.register(
+    "wisch/Wiping-v0",
+    entry_point="wisch.gym:WipingEnv",
+    vector_entry_point="wisch.gym:WipingVectorEnv",
+)
