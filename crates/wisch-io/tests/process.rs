@@ -177,6 +177,14 @@ fn a_child_that_goes_wrong_ends_in_an_error_that_says_how() {
         ),
         ("say(error='the arm is locked')", "the arm is locked"),
         ("done('exploded')", "unknown variant `exploded`"),
+        (
+            "sample(0); done('complete')",
+            "is said to be complete, but the last sample is that of 0 s",
+        ),
+        (
+            "done('complete')",
+            "is said to be complete, but there is no sample",
+        ),
     ];
     for (lines, expected) in cases {
         let begin = Instant::now();
@@ -251,9 +259,35 @@ fn how_a_child_ended_is_taken_over() {
     );
 
     let (loaded, robot) = loaded();
-    let script = format!("{CHILD}sample(0)\ndone('complete', [1, 2])\n");
+    let script = format!("{CHILD}sample(0)\ndone('stopped', [1, 2])\n");
     let mut session = loaded.session().with_robot(robot.performer());
     let error = session.run(&mut start(&script).expect("it greets"), &mut unobserved);
     let is_refused = matches!(error, Err(RunError::Positions { found: 2, .. }));
     assert!(is_refused, "{error:?}");
+}
+
+#[test]
+fn what_was_felt_before_a_child_went_wrong_is_kept() {
+    if !has_python() {
+        return;
+    }
+    let (loaded, robot) = loaded();
+    let lines = "for point in points[:200]:\n    sample(point['time_s'], world_from_tool=point['world_from_tool'], positions=point['positions'])\nsay(error='the arm is locked')\n";
+    let mut child = start(&format!("{CHILD}{lines}")).expect("it greets");
+    let mut session = loaded.session().with_robot(robot.performer());
+    let error = session.run(&mut child, &mut unobserved);
+    assert!(matches!(error, Err(RunError::Execute(_))), "{error:?}");
+    let [round] = session.rounds() else {
+        panic!("{} rounds", session.rounds().len());
+    };
+    assert_eq!(round.execution.ending, Ending::Stopped);
+    assert!((round.execution.duration - 1.99).abs() < 1e-9);
+    let again = session.step(&mut child, &mut unobserved);
+    assert_eq!(again, Ok(Stage::Ended));
+
+    // Nothing was felt of one that went wrong at once.
+    let mut child = start(&format!("{CHILD}say(error='no power')\n")).expect("it greets");
+    let mut session = loaded.session().with_robot(robot.performer());
+    assert!(session.run(&mut child, &mut unobserved).is_err());
+    assert!(session.rounds().is_empty());
 }

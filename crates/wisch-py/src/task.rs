@@ -1,0 +1,474 @@
+//! Tasks: from a file, or from Python objects by way of the same file's keys.
+
+use crate::arrays::{self, Matrix, Vector, pose_array, rows};
+use crate::error::{of_file, plain, refused};
+use crate::interpret::PyInterpretation;
+use crate::plan::PyPlan;
+use crate::robot::PyRobot;
+use crate::session::PySession;
+use crate::telemetry::{PyTelemetry, touches};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyFloat, PyInt, PyMapping};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use wisch::represent::{ParticleDistribution, ScenePart};
+use wisch_io::{LoadOptions, LoadedTask, PlanRecord, beside, particles_to_csv};
+
+/// Under this name a task that is made of objects finds the particles that came as an array.
+const GIVEN_PARTICLES: &str = "particles given as an array.csv";
+/// What a task is called that lies in no file.
+const NO_FILE: &str = "task.toml";
+
+/// What is to be wiped, where, with what, and to what end.
+#[pyclass(name = "Task", module = "wisch", frozen)]
+pub struct PyTask {
+    pub loaded: Arc<LoadedTask>,
+    options: LoadOptions,
+}
+
+/// Reads a task file, or a shipped scenario by its name, with all that it refers to.
+///
+/// `set` lays values over the file's: dotted keys such as `{"particles.count": 80, "tool.name": "brush"}`, lists and dicts
+/// included. `action`, `strategy` and `seed` are those of the command line; `knowledge` is a folder with tools, media,
+/// surfaces and interactions in place of what is shipped.
+///
+/// Raises WischError: a file that cannot be read or is refused, with line, column, value and limit.
+#[pyfunction]
+#[pyo3(signature = (path, *, set = None, seed = None, action = None, strategy = None, knowledge = None))]
+pub fn load_task(
+    py: Python<'_>,
+    path: PathBuf,
+    set: Option<&Bound<'_, PyDict>>,
+    seed: Option<u64>,
+    action: Option<&str>,
+    strategy: Option<&str>,
+    knowledge: Option<PathBuf>,
+) -> PyResult<PyTask> {
+    let options = options_of(set, seed, action, strategy, knowledge)?;
+    let loaded = py.detach(|| wisch_io::load_task(&path, &options));
+    Ok(PyTask {
+        loaded: Arc::new(loaded.map_err(of_file)?),
+        options,
+    })
+}
+
+/// The task of a file's text, with the particles of a list where they were given as an array.
+fn made(path: &Path, text: String, csv: Option<String>, options: LoadOptions) -> PyResult<PyTask> {
+    let mut files = beside(path);
+    let mut read = |file: &str| match &csv {
+        Some(csv) if file == GIVEN_PARTICLES => Ok(csv.clone().into_bytes()),
+        _ => files(file),
+    };
+    let loaded = wisch_io::task_of_text(path, text, &mut read, &options).map_err(of_file)?;
+    Ok(PyTask {
+        loaded: Arc::new(loaded),
+        options,
+    })
+}
+
+/// The task of the keys of a task file; `particles` (N, 2) are its particles, if they are given.
+#[pyfunction]
+#[pyo3(signature = (keys, particles = None, *, path = None, set = None, seed = None, action = None, strategy = None, knowledge = None))]
+#[expect(clippy::too_many_arguments, reason = "Python names them")]
+pub fn task_of_keys(
+    py: Python<'_>,
+    keys: &Bound<'_, PyDict>,
+    particles: Option<&Bound<'_, PyAny>>,
+    path: Option<PathBuf>,
+    set: Option<&Bound<'_, PyDict>>,
+    seed: Option<u64>,
+    action: Option<&str>,
+    strategy: Option<&str>,
+    knowledge: Option<PathBuf>,
+) -> PyResult<PyTask> {
+    let options = options_of(set, seed, action, strategy, knowledge)?;
+    let csv = particles.map(csv_of).transpose()?;
+    let mut text = text_of(keys)?;
+    if csv.is_some() {
+        text += &format!("\n[particles]\nsource = \"csv\"\nfile = {GIVEN_PARTICLES:?}\n");
+    }
+    let path = path.unwrap_or_else(|| PathBuf::from(NO_FILE));
+    py.detach(|| made(&path, text, csv, options))
+}
+
+fn csv_of(particles: &Bound<'_, PyAny>) -> PyResult<String> {
+    let points = rows::<2>("particles", particles)?;
+    let points: Vec<_> = points.into_iter().map(Into::into).collect();
+    let particles = ParticleDistribution::new(&points).map_err(plain)?;
+    Ok(particles_to_csv(&particles))
+}
+
+/// The text of a task file with these keys: a line for each, tables after what stands alone.
+fn text_of(keys: &Bound<'_, PyDict>) -> PyResult<String> {
+    let (mut alone, mut tables) = (String::new(), String::new());
+    for (key, value) in keys {
+        let key: String = key.extract()?;
+        let name = toml::Value::String(key.clone());
+        let Ok(table) = value.cast::<PyMapping>() else {
+            alone += &format!("{name} = {}\n", toml_of(&key, &value)?);
+            continue;
+        };
+        tables += &format!("\n[{name}]\n");
+        for entry in table.keys()?.iter() {
+            let inner: String = entry.extract()?;
+            let value = toml_of(&format!("{key}.{inner}"), &table.get_item(&entry)?)?;
+            tables += &format!("{} = {value}\n", toml::Value::String(inner));
+        }
+    }
+    Ok(alone + &tables)
+}
+
+/// A value of Python as TOML.
+fn toml_of(key: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
+    if let Ok(list) = value.call_method0("tolist") {
+        return toml_of(key, &list);
+    }
+    if let Ok(is_true) = value.extract::<bool>() {
+        return Ok(is_true.to_string());
+    }
+    if let Ok(text) = value.extract::<String>() {
+        return Ok(toml::Value::String(text).to_string());
+    }
+    if let Ok(path) = value.call_method0("__fspath__") {
+        return toml_of(key, &path);
+    }
+    if let Ok(table) = value.cast::<PyMapping>() {
+        let mut entries = Vec::new();
+        for entry in table.keys()?.iter() {
+            let inner: String = entry.extract()?;
+            let value = toml_of(&format!("{key}.{inner}"), &table.get_item(&entry)?)?;
+            entries.push(format!("{} = {value}", toml::Value::String(inner)));
+        }
+        return Ok(format!("{{ {} }}", entries.join(", ")));
+    }
+    if value.is_instance_of::<PyInt>() || value.is_instance_of::<PyFloat>() {
+        return value.str()?.extract();
+    }
+    let items = value.try_iter().map_err(|_| {
+        let found = arrays::kind_of(value);
+        refused(key, found, "numbers, words, lists and dicts")
+    })?;
+    let items: PyResult<Vec<String>> = items.map(|item| toml_of(key, &item?)).collect();
+    Ok(format!("[{}]", items?.join(", ")))
+}
+
+fn options_of(
+    set: Option<&Bound<'_, PyDict>>,
+    seed: Option<u64>,
+    action: Option<&str>,
+    strategy: Option<&str>,
+    knowledge: Option<PathBuf>,
+) -> PyResult<LoadOptions> {
+    let mut settings = Vec::new();
+    for (key, value) in set.into_iter().flatten() {
+        let key: String = key.extract()?;
+        let value = match value.extract() {
+            // As on the command line: TOML, or a word.
+            Ok(text) => text,
+            Err(_) => toml_of(&key, &value)?,
+        };
+        settings.push((key, value));
+    }
+    let named = |name: &str, known: &dyn std::fmt::Display| refused(name, known, "a known name");
+    Ok(LoadOptions {
+        settings,
+        knowledge,
+        seed,
+        action: (action.map(str::parse).transpose()).map_err(|error| named("action", &error))?,
+        strategy: (strategy.map(str::parse).transpose())
+            .map_err(|error| named("strategy", &error))?,
+    })
+}
+
+impl PyTask {
+    /// Its name, for messages.
+    pub fn shown(&self) -> String {
+        self.loaded.path.display().to_string()
+    }
+}
+
+#[pymethods]
+impl PyTask {
+    #[getter]
+    fn name(&self) -> &str {
+        &self.loaded.task.name
+    }
+
+    #[getter]
+    fn path(&self) -> PathBuf {
+        self.loaded.path.clone()
+    }
+
+    /// The task file, as TOML.
+    #[getter]
+    fn toml(&self) -> &str {
+        &self.loaded.text
+    }
+
+    #[getter]
+    fn assumptions(&self) -> Vec<String> {
+        self.loaded.assumptions.clone()
+    }
+
+    #[getter]
+    fn action(&self) -> &'static str {
+        self.loaded.task.action.as_str()
+    }
+
+    #[getter]
+    fn medium(&self) -> &str {
+        &self.loaded.task.medium
+    }
+
+    #[getter]
+    fn seed(&self) -> u64 {
+        self.loaded.task.seed
+    }
+
+    #[getter]
+    fn strategy(&self) -> &'static str {
+        self.loaded.config.strategy.as_str()
+    }
+
+    #[getter]
+    fn target_performance(&self) -> f64 {
+        self.loaded.file.target_performance()
+    }
+
+    #[getter]
+    fn tool(&self) -> &str {
+        &self.loaded.task.tool.name
+    }
+
+    #[getter]
+    fn tool_footprint<'py>(&self, py: Python<'py>) -> Vec<Matrix<'py>> {
+        arrays::rings(py, &self.loaded.task.tool.footprint)
+    }
+
+    #[getter]
+    fn tool_mesh<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let (vertices, triangles) = arrays::mesh(py, &self.loaded.task.tool.mesh);
+        Ok((vertices, triangles).into_pyobject(py)?.into_any())
+    }
+
+    #[getter]
+    fn area_of_effect_m(&self) -> [f64; 2] {
+        self.loaded.task.tool.area_of_effect.into()
+    }
+
+    #[getter]
+    fn collision_radius_m(&self) -> f64 {
+        self.loaded.task.tool.collision_radius()
+    }
+
+    #[getter]
+    fn surface(&self) -> &str {
+        &self.loaded.task.surface.name
+    }
+
+    #[getter]
+    fn surface_outline<'py>(&self, py: Python<'py>) -> Matrix<'py> {
+        let outline = self.loaded.task.surface.outline.outer();
+        arrays::points(py, outline.iter().copied())
+    }
+
+    #[getter]
+    fn world_from_surface<'py>(&self, py: Python<'py>) -> Vector<'py> {
+        pose_array(py, &self.loaded.task.surface.world_from_surface)
+    }
+
+    #[getter]
+    fn particles<'py>(&self, py: Python<'py>) -> Matrix<'py> {
+        arrays::places(py, &self.loaded.task.particles)
+    }
+
+    #[getter]
+    fn collect_goal<'py>(&self, py: Python<'py>) -> Option<Vector<'py>> {
+        let goal = self.loaded.task.collect_goal?;
+        Some(arrays::vector(py, vec![goal.x, goal.y]))
+    }
+
+    #[getter]
+    fn tool_start<'py>(&self, py: Python<'py>) -> Vector<'py> {
+        let start = self.loaded.task.tool_start;
+        arrays::vector(py, vec![start.x, start.y])
+    }
+
+    #[getter]
+    fn press_force_n(&self) -> f64 {
+        self.loaded.task.interaction.contact_force()
+    }
+
+    #[getter]
+    fn stiffness_n_per_m(&self) -> f64 {
+        self.loaded.task.interaction.stiffness_n_per_m
+    }
+
+    #[getter]
+    fn damping_ratio(&self) -> f64 {
+        self.loaded.task.interaction.damping_ratio
+    }
+
+    #[getter]
+    fn compression_depth_m(&self) -> f64 {
+        self.loaded.task.interaction.compression_depth_m
+    }
+
+    #[getter]
+    fn contact_speed_m_per_s(&self) -> f64 {
+        self.loaded.file.contact_speed_m_per_s()
+    }
+
+    /// Force of the surface on a tool that is pressed as the task asks for, in the axes of the world (3) [N].
+    #[getter]
+    fn surface_reaction<'py>(&self, py: Python<'py>) -> Vector<'py> {
+        let force = self.loaded.task.surface_reaction();
+        arrays::vector(py, force.iter().copied().collect())
+    }
+
+    /// What stands round the surface: name, role, vertices (V, 3) [m], triangles (T, 3) and `world_from_object`.
+    #[getter]
+    fn scene<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        let objects = self.loaded.task.scene.iter().map(|object| {
+            let entry = PyDict::new(py);
+            let (vertices, triangles) = arrays::mesh(py, &object.mesh);
+            entry.set_item("name", &object.name)?;
+            entry.set_item(
+                "role",
+                match object.part {
+                    ScenePart::Obstacle => "obstacle",
+                    ScenePart::Carrier => "carrier",
+                    ScenePart::Robot => "robot",
+                    ScenePart::Tool => "tool",
+                },
+            )?;
+            entry.set_item("vertices", vertices)?;
+            entry.set_item("triangles", triangles)?;
+            entry.set_item(
+                "world_from_object",
+                pose_array(py, &object.world_from_object),
+            )?;
+            Ok(entry)
+        });
+        objects.collect()
+    }
+
+    /// The robot that the task names, read with what lies beside it; `None` where it names none.
+    fn robot(&self, py: Python<'_>) -> PyResult<Option<PyRobot>> {
+        let robot = py.detach(|| self.loaded.robot()).map_err(of_file)?;
+        Ok(robot.map(PyRobot::of_task))
+    }
+
+    #[pyo3(signature = (robot = None, *, world_from_robot = None, group = None, rounds = None, target = None, pace = None, end_strokes_early = None))]
+    #[expect(clippy::too_many_arguments, reason = "Python names them")]
+    fn session(
+        &self,
+        robot: Option<&Bound<'_, PyAny>>,
+        world_from_robot: Option<&Bound<'_, PyAny>>,
+        group: Option<String>,
+        rounds: Option<usize>,
+        target: Option<f64>,
+        pace: Option<&str>,
+        end_strokes_early: Option<bool>,
+    ) -> PyResult<PySession> {
+        let robot = robot.map(PyRobot::given).transpose()?;
+        let mut config = self.loaded.run_config();
+        if let Some(pose) = world_from_robot {
+            let pose = arrays::pose("world_from_robot", pose)?;
+            config.workcell.world_from_robot = Some(pose);
+        }
+        let (robot, is_of_task) = robot.unzip();
+        if group.is_some() || is_of_task == Some(false) {
+            // A group of the task's own robot is none of another.
+            config.workcell.group = group;
+            config.workcell.second_group = None;
+        }
+        if let Some(rounds) = rounds {
+            config.max_rounds = rounds;
+        }
+        if let Some(target) = target {
+            if !(0.0..=1.0).contains(&target) {
+                return Err(refused("target", target, "0 to 1"));
+            }
+            config.target = target;
+        }
+        if let Some(early) = end_strokes_early {
+            config.end_strokes_early = early;
+        }
+        match pace {
+            None => {}
+            Some("whole") => config.pace = wisch::run::Pace::Whole,
+            Some("greedy") => config.pace = wisch::run::Pace::Greedy,
+            Some(other) => return Err(refused("pace", other, "\"whole\" or \"greedy\"")),
+        }
+        PySession::new(self, robot, config)
+    }
+
+    /// The same task with other particles (N, 2) [m]; options as of `load_task`.
+    #[pyo3(signature = (particles, *, set = None, seed = None, action = None, strategy = None))]
+    fn with_particles(
+        &self,
+        py: Python<'_>,
+        particles: &Bound<'_, PyAny>,
+        set: Option<&Bound<'_, PyDict>>,
+        seed: Option<u64>,
+        action: Option<&str>,
+        strategy: Option<&str>,
+    ) -> PyResult<Self> {
+        let csv = csv_of(particles)?;
+        let mut options = self.options.clone();
+        let laid_over = options_of(set, seed, action, strategy, None)?;
+        let source = format!("{{ source = \"csv\", file = {GIVEN_PARTICLES:?} }}");
+        options.settings.push(("particles".to_owned(), source));
+        options.settings.extend(laid_over.settings);
+        options.seed = laid_over.seed.or(options.seed);
+        options.action = laid_over.action.or(options.action);
+        options.strategy = laid_over.strategy.or(options.strategy);
+        let (path, text) = (&self.loaded.path, self.loaded.text.clone());
+        py.detach(|| made(path, text, Some(csv), options))
+    }
+
+    /// What poses and forces tell of the task: a `Telemetry`, or arrays of times (T) [s], poses (T, 7) and forces of the
+    /// surroundings on the tool (T, 3) [N] in the axes of the world. Of the dirt before, what the task says of it is believed
+    /// (`certain`: that it lies just as it says).
+    #[pyo3(signature = (log = None, *, time_s = None, world_from_tool = None, force_n = None, certain = false))]
+    fn interpret(
+        &self,
+        py: Python<'_>,
+        log: Option<&Bound<'_, PyTelemetry>>,
+        time_s: Option<&Bound<'_, PyAny>>,
+        world_from_tool: Option<&Bound<'_, PyAny>>,
+        force_n: Option<&Bound<'_, PyAny>>,
+        certain: bool,
+    ) -> PyResult<PyInterpretation> {
+        let samples = match (log, time_s, world_from_tool, force_n) {
+            (Some(log), None, None, None) => log.get().touches(py)?,
+            (None, Some(times), Some(poses), Some(forces)) => touches(times, poses, forces)?,
+            _ => {
+                let wanted = "a log, or time_s, world_from_tool and force_n";
+                return Err(refused("interpret", "something else", wanted));
+            }
+        };
+        PyInterpretation::of_samples(py, &self.loaded, &samples, certain)
+    }
+
+    /// The plan of a `plan.json`.
+    fn plan_of_json(&self, json: &str) -> PyResult<PyPlan> {
+        let record = PlanRecord::parse(json).map_err(plain)?;
+        let plan = record.to_plan(&self.loaded.task).map_err(plain)?;
+        Ok(PyPlan::of(&self.loaded.task, plan))
+    }
+
+    fn __repr__(&self) -> String {
+        let task = &self.loaded.task;
+        format!(
+            "<wisch.Task {:?}: {} {} on {} with a {}, {} particles>",
+            task.name,
+            task.action,
+            task.medium,
+            task.surface.name,
+            task.tool.name,
+            task.particles.len()
+        )
+    }
+}
