@@ -69,7 +69,7 @@ def test_other_particles_make_another_task_and_leave_the_first(task):
         (lambda: built(strategy="greedy"), "greedy", "greedy", "kde"),
         (lambda: built(particles=np.zeros((3, 3))), "particles", "an array of shape (3, 3)", "(rows, 2)"),
         (lambda: wisch.load_task("arm-board", action="wipe"), "wipe", None, None),
-        (lambda: built(surface={"name": "chopping_board", "size_m": [0.4, float("nan")]}), "nan", None, None),
+        (lambda: built(surface={"name": "chopping_board", "size_m": [0.4, float("nan")]}), "surface.size_m[1] = NaN is outside its limits", "NaN", "at least 0.001"),
     ],
 )
 def test_a_wrong_task_is_refused_with_place_value_and_limit(make, message, value, limit):
