@@ -131,9 +131,9 @@ pub struct FollowingSummary {
     pub execution_time_s: f64,
     /// How long of it the tool wipes.
     pub contact_time_s: f64,
-    /// How far the joints of the arm move while the tool wipes, summed over them.
+    /// The length of the way of the arm's joints in joint space while the tool wipes.
     pub joint_movement_in_contact_rad: f64,
-    /// How far they move in all.
+    /// The length of their whole way.
     pub joint_movement_rad: f64,
     /// How long finding the motion took, placements and timing included.
     pub following_time_s: f64,

@@ -42,6 +42,9 @@ pub struct FollowConfig {
     /// Whether the robot turns the tool so that its joints move little, where one hand holds it and its predicted effect is
     /// as good; else it is turned as planned.
     pub free_yaw: bool,
+    /// Whether, where its yaw is free so, the robot passes the nodes of a plan to absorb in another order if its joints move
+    /// less in it and its predicted effect is as good; else strokes go as planned.
+    pub free_order: bool,
     /// How hard a way along an edge is looked for.
     pub search: SearchScope,
     /// How many configurations are tried at the begin of a stroke.
@@ -69,6 +72,7 @@ impl Default for FollowConfig {
             approach_speed: 0.1,
             acceleration_ramp: 0.04,
             free_yaw: true,
+            free_order: true,
             search: SearchScope::Global,
             start_configurations: 10,
             placements: 4,

@@ -1,20 +1,24 @@
 //! From a plan to joint motion: placements, strokes, times.
 
+use super::open_stroke::{Open, Waiting, apart, give_up, waiting};
 use super::path::arm::Arm;
 use super::path::free_motion::free_motion;
-use super::path::free_yaw::eased;
-use super::path::stroke_run::{Now, Run, UntimedMotion, UntimedPhase, run};
+use super::path::free_yaw::{eased, headed};
+use super::path::joint_tour::joint_tour;
+use super::path::stroke_run::{Corner, Now, Run, UntimedMotion, UntimedPhase, run};
+use super::path::taut::movement;
 use super::path::tool_redundancy::{ToolOrientation, orientations};
 use super::placement::{Candidate, Reachability, best, drive::drive};
 use super::{
     AbandonedNode, Attempt, FollowConfig, FollowError, Followed, Motion, Phase, Placement,
     RatedPlace, ToolPose, Workcell, schedule,
 };
-use crate::geometry::{PlanarPose, wrap_angle};
-use crate::plan::{Plan, Stroke, joined_anew, predict};
+use crate::geometry::{PlanarPose, Point2};
+use crate::plan::{Plan, joined_anew, predict};
 use crate::represent::{Action, Task};
 use crate::robot::{CapabilityMap, JointPositions};
 use rayon::prelude::*;
+use std::cmp::Ordering;
 
 /// How often a way back to the ready posture is looked for.
 const WAYS_BACK: u64 = 3;
@@ -26,28 +30,6 @@ const ENOUGH: f64 = 0.95;
 /// number of threads.
 const AT_ONCE: usize = 2;
 
-/// A node still to be passed.
-#[derive(Debug, Clone, Copy)]
-struct Waiting {
-    node: usize,
-    pose: PlanarPose,
-    /// The number of its stroke in the plan.
-    stroke: usize,
-}
-
-/// What is left of a planned stroke, or one of what was joined anew.
-#[derive(Debug, Clone)]
-struct Open {
-    /// Its nodes from the next on; the first is where the tool has to be put down.
-    nodes: Vec<Waiting>,
-    /// Whether the first of them has been wiped already.
-    begun: bool,
-    /// Whether the node after it has been given up.
-    skipped: bool,
-    /// A configuration that puts the tool down there, if one is known from which it can go on well.
-    start: Option<JointPositions>,
-}
-
 /// What the arm does from one placement.
 struct Stay {
     world_from_base: PlanarPose,
@@ -57,6 +39,15 @@ struct Stay {
     open: Vec<Open>,
     /// Why it went no further.
     stopped: Vec<Attempt>,
+}
+
+impl Stay {
+    /// The length of the joints' way [rad].
+    fn movement(&self) -> f64 {
+        let runs = self.runs.iter().flat_map(|(_, run)| &run.pieces);
+        let paths = runs.map(|piece| &piece.path).chain([&self.back]);
+        paths.map(|path| movement(path)).sum()
+    }
 }
 
 /// The way to a place, the place, and what is done from there.
@@ -225,29 +216,69 @@ impl Follower<'_> {
         }
     }
 
-    /// What is open, with the tool turned so that the joints move little. Nothing where that makes a difference to its
-    /// predicted effect.
-    fn eased(&self, arm: &Arm, open: &[Open]) -> Option<Vec<Open>> {
+    /// What is open, with the tool turned so that the joints move little: in another order in which they may move less, and
+    /// in the planned one. None of which the predicted effect is not as good.
+    fn eased(&self, arm: &Arm, open: &[Open]) -> Vec<Vec<Open>> {
         if !self.config.free_yaw || arm.keeps_heading || self.cell.second().is_some() {
-            return None;
+            return Vec::new();
         }
+        let achieved = self.achieved(open);
+        let (reordered, in_order) = rayon::join(
+            || self.reordered(arm, open),
+            || self.eased_in_order(arm, open),
+        );
+        let all = reordered.into_iter().chain([in_order]);
+        all.filter(|eased| self.achieved(eased) >= achieved)
+            .collect()
+    }
+
+    /// What is open with the tool turned so that the joints move little.
+    fn eased_in_order(&self, arm: &Arm, open: &[Open]) -> Vec<Open> {
         let mut at = arm.ready();
         let mut turned = open.to_vec();
         for (i, open) in turned.iter_mut().enumerate() {
             let seed = self.config.seed ^ (i as u64) << 32;
             // The tool does not turn on the spot any more.
             open.nodes.dedup_by_key(|waiting| waiting.node);
-            let poses: Vec<PlanarPose> = open.nodes.iter().map(|waiting| waiting.pose).collect();
-            let Some(eased) = eased(arm, &at, &poses, seed) else {
-                continue;
-            };
-            for (waiting, pose) in open.nodes.iter_mut().zip(eased.poses) {
-                waiting.pose = pose;
+            let poses: Vec<PlanarPose> = open.nodes.iter().map(|w| w.corner.pose).collect();
+            let line: Vec<Point2> = poses.iter().map(|pose| pose.position).collect();
+            let near = eased(arm, &at, &line, seed);
+            if let Some(&last) = near.iter().flatten().last() {
+                at = last;
             }
-            open.start = Some(eased.start);
-            at = eased.end;
+            let poses = headed(arm, &poses, &near);
+            for (waiting, (pose, near)) in open.nodes.iter_mut().zip(poses.into_iter().zip(near)) {
+                waiting.corner = Corner { pose, near };
+            }
         }
-        (self.achieved(&turned) >= self.achieved(open)).then_some(turned)
+        turned
+    }
+
+    /// All nodes that are open in an order in which the joints move less; nothing if there is none, or if the order is not
+    /// the robot's to choose.
+    fn reordered(&self, arm: &Arm, open: &[Open]) -> Option<Vec<Open>> {
+        if !self.config.free_order || self.task.action != Action::Absorb {
+            return None;
+        }
+        let mut left: Vec<Waiting> = Vec::new();
+        for waiting in open.iter().flat_map(Open::unpassed) {
+            if left.iter().all(|known| known.node != waiting.node) {
+                left.push(*waiting);
+            }
+        }
+        let nodes: Vec<usize> = left.iter().map(|waiting| waiting.node).collect();
+        let tour = joint_tour(arm, &arm.ready(), self.plan, &nodes, self.config.seed)?;
+        let strokes = tour.strokes.iter().map(|stroke| {
+            let poses: Vec<PlanarPose> = stroke.iter().map(|&i| left[i].corner.pose).collect();
+            let at: Vec<_> = stroke.iter().map(|&i| Some(tour.at[i])).collect();
+            let corners = headed(arm, &poses, &at).into_iter().zip(at);
+            let nodes = stroke.iter().zip(corners);
+            Open::through(nodes.map(|(&i, (pose, near))| Waiting {
+                corner: Corner { pose, near },
+                ..left[i]
+            }))
+        });
+        Some(strokes.collect())
     }
 
     /// Particles where the action wants them once strokes have been wiped, as the effect model predicts.
@@ -370,7 +401,7 @@ impl Follower<'_> {
     fn joined(&self, left: &[Waiting], nodes: &[usize]) -> Option<Vec<Open>> {
         let from = left
             .first()
-            .map_or(self.plan.tool_start, |w| w.pose.position);
+            .map_or(self.plan.tool_start, |w| w.corner.pose.position);
         let strokes = joined_anew(self.task, self.plan, nodes, from, self.config.seed).ok()?;
         let stroke_of = |node: usize| {
             let planned = left.iter().find(|waiting| waiting.node == node);
@@ -400,8 +431,7 @@ impl Follower<'_> {
             run(
                 &arm,
                 &now,
-                &[waiting.pose],
-                None,
+                &[waiting.corner],
                 lift,
                 &self.orientations,
                 seed,
@@ -426,10 +456,11 @@ impl Follower<'_> {
             });
         };
         for open in open {
-            for (i, Waiting { pose, .. }) in open.nodes.iter().enumerate() {
+            for (i, waiting) in open.nodes.iter().enumerate() {
+                let pose = waiting.corner.pose;
                 add(pose.position, pose.heading);
                 if let Some(next) = open.nodes.get(i + 1) {
-                    let middle = nalgebra::center(&pose.position, &next.pose.position);
+                    let middle = nalgebra::center(&pose.position, &next.corner.pose.position);
                     add(middle, pose.heading);
                 }
             }
@@ -457,10 +488,34 @@ impl Follower<'_> {
         places
     }
 
-    /// Works off strokes from one placement, in order, until one cannot be gone on with.
+    /// Works off what is open from one placement: of the ways to do so the one of which least is left, and of these the one
+    /// on which the joints move least. As planned where the tool is not turned otherwise, or where an arm that is bolted down
+    /// leaves something so.
     fn work(&self, world_from_base: &PlanarPose, open: &[Open]) -> Result<Stay, FollowError> {
         let arm =
             Arm::new(self.cell, self.task, self.config, world_from_base)?.following(self.plan);
+        let eased = self.eased(&arm, open);
+        let stays = eased
+            .into_par_iter()
+            .map(|open| self.worked_off(&arm, world_from_base, open));
+        let mut stays: Vec<Stay> = stays.collect();
+        let is_whole = stays.iter().any(|stay| stay.open.is_empty());
+        if stays.is_empty() || !is_whole && self.cell.base().is_none() {
+            stays.push(self.worked_off(&arm, world_from_base, open.to_vec()));
+        }
+        let rank = |stay: &Stay| (stay.runs.is_empty(), waiting(&stay.open));
+        let best = stays.into_iter().reduce(|best, stay| {
+            let is_better = match rank(&stay).cmp(&rank(&best)) {
+                Ordering::Equal => stay.movement() < best.movement(),
+                order => order == Ordering::Less,
+            };
+            if is_better { stay } else { best }
+        });
+        Ok(best.expect("at least one way"))
+    }
+
+    /// Works off strokes from one placement, in order, until one cannot be gone on with.
+    fn worked_off(&self, arm: &Arm, world_from_base: &PlanarPose, open: Vec<Open>) -> Stay {
         let mut now = Now {
             q: arm.ready(),
             tool: None,
@@ -469,17 +524,16 @@ impl Follower<'_> {
             world_from_base: *world_from_base,
             runs: Vec::new(),
             back: Vec::new(),
-            open: self.eased(&arm, open).unwrap_or_else(|| open.to_vec()),
+            open,
             stopped: Vec::new(),
         };
         while let Some(first) = stay.open.first_mut() {
-            let planned: Vec<PlanarPose> = first.nodes.iter().map(|w| w.pose).collect();
+            let planned: Vec<Corner> = first.nodes.iter().map(|w| w.corner).collect();
             let seed = self.config.seed ^ (stay.runs.len() as u64) << 32;
             let run = match run(
-                &arm,
+                arm,
                 &now,
                 &planned,
-                first.start.as_ref(),
                 self.plan.lift_height,
                 &self.orientations,
                 seed,
@@ -504,7 +558,6 @@ impl Follower<'_> {
             now = run.now;
             first.nodes.drain(..run.last);
             first.begun = true;
-            first.start = None;
             first.skipped &= run.last == 0;
             if first.nodes.len() == 1 {
                 stay.open.remove(0);
@@ -514,14 +567,14 @@ impl Follower<'_> {
         if !stay.runs.is_empty() {
             let ready = arm.ready();
             let back = (0..WAYS_BACK)
-                .find_map(|i| free_motion(&arm, &now.q, &ready, self.config.seed.wrapping_add(i)));
+                .find_map(|i| free_motion(arm, &now.q, &ready, self.config.seed.wrapping_add(i)));
             match back {
                 Some(path) => stay.back = path,
                 // Without a way back the base could not move on.
                 None => stay.runs.clear(),
             }
         }
-        Ok(stay)
+        stay
     }
 
     /// Of each node of the plan how amply it is in reach from where it is best; none without a map.
@@ -614,85 +667,6 @@ impl Follower<'_> {
     }
 }
 
-impl Open {
-    /// A whole stroke; `stroke_of` says of a node in which of the plan it is.
-    fn of(stroke: &Stroke, stroke_of: impl Fn(usize) -> usize) -> Self {
-        let nodes = stroke.nodes.iter().zip(&stroke.poses);
-        Self {
-            nodes: nodes
-                .map(|(&node, &pose)| Waiting {
-                    node,
-                    pose,
-                    stroke: stroke_of(node),
-                })
-                .collect(),
-            begun: false,
-            skipped: false,
-            start: None,
-        }
-    }
-
-    /// Whether a node is in it.
-    fn has(&self, node: usize) -> bool {
-        self.nodes.iter().any(|waiting| waiting.node == node)
-    }
-
-    /// The nodes that are still to be passed.
-    fn unpassed(&self) -> &[Waiting] {
-        let passed = if self.begun { self.copies(0) } else { 0 };
-        &self.nodes[passed..]
-    }
-
-    /// How often in a row the node there is in it: twice where the tool is turned on it.
-    fn copies(&self, at: usize) -> usize {
-        let [first, ..] = &self.nodes[at..] else {
-            return 0;
-        };
-        let same = |waiting: &&Waiting| waiting.node == first.node;
-        self.nodes[at..].iter().take_while(same).count()
-    }
-
-    /// Leaves the wiped node that it has come to: the tool is put down at the next.
-    fn put_down_anew(&mut self) {
-        self.nodes.remove(0);
-        self.begun = false;
-        self.skipped = false;
-        self.start = None;
-    }
-
-    /// The stroke through its nodes.
-    fn stroke(&self) -> Stroke {
-        Stroke {
-            nodes: self.nodes.iter().map(|waiting| waiting.node).collect(),
-            poses: self.nodes.iter().map(|waiting| waiting.pose).collect(),
-        }
-    }
-}
-
-/// The nodes on which the tool can be put down, and the others with what was tried.
-fn apart(
-    left: &[Waiting],
-    untouched: Vec<Option<Vec<Attempt>>>,
-) -> (Vec<usize>, Vec<AbandonedNode>) {
-    let (mut nodes, mut abandoned) = (Vec::new(), Vec::new());
-    for (waiting, attempts) in left.iter().zip(untouched) {
-        match attempts {
-            None => nodes.push(waiting.node),
-            Some(attempts) => abandoned.push(AbandonedNode {
-                node: waiting.node,
-                stroke: waiting.stroke,
-                attempts,
-            }),
-        }
-    }
-    (nodes, abandoned)
-}
-
-/// How many nodes are still to be passed.
-fn waiting(open: &[Open]) -> usize {
-    open.iter().map(|open| open.unpassed().len()).sum()
-}
-
 /// The places to try; where the robot is if it has no planar base, or if the path is in reach of none, so
 /// that what is out of reach is told with the reason.
 fn best_or_here(
@@ -711,39 +685,4 @@ fn best_or_here(
         share: 0.0,
         rating: 0.0,
     }]
-}
-
-/// Takes the next node off what is open. The node before it, if wiped already, heads for the one after; if
-/// that has failed before, the tool is put down anew at the one after.
-fn give_up(open: &mut Vec<Open>, attempts: Vec<Attempt>) -> Option<AbandonedNode> {
-    let first = &mut open[0];
-    let is_turn = first.begun && first.copies(0) > 1;
-    if first.begun && first.skipped || is_turn {
-        first.put_down_anew();
-        return None;
-    }
-    let at = usize::from(first.begun && first.nodes.len() > 1);
-    let given_up = first.nodes[at];
-    first.nodes.drain(at..at + first.copies(at));
-    if let [before, after, ..] = &mut first.nodes[..]
-        && at == 1
-    {
-        let towards = after.pose.position - before.pose.position;
-        let wanted = towards.y.atan2(towards.x);
-        before.pose.heading += wrap_angle(wanted - before.pose.heading);
-        first.skipped = true;
-    }
-    let is_done = match first.nodes.len() {
-        0 => true,
-        1 => first.begun,
-        _ => false,
-    };
-    if is_done {
-        open.remove(0);
-    }
-    Some(AbandonedNode {
-        node: given_up.node,
-        stroke: given_up.stroke,
-        attempts,
-    })
 }

@@ -10,6 +10,7 @@ mod config;
 mod error;
 mod follower;
 mod motion;
+mod open_stroke;
 mod path;
 mod placement;
 mod schedule;

@@ -287,7 +287,7 @@ impl Followed {
         contact.fold(0.0, |sum, motion| sum + motion.trajectory.duration())
     }
 
-    /// How far some of the variables move, summed over them: while the tool wipes, and in all [rad].
+    /// How far some of the variables move, the length of their way in joint space: while the tool wipes, and in all [rad].
     pub fn joint_movement(&self, variables: &[usize]) -> [f64; 2] {
         let mut movement = [0.0; 2];
         for motion in &self.motions {
@@ -297,8 +297,10 @@ impl Followed {
             };
             let mut moved = 0.0;
             for sample in samples {
-                let steps = variables.iter().map(|&i| (sample.q[i] - before.q[i]).abs());
-                moved += steps.sum::<f64>();
+                let squares = variables
+                    .iter()
+                    .map(|&i| (sample.q[i] - before.q[i]).powi(2));
+                moved += squares.sum::<f64>().sqrt();
                 before = sample;
             }
             movement[1] += moved;

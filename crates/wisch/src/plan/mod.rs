@@ -28,7 +28,7 @@ pub use error::PlanError;
 pub use graph::{Node, NodeRole, SemanticDirectedGraph};
 pub use heading::HeadingRule;
 pub use objective::is_gainful;
-pub use planner::{PlanConfig, SearchConfig, joined_anew};
+pub use planner::{PlanConfig, SearchConfig, cheapest_chains, joined_anew};
 pub(crate) use portfolio::most_worth;
 pub use portfolio::{
     Candidate, Portfolio, best_plan, plan, plan_around, plan_for_any, portfolio, worth,

@@ -127,7 +127,7 @@ pub fn joined_anew(
         .collect();
     let absorbs = task.action == Action::Absorb;
     let chains = if absorbs {
-        tour(&space, &positions, from, plan.lift_height, seed)?
+        nearest_tour(&space, &positions, from, plan.lift_height, seed)?
     } else {
         let is_goal = |i: &usize| plan.graph.nodes[nodes[*i]].role == NodeRole::Goal;
         let goals: Vec<usize> = (0..nodes.len()).filter(is_goal).collect();
@@ -140,6 +140,29 @@ pub fn joined_anew(
     Ok(Headings::Blended.strokes(task, &plan.graph, &chains))
 }
 
+/// Chains of some nodes of a plan to absorb, each number one among `nodes`: an open tour of them from `start`, one of these
+/// numbers, of little cost, cut where the tool has to be lifted. `cost` is that of moving the tool between two of them,
+/// `lift` that of lifting and lowering it, such as the movement of joints.
+///
+/// # Errors
+/// A cost that is not a number, more nodes than a tour may have, or geometry that the libraries refuse.
+pub fn cheapest_chains(
+    task: &Task,
+    plan: &Plan,
+    nodes: &[usize],
+    start: usize,
+    cost: impl Fn(usize, usize) -> f64,
+    lift: f64,
+    seed: u64,
+) -> Result<Vec<Vec<usize>>, PlanError> {
+    let scene: Vec<_> = task.obstacles_in_surface().collect();
+    let space = FreeSpace::new(&task.surface, &scene, plan.collision_radius)?;
+    let nodes: Vec<Point2> = (nodes.iter())
+        .map(|&node| plan.graph.position(node))
+        .collect();
+    tour(&space, &nodes, start, cost, lift, seed)
+}
+
 /// Absorb: an open tour from the node nearest the tool; paper §3.2.
 fn absorb(
     task: &Task,
@@ -147,7 +170,7 @@ fn absorb(
     space: &FreeSpace,
     nodes: Vec<Point2>,
 ) -> Result<Plan, PlanError> {
-    let chains = tour(
+    let chains = nearest_tour(
         space,
         &nodes,
         task.tool_start,
@@ -168,39 +191,49 @@ fn absorb(
     Ok(assemble(task, config, space, graph, chains))
 }
 
-/// An open tour of all nodes from the one nearest to a place, cut where the tool is lifted.
-///
-/// A move that would drag the tool through an obstacle is lifted instead: it costs its length and the
-/// way up and down once more.
-fn tour(
+/// A short open tour of all nodes from the one nearest to a place, cut where the tool is lifted.
+fn nearest_tour(
     space: &FreeSpace,
     nodes: &[Point2],
     from: Point2,
     lift_height: f64,
     seed: u64,
 ) -> Result<Vec<Vec<usize>>, PlanError> {
+    let length = |i: usize, j: usize| (nodes[i] - nodes[j]).norm();
+    match nearest(nodes, from) {
+        Some(start) => tour(space, nodes, start, length, 2.0 * lift_height, seed),
+        None => Ok(Vec::new()),
+    }
+}
+
+/// An open tour of all nodes from one of them, cut where the tool is lifted.
+///
+/// A move that would drag the tool through an obstacle is lifted instead: it costs its length once more, and the
+/// way up and down.
+fn tour(
+    space: &FreeSpace,
+    nodes: &[Point2],
+    start: usize,
+    cost: impl Fn(usize, usize) -> f64,
+    lift: f64,
+    seed: u64,
+) -> Result<Vec<Vec<usize>>, PlanError> {
     let mut clear = vec![true; nodes.len() * nodes.len()];
     let costs = CostMatrix::from_fn(nodes.len(), |i, j| {
-        let length = (nodes[i] - nodes[j]).norm();
+        let cost = cost(i, j);
         if space.is_clear_between(nodes[i], nodes[j]) {
-            length
+            cost
         } else {
             clear[i * nodes.len() + j] = false;
             clear[j * nodes.len() + i] = false;
-            2.0 * length + 2.0 * lift_height
+            2.0 * cost + lift
         }
     })?;
-    let order = match nearest(nodes, from) {
-        Some(start) => shortest_path_from(
-            &costs,
-            start,
-            &TourConfig {
-                seed,
-                ..TourConfig::default()
-            },
-        )?,
-        None => Vec::new(),
+    let config = TourConfig {
+        seed,
+        ..TourConfig::default()
     };
+    let order = shortest_path_from(&costs, start, &config)?;
     let chains = order.chunk_by(|&a, &b| clear[a * nodes.len() + b]);
     Ok(chains.map(<[usize]>::to_vec).collect())
 }

@@ -5,12 +5,13 @@
 
 use crate::follow::workcell::second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE};
 use crate::follow::{AllowedContact, FollowConfig, Obstruction, ToolPose, Workcell};
-use crate::geometry::{PlanarPose, Pose, Vector3};
+use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::plan::Plan;
 use crate::represent::{Action, Task};
 use crate::robot::{
     Contact, IkConfig, IkOutcome, Joint, JointPositions, Margins, RobotError, RotationGoal,
 };
+use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
 /// How near to its limit a joint is at it [rad or m].
@@ -21,6 +22,8 @@ const SHARE_BETWEEN: f64 = 0.25;
 const RESTARTS: usize = 6;
 /// Widest step of a joint between configurations at which the second hand is brought to the tool [rad or m].
 const HELD_STEP: f64 = 0.1;
+/// Part of a vector below which it depends on others.
+const DEPENDENT: f64 = 1e-6;
 /// How often a step is halved to stay on the line.
 const MAX_HALVINGS: u32 = 6;
 
@@ -172,6 +175,75 @@ impl<'a> Arm<'a> {
             Ok(IkOutcome::Solved(q)) => Some(q),
             _ => None,
         }
+    }
+
+    /// The configuration about nearest to `start` that puts the tool there, turned about its z axis in any way. One arm alone.
+    pub fn nearest_with_free_yaw(
+        &self,
+        pose: &ToolPose,
+        start: &JointPositions,
+    ) -> Option<JointPositions> {
+        let target = self.base_from_tool(pose);
+        let config = IkConfig {
+            posture_gain: 0.0,
+            limit_gain: 0.0,
+            ..self.ik
+        };
+        let goal = RotationGoal::AboutToolZFree;
+        match self.cell.ik().solve_from(&target, goal, start, &config) {
+            Ok(IkOutcome::Solved(q)) => Some(q),
+            _ => None,
+        }
+    }
+
+    /// Directions in which the joints move while the tool stays where it is, but for its yaw: orthonormal columns. One arm
+    /// alone.
+    pub fn null_space(&self, q: &JointPositions) -> DMatrix<f64> {
+        let n = q.len();
+        let Ok(kinematics) = self.cell.ik().chain().forward_kinematics(q) else {
+            return DMatrix::zeros(n, 0);
+        };
+        let tip_from_tool = self.cell.tip_from_tool();
+        let jacobian = kinematics.jacobian(tip_from_tool.translation.vector.into());
+        let axis = (kinematics.base_from_tip() * tip_from_tool).rotation * Vector3::z();
+        let (linear, angular) = (jacobian.view(), jacobian.view());
+        let (linear, angular) = (linear.fixed_rows::<3>(0), angular.fixed_rows::<3>(3));
+        let mut tied = DMatrix::zeros(6, n);
+        tied.rows_mut(0, 3).copy_from(&linear);
+        (tied.rows_mut(3, 3)).copy_from(&(angular - axis * (axis.transpose() * angular)));
+        let mut basis: Vec<DVector<f64>> = Vec::new();
+        let mut add = |vector: DVector<f64>| {
+            let mut rest = vector;
+            // Twice, because the first time leaves rounding errors.
+            for known in basis.iter().chain(&basis) {
+                rest -= known * known.dot(&rest);
+            }
+            let length = rest.norm();
+            let is_new = length > DEPENDENT;
+            if is_new {
+                basis.push(rest / length);
+            }
+            is_new
+        };
+        let rank = (tied.row_iter().map(|row| row.transpose()))
+            .filter(|row| add(row.clone_owned()))
+            .count();
+        for i in 0..n {
+            let mut unit = DVector::zeros(n);
+            unit[i] = 1.0;
+            add(unit);
+        }
+        DMatrix::from_columns(&basis[rank..])
+    }
+
+    /// Where the tool centre point is over the surface, whatever its height, in the surface frame.
+    pub fn tool_on_surface(&self, q: &JointPositions) -> Option<Point2> {
+        let kinematics = self.cell.ik().chain().forward_kinematics(q).ok()?;
+        let base_from_tool = kinematics.base_from_tip() * self.cell.tip_from_tool();
+        let surface_from_base =
+            self.task.surface.world_from_surface.inverse() * self.base_from_world.inverse();
+        let tool = (surface_from_base * base_from_tool).translation.vector;
+        Some(Point2::new(tool.x, tool.y))
     }
 
     /// How the tool is turned about the surface's normal [rad].
@@ -390,7 +462,7 @@ impl<'a> Arm<'a> {
     }
 
     /// The configurations along the tool's line from where the arm is, `start` left out, the end
-    /// included.
+    /// included. Where there is a choice they lead to `near`, if that is given.
     ///
     /// What is in the way is looked for once all poses have been reached, where it is most likely first: most
     /// lines that cannot be followed break off out of reach, which is cheap to see.
@@ -399,6 +471,7 @@ impl<'a> Arm<'a> {
         start: &JointPositions,
         from: &ToolPose,
         to: &ToolPose,
+        near: Option<&JointPositions>,
         allowed: AllowedContact,
     ) -> Result<Vec<JointPositions>, Broken> {
         let count = steps(from, to, self.config);
@@ -406,7 +479,9 @@ impl<'a> Arm<'a> {
         let mut at = *start;
         for i in 1..=count {
             let (s0, s1) = ((i - 1) as f64 / count as f64, i as f64 / count as f64);
-            self.step(&mut at, from, to, [s0, s1], &mut path, MAX_HALVINGS)
+            let near = near.map(|near| between(&at, near, 1.0 / (count - i + 1) as f64));
+            let near = near.as_ref();
+            self.step(&mut at, [from, to], [s0, s1], near, &mut path, MAX_HALVINGS)
                 .map_err(|obstruction| Broken {
                     progress: s0,
                     obstruction,
@@ -445,13 +520,14 @@ impl<'a> Arm<'a> {
     fn step(
         &self,
         at: &mut JointPositions,
-        from: &ToolPose,
-        to: &ToolPose,
+        line: [&ToolPose; 2],
         [s0, s1]: [f64; 2],
+        near: Option<&JointPositions>,
         path: &mut Vec<JointPositions>,
         halvings: u32,
     ) -> Result<(), Obstruction> {
-        let next = self.reach(&from.towards(to, s1), at)?;
+        let [from, to] = line;
+        let next = self.reach(&from.towards(to, s1), near.unwrap_or(at))?;
         let middle_s = 0.5 * (s0 + s1);
         let on_line =
             !self.jumps(at, &next) && self.is_on_line(at, &next, &from.towards(to, middle_s));
@@ -463,8 +539,10 @@ impl<'a> Arm<'a> {
         if halvings == 0 {
             return Err(self.jump(at, &next));
         }
-        self.step(at, from, to, [s0, middle_s], path, halvings - 1)?;
-        self.step(at, from, to, [middle_s, s1], path, halvings - 1)
+        let half = near.map(|near| between(at, near, 0.5));
+        let (first, second) = ([s0, middle_s], [middle_s, s1]);
+        self.step(at, line, first, half.as_ref(), path, halvings - 1)?;
+        self.step(at, line, second, near, path, halvings - 1)
     }
 
     /// Whether a joint moves further than it may between two neighbouring poses.

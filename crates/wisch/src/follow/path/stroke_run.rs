@@ -44,6 +44,15 @@ pub(in crate::follow) enum UntimedPhase {
     Wipe,
 }
 
+/// A corner of a stroke.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::follow) struct Corner {
+    /// How the tool is wanted there.
+    pub pose: PlanarPose,
+    /// A configuration of the tool there from which the arm goes on well, if one is known.
+    pub near: Option<JointPositions>,
+}
+
 /// What became of a stroke.
 #[derive(Debug, Clone)]
 pub(in crate::follow) struct Run {
@@ -82,9 +91,9 @@ struct Contact {
     stopped: Vec<Attempt>,
 }
 
-/// Follows a stroke through `planned` poses as far as possible from any of several configurations.
+/// Follows a stroke through its `planned` corners as far as possible from any of several configurations.
 ///
-/// From a `known` configuration first, if there is one. First with the tool oriented exactly as planned; only if no configuration can do that, with all its
+/// From the configuration that is known at the first of them before others. First with the tool oriented exactly as planned; only if no configuration can do that, with all its
 /// orientations.
 ///
 /// # Errors
@@ -92,8 +101,7 @@ struct Contact {
 pub(in crate::follow) fn run(
     arm: &Arm,
     now: &Now,
-    planned: &[PlanarPose],
-    known: Option<&JointPositions>,
+    planned: &[Corner],
     lift_height: f64,
     orientations: &[ToolOrientation],
     seed: u64,
@@ -106,7 +114,6 @@ pub(in crate::follow) fn run(
         arm,
         now,
         planned,
-        known,
         lift_height,
         seed,
         attempts: Vec::new(),
@@ -127,9 +134,7 @@ pub(in crate::follow) fn run(
 struct Search<'a> {
     arm: &'a Arm<'a>,
     now: &'a Now,
-    planned: &'a [PlanarPose],
-    /// A configuration at the first of them from which the arm is known to go on well.
-    known: Option<&'a JointPositions>,
+    planned: &'a [Corner],
     lift_height: f64,
     seed: u64,
     attempts: Vec<Attempt>,
@@ -191,8 +196,15 @@ impl Search<'_> {
 
     /// The tool put down at the first pose, in an orientation.
     fn begin(&self, orientation: &ToolOrientation, start: u64) -> Result<Begun, Attempt> {
-        let (arm, now, planned) = (self.arm, self.now, &self.planned[0]);
-        let (known, lift_height, seed) = (self.known, self.lift_height, self.seed);
+        let (
+            arm,
+            now,
+            Corner {
+                pose: planned,
+                near,
+            },
+        ) = (self.arm, self.now, &self.planned[0]);
+        let (known, lift_height, seed) = (near.as_ref(), self.lift_height, self.seed);
         let heading = now
             .tool
             .map_or(planned.heading, |tool| tool.surface_from_tool.heading);
@@ -207,7 +219,7 @@ impl Search<'_> {
         let (over, above) = match (start, now.tool) {
             (0, Some(tool)) => {
                 let path = arm
-                    .along(&now.q, &tool, &lifted, AllowedContact::None)
+                    .along(&now.q, &tool, &lifted, None, AllowedContact::None)
                     .map_err(|broken| failed(broken.progress, broken.obstruction))?;
                 let above = *path.last().unwrap_or(&now.q);
                 (Some(path), above)
@@ -235,7 +247,7 @@ impl Search<'_> {
             }
         };
         let down = arm
-            .along(&above, &lifted, &pose, AllowedContact::Surface)
+            .along(&above, &lifted, &pose, None, AllowedContact::Surface)
             .map_err(|broken| failed(broken.progress, broken.obstruction))?;
         Ok(Begun {
             over,
@@ -315,7 +327,7 @@ impl Contact {
 fn wipe(
     arm: &Arm,
     begun: &Begun,
-    planned: &[PlanarPose],
+    planned: &[Corner],
     orientations: &[ToolOrientation],
     search: SearchScope,
 ) -> Contact {
@@ -331,7 +343,8 @@ fn wipe(
             arm,
             &contact.end,
             &contact.end_pose,
-            [begin, goal],
+            [&begin.pose, &goal.pose],
+            goal.near.as_ref(),
             orientations,
             search,
         ) {
@@ -361,7 +374,7 @@ fn lifted_off(
     while !contact.legs.is_empty() {
         let lifted = contact.end_pose.lifted(lift_height);
         let (end, pose) = (&contact.end, &contact.end_pose);
-        match arm.along(end, pose, &lifted, AllowedContact::Surface) {
+        match arm.along(end, pose, &lifted, None, AllowedContact::Surface) {
             Ok(up) => {
                 contact.stopped.extend(stuck);
                 return (contact, up);

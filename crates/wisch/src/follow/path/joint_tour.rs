@@ -1,0 +1,154 @@
+//! A tour in joint space: the order of nodes and the configurations on them in which the joints move little.
+//!
+//! From one configuration on all nodes are reached, each from one near it, so that neighbours have configurations alike.
+//! These are relaxed, a tour is found by the joints' ways between them, and along it they are drawn taut.
+
+use super::arm::{Arm, widest_step};
+use super::free_yaw::starts;
+use super::taut::{drawn_taut, movement, put_back, way};
+use crate::geometry::Point2;
+use crate::plan::{Plan, cheapest_chains};
+use crate::robot::JointPositions;
+use rayon::prelude::*;
+
+/// Widest step of a joint between neighbours whose configurations are alike [rad or m].
+const ALIKE: f64 = 0.6;
+/// Neighbours to whose mean a configuration is drawn.
+const NEIGHBOURS: usize = 6;
+/// How often all configurations are drawn to their neighbours' means.
+const SWEEPS: usize = 10;
+/// What the way of the tool costs, over what the joints move for it on average: of orders in which they move as little the
+/// shorter is the faster.
+const WAY_SHARE: f64 = 0.25;
+
+/// An order of nodes with a configuration on each.
+pub(in crate::follow) struct JointTour {
+    /// Numbers among the given nodes, stroke by stroke.
+    pub strokes: Vec<Vec<usize>>,
+    /// For each of the given nodes.
+    pub at: Vec<JointPositions>,
+}
+
+/// One configuration on each place, neighbours' alike.
+struct Spread {
+    at: Vec<JointPositions>,
+    /// The joints' ways from each place to the one that it was reached from, summed up [rad].
+    movement: f64,
+    /// The lengths of these ways, summed up [m].
+    length: f64,
+}
+
+/// An order of nodes of a plan to absorb in which the joints move less than in theirs; nothing if there is none, or if a node
+/// is not reached from its neighbours.
+pub(in crate::follow) fn joint_tour(
+    arm: &Arm,
+    now: &JointPositions,
+    plan: &Plan,
+    nodes: &[usize],
+    seed: u64,
+) -> Option<JointTour> {
+    let places: Vec<Point2> = nodes.iter().map(|&n| plan.graph.position(n)).collect();
+    let from = starts(arm, now, seed);
+    let spreads: Vec<Spread> = (from.par_iter())
+        .filter_map(|start| Spread::from(arm, &places, start))
+        .collect();
+    let spread = (spreads.into_iter()).min_by(|a, b| a.movement.total_cmp(&b.movement))?;
+    let mut at = spread.at;
+    relax(arm, &places, &mut at);
+    let rate = spread.movement / spread.length.max(plan.lift_height);
+    let start = (0..at.len()).min_by(|&a, &b| way(now, &at[a]).total_cmp(&way(now, &at[b])))?;
+    let cost = |a: usize, b: usize| {
+        way(&at[a], &at[b]) + WAY_SHARE * rate * (places[a] - places[b]).norm()
+    };
+    let lift = 2.0 * plan.lift_height * rate;
+    let strokes = cheapest_chains(arm.task, plan, nodes, start, cost, lift, seed).ok()?;
+    let taut = |order: &[usize]| {
+        let line: Vec<Point2> = order.iter().map(|&i| places[i]).collect();
+        let mut row: Vec<JointPositions> = order.iter().map(|&i| at[i]).collect();
+        drawn_taut(arm, &line, &mut row);
+        (way(now, &row[0]) + movement(&row), row)
+    };
+    let order: Vec<usize> = strokes.iter().flatten().copied().collect();
+    let given: Vec<usize> = (0..at.len()).collect();
+    let ((least, row), (most, _)) = rayon::join(|| taut(&order), || taut(&given));
+    for (&i, q) in order.iter().zip(row) {
+        at[i] = q;
+    }
+    (least < most).then_some(JointTour { strokes, at })
+}
+
+impl Spread {
+    /// From where the tool is nearest to a place in a configuration, place by place, the nearest to what is reached first.
+    fn from(arm: &Arm, places: &[Point2], start: &JointPositions) -> Option<Self> {
+        let tool = arm.tool_on_surface(start)?;
+        let distance = |i: usize| (places[i] - tool).norm();
+        let first = (0..places.len()).min_by(|&a, &b| distance(a).total_cmp(&distance(b)))?;
+        let mut at: Vec<Option<JointPositions>> = vec![None; places.len()];
+        let mut nearest: Vec<(f64, usize)> = vec![(f64::INFINITY, first); places.len()];
+        let (mut next, mut configuration) = (first, put_back(arm, places[first], start)?);
+        let (mut movement, mut length) = (0.0, 0.0);
+        loop {
+            at[next] = Some(configuration);
+            for (i, known) in nearest.iter_mut().enumerate() {
+                let distance = (places[i] - places[next]).norm();
+                if at[i].is_none() && distance < known.0 {
+                    *known = (distance, next);
+                }
+            }
+            (next, configuration) = loop {
+                let open = (0..places.len()).filter(|&i| at[i].is_none());
+                let Some(i) = open.min_by(|&a, &b| nearest[a].0.total_cmp(&nearest[b].0)) else {
+                    let at = at.into_iter().collect::<Option<Vec<_>>>()?;
+                    return Some(Self {
+                        at,
+                        movement,
+                        length,
+                    });
+                };
+                let (distance, from) = nearest[i];
+                if distance == f64::INFINITY {
+                    return None;
+                }
+                let from = at[from]?;
+                match put_back(arm, places[i], &from) {
+                    Some(q) if widest_step(&from, &q) <= ALIKE => {
+                        movement += way(&from, &q);
+                        length += distance;
+                        break (i, q);
+                    }
+                    // From another one, once that is reached.
+                    _ => nearest[i].0 = f64::INFINITY,
+                }
+            };
+        }
+    }
+}
+
+/// Draws each configuration to the mean of its neighbours', where these are alike.
+fn relax(arm: &Arm, places: &[Point2], at: &mut [JointPositions]) {
+    let neighbours: Vec<Vec<usize>> = (0..places.len())
+        .map(|i| {
+            let distance = |j: &usize| (places[i] - places[*j]).norm();
+            let mut others: Vec<usize> = (0..places.len()).filter(|&j| j != i).collect();
+            others.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+            others.truncate(NEIGHBOURS);
+            others
+        })
+        .collect();
+    for _ in 0..SWEEPS {
+        for i in 0..at.len() {
+            let alike: Vec<JointPositions> = (neighbours[i].iter().map(|&j| at[j]))
+                .filter(|q| widest_step(&at[i], q) <= ALIKE)
+                .collect();
+            if alike.len() < 2 {
+                continue;
+            }
+            let mean: JointPositions = (0..at[i].len())
+                .map(|k| alike.iter().map(|q| q[k]).sum::<f64>() / alike.len() as f64)
+                .collect();
+            if let Some(q) = put_back(arm, places[i], &mean) {
+                at[i] = q;
+            }
+        }
+    }
+}

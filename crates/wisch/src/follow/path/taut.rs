@@ -1,0 +1,154 @@
+//! Configurations in a row drawn taut: the tool keeps its places, its yaw and the rest of the null space give way until the
+//! joints move little.
+//!
+//! Steps of Gauss and Newton in the null spaces, least squares reweighted so that they minimise the length of the way and
+//! not its square: a chain of configurations is a block-tridiagonal system, solved in one sweep.
+
+use super::arm::Arm;
+use crate::follow::{AllowedContact, ToolPose};
+use crate::geometry::{PlanarPose, Point2};
+use crate::robot::JointPositions;
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use rayon::prelude::*;
+
+/// Most steps.
+const MAX_STEPS: usize = 20;
+/// A step that shortens the way by less than this share of it is the last.
+const LEAST_GAIN: f64 = 1e-3;
+/// Farthest that a joint moves in one step [rad or m].
+const MAX_CHANGE: f64 = 0.3;
+/// How often a step that does not shorten the way is halved.
+const MAX_HALVINGS: i32 = 3;
+/// Below this a way between two configurations weighs as much as one as long [rad].
+const SHORTEST: f64 = 1e-3;
+/// Damping of the steps, against weights of the order of 1 / [`SHORTEST`].
+const DAMPING: f64 = 1e-2;
+
+/// Moves configurations that put the tool down at `places`, with any yaw, to where the joints move less between them.
+pub(super) fn drawn_taut(arm: &Arm, places: &[Point2], row: &mut Vec<JointPositions>) {
+    if row.len() < 2 {
+        return;
+    }
+    let mut length = movement(row);
+    for _ in 0..MAX_STEPS {
+        let Some(step) = step(arm, row) else { return };
+        let shorter = (0..=MAX_HALVINGS).find_map(|halvings| {
+            let share = 0.5_f64.powi(halvings);
+            let tried = moved(arm, places, row, &step, share);
+            Some((movement(&tried), tried)).filter(|(shorter, _)| *shorter < length)
+        });
+        let Some((shorter, tried)) = shorter else {
+            return;
+        };
+        let gain = length - shorter;
+        (*row, length) = (tried, shorter);
+        if gain < LEAST_GAIN * length {
+            return;
+        }
+    }
+}
+
+/// How each configuration is to move within its null space; nothing if there is none.
+fn step(arm: &Arm, row: &[JointPositions]) -> Option<Vec<DVector<f64>>> {
+    let spaces: Vec<DMatrix<f64>> = row.par_iter().map(|q| arm.null_space(q)).collect();
+    if spaces.iter().any(|space| space.ncols() == 0) {
+        return None;
+    }
+    let between: Vec<(DVector<f64>, f64)> = (row.windows(2))
+        .map(|pair| {
+            let step = DVector::from_iterator(
+                pair[0].len(),
+                pair[0].iter().zip(pair[1].iter()).map(|(a, b)| b - a),
+            );
+            let weight = 1.0 / step.norm().max(SHORTEST);
+            (step, weight)
+        })
+        .collect();
+    let count = row.len();
+    let mut pivots: Vec<Cholesky<f64, Dyn>> = Vec::with_capacity(count);
+    let mut rests: Vec<DVector<f64>> = Vec::with_capacity(count);
+    let coupling = |i: usize| spaces[i].tr_mul(&spaces[i + 1]) * -between[i].1;
+    for (i, space) in spaces.iter().enumerate() {
+        let mut weight = DAMPING;
+        let mut pull = DVector::zeros(space.nrows());
+        if let Some((step, w)) = between.get(i) {
+            weight += w;
+            pull += step * *w;
+        }
+        if i > 0 {
+            let (step, w) = &between[i - 1];
+            weight += w;
+            pull -= step * *w;
+        }
+        let size = space.ncols();
+        let mut pivot = DMatrix::identity(size, size) * weight;
+        let mut rest = space.tr_mul(&pull);
+        if i > 0 {
+            let coupling = coupling(i - 1);
+            pivot -= coupling.tr_mul(&pivots[i - 1].solve(&coupling));
+            rest -= coupling.tr_mul(&pivots[i - 1].solve(&rests[i - 1]));
+        }
+        pivots.push(Cholesky::new(pivot)?);
+        rests.push(rest);
+    }
+    let mut steps = vec![DVector::zeros(0); count];
+    let mut next: Option<DVector<f64>> = None;
+    for i in (0..count).rev() {
+        let rest = match &next {
+            Some(next) => &rests[i] - coupling(i) * next,
+            None => rests[i].clone(),
+        };
+        let own = pivots[i].solve(&rest);
+        steps[i] = &spaces[i] * &own;
+        next = Some(own);
+    }
+    let widest = steps.iter().map(DVector::amax).fold(0.0, f64::max);
+    if widest > MAX_CHANGE {
+        steps
+            .iter_mut()
+            .for_each(|step| *step *= MAX_CHANGE / widest);
+    }
+    Some(steps)
+}
+
+/// The configurations after a share of a step, put back on their places; those where that cannot be done stay.
+fn moved(
+    arm: &Arm,
+    places: &[Point2],
+    row: &[JointPositions],
+    step: &[DVector<f64>],
+    share: f64,
+) -> Vec<JointPositions> {
+    let moved = (0..row.len()).into_par_iter().map(|i| {
+        let wanted = row[i].iter().zip(step[i].iter());
+        let wanted: JointPositions = wanted.map(|(q, step)| q + share * step).collect();
+        put_back(arm, places[i], &wanted).unwrap_or(row[i])
+    });
+    moved.collect()
+}
+
+/// The configuration nearest to one, about, that puts the tool down at a place, touching nothing else.
+pub(super) fn put_back(arm: &Arm, place: Point2, near: &JointPositions) -> Option<JointPositions> {
+    arm.nearest_with_free_yaw(&on_surface(place), near)
+        .filter(|q| arm.is_free_at(q, AllowedContact::Surface))
+}
+
+/// The tool on the surface at a place, with any yaw.
+pub(super) fn on_surface(place: Point2) -> ToolPose {
+    ToolPose {
+        surface_from_tool: PlanarPose::new(place, 0.0),
+        height: 0.0,
+        tilt: 0.0,
+    }
+}
+
+/// The length of the joints' way through these configurations [rad].
+pub(in crate::follow) fn movement(row: &[JointPositions]) -> f64 {
+    row.windows(2).map(|pair| way(&pair[0], &pair[1])).sum()
+}
+
+/// The length of the joints' straight way between two configurations [rad].
+pub(in crate::follow) fn way(from: &JointPositions, to: &JointPositions) -> f64 {
+    let squares = from.iter().zip(to.iter()).map(|(a, b)| (b - a) * (b - a));
+    squares.sum::<f64>().sqrt()
+}
