@@ -12,7 +12,7 @@ use parry3d_f64::shape::TriMesh;
 use rayon::prelude::*;
 
 /// Shortest step of the march along an edge [m]: an intrusion thinner than this may be missed.
-const MARCH_STEP: f64 = 1e-3;
+pub(super) const MARCH_STEP: f64 = 1e-3;
 /// Room for the tool that is narrower than this may be overlooked [m].
 const REACH_STEP: f64 = 1e-4;
 

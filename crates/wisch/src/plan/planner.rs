@@ -41,7 +41,8 @@ pub struct PlanConfig {
 pub struct SearchConfig {
     /// Plans that are tried: the same plan for the same number, however long that takes.
     pub evaluations: usize,
-    /// By how much the tool may be off its way to either side, and still do what the plan says [m].
+    /// By how much the tool may be off its way to either side, and still do what the plan says [m]. What only the tool exactly on
+    /// its way reaches counts half.
     pub margin_m: f64,
 }
 

@@ -1,20 +1,34 @@
 //! Plans in the making, and the ways to change them.
 
+use super::ways::KnownWays;
 use crate::geometry::{Bounds2, Edge, PlanarPose, Point2, Vector2, wrap_angle};
 use crate::plan::{FreeSpace, Plan};
 use crate::random::normal;
 use crate::represent::{Action, GoalState, Task};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
-use std::collections::HashMap;
 
 /// Small and large steps of a place [m] and of a heading [rad], as standard deviations; places over the tool's size.
 const STEPS: [f64; 3] = [0.03, 0.12, 0.5];
 const TURN: f64 = 0.15;
 /// Share of the strokes that are turned across their motion when they change [1].
 const ALIGNED: f64 = 0.6;
-/// Steps towards a place in search of where the tool may stand.
+/// Share of new pushes that lead only to where another stroke takes along what they bring [1], the nearest of so many.
+const LEADING_ON: f64 = 0.4;
+const TRIED_STROKES: usize = 3;
+/// A visit of a place that no stroke can pass is a stroke as long as this [m], after so many strokes have been tried.
+const DAB: f64 = 0.01;
+const TRIED_DETOURS: usize = 3;
+/// Share of new pushes that begin where a corner of the tool just comes over the dirt, and of the others those that begin with the
+/// tool over it, turned at random [1].
+const REACHING: f64 = 0.25;
+const COVERING: f64 = 0.25;
+/// Share of the former pushes that go on for no more than the tool's size, whichever way [1].
+const HANDING_ON: f64 = 0.3;
+/// Steps towards a place in search of where the tool may stand, up to this share of its reach, and directions that are tried.
 const REACHES: i32 = 13;
+const FARTHEST: f64 = 0.99;
+const TRIED_DIRECTIONS: usize = 12;
 /// The tool keeps this far from places that are to be avoided [m].
 const AVOIDED: f64 = 0.03;
 /// A stroke ends within this way of the border over which it skims, beyond it, over the radius of the collision sphere [1].
@@ -80,36 +94,6 @@ impl Draft {
     }
 }
 
-/// What is known of where the tool may go: most of a stroke stays as it was when a part of it changes.
-#[derive(Default)]
-pub(super) struct KnownWays {
-    places: HashMap<[u64; 2], bool>,
-    legs: HashMap<[u64; 4], bool>,
-}
-
-impl KnownWays {
-    /// At most so many places and legs are remembered.
-    const MOST: usize = 1 << 16;
-
-    /// Whether the tool may stand here within a stroke.
-    fn is_free(&mut self, space: &FreeSpace, place: Point2) -> bool {
-        if self.places.len() >= Self::MOST {
-            self.places.clear();
-        }
-        let key = [place.x, place.y].map(f64::to_bits);
-        *(self.places.entry(key)).or_insert_with(|| space.is_free(place))
-    }
-
-    /// Whether the tool may go straight from `a` to `b`.
-    fn is_clear(&mut self, space: &FreeSpace, a: Point2, b: Point2) -> bool {
-        if self.legs.len() >= Self::MOST {
-            self.legs.clear();
-        }
-        let key = [a.x, a.y, b.x, b.y].map(f64::to_bits);
-        *(self.legs.entry(key)).or_insert_with(|| space.is_clear_between(a, b))
-    }
-}
-
 /// Changes drafts at random, within what the tool may do.
 pub(super) struct Mutator<'a> {
     pub(super) task: &'a Task,
@@ -117,7 +101,7 @@ pub(super) struct Mutator<'a> {
     pub(super) allowed_edges: &'a [Edge],
     /// Where the tool must not go, such as where no robot leads it [m].
     pub(super) avoid: &'a [Point2],
-    pub(super) ways: KnownWays,
+    pub(super) ways: KnownWays<'a>,
     pub(super) footprint: Bounds2,
     pub(super) random: ChaCha8Rng,
 }
@@ -168,23 +152,23 @@ impl Mutator<'_> {
             .last()
             .is_some_and(|pose| self.is_allowed(pose.position));
         let mut before = poses.iter().rev().skip(1);
-        let (ways, space) = (&mut self.ways, self.space);
+        let ways = &mut self.ways;
         ends_well
             && !poses.iter().any(|pose| is_near(self.avoid, pose.position))
-            && before.all(|pose| ways.is_free(space, pose.position))
+            && before.all(|pose| ways.is_free(pose.position))
             && poses
                 .windows(2)
-                .all(|pair| ways.is_clear(space, pair[0].position, pair[1].position))
+                .all(|pair| ways.is_clear_between(pair[0].position, pair[1].position))
     }
 
     /// Whether a stroke may end at a place: on the surface, or a little beyond an edge over which dirt is to go.
-    fn is_allowed(&self, place: Point2) -> bool {
+    fn is_allowed(&mut self, place: Point2) -> bool {
         let beyond = BEYOND * self.space.radius() + 1e-9;
         let is_beyond = || {
             let edges = self.allowed_edges.iter();
             self.task.action == Action::Skim && { edges }.any(|edge| edge.distance(place) <= beyond)
         };
-        (self.space.surface().outline.contains(place) || is_beyond()) && self.space.is_clear(place)
+        (self.space.surface().outline.contains(place) || is_beyond()) && self.ways.is_clear(place)
     }
 
     fn is_goal_free(&self) -> bool {
@@ -257,38 +241,93 @@ impl Mutator<'_> {
                 places[self.one_of(places.len())?]
             }
         };
-        let target = self.target(&draft.goal, dirt)?;
+        let landing = match self.random.random::<f64>() < REACHING {
+            true => Some(self.reaching(dirt)?),
+            false => None,
+        };
+        if let Some(landing) = landing
+            && self.random.random::<f64>() < HANDING_ON
+        {
+            // Only out of its corner, from where another stroke may fetch it.
+            let angle = std::f64::consts::TAU * self.random.random::<f64>();
+            let length = self.footprint.size().max() * self.random.random::<f64>();
+            let by = Vector2::new(libm::cos(angle), libm::sin(angle)) * length;
+            let out = PlanarPose::new(landing.position + by, landing.heading);
+            let at = self.random.random_range(0..=draft.strokes.len());
+            draft.strokes.insert(at, vec![landing, out]);
+            return Some(vec![at]);
+        }
+        let leads_on = match self.random.random::<f64>() < LEADING_ON {
+            true => self.taken_along(draft, dirt, landing.as_ref()),
+            false => None,
+        };
+        let (target, taken_by) = match leads_on {
+            Some((place, stroke)) => (place, Some(stroke)),
+            None => (self.target(&draft.goal, dirt)?, None),
+        };
         let along = (target - dirt).try_normalize(1e-9)?;
         let across = Vector2::new(-along.y, along.x);
         let size = self.footprint.size();
         let aside = across * (normal(&mut self.random) * 0.3 * size.y);
         let behind = (0.5 + 0.3 * self.random.random::<f64>()) * size.x;
         let before = match draft.goal {
-            GoalState::Skimmed => 0.0,
+            GoalState::Skimmed if taken_by.is_none() => 0.0,
             _ => size.x * self.random.random::<f64>(),
         };
         let from = dirt - along * behind + aside;
         let to = target - along * before + aside * self.random.random::<f64>();
         let mut poses = vec![PlanarPose::new(from, 0.0), PlanarPose::new(to, 0.0)];
         aligned(&mut poses);
-        if self.random.random::<f64>() >= ALIGNED {
-            let landing = if self.random.random::<bool>() {
-                self.reaching(dirt)?
-            } else {
+        let landing = match landing {
+            None if self.random.random::<f64>() < COVERING => {
                 let heading = poses[0].heading + 3.0 * TURN * normal(&mut self.random);
-                self.covering(dirt, heading)
-            };
+                Some(self.covering(dirt, heading))
+            }
+            landing => landing,
+        };
+        if let Some(landing) = landing {
             let towards = landing.position + (to - dirt);
             poses = vec![landing, PlanarPose::new(towards, landing.heading)];
         }
         // Most often last, as what is left lies where it lies only then.
-        let at = if self.random.random::<f64>() < 0.6 {
-            draft.strokes.len()
-        } else {
-            self.random.random_range(0..=draft.strokes.len())
+        let at = match taken_by {
+            Some(stroke) => stroke,
+            None if self.random.random::<f64>() < 0.6 => draft.strokes.len(),
+            None => self.random.random_range(0..=draft.strokes.len()),
         };
         draft.strokes.insert(at, poses);
         Some(vec![at])
+    }
+
+    /// A place that a stroke passes near some dirt, and which stroke: pushed there, it is taken along. The nearest of a few
+    /// strokes, to which the tool can go straight if it lands like this.
+    fn taken_along(
+        &mut self,
+        draft: &Draft,
+        dirt: Point2,
+        landing: Option<&PlanarPose>,
+    ) -> Option<(Point2, usize)> {
+        let mut nearest: Option<(f64, Point2, usize)> = None;
+        for _ in 0..TRIED_STROKES {
+            let stroke = self.one_of(draft.strokes.len())?;
+            for leg in draft.strokes[stroke].windows(2) {
+                let (from, along) = (leg[0].position, leg[1].position - leg[0].position);
+                let share = (dirt - from).dot(&along) / along.norm_squared().max(1e-12);
+                let place = from + along * share.clamp(0.0, 1.0);
+                let distance = (place - dirt).norm();
+                let mut is_clear = || {
+                    landing.is_none_or(|landing| {
+                        let to = landing.position + (place - dirt);
+                        self.ways.is_clear_between(landing.position, to)
+                    })
+                };
+                if nearest.is_none_or(|(least, ..)| distance < least) && is_clear() {
+                    nearest = Some((distance, place, stroke));
+                }
+            }
+        }
+        let (_, place, stroke) = nearest?;
+        Some((place + self.step() * 0.5, stroke))
     }
 
     /// Where dirt is to be pushed: the goal, or a place beyond an edge near it.
@@ -319,15 +358,18 @@ impl Mutator<'_> {
     /// A pose in which a corner of the tool comes over a place, from as near to it as the scene lets the tool stand in some
     /// direction.
     fn reaching(&mut self, place: Point2) -> Option<PlanarPose> {
-        let angle = std::f64::consts::TAU * self.random.random::<f64>();
-        let away = Vector2::new(libm::cos(angle), libm::sin(angle));
         let Bounds2 { min, max } = self.footprint;
         let corners = Bounds2 { min, max }.corners();
         let corner = corners[self.random.random_range(0..corners.len())].coords;
-        let reach = corner.norm();
-        let mut steps =
-            (0..=REACHES).map(|step| place + away * (reach * f64::from(step) / f64::from(REACHES)));
-        let stands = steps.find(|&stands| self.is_allowed(stands))?;
+        let farthest = FARTHEST * corner.norm();
+        let (away, stands) = (0..TRIED_DIRECTIONS).find_map(|_| {
+            let angle = std::f64::consts::TAU * self.random.random::<f64>();
+            let away = Vector2::new(libm::cos(angle), libm::sin(angle));
+            let steps = (0..=REACHES).map(|step| f64::from(step) / f64::from(REACHES));
+            let mut steps = steps.map(|share| place + away * (farthest * share));
+            let stands = steps.find(|&stands| self.is_allowed(stands))?;
+            Some((away, stands))
+        })?;
         // The corner a little beyond the place.
         let heading = libm::atan2(-away.y, -away.x) - libm::atan2(corner.y, corner.x);
         Some(PlanarPose::new(stands, heading))
@@ -377,7 +419,7 @@ impl Mutator<'_> {
             let heading = std::f64::consts::TAU * self.random.random::<f64>();
             (self.covering(dirt, heading).position, Some(heading))
         };
-        let mut best: Option<(f64, usize, usize)> = None;
+        let mut detours = Vec::new();
         for (s, poses) in draft.strokes.iter().enumerate() {
             for at in 0..=poses.len() {
                 let before = at.checked_sub(1).map(|i| poses[i].position);
@@ -387,17 +429,25 @@ impl Mutator<'_> {
                     (Some(before), Some(after)) => (after - before).norm(),
                     _ => 0.0,
                 };
-                let detour = to(before) + to(after) - direct;
-                if best.is_none_or(|(least, ..)| detour < least) {
-                    best = Some((detour, s, at));
-                }
+                detours.push((to(before) + to(after) - direct, s, at, [before, after]));
             }
         }
-        let Some((_, stroke, at)) = best else {
-            draft
-                .strokes
-                .push(vec![PlanarPose::new(place, turned.unwrap_or(0.0))]);
-            return Some(vec![draft.strokes.len() - 1]);
+        detours.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let possible = detours
+            .into_iter()
+            .take(TRIED_DETOURS)
+            .find(|(.., beside)| {
+                let mut beside = beside.iter().flatten();
+                beside.all(|&other| self.ways.is_clear_between(other, place))
+            });
+        let Some((_, stroke, at, _)) = possible else {
+            let heading = turned.unwrap_or(0.0);
+            let angle = std::f64::consts::TAU * self.random.random::<f64>();
+            let aside = Vector2::new(libm::cos(angle), libm::sin(angle)) * DAB;
+            let dab = [place, place + aside].map(|place| PlanarPose::new(place, heading));
+            let at = self.random.random_range(0..=draft.strokes.len());
+            draft.strokes.insert(at, dab.to_vec());
+            return Some(vec![at]);
         };
         let poses = &mut draft.strokes[stroke];
         let beside = poses[at.min(poses.len() - 1)].heading;

@@ -8,17 +8,19 @@
 mod draft;
 mod trials;
 mod value;
+mod ways;
 
 use super::{FreeSpace, Node, NodeRole, Plan, PlanConfig, SemanticDirectedGraph, Strategy, Stroke};
 use crate::geometry::{PlanarPose, Point2};
 use crate::represent::{GoalState, ParticleDistribution, Task};
-use draft::{Draft, KnownWays, Mutator};
+use draft::{Draft, Mutator};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use rayon::prelude::*;
 use trials::Trials;
 pub(super) use value::Judge;
 use value::Value;
+use ways::KnownWays;
 
 /// Independent searches, of which the best counts; so many however many threads there are.
 const SEARCHES: usize = 4;
@@ -27,6 +29,10 @@ const TEMPERATURES: [f64; 2] = [0.01, 2e-4];
 /// The former where a plan is only mended [1], and the share of the evaluations that this takes [1].
 const MENDING_TEMPERATURE: f64 = 1e-3;
 const MENDING: f64 = 0.3;
+/// Share of the evaluations that go into a plan for the tool as it is as well, where that is certain [1], and the loss of value that
+/// is accepted then at the beginning, as above [1].
+const POLISHING: f64 = 0.4;
+const POLISHING_TEMPERATURE: f64 = 3e-3;
 /// Steps that lead nowhere for each that is judged, at most.
 const MAX_REFUSED: usize = 8;
 
@@ -55,6 +61,7 @@ pub(super) fn searched(
         .collect();
     starts.sort_by(|a, b| b.0.worth.total_cmp(&a.0.worth));
     let pattern = begun_with.first()?;
+    let polishing = judge.polishing();
     let searches = (0..SEARCHES).into_par_iter().map(|number| {
         let (value, draft) = starts[number % starts.len().min(SEARCHES)].clone();
         let mut random = ChaCha8Rng::seed_from_u64(config.seed);
@@ -64,12 +71,23 @@ pub(super) fn searched(
             space,
             allowed_edges: judge.allowed_edges(),
             avoid,
-            ways: KnownWays::default(),
+            ways: KnownWays::new(space),
             footprint: task.tool.footprint.bounds()?,
             random,
         };
-        let budget = evaluations / (SEARCHES * judge.worlds().len()).max(1);
-        Some(annealed(&judge, &mut mutator, (value, draft), budget, hot))
+        let steps = |share: f64, judge: &Judge| {
+            (share * evaluations as f64) as usize / (SEARCHES * judge.worlds().len()).max(1)
+        };
+        let Some(polishing) = &polishing else {
+            let steps = steps(1.0, &judge);
+            return Some(annealed(&judge, &mut mutator, (value, draft), steps, hot));
+        };
+        let first = steps(1.0 - POLISHING, &judge);
+        let (_, draft) = annealed(&judge, &mut mutator, (value, draft), first, hot);
+        let value = Trials::new(polishing, &draft.goal).value(&draft);
+        let (hot, last) = (hot.min(POLISHING_TEMPERATURE), steps(POLISHING, polishing));
+        let start = (value, draft);
+        Some(annealed(polishing, &mut mutator, start, last, hot))
     });
     let found: Vec<Option<(Value, Draft)>> = searches.collect();
     let best = (found.into_iter().flatten()).reduce(|best, next| {

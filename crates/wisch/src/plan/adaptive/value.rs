@@ -34,6 +34,8 @@ pub(super) struct Value {
     pub(super) left: Vec<Point2>,
 }
 
+/// How much it counts what the tool does exactly as it is, beside what one does that is smaller by the margin [1].
+const WHOLE_TOOL: f64 = 0.5;
 /// By how much the tool is narrower to each side, at most, than what it carries needs: heaps leak at its ends [m].
 const LEAK: f64 = 0.012;
 /// Radius of the goal within which dirt is to end where strokes are searched for, over the goal's [1].
@@ -42,6 +44,7 @@ const RIM: f64 = 0.75;
 const STREAM: u64 = 0x6772_6173_7000_0000;
 
 /// Dirt as it may lie, and the tool as it may be held.
+#[derive(Clone)]
 pub(super) struct World {
     pub(super) dirt: ParticleDistribution,
     pub(super) field: ParticleField,
@@ -49,6 +52,8 @@ pub(super) struct World {
     pub(super) grasp: PlanarPose,
     pub(super) footprint: Region,
     pub(super) heap: Option<u64>,
+    /// How much it counts among all [1].
+    weight: f64,
 }
 
 /// A world amid a draft.
@@ -108,6 +113,7 @@ impl<'a> Judge<'a> {
                 grasp: PlanarPose::new(Point2::from(offset), 0.0),
                 footprint: task.tool.footprint.narrowed(narrower),
                 heap: (!is_certain).then_some(number as u64),
+                weight: 1.0 / dirt.len() as f64,
             }
         });
         Self {
@@ -130,12 +136,35 @@ impl<'a> Judge<'a> {
         Self { rim: RIM, ..self }
     }
 
+    /// The same where dirt that is certain counts in part for what the tool does to it exactly as it is, so that what lies within
+    /// reach of no smaller one is not given up; `None` where dirt is not certain.
+    pub(super) fn polishing(&self) -> Option<Self> {
+        let [world] = &self.worlds[..] else {
+            return None;
+        };
+        let whole = World {
+            footprint: self.task.tool.footprint.clone(),
+            weight: WHOLE_TOOL,
+            ..world.clone()
+        };
+        let smaller = World {
+            weight: 1.0 - WHOLE_TOOL,
+            ..world.clone()
+        };
+        Some(Self {
+            worlds: vec![smaller, whole],
+            allowed_edges: self.allowed_edges.clone(),
+            ..*self
+        })
+    }
+
     /// What a draft is worth that leaves its worlds so.
     pub(super) fn value(&self, draft: &Draft, after: &[State]) -> Value {
         let mut left = Vec::new();
         let worlds = self.worlds.iter().zip(after);
-        let gains = worlds.map(|(world, state)| self.gain(world, state, &draft.goal, &mut left));
-        let gain = gains.sum::<f64>() / self.worlds.len() as f64;
+        let gains = worlds
+            .map(|(world, state)| world.weight * self.gain(world, state, &draft.goal, &mut left));
+        let gain = gains.sum::<f64>();
         let beyond = (draft.distance() - self.max_distance).max(0.0);
         Value {
             worth: gain - self.per_metre * self.cost(draft) - BEYOND * beyond,
