@@ -141,7 +141,14 @@ fn an_executor_that_falls_silent_is_given_up_and_the_episode_is_kept() {
     let task = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/arm-board.toml");
     let mut command = Command::new(assert_cmd::cargo::cargo_bin!("wisch"));
     command.current_dir(folder.path()).arg("run").arg(task);
-    command.args(["--executor", "python3 robot.py", "--timeout", "2", "--memory", "memory"]);
+    command.args([
+        "--executor",
+        "python3 robot.py",
+        "--timeout",
+        "2",
+        "--memory",
+        "memory",
+    ]);
     let output = command.output().expect("it runs");
     let err = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{err}");
