@@ -584,7 +584,9 @@ impl<'a> Session<'a> {
         let _ = observer(&RunEvent::Interpreting { round });
         let goal = self.goal_of(&planned.plan);
         let mut interpretation = interpreter.conclude(&planned.believed, &goal)?;
+        // An executor that broke off is asked nothing more.
         if let Some(sight) = self.config.sight
+            && self.failure.is_none()
             && let Some(observation) = executor.observe(&planned.task)?
         {
             let _ = observer(&RunEvent::Observed {
