@@ -21,7 +21,7 @@ class FollowerConfig:
     """Of the tool above the table [m/s]."""
     acceleration: float = 1.0
     """At corners [m/s²]."""
-    lookahead: float = 0.015
+    lookahead: float = 0.008
     """How far ahead on its path the reference heads; so far inside of a corner it goes by [m]."""
     turn_speed: float = 2.0
     """Of the yaw [rad/s]."""
@@ -31,6 +31,12 @@ class FollowerConfig:
     """Share of the force's error that is made up for in one period [1]."""
     tilt_gain: float = 0.15
     """The same of the tilt's error [1]."""
+    turn_range: float = 1.8
+    """How far the tool may be turned from how it began [rad]."""
+    turn_stiffness: float = 400.0
+    """Of the tool's rotation [1/s²]."""
+    lean: float = 0.003
+    """How far the tool leans forward at full speed [rad]: its leading side is pressed on first."""
     landing_speed: float = 0.035
     """At which the tool meets the table [m/s]."""
     braking: float = 0.6
@@ -74,7 +80,7 @@ class Reference:
     def arrived(self):
         """Whether the end is reached."""
         far = np.linalg.norm(self.end[:2] - self.position)
-        return far < 0.002 and abs(wrapped(self.end[2] - self.yaw)) < 0.02
+        return far < 0.002 and abs(self.end[2] - self.yaw) < 0.02
 
     def _pose_at(self, station):
         if len(self.stations) == 1 or station >= self.stations[-1]:
@@ -82,9 +88,7 @@ class Reference:
         index = int(np.searchsorted(self.stations, station, side="right")) - 1
         share = (station - self.stations[index]) / (self.stations[index + 1] - self.stations[index])
         begin, end = self.path[index], self.path[index + 1]
-        pose = begin + share * (end - begin)
-        pose[2] = begin[2] + share * wrapped(end[2] - begin[2])
-        return pose
+        return begin + share * (end - begin)
 
     def advance(self, period, most):
         """One period of the controller goes by, at no more than a speed [m/s]."""
@@ -102,8 +106,7 @@ class Reference:
             far = np.linalg.norm(way)
             left = far + self.stations[-1] - self.station
             speed = min(most, np.sqrt(2.0 * 0.7 * config.acceleration * left), left / 0.05)
-            # A turn that lags holds the point back.
-            turn = wrapped(carrot[2] - self.yaw)
+            turn = carrot[2] - self.yaw
             wanted = way / far * speed if far > 1e-9 else np.zeros(2)
             change = (wanted - self.velocity) / 0.03
             size = np.linalg.norm(change)
@@ -130,6 +133,7 @@ class Follower:
         self.track = []
         """Where the tool was after each period of wiping: x, y, broad side's angle [m, rad]."""
         self.landed = False
+        self.yaw = self.first_yaw = self.pose()[2]
 
     def pose(self):
         """Where the tool is: x, y, angle of its broad side."""
@@ -138,14 +142,26 @@ class Follower:
 
     def follow(self, path, until=lambda: False):
         """Wipes along a path (n, 3) from where the tool is; ends with the episode, the path, or when `until` says so."""
-        path = np.asarray(path, dtype=float)
+        path = self._with_turns(path)
         if not self.landed:
             # It comes down where its path begins, not on the way there.
             self._run(path[:1], until, lambda: self.landed)
         self._run(path, until, lambda: False)
 
+    def _with_turns(self, path):
+        """A path whose angles are those that the wrist can take, half turns of the tool being the same: near the one before, and
+        never far from how the tool began."""
+        path, yaw = np.array(path, dtype=float), self.yaw
+        for pose in path:
+            turned = yaw + wrapped(pose[2] - yaw)
+            if abs(turned - self.first_yaw) > self.config.turn_range:
+                turned -= np.sign(turned - self.first_yaw) * np.pi
+            pose[2] = yaw = turned
+        return path
+
     def _run(self, path, until, landed):
-        reference = Reference(np.vstack([self.pose(), path]), self.velocity, self.config)
+        start = np.append(self.world.position()[:2], self.yaw)
+        reference = Reference(np.vstack([start, path]), self.velocity, self.config)
         late = 0
         while not (self.world.done or until() or landed()):
             if reference.arrived and self.landed:
@@ -155,9 +171,16 @@ class Follower:
             clearance = self.world.position()[2] - self.height
             in_air = not self.landed and clearance > 0.02
             reference.advance(self.world.period, self.config.free_speed if in_air else self.config.speed)
-            left = np.linalg.norm(path[0, :2] - reference.position) - 0.02
-            self._command(reference, np.clip(0.4 * left, 0.0, 0.05))
-        self.velocity = reference.velocity
+            left = np.linalg.norm(path[0, :2] - reference.position) - 0.004
+            self._command(reference, np.clip(left, 0.0, 0.05))
+        self.velocity, self.yaw = reference.velocity, reference.yaw
+
+    def _lean(self, reference):
+        """Axis times angle by which the tool leans towards the side that leads."""
+        broad, narrow, _ = self.world.rotation().T
+        across, along = narrow[:2] @ reference.velocity, broad[:2] @ reference.velocity
+        lean = self.config.lean / self.config.speed
+        return -lean * across * broad if abs(across) >= abs(along) else lean * along * narrow
 
     def _command(self, reference, least_clearance):
         """One period towards a reference; a tool that has not landed keeps a clearance of the table."""
@@ -169,7 +192,7 @@ class Follower:
             + self.damping * (reference.velocity - moving[:2])
             + self.stiffness * (reference.position - position[:2])
         )
-        error = rotation_error(world.rotation(), reference.yaw)
+        error = rotation_error(world.rotation(), reference.yaw) + self._lean(reference)
         if self.landed:
             self.tilt[:2] = np.clip(self.tilt[:2] + config.tilt_gain * error[:2], -0.05, 0.05)
             missing = config.force - world.force()
@@ -184,7 +207,8 @@ class Follower:
                 fall = min(config.free_speed, fall + config.landing_speed)
             acceleration[2] = (-fall - moving[2]) * self.damping
             self.landed = world.force() > 2.0
-        acceleration[3:] = self.stiffness * (error + self.tilt) - self.damping * turning
+        stiffness = config.turn_stiffness
+        acceleration[3:] = stiffness * (error + self.tilt) - 2.0 * np.sqrt(stiffness) * turning
         errors = world.errors_for(acceleration, wrench)
         # What the controller would cut off is given up along the table first, evenly.
         for share in (0.75, 0.5, 0.25, 0.0):
