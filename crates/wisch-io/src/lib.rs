@@ -20,7 +20,7 @@ pub use assets::{KnowledgeSource, beside, read, read_text, shipped_scenarios};
 pub use digest::InputDigest;
 pub use error::Error;
 pub use knowledge::{InteractionRevision, KnowledgeFileError, RevisedFile, parse_knowledge};
-pub use load::{Derivation, LoadOptions, LoadedTask, load_task};
+pub use load::{Derivation, LoadOptions, LoadedTask, load_task, task_of_text};
 pub use output::{
     FOLLOWING_FILE, Found, INTERPRETATION_FILE, Leftover, OutputFile, OutputFolder,
     PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE,
@@ -31,7 +31,10 @@ pub use particles::{
     MaskSource, ParticleSource, ParticleSourceError, csv_particles, mask_particles,
     observed_in_image, observed_in_list, particles_from_csv, particles_to_csv,
 };
-pub use process::{EXECUTOR_PROTOCOL, ProcessExecutor};
+pub use process::{
+    DoneRecord, EXECUTOR_PROTOCOL, EndingRecord, Intake, ObservationRecord, ProcessExecutor,
+    SampleRecord,
+};
 pub use records::{
     AbandonedRecord, AttemptRecord, CandidateSummary, EVENT_SCHEMA, EventRecord, EventWriter,
     FollowedRecord, FollowingSummary, GoalRecord, INTERPRETATION_FORMAT, InterpretationRecord,

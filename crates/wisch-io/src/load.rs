@@ -215,8 +215,30 @@ struct Chosen {
 /// # Ok::<(), wisch_io::Error>(())
 /// ```
 pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error> {
+    task_of_text(path, read_task_text(path)?, &mut beside(path), options)
+}
+
+/// The same from the text of a task file that lies nowhere. `path` is where it would: errors call it by this name, and the
+/// robot's files are looked for beside it; `files` reads what else it refers to, by the path that it gives.
+///
+/// # Errors
+/// Those of [`load_task`].
+///
+/// ```
+/// use wisch_io::{LoadOptions, TaskFile, task_of_text};
+/// let mut no_files = |path: &str| Err(format!("{path}: there are no files here"));
+/// let text = TaskFile::TEMPLATE.to_owned();
+/// let loaded = task_of_text("made.toml".as_ref(), text, &mut no_files, &LoadOptions::default())?;
+/// assert_eq!(loaded.task.particles.len(), 80);
+/// # Ok::<(), wisch_io::Error>(())
+/// ```
+pub fn task_of_text(
+    path: &Path,
+    text: String,
+    files: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
+    options: &LoadOptions,
+) -> Result<LoadedTask, Error> {
     let shown = path.display().to_string();
-    let text = read_task_text(path)?;
     let file = TaskFile::parse(&shown, &text, &options.settings)?;
     let source = KnowledgeSource::new(options.knowledge.as_deref());
     let mut knowledge = source.base()?;
@@ -236,17 +258,16 @@ pub fn load_task(path: &Path, options: &LoadOptions) -> Result<LoadedTask, Error
         inputs.borrow_mut().add(path, &bytes);
         Ok(bytes)
     };
-    let mut beside = beside(path);
     let task = file.resolve(
         chosen.action,
         &chosen.tool,
         &chosen.medium,
         seed,
         &knowledge,
-        &mut |path| taken_in(path, beside(path)),
+        &mut |path| taken_in(path, files(path)),
         &mut |path| taken_in(path, source.asset(path)),
     )?;
-    let real_places = file.real_places(&task, &mut |path| taken_in(path, beside(path)))?;
+    let real_places = file.real_places(&task, &mut |path| taken_in(path, files(path)))?;
     let mut inputs = inputs.into_inner();
     inputs.add("action", chosen.action.as_str());
     inputs.add("seed", seed.to_le_bytes());

@@ -177,6 +177,14 @@ fn a_child_that_goes_wrong_ends_in_an_error_that_says_how() {
         ),
         ("say(error='the arm is locked')", "the arm is locked"),
         ("done('exploded')", "unknown variant `exploded`"),
+        (
+            "sample(0); done('complete')",
+            "is said to be complete, but the last sample is that of 0 s",
+        ),
+        (
+            "done('complete')",
+            "is said to be complete, but there is no sample",
+        ),
     ];
     for (lines, expected) in cases {
         let begin = Instant::now();
@@ -251,7 +259,7 @@ fn how_a_child_ended_is_taken_over() {
     );
 
     let (loaded, robot) = loaded();
-    let script = format!("{CHILD}sample(0)\ndone('complete', [1, 2])\n");
+    let script = format!("{CHILD}sample(0)\ndone('stopped', [1, 2])\n");
     let mut session = loaded.session().with_robot(robot.performer());
     let error = session.run(&mut start(&script).expect("it greets"), &mut unobserved);
     let is_refused = matches!(error, Err(RunError::Positions { found: 2, .. }));

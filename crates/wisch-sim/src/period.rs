@@ -5,15 +5,15 @@ use crate::grains::GrainBodies;
 use crate::plant::{GRAVITY, Plant, Wielded, firm_load, tool_load};
 use crate::treated::TreatedSurface;
 use crate::{Dirt, GroundTruth, SimulationError, SimulationSettings, Spread};
-use nalgebra::{Matrix6xX, Translation3, Vector6};
+use nalgebra::{Matrix6xX, Vector6};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
 use wisch::control::{
-    ControlConfig, Desired, ImpedanceController, Measured, MomentumObserver, Posture,
+    ControlConfig, Desired, ImpedanceController, Measured, MomentumObserver, Posture, pressed_in,
 };
-use wisch::follow::{Followed, FollowerLimit, Motion, Phase, TrajectorySample, Workcell};
+use wisch::follow::{Followed, FollowerLimit, Motion, TrajectorySample, Workcell};
 use wisch::geometry::{Point3, Pose, Vector3};
 use wisch::random::normal;
 use wisch::represent::Task;
@@ -467,21 +467,8 @@ impl<'a> Simulation<'a> {
         for (k, &i) in (0..).zip(&self.planned_q[1]) {
             velocity += self.jacobian.column(k) * i;
         }
-        let surface = &self.task.surface.world_from_surface;
-        let height = (surface.inverse() * tool).z;
-        let normal = surface * Vector3::z();
-        let interaction = &self.task.interaction;
-        let depth =
-            self.config.press_margin * interaction.contact_force() / interaction.stiffness_n_per_m;
-        let presses = motions.get(self.motion).is_some_and(|motion| {
-            matches!(motion.phase, Phase::Lower | Phase::Wipe(_) | Phase::Lift)
-        });
-        let share = if presses {
-            (1.0 - height / self.config.approach_height).clamp(0.0, 1.0)
-        } else {
-            0.0
-        };
-        world_from_tool = Translation3::from(-normal * (depth * share)) * world_from_tool;
+        let phase = motions.get(self.motion).map(|motion| motion.phase);
+        world_from_tool = pressed_in(world_from_tool, phase, self.task, self.config);
         Desired {
             world_from_tool,
             velocity,

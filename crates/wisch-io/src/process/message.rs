@@ -1,12 +1,9 @@
 //! The messages between this program and an executor in another process: one JSON object a line.
 
+use super::intake::{DoneRecord, ObservationRecord, SampleRecord};
 use serde::{Deserialize, Serialize};
-use wisch::geometry::{Point2, Polygon, Pose, Region, Vector3};
-use wisch::represent::{MAX_PARTICLES, Observation};
-use wisch::run::{MotionOrder, Setpoint, Wrench};
-
-/// How far from 1 the norm of a quaternion may be.
-const UNIT_TOLERANCE: f64 = 1e-3;
+use wisch::geometry::Pose;
+use wisch::run::{MotionOrder, Setpoint};
 
 /// What is said to the child.
 #[derive(Debug, Serialize)]
@@ -71,85 +68,10 @@ pub(super) struct TrajectoryPoint {
 #[serde(rename_all = "snake_case")]
 pub(super) enum FromChild {
     Ready { version: u32 },
-    Sample(Box<SampleMessage>),
-    Done(Ended),
-    Observation(Option<ObservationMessage>),
+    Sample(Box<SampleRecord>),
+    Done(DoneRecord),
+    Observation(Option<ObservationRecord>),
     Error(String),
-}
-
-/// What is seen of the dirt, in the frame of the believed surface.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct ObservationMessage {
-    detections: Vec<[f64; 2]>,
-    #[serde(default)]
-    hidden: Vec<Vec<[f64; 2]>>,
-}
-
-impl ObservationMessage {
-    /// The observation, if its numbers are some.
-    pub fn into_observation(self) -> Result<Observation, String> {
-        let places = self.hidden.iter().flatten().chain(&self.detections);
-        if let Some([x, y]) = places
-            .into_iter()
-            .find(|[x, y]| !(x.is_finite() && y.is_finite()))
-        {
-            return Err(format!("observation: place ({x}, {y}) m is not finite"));
-        }
-        if self.detections.len() > MAX_PARTICLES {
-            let count = self.detections.len();
-            return Err(format!(
-                "observation: {count} detections exceed the limit of {MAX_PARTICLES}"
-            ));
-        }
-        let points = |ring: Vec<[f64; 2]>| ring.into_iter().map(Point2::from).collect();
-        let hidden = self
-            .hidden
-            .into_iter()
-            .map(|ring| Polygon::new(points(ring), vec![]));
-        Ok(Observation {
-            hidden: Region::new(hidden.collect()),
-            detections: points(self.detections),
-        })
-    }
-}
-
-/// What is measured at one instant.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct SampleMessage {
-    pub time_s: f64,
-    world_from_tool: [f64; 7],
-    force_n: [f64; 3],
-    #[serde(default)]
-    moment_nm: [f64; 3],
-    world_from_commanded: Option<[f64; 7]>,
-    #[serde(default)]
-    controller_force_n: [f64; 3],
-    #[serde(default)]
-    controller_moment_nm: [f64; 3],
-    pub positions: Vec<f64>,
-    #[serde(default)]
-    pub velocities: Vec<f64>,
-    #[serde(default)]
-    pub efforts: Vec<f64>,
-}
-
-/// How an execution went.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Ended {
-    pub duration_s: f64,
-    pub ending: EndingMessage,
-    pub positions: Vec<f64>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(super) enum EndingMessage {
-    Complete,
-    Stopped,
-    ProtectiveStop { time_s: f64, reason: String },
 }
 
 impl FromChild {
@@ -207,75 +129,9 @@ impl From<Setpoint> for TrajectoryPoint {
     }
 }
 
-impl SampleMessage {
-    /// That it comes after the one before, and that all in it are numbers of the right count.
-    pub fn check(&self, since: f64, dof: usize) -> Result<(), String> {
-        let time = self.time_s;
-        if time <= since {
-            return Err(format!("the sample of {time} s follows that of {since} s"));
-        }
-        for (key, values, is_optional) in [
-            ("positions", &self.positions, false),
-            ("velocities", &self.velocities, true),
-            ("efforts", &self.efforts, true),
-        ] {
-            let count = values.len();
-            if count != dof && !(is_optional && count == 0) {
-                return Err(format!(
-                    "at {time} s {key} has {count} numbers, the robot {dof} joints"
-                ));
-            }
-        }
-        let poses = [Some(self.world_from_tool), self.world_from_commanded];
-        for pose in poses.into_iter().flatten() {
-            let norm = pose[3..].iter().map(|x| x * x).sum::<f64>().sqrt();
-            if (norm - 1.0).abs() > UNIT_TOLERANCE {
-                return Err(format!(
-                    "at {time} s a quaternion has norm {norm}, not 1 within {UNIT_TOLERANCE}"
-                ));
-            }
-        }
-        Ok(())
-    }
-
-    /// Where the tool is.
-    pub fn world_from_tool(&self) -> Pose {
-        pose(&self.world_from_tool)
-    }
-
-    /// Where it was told to be, if that is said.
-    pub fn world_from_commanded(&self) -> Option<Pose> {
-        self.world_from_commanded.as_ref().map(pose)
-    }
-
-    /// f_c.
-    pub fn controller(&self) -> Wrench {
-        wrench(self.controller_force_n, self.controller_moment_nm)
-    }
-
-    /// f_ext.
-    pub fn external(&self) -> Wrench {
-        wrench(self.force_n, self.moment_nm)
-    }
-}
-
-fn wrench(force: [f64; 3], moment: [f64; 3]) -> Wrench {
-    Wrench {
-        force: Vector3::from(force),
-        moment: Vector3::from(moment),
-    }
-}
-
 /// x, y, z, then the quaternion's x, y, z, w.
 fn numbers(pose: &Pose) -> [f64; 7] {
     let p = pose.translation.vector;
     let q = pose.rotation.coords;
     [p.x, p.y, p.z, q.x, q.y, q.z, q.w]
-}
-
-fn pose(&[x, y, z, i, j, k, w]: &[f64; 7]) -> Pose {
-    Pose::from_parts(
-        nalgebra::Translation3::new(x, y, z),
-        nalgebra::UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w, i, j, k)),
-    )
 }

@@ -1,17 +1,17 @@
 //! An executor in another process: any program that speaks the protocol of `docs/executor-protocol.md`.
 
+mod intake;
 mod message;
 
-use message::{Ended, FromChild, MotionHead, ToChild};
+pub use intake::{DoneRecord, EndingRecord, Intake, ObservationRecord, SampleRecord};
+
+use message::{FromChild, MotionHead, ToChild};
 use std::io::{BufRead, BufReader, Write};
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
 use std::time::{Duration, Instant};
 use wisch::represent::{Observation, Task};
-use wisch::run::{
-    Ending, Execution, Executor, ExecutorError, MotionOrder, SampleSink, Setpoint, StopCause,
-    TelemetrySample,
-};
+use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink, Setpoint};
 
 /// The version of the protocol.
 pub const EXECUTOR_PROTOCOL: u32 = 1;
@@ -144,56 +144,28 @@ impl Executor for ProcessExecutor {
         sink: &mut SampleSink<'_>,
     ) -> Result<Execution, ExecutorError> {
         self.order(order)?;
-        let dof = order.cell.robot().dof();
-        let mut since = f64::NEG_INFINITY;
+        let mut intake = Intake::new(order, sink);
         let mut stopped: Option<Instant> = None;
         loop {
             let sample = match self.hear()? {
                 FromChild::Sample(sample) => sample,
-                FromChild::Done(Ended {
-                    duration_s,
-                    ending,
-                    positions,
-                }) => {
-                    return Ok(Execution {
-                        duration: duration_s,
-                        ending: ending.into(),
-                        positions,
-                    });
-                }
+                FromChild::Done(done) => return intake.done(done).map_err(|e| self.fault(e)),
                 other => {
                     let kind = other.kind();
                     return Err(self.fault(format!("expected a sample, found {kind}")));
                 }
             };
-            sample.check(since, dof).map_err(|e| self.fault(e))?;
-            since = sample.time_s;
-            if let Some(stopped) = stopped {
-                if stopped.elapsed() > self.silence {
+            intake.take(&sample).map_err(|e| self.fault(e))?;
+            match stopped {
+                Some(stopped) if stopped.elapsed() > self.silence => {
                     let seconds = self.silence.as_secs_f64();
                     return Err(self.fault(format!("it goes on {seconds} s after \"stop\"")));
                 }
-                continue;
-            }
-            let Some((motion, phase)) = order.motion_at(since) else {
-                continue;
-            };
-            let world_from_tool = sample.world_from_tool();
-            let flow = sink(&TelemetrySample {
-                time: since,
-                positions: &sample.positions,
-                velocities: &sample.velocities,
-                efforts: &sample.efforts,
-                world_from_commanded: sample.world_from_commanded().unwrap_or(world_from_tool),
-                world_from_tool,
-                controller: sample.controller(),
-                external: sample.external(),
-                motion,
-                phase,
-            });
-            if flow.is_break() {
-                stopped = Some(Instant::now());
-                self.say(&ToChild::Stop)?;
+                None if intake.is_stopped() => {
+                    stopped = Some(Instant::now());
+                    self.say(&ToChild::Stop)?;
+                }
+                _ => {}
             }
         }
     }
@@ -271,17 +243,4 @@ fn read_lines(mut output: impl BufRead, sender: &SyncSender<Result<String, Strin
 fn shortened(line: &str) -> String {
     let shown: String = line.trim_end().chars().take(80).collect();
     format!("{shown:?}")
-}
-
-impl From<message::EndingMessage> for Ending {
-    fn from(message: message::EndingMessage) -> Self {
-        match message {
-            message::EndingMessage::Complete => Self::Complete,
-            message::EndingMessage::Stopped => Self::Stopped,
-            message::EndingMessage::ProtectiveStop { time_s, reason } => Self::ProtectiveStop {
-                time: time_s,
-                cause: StopCause::Reported { reason },
-            },
-        }
-    }
 }

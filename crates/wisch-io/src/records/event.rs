@@ -130,7 +130,7 @@ impl<W: Write> EventWriter<W> {
     }
 
     /// The record of an event; `None` of one that is passed over.
-    fn record(&mut self, event: &RunEvent<'_>) -> Option<RunEventRecord> {
+    pub fn record(&mut self, event: &RunEvent<'_>) -> Option<RunEventRecord> {
         Some(match *event {
             RunEvent::Planning { round } => RunEventRecord::Planning {
                 schema: EVENT_SCHEMA,

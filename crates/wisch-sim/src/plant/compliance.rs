@@ -3,15 +3,16 @@
 use super::wielded::Wielded;
 use super::{GRAVITY, Plant, free_axis, to_engine};
 use crate::SimulationError;
-use nalgebra::{Matrix3, Translation3};
+use nalgebra::Translation3;
 use rapier3d_f64::dynamics::{
     GenericJoint, MassProperties, MultibodyJointHandle, PrismaticJointBuilder,
     RevoluteJointBuilder, RigidBodyBuilder, RigidBodyHandle,
 };
 use rapier3d_f64::math as engine;
 use rapier3d_f64::pipeline::PhysicsWorld;
+use wisch::control::tool_load as load_of;
 use wisch::follow::Workcell;
-use wisch::geometry::{Point2, Point3, Pose, Vector2, Vector3};
+use wisch::geometry::{Point2, Pose, Vector3};
 use wisch::represent::Task;
 use wisch::robot::Body;
 
@@ -145,25 +146,10 @@ pub(super) fn compliance(
 /// The load that the tool is believed to be to the robot, in the frame of the link that holds it.
 pub(crate) fn tool_load(cell: &Workcell, task: &Task) -> Body {
     let mass = FIRM_MASS + PLATE_MASS + 2.0 * LINK_MASS;
-    load(cell.tip_from_tool(), task.tool.area_of_effect, mass)
+    load_of(cell.tip_from_tool(), task.tool.area_of_effect, mass)
 }
 
 /// The load that the real one is, without its plate and the links that carry the plate, which are bodies of their own.
 pub(crate) fn firm_load(tool: &Wielded) -> Body {
-    load(&tool.tip_from_tool, tool.area_of_effect, FIRM_MASS)
-}
-
-/// A mass [kg] spread over the tool's extent [m], about the tool centre point.
-fn load(tip_from_tool: &Pose, size: Vector2, mass: f64) -> Body {
-    let about = |a: f64, b: f64| mass / 12.0 * (a * a + b * b) + 1e-6;
-    let depth = size.min();
-    Body {
-        mass,
-        center_in_link: tip_from_tool * Point3::origin(),
-        inertia_about_center: Matrix3::from_diagonal(&Vector3::new(
-            about(size.y, depth),
-            about(size.x, depth),
-            about(size.x, size.y),
-        )),
-    }
+    load_of(&tool.tip_from_tool, tool.area_of_effect, FIRM_MASS)
 }

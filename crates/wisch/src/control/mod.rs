@@ -8,12 +8,14 @@
 mod config;
 mod impedance;
 mod momentum_observer;
+mod motion_controller;
 #[cfg(test)]
 mod tests;
 
 pub use config::ControlConfig;
 pub use impedance::{Desired, ImpedanceController, Measured, Posture};
 pub use momentum_observer::MomentumObserver;
+pub use motion_controller::{Command, MotionController, pressed_in, tool_load};
 
 use crate::geometry::Vector3;
 

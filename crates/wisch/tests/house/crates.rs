@@ -14,8 +14,19 @@ const LAYERS: [&[&str]; 6] = [
 ];
 
 /// Crates beside the order, and what they may depend on of this workspace. Nothing depends on them.
-const APART: [(&str, &[&str]); 2] = [
+const APART: [(&str, &[&str]); 3] = [
     ("wisch-prolog", &[]),
+    (
+        "wisch-py",
+        &[
+            "wisch",
+            "wisch-io",
+            "wisch-telemetry",
+            "wisch-memory",
+            "wisch-report",
+            "wisch-cli",
+        ],
+    ),
     ("wisch-testkit", &["wisch", "wisch-io"]),
 ];
 

@@ -1,0 +1,48 @@
+"""wisch: represent, plan, predict, execute and interpret robotic wiping.
+
+>>> import wisch
+>>> task = wisch.load_task("arm-board")
+>>> plan = task.session().plan()
+>>> round(plan.predict().performance, 1)
+1.0
+
+Units are SI and radians. Poses are arrays of seven numbers: x, y, z [m] and a unit quaternion x, y, z, w, in the frame of the
+world. Places on a surface are x, y [m] in its frame, whose z axis points out of it; a tool's place there is x, y [m] and its
+heading [rad].
+"""
+
+from ._errors import WischError
+from ._task import Task, build_task, load_task
+from ._wisch import (
+    Audit,
+    EffectField,
+    ImpedanceController,
+    Interpretation,
+    Motion,
+    Plan,
+    Prediction,
+    Robot,
+    Round,
+    Session,
+    Sink,
+    Telemetry,
+)
+
+__all__ = [
+    "Audit",
+    "EffectField",
+    "ImpedanceController",
+    "Interpretation",
+    "Motion",
+    "Plan",
+    "Prediction",
+    "Robot",
+    "Round",
+    "Session",
+    "Sink",
+    "Task",
+    "Telemetry",
+    "WischError",
+    "build_task",
+    "load_task",
+]

@@ -1,0 +1,163 @@
+//! Why something is refused, as the exception `wisch.WischError`, which keeps file, place, value, limit and help.
+
+use pyo3::prelude::*;
+use std::fmt::Display;
+use wisch::robot::RobotError;
+use wisch::run::RunError;
+use wisch::source_location::Place;
+use wisch_io::{Error, TaskError};
+
+pyo3::import_exception!(wisch._errors, WischError);
+
+/// What an error knows beside its sentence.
+#[derive(Debug, Default)]
+pub struct Details {
+    /// The file.
+    pub file: Option<String>,
+    /// Line and column in it, from 1.
+    pub place: Option<(usize, usize)>,
+    /// What was given.
+    pub value: Option<String>,
+    /// What it may be.
+    pub limit: Option<String>,
+    /// What can be done about it.
+    pub help: Option<String>,
+}
+
+/// The exception of a sentence.
+pub fn failed(sentence: impl Display, details: Details) -> PyErr {
+    let Details {
+        file,
+        place,
+        value,
+        limit,
+        help,
+    } = details;
+    WischError::new_err((sentence.to_string(), file, place, value, limit, help))
+}
+
+/// The exception of a sentence that says it all.
+pub fn plain(sentence: impl Display) -> PyErr {
+    failed(sentence, Details::default())
+}
+
+/// An argument that is not what it may be.
+pub fn refused(name: &str, value: impl Display, limit: impl Display) -> PyErr {
+    let details = Details {
+        value: Some(value.to_string()),
+        limit: Some(limit.to_string()),
+        ..Details::default()
+    };
+    failed(format!("{name}: expected {limit}, found {value}"), details)
+}
+
+/// The exception of a file that is refused.
+pub fn of_file(error: Error) -> PyErr {
+    let help = error.help();
+    let mut details = match &error {
+        Error::Task(error) => of_task(error),
+        Error::NoSuchFile { path, .. }
+        | Error::Unusable { path, .. }
+        | Error::NotText { path, .. }
+        | Error::Output { path, .. } => file(path.display()),
+        Error::NoKnowledge { folder } => file(folder.display()),
+        Error::Goal { file: path, .. } | Error::Contradiction { file: path, .. } => file(path),
+        Error::Strategy {
+            file: path,
+            unknown,
+        } => Details {
+            value: Some(unknown.name.clone()),
+            limit: Some(unknown.known.join(", ")),
+            ..file(path)
+        },
+        Error::UnknownRobot(unknown) => Details {
+            value: Some(unknown.name.clone()),
+            limit: Some(unknown.known.join(", ")),
+            ..Details::default()
+        },
+        Error::Urdf { file: path, .. } => file(path),
+        _ => Details::default(),
+    };
+    if let Error::NotText { line, byte, .. } = &error {
+        details.place = Some((*line, *byte));
+    }
+    details.help = details.help.or(help);
+    failed(error, details)
+}
+
+fn file(path: impl Display) -> Details {
+    Details {
+        file: Some(path.to_string()),
+        ..Details::default()
+    }
+}
+
+fn of_task(error: &TaskError) -> Details {
+    let at = |place: &Place| Details {
+        place: Some((place.line, place.column)),
+        ..file(&place.file)
+    };
+    match error {
+        TaskError::WrongType {
+            at: place,
+            expected,
+            found,
+            ..
+        } => Details {
+            value: Some(found.clone()),
+            limit: Some(expected.clone()),
+            ..at(place)
+        },
+        TaskError::OutOfRange {
+            at: place,
+            value,
+            limits,
+            ..
+        } => Details {
+            value: Some(value.clone()),
+            limit: Some(limits.clone()),
+            ..at(place)
+        },
+        TaskError::UnknownKey {
+            at: place, unknown, ..
+        }
+        | TaskError::UnknownReference { at: place, unknown } => Details {
+            value: Some(unknown.name.clone()),
+            limit: Some(unknown.known.join(", ")),
+            ..at(place)
+        },
+        TaskError::MeshTooLarge {
+            at: place,
+            extent,
+            limit,
+            ..
+        } => Details {
+            value: Some(extent.to_string()),
+            limit: Some(limit.to_string()),
+            ..at(place)
+        },
+        TaskError::Schema { at: place, found } => Details {
+            value: Some(found.clone()),
+            ..at(place)
+        },
+        TaskError::Syntax { at: place, .. }
+        | TaskError::Missing { at: place, .. }
+        | TaskError::Inconsistent { at: place, .. }
+        | TaskError::Knowledge { at: place, .. }
+        | TaskError::File { at: place, .. }
+        | TaskError::Mesh { at: place, .. }
+        | TaskError::Footprint { at: place, .. }
+        | TaskError::Particles { at: place, .. } => at(place),
+        _ => Details::default(),
+    }
+}
+
+/// The exception of a robot's model that is asked for what it cannot say.
+pub fn of_robot(error: RobotError) -> PyErr {
+    plain(error)
+}
+
+/// The exception of a session that cannot go on.
+pub fn of_run(task: &str, error: &RunError) -> PyErr {
+    failed(format!("{task}: {error}"), file(task))
+}

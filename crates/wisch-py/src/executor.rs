@@ -1,0 +1,451 @@
+//! Executors that are Python objects, and what they hand on.
+
+use crate::arrays::{kind_of, list, rows};
+use crate::error::{plain, refused};
+use crate::motion::PyMotion;
+use crate::watchdog::Watchdog;
+use pyo3::exceptions::PyKeyboardInterrupt;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyMapping};
+use scoped_tls_hkt::scoped_thread_local;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Duration;
+use wisch::represent::{Observation, Task};
+use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink};
+use wisch::source_location::UnknownName;
+use wisch_io::{DoneRecord, EndingRecord, Intake, ObservationRecord, SampleRecord};
+
+scoped_thread_local!(
+    /// Where the samples of the motion go that this thread is executing.
+    static mut TAKING: for<'a> &'a mut (dyn Taking + 'a)
+);
+
+/// What takes samples in.
+trait Taking {
+    /// The number of its motion.
+    fn number(&self) -> u64;
+
+    /// Takes one; says whether the motion goes on.
+    fn take(&mut self, sample: SampleRecord) -> Result<bool, String>;
+}
+
+/// An executor in Python: any object with `execute(motion, sink)` and, if it can look, `observe()`.
+pub struct PyExecutor<'py> {
+    pub object: Bound<'py, PyAny>,
+    /// Without a sample for so long, it is given up.
+    pub timeout: Option<Duration>,
+    /// What it raised.
+    pub raised: Option<PyErr>,
+}
+
+/// One motion's samples on their way.
+struct Round<'a> {
+    number: u64,
+    intake: Intake<'a>,
+    last: Option<SampleRecord>,
+    fault: Option<String>,
+    watchdog: Option<&'a Watchdog>,
+}
+
+impl Taking for Round<'_> {
+    fn number(&self) -> u64 {
+        self.number
+    }
+
+    fn take(&mut self, sample: SampleRecord) -> Result<bool, String> {
+        if let Some(fault) = &self.fault {
+            return Err(fault.clone());
+        }
+        if let Err(fault) = self.intake.take(&sample) {
+            self.fault = Some(fault.clone());
+            return Err(fault);
+        }
+        if let Some(watchdog) = self.watchdog {
+            watchdog.touch();
+        }
+        self.last = Some(sample);
+        Ok(!self.intake.is_stopped())
+    }
+}
+
+impl PyExecutor<'_> {
+    fn raise<T>(&mut self, error: PyErr) -> Result<T, ExecutorError> {
+        let message = ExecutorError::new(&error);
+        self.raised = Some(error);
+        Err(message)
+    }
+}
+
+impl Executor for PyExecutor<'_> {
+    fn execute(
+        &mut self,
+        order: &MotionOrder<'_>,
+        sink: &mut SampleSink<'_>,
+    ) -> Result<Execution, ExecutorError> {
+        static MOTIONS: AtomicU64 = AtomicU64::new(1);
+        let py = self.object.py();
+        let number = MOTIONS.fetch_add(1, Ordering::Relaxed);
+        let motion = match Py::new(py, PyMotion::of(order)) {
+            Ok(motion) => motion,
+            Err(error) => return self.raise(error),
+        };
+        let watchdog = match Watchdog::begin(py, self.timeout) {
+            Ok(watchdog) => watchdog,
+            Err(error) => return self.raise(error),
+        };
+        let mut round = Round {
+            number,
+            intake: Intake::new(order, sink),
+            last: None,
+            fault: None,
+            watchdog: watchdog.as_ref(),
+        };
+        let taker = PySink {
+            number,
+            joints: motion
+                .get()
+                .joints()
+                .into_iter()
+                .map(str::to_owned)
+                .collect(),
+        };
+        let returned = TAKING.set(&mut round, || {
+            self.object.call_method1("execute", (motion, taker))
+        });
+        let returned = match &watchdog {
+            Some(watchdog) => watchdog.end(py, returned),
+            None => returned,
+        };
+        let since = round.intake.time();
+        let result = returned.and_then(|returned| match &round.fault {
+            // An executor may have swallowed what its sink raised.
+            Some(fault) => Err(plain(fault)),
+            None => round.done(&returned, order),
+        });
+        result.or_else(|error| {
+            if error.is_instance_of::<PyKeyboardInterrupt>(py) {
+                return self.raise(error);
+            }
+            let at = if since.is_finite() {
+                format!("after the sample of {since} s")
+            } else {
+                "before its first sample".to_owned()
+            };
+            let note = format!("in round {}, {at}", order.round);
+            let _ = error.value(py).call_method1("add_note", (note,));
+            self.raise(error)
+        })
+    }
+
+    fn observe(&mut self, _: &Task) -> Result<Option<Observation>, ExecutorError> {
+        observe(&self.object).or_else(|error| self.raise(error))
+    }
+}
+
+/// What an executor sees; nothing of one that cannot look.
+pub fn observe(object: &Bound<'_, PyAny>) -> PyResult<Option<Observation>> {
+    let Ok(look) = object.getattr("observe") else {
+        return Ok(None);
+    };
+    let seen = look.call0()?;
+    if seen.is_none() {
+        return Ok(None);
+    }
+    let mut record = ObservationRecord::default();
+    match seen.cast::<PyMapping>() {
+        Err(_) => record.detections = rows("observe()", &seen)?,
+        Ok(seen) => {
+            for key in seen.keys()?.iter() {
+                let value = seen.get_item(&key)?;
+                match key.extract::<String>()?.as_str() {
+                    "detections" => record.detections = rows("detections", &value)?,
+                    "hidden" => {
+                        for ring in value.try_iter()? {
+                            record.hidden.push(rows("hidden", &ring?)?);
+                        }
+                    }
+                    other => return Err(unknown(other, ["detections", "hidden"])),
+                }
+            }
+        }
+    }
+    record.into_observation().map(Some).map_err(plain)
+}
+
+fn unknown<'a>(key: &str, known: impl IntoIterator<Item = &'a str>) -> PyErr {
+    plain(UnknownName::new("key", key, known))
+}
+
+impl Round<'_> {
+    /// How an execution ended, by what `execute` returned: nothing, or what the protocol calls `done`.
+    fn done(&self, returned: &Bound<'_, PyAny>, order: &MotionOrder<'_>) -> PyResult<Execution> {
+        let planned = |time: f64| order.followed.sample(time).map(|sample| sample.q);
+        let last = self.last.as_ref();
+        let duration = last.map_or(0.0, |last| last.time_s);
+        let measured = last.map(|last| last.positions.clone());
+        let positions = measured
+            .filter(|positions| !positions.is_empty())
+            .or_else(|| planned(duration))
+            .unwrap_or_else(|| order.cell.ready().to_vec());
+        let mut done = DoneRecord {
+            duration_s: duration,
+            ending: if self.intake.is_stopped() {
+                EndingRecord::Stopped
+            } else {
+                EndingRecord::Complete
+            },
+            positions,
+        };
+        if !returned.is_none() {
+            let told = returned.cast::<PyMapping>().map_err(|_| {
+                let wanted = "nothing, or a dict with ending, duration_s, positions";
+                refused("execute() returned", kind_of(returned), wanted)
+            })?;
+            for key in told.keys()?.iter() {
+                let value = told.get_item(&key)?;
+                match key.extract::<String>()?.as_str() {
+                    "duration_s" => done.duration_s = value.extract()?,
+                    "ending" => done.ending = ending(&value)?,
+                    "positions" => done.positions = list("positions", &value)?,
+                    other => {
+                        return Err(unknown(other, ["duration_s", "ending", "positions"]));
+                    }
+                }
+            }
+        }
+        self.intake.done(done).map_err(plain)
+    }
+}
+
+fn ending(given: &Bound<'_, PyAny>) -> PyResult<EndingRecord> {
+    if let Ok(word) = given.extract::<String>() {
+        return match word.as_str() {
+            "complete" => Ok(EndingRecord::Complete),
+            "stopped" => Ok(EndingRecord::Stopped),
+            other => Err(plain(UnknownName::new(
+                "ending",
+                other,
+                ["complete", "stopped", "protective_stop"],
+            ))),
+        };
+    }
+    let stop = given.get_item("protective_stop")?;
+    Ok(EndingRecord::ProtectiveStop {
+        time_s: stop.get_item("time_s")?.extract()?,
+        reason: stop.get_item("reason")?.extract()?,
+    })
+}
+
+/// Takes samples in while a motion is executed; says `False` when the motion is to be broken off.
+#[pyclass(name = "Sink", module = "wisch", frozen)]
+pub struct PySink {
+    number: u64,
+    joints: Vec<String>,
+}
+
+const KEYS: [&str; 10] = [
+    "time_s",
+    "world_from_tool",
+    "force_n",
+    "moment_nm",
+    "world_from_commanded",
+    "controller_force_n",
+    "controller_moment_nm",
+    "positions",
+    "velocities",
+    "efforts",
+];
+
+/// What a sample has of a quantity with so many numbers.
+fn array<const N: usize>(key: &str, value: &Bound<'_, PyAny>, time: f64) -> PyResult<[f64; N]> {
+    let numbers = list(key, value)?;
+    let count = numbers.len();
+    (numbers.try_into())
+        .map_err(|_| plain(format!("at {time} s {key} has {count} numbers, not {N}")))
+}
+
+impl PySink {
+    fn hand_over(&self, sample: SampleRecord) -> PyResult<bool> {
+        let over = || plain("the motion is over, or another thread's: its sink takes no samples");
+        if !TAKING.is_set() {
+            return Err(over());
+        }
+        TAKING.with(|taking| {
+            if taking.number() != self.number {
+                return Err(over());
+            }
+            taking.take(sample).map_err(plain)
+        })
+    }
+
+    /// Numbers of joints: in their order, or by their names.
+    fn joints(&self, key: &str, value: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+        let Ok(by_name) = value.cast::<PyMapping>() else {
+            return list(key, value);
+        };
+        let mut numbers = vec![f64::NAN; self.joints.len()];
+        for name in by_name.keys()?.iter() {
+            let given: String = name.extract()?;
+            let at = self.joints.iter().position(|joint| *joint == given);
+            let at = at.ok_or_else(|| {
+                let known = self.joints.iter().map(String::as_str);
+                plain(format!(
+                    "{key}: {}",
+                    UnknownName::new("joint", &given, known)
+                ))
+            })?;
+            numbers[at] = by_name.get_item(&name)?.extract()?;
+        }
+        match self.joints.iter().zip(&numbers).find(|(_, x)| x.is_nan()) {
+            Some((joint, _)) if by_name.len()? < numbers.len() => {
+                Err(plain(format!("{key}: joint {joint:?} is missing")))
+            }
+            _ => Ok(numbers),
+        }
+    }
+
+    fn record(&self, sample: &Bound<'_, PyDict>) -> PyResult<SampleRecord> {
+        let mut record = SampleRecord::default();
+        let time = sample.get_item("time_s")?;
+        let time = time.ok_or_else(|| plain("a sample: key \"time_s\" is missing"))?;
+        let time: f64 =
+            (time.extract()).map_err(|_| refused("time_s", kind_of(&time), "a number"))?;
+        record.time_s = time;
+        let mut needed = ["world_from_tool", "force_n"].map(|key| (key, false));
+        for (key, value) in sample {
+            let key = key.extract::<std::borrow::Cow<'_, str>>()?;
+            if let Some(found) = needed.iter_mut().find(|(needed, _)| *needed == key) {
+                found.1 = true;
+            }
+            match key.as_ref() {
+                "time_s" => {}
+                "world_from_tool" => record.world_from_tool = array(&key, &value, time)?,
+                "force_n" => record.force_n = array(&key, &value, time)?,
+                "moment_nm" => record.moment_nm = array(&key, &value, time)?,
+                "world_from_commanded" => {
+                    record.world_from_commanded = Some(array(&key, &value, time)?);
+                }
+                "controller_force_n" => record.controller_force_n = array(&key, &value, time)?,
+                "controller_moment_nm" => record.controller_moment_nm = array(&key, &value, time)?,
+                "positions" => record.positions = self.joints(&key, &value)?,
+                "velocities" => record.velocities = self.joints(&key, &value)?,
+                "efforts" => record.efforts = self.joints(&key, &value)?,
+                other => return Err(unknown(other, KEYS)),
+            }
+        }
+        match needed.iter().find(|(_, is_there)| !is_there) {
+            Some((key, _)) => Err(plain(format!("at {time} s key \"{key}\" is missing"))),
+            None => Ok(record),
+        }
+    }
+}
+
+#[pymethods]
+impl PySink {
+    /// Hands one sample on: a dict with the keys of the executor protocol's `sample`, or these keys as arguments.
+    #[pyo3(signature = (sample = None, /, **keys))]
+    fn __call__(
+        &self,
+        sample: Option<&Bound<'_, PyDict>>,
+        keys: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<bool> {
+        let given = sample
+            .or(keys)
+            .ok_or_else(|| plain("a sample: key \"time_s\" is missing"))?;
+        self.hand_over(self.record(given)?)
+    }
+
+    /// Hands many samples on: the same keys, each an array with a row per sample. Ends after the sample with which the
+    /// motion is to be broken off.
+    #[pyo3(signature = (samples = None, /, **keys))]
+    fn many(
+        &self,
+        samples: Option<&Bound<'_, PyDict>>,
+        keys: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<bool> {
+        let given = samples
+            .or(keys)
+            .ok_or_else(|| plain("samples: key \"time_s\" is missing"))?;
+        let time = given.get_item("time_s")?;
+        let time = time.ok_or_else(|| plain("samples: key \"time_s\" is missing"))?;
+        let times = list("time_s", &time)?;
+        let mut samples: Vec<SampleRecord> = (times.iter())
+            .map(|&time_s| SampleRecord {
+                time_s,
+                ..SampleRecord::default()
+            })
+            .collect();
+        for key in ["world_from_tool", "force_n"] {
+            if !given.contains(key)? {
+                return Err(plain(format!("samples: key \"{key}\" is missing")));
+            }
+        }
+        for (key, value) in given {
+            let key = key.extract::<std::borrow::Cow<'_, str>>()?;
+            match key.as_ref() {
+                "time_s" => {}
+                "world_from_tool" => fill(&mut samples, &key, &value, |s| &mut s.world_from_tool)?,
+                "force_n" => fill(&mut samples, &key, &value, |s| &mut s.force_n)?,
+                "moment_nm" => fill(&mut samples, &key, &value, |s| &mut s.moment_nm)?,
+                "world_from_commanded" => fill(&mut samples, &key, &value, |s| {
+                    s.world_from_commanded.insert([0.0; 7])
+                })?,
+                "controller_force_n" => {
+                    fill(&mut samples, &key, &value, |s| &mut s.controller_force_n)?;
+                }
+                "controller_moment_nm" => {
+                    fill(&mut samples, &key, &value, |s| &mut s.controller_moment_nm)?;
+                }
+                "positions" => spread(&mut samples, &key, &value, |s| &mut s.positions)?,
+                "velocities" => spread(&mut samples, &key, &value, |s| &mut s.velocities)?,
+                "efforts" => spread(&mut samples, &key, &value, |s| &mut s.efforts)?,
+                other => return Err(unknown(other, KEYS)),
+            }
+        }
+        for sample in samples {
+            if !self.hand_over(sample)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+}
+
+fn fill<const N: usize>(
+    samples: &mut [SampleRecord],
+    key: &str,
+    value: &Bound<'_, PyAny>,
+    field: impl Fn(&mut SampleRecord) -> &mut [f64; N],
+) -> PyResult<()> {
+    let rows = rows::<N>(key, value)?;
+    counted(key, rows.len(), samples.len())?;
+    for (sample, row) in samples.iter_mut().zip(rows) {
+        *field(sample) = row;
+    }
+    Ok(())
+}
+
+fn spread(
+    samples: &mut [SampleRecord],
+    key: &str,
+    value: &Bound<'_, PyAny>,
+    field: impl Fn(&mut SampleRecord) -> &mut Vec<f64>,
+) -> PyResult<()> {
+    let array: numpy::PyArrayLike2<'_, f64, numpy::AllowTypeChange> = (value.extract())
+        .map_err(|_| refused(key, kind_of(value), "an array of shape (samples, joints)"))?;
+    let array = array.as_array();
+    counted(key, array.nrows(), samples.len())?;
+    for (sample, row) in samples.iter_mut().zip(array.rows()) {
+        *field(sample) = row.to_vec();
+    }
+    Ok(())
+}
+
+fn counted(key: &str, found: usize, wanted: usize) -> PyResult<()> {
+    if found == wanted {
+        return Ok(());
+    }
+    Err(plain(format!(
+        "{key} has {found} rows, time_s has {wanted} numbers"
+    )))
+}

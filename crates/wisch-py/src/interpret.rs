@@ -1,0 +1,121 @@
+//! What poses and forces tell.
+
+use crate::arrays::{self, Matrix, Vector, pose_array};
+use crate::error::plain;
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::sync::Arc;
+use wisch::interpret::{Diagnosis, Estimate, Interpretation};
+use wisch::represent::Task;
+
+/// What a log of poses and forces says of contact, surface and dirt.
+#[pyclass(name = "Interpretation", module = "wisch", frozen)]
+pub struct PyInterpretation {
+    task: Arc<Task>,
+    told: Arc<Interpretation>,
+}
+
+impl PyInterpretation {
+    pub fn of(task: &Task, told: Interpretation) -> Self {
+        Self {
+            task: Arc::new(task.clone()),
+            told: Arc::new(told),
+        }
+    }
+}
+
+fn interval(estimate: &Estimate) -> (f64, f64) {
+    (estimate.low, estimate.high)
+}
+
+#[pymethods]
+impl PyInterpretation {
+    /// Expected performance, 0 to 1.
+    #[getter]
+    fn performance(&self) -> f64 {
+        self.told.performance.mean
+    }
+
+    /// Its 90 % interval.
+    #[getter]
+    fn interval(&self) -> (f64, f64) {
+        interval(&self.told.performance)
+    }
+
+    /// What touch alone says of it, before anything was seen.
+    #[getter]
+    fn performance_by_touch(&self) -> f64 {
+        self.told.felt.mean
+    }
+
+    /// localized, relocalize, no contact or hovering.
+    #[getter]
+    fn diagnosis(&self) -> &'static str {
+        match self.told.diagnosis {
+            Diagnosis::Localized => "localized",
+            Diagnosis::Relocalize { .. } => "relocalize",
+            Diagnosis::NoContact => "no contact",
+            Diagnosis::Hovering => "hovering",
+        }
+    }
+
+    /// Where the surface is, (7): where it was felt, if that is elsewhere than it was believed.
+    #[getter]
+    fn world_from_surface<'py>(&self, py: Python<'py>) -> Vector<'py> {
+        match &self.told.diagnosis {
+            Diagnosis::Relocalize { world_from_surface } => pose_array(py, world_from_surface),
+            _ => pose_array(py, &self.task.surface.world_from_surface),
+        }
+    }
+
+    /// Time in contact over the time on or near the surface, 0 to 1.
+    #[getter]
+    fn contact_share(&self) -> f64 {
+        self.told.contact_share
+    }
+
+    /// Why the log does not look like wiping of this surface, in words; nothing where it does.
+    #[getter]
+    fn doubts(&self) -> Vec<String> {
+        self.told.doubts.iter().map(ToString::to_string).collect()
+    }
+
+    /// Each event: kind, `start_s`, `end_s`, `peak_force_n`.
+    #[getter]
+    fn events<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        let events = self.told.events.iter().map(|event| {
+            let entry = PyDict::new(py);
+            entry.set_item("kind", event.kind.as_str())?;
+            entry.set_item("start_s", event.start)?;
+            entry.set_item("end_s", event.end)?;
+            entry.set_item("peak_force_n", event.peak_force)?;
+            Ok(entry)
+        });
+        events.collect()
+    }
+
+    /// Where the dirt may lie now, one draw from what is believed, (N, 2) in the frame of the surface [m].
+    #[pyo3(signature = (seed = 0))]
+    fn particles<'py>(&self, py: Python<'py>, seed: u64) -> PyResult<Matrix<'py>> {
+        let drawn = self.told.belief.sample(seed).map_err(plain)?;
+        Ok(arrays::points(py, drawn.remaining()))
+    }
+
+    /// How probable each of the members is that are believed in, (members).
+    #[getter]
+    fn weights<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        arrays::vector(py, self.told.belief.weights().to_vec())
+    }
+
+    fn __repr__(&self) -> String {
+        let (low, high) = self.interval();
+        format!(
+            "<wisch.Interpretation: {:.0} % ({:.0} to {:.0} %), {}>",
+            100.0 * self.performance(),
+            100.0 * low,
+            100.0 * high,
+            self.diagnosis()
+        )
+    }
+}

@@ -1,0 +1,44 @@
+//! wisch for Python: the classes and functions of the module `wisch._wisch`, which `python/wisch` hands on.
+//!
+//! Poses are x, y, z [m] and a unit quaternion x, y, z, w; places and headings of a tool are x, y [m] and an angle [rad] in
+//! the frame of the surface. Arrays are NumPy's, of 64-bit floats, and own what was computed: nothing is copied on the way.
+
+mod arrays;
+mod control;
+mod effect;
+mod error;
+mod executor;
+mod interpret;
+mod motion;
+mod plan;
+mod robot;
+mod session;
+mod task;
+mod telemetry;
+mod watchdog;
+
+use pyo3::prelude::*;
+
+#[pymodule]
+mod _wisch {
+    #[pymodule_export]
+    use crate::control::PyImpedanceController;
+    #[pymodule_export]
+    use crate::effect::PyEffectField;
+    #[pymodule_export]
+    use crate::executor::PySink;
+    #[pymodule_export]
+    use crate::interpret::PyInterpretation;
+    #[pymodule_export]
+    use crate::motion::PyMotion;
+    #[pymodule_export]
+    use crate::plan::{PyPlan, PyPrediction};
+    #[pymodule_export]
+    use crate::robot::PyRobot;
+    #[pymodule_export]
+    use crate::session::{PyAudit, PyRound, PySession};
+    #[pymodule_export]
+    use crate::task::{PyTask, load_task, task_of_json};
+    #[pymodule_export]
+    use crate::telemetry::PyTelemetry;
+}

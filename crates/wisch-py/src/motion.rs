@@ -1,0 +1,283 @@
+//! Motions as executors are given them.
+
+use crate::arrays::{self, Matrix, Vector, numbers, pose_array, vector};
+use crate::error::refused;
+use numpy::{PyArray1, PyArray2};
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::PyDict;
+use std::sync::Arc;
+use wisch::follow::{Followed, Workcell};
+use wisch::represent::Task;
+use wisch::run::{MotionOrder, PlannedRound, Setpoint};
+
+/// Period at which a motion is laid out [s], as the executor protocol does.
+const PERIOD: f64 = 0.01;
+
+/// What a motion is made of, so that Python can keep it.
+pub struct Order {
+    pub round: usize,
+    pub seed: u64,
+    pub task: Task,
+    pub cell: Workcell,
+    pub followed: Followed,
+}
+
+impl Order {
+    /// As executors of the library are given it.
+    pub fn borrowed(&self) -> MotionOrder<'_> {
+        MotionOrder {
+            round: self.round,
+            seed: self.seed,
+            task: &self.task,
+            cell: &self.cell,
+            followed: &self.followed,
+        }
+    }
+}
+
+/// Setpoints, column by column.
+struct Columns {
+    time_s: Py<PyArray1<f64>>,
+    positions: Py<PyArray2<f64>>,
+    velocities: Py<PyArray2<f64>>,
+    world_from_tool: Py<PyArray2<f64>>,
+    stroke: Py<PyArray1<i64>>,
+}
+
+/// A motion that is to be executed, with all that a robot's driver needs of it.
+#[pyclass(name = "Motion", module = "wisch", frozen)]
+pub struct PyMotion {
+    pub order: Arc<Order>,
+    columns: PyOnceLock<Columns>,
+}
+
+impl PyMotion {
+    pub fn of(order: &MotionOrder<'_>) -> Self {
+        Self::from_order(Order {
+            round: order.round,
+            seed: order.seed,
+            task: order.task.clone(),
+            cell: order.cell.clone(),
+            followed: order.followed.clone(),
+        })
+    }
+
+    pub fn of_round(planned: &PlannedRound) -> Self {
+        Self::of(&MotionOrder {
+            round: planned.number,
+            seed: planned.task.seed,
+            task: &planned.task,
+            cell: &planned.cell,
+            followed: &planned.followed,
+        })
+    }
+
+    fn from_order(order: Order) -> Self {
+        Self {
+            order: Arc::new(order),
+            columns: PyOnceLock::new(),
+        }
+    }
+
+    fn columns(&self, py: Python<'_>) -> &Columns {
+        self.columns.get_or_init(py, || self.laid_out(py, PERIOD))
+    }
+
+    fn laid_out(&self, py: Python<'_>, period: f64) -> Columns {
+        let points: Vec<Setpoint> = py.detach(|| self.order.borrowed().setpoints(period).collect());
+        let dof = self.order.cell.robot().dof();
+        let strokes = points.iter().map(|point| {
+            let stroke = point.phase.stroke();
+            stroke.map_or(-1, |stroke| i64::try_from(stroke).unwrap_or(-1))
+        });
+        let joined = |of: fn(&Setpoint) -> &[f64]| -> Vec<f64> {
+            points.iter().flat_map(of).copied().collect()
+        };
+        let poses = points.iter().flat_map(|p| numbers(&p.world_from_tool));
+        Columns {
+            time_s: vector(py, points.iter().map(|p| p.time).collect()).unbind(),
+            positions: arrays::matrix(py, joined(|p| &p.positions), dof).unbind(),
+            velocities: arrays::matrix(py, joined(|p| &p.velocities), dof).unbind(),
+            world_from_tool: arrays::matrix(py, poses.collect(), 7).unbind(),
+            stroke: PyArray1::from_vec(py, strokes.collect()).unbind(),
+        }
+    }
+}
+
+#[pymethods]
+impl PyMotion {
+    #[getter]
+    fn round(&self) -> usize {
+        self.order.round
+    }
+
+    #[getter]
+    fn seed(&self) -> u64 {
+        self.order.seed
+    }
+
+    #[getter]
+    fn robot(&self) -> &str {
+        self.order.cell.robot().name()
+    }
+
+    #[getter]
+    pub fn joints(&self) -> Vec<&str> {
+        let robot = self.order.cell.robot();
+        (0..robot.dof())
+            .map(|i| robot.variable(i).name.as_str())
+            .collect()
+    }
+
+    #[getter]
+    fn tool(&self) -> &str {
+        &self.order.task.tool.name
+    }
+
+    #[getter]
+    fn world_from_surface<'py>(&self, py: Python<'py>) -> Vector<'py> {
+        pose_array(py, &self.order.task.surface.world_from_surface)
+    }
+
+    #[getter]
+    fn world_from_root<'py>(&self, py: Python<'py>) -> Vector<'py> {
+        pose_array(py, self.order.cell.world_from_root())
+    }
+
+    /// Name of the link that holds the tool.
+    #[getter]
+    fn tip(&self) -> &str {
+        let robot = self.order.cell.robot();
+        &robot.links()[self.order.cell.tip().index()].name
+    }
+
+    #[getter]
+    fn tip_from_tool<'py>(&self, py: Python<'py>) -> Vector<'py> {
+        pose_array(py, self.order.cell.tip_from_tool())
+    }
+
+    #[getter]
+    fn press_force_n(&self) -> f64 {
+        self.order.task.interaction.contact_force()
+    }
+
+    #[getter]
+    fn stiffness_n_per_m(&self) -> f64 {
+        self.order.task.interaction.stiffness_n_per_m
+    }
+
+    #[getter]
+    fn damping_ratio(&self) -> f64 {
+        self.order.task.interaction.damping_ratio
+    }
+
+    #[getter]
+    fn compression_depth_m(&self) -> f64 {
+        self.order.task.interaction.compression_depth_m
+    }
+
+    #[getter]
+    fn gap_m(&self) -> Option<f64> {
+        let interaction = &self.order.task.interaction;
+        interaction.hovers().then_some(interaction.gap_m)
+    }
+
+    #[getter]
+    fn duration_s(&self) -> f64 {
+        self.order.followed.duration()
+    }
+
+    #[getter]
+    fn contact_time_s(&self) -> f64 {
+        self.order.followed.contact_time()
+    }
+
+    /// Nodes of the plan that no way leads to, by their number.
+    #[getter]
+    fn abandoned(&self) -> Vec<usize> {
+        let abandoned = self.order.followed.abandoned.iter();
+        abandoned.map(|node| node.node).collect()
+    }
+
+    /// The strokes as the robot wipes them, each (k, 3): x, y [m] and heading [rad] in the frame of the surface.
+    #[getter]
+    fn strokes<'py>(&self, py: Python<'py>) -> Vec<Matrix<'py>> {
+        let strokes = self.order.followed.strokes.iter();
+        strokes
+            .map(|stroke| crate::plan::poses(py, stroke))
+            .collect()
+    }
+
+    /// Where the dirt is believed to lie, (N, 2) in the frame of the surface [m].
+    #[getter]
+    fn particles<'py>(&self, py: Python<'py>) -> Matrix<'py> {
+        arrays::points(py, self.order.task.particles.remaining())
+    }
+
+    /// Each part of the motion: phase, stroke, `start_s` and `end_s`.
+    #[getter]
+    fn phases<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        let motions = self.order.followed.motions.iter().map(|motion| {
+            let phase = PyDict::new(py);
+            phase.set_item("phase", motion.phase.as_str())?;
+            if let Some(stroke) = motion.phase.stroke() {
+                phase.set_item("stroke", stroke)?;
+            }
+            phase.set_item("start_s", motion.start)?;
+            phase.set_item("end_s", motion.end())?;
+            Ok(phase)
+        });
+        motions.collect()
+    }
+
+    #[getter]
+    fn time_s(&self, py: Python<'_>) -> Py<PyArray1<f64>> {
+        self.columns(py).time_s.clone_ref(py)
+    }
+
+    #[getter]
+    fn positions(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
+        self.columns(py).positions.clone_ref(py)
+    }
+
+    #[getter]
+    fn velocities(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
+        self.columns(py).velocities.clone_ref(py)
+    }
+
+    #[getter]
+    fn world_from_tool(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
+        self.columns(py).world_from_tool.clone_ref(py)
+    }
+
+    /// The stroke that is wiped at each time, -1 where the tool does not touch, (T).
+    #[getter]
+    fn stroke(&self, py: Python<'_>) -> Py<PyArray1<i64>> {
+        self.columns(py).stroke.clone_ref(py)
+    }
+
+    /// The same columns at another period [s].
+    fn setpoints<'py>(&self, py: Python<'py>, period_s: f64) -> PyResult<Bound<'py, PyDict>> {
+        if !(1e-5..=100.0).contains(&period_s) {
+            return Err(refused("period_s", period_s, "0.00001 to 100"));
+        }
+        let columns = self.laid_out(py, period_s);
+        let all = PyDict::new(py);
+        all.set_item("time_s", columns.time_s)?;
+        all.set_item("positions", columns.positions)?;
+        all.set_item("velocities", columns.velocities)?;
+        all.set_item("world_from_tool", columns.world_from_tool)?;
+        all.set_item("stroke", columns.stroke)?;
+        Ok(all)
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "<wisch.Motion of round {}: {} for {:.1} s>",
+            self.order.round,
+            self.order.cell.robot().name(),
+            self.order.followed.duration()
+        )
+    }
+}

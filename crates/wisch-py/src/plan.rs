@@ -1,0 +1,184 @@
+//! Plans, and what they are predicted to do.
+
+use crate::arrays::{self, Matrix, Vector, rows};
+use crate::error::plain;
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use std::sync::Arc;
+use wisch::geometry::PlanarPose;
+use wisch::plan::{Plan, Prediction, Stroke, predict};
+use wisch::represent::{GoalState, ParticleDistribution, Task};
+use wisch_io::PlanRecord;
+
+/// Strokes in the order in which they are wiped.
+#[pyclass(name = "Plan", module = "wisch", frozen)]
+pub struct PyPlan {
+    pub task: Arc<Task>,
+    pub plan: Arc<Plan>,
+}
+
+impl PyPlan {
+    pub fn of(task: &Task, plan: Plan) -> Self {
+        Self {
+            task: Arc::new(task.clone()),
+            plan: Arc::new(plan),
+        }
+    }
+}
+
+/// x, y [m] and heading [rad] of each pose, (n, 3).
+pub fn poses<'py>(py: Python<'py>, stroke: &Stroke) -> Matrix<'py> {
+    let numbers = |pose: &PlanarPose| [pose.position.x, pose.position.y, pose.heading];
+    arrays::matrix(py, stroke.poses.iter().flat_map(numbers).collect(), 3)
+}
+
+#[pymethods]
+impl PyPlan {
+    #[getter]
+    fn strategy(&self) -> &'static str {
+        self.plan.strategy.as_str()
+    }
+
+    #[getter]
+    fn strokes<'py>(&self, py: Python<'py>) -> Vec<Matrix<'py>> {
+        let strokes = self.plan.strokes.iter();
+        strokes.map(|stroke| poses(py, stroke)).collect()
+    }
+
+    #[getter]
+    fn nodes<'py>(&self, py: Python<'py>) -> Matrix<'py> {
+        let nodes = self.plan.graph.nodes.iter();
+        arrays::points(py, nodes.map(|node| node.position))
+    }
+
+    #[getter]
+    fn edges(&self) -> Vec<(usize, usize)> {
+        self.plan.graph.edges.clone()
+    }
+
+    #[getter]
+    fn contact_distance_m(&self) -> f64 {
+        self.plan.contact_distance()
+    }
+
+    #[getter]
+    fn total_distance_m(&self) -> f64 {
+        self.plan.total_distance()
+    }
+
+    #[getter]
+    fn unreachable_share(&self) -> f64 {
+        self.plan.unreachable_share
+    }
+
+    /// Where dirt is collected (2) [m]; `None` of a plan that collects none.
+    #[getter]
+    fn collect_goal<'py>(&self, py: Python<'py>) -> Option<Vector<'py>> {
+        match self.plan.graph.goal {
+            GoalState::Collected { center, .. } => {
+                Some(arrays::vector(py, vec![center.x, center.y]))
+            }
+            _ => None,
+        }
+    }
+
+    /// Corners of the tool's whole way, lifts included: x, y [m], heading [rad] and height [m], (n, 4).
+    #[getter]
+    fn tcp_path<'py>(&self, py: Python<'py>) -> Matrix<'py> {
+        let path = self.plan.tcp_path();
+        let numbers = path.iter().flat_map(|point| {
+            let PlanarPose { position, heading } = point.surface_from_tool;
+            [position.x, position.y, heading, point.height]
+        });
+        arrays::matrix(py, numbers.collect(), 4)
+    }
+
+    /// What the plan does to the task's particles, or to these (N, 2) [m].
+    #[pyo3(signature = (particles = None))]
+    fn predict(
+        &self,
+        py: Python<'_>,
+        particles: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<PyPrediction> {
+        let mut task = Arc::clone(&self.task);
+        if let Some(given) = particles {
+            let points = rows::<2>("particles", given)?;
+            let points: Vec<_> = points.into_iter().map(Into::into).collect();
+            Arc::make_mut(&mut task).particles =
+                ParticleDistribution::new(&points).map_err(plain)?;
+        }
+        let prediction = py.detach(|| predict(&task, &self.plan, |_| ()));
+        Ok(PyPrediction {
+            task,
+            plan: Arc::clone(&self.plan),
+            prediction,
+        })
+    }
+
+    /// The same text as the program writes to `plan.json`.
+    fn to_json(&self) -> PyResult<String> {
+        let record = PlanRecord::new(&self.task, &self.plan, self.task.seed);
+        serde_json::to_string_pretty(&record)
+            .map(|json| json + "\n")
+            .map_err(plain)
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "<wisch.Plan by {}: {} strokes, {:.2} m in contact>",
+            self.plan.strategy,
+            self.plan.strokes.len(),
+            self.plan.contact_distance()
+        )
+    }
+}
+
+/// What a plan is predicted to do to the dirt.
+#[pyclass(name = "Prediction", module = "wisch", frozen)]
+pub struct PyPrediction {
+    pub task: Arc<Task>,
+    pub plan: Arc<Plan>,
+    pub prediction: Prediction,
+}
+
+#[pymethods]
+impl PyPrediction {
+    /// Share of the particles that meets the goal, 0 to 1.
+    #[getter]
+    fn performance(&self) -> f64 {
+        self.prediction.performance.ratio()
+    }
+
+    #[getter]
+    fn initial(&self) -> usize {
+        self.prediction.performance.initial
+    }
+
+    #[getter]
+    fn achieved(&self) -> usize {
+        self.prediction.performance.achieved
+    }
+
+    #[getter]
+    fn lost(&self) -> usize {
+        self.prediction.performance.lost
+    }
+
+    #[getter]
+    fn particles<'py>(&self, py: Python<'py>) -> Matrix<'py> {
+        arrays::places(py, &self.prediction.particles)
+    }
+
+    #[getter]
+    fn fates<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i8>> {
+        arrays::fates(py, &self.prediction.particles)
+    }
+
+    fn __repr__(&self) -> String {
+        let performance = self.prediction.performance;
+        format!(
+            "<wisch.Prediction: {} of {} particles at the goal, {} lost>",
+            performance.achieved, performance.initial, performance.lost
+        )
+    }
+}

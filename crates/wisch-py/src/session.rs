@@ -1,0 +1,651 @@
+//! Sessions: a task from its first plan to its last verdict, stage by stage.
+//!
+//! What takes long runs on a thread of its own, without Python's lock, while the caller's thread answers for Python: it calls
+//! `on_event` and `observe()`, and looks for Ctrl-C. Motions are executed on the caller's thread, so that an executor may
+//! hold what belongs to one thread, such as a window.
+
+use crate::error::{of_run, plain, refused};
+use crate::executor::{PyExecutor, observe};
+use crate::interpret::PyInterpretation;
+use crate::motion::PyMotion;
+use crate::plan::{PyPlan, PyPrediction};
+use crate::task::PyTask;
+use crate::telemetry::{Columns, PyTelemetry};
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use self_cell::self_cell;
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
+use std::time::Duration;
+use wisch::follow::Audit;
+use wisch::recover::Verdict;
+use wisch::represent::{Observation, Task};
+use wisch::run::{
+    Execution, Executor, ExecutorError, MotionOrder, NoExecutor, Round, RunConfig, RunError,
+    RunEvent, SampleSink, Session, Stage,
+};
+use wisch_io::{EventWriter, LoadedTask, Robot};
+
+/// How often it is looked for Ctrl-C.
+const LOOK: Duration = Duration::from_millis(50);
+
+self_cell!(
+    struct Wiping {
+        owner: Option<Arc<Robot>>,
+        #[covariant]
+        dependent: Session,
+    }
+);
+
+type Events = EventWriter<std::io::Sink>;
+
+/// A wiping task from its first plan to its last verdict.
+#[pyclass(name = "Session", module = "wisch", frozen)]
+pub struct PySession {
+    task: Arc<LoadedTask>,
+    wiping: Arc<Mutex<Wiping>>,
+    stage: Mutex<Option<Stage>>,
+    verdict: Arc<Mutex<Option<Verdict>>>,
+    is_running: AtomicBool,
+    telemetry: Mutex<Vec<Py<PyTelemetry>>>,
+    rounds: Mutex<Vec<Py<PyRound>>>,
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Marks a session as running until it is dropped.
+struct Running<'a>(&'a AtomicBool);
+
+impl Drop for Running<'_> {
+    fn drop(&mut self) {
+        self.0.store(false, Ordering::SeqCst);
+    }
+}
+
+/// What the thread of a stage asks of the caller's.
+enum Request {
+    Event(String),
+    Observe,
+    Done(Result<Stage, RunError>),
+}
+
+/// What it is answered.
+enum Reply {
+    Flow(ControlFlow<()>),
+    Seen(Result<Option<Observation>, ExecutorError>),
+}
+
+/// The executor as the thread of a stage sees it.
+struct Proxy<'a> {
+    ask: &'a Sender<Request>,
+    answers: &'a Receiver<Reply>,
+}
+
+impl Executor for Proxy<'_> {
+    fn execute(
+        &mut self,
+        order: &MotionOrder<'_>,
+        sink: &mut SampleSink<'_>,
+    ) -> Result<Execution, ExecutorError> {
+        NoExecutor.execute(order, sink)
+    }
+
+    fn observe(&mut self, _: &Task) -> Result<Option<Observation>, ExecutorError> {
+        let asked = self.ask.send(Request::Observe).is_ok();
+        match self.answers.recv() {
+            Ok(Reply::Seen(seen)) if asked => seen,
+            _ => Err(ExecutorError::new("interrupted")),
+        }
+    }
+}
+
+/// What one call of a session is given.
+struct Call<'py> {
+    executor: Option<PyExecutor<'py>>,
+    on_event: Option<Bound<'py, PyAny>>,
+}
+
+impl Call<'_> {
+    /// Tells an event; `False` of the callback stops the session.
+    fn tell(&self, event: &str) -> PyResult<ControlFlow<()>> {
+        let Some(on_event) = &self.on_event else {
+            return Ok(ControlFlow::Continue(()));
+        };
+        let json = on_event.py().import("json")?;
+        let event = json.call_method1("loads", (event,))?;
+        let answer = on_event.call1((event,))?;
+        let goes_on = answer.is_none() || answer.is_truthy()?;
+        Ok(if goes_on {
+            ControlFlow::Continue(())
+        } else {
+            ControlFlow::Break(())
+        })
+    }
+}
+
+/// The event as JSON, if it is one that is told.
+fn described(events: &mut Events, event: &RunEvent<'_>) -> Option<String> {
+    serde_json::to_string(&events.record(event)?).ok()
+}
+
+impl PySession {
+    pub fn new(task: &PyTask, robot: Option<Arc<Robot>>, config: RunConfig) -> PyResult<Self> {
+        let loaded = Arc::clone(&task.loaded);
+        let belief = loaded.belief();
+        let wiping = Wiping::new(robot, |robot| {
+            let session = Session::new(&loaded.task, config).with_belief(belief);
+            match robot {
+                Some(robot) => session.with_robot(robot.performer()),
+                None => session,
+            }
+        });
+        Ok(Self {
+            task: loaded,
+            wiping: Arc::new(Mutex::new(wiping)),
+            stage: Mutex::new(None),
+            verdict: Arc::default(),
+            is_running: AtomicBool::new(false),
+            telemetry: Mutex::default(),
+            rounds: Mutex::default(),
+        })
+    }
+
+    fn begin(&self) -> PyResult<Running<'_>> {
+        if self.is_running.swap(true, Ordering::SeqCst) {
+            return Err(PyRuntimeError::new_err(
+                "the session is running: what it is at comes as events, ask it afterwards",
+            ));
+        }
+        Ok(Running(&self.is_running))
+    }
+
+    /// The session, once a stage that was interrupted has come to its end.
+    fn lock(&self, py: Python<'_>) -> PyResult<MutexGuard<'_, Wiping>> {
+        loop {
+            match self.wiping.try_lock() {
+                Ok(guard) => return Ok(guard),
+                Err(TryLockError::Poisoned(poisoned)) => return Ok(poisoned.into_inner()),
+                Err(TryLockError::WouldBlock) => {}
+            }
+            py.detach(|| std::thread::sleep(LOOK));
+            py.check_signals()?;
+        }
+    }
+
+    /// Looks at the session while it does not run.
+    fn look<T>(
+        &self,
+        py: Python<'_>,
+        look: impl FnOnce(&Session<'_>) -> PyResult<T>,
+    ) -> PyResult<T> {
+        let _running = self.begin()?;
+        let wiping = self.lock(py)?;
+        look(wiping.borrow_dependent())
+    }
+
+    fn run_until(&self, py: Python<'_>, until: Stage, mut call: Call<'_>) -> PyResult<()> {
+        let _running = self.begin()?;
+        loop {
+            let before = *locked(&self.stage);
+            let reached = if before == Some(Stage::Audited) && call.executor.is_some() {
+                self.execute(py, &mut call)
+            } else {
+                self.advance(py, &mut call)
+            };
+            let reached = reached.inspect_err(|_| {
+                // What went wrong ends a session; what was interrupted goes on.
+                if !self.is_busy() {
+                    *locked(&self.stage) = None;
+                }
+            })?;
+            *locked(&self.stage) = Some(reached);
+            if reached == until || reached == Stage::Ended {
+                return Ok(());
+            }
+            py.check_signals()?;
+        }
+    }
+
+    fn is_busy(&self) -> bool {
+        matches!(self.wiping.try_lock(), Err(TryLockError::WouldBlock))
+    }
+
+    /// The exception of an error, or what an executor raised.
+    fn failed(&self, error: &RunError, executor: Option<&mut PyExecutor<'_>>) -> PyErr {
+        let raised = executor.and_then(|executor| executor.raised.take());
+        raised.unwrap_or_else(|| of_run(&self.task.path.display().to_string(), error))
+    }
+
+    /// A stage that executes nothing, on a thread of its own.
+    fn advance(&self, py: Python<'_>, call: &mut Call<'_>) -> PyResult<Stage> {
+        drop(self.lock(py)?);
+        let (ask, asked) = channel();
+        let (answer, answers) = channel();
+        let (wiping, verdict) = (Arc::clone(&self.wiping), Arc::clone(&self.verdict));
+        let tells = call.on_event.is_some();
+        std::thread::spawn(move || {
+            let mut wiping = locked(&wiping);
+            let mut events = EventWriter::new(std::io::sink());
+            let mut proxy = Proxy {
+                ask: &ask,
+                answers: &answers,
+            };
+            let done = wiping.with_dependent_mut(|_, session| {
+                session.step(&mut proxy, &mut |event| {
+                    if let RunEvent::Ended(end) = event {
+                        *locked(&verdict) = *end;
+                    }
+                    let told = tells.then(|| described(&mut events, event)).flatten();
+                    let Some(told) = told else {
+                        return ControlFlow::Continue(());
+                    };
+                    if ask.send(Request::Event(told)).is_err() {
+                        return ControlFlow::Continue(());
+                    }
+                    match answers.recv() {
+                        Ok(Reply::Flow(flow)) => flow,
+                        _ => ControlFlow::Continue(()),
+                    }
+                })
+            });
+            drop(wiping);
+            let _ = ask.send(Request::Done(done));
+        });
+        let mut asked = Some(asked);
+        loop {
+            let receiver = asked.take();
+            let (request, receiver) = py.detach(move || {
+                let request = receiver
+                    .as_ref()
+                    .map(|receiver| receiver.recv_timeout(LOOK));
+                (request, receiver)
+            });
+            asked = receiver;
+            match request {
+                Some(Err(RecvTimeoutError::Timeout)) => py.check_signals()?,
+                Some(Err(RecvTimeoutError::Disconnected)) | None => {
+                    return Err(PyRuntimeError::new_err(
+                        "internal error: a stage of the session broke off; please report it",
+                    ));
+                }
+                Some(Ok(Request::Event(event))) => {
+                    let flow = call.tell(&event)?;
+                    let _ = answer.send(Reply::Flow(flow));
+                }
+                Some(Ok(Request::Observe)) => {
+                    let seen = match &call.executor {
+                        Some(executor) => observe(&executor.object)?,
+                        None => None,
+                    };
+                    let _ = answer.send(Reply::Seen(Ok(seen)));
+                }
+                Some(Ok(Request::Done(Ok(stage)))) => return Ok(stage),
+                Some(Ok(Request::Done(Err(error)))) => {
+                    return Err(self.failed(&error, call.executor.as_mut()));
+                }
+            }
+        }
+    }
+
+    /// Executes the motion at hand.
+    fn execute(&self, py: Python<'_>, call: &mut Call<'_>) -> PyResult<Stage> {
+        let mut wiping = self.lock(py)?;
+        let mut executor = call.executor.take();
+        let mut columns = Columns::default();
+        let mut number = None;
+        let mut events = EventWriter::new(std::io::sink());
+        let mut refused: Option<PyErr> = None;
+        let mut no_executor = NoExecutor;
+        let done = wiping.with_dependent_mut(|_, session| {
+            let world: &mut dyn Executor = match &mut executor {
+                Some(executor) => executor,
+                None => &mut no_executor,
+            };
+            session.step(world, &mut |event| {
+                match event {
+                    RunEvent::Executing(planned) => number = Some(planned.number),
+                    RunEvent::Sample(sample) => columns.push(sample),
+                    _ => {}
+                }
+                if call.on_event.is_none() {
+                    return ControlFlow::Continue(());
+                }
+                let Some(told) = described(&mut events, event) else {
+                    return ControlFlow::Continue(());
+                };
+                call.tell(&told).unwrap_or_else(|error| {
+                    refused.get_or_insert(error);
+                    ControlFlow::Break(())
+                })
+            })
+        });
+        drop(wiping);
+        call.executor = executor;
+        // What was measured is kept, however the execution went.
+        if let Some(number) = number {
+            let telemetry = PyTelemetry::of(py, number, columns)?;
+            locked(&self.telemetry).push(telemetry);
+        }
+        if let Some(error) = refused {
+            return Err(error);
+        }
+        done.map_err(|error| self.failed(&error, call.executor.as_mut()))
+    }
+
+    fn planned_plan(&self, session: &Session<'_>) -> PyResult<PyPlan> {
+        let plan = session.plan();
+        let plan = plan.ok_or_else(|| plain("there is no plan: the session has ended"))?;
+        let task = session
+            .planned()
+            .map_or(&self.task.task, |planned| &planned.task);
+        Ok(PyPlan::of(task, plan.clone()))
+    }
+}
+
+fn seconds(timeout: Option<f64>) -> PyResult<Option<Duration>> {
+    let Some(seconds) = timeout else {
+        return Ok(None);
+    };
+    let duration = Duration::try_from_secs_f64(seconds).ok();
+    let duration = duration.filter(|duration| !duration.is_zero());
+    duration
+        .map(Some)
+        .ok_or_else(|| refused("timeout", seconds, "a time above 0 s"))
+}
+
+fn call<'py>(
+    executor: Option<Bound<'py, PyAny>>,
+    on_event: Option<Bound<'py, PyAny>>,
+    timeout: Option<f64>,
+) -> PyResult<Call<'py>> {
+    let timeout = seconds(timeout)?;
+    if let Some(executor) = &executor
+        && !executor.hasattr("execute")?
+    {
+        let found = crate::arrays::kind_of(executor);
+        let wanted = "an object with execute(motion, sink)";
+        return Err(refused("executor", found, wanted));
+    }
+    Ok(Call {
+        executor: executor.map(|object| PyExecutor {
+            object,
+            timeout,
+            raised: None,
+        }),
+        on_event,
+    })
+}
+
+#[pymethods]
+impl PySession {
+    /// Plans the round at hand.
+    #[pyo3(signature = (executor = None, *, on_event = None))]
+    fn plan(
+        &self,
+        py: Python<'_>,
+        executor: Option<Bound<'_, PyAny>>,
+        on_event: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<PyPlan> {
+        if locked(&self.stage).is_none() {
+            self.run_until(py, Stage::Planned, call(executor, on_event, None)?)?;
+        }
+        self.look(py, |session| self.planned_plan(session))
+    }
+
+    /// Goes on to the joint motion of the plan.
+    #[pyo3(signature = (executor = None, *, on_event = None))]
+    fn follow(
+        &self,
+        py: Python<'_>,
+        executor: Option<Bound<'_, PyAny>>,
+        on_event: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<PyMotion> {
+        if matches!(*locked(&self.stage), None | Some(Stage::Planned)) {
+            self.run_until(py, Stage::Followed, call(executor, on_event, None)?)?;
+        }
+        self.look(py, |session| {
+            let planned = session.planned().map(PyMotion::of_round);
+            planned.ok_or_else(|| plain("there is no motion: the session has ended"))
+        })
+    }
+
+    /// Goes on to the check of the motion.
+    #[pyo3(signature = (executor = None, *, on_event = None))]
+    fn audit(
+        &self,
+        py: Python<'_>,
+        executor: Option<Bound<'_, PyAny>>,
+        on_event: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<PyAudit> {
+        let stage = *locked(&self.stage);
+        if matches!(stage, None | Some(Stage::Planned | Stage::Followed)) {
+            self.run_until(py, Stage::Audited, call(executor, on_event, None)?)?;
+        }
+        self.look(py, |session| {
+            let audit = session.audit().map(|audit| PyAudit(audit.clone()));
+            audit.ok_or_else(|| plain("there is no motion: the session has ended"))
+        })
+    }
+
+    /// Goes on to the end; the rounds.
+    #[pyo3(signature = (executor, *, on_event = None, timeout = None))]
+    fn run(
+        &self,
+        py: Python<'_>,
+        executor: Bound<'_, PyAny>,
+        on_event: Option<Bound<'_, PyAny>>,
+        timeout: Option<f64>,
+    ) -> PyResult<Vec<Py<PyRound>>> {
+        let call = call(Some(executor), on_event, timeout)?;
+        self.run_until(py, Stage::Ended, call)?;
+        self.rounds(py)
+    }
+
+    /// Goes on by one round: until it is judged, or the session has ended; the rounds so far.
+    #[pyo3(signature = (executor, *, on_event = None, timeout = None))]
+    fn run_round(
+        &self,
+        py: Python<'_>,
+        executor: Bound<'_, PyAny>,
+        on_event: Option<Bound<'_, PyAny>>,
+        timeout: Option<f64>,
+    ) -> PyResult<Vec<Py<PyRound>>> {
+        let call = call(Some(executor), on_event, timeout)?;
+        self.run_until(py, Stage::Judged, call)?;
+        self.rounds(py)
+    }
+
+    /// The rounds that are over.
+    #[getter]
+    fn rounds(&self, py: Python<'_>) -> PyResult<Vec<Py<PyRound>>> {
+        self.look(py, |session| {
+            let mut kept = locked(&self.rounds);
+            let all = session.rounds();
+            for round in &all[kept.len().min(all.len())..] {
+                let telemetry = locked(&self.telemetry);
+                let of_round = telemetry
+                    .iter()
+                    .rfind(|t| t.get().is_of(round.motion.number));
+                let round = PyRound {
+                    round: Arc::new(round.clone()),
+                    telemetry: of_round.map(|telemetry| telemetry.clone_ref(py)),
+                };
+                kept.push(Py::new(py, round)?);
+            }
+            // The last verdict is said when the session ends.
+            if let (Some(round), Some(last)) = (all.last(), kept.last_mut())
+                && last.get().round.verdict != round.verdict
+            {
+                let renewed = PyRound {
+                    round: Arc::new(round.clone()),
+                    telemetry: last.get().telemetry.as_ref().map(|t| t.clone_ref(py)),
+                };
+                *last = Py::new(py, renewed)?;
+            }
+            Ok(kept.iter().map(|round| round.clone_ref(py)).collect())
+        })
+    }
+
+    /// What was measured, motion by motion, that of one which went wrong included.
+    #[getter]
+    fn telemetry(&self, py: Python<'_>) -> Vec<Py<PyTelemetry>> {
+        let telemetry = locked(&self.telemetry);
+        telemetry.iter().map(|one| one.clone_ref(py)).collect()
+    }
+
+    /// Where the session has come to: planned, followed, audited, executed, interpreted, judged or ended; `None` before.
+    #[getter]
+    fn stage(&self) -> Option<&'static str> {
+        (*locked(&self.stage)).map(|stage| match stage {
+            Stage::Planned => "planned",
+            Stage::Followed => "followed",
+            Stage::Audited => "audited",
+            Stage::Executed => "executed",
+            Stage::Interpreted => "interpreted",
+            Stage::Judged => "judged",
+            Stage::Ended => "ended",
+        })
+    }
+
+    /// Why the session has ended; `None` before, and if it was stopped.
+    #[getter]
+    fn verdict(&self) -> Option<&'static str> {
+        (*locked(&self.verdict)).map(Verdict::as_str)
+    }
+
+    fn __repr__(&self) -> String {
+        let stage = self.stage().unwrap_or("new");
+        format!("<wisch.Session of {:?}: {stage}>", self.task.task.name)
+    }
+}
+
+/// What an independent check says of a motion.
+#[pyclass(name = "Audit", module = "wisch", frozen)]
+pub struct PyAudit(Audit);
+
+#[pymethods]
+impl PyAudit {
+    /// What is wrong, in words; nothing of a sound motion.
+    #[getter]
+    fn faults(&self) -> Vec<String> {
+        self.0.faults.iter().map(ToString::to_string).collect()
+    }
+
+    #[getter]
+    fn min_clearance_m(&self) -> f64 {
+        self.0.min_clearance
+    }
+
+    #[getter]
+    fn line_deviation_m(&self) -> f64 {
+        self.0.line.position
+    }
+
+    #[getter]
+    fn line_deviation_rad(&self) -> f64 {
+        self.0.line.rotation
+    }
+
+    fn __bool__(&self) -> bool {
+        self.0.faults.is_empty()
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "<wisch.Audit: {} faults, {:.0} mm clear>",
+            self.0.faults.len(),
+            1e3 * self.0.min_clearance
+        )
+    }
+}
+
+/// One round that is over.
+#[pyclass(name = "Round", module = "wisch", frozen)]
+pub struct PyRound {
+    round: Arc<Round>,
+    telemetry: Option<Py<PyTelemetry>>,
+}
+
+#[pymethods]
+impl PyRound {
+    #[getter]
+    fn number(&self) -> usize {
+        self.round.motion.number
+    }
+
+    #[getter]
+    fn plan(&self) -> PyPlan {
+        PyPlan::of(&self.round.motion.task, self.round.motion.plan.clone())
+    }
+
+    #[getter]
+    fn prediction(&self) -> PyPrediction {
+        let motion = &self.round.motion;
+        PyPrediction {
+            task: Arc::new(motion.task.clone()),
+            plan: Arc::new(motion.wiped()),
+            prediction: motion.prediction.clone(),
+        }
+    }
+
+    #[getter]
+    fn motion(&self) -> PyMotion {
+        PyMotion::of_round(&self.round.motion)
+    }
+
+    #[getter]
+    fn audit(&self) -> PyAudit {
+        PyAudit(self.round.audit.clone())
+    }
+
+    #[getter]
+    fn telemetry(&self, py: Python<'_>) -> Option<Py<PyTelemetry>> {
+        self.telemetry.as_ref().map(|one| one.clone_ref(py))
+    }
+
+    #[getter]
+    fn interpretation(&self) -> PyInterpretation {
+        PyInterpretation::of(&self.round.motion.task, self.round.interpretation.clone())
+    }
+
+    /// Expected performance, 0 to 1.
+    #[getter]
+    fn performance(&self) -> f64 {
+        self.round.interpretation.performance.mean
+    }
+
+    /// Its 90 % interval.
+    #[getter]
+    fn interval(&self) -> (f64, f64) {
+        let estimate = &self.round.interpretation.performance;
+        (estimate.low, estimate.high)
+    }
+
+    #[getter]
+    fn duration_s(&self) -> f64 {
+        self.round.execution.duration
+    }
+
+    #[getter]
+    fn ending(&self) -> &'static str {
+        self.round.execution.ending.as_str()
+    }
+
+    #[getter]
+    fn verdict(&self) -> &'static str {
+        self.round.verdict.as_str()
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "<wisch.Round {}: {:.0} %, {}>",
+            self.round.motion.number,
+            100.0 * self.performance(),
+            self.round.verdict.as_str()
+        )
+    }
+}

@@ -1,0 +1,264 @@
+//! The controller (8) along a motion: what is desired at each time, the efforts for it, and the force that is felt.
+
+use super::{
+    ControlConfig, Desired, ImpedanceController, Measured, MomentumObserver, Posture, Wrench,
+};
+use crate::follow::{Followed, Phase, TrajectorySample, Workcell};
+use crate::geometry::{Point3, Pose, Vector2, Vector3};
+use crate::represent::Task;
+use crate::robot::{Articulation, ArticulationState, Body, RobotError};
+use nalgebra::{Matrix3, Matrix6xX, Translation3, Vector6};
+
+/// Acceleration of free fall in the world [m/s²].
+const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
+
+/// Where the tool is commanded so that it presses: its place on the believed surface, pushed into it by as much as the
+/// spring needs, the more the nearer to the surface it comes down. In free motion it stays where it is.
+pub fn pressed_in(
+    world_from_tool: Pose,
+    phase: Option<Phase>,
+    task: &Task,
+    config: &ControlConfig,
+) -> Pose {
+    let tool: Point3 = world_from_tool.translation.vector.into();
+    let surface = &task.surface.world_from_surface;
+    let height = (surface.inverse() * tool).z;
+    let normal = surface * Vector3::z();
+    let interaction = &task.interaction;
+    let depth = config.press_margin * interaction.contact_force() / interaction.stiffness_n_per_m;
+    let presses = matches!(phase, Some(Phase::Lower | Phase::Wipe(_) | Phase::Lift));
+    let share = if presses {
+        (1.0 - height / config.approach_height).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    Translation3::from(-normal * (depth * share)) * world_from_tool
+}
+
+/// The load that a tool of this mass [kg] is to the link that holds it, spread over its extent [m] about the tool centre
+/// point.
+pub fn tool_load(tip_from_tool: &Pose, extent: Vector2, mass: f64) -> Body {
+    let about = |a: f64, b: f64| mass / 12.0 * (a * a + b * b) + 1e-6;
+    let depth = extent.min();
+    Body {
+        mass,
+        center_in_link: tip_from_tool * Point3::origin(),
+        inertia_about_center: Matrix3::from_diagonal(&Vector3::new(
+            about(extent.y, depth),
+            about(extent.x, depth),
+            about(extent.x, extent.y),
+        )),
+    }
+}
+
+/// What the controller says at one instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Command {
+    /// Where the tool is, by forward kinematics.
+    pub world_from_tool: Pose,
+    /// Where it is commanded, the press into the surface included.
+    pub world_from_commanded: Pose,
+    /// f_c: what the controller asks of the tool, saturated.
+    pub controller: Wrench,
+    /// f_ext: what the surroundings do to it, as observed.
+    pub external: Wrench,
+}
+
+/// Drives a robot along a motion by torques, compliantly; all room it needs is taken at the start.
+///
+/// Of the variables that move, those of the arm and torso that wield the tool are compliant; others, such as a mobile
+/// base, are to be held at the planned positions by drives of their own.
+#[derive(Debug, Clone)]
+pub struct MotionController {
+    config: ControlConfig,
+    articulation: Articulation,
+    state: ArticulationState,
+    planned: ArticulationState,
+    controller: ImpedanceController,
+    observer: MomentumObserver,
+    carrier: usize,
+    joint_from_tool: Pose,
+    jacobian: Matrix6xX<f64>,
+    planned_sample: TrajectorySample,
+    /// Positions, velocities and accelerations of the articulation's variables as planned.
+    planned_q: [Vec<f64>; 3],
+    q: Vec<f64>,
+    qd: Vec<f64>,
+    /// What the drives give of what is asked for, and at most [Nm or N].
+    efforts: Vec<f64>,
+    effort_limits: Vec<f64>,
+}
+
+impl MotionController {
+    /// A controller for a motion of a robot with a tool of this mass [kg] in its hand.
+    ///
+    /// # Errors
+    /// [`RobotError`] of a robot that has no such joints.
+    pub fn new(
+        task: &Task,
+        cell: &Workcell,
+        followed: &Followed,
+        tool_mass: f64,
+        config: &ControlConfig,
+    ) -> Result<Option<Self>, RobotError> {
+        let robot = cell.robot();
+        let start = (followed.sample(0.0)).map_or_else(|| cell.ready().to_vec(), |s| s.q);
+        let chain = cell.ik().chain().variables();
+        let base = (cell.base()).map_or(vec![], |base| vec![base.x, base.y, base.yaw]);
+        let moving: Vec<bool> = (0..robot.dof())
+            .map(|i| chain.contains(&i) || base.contains(&i) || varies(followed, i, start[i]))
+            .collect();
+        let load = tool_load(cell.tip_from_tool(), task.tool.area_of_effect, tool_mass);
+        let loads = [(cell.tip(), load)];
+        let articulation =
+            Articulation::new(robot, cell.world_from_root(), &start, &moving, &loads)?;
+        let (Some(carrier), joint_from_tip) = articulation.carrier(cell.tip()) else {
+            return Ok(None);
+        };
+        let joint_from_tool = joint_from_tip * cell.tip_from_tool();
+        let compliant: Vec<usize> = (0..articulation.dof())
+            .filter(|&i| {
+                let variable = articulation.variables()[i];
+                chain.contains(&variable) && !base.contains(&variable)
+            })
+            .collect();
+        let limits = |k: &usize| &robot.variable(articulation.variables()[*k]).limits;
+        let effort_limits: Vec<f64> = (compliant.iter())
+            .map(|k| (limits(k).effort.filter(|most| *most > 0.0)).unwrap_or(f64::INFINITY))
+            .collect();
+        let ranges = compliant.iter().map(|k| limits(k).position).collect();
+        let count = articulation.dof();
+        Ok(Some(Self {
+            config: *config,
+            state: articulation.state(),
+            planned: articulation.state(),
+            observer: MomentumObserver::new(&compliant, count, config.observer_gain),
+            efforts: vec![0.0; compliant.len()],
+            controller: ImpedanceController::new(
+                compliant,
+                ranges,
+                &task.interaction,
+                &task.surface.world_from_surface,
+                config,
+            ),
+            carrier,
+            joint_from_tool,
+            jacobian: Matrix6xX::zeros(count),
+            planned_sample: TrajectorySample::at_rest(&start),
+            planned_q: [(); 3].map(|()| vec![0.0; count]),
+            q: vec![0.0; count],
+            qd: vec![0.0; count],
+            effort_limits,
+            articulation,
+        }))
+    }
+
+    /// The robot's variables that are compliant, in the order of [`Self::efforts`].
+    pub fn compliant(&self) -> impl Iterator<Item = usize> + '_ {
+        let own = self.controller.compliant().iter();
+        own.map(|&k| self.articulation.variables()[k])
+    }
+
+    /// What the drives of the compliant variables are to give, within their limits [Nm or N].
+    pub fn efforts(&self) -> &[f64] {
+        &self.efforts
+    }
+
+    /// All n variables of the robot as planned for the last command's time.
+    pub const fn planned(&self) -> &TrajectorySample {
+        &self.planned_sample
+    }
+
+    /// One period: from all n variables of the robot as measured [rad or m] and their velocities [rad/s or m/s] to the
+    /// efforts. The observer takes it that the efforts of the call before were given for one period since. `None` if the
+    /// mass matrix is none, which a robot without inertia would have.
+    ///
+    /// # Panics
+    /// If an array is shorter than the robot has variables.
+    pub fn command(
+        &mut self,
+        task: &Task,
+        followed: &Followed,
+        time: f64,
+        positions: &[f64],
+        velocities: &[f64],
+    ) -> Option<Command> {
+        for (k, &i) in self.articulation.variables().iter().enumerate() {
+            self.q[k] = positions[i];
+            self.qd[k] = velocities[i];
+        }
+        self.articulation
+            .evaluate(&mut self.state, &self.q, &self.qd, GRAVITY);
+        let desired = self.desired(task, followed, time);
+        let world_from_tool = self.state.pose(self.carrier) * self.joint_from_tool;
+        let tool = world_from_tool.translation.vector.into();
+        self.articulation
+            .jacobian(&self.state, self.carrier, tool, &mut self.jacobian);
+        let external =
+            self.observer
+                .update(&self.state, &self.qd, &self.efforts, self.config.period);
+        let measured = Measured {
+            q: &self.q,
+            qd: &self.qd,
+            world_from_tool,
+            jacobian: &self.jacobian,
+        };
+        let [q, qd, qdd] = &self.planned_q;
+        let posture = Posture { q, qd, qdd };
+        let controller = self
+            .controller
+            .command(&self.state, &measured, &desired, &posture)?;
+        let external = self.controller.external_wrench(external);
+        let asked = self.controller.efforts().iter().zip(&self.effort_limits);
+        for (effort, (asked, most)) in self.efforts.iter_mut().zip(asked) {
+            *effort = asked.clamp(-most, *most);
+        }
+        Some(Command {
+            world_from_tool,
+            world_from_commanded: desired.world_from_tool,
+            controller,
+            external,
+        })
+    }
+
+    fn desired(&mut self, task: &Task, followed: &Followed, time: f64) -> Desired {
+        let motion = followed.motion_at(time);
+        if let Some(motion) = motion {
+            let since = time - motion.start;
+            motion
+                .trajectory
+                .sample_into(since, &mut self.planned_sample);
+        }
+        let planned = &self.planned_sample;
+        for (k, &i) in self.articulation.variables().iter().enumerate() {
+            self.planned_q[0][k] = planned.q[i];
+            self.planned_q[1][k] = planned.qd[i];
+            self.planned_q[2][k] = planned.qdd[i];
+        }
+        self.articulation
+            .locate(&mut self.planned, &self.planned_q[0]);
+        let world_from_tool = self.planned.pose(self.carrier) * self.joint_from_tool;
+        let tool = world_from_tool.translation.vector.into();
+        self.articulation
+            .jacobian(&self.planned, self.carrier, tool, &mut self.jacobian);
+        let mut velocity = Vector6::zeros();
+        for (column, rate) in self.jacobian.column_iter().zip(&self.planned_q[1]) {
+            velocity += column * *rate;
+        }
+        let phase = motion.map(|motion| motion.phase);
+        Desired {
+            world_from_tool: pressed_in(world_from_tool, phase, task, &self.config),
+            velocity,
+        }
+    }
+}
+
+/// Whether a variable of the robot moves at all.
+fn varies(followed: &Followed, variable: usize, start: f64) -> bool {
+    let ends = followed.motions.iter().flat_map(|motion| {
+        let duration = motion.trajectory.duration();
+        [0.25, 0.5, 0.75, 1.0].map(|share| motion.trajectory.sample(share * duration))
+    });
+    ends.into_iter()
+        .any(|sample| (sample.q[variable] - start).abs() > 1e-9)
+}
