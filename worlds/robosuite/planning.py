@@ -10,6 +10,9 @@ from pathlib import Path
 
 import numpy as np
 
+LEADING = 0.03
+"""A tool that leans forward wipes with so much of its length [m]."""
+
 TASK = """\
 schema = 1
 name = "robosuite-wipe"
@@ -65,7 +68,7 @@ def task_of(world, markers, start, margin, speed, seed=1, strategy="best"):
     text = TASK.format(
         seed=seed,
         strategy=strategy,
-        length=float(os.environ.get("LEN", tool.length)),
+        length=min(tool.length, LEADING),
         width=tool.width,
         start=start - middle[:2],
         sizes=sizes,
@@ -105,10 +108,5 @@ def wipe(world, follower, margin=0.004, looks=6):
         markers = world.visible_markers()
         if world.done or len(markers) == 0:
             return
-        place = follower.pose()[:2]
-        found = strokes(world, markers, place, margin, follower.config.speed)
-        # What absorbs does the same backwards: it begins at the nearer end.
-        if np.linalg.norm(found[-1][-1, :2] - place) < np.linalg.norm(found[0][0, :2] - place):
-            found = [stroke[::-1] for stroke in reversed(found)]
-        for stroke in found:
+        for stroke in strokes(world, markers, follower.pose()[:2], margin, follower.config.speed):
             follower.follow(stroke)
