@@ -26,8 +26,9 @@ BLOCK_HEIGHT = 0.012
 """Of a block [m]."""
 FOOT_RADIUS = 0.04
 """Of the foot on which a block rests [m]: so round that foam which hangs over the border slides back onto the surface."""
-HARD_SOLREF, HARD_SOLIMP = [0.0025, 1.0], [0.9995, 0.9999, 0.0003, 0.5, 2.0]
-"""Of a crumb's contacts: so hard that foam which presses with half a newton on 20 mg gives way by a tenth of a millimetre."""
+HARD_SOLREF, HARD_SOLIMP = [0.004, 2.0], [0.9995, 0.9999, 0.0003, 0.5, 2.0]
+"""Of a crumb's contacts: so hard that foam which presses with half a newton on 20 mg gives way by a tenth of a millimetre,
+and damped so much that a crumb which is pinched does not shoot away."""
 FOAM_DAMPING = 0.7
 """Of a block on its spring, as a damping ratio [1]."""
 CRUMB_FRICTION = 0.35

@@ -1,5 +1,6 @@
 """The world over the rounds of a session: an executor in Python."""
 
+from copy import deepcopy
 from dataclasses import dataclass, field
 
 import mujoco
@@ -87,10 +88,11 @@ class World:
 
     # What is true.
 
-    def performance(self, goal=None):
-        """Share of the crumbs that meet the task's goal [1]; `goal` (2) is a collect's, `Plan.collect_goal`."""
-        radius = self.task.collision_radius_m
-        return float(np.mean(self.crumbs.meeting(self.task.action, goal, radius, self.outline)))
+    def performance(self, goal=None, round=None):
+        """Share of the crumbs that meet the task's goal [1], now or after a round (from 1); `goal` (2) is a collect's,
+        `Plan.collect_goal`."""
+        crumbs = self.crumbs if round is None else self.truth[round - 1].crumbs
+        return float(np.mean(crumbs.meeting(self.task.action, goal, self.task.collision_radius_m, self.outline)))
 
 
 class Simulation:
@@ -99,7 +101,7 @@ class Simulation:
     def __init__(self, world, motion):
         settings = world.settings
         self.world, self.motion, self.settings = world, motion, settings
-        self.crumbs = world.crumbs
+        self.crumbs = deepcopy(world.crumbs)
         self.scene = scene.build(world.task, motion, settings, self.crumbs, world.world_from_real, PERIOD)
         self.model, self.data = self.scene.model, mujoco.MjData(self.scene.model)
         self.controller = wisch.ImpedanceController(motion, period_s=PERIOD, tool_mass_kg=scene.FIRM_MASS + scene.FOAM_MASS)
@@ -248,7 +250,6 @@ class Simulation:
         body = self.model.geom_bodyid[geom]
         self.model.geom_contype[geom] = self.model.geom_conaffinity[geom] = 0
         self.model.body_gravcomp[body] = 1.0
-        self.model.ngravcomp = max(self.model.ngravcomp, 1)
         address, dof = self.scene.crumbs[crumb], self.scene.crumb_dofs[crumb]
         self.data.qpos[address : address + 3] = [0.01 * crumb, 0.0, FARAWAY]
         self.data.qvel[dof : dof + 6] = 0.0
