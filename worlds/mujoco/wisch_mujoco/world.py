@@ -9,6 +9,7 @@ import wisch
 
 from . import dirt, poses, scene
 from .settings import Settings
+from .wire import Frames, WireMotion
 
 PERIOD = 1e-3
 """Of control, physics and telemetry [s]."""
@@ -53,6 +54,7 @@ class World:
         self.truth = []
         self.believed = np.asarray(task.world_from_surface, dtype=float)
         self.looks = 0
+        self.frames = None
         self.watch = None
         """Called as `watch(simulation, time)` after each step, for pictures and logs."""
 
@@ -60,6 +62,9 @@ class World:
 
     def execute(self, motion, sink):
         """Executes a motion on the dirt that the one before left."""
+        if not isinstance(motion, wisch.Motion):
+            self.frames = self.frames or Frames(self.task)
+            motion = WireMotion(motion, self.frames)
         self.believed = np.asarray(motion.world_from_surface, dtype=float)
         simulation = Simulation(self, motion)
         self.truth.append(simulation.truth)
@@ -104,7 +109,11 @@ class Simulation:
         self.crumbs = deepcopy(world.crumbs)
         self.scene = scene.build(world.task, motion, settings, self.crumbs, world.world_from_real, PERIOD)
         self.model, self.data = self.scene.model, mujoco.MjData(self.scene.model)
-        self.controller = wisch.ImpedanceController(motion, period_s=PERIOD, tool_mass_kg=scene.FIRM_MASS + scene.FOAM_MASS)
+        tool_mass = scene.FIRM_MASS + scene.FOAM_MASS
+        if isinstance(motion, WireMotion):
+            self.controller = motion.controller(PERIOD, tool_mass)
+        else:
+            self.controller = wisch.ImpedanceController(motion, period_s=PERIOD, tool_mass_kg=tool_mass)
         self.compliant = np.array(self.controller.compliant)
         held = np.setdiff1d(np.arange(len(motion.joints)), self.compliant)
         self.held = held
