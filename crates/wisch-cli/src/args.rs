@@ -64,13 +64,13 @@ impl Cli {
     ///
     /// # Errors
     /// Help that was asked for, or what is wrong with the command line.
-    pub fn read() -> Result<Self, clap::Error> {
-        let command = Self::command().color(match color_asked_for(std::env::args_os()) {
+    pub fn read(args: &[OsString]) -> Result<Self, clap::Error> {
+        let command = Self::command().color(match color_asked_for(args.iter().cloned()) {
             ColorChoice::Auto => clap::ColorChoice::Auto,
             ColorChoice::Always => clap::ColorChoice::Always,
             ColorChoice::Never => clap::ColorChoice::Never,
         });
-        let matches = command.try_get_matches()?;
+        let matches = command.try_get_matches_from(args)?;
         Self::from_arg_matches(&matches)
     }
 }
@@ -347,6 +347,9 @@ pub struct LoopArgs {
     /// Command that starts an executor (docs/executor-protocol.md), in place of the built-in simulator
     #[arg(long, value_name = "COMMAND", conflicts_with = "resume")]
     pub executor: Option<String>,
+    /// Give an executor up that hands on nothing for so long [s], or goes on for so long after it was told to stop
+    #[arg(long, value_name = "SECONDS", requires = "executor", default_value_t = 60.0, value_parser = seconds)]
+    pub timeout: f64,
     /// Write progress events as JSON lines to a file, or with "-" to standard output
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub events: Option<PathBuf>,
@@ -497,6 +500,14 @@ fn setting(text: &str) -> Result<(String, String), String> {
         return Err("there is no key before \"=\"".to_owned());
     }
     Ok((key.trim().to_owned(), value.trim().to_owned()))
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    let number: f64 = text.parse().map_err(|_| "it is no number".to_owned())?;
+    if (0.001..=86_400.0).contains(&number) {
+        return Ok(number);
+    }
+    Err("it is not within 0.001 to 86400 s".to_owned())
 }
 
 fn package(text: &str) -> Result<(String, PathBuf), String> {

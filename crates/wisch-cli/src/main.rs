@@ -1,20 +1,7 @@
-//! The program `wisch`: plan, predict and report robotic wiping from the command line.
-//!
-//! `args` is what the user may type; each command has its file in `commands`; the crate `wisch_io` reads
-//! and writes files; `records` is what `--json` prints; `output` puts results on the disk.
-
-mod args;
-mod commands;
-mod failure;
-mod progress;
-mod terminal;
+//! The program; all of it is in the library, which the Python wheel carries too.
 
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    terminal::run(|| {
-        let cli = args::Cli::read().unwrap_or_else(|error| terminal::refuse(&error));
-        terminal::prepare(&cli.global)?;
-        commands::run(&cli)
-    })
+    ExitCode::from(wisch_cli::main_with(std::env::args_os()))
 }

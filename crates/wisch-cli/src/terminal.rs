@@ -2,9 +2,9 @@
 
 use crate::args::{ColorChoice, GlobalArgs};
 use crate::failure::Failure;
+use std::ffi::OsString;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::panic::{self, AssertUnwindSafe};
-use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// How a command that worked ended.
@@ -20,12 +20,17 @@ pub enum Outcome {
 static COLOR: AtomicBool = AtomicBool::new(false);
 /// Whether only errors are shown.
 static QUIET: AtomicBool = AtomicBool::new(false);
+/// Whether one machine-readable result is asked for.
+static JSON: AtomicBool = AtomicBool::new(false);
 
+const EXIT_DONE: u8 = 0;
 const EXIT_GOAL_NOT_MET: u8 = 1;
 const EXIT_ERROR: u8 = 2;
 
 /// Runs the program and turns whatever happens into an exit code: 0 done, 1 goal not met, 2 error.
-pub fn run(program: impl FnOnce() -> Result<Outcome, Failure>) -> ExitCode {
+pub fn run(args: &[OsString], program: impl FnOnce() -> Result<Outcome, Failure>) -> u8 {
+    let mut asked = args.iter().skip(1).take_while(|arg| *arg != "--");
+    JSON.store(asked.any(|arg| arg == "--json"), Ordering::Relaxed);
     panic::set_hook(Box::new(|info| {
         let place = info
             .location()
@@ -37,13 +42,13 @@ pub fn run(program: impl FnOnce() -> Result<Outcome, Failure>) -> ExitCode {
     }));
     // Unwinding, unlike leaving from the hook, lets unfinished output folders be removed.
     match panic::catch_unwind(AssertUnwindSafe(program)) {
-        Ok(Ok(Outcome::Done)) => ExitCode::SUCCESS,
-        Ok(Ok(Outcome::GoalNotMet)) => ExitCode::from(EXIT_GOAL_NOT_MET),
+        Ok(Ok(Outcome::Done)) => EXIT_DONE,
+        Ok(Ok(Outcome::GoalNotMet)) => EXIT_GOAL_NOT_MET,
         Ok(Err(failure)) => {
             complain_of(&failure);
-            ExitCode::from(EXIT_ERROR)
+            EXIT_ERROR
         }
-        Err(_) => ExitCode::from(EXIT_ERROR),
+        Err(_) => EXIT_ERROR,
     }
 }
 
@@ -95,8 +100,7 @@ pub fn refuse(error: &clap::Error) -> ! {
 
 /// Where one machine-readable result is asked for, prints the error as that.
 fn print_json_error(error: &str, help: Option<&str>) {
-    let asked = std::env::args_os().take_while(|arg| arg != "--");
-    if asked.skip(1).any(|arg| arg == "--json") {
+    if JSON.load(Ordering::Relaxed) {
         // Whoever reads it may have gone away.
         let _ = print(&format!(
             "{}\n",

@@ -123,3 +123,33 @@ fn an_executor_that_cannot_be_used_is_an_error() {
     assert_eq!(output.status.code(), Some(2), "{err}");
     assert!(err.contains("events.jsonl: cannot write there"), "{err}");
 }
+
+#[test]
+fn an_executor_that_falls_silent_is_given_up_and_the_episode_is_kept() {
+    if !has_python() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let robot = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/echo_robot.py");
+    let robot = fs::read_to_string(robot).expect("a robot");
+    let spoiled = robot.replace(
+        "    for point in points:\n",
+        "    for point in points:\n        if point[\"time_s\"] > 2.0:\n            import time; time.sleep(600)\n",
+    );
+    assert_ne!(spoiled, robot);
+    fs::write(folder.path().join("robot.py"), spoiled).expect("a copy");
+    let task = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/arm-board.toml");
+    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("wisch"));
+    command.current_dir(folder.path()).arg("run").arg(task);
+    command.args(["--executor", "python3 robot.py", "--timeout", "2", "--memory", "memory"]);
+    let output = command.output().expect("it runs");
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{err}");
+    assert!(err.contains("it said nothing for 2 s"), "{err}");
+    assert!(err.contains("the episode is kept all the same"), "{err}");
+    let kept = fs::read_dir(folder.path().join("memory")).expect("a memory");
+    assert!(kept.count() > 0);
+    let refused = wisch(folder.path(), &["--executor", "true", "--timeout", "0"]);
+    let err = String::from_utf8_lossy(&refused.stderr);
+    assert!(err.contains("it is not within 0.001 to 86400 s"), "{err}");
+}

@@ -265,3 +265,29 @@ fn how_a_child_ended_is_taken_over() {
     let is_refused = matches!(error, Err(RunError::Positions { found: 2, .. }));
     assert!(is_refused, "{error:?}");
 }
+
+#[test]
+fn what_was_felt_before_a_child_went_wrong_is_kept() {
+    if !has_python() {
+        return;
+    }
+    let (loaded, robot) = loaded();
+    let lines = "for point in points[:200]:\n    sample(point['time_s'], world_from_tool=point['world_from_tool'], positions=point['positions'])\nsay(error='the arm is locked')\n";
+    let mut child = start(&format!("{CHILD}{lines}")).expect("it greets");
+    let mut session = loaded.session().with_robot(robot.performer());
+    let error = session.run(&mut child, &mut unobserved);
+    assert!(matches!(error, Err(RunError::Execute(_))), "{error:?}");
+    let [round] = session.rounds() else {
+        panic!("{} rounds", session.rounds().len());
+    };
+    assert_eq!(round.execution.ending, Ending::Stopped);
+    assert!((round.execution.duration - 1.99).abs() < 1e-9);
+    let again = session.step(&mut child, &mut unobserved);
+    assert_eq!(again, Ok(Stage::Ended));
+
+    // Nothing was felt of one that went wrong at once.
+    let mut child = start(&format!("{CHILD}say(error='no power')\n")).expect("it greets");
+    let mut session = loaded.session().with_robot(robot.performer());
+    assert!(session.run(&mut child, &mut unobserved).is_err());
+    assert!(session.rounds().is_empty());
+}

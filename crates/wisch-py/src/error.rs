@@ -2,6 +2,7 @@
 
 use pyo3::prelude::*;
 use std::fmt::Display;
+use wisch::represent::KnowledgeError;
 use wisch::robot::RobotError;
 use wisch::run::RunError;
 use wisch::source_location::Place;
@@ -126,6 +127,19 @@ fn of_task(error: &TaskError) -> Details {
             limit: Some(unknown.known.join(", ")),
             ..at(place)
         },
+        TaskError::Knowledge { at: place, error } => match error.as_ref() {
+            KnowledgeError::Unknown(unknown) => Details {
+                value: Some(unknown.name.clone()),
+                limit: Some(unknown.known.join(", ")),
+                ..at(place)
+            },
+            KnowledgeError::NoInteraction { tool, capable, .. } => Details {
+                value: Some(tool.clone()),
+                limit: Some(capable.join(", ")),
+                ..at(place)
+            },
+            _ => at(place),
+        },
         TaskError::MeshTooLarge {
             at: place,
             extent,
@@ -143,7 +157,6 @@ fn of_task(error: &TaskError) -> Details {
         TaskError::Syntax { at: place, .. }
         | TaskError::Missing { at: place, .. }
         | TaskError::Inconsistent { at: place, .. }
-        | TaskError::Knowledge { at: place, .. }
         | TaskError::File { at: place, .. }
         | TaskError::Mesh { at: place, .. }
         | TaskError::Footprint { at: place, .. }

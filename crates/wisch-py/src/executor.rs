@@ -11,7 +11,7 @@ use scoped_tls_hkt::scoped_thread_local;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 use wisch::represent::{Observation, Task};
-use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink};
+use wisch::run::{Ending, Execution, Executor, ExecutorError, MotionOrder, SampleSink};
 use wisch::source_location::UnknownName;
 use wisch_io::{DoneRecord, EndingRecord, Intake, ObservationRecord, SampleRecord};
 
@@ -123,8 +123,11 @@ impl Executor for PyExecutor<'_> {
             None => round.done(&returned, order),
         });
         result.or_else(|error| {
-            if error.is_instance_of::<PyKeyboardInterrupt>(py) {
-                return self.raise(error);
+            if error.is_instance_of::<PyKeyboardInterrupt>(py) && since.is_finite() {
+                // What was felt until then can yet be interpreted.
+                let execution = round.stopped(order);
+                self.raised = Some(error);
+                return Ok(execution);
             }
             let at = if since.is_finite() {
                 format!("after the sample of {since} s")
@@ -177,8 +180,8 @@ fn unknown<'a>(key: &str, known: impl IntoIterator<Item = &'a str>) -> PyErr {
 }
 
 impl Round<'_> {
-    /// How an execution ended, by what `execute` returned: nothing, or what the protocol calls `done`.
-    fn done(&self, returned: &Bound<'_, PyAny>, order: &MotionOrder<'_>) -> PyResult<Execution> {
+    /// An execution that was stopped at the last sample.
+    fn stopped(&self, order: &MotionOrder<'_>) -> Execution {
         let planned = |time: f64| order.followed.sample(time).map(|sample| sample.q);
         let last = self.last.as_ref();
         let duration = last.map_or(0.0, |last| last.time_s);
@@ -187,6 +190,20 @@ impl Round<'_> {
             .filter(|positions| !positions.is_empty())
             .or_else(|| planned(duration))
             .unwrap_or_else(|| order.cell.ready().to_vec());
+        Execution {
+            duration,
+            ending: Ending::Stopped,
+            positions,
+        }
+    }
+
+    /// How an execution ended, by what `execute` returned: nothing, or what the protocol calls `done`.
+    fn done(&self, returned: &Bound<'_, PyAny>, order: &MotionOrder<'_>) -> PyResult<Execution> {
+        let Execution {
+            duration,
+            positions,
+            ..
+        } = self.stopped(order);
         let mut done = DoneRecord {
             duration_s: duration,
             ending: if self.intake.is_stopped() {

@@ -2,26 +2,59 @@
 
 use crate::arrays::{self, Matrix, Vector, pose_array};
 use crate::error::plain;
+use crate::plan::PyPlan;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
-use wisch::interpret::{Diagnosis, Estimate, Interpretation};
-use wisch::represent::Task;
+use wisch::interpret::{
+    Belief, Diagnosis, Estimate, InterpretConfig, Interpretation, TouchSample, interpret,
+};
+use wisch::plan::{PlanConfig, plan};
+use wisch::recover::next_task;
+use wisch::represent::{GoalState, Task};
+use wisch_io::LoadedTask;
 
 /// What a log of poses and forces says of contact, surface and dirt.
 #[pyclass(name = "Interpretation", module = "wisch", frozen)]
 pub struct PyInterpretation {
-    task: Arc<Task>,
-    told: Arc<Interpretation>,
+    pub task: Arc<Task>,
+    pub goal: GoalState,
+    pub told: Arc<Interpretation>,
+    config: PlanConfig,
 }
 
 impl PyInterpretation {
-    pub fn of(task: &Task, told: Interpretation) -> Self {
+    /// What a round's samples told.
+    pub fn of(task: &Task, goal: GoalState, config: &PlanConfig, told: Interpretation) -> Self {
         Self {
             task: Arc::new(task.clone()),
+            goal,
             told: Arc::new(told),
+            config: config.clone(),
         }
+    }
+
+    /// What samples tell of a task; believed is what the task says of its dirt, or that it lies just as it says.
+    pub fn of_samples(
+        py: Python<'_>,
+        loaded: &LoadedTask,
+        samples: &[TouchSample],
+        is_certain: bool,
+    ) -> PyResult<Self> {
+        let task = &loaded.task;
+        let goal = task
+            .goal()
+            .ok_or_else(|| plain("the task leaves its goal open: say where, by collect.goal_m"))?;
+        let told = py.detach(|| {
+            let believed = if is_certain {
+                Belief::certain(task.particles.clone())
+            } else {
+                loaded.belief()
+            };
+            interpret(samples, task, &believed, &goal, &InterpretConfig::of(task))
+        });
+        Ok(Self::of(task, goal, &loaded.config, told.map_err(plain)?))
     }
 }
 
@@ -100,6 +133,16 @@ impl PyInterpretation {
     fn particles<'py>(&self, py: Python<'py>, seed: u64) -> PyResult<Matrix<'py>> {
         let drawn = self.told.belief.sample(seed).map_err(plain)?;
         Ok(arrays::points(py, drawn.remaining()))
+    }
+
+    /// A plan for what is left to do, by what is believed now.
+    fn next_plan(&self, py: Python<'_>) -> PyResult<PyPlan> {
+        let seed = self.task.seed.wrapping_add(1);
+        py.detach(|| {
+            let next = next_task(&self.task, &self.goal, &self.told, seed).map_err(plain)?;
+            let plan = plan(&next, &self.config).map_err(plain)?;
+            Ok(PyPlan::of(&next, plan))
+        })
     }
 
     /// How probable each of the members is that are believed in, (members).

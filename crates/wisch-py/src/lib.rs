@@ -6,11 +6,15 @@
 mod arrays;
 mod control;
 mod effect;
+mod environment;
 mod error;
 mod executor;
 mod interpret;
+mod memory;
 mod motion;
+mod pictures;
 mod plan;
+mod program;
 mod robot;
 mod session;
 mod task;
@@ -26,19 +30,25 @@ mod _wisch {
     #[pymodule_export]
     use crate::effect::PyEffectField;
     #[pymodule_export]
+    use crate::environment::PyWipingWorlds;
+    #[pymodule_export]
     use crate::executor::PySink;
     #[pymodule_export]
     use crate::interpret::PyInterpretation;
+    #[pymodule_export]
+    use crate::memory::PyMemory;
     #[pymodule_export]
     use crate::motion::PyMotion;
     #[pymodule_export]
     use crate::plan::{PyPlan, PyPrediction};
     #[pymodule_export]
+    use crate::program::run_program;
+    #[pymodule_export]
     use crate::robot::PyRobot;
     #[pymodule_export]
     use crate::session::{PyAudit, PyRound, PySession};
     #[pymodule_export]
-    use crate::task::{PyTask, load_task, task_of_json};
+    use crate::task::{PyTask, load_task, task_of_keys};
     #[pymodule_export]
-    use crate::telemetry::PyTelemetry;
+    use crate::telemetry::{PyTelemetry, read_log};
 }

@@ -2,12 +2,14 @@
 
 use crate::arrays::{self, Matrix, Vector, rows};
 use crate::error::plain;
+use crate::pictures;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use std::sync::Arc;
 use wisch::geometry::PlanarPose;
 use wisch::plan::{Plan, Prediction, Stroke, predict};
 use wisch::represent::{GoalState, ParticleDistribution, Task};
+use wisch::source_location::UnknownName;
 use wisch_io::PlanRecord;
 
 /// Strokes in the order in which they are wiped.
@@ -123,6 +125,20 @@ impl PyPlan {
             .map_err(plain)
     }
 
+    /// A picture of it as SVG: before-after, graph, density or effect-over-time.
+    #[pyo3(signature = (name = "graph"))]
+    fn picture(&self, py: Python<'_>, name: &str) -> PyResult<String> {
+        if !pictures::NAMES.contains(&name) {
+            return Err(plain(UnknownName::new("picture", name, pictures::NAMES)));
+        }
+        Ok(py.detach(|| pictures::drawn(name, &self.task, &self.plan, None)))
+    }
+
+    /// Its graph and strokes, for notebooks.
+    fn _repr_svg_(&self, py: Python<'_>) -> PyResult<String> {
+        self.picture(py, "graph")
+    }
+
     fn __repr__(&self) -> String {
         format!(
             "<wisch.Plan by {}: {} strokes, {:.2} m in contact>",
@@ -172,6 +188,11 @@ impl PyPrediction {
     #[getter]
     fn fates<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i8>> {
         arrays::fates(py, &self.prediction.particles)
+    }
+
+    /// The particles before and after, for notebooks.
+    fn _repr_svg_(&self, py: Python<'_>) -> String {
+        py.detach(|| pictures::drawn("before-after", &self.task, &self.plan, None))
     }
 
     fn __repr__(&self) -> String {

@@ -4,14 +4,16 @@
 //! `on_event` and `observe()`, and looks for Ctrl-C. Motions are executed on the caller's thread, so that an executor may
 //! hold what belongs to one thread, such as a window.
 
+use crate::arrays::{self, Matrix};
 use crate::error::{of_run, plain, refused};
 use crate::executor::{PyExecutor, observe};
 use crate::interpret::PyInterpretation;
 use crate::motion::PyMotion;
+use crate::pictures;
 use crate::plan::{PyPlan, PyPrediction};
 use crate::task::PyTask;
 use crate::telemetry::{Columns, PyTelemetry};
-use pyo3::exceptions::PyRuntimeError;
+use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
 use self_cell::self_cell;
 use std::ops::ControlFlow;
@@ -20,13 +22,14 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 use std::time::Duration;
 use wisch::follow::Audit;
+use wisch::plan::PlanConfig;
 use wisch::recover::Verdict;
 use wisch::represent::{Observation, Task};
 use wisch::run::{
-    Execution, Executor, ExecutorError, MotionOrder, NoExecutor, Round, RunConfig, RunError,
-    RunEvent, SampleSink, Session, Stage,
+    Execution, Executor, ExecutorError, MotionOrder, NoExecutor, PlannedRound, Round, RunConfig,
+    RunError, RunEvent, SampleSink, Session, Stage,
 };
-use wisch_io::{EventWriter, LoadedTask, Robot};
+use wisch_io::{EventWriter, LoadedTask, Robot, RobotFiles};
 
 /// How often it is looked for Ctrl-C.
 const LOOK: Duration = Duration::from_millis(50);
@@ -44,9 +47,10 @@ type Events = EventWriter<std::io::Sink>;
 /// A wiping task from its first plan to its last verdict.
 #[pyclass(name = "Session", module = "wisch", frozen)]
 pub struct PySession {
-    task: Arc<LoadedTask>,
+    pub task: Arc<LoadedTask>,
+    robot: Option<Arc<Robot>>,
     wiping: Arc<Mutex<Wiping>>,
-    stage: Mutex<Option<Stage>>,
+    stage: Arc<Mutex<Option<Stage>>>,
     verdict: Arc<Mutex<Option<Verdict>>>,
     is_running: AtomicBool,
     telemetry: Mutex<Vec<Py<PyTelemetry>>>,
@@ -136,7 +140,7 @@ impl PySession {
     pub fn new(task: &PyTask, robot: Option<Arc<Robot>>, config: RunConfig) -> PyResult<Self> {
         let loaded = Arc::clone(&task.loaded);
         let belief = loaded.belief();
-        let wiping = Wiping::new(robot, |robot| {
+        let wiping = Wiping::new(robot.clone(), |robot| {
             let session = Session::new(&loaded.task, config).with_belief(belief);
             match robot {
                 Some(robot) => session.with_robot(robot.performer()),
@@ -145,13 +149,19 @@ impl PySession {
         });
         Ok(Self {
             task: loaded,
+            robot,
             wiping: Arc::new(Mutex::new(wiping)),
-            stage: Mutex::new(None),
+            stage: Arc::default(),
             verdict: Arc::default(),
             is_running: AtomicBool::new(false),
             telemetry: Mutex::default(),
             rounds: Mutex::default(),
         })
+    }
+
+    /// The files of the robot that wipes.
+    pub fn robot_files(&self) -> Option<&RobotFiles> {
+        self.robot.as_ref().map(|robot| &robot.files)
     }
 
     fn begin(&self) -> PyResult<Running<'_>> {
@@ -176,6 +186,18 @@ impl PySession {
         }
     }
 
+    /// The stage that it has come to, once one that was interrupted has come to its end.
+    fn reached(&self, py: Python<'_>) -> PyResult<Option<Stage>> {
+        drop(self.lock(py)?);
+        Ok(*locked(&self.stage))
+    }
+
+    /// The same, while it does not run.
+    fn settled(&self, py: Python<'_>) -> PyResult<Option<Stage>> {
+        let _running = self.begin()?;
+        self.reached(py)
+    }
+
     /// Looks at the session while it does not run.
     fn look<T>(
         &self,
@@ -190,28 +212,18 @@ impl PySession {
     fn run_until(&self, py: Python<'_>, until: Stage, mut call: Call<'_>) -> PyResult<()> {
         let _running = self.begin()?;
         loop {
-            let before = *locked(&self.stage);
+            let before = self.reached(py)?;
             let reached = if before == Some(Stage::Audited) && call.executor.is_some() {
                 self.execute(py, &mut call)
             } else {
                 self.advance(py, &mut call)
             };
-            let reached = reached.inspect_err(|_| {
-                // What went wrong ends a session; what was interrupted goes on.
-                if !self.is_busy() {
-                    *locked(&self.stage) = None;
-                }
-            })?;
-            *locked(&self.stage) = Some(reached);
+            let reached = reached?;
             if reached == until || reached == Stage::Ended {
                 return Ok(());
             }
             py.check_signals()?;
         }
-    }
-
-    fn is_busy(&self) -> bool {
-        matches!(self.wiping.try_lock(), Err(TryLockError::WouldBlock))
     }
 
     /// The exception of an error, or what an executor raised.
@@ -226,6 +238,7 @@ impl PySession {
         let (ask, asked) = channel();
         let (answer, answers) = channel();
         let (wiping, verdict) = (Arc::clone(&self.wiping), Arc::clone(&self.verdict));
+        let stage = Arc::clone(&self.stage);
         let tells = call.on_event.is_some();
         std::thread::spawn(move || {
             let mut wiping = locked(&wiping);
@@ -252,6 +265,8 @@ impl PySession {
                     }
                 })
             });
+            // Whether anybody still waits for it or not.
+            *locked(&stage) = Some(*done.as_ref().unwrap_or(&Stage::Ended));
             drop(wiping);
             let _ = ask.send(Request::Done(done));
         });
@@ -330,7 +345,13 @@ impl PySession {
             let telemetry = PyTelemetry::of(py, number, columns)?;
             locked(&self.telemetry).push(telemetry);
         }
-        if let Some(error) = refused {
+        let interrupted = call.executor.as_mut().and_then(|executor| {
+            let is_interrupted =
+                |error: &mut PyErr| error.is_instance_of::<PyKeyboardInterrupt>(py);
+            executor.raised.take_if(is_interrupted)
+        });
+        *locked(&self.stage) = Some(*done.as_ref().unwrap_or(&Stage::Ended));
+        if let Some(error) = refused.or(interrupted) {
             return Err(error);
         }
         done.map_err(|error| self.failed(&error, call.executor.as_mut()))
@@ -390,7 +411,7 @@ impl PySession {
         executor: Option<Bound<'_, PyAny>>,
         on_event: Option<Bound<'_, PyAny>>,
     ) -> PyResult<PyPlan> {
-        if locked(&self.stage).is_none() {
+        if self.settled(py)?.is_none() {
             self.run_until(py, Stage::Planned, call(executor, on_event, None)?)?;
         }
         self.look(py, |session| self.planned_plan(session))
@@ -404,7 +425,7 @@ impl PySession {
         executor: Option<Bound<'_, PyAny>>,
         on_event: Option<Bound<'_, PyAny>>,
     ) -> PyResult<PyMotion> {
-        if matches!(*locked(&self.stage), None | Some(Stage::Planned)) {
+        if matches!(self.settled(py)?, None | Some(Stage::Planned)) {
             self.run_until(py, Stage::Followed, call(executor, on_event, None)?)?;
         }
         self.look(py, |session| {
@@ -421,7 +442,7 @@ impl PySession {
         executor: Option<Bound<'_, PyAny>>,
         on_event: Option<Bound<'_, PyAny>>,
     ) -> PyResult<PyAudit> {
-        let stage = *locked(&self.stage);
+        let stage = self.settled(py)?;
         if matches!(stage, None | Some(Stage::Planned | Stage::Followed)) {
             self.run_until(py, Stage::Audited, call(executor, on_event, None)?)?;
         }
@@ -461,7 +482,7 @@ impl PySession {
 
     /// The rounds that are over.
     #[getter]
-    fn rounds(&self, py: Python<'_>) -> PyResult<Vec<Py<PyRound>>> {
+    pub fn rounds(&self, py: Python<'_>) -> PyResult<Vec<Py<PyRound>>> {
         self.look(py, |session| {
             let mut kept = locked(&self.rounds);
             let all = session.rounds();
@@ -473,6 +494,7 @@ impl PySession {
                 let round = PyRound {
                     round: Arc::new(round.clone()),
                     telemetry: of_round.map(|telemetry| telemetry.clone_ref(py)),
+                    config: self.task.config.clone(),
                 };
                 kept.push(Py::new(py, round)?);
             }
@@ -483,6 +505,7 @@ impl PySession {
                 let renewed = PyRound {
                     round: Arc::new(round.clone()),
                     telemetry: last.get().telemetry.as_ref().map(|t| t.clone_ref(py)),
+                    config: self.task.config.clone(),
                 };
                 *last = Py::new(py, renewed)?;
             }
@@ -515,6 +538,26 @@ impl PySession {
     #[getter]
     fn verdict(&self) -> Option<&'static str> {
         (*locked(&self.verdict)).map(Verdict::as_str)
+    }
+
+    /// What was seen before the first round, (k, 2) in the frame of the surface [m]; `None` where nothing looked.
+    #[getter]
+    fn first_look<'py>(&self, py: Python<'py>) -> PyResult<Option<Matrix<'py>>> {
+        self.look(py, |session| {
+            let seen = session.first_observation();
+            Ok(seen.map(|seen| arrays::points(py, seen.detections.iter().copied())))
+        })
+    }
+
+    /// The rounds as a table, for notebooks.
+    fn _repr_html_(&self, py: Python<'_>) -> PyResult<String> {
+        let rounds = self.rounds(py)?;
+        let rounds: Vec<&Round> = rounds.iter().map(|round| &*round.get().round).collect();
+        Ok(pictures::table(
+            &self.task.task.name,
+            &rounds,
+            self.verdict(),
+        ))
     }
 
     fn __repr__(&self) -> String {
@@ -566,8 +609,9 @@ impl PyAudit {
 /// One round that is over.
 #[pyclass(name = "Round", module = "wisch", frozen)]
 pub struct PyRound {
-    round: Arc<Round>,
-    telemetry: Option<Py<PyTelemetry>>,
+    pub round: Arc<Round>,
+    pub telemetry: Option<Py<PyTelemetry>>,
+    config: PlanConfig,
 }
 
 #[pymethods]
@@ -609,7 +653,9 @@ impl PyRound {
 
     #[getter]
     fn interpretation(&self) -> PyInterpretation {
-        PyInterpretation::of(&self.round.motion.task, self.round.interpretation.clone())
+        let PlannedRound { task, plan, .. } = &self.round.motion;
+        let told = self.round.interpretation.clone();
+        PyInterpretation::of(task, plan.graph.goal, &self.config, told)
     }
 
     /// Expected performance, 0 to 1.
@@ -638,6 +684,12 @@ impl PyRound {
     #[getter]
     fn verdict(&self) -> &'static str {
         self.round.verdict.as_str()
+    }
+
+    /// What it was predicted to do, as a picture for notebooks.
+    fn _repr_svg_(&self) -> String {
+        let motion = &self.round.motion;
+        pictures::drawn("before-after", &motion.task, &motion.wiped(), None)
     }
 
     fn __repr__(&self) -> String {

@@ -2,12 +2,14 @@
 
 use crate::arrays::{self, Matrix, Vector, pose_array, rows};
 use crate::error::{of_file, plain, refused};
+use crate::interpret::PyInterpretation;
 use crate::plan::PyPlan;
 use crate::robot::PyRobot;
 use crate::session::PySession;
+use crate::telemetry::{PyTelemetry, touches};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
-use std::path::PathBuf;
+use pyo3::types::{PyDict, PyFloat, PyInt, PyMapping};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use wisch::represent::{ParticleDistribution, ScenePart};
 use wisch_io::{LoadOptions, LoadedTask, PlanRecord, beside, particles_to_csv};
@@ -21,9 +23,16 @@ const NO_FILE: &str = "task.toml";
 #[pyclass(name = "Task", module = "wisch", frozen)]
 pub struct PyTask {
     pub loaded: Arc<LoadedTask>,
+    options: LoadOptions,
 }
 
-/// Reads a task file, or a shipped scenario by its name.
+/// Reads a task file, or a shipped scenario by its name, with all that it refers to.
+///
+/// `set` lays values over the file's: dotted keys such as `{"particles.count": 80, "tool.name": "brush"}`, lists and dicts
+/// included. `action`, `strategy` and `seed` are those of the command line; `knowledge` is a folder with tools, media,
+/// surfaces and interactions in place of what is shipped.
+///
+/// Raises WischError: a file that cannot be read or is refused, with line, column, value and limit.
 #[pyfunction]
 #[pyo3(signature = (path, *, set = None, seed = None, action = None, strategy = None, knowledge = None))]
 pub fn load_task(
@@ -35,18 +44,35 @@ pub fn load_task(
     strategy: Option<&str>,
     knowledge: Option<PathBuf>,
 ) -> PyResult<PyTask> {
-    let options = options(set, seed, action, strategy, knowledge)?;
+    let options = options_of(set, seed, action, strategy, knowledge)?;
     let loaded = py.detach(|| wisch_io::load_task(&path, &options));
-    PyTask::of(loaded.map_err(of_file)?)
+    Ok(PyTask {
+        loaded: Arc::new(loaded.map_err(of_file)?),
+        options,
+    })
 }
 
-/// The task of the keys of a task file as JSON; `particles` (N, 2) are its particles, if they are given.
+/// The task of a file's text, with the particles of a list where they were given as an array.
+fn made(path: &Path, text: String, csv: Option<String>, options: LoadOptions) -> PyResult<PyTask> {
+    let mut files = beside(path);
+    let mut read = |file: &str| match &csv {
+        Some(csv) if file == GIVEN_PARTICLES => Ok(csv.clone().into_bytes()),
+        _ => files(file),
+    };
+    let loaded = wisch_io::task_of_text(path, text, &mut read, &options).map_err(of_file)?;
+    Ok(PyTask {
+        loaded: Arc::new(loaded),
+        options,
+    })
+}
+
+/// The task of the keys of a task file; `particles` (N, 2) are its particles, if they are given.
 #[pyfunction]
-#[pyo3(signature = (json, particles = None, *, path = None, set = None, seed = None, action = None, strategy = None, knowledge = None))]
+#[pyo3(signature = (keys, particles = None, *, path = None, set = None, seed = None, action = None, strategy = None, knowledge = None))]
 #[expect(clippy::too_many_arguments, reason = "Python names them")]
-pub fn task_of_json(
+pub fn task_of_keys(
     py: Python<'_>,
-    json: &str,
+    keys: &Bound<'_, PyDict>,
     particles: Option<&Bound<'_, PyAny>>,
     path: Option<PathBuf>,
     set: Option<&Bound<'_, PyDict>>,
@@ -55,26 +81,14 @@ pub fn task_of_json(
     strategy: Option<&str>,
     knowledge: Option<PathBuf>,
 ) -> PyResult<PyTask> {
-    let options = options(set, seed, action, strategy, knowledge)?;
-    let mut table: toml::Table = serde_json::from_str(json).map_err(plain)?;
+    let options = options_of(set, seed, action, strategy, knowledge)?;
     let csv = particles.map(csv_of).transpose()?;
+    let mut text = text_of(keys)?;
     if csv.is_some() {
-        let source = [("source", "csv"), ("file", GIVEN_PARTICLES)];
-        let source = source.map(|(key, value)| (key.to_owned(), value.into()));
-        let source = toml::Table::from_iter(source);
-        table.insert("particles".to_owned(), source.into());
+        text += &format!("\n[particles]\nsource = \"csv\"\nfile = {GIVEN_PARTICLES:?}\n");
     }
-    let text = toml::to_string(&table).map_err(plain)?;
     let path = path.unwrap_or_else(|| PathBuf::from(NO_FILE));
-    let mut files = beside(&path);
-    let loaded = py.detach(|| {
-        let mut read = |file: &str| match &csv {
-            Some(csv) if file == GIVEN_PARTICLES => Ok(csv.clone().into_bytes()),
-            _ => files(file),
-        };
-        wisch_io::task_of_text(&path, text, &mut read, &options)
-    });
-    PyTask::of(loaded.map_err(of_file)?)
+    py.detach(|| made(&path, text, csv, options))
 }
 
 fn csv_of(particles: &Bound<'_, PyAny>) -> PyResult<String> {
@@ -84,7 +98,61 @@ fn csv_of(particles: &Bound<'_, PyAny>) -> PyResult<String> {
     Ok(particles_to_csv(&particles))
 }
 
-fn options(
+/// The text of a task file with these keys: a line for each, tables after what stands alone.
+fn text_of(keys: &Bound<'_, PyDict>) -> PyResult<String> {
+    let (mut alone, mut tables) = (String::new(), String::new());
+    for (key, value) in keys {
+        let key: String = key.extract()?;
+        let name = toml::Value::String(key.clone());
+        let Ok(table) = value.cast::<PyMapping>() else {
+            alone += &format!("{name} = {}\n", toml_of(&key, &value)?);
+            continue;
+        };
+        tables += &format!("\n[{name}]\n");
+        for entry in table.keys()?.iter() {
+            let inner: String = entry.extract()?;
+            let value = toml_of(&format!("{key}.{inner}"), &table.get_item(&entry)?)?;
+            tables += &format!("{} = {value}\n", toml::Value::String(inner));
+        }
+    }
+    Ok(alone + &tables)
+}
+
+/// A value of Python as TOML.
+fn toml_of(key: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
+    if let Ok(list) = value.call_method0("tolist") {
+        return toml_of(key, &list);
+    }
+    if let Ok(is_true) = value.extract::<bool>() {
+        return Ok(is_true.to_string());
+    }
+    if let Ok(text) = value.extract::<String>() {
+        return Ok(toml::Value::String(text).to_string());
+    }
+    if let Ok(path) = value.call_method0("__fspath__") {
+        return toml_of(key, &path);
+    }
+    if let Ok(table) = value.cast::<PyMapping>() {
+        let mut entries = Vec::new();
+        for entry in table.keys()?.iter() {
+            let inner: String = entry.extract()?;
+            let value = toml_of(&format!("{key}.{inner}"), &table.get_item(&entry)?)?;
+            entries.push(format!("{} = {value}", toml::Value::String(inner)));
+        }
+        return Ok(format!("{{ {} }}", entries.join(", ")));
+    }
+    if value.is_instance_of::<PyInt>() || value.is_instance_of::<PyFloat>() {
+        return value.str()?.extract();
+    }
+    let items = value.try_iter().map_err(|_| {
+        let found = arrays::kind_of(value);
+        refused(key, found, "numbers, words, lists and dicts")
+    })?;
+    let items: PyResult<Vec<String>> = items.map(|item| toml_of(key, &item?)).collect();
+    Ok(format!("[{}]", items?.join(", ")))
+}
+
+fn options_of(
     set: Option<&Bound<'_, PyDict>>,
     seed: Option<u64>,
     action: Option<&str>,
@@ -93,7 +161,13 @@ fn options(
 ) -> PyResult<LoadOptions> {
     let mut settings = Vec::new();
     for (key, value) in set.into_iter().flatten() {
-        settings.push((key.extract()?, value.str()?.extract()?));
+        let key: String = key.extract()?;
+        let value = match value.extract() {
+            // As on the command line: TOML, or a word.
+            Ok(text) => text,
+            Err(_) => toml_of(&key, &value)?,
+        };
+        settings.push((key, value));
     }
     let named = |name: &str, known: &dyn std::fmt::Display| refused(name, known, "a known name");
     Ok(LoadOptions {
@@ -107,12 +181,6 @@ fn options(
 }
 
 impl PyTask {
-    fn of(loaded: LoadedTask) -> PyResult<Self> {
-        Ok(Self {
-            loaded: Arc::new(loaded),
-        })
-    }
-
     /// Its name, for messages.
     pub fn shown(&self) -> String {
         self.loaded.path.display().to_string()
@@ -334,6 +402,54 @@ impl PyTask {
             Some(other) => return Err(refused("pace", other, "\"whole\" or \"greedy\"")),
         }
         PySession::new(self, robot, config)
+    }
+
+    /// The same task with other particles (N, 2) [m]; options as of `load_task`.
+    #[pyo3(signature = (particles, *, set = None, seed = None, action = None, strategy = None))]
+    fn with_particles(
+        &self,
+        py: Python<'_>,
+        particles: &Bound<'_, PyAny>,
+        set: Option<&Bound<'_, PyDict>>,
+        seed: Option<u64>,
+        action: Option<&str>,
+        strategy: Option<&str>,
+    ) -> PyResult<Self> {
+        let csv = csv_of(particles)?;
+        let mut options = self.options.clone();
+        let laid_over = options_of(set, seed, action, strategy, None)?;
+        let source = format!("{{ source = \"csv\", file = {GIVEN_PARTICLES:?} }}");
+        options.settings.push(("particles".to_owned(), source));
+        options.settings.extend(laid_over.settings);
+        options.seed = laid_over.seed.or(options.seed);
+        options.action = laid_over.action.or(options.action);
+        options.strategy = laid_over.strategy.or(options.strategy);
+        let (path, text) = (&self.loaded.path, self.loaded.text.clone());
+        py.detach(|| made(path, text, Some(csv), options))
+    }
+
+    /// What poses and forces tell of the task: a `Telemetry`, or arrays of times (T) [s], poses (T, 7) and forces of the
+    /// surroundings on the tool (T, 3) [N] in the axes of the world. Of the dirt before, what the task says of it is believed
+    /// (`certain`: that it lies just as it says).
+    #[pyo3(signature = (log = None, *, time_s = None, world_from_tool = None, force_n = None, certain = false))]
+    fn interpret(
+        &self,
+        py: Python<'_>,
+        log: Option<&Bound<'_, PyTelemetry>>,
+        time_s: Option<&Bound<'_, PyAny>>,
+        world_from_tool: Option<&Bound<'_, PyAny>>,
+        force_n: Option<&Bound<'_, PyAny>>,
+        certain: bool,
+    ) -> PyResult<PyInterpretation> {
+        let samples = match (log, time_s, world_from_tool, force_n) {
+            (Some(log), None, None, None) => log.get().touches(py)?,
+            (None, Some(times), Some(poses), Some(forces)) => touches(times, poses, forces)?,
+            _ => {
+                let wanted = "a log, or time_s, world_from_tool and force_n";
+                return Err(refused("interpret", "something else", wanted));
+            }
+        };
+        PyInterpretation::of_samples(py, &self.loaded, &samples, certain)
     }
 
     /// The plan of a `plan.json`.

@@ -1,9 +1,17 @@
 //! Telemetry as columns: what was measured, one array per quantity, each owning its memory.
 
-use crate::arrays::{self, numbers, vector};
-use numpy::{PyArray1, PyArray2};
+use crate::arrays::{self, list, numbers, rows, vector};
+use crate::error::{plain, refused};
+use nalgebra::{Quaternion, Translation3, UnitQuaternion};
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
-use wisch::run::TelemetrySample;
+use pyo3::types::PyDict;
+use std::path::PathBuf;
+use wisch::follow::{Followed, Phase};
+use wisch::geometry::{Pose, Vector3};
+use wisch::interpret::TouchSample;
+use wisch::run::{TelemetrySample, Wrench};
+use wisch_telemetry::{Axes, AxesChoice, LogOptions, TopicChoice, WrenchSign};
 
 /// Columns that grow sample by sample.
 #[derive(Default)]
@@ -82,6 +90,56 @@ impl PyTelemetry {
         self.round == round
     }
 
+    /// The samples as the interpretation takes them.
+    pub fn touches(&self, py: Python<'_>) -> PyResult<Vec<TouchSample>> {
+        let (times, poses, forces) = (&self.time_s, &self.world_from_tool, &self.force_n);
+        touches(times.bind(py), poses.bind(py), forces.bind(py))
+    }
+
+    /// Goes through the samples of a motion.
+    pub fn each<E: std::fmt::Display>(
+        &self,
+        py: Python<'_>,
+        followed: &Followed,
+        mut take: impl FnMut(&TelemetrySample<'_>) -> Result<(), E>,
+    ) -> PyResult<()> {
+        let column = |array: &Py<PyArray2<f64>>| array.bind(py).to_vec().map_err(plain);
+        let times = self.time_s.bind(py).to_vec().map_err(plain)?;
+        let [tool, told] = [&self.world_from_tool, &self.world_from_commanded].map(column);
+        let [force, moment] = [&self.force_n, &self.moment_nm].map(column);
+        let [asked, turned] = [&self.controller_force_n, &self.controller_moment_nm].map(column);
+        let [q, qd, efforts] = [&self.positions, &self.velocities, &self.efforts].map(column);
+        let (tool, told, force, moment) = (tool?, told?, force?, moment?);
+        let (asked, turned, q, qd, efforts) = (asked?, turned?, q?, qd?, efforts?);
+        let count = times.len();
+        let of = |numbers: &[f64], k: usize| -> std::ops::Range<usize> {
+            let width = numbers.len().checked_div(count).unwrap_or_default();
+            k * width..(k + 1) * width
+        };
+        let at = |numbers: &[f64], k: usize| -> Vec<f64> { numbers[of(numbers, k)].to_vec() };
+        for (k, &time) in times.iter().enumerate() {
+            let next = followed
+                .motions
+                .partition_point(|motion| motion.start <= time);
+            let motion = next.saturating_sub(1);
+            let phase = followed.motions.get(motion).map(|motion| motion.phase);
+            let sample = TelemetrySample {
+                time,
+                positions: &q[of(&q, k)],
+                velocities: &qd[of(&qd, k)],
+                efforts: &efforts[of(&efforts, k)],
+                world_from_commanded: pose_of(&at(&told, k)),
+                world_from_tool: pose_of(&at(&tool, k)),
+                controller: wrench_of(&at(&asked, k), &at(&turned, k)),
+                external: wrench_of(&at(&force, k), &at(&moment, k)),
+                motion,
+                phase: phase.unwrap_or(Phase::FreeMotion),
+            };
+            take(&sample).map_err(plain)?;
+        }
+        Ok(())
+    }
+
     /// The arrays of the columns, which they take over.
     pub fn of(py: Python<'_>, round: usize, columns: Columns) -> PyResult<Py<Self>> {
         let samples = columns.time.len();
@@ -124,4 +182,139 @@ impl PyTelemetry {
             self.round
         ))
     }
+}
+
+fn pose_of(numbers: &[f64]) -> Pose {
+    let &[x, y, z, i, j, k, w] = numbers else {
+        return Pose::identity();
+    };
+    let turn = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
+    Pose::from_parts(Translation3::new(x, y, z), turn)
+}
+
+fn wrench_of(force: &[f64], moment: &[f64]) -> Wrench {
+    let vector = |numbers: &[f64]| match numbers {
+        &[x, y, z] => Vector3::new(x, y, z),
+        _ => Vector3::zeros(),
+    };
+    Wrench {
+        force: vector(force),
+        moment: vector(moment),
+    }
+}
+
+/// Samples of touch from arrays of times, poses and forces.
+pub fn touches(
+    times: &Bound<'_, PyAny>,
+    poses: &Bound<'_, PyAny>,
+    forces: &Bound<'_, PyAny>,
+) -> PyResult<Vec<TouchSample>> {
+    let times = list("time_s", times)?;
+    let poses = rows::<7>("world_from_tool", poses)?;
+    let forces = rows::<3>("force_n", forces)?;
+    for (name, count) in [("world_from_tool", poses.len()), ("force_n", forces.len())] {
+        if count != times.len() {
+            let limit = format!("{}, one per time", times.len());
+            return Err(refused(name, format!("{count} rows"), limit));
+        }
+    }
+    let samples = times.into_iter().zip(poses).zip(forces).enumerate();
+    let samples = samples.map(|(k, ((time, pose), force))| {
+        let norm = pose[3..].iter().map(|x| x * x).sum::<f64>().sqrt();
+        let is_unit = (norm - 1.0).abs() <= 1e-3;
+        if !is_unit {
+            let place = format!("world_from_tool[{k}]");
+            let found = format!("a quaternion of norm {norm}");
+            return Err(refused(&place, found, "1 within 0.001"));
+        }
+        let force = Vector3::from(force);
+        Ok(TouchSample::new(time, pose_of(&pose), force))
+    });
+    samples.collect()
+}
+
+/// Reads a log: a ROS 2 bag (MCAP), a folder with the parts of one, or a table of numbers under a line of names. Options are
+/// those of `wisch interpret`.
+#[pyfunction]
+#[pyo3(signature = (path, *, pose_topic = None, wrench_topic = None, columns = None, wrench_frame = None, wrench_sign = "on-tool", force_unit_n = None, length_unit_m = None, time_unit_s = None, pose_frame = None, world_from_log = None, world_from_surface = None, pose_offset = None, max_gap_s = 0.1))]
+#[expect(clippy::too_many_arguments, reason = "Python names them")]
+pub fn read_log(
+    py: Python<'_>,
+    path: PathBuf,
+    pose_topic: Option<String>,
+    wrench_topic: Option<String>,
+    columns: Option<&Bound<'_, PyDict>>,
+    wrench_frame: Option<&str>,
+    wrench_sign: &str,
+    force_unit_n: Option<f64>,
+    length_unit_m: Option<f64>,
+    time_unit_s: Option<f64>,
+    pose_frame: Option<String>,
+    world_from_log: Option<&Bound<'_, PyAny>>,
+    world_from_surface: Option<&Bound<'_, PyAny>>,
+    pose_offset: Option<&Bound<'_, PyAny>>,
+    max_gap_s: f64,
+) -> PyResult<Py<PyTelemetry>> {
+    let mut options = LogOptions {
+        pose_topic: pose_topic.map_or(TopicChoice::Sole, TopicChoice::Named),
+        wrench_topic: wrench_topic.map_or(TopicChoice::Sole, TopicChoice::Named),
+        force_unit: force_unit_n,
+        length_unit: length_unit_m,
+        time_unit: time_unit_s,
+        pose_frame,
+        max_gap: max_gap_s,
+        ..LogOptions::default()
+    };
+    for (ours, theirs) in columns.into_iter().flatten() {
+        options.columns.push((ours.extract()?, theirs.extract()?));
+    }
+    if let Some(name) = wrench_frame {
+        let named = Axes::ALL.into_iter().find(|axes| axes.as_str() == name);
+        let known = || Axes::ALL.map(Axes::as_str).join(", ");
+        let axes = named.ok_or_else(|| refused("wrench_frame", name, known()))?;
+        options.axes = AxesChoice::Given(axes);
+    }
+    options.sign = match wrench_sign {
+        "on-tool" => WrenchSign::OnTool,
+        "by-tool" => WrenchSign::ByTool,
+        other => return Err(refused("wrench_sign", other, "\"on-tool\" or \"by-tool\"")),
+    };
+    for (name, value) in [
+        ("force_unit_n", force_unit_n),
+        ("length_unit_m", length_unit_m),
+        ("time_unit_s", time_unit_s),
+        ("max_gap_s", Some(max_gap_s)),
+    ] {
+        if value.is_some_and(|value| !(value.is_finite() && value > 0.0)) {
+            return Err(refused(
+                name,
+                value.unwrap_or(0.0),
+                "a finite number above 0",
+            ));
+        }
+    }
+    let posed = |name, given: Option<&Bound<'_, PyAny>>| -> PyResult<Option<Pose>> {
+        given.map(|given| arrays::pose(name, given)).transpose()
+    };
+    options.world_from_log = posed("world_from_log", world_from_log)?;
+    if let Some(pose) = posed("world_from_surface", world_from_surface)? {
+        options.world_from_surface = pose;
+    }
+    if let Some(pose) = posed("pose_offset", pose_offset)? {
+        options.logged_from_tool = pose;
+    }
+    let log = py.detach(|| wisch_telemetry::read(&path, &options));
+    let log = log.map_err(|error| {
+        let file = Some(path.display().to_string());
+        let details = crate::error::Details {
+            file,
+            ..Default::default()
+        };
+        crate::error::failed(error, details)
+    })?;
+    let mut columns = Columns::default();
+    for touch in &log.samples {
+        columns.push(&TelemetrySample::of_touch(touch, 0, Phase::FreeMotion));
+    }
+    PyTelemetry::of(py, log.round.unwrap_or_default(), columns)
 }

@@ -15,6 +15,7 @@ use std::io::{BufWriter, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::atomic::Ordering;
+use std::time::Duration;
 use wisch::plan::Plan;
 use wisch::run::{Executor, Recording, Stage};
 use wisch_io::{EventWriter, PlanRecord, ProcessExecutor, Robot};
@@ -68,7 +69,7 @@ pub fn execute(
     let first_look = kept.first().and_then(|round| round.first_look.clone());
     let (recorded, truth) = kept.into_iter().map(|r| (r.recorded, r.truth)).unzip();
     let mut executor = match &args.executor {
-        Some(command) => Executing::Process(start(command)?),
+        Some(command) => Executing::Process(start(command, args.timeout)?),
         None => {
             let (task, reality) = (&prepared.task, prepared.reality.clone());
             let world = World::new(&Site::of(task), reality, task.seed)
@@ -145,7 +146,12 @@ pub fn execute(
     if let Some(failure) = watch.failure {
         return Err(failure);
     }
-    result.map_err(|error| job.failed(error))?;
+    let broken = result.err().map(|error| job.failed(error));
+    if session.rounds().is_empty()
+        && let Some(failure) = broken
+    {
+        return Err(failure);
+    }
     let following = Following::of(&session, watch.round(1).times.following_s);
     let (planned, _) = (session.first()).ok_or_else(|| internal("no round was planned"))?;
     let (plan, prediction) = (planned.plan.clone(), planned.prediction.clone());
@@ -169,7 +175,7 @@ pub fn execute(
         progress.aside(|| remark(&text));
     }
     let kept = episode.commit(&rounds, first_look, prepared, task_args, &robot.files);
-    if let Some(failure) = no_bag {
+    if let Some(failure) = broken.or(no_bag) {
         say_where(&kept);
         return Err(failure);
     }
@@ -234,14 +240,15 @@ impl Executing {
 }
 
 /// Starts the program of `--executor`.
-fn start(command: &str) -> Result<ProcessExecutor, Failure> {
+fn start(command: &str, timeout_s: f64) -> Result<ProcessExecutor, Failure> {
     let words = shlex::split(command).unwrap_or_default();
     let [program, arguments @ ..] = words.as_slice() else {
         return Err(Failure::new(format!(
             "--executor {command:?}: that is no command"
         )));
     };
-    ProcessExecutor::start(program, arguments).map_err(|error| {
+    let silence = Duration::from_secs_f64(timeout_s);
+    ProcessExecutor::start_within(program, arguments, silence).map_err(|error| {
         Failure::new(error).with_help("docs/executor-protocol.md says what an executor has to say")
     })
 }

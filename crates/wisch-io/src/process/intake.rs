@@ -32,7 +32,7 @@ pub struct SampleRecord {
     /// Its moment [Nm].
     #[serde(default)]
     pub controller_moment_nm: [f64; 3],
-    /// All n variables of the robot [rad or m].
+    /// All n variables of the robot, or none where they are not measured [rad or m].
     pub positions: Vec<f64>,
     /// Their velocities, or none [rad/s or m/s].
     #[serde(default)]
@@ -68,13 +68,13 @@ impl SampleRecord {
                 return Err(format!("at {time} s {key}[{i}] is {value}"));
             }
         }
-        for (key, values, is_optional) in [
-            ("positions", &self.positions, false),
-            ("velocities", &self.velocities, true),
-            ("efforts", &self.efforts, true),
+        for (key, values) in [
+            ("positions", &self.positions),
+            ("velocities", &self.velocities),
+            ("efforts", &self.efforts),
         ] {
             let count = values.len();
-            if count != dof && !(is_optional && count == 0) {
+            if count != dof && count != 0 {
                 return Err(format!(
                     "at {time} s {key} has {count} numbers, the robot {dof} joints"
                 ));

@@ -51,6 +51,18 @@ impl ProcessExecutor {
     /// # Errors
     /// A program that does not start, or that does not greet in this version of the protocol within a minute.
     pub fn start(program: &str, arguments: &[String]) -> Result<Self, ExecutorError> {
+        Self::start_within(program, arguments, SILENCE)
+    }
+
+    /// The same with another limit than a minute, to the greeting and to all silence after it.
+    ///
+    /// # Errors
+    /// As [`Self::start`].
+    pub fn start_within(
+        program: &str,
+        arguments: &[String],
+        silence: Duration,
+    ) -> Result<Self, ExecutorError> {
         let failed = |error| ExecutorError::new(format!("executor {program:?}: {error}"));
         let mut child = Command::new(program)
             .args(arguments)
@@ -71,7 +83,7 @@ impl ProcessExecutor {
             input: Some(input),
             child,
             lines,
-            silence: SILENCE,
+            silence,
         };
         executor.say(&ToChild::Hello {
             protocol: "wisch-executor",

@@ -3,8 +3,8 @@
 >>> import wisch
 >>> task = wisch.load_task("arm-board")
 >>> plan = task.session().plan()
->>> round(plan.predict().performance, 1)
-1.0
+>>> plan.predict().performance > 0.9
+True
 
 Units are SI and radians. Poses are arrays of seven numbers: x, y, z [m] and a unit quaternion x, y, z, w, in the frame of the
 world. Places on a surface are x, y [m] in its frame, whose z axis points out of it; a tool's place there is x, y [m] and its
@@ -18,6 +18,7 @@ from ._wisch import (
     EffectField,
     ImpedanceController,
     Interpretation,
+    Memory,
     Motion,
     Plan,
     Prediction,
@@ -26,6 +27,7 @@ from ._wisch import (
     Session,
     Sink,
     Telemetry,
+    read_log,
 )
 
 __all__ = [
@@ -33,6 +35,7 @@ __all__ = [
     "EffectField",
     "ImpedanceController",
     "Interpretation",
+    "Memory",
     "Motion",
     "Plan",
     "Prediction",
@@ -45,4 +48,5 @@ __all__ = [
     "WischError",
     "build_task",
     "load_task",
+    "read_log",
 ]

@@ -66,6 +66,8 @@ pub struct Session<'a> {
     /// What was seen before the first round, if anything looked; `None` before.
     first_look: Option<Option<Observation>>,
     is_stopped: bool,
+    /// Why the execution at hand broke off.
+    failure: Option<RunError>,
 }
 
 /// What there is of the round at hand.
@@ -98,6 +100,7 @@ impl<'a> Session<'a> {
             rounds: Vec::new(),
             first_look: None,
             is_stopped: false,
+            failure: None,
             config,
         }
     }
@@ -181,7 +184,8 @@ impl<'a> Session<'a> {
     /// Goes on to the end.
     ///
     /// # Errors
-    /// Those of the stages.
+    /// Those of the stages. That of an execution comes when what was felt until then is interpreted and judged: the round is
+    /// among [`Self::rounds`], [stopped](Ending::Stopped).
     pub fn run(
         &mut self,
         executor: &mut dyn Executor,
@@ -516,7 +520,9 @@ impl<'a> Session<'a> {
         let mut refused = None;
         let mut watch = (self.config.end_strokes_early).then(|| StrokeWatch::new(&planned.task));
         let mut ended_early = None;
-        let mut execution = executor.execute(&order, &mut |sample| {
+        let mut felt: Option<f64> = None;
+        let mut at = planned.cell.ready().to_vec();
+        let executed = executor.execute(&order, &mut |sample| {
             let touch = TouchSample {
                 time: sample.time,
                 world_from_tool: sample.world_from_tool,
@@ -525,6 +531,10 @@ impl<'a> Session<'a> {
             if let Err(error) = interpreter.push(&touch) {
                 refused = Some(error);
                 return ControlFlow::Break(());
+            }
+            felt = Some(sample.time);
+            if sample.positions.len() == at.len() {
+                at.copy_from_slice(sample.positions);
             }
             let flow = observer(&RunEvent::Sample(sample));
             if flow.is_continue()
@@ -535,23 +545,29 @@ impl<'a> Session<'a> {
                 return ControlFlow::Break(());
             }
             flow
-        })?;
+        });
+        let executed = match (executed, refused) {
+            (_, Some(error)) => Err(error.into()),
+            (Err(error), None) => Err(error.into()),
+            (Ok(execution), None) => positions_of_all(execution, &planned),
+        };
+        let mut execution = match (executed, felt) {
+            (Ok(execution), _) => execution,
+            // What was felt until then is yet interpreted and judged.
+            (Err(error), Some(duration)) => {
+                self.failure = Some(error);
+                Execution {
+                    duration,
+                    ending: Ending::Stopped,
+                    positions: at,
+                }
+            }
+            (Err(error), None) => return Err(error),
+        };
         if execution.ending == Ending::Stopped
             && let Some(ending) = ended_early
         {
             execution.ending = ending;
-        }
-        if let Some(error) = refused {
-            return Err(error.into());
-        }
-        let (found, expected) = (execution.positions.len(), planned.cell.robot().dof());
-        if found != expected {
-            let round = planned.number;
-            return Err(RunError::Positions {
-                round,
-                found,
-                expected,
-            });
         }
         self.state = State::Executed(planned, audit, execution, Box::new(interpreter));
         Ok(Stage::Executed)
@@ -617,12 +633,30 @@ impl<'a> Session<'a> {
         let _ = observer(&RunEvent::Judged(&round));
         self.rounds.push(round);
         let is_last = was_stopped || self.rounds.len() >= self.config.max_rounds;
+        if let Some(error) = self.failure.take() {
+            self.end(Some(verdict), observer);
+            return Err(error);
+        }
         if verdict != Verdict::Again || is_last {
             return Ok(self.end(Some(verdict), observer));
         }
         self.state = State::Begin;
         Ok(Stage::Judged)
     }
+}
+
+/// An execution that tells the position of every joint.
+fn positions_of_all(execution: Execution, planned: &PlannedRound) -> Result<Execution, RunError> {
+    let (found, expected) = (execution.positions.len(), planned.cell.robot().dof());
+    if found == expected {
+        return Ok(execution);
+    }
+    let round = planned.number;
+    Err(RunError::Positions {
+        round,
+        found,
+        expected,
+    })
 }
 
 /// Where the robot stands after an execution.

@@ -1,0 +1,9 @@
+"""Load a task and say what it asks."""
+
+import wisch
+
+task = wisch.load_task("arm-board")
+print(f"{task.name}: {task.action} {task.medium} on {task.surface} with a {task.tool}")
+print(f"{len(task.particles)} particles are on it")
+print(f"press with {task.press_force_n} N")
+print(f"until {100 * task.target_performance:.0f} %")

@@ -1,0 +1,16 @@
+"""Interpret poses and forces, and plan the next round from what they say."""
+
+import numpy as np
+import wisch
+
+task = wisch.load_task("arm-board")
+time = np.arange(2000) * 1e-3
+pose = np.tile(task.world_from_surface, (2000, 1))
+pose[:, 0] += 0.1 * time - 0.1
+pose[:, 1] -= 0.06
+force = np.tile(task.surface_reaction, (2000, 1))
+
+# A bag or a table is read by wisch.read_log(path), and handed to task.interpret as it is.
+told = task.interpret(time_s=time, world_from_tool=pose, force_n=force, certain=True)
+print(f"{100 * told.performance:.0f} % are at the goal")
+print(f"the next round wipes {told.next_plan().contact_distance_m:.2f} m")

@@ -1,0 +1,195 @@
+"""Executors: any object with ``execute(motion, sink)`` and, if it can look, ``observe()``.
+
+``Executor`` is a base class that says what they are; nothing needs to inherit from it. ``serve`` makes a program of one, for
+``wisch run TASK --executor "python3 my_robot.py"``::
+
+    import wisch.executor
+
+    class MyRobot(wisch.executor.Executor):
+        def execute(self, motion, sink):
+            for k, time in enumerate(motion.time_s):
+                pose, force = ...
+                if not sink(time_s=time, world_from_tool=pose, force_n=force, positions=motion.positions[k]):
+                    return  # the motion is to be broken off
+
+    if __name__ == "__main__":
+        wisch.executor.serve(MyRobot())
+"""
+
+from __future__ import annotations
+
+import json
+import queue
+import sys
+import threading
+import traceback
+from typing import Any
+
+import numpy as np
+
+__all__ = ["Executor", "serve"]
+
+#: Of the protocol in docs/executor-protocol.md.
+PROTOCOL, VERSION = "wisch-executor", 1
+
+
+class Executor:
+    """What executes motions: a robot, a simulator, a stand-in."""
+
+    def execute(self, motion, sink) -> dict[str, Any] | None:
+        """Execute a motion, and hand what is measured to the sink, sample by sample in the order of time.
+
+        ``motion`` has ``time_s`` (T), ``positions`` and ``velocities`` (T, n), ``world_from_tool`` (T, 7), ``stroke`` (T; -1
+        where the tool does not touch), ``phases``, ``joints``, ``press_force_n``, ``stiffness_n_per_m``, ``damping_ratio``,
+        ``world_from_surface`` (7), ``duration_s``, ``round`` and ``seed``. The tool's path lies on the believed surface:
+        pressing is the executor's part.
+
+        ``sink(sample)`` takes a dict with ``time_s`` [s], ``world_from_tool`` (7), ``force_n`` (3; of the surroundings on the
+        tool, in the axes of the world [N]) and, where measured, ``positions``, ``velocities``, ``efforts`` (n; arrays, or dicts
+        by joint), ``moment_nm`` (3), ``world_from_commanded`` (7), ``controller_force_n`` (3), ``controller_moment_nm`` (3); or
+        these as arguments. ``sink.many`` takes the same with a row per sample. Both return False when the motion is to be
+        broken off.
+
+        Returns None when all is done or it was broken off; or a dict with any of ``ending`` ("complete", "stopped", or
+        ``{"protective_stop": {"time_s": ..., "reason": ...}}``), ``duration_s`` and ``positions`` (n, at the end).
+        """
+        raise NotImplementedError
+
+    def observe(self):
+        """What is seen of the dirt: places (k, 2) in the frame of the believed surface [m], or a dict of ``detections`` and
+        ``hidden``, polygons that cannot be seen; None where nothing can look."""
+        return None
+
+
+class _Motion:
+    """A motion as it comes over the wire, with the names of ``wisch.Motion``."""
+
+    def __init__(self, head: dict[str, Any], points: list[dict[str, Any]]) -> None:
+        self.__dict__.update(head)
+        self.world_from_surface = np.array(head["world_from_surface"])
+        self.gap_m = head.get("gap_m")
+        self.time_s = np.array([point["time_s"] for point in points])
+        self.positions = np.array([point["positions"] for point in points])
+        self.velocities = np.array([point["velocities"] for point in points])
+        self.world_from_tool = np.array([point["world_from_tool"] for point in points])
+        starts = [phase["start_s"] for phase in self.phases]
+        at = np.clip(np.searchsorted(starts, self.time_s, side="right") - 1, 0, None)
+        self.stroke = np.array([self.phases[i].get("stroke", -1) for i in at])
+
+
+class _Wire:
+    """What is heard, by a thread of its own so that a "stop" is heard at once, and what is said."""
+
+    def __init__(self, heard, said) -> None:
+        self._said = said
+        self._messages: queue.SimpleQueue = queue.SimpleQueue()
+        self.is_stopped = threading.Event()
+        threading.Thread(target=self._listen, args=(heard,), daemon=True).start()
+
+    def _listen(self, heard) -> None:
+        for line in heard:
+            message = json.loads(line)
+            if message == "stop":
+                self.is_stopped.set()
+            else:
+                self._messages.put(message)
+        self.is_stopped.set()
+        self._messages.put(None)
+
+    def hear(self):
+        return self._messages.get()
+
+    def say(self, **message) -> None:
+        self._said.write(json.dumps(message, default=_plain, allow_nan=False) + "\n")
+        self._said.flush()
+
+
+def _plain(value):
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError(f"a message cannot hold a {type(value).__name__}")
+
+
+class _Sink:
+    """Hands samples over the wire."""
+
+    def __init__(self, wire: _Wire, joints: list[str]) -> None:
+        self._wire = wire
+        self._joints = list(joints)
+        self.last: dict[str, Any] = {}
+
+    def __call__(self, sample=None, /, **keys) -> bool:
+        sample = dict(keys if sample is None else sample)
+        for key in ("positions", "velocities", "efforts"):
+            if isinstance(sample.get(key), dict):
+                sample[key] = self._in_order(key, sample[key])
+        sample.setdefault("positions", [])
+        sample = {key: _finite(key, value) for key, value in sample.items()}
+        self._wire.say(sample=sample)
+        self.last = sample
+        return not self._wire.is_stopped.is_set()
+
+    def _in_order(self, key: str, by_name: dict[str, float]) -> list[float]:
+        for joint in self._joints:
+            if joint not in by_name:
+                raise ValueError(f"{key}: joint {joint!r} is missing, there are {', '.join(by_name)}")
+        if unknown := by_name.keys() - set(self._joints):
+            raise ValueError(f"{key}: unknown joint {min(unknown)!r}; known: {', '.join(self._joints)}")
+        return [by_name[joint] for joint in self._joints]
+
+    def many(self, samples=None, /, **keys) -> bool:
+        columns = {key: np.asarray(value) for key, value in (keys if samples is None else samples).items()}
+        for k in range(len(columns["time_s"])):
+            if not self({key: column[k] for key, column in columns.items()}):
+                return False
+        return True
+
+
+def _finite(key: str, value):
+    array = np.asarray(value, dtype=float)
+    if not np.isfinite(array).all():
+        raise ValueError(f"{key} of a sample holds {array}")
+    return array.tolist()
+
+
+def _execute(executor, wire: _Wire, head: dict[str, Any]) -> None:
+    points = [wire.hear()["point"] for _ in range(head.pop("points"))]
+    motion = _Motion(head, points)
+    sink = _Sink(wire, head["joints"])
+    done = executor.execute(motion, sink) or {}
+    ending = "stopped" if wire.is_stopped.is_set() else "complete"
+    time = sink.last.get("time_s", 0.0)
+    k = int(np.searchsorted(motion.time_s, time))
+    planned = motion.positions[min(k, len(motion.time_s) - 1)]
+    positions = sink.last.get("positions") or planned
+    wire.say(done={"duration_s": time, "ending": ending, "positions": positions, **done})
+
+
+def _seen(executor):
+    look = getattr(executor, "observe", None)
+    seen = look() if look else None
+    if seen is None or isinstance(seen, dict):
+        return seen
+    return {"detections": seen}
+
+
+def serve(executor) -> None:
+    """Execute for ``wisch run --executor``, over the standard streams, until nothing more is asked.
+
+    What the executor prints goes to standard error; what it raises is told to wisch, and ends this program with exit code 1.
+    """
+    wire = _Wire(sys.stdin, sys.stdout)
+    sys.stdout = sys.stderr
+    while (message := wire.hear()) is not None:
+        try:
+            if "hello" in message:
+                wire.say(ready={"version": VERSION})
+            elif "execute" in message:
+                wire.is_stopped.clear()
+                _execute(executor, wire, message["execute"])
+            elif "observe" in message:
+                wire.say(observation=_seen(executor))
+        except Exception as error:
+            traceback.print_exc()
+            wire.say(error=f"{type(error).__name__}: {error}")
+            sys.exit(1)

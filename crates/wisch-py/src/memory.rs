@@ -1,0 +1,313 @@
+//! The episodic memory: what was wiped is kept, and can be asked.
+
+use crate::arrays::vector;
+use crate::error::{Details, failed, plain};
+use crate::session::PySession;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use wisch_io::{PLAN_FILE, PlanRecord};
+use wisch_memory::ask::{Answers, AskError, Asker, EngineCommand, Term};
+use wisch_memory::{
+    EpisodeHeader, EpisodeRound, EpisodeWriter, Memory, MemoryError, RobotText, RoundLog,
+    RoundScene, episode_id, remember,
+};
+
+/// What wrote an episode.
+const PROGRAM: &str = concat!("wisch-py ", env!("CARGO_PKG_VERSION"));
+/// How often it is looked for Ctrl-C.
+const LOOK: Duration = Duration::from_millis(50);
+/// How often another name is tried where one is taken.
+const NAMES_TRIED: u16 = 100;
+/// What brings a Prolog engine.
+const NO_ENGINE: &str = "install SWI-Prolog (swipl), or wisch-prolog from wisch's source: cargo install --path crates/wisch-prolog --locked";
+
+/// The episodes of a folder.
+#[pyclass(name = "Memory", module = "wisch", frozen)]
+pub struct PyMemory {
+    folder: PathBuf,
+    asking: Mutex<Option<Asking>>,
+}
+
+/// An engine with all it has learnt, which stays on a thread of its own.
+struct Asking {
+    queries: Sender<String>,
+    answers: Receiver<Result<Answers, AskError>>,
+    interrupt: Arc<AtomicBool>,
+}
+
+impl Asking {
+    fn begin(folder: &Path, memory: Memory, engine: EngineCommand) -> PyResult<Self> {
+        let (queries, asked) = channel::<String>();
+        let (answer, answers) = channel();
+        let (begun, begins) = channel();
+        std::thread::spawn(move || {
+            let mut asker = match Asker::open(memory, engine) {
+                Ok(asker) => asker,
+                Err(error) => {
+                    let _ = begun.send(Err(error));
+                    return;
+                }
+            };
+            let _ = begun.send(Ok(asker.interrupt()));
+            for query in asked {
+                if answer.send(asker.ask(&query)).is_err() {
+                    return;
+                }
+            }
+        });
+        let interrupt = begins.recv().map_err(|_| broken_off())?;
+        Ok(Self {
+            queries,
+            answers,
+            interrupt: interrupt.map_err(|error| kept(folder, error))?,
+        })
+    }
+}
+
+fn broken_off() -> PyErr {
+    plain("internal error: a query broke off; please report it")
+}
+
+fn kept(folder: &Path, error: impl std::fmt::Display) -> PyErr {
+    let details = Details {
+        file: Some(folder.display().to_string()),
+        ..Details::default()
+    };
+    failed(error, details)
+}
+
+impl PyMemory {
+    fn memory(&self) -> PyResult<Memory> {
+        Memory::open(&self.folder).map_err(|error| kept(&self.folder, error))
+    }
+
+    fn asking(&self) -> PyResult<Asking> {
+        let engine = EngineCommand::find().ok_or_else(|| {
+            let details = Details {
+                help: Some(NO_ENGINE.to_owned()),
+                ..Details::default()
+            };
+            failed("there is no Prolog engine to ask the memory", details)
+        })?;
+        Asking::begin(&self.folder, self.memory()?, engine)
+    }
+
+    /// The answers; Ctrl-C ends the query, and the memory can be asked on.
+    fn answers(&self, py: Python<'_>, query: String) -> PyResult<Answers> {
+        let mut slot = self.asking.lock().unwrap_or_else(PoisonError::into_inner);
+        let Asking {
+            queries,
+            mut answers,
+            interrupt,
+        } = match slot.take() {
+            Some(asking) => asking,
+            None => self.asking()?,
+        };
+        queries.send(query).map_err(|_| broken_off())?;
+        let mut interrupted = Ok(());
+        let answered = loop {
+            let (answer, back) = py.detach(move || (answers.recv_timeout(LOOK), answers));
+            answers = back;
+            match answer {
+                Ok(answered) => break answered,
+                Err(RecvTimeoutError::Disconnected) => return Err(broken_off()),
+                Err(RecvTimeoutError::Timeout) => {}
+            }
+            if let Err(error) = py.check_signals() {
+                interrupt.store(true, Ordering::SeqCst);
+                interrupted = Err(error);
+            }
+        };
+        *slot = Some(Asking {
+            queries,
+            answers,
+            interrupt,
+        });
+        interrupted?;
+        answered.map_err(plain)
+    }
+}
+
+/// A term as a Python object: atoms and variables as words, numbers, lists, and what has arguments as a tuple of its name and
+/// them.
+fn object<'py>(py: Python<'py>, term: &Term) -> PyResult<Bound<'py, PyAny>> {
+    Ok(match term {
+        Term::Variable(name) | Term::Atom(name) => name.into_pyobject(py)?.into_any(),
+        Term::Integer(number) => number.into_pyobject(py)?.into_any(),
+        Term::Float(number) => number.into_pyobject(py)?.into_any(),
+        Term::List(terms) => {
+            let objects: PyResult<Vec<_>> = terms.iter().map(|term| object(py, term)).collect();
+            PyList::new(py, objects?)?.into_any()
+        }
+        Term::Compound(name, arguments) => {
+            let objects: PyResult<Vec<_>> = arguments.iter().map(|term| object(py, term)).collect();
+            (name, PyList::new(py, objects?)?)
+                .into_pyobject(py)?
+                .into_any()
+        }
+    })
+}
+
+#[pymethods]
+impl PyMemory {
+    /// The memory in a folder, which is made where there is none.
+    #[new]
+    #[pyo3(signature = (folder = PathBuf::from("episodes")))]
+    fn new(folder: PathBuf) -> PyResult<Self> {
+        Memory::create(&folder).map_err(|error| kept(&folder, error))?;
+        Ok(Self {
+            folder,
+            asking: Mutex::default(),
+        })
+    }
+
+    #[getter]
+    fn folder(&self) -> PathBuf {
+        self.folder.clone()
+    }
+
+    /// Names of the episodes.
+    #[getter]
+    fn episodes(&self) -> PyResult<Vec<String>> {
+        let episodes = self.memory()?.episodes();
+        episodes.map_err(|error| kept(&self.folder, error))
+    }
+
+    /// The answers to a query in Prolog (`wisch ask --list` lists what it may call): a dict for each, from the names of its
+    /// variables to their values.
+    fn ask<'py>(&self, py: Python<'py>, query: String) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        let answers = self.answers(py, query)?;
+        let rows = answers.rows.iter().map(|row| {
+            let answer = PyDict::new(py);
+            for (name, term) in answers.names.iter().zip(row) {
+                answer.set_item(name, object(py, term)?)?;
+            }
+            Ok(answer)
+        });
+        rows.collect()
+    }
+
+    /// Columns of an episode's telemetry by their names, as arrays; of all columns, or of these.
+    #[pyo3(signature = (episode, round = 1, columns = None))]
+    fn telemetry<'py>(
+        &self,
+        py: Python<'py>,
+        episode: &str,
+        round: usize,
+        columns: Option<Vec<String>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let refused = |error: &dyn std::fmt::Display| kept(&self.folder, error);
+        let episode = self.memory()?.episode(episode);
+        let episode = episode.map_err(|error| refused(&error))?;
+        let telemetry = episode.telemetry(round).map_err(|error| refused(&error))?;
+        let rows = 0..telemetry.rows();
+        let names = match columns {
+            Some(names) => names,
+            None => {
+                let others = telemetry.columns().into_iter();
+                let others = others.filter(|name| *name != "time");
+                others.map(str::to_owned).collect()
+            }
+        };
+        let all = PyDict::new(py);
+        let times = telemetry.times(rows.clone());
+        all.set_item(
+            "time_s",
+            vector(py, times.map_err(|error| refused(&error))?),
+        )?;
+        for name in names {
+            let values = py.detach(|| telemetry.values(&name, rows.clone()));
+            let values = values.map_err(|error| refused(&error))?;
+            all.set_item(name, vector(py, values))?;
+        }
+        Ok(all)
+    }
+
+    /// Keeps the rounds of a session, as far as it has come, as an episode; its name.
+    fn remember(&self, py: Python<'_>, session: &PySession) -> PyResult<String> {
+        let rounds = session.rounds(py)?;
+        let rounds: Vec<_> = rounds.iter().map(|round| round.get()).collect();
+        if rounds.is_empty() {
+            return Err(plain("the session has no round that is over"));
+        }
+        let failed = |error: MemoryError| kept(&self.folder, error);
+        let start = SystemTime::now().duration_since(UNIX_EPOCH);
+        let start = start.unwrap_or_default().as_secs_f64();
+        let writer = begun(&self.memory()?, start).map_err(failed)?;
+        let mut logs = Vec::new();
+        for round in &rounds {
+            let motion = &round.round.motion;
+            let mut log = RoundLog::default();
+            if let Some(telemetry) = &round.telemetry {
+                let robot = motion.cell.robot();
+                let joints = (0..robot.dof()).map(|i| robot.variable(i).name.clone());
+                let head = RoundScene::of(motion).head(joints.collect());
+                let mut file = writer.telemetry(motion.number, head).map_err(failed)?;
+                telemetry.get().each(py, &motion.followed, |sample| {
+                    log.push(sample);
+                    file.write(sample)
+                })?;
+                file.finish().map_err(|error| kept(&self.folder, error))?;
+            }
+            logs.push(log);
+            let plan = PlanRecord::new(&motion.task, &motion.plan, motion.task.seed);
+            let plan = serde_json::to_string_pretty(&plan).map_err(plain)? + "\n";
+            let name = format!("round-{}/{PLAN_FILE}", motion.number);
+            writer.attach(&name, plan).map_err(failed)?;
+        }
+        writer
+            .attach("task.toml", &session.task.text)
+            .map_err(failed)?;
+        if let Some(files) = session.robot_files() {
+            let robot = RobotText {
+                urdf: files.urdf.clone(),
+                srdf: files.srdf.clone(),
+                meshes: files.meshes.clone(),
+            };
+            robot.attach_to(&writer).map_err(failed)?;
+        }
+        let header = EpisodeHeader {
+            id: writer.id().to_owned(),
+            start,
+            target: session.task.file.target_performance(),
+            seed: session.task.task.seed,
+            program: PROGRAM.to_owned(),
+        };
+        let told: Vec<EpisodeRound<'_>> = (rounds.iter().zip(&logs))
+            .map(|(round, log)| EpisodeRound {
+                motion: &round.round.motion,
+                log,
+                duration: round.round.execution.duration,
+                ending: &round.round.execution.ending,
+                interpretation: &round.round.interpretation,
+                verdict: round.round.verdict,
+                simulated_performance: None,
+            })
+            .collect();
+        let record = remember(&header, &told);
+        writer.commit(&record).map_err(failed)?;
+        // What was asked before does not know of it.
+        *self.asking.lock().unwrap_or_else(PoisonError::into_inner) = None;
+        Ok(header.id)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<wisch.Memory in {:?}>", self.folder)
+    }
+}
+
+/// An episode under the first name that is free.
+fn begun(memory: &Memory, start: f64) -> Result<EpisodeWriter, MemoryError> {
+    for salt in 0..NAMES_TRIED {
+        match memory.begin(&episode_id(start, salt)) {
+            Err(MemoryError::Exists { .. }) => {}
+            begun => return begun,
+        }
+    }
+    memory.begin(&episode_id(start, 0))
+}

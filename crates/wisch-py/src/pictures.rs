@@ -1,0 +1,61 @@
+//! Pictures of plans and predictions, and tables of rounds.
+
+use wisch::plan::{Plan, predict};
+use wisch::represent::Task;
+use wisch::run::Round;
+use wisch_report::{EffectFrames, ReportInput, pictures};
+
+/// The names of the pictures that there are of a plan.
+pub const NAMES: [&str; 4] = ["before-after", "graph", "density", "effect-over-time"];
+
+/// A picture of a plan by its name, as SVG, with the density by this bandwidth [m].
+pub fn drawn(name: &str, task: &Task, plan: &Plan, bandwidth: Option<f64>) -> String {
+    let mut frames = EffectFrames::new(task, plan);
+    let prediction = predict(task, plan, |progress| frames.watch(progress));
+    let all = pictures(&ReportInput {
+        title: &task.name,
+        task,
+        plan,
+        prediction: &prediction,
+        frames: &frames,
+        bandwidth,
+        facts: &[],
+        motion: None,
+        rounds: None,
+    });
+    let named = all.into_iter().find(|(stem, _)| stem == name);
+    named.map_or_else(String::new, |(_, svg)| svg)
+}
+
+/// Rounds as a table in HTML.
+pub fn table(task: &str, rounds: &[&Round], verdict: Option<&str>) -> String {
+    let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+    let mut html = format!(
+        "<table><caption>{}: {}</caption><tr><th>round</th><th>strokes</th><th>predicted</th>\
+         <th>estimated</th><th>90 %</th><th>time</th><th>ending</th><th>verdict</th></tr>",
+        escaped(task),
+        verdict.unwrap_or("not over")
+    );
+    for round in rounds {
+        let estimate = &round.interpretation.performance;
+        html.push_str(&format!(
+            "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{} to {}</td><td>{:.1} s</td>\
+             <td>{}</td><td>{}</td></tr>",
+            round.motion.number,
+            round.motion.followed.strokes.len(),
+            percent(round.motion.prediction.performance.ratio()),
+            percent(estimate.mean),
+            percent(estimate.low),
+            percent(estimate.high),
+            round.execution.duration,
+            round.execution.ending.as_str(),
+            round.verdict.as_str()
+        ));
+    }
+    html + "</table>"
+}
+
+fn escaped(text: &str) -> String {
+    let text = text.replace('&', "&amp;");
+    text.replace('<', "&lt;").replace('>', "&gt;")
+}

@@ -1,0 +1,272 @@
+"""Executors that go wrong: a clear error, what was felt is kept, and nothing is left running."""
+
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+from conftest import Exact
+
+import wisch
+
+#: Samples that are handed on before something goes wrong: until amid the first stroke.
+GOOD = 200
+
+
+class Spoiled(Exact):
+    """Good samples, then one that is changed, then what is left of the motion."""
+
+    def __init__(self, reaction, change):
+        super().__init__(reaction)
+        self.change = change
+
+    def execute(self, motion, sink):
+        for k in range(GOOD):
+            sink(self.sample(motion, k))
+        sink({**self.sample(motion, GOOD), **self.change})
+        pytest.fail("the sink took it")
+
+
+WRONG = [
+    ({"force_n": [0.0, float("nan"), 0.0]}, "at 2 s force_n[1] is NaN"),
+    ({"positions": np.full(7, np.inf)}, "at 2 s positions[0] is inf"),
+    ({"time_s": 1.5}, "the sample of 1.5 s follows that of 1.99 s"),
+    ({"time_s": 1.99}, "the sample of 1.99 s follows that of 1.99 s"),
+    ({"time_s": float("nan")}, "time_s of the sample after 1.99 s is NaN"),
+    ({"time_s": "now"}, "time_s: expected a number, found str"),
+    ({"positions": np.zeros(6)}, "at 2 s positions has 6 numbers, the robot 7 joints"),
+    ({"velocities": [0.0] * 8}, "at 2 s velocities has 8 numbers, the robot 7 joints"),
+    ({"positions": {"joint_1": 0.0, "elbow": 1.0}}, 'positions: unknown joint "elbow"; nearest: '),
+    ({"positions": {"joint_1": 0.0}}, 'positions: joint "joint_2" is missing'),
+    ({"world_from_tool": [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0]}, "at 2 s a quaternion has norm 2"),
+    ({"world_from_tool": [0.0, 0.0, 1.0]}, "at 2 s world_from_tool has 3 numbers, not 7"),
+    ({"force": [0.0, 0.0, 1.0]}, 'unknown key "force"; nearest: force_n'),
+]
+
+
+@pytest.mark.parametrize(("change", "message"), WRONG, ids=[message[:30] for _, message in WRONG])
+def test_a_wrong_sample_is_named_and_what_was_felt_is_kept(task, robot, change, message):
+    session = task.session(robot)
+    with pytest.raises(wisch.WischError) as caught:
+        session.run(Spoiled(task.surface_reaction, change))
+    assert message in str(caught.value)
+    [kept] = session.rounds
+    assert (kept.ending, len(kept.telemetry)) == ("stopped", GOOD)
+    assert kept.interpretation.contact_share > 0
+    assert session.stage == "ended"
+
+
+def test_an_executor_that_throws_throws_its_own_with_where_it_happened(task, robot):
+    class Throws(Exact):
+        def execute(self, motion, sink):
+            for k in range(GOOD):
+                sink(self.sample(motion, k))
+            raise ConnectionError("the arm is locked")
+
+    session = task.session(robot)
+    with pytest.raises(ConnectionError, match="the arm is locked") as caught:
+        session.run(Throws(task.surface_reaction))
+    if sys.version_info >= (3, 11):
+        assert caught.value.__notes__ == ["in round 1, after the sample of 1.99 s"]
+    assert len(session.rounds) == 1
+
+    class ThrowsAtOnce:
+        def execute(self, motion, sink):
+            return 1 / 0
+
+    session = task.session(robot)
+    with pytest.raises(ZeroDivisionError):
+        session.run(ThrowsAtOnce())
+    assert session.rounds == [] and len(session.telemetry[0]) == 0
+
+
+def test_a_fault_that_is_swallowed_is_still_told(task, robot):
+    class Swallows(Exact):
+        def execute(self, motion, sink):
+            for k in range(len(motion.time_s)):
+                sample = self.sample(motion, k)
+                try:
+                    sink({**sample, "force_n": [np.nan] * 3} if k == GOOD else sample)
+                except wisch.WischError:
+                    pass
+
+    with pytest.raises(wisch.WischError, match=r"at 2 s force_n\[0\] is NaN"):
+        task.session(robot).run(Swallows(task.surface_reaction))
+
+
+def test_too_few_samples_are_noticed(task, robot):
+    class Lazy(Exact):
+        def execute(self, motion, sink):
+            for k in range(3):
+                sink(self.sample(motion, k))
+
+    class Idle:
+        def execute(self, motion, sink):
+            pass
+
+    with pytest.raises(wisch.WischError, match=r"is said to be complete, but the last sample is that of 0.02 s"):
+        task.session(robot).run(Lazy(task.surface_reaction))
+    with pytest.raises(wisch.WischError, match="is said to be complete, but there is no sample"):
+        task.session(robot).run(Idle())
+
+
+def test_what_an_executor_returns_is_checked(task, robot):
+    class Returns(Exact):
+        def __init__(self, reaction, returned):
+            super().__init__(reaction)
+            self.returned = returned
+
+        def execute(self, motion, sink):
+            super().execute(motion, sink)
+            return self.returned
+
+    for returned, message in [
+        ("done", "expected nothing, or a dict"),
+        ({"ending": "exploded"}, 'unknown ending "exploded"'),
+        ({"duration": 3.0}, 'unknown key "duration"; nearest: duration_s'),
+        ({"duration_s": float("inf")}, "at the end a number is inf"),
+        ({"positions": [0.0, 1.0]}, "ended with 2 positions, the robot has 7 joints"),
+    ]:
+        with pytest.raises(wisch.WischError) as caught:
+            task.session(robot, rounds=1).run(Returns(task.surface_reaction, returned))
+        assert message in str(caught.value)
+
+
+@pytest.mark.parametrize("how", ["sleeps", "spins", "swallows"])
+@pytest.mark.parametrize("thread", ["main", "other"])
+def test_an_executor_that_hangs_is_given_up(task, robot, how, thread):
+    class Hangs(Exact):
+        def execute(self, motion, sink):
+            for k in range(GOOD):
+                sink(self.sample(motion, k))
+            end = time.monotonic() + 60
+            while time.monotonic() < end:
+                try:
+                    time.sleep(0.05 if thread == "other" else 60) if how == "sleeps" else sum(range(1000))
+                except KeyboardInterrupt:
+                    if how != "swallows":
+                        raise
+                    how_often.append(1)
+                    if len(how_often) == 2:
+                        return
+
+    how_often, results = [], []
+    session = task.session(robot)
+
+    def run():
+        begin = time.monotonic()
+        try:
+            session.run(Hangs(task.surface_reaction), timeout=0.4)
+        except BaseException as error:
+            results.append((error, time.monotonic() - begin))
+
+    if thread == "main":
+        run()
+    else:
+        other = threading.Thread(target=run)
+        other.start()
+        other.join()
+    [(error, seconds)] = results
+    assert isinstance(error, wisch.WischError) and "no sample for 0.4 s" in str(error), repr(error)
+    assert seconds < 30
+    assert len(session.rounds[0].telemetry) == GOOD
+    time.sleep(0.1)  # an interruption that came late would come now
+
+
+def test_one_that_is_slow_but_alive_is_not_given_up(task, robot):
+    class Slow(Exact):
+        def execute(self, motion, sink):
+            for k in range(0, len(motion.time_s), 200):
+                time.sleep(0.05)
+                sink(self.sample(motion, k))
+            sink(self.sample(motion, len(motion.time_s) - 1))
+
+    [first] = task.session(robot, rounds=1).run(Slow(task.surface_reaction), timeout=5.0)
+    assert first.ending == "complete"
+    with pytest.raises(wisch.WischError, match="timeout: expected a time above 0 s"):
+        task.session(robot).run(Slow(task.surface_reaction), timeout=-1)
+
+
+def test_a_sink_is_of_its_motion_alone(task, robot):
+    kept = []
+
+    class Keeps(Exact):
+        def execute(self, motion, sink):
+            kept.append((sink, self.sample(motion, 0)))
+            super().execute(motion, sink)
+
+    task.session(robot, rounds=1).run(Keeps(task.surface_reaction))
+    sink, sample = kept[0]
+    with pytest.raises(wisch.WischError, match="the motion is over"):
+        sink(sample)
+
+
+def test_what_is_no_executor_is_refused(task, robot):
+    with pytest.raises(wisch.WischError, match=r"executor: expected an object with execute\(motion, sink\), found dict"):
+        task.session(robot).run({})
+
+
+#: A robot that is served to the program, with what it does after its good samples.
+SERVED = """
+import sys, time
+import numpy as np
+import wisch.executor
+
+class Robot(wisch.executor.Executor):
+    def execute(self, motion, sink):
+        print("executing", motion.joints, motion.world_from_surface.shape)
+        up = np.array([0.0, 0.0, motion.press_force_n])
+        for k in range(len(motion.time_s)):
+            if k == {good}:
+                {then}
+            go_on = sink(
+                time_s=motion.time_s[k], world_from_tool=motion.world_from_tool[k],
+                force_n=up * (motion.stroke[k] >= 0), positions=dict(zip(motion.joints, motion.positions[k])),
+            )
+            if not go_on:
+                return
+
+wisch.executor.serve(Robot())
+"""
+
+
+def served(program, tmp_path, then, *more):
+    script = tmp_path / "robot.py"
+    script.write_text(SERVED.format(good=GOOD, then=then))
+    command = [*program, "run", "arm-board", "--rounds", "1", "--out", "out", "--memory", "memory", "--set", "target_performance=0.2"]
+    command += ["--set", "perception.senses=[\"touch\"]", "--executor", f"{sys.executable} {script}", *more]
+    return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=120)
+
+
+def test_an_executor_is_served_to_the_program(program, tmp_path):
+    ended = served(program, tmp_path, "pass")
+    assert ended.returncode == 0, ended.stderr
+    assert "executing ['joint_1'" in ended.stderr, "what it prints goes to standard error"
+    assert len(wisch.Memory(tmp_path / "memory").episodes) == 1
+
+
+@pytest.mark.parametrize(
+    ("then", "message"),
+    [
+        ("raise RuntimeError('the arm is locked')", "RuntimeError: the arm is locked"),
+        ("time.sleep(3600)", "it said nothing for 1.5 s"),
+        ("motion.time_s[k] = 0.5", "the sample of 0.5 s follows that of 1.99 s"),
+        ("up[0] = float('nan')", "force_n of a sample holds [nan"),
+        ("motion.joints[0] = 'elbow'", "positions: joint 'joint_1' is missing"),
+        ("return", "is said to be complete, but the last sample is that of 1.99 s"),
+        ("sys.exit(3)", "it ended before it was done"),
+    ],
+)
+def test_a_served_executor_that_goes_wrong_ends_the_run_and_keeps_the_episode(program, tmp_path, then, message):
+    ended = served(program, tmp_path, then, "--timeout", "1.5")
+    assert ended.returncode == 2
+    assert message in ended.stderr, ended.stderr
+    assert "the episode is kept all the same" in ended.stderr
+    memory = wisch.Memory(tmp_path / "memory")
+    [episode] = memory.episodes
+    assert len(memory.telemetry(episode, 1)["time_s"]) == GOOD
+    script = str(tmp_path / "robot.py")
+    listed = subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True, check=True).stdout
+    assert script not in listed, "nothing is left running"

@@ -1,0 +1,150 @@
+"""The loop with executors written in Python."""
+
+import numpy as np
+import pytest
+from conftest import AllAtOnce, Exact
+
+import wisch
+
+
+def told(rounds):
+    return [(r.number, r.performance, r.interval, r.verdict, r.ending) for r in rounds]
+
+
+def test_samples_one_by_one_and_all_at_once_are_the_same(task, robot):
+    by_one, at_once = (
+        task.session(robot, rounds=2).run(kind(task.surface_reaction)) for kind in (Exact, AllAtOnce)
+    )
+    assert told(by_one) == told(at_once)
+    assert len(by_one) == 2
+    assert by_one[-1].performance > 0.8
+    np.testing.assert_allclose(by_one[0].telemetry.world_from_tool, by_one[0].motion.world_from_tool, atol=1e-12)
+
+
+def test_telemetry_is_handed_out_without_a_copy(task, robot, exact):
+    session = task.session(robot, rounds=1)
+    [first] = session.run(exact)
+    telemetry = first.telemetry
+    assert telemetry is session.telemetry[0]
+    assert telemetry.force_n is telemetry.force_n
+    assert not telemetry.force_n.flags.owndata, "the array is a view of what Rust keeps"
+    assert len(telemetry) == len(first.motion.time_s)
+    assert telemetry.positions.shape == first.motion.positions.shape
+    assert telemetry.velocities.shape == (len(telemetry), 0)
+    assert telemetry.force_n[telemetry.stroke >= 0, 2].min() == pytest.approx(task.press_force_n)
+
+
+def test_events_come_in_order_and_can_stop_the_session(task, robot, exact):
+    events = []
+    task.session(robot, rounds=1).run(exact, on_event=events.append)
+    kinds = [event["event"] for event in events]
+    order = [kind for kind, before in zip(kinds, [None, *kinds]) if kind != before]
+    assert order == ["planning", "planned", "following", "audited", "executing", "sample", "interpreting", "judged", "ended"]
+    assert events[-1]["verdict"] is not None
+
+    session = task.session(robot)
+    rounds = session.run(exact, on_event=lambda event: event["event"] != "executing")
+    assert (rounds, session.stage, session.verdict) == ([], "ended", None)
+
+    samples = []
+
+    def a_few(event):
+        if event["event"] == "sample":
+            samples.append(event)
+        return len(samples) < 3
+
+    [stopped] = task.session(robot).run(Exact(task.surface_reaction), on_event=a_few)
+    assert stopped.ending == "stopped"
+    assert len(stopped.telemetry) == 101, "every fiftieth sample is told"
+
+
+def test_what_a_callback_raises_comes_out(task, robot, exact):
+    def fails(event):
+        if event["event"] == "following":
+            raise KeyError("my own")
+
+    with pytest.raises(KeyError, match="my own"):
+        task.session(robot).run(exact, on_event=fails)
+
+    session = task.session(robot)
+    with pytest.raises(RuntimeError, match="the session is running"):
+        session.run(exact, on_event=lambda event: session.rounds)
+
+
+def test_an_executor_that_looks_is_asked(robot):
+    task = wisch.load_task("arm-board")
+
+    class Looks(AllAtOnce):
+        looks = 0
+
+        def observe(self):
+            self.looks += 1
+            return {"detections": task.particles[:40], "hidden": []} if self.looks == 1 else np.empty((0, 2))
+
+    executor = Looks(task.surface_reaction)
+    session = task.session(robot, rounds=1)
+    [only] = session.run(executor)
+    assert executor.looks == 2
+    np.testing.assert_array_equal(session.first_look, task.particles[:40])
+    assert only.performance != only.interpretation.performance_by_touch
+
+    class Wrong(AllAtOnce):
+        def observe(self):
+            return [[0.0, np.inf]]
+
+    with pytest.raises(wisch.WischError, match=r"place \(0, inf\) m is not finite"):
+        task.session(robot).run(Wrong(task.surface_reaction))
+
+
+def test_how_an_executor_ended_is_taken_over(task, robot):
+    class Caught(Exact):
+        def execute(self, motion, sink):
+            for k in range(200):
+                sink(self.sample(motion, k))
+            return {"ending": {"protective_stop": {"time_s": 2.0, "reason": "a hand"}}, "duration_s": 2.0}
+
+    first = task.session(robot, rounds=1).run(Caught(task.surface_reaction))[0]
+    assert (first.ending, first.duration_s) == ("protective stop", 2.0)
+
+
+def test_stages_can_be_gone_through_one_by_one(task, robot, exact):
+    session = task.session(robot)
+    assert session.stage is None
+    plan = session.plan()
+    assert session.plan().to_json() == plan.to_json()
+    assert session.stage == "planned"
+    session.follow()
+    assert session.stage == "followed"
+    assert session.audit()
+    assert session.stage == "audited"
+    [first] = session.run_round(exact)
+    assert (first.number, first.plan.to_json(), session.stage) == (1, plan.to_json(), "judged")
+    assert "<table>" in session._repr_html_() and first._repr_svg_().startswith("<svg")
+
+
+def test_arrays_are_interpreted_as_the_session_does(task, robot, exact):
+    [first] = task.session(robot, rounds=1).run(exact)
+    log = first.telemetry
+    told = task.interpret(log)
+    assert told.performance == first.performance and told.diagnosis == "localized"
+    arrays = task.interpret(time_s=log.time_s, world_from_tool=log.world_from_tool, force_n=log.force_n)
+    assert arrays.performance == told.performance
+    assert told.next_plan().contact_distance_m < first.plan.contact_distance_m
+    with pytest.raises(wisch.WischError, match="force_n: expected 5, one per time, found 4 rows"):
+        task.interpret(time_s=log.time_s[:5], world_from_tool=log.world_from_tool[:5], force_n=log.force_n[:4])
+    with pytest.raises(wisch.WischError):
+        task.interpret(time_s=log.time_s[::-1], world_from_tool=log.world_from_tool, force_n=log.force_n)
+
+
+def test_a_table_is_read_as_a_log(task, robot, exact, tmp_path):
+    [first] = task.session(robot, rounds=1).run(exact)
+    log = first.telemetry
+    table = np.column_stack([log.time_s, log.world_from_tool, log.force_n])
+    file = tmp_path / "log.csv"
+    np.savetxt(file, table, delimiter=",", header="t,x,y,z,qx,qy,qz,qw,fx,fy,fz", comments="", fmt="%.17g")
+    read = wisch.read_log(file, wrench_frame="world")
+    np.testing.assert_allclose(read.force_n, log.force_n, atol=1e-12)
+    assert task.interpret(read).performance == pytest.approx(first.performance, abs=0.02)
+    with pytest.raises(wisch.WischError) as caught:
+        wisch.read_log(tmp_path / "no.mcap")
+    assert caught.value.file == str(tmp_path / "no.mcap")

@@ -1,0 +1,101 @@
+"""Tasks from files and from objects, and what is said of wrong ones."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import wisch
+
+PLACES = np.array([[0.1, 0.0], [0.0, 0.05], [-0.1, -0.05]])
+
+
+def built(**more):
+    keys = dict(
+        action="absorb",
+        tool="sponge",
+        medium="breadcrumbs",
+        surface={"name": "chopping_board", "size_m": [0.4, 0.28], "position_m": [0.0, 0.0, 0.75]},
+        particles=PLACES,
+    )
+    return wisch.build_task(**{**keys, **more})
+
+
+def test_a_shipped_task_says_what_it_asks(task):
+    assert (task.name, task.action, task.tool) == ("arm-board", "collect", "sponge")
+    assert task.particles.shape == (60, 2)
+    np.testing.assert_array_equal(task.world_from_surface, [0, 0, 0.77, 0, 0, 0, 1])
+    np.testing.assert_allclose(task.surface_reaction, [0, 0, task.press_force_n])
+    assert [part["name"] for part in task.scene] == ["board", "tabletop"]
+    assert task.scene[0]["role"] == "carrier"
+    assert np.ptp(task.scene[0]["vertices"], axis=0) == pytest.approx([0.32, 0.24, 0.02])
+
+
+def test_values_are_laid_over_a_file():
+    task = wisch.load_task(
+        "arm-board",
+        set={"particles.count": np.int64(7), "tool.name": "brush", "surface.size_m": (0.3, 0.2), "execution": {"friction": 0.3}},
+        seed=5,
+        strategy="grid",
+    )
+    assert (len(task.particles), task.tool, task.seed, task.strategy) == (7, "brush", 5, "grid")
+    assert np.ptp(task.surface_outline, axis=0) == pytest.approx([0.3, 0.2])
+
+
+def test_a_task_of_objects_is_the_task_of_a_file_with_the_same_keys(tmp_path):
+    made = built(scene=[{"name": "cup", "box_m": [0.05, 0.05, 0.1], "frame": "surface", "position_m": np.array([-0.1, 0.1, 0.05])}])
+    np.testing.assert_array_equal(made.particles, PLACES)
+    lists = "\n".join(f"{x},{y}" for x, y in PLACES.tolist())
+    (tmp_path / "crumbs.csv").write_text(f"x,y\n{lists}\n")
+    file = tmp_path / "task.toml"
+    file.write_text(made.toml.replace("particles given as an array.csv", "crumbs.csv"))
+    read = wisch.load_task(file)
+    np.testing.assert_array_equal(read.particles, made.particles)
+    assert read.session().plan().to_json() == made.session().plan().to_json()
+
+
+def test_other_particles_make_another_task_and_leave_the_first(task):
+    other = task.with_particles(PLACES, strategy="grid")
+    np.testing.assert_array_equal(other.particles, PLACES)
+    assert (other.strategy, task.strategy, len(task.particles)) == ("grid", "kde", 60)
+
+
+@pytest.mark.parametrize(
+    ("make", "message", "value", "limit"),
+    [
+        (lambda: wisch.load_task("arm-board", set={"particles.count": 0}), "particles.count = 0", "0", "at least 1"),
+        (lambda: built(tool="spunge"), "nearest: sponge", "spunge", "sponge"),
+        (lambda: built(colour=3), 'unknown key "colour"', "colour", "schema"),
+        (lambda: built(strategy="greedy"), "greedy", "greedy", "kde"),
+        (lambda: built(particles=np.zeros((3, 3))), "particles", "an array of shape (3, 3)", "(rows, 2)"),
+        (lambda: wisch.load_task("arm-board", action="wipe"), "wipe", None, None),
+        (lambda: built(surface={"name": "chopping_board", "size_m": [0.4, float("nan")]}), "surface.size_m[1] = NaN is outside its limits", "NaN", "at least 0.001"),
+    ],
+)
+def test_a_wrong_task_is_refused_with_place_value_and_limit(make, message, value, limit):
+    with pytest.raises(wisch.WischError) as caught:
+        make()
+    error = caught.value
+    assert message in str(error)
+    if value is not None:
+        assert error.value == value and limit in error.limit
+    assert isinstance(error, ValueError)
+
+
+def test_an_error_keeps_its_place_and_help_when_it_is_pickled(tmp_path):
+    file = tmp_path / "task.toml"
+    file.write_text("schema = 1\nname = 3\n")
+    with pytest.raises(wisch.WischError) as caught:
+        wisch.load_task(file)
+    error = pickle.loads(pickle.dumps(caught.value))
+    assert (error.file, error.place, str(error)) == (str(file), (2, 8), str(caught.value))
+    with pytest.raises(wisch.WischError, match="arm-board") as caught:
+        wisch.load_task("arm-bord")
+    assert caught.value.help == "did you mean arm-board?"
+
+
+def test_particles_that_are_none_are_named():
+    places = PLACES.copy()
+    places[1, 0] = np.nan
+    with pytest.raises(wisch.WischError, match=r"particle 1: position \(NaN, 0.05\)"):
+        built(particles=places)
