@@ -64,7 +64,7 @@ def wipe(seed, action, scenario, robot):
     began = time.monotonic()
     keys, source, disturbance = world_of(seed)
     task = wisch.load_task(scenario, set={**keys, **ROBOTS[robot]}, seed=seed, action=action, strategy="best")
-    world = World(task)
+    world = World(task, set=keys)
     session = task.session(robot=task.robot())
     rounds = session.run(world)
     goal = rounds[-1].plan.collect_goal

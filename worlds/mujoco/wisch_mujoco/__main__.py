@@ -32,7 +32,7 @@ def main():
         from wisch.executor import serve
     except ImportError:
         parser.error("this wheel of wisch has no wisch.executor: pip install ./crates/wisch-py")
-    serve(World(task))
+    serve(World(task, set=settings))
 
 
 if __name__ == "__main__":

@@ -4,6 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .settings import Unsupported
+
 DENSITY = 400.0
 """Of dry bread [kg/m³]."""
 LEAST_MASS = 2e-5
@@ -61,17 +63,24 @@ def inside(outline, points):
     return odd
 
 
-def draw(settings, outline, about):
-    """Crumbs of a world: places by the table `execution.dirt`, with random numbers that nothing else has; `about` is how many
-    are believed to be there."""
+def draw(settings, outline, believed):
+    """Crumbs of a world: places by the table `execution.dirt`, with random numbers that nothing else has; there are about as many
+    as are `believed` (n, 2), which only the source "as_believed" lays where they are believed to be."""
     random = np.random.default_rng([settings.seed, 0x6372756D])
-    count = settings.count or max(1, round(about * np.exp(0.2 * random.standard_normal())))
+    if settings.dirt["source"] not in PLACES:
+        known = ", ".join(PLACES)
+        raise Unsupported(f"execution.dirt: source {settings.dirt['source']!r} is not one of this world's: {known}")
+    listed = settings.dirt["source"] == "as_believed"
+    about = len(believed)
+    count = about if listed else settings.count or max(1, round(about * np.exp(0.2 * random.standard_normal())))
     low, high = outline.min(axis=0), outline.max(axis=0)
     place = PLACES[settings.dirt["source"]](settings.dirt, random, low, high)
     smallest, largest = settings.grains
     radii = random.uniform(smallest, largest, count) / 2.0
     places = np.zeros((count, 3))
-    for crumb in range(count):
+    if listed:
+        places = np.column_stack([believed, radii])
+    for crumb in range(0 if listed else count):
         for _ in range(10_000):
             drawn = place()
             edge = 2.0 * radii[crumb]
@@ -118,4 +127,4 @@ def _stripe(dirt, random, low, high):
     return lambda: center + along * random.uniform(-length, length) + across * random.uniform(-width, width) / 2.0
 
 
-PLACES = {"uniform": _uniform, "clusters": _clusters, "stripe": _stripe}
+PLACES = {"uniform": _uniform, "clusters": _clusters, "stripe": _stripe, "as_believed": _uniform}

@@ -71,12 +71,19 @@ class Settings:
     seed: int = 0
 
     @classmethod
-    def of(cls, task, seed=None):
-        """Those of a task of the wheel, or of a task file's text by way of `task.toml`.
+    def of(cls, task, seed=None, set=None):
+        """Those of a task of the wheel; `set` are the values that were laid over its file as it was loaded, which its text
+        does not have.
 
         Raises Unsupported: of what this world has none.
         """
         table = tomllib.loads(task.toml)
+        for key, value in (set or {}).items():
+            *path, last = key.split(".")
+            inner = table
+            for name in path:
+                inner = inner.setdefault(name, {})
+            inner[last] = value
         real = table.get("execution", {})
         refused = {
             "waviness_m": "waves in the surface",

@@ -90,11 +90,12 @@ class Controller:
     def command(self, time, q, qd):
         """Efforts of the compliant joints (k) at a time [s], from all positions and velocities (n)."""
         motion, frames, own = self.motion, self.frames, self.compliant
-        planned_q, planned_qd = self._between(motion.positions, time)
+        planned_q, _ = self._between(motion.positions, time)
+        planned_qd, planned_qdd = self._between(motion.velocities, time)
         place, rate = self._between(motion.world_from_tool, time)
         place[3:] /= np.linalg.norm(place[3:])
         tool = poses.times(frames.world_from_root, poses.times(self.robot.pose(q, frames.tip), frames.tip_from_tool))
-        self.planned = planned_q, planned_qd, np.zeros_like(planned_q)
+        self.planned = planned_q, planned_qd, planned_qdd
         self.world_from_tool = tool
         self.world_from_commanded = self._pressed_in(place, time)
 
@@ -117,6 +118,8 @@ class Controller:
         posture = POSTURE_STIFFNESS * (planned_q[own] - q[own]) - 2.0 * np.sqrt(POSTURE_STIFFNESS) * 0.5 * (qd - planned_qd)[own]
         free = np.eye(len(own)) - jacobian.T @ np.linalg.solve(mobility, jacobian @ inverse)
         self._observe(mass, bias, qd[own], jacobian, inverse, mobility)
+        # The planned acceleration and the weight are fed forward.
+        bias = bias + mass @ planned_qdd[own]
         self.last = np.clip(bias + jacobian.T @ self.controller_wrench + free @ posture, -self.limits, self.limits)
         return self.last
 

@@ -39,18 +39,19 @@ class Truth:
 class World:
     """A MuJoCo world for a task of the wheel; hand it to `Session.run`.
 
-    It has dirt, a surface and people of its own, and outlasts the rounds of a session.
+    It has dirt, a surface and people of its own, and outlasts the rounds of a session. `set` are the values that were laid over
+    the task's file as it was loaded; or `settings` say all.
     """
 
-    def __init__(self, task, seed=None, settings=None):
+    def __init__(self, task, seed=None, settings=None, set=None):
         self.task = task
-        self.settings = settings or Settings.of(task, seed)
+        self.settings = settings or Settings.of(task, seed, set)
         tilt_x, tilt_y = (poses.turned(axis, angle) for axis, angle in zip(([1, 0, 0], [0, 1, 0]), self.settings.tilt))
         believed_from_real = poses.times(tilt_x, tilt_y)
         believed_from_real[:3] = self.settings.shift
         self.world_from_real = poses.times(task.world_from_surface, believed_from_real)
         self.outline = np.asarray(task.surface_outline, dtype=float)
-        self.crumbs = dirt.draw(self.settings, self.outline, len(task.particles))
+        self.crumbs = dirt.draw(self.settings, self.outline, np.asarray(task.particles))
         self.truth = []
         self.believed = np.asarray(task.world_from_surface, dtype=float)
         self.looks = 0
