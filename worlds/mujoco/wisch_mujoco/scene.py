@@ -217,13 +217,13 @@ def _add_tool(spec, task, motion, settings):
                 mass=mass,
                 ipos=[0.0, 0.0, BLOCK_HEIGHT / 2],
                 inertia=[mass * 1e-4] * 3,
-                gravcomp=1.0,
             )
             block.add_joint(
                 name=f"block_{i}_{j}",
                 type=mujoco.mjtJoint.mjJNT_SLIDE,
                 axis=[0.0, 0.0, 1.0],
                 stiffness=stiffness,
+                springref=9.81 * mass / stiffness,
                 damping=2.0 * FOAM_DAMPING * np.sqrt(stiffness * mass),
                 range=[-0.001, 0.04],
                 limited=True,
@@ -265,7 +265,8 @@ def _add_crumbs(spec, crumbs, world_from_real):
         body = spec.worldbody.add_body(
             name=f"crumb_{k}",
             pos=middles[k],
-            gravcomp=0.0 if lies else 1.0,
+            # Of one that was taken up nothing weighs; MuJoCo looks at this only where a body says anything of it.
+            gravcomp=1e-9 if lies else 1.0,
             quat=crumbs.quaternions[k],
         )
         body.add_freejoint(name=f"crumb_{k}")
