@@ -124,3 +124,17 @@ def test_a_sponge_takes_the_crumbs_up():
     assert abs(rounds[0].performance - world.performance()) < 0.1
     # Each round keeps the crumbs as they lay after it.
     assert world.performance(round=1) == world.performance()
+
+
+def test_a_humanoid_stands_where_it_is_planned_and_its_chest_upright():
+    task = wisch.load_task("chopping-board", seed=1)
+    world = World(task)
+    motion = task.session(robot=task.robot()).follow(world)
+    simulation = Simulation(world, motion)
+    for k in range(300):
+        simulation._period(k * 1e-3)
+    planned, *_ = simulation.controller.planned
+    q = simulation.data.qpos[simulation.scene.qpos]
+    assert q[simulation.held] == pytest.approx(np.asarray(planned)[simulation.held], abs=0.01)
+    (address, _), torso = simulation.scene.followers["torso_4"], [motion.joints.index(f"torso_{k}") for k in (2, 3)]
+    assert simulation.data.qpos[address] == pytest.approx(-q[torso].sum(), abs=0.01)

@@ -39,6 +39,10 @@ ROLLING = 0.0004
 """Of an angular crumb: how far ahead of its middle it rests [m]."""
 
 
+FOLLOWERS = {"torso_4": (("torso_2", -1.0), ("torso_3", -1.0))}
+"""Joints that follow others, and how: the humanoid's rods keep its chest upright."""
+
+
 @dataclass
 class Scene:
     """A model with the indices that a simulation needs."""
@@ -48,8 +52,8 @@ class Scene:
     """Addresses of the robot's joints in qpos, in the robot's order (n)."""
     dof: np.ndarray
     """And in qvel (n)."""
-    followers: list
-    """Joints that follow others: address in qpos, in qvel, and name."""
+    followers: dict
+    """Addresses in qpos and in qvel of joints that follow others, by name."""
     tool: int
     """Body of the tool."""
     blocks: np.ndarray
@@ -95,17 +99,15 @@ def build(task, motion, settings, crumbs, world_from_real, period=1e-3):
     blocks = [f"block_{i}_{j}" for i in range(columns) for j in range(rows)]
     block_joints = [model.joint(name) for name in blocks]
     crumb_joints = [model.joint(f"crumb_{k}") for k in range(len(crumbs))]
-    own = set(names)
-    followers = []
-    for j in range(model.njnt):
-        name = model.joint(j).name
-        if name not in own and not name.startswith(("block_", "crumb_")):
-            followers.append((int(model.jnt_qposadr[j]), int(model.jnt_dofadr[j]), name))
     return Scene(
         model=model,
         qpos=model.jnt_qposadr[joint].copy(),
         dof=model.jnt_dofadr[joint].copy(),
-        followers=followers,
+        followers={
+            name: (int(model.joint(name).qposadr[0]), int(model.joint(name).dofadr[0]))
+            for name in FOLLOWERS
+            if mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, name) >= 0
+        },
         tool=model.body("wisch_tool").id,
         blocks=np.array([j.qposadr[0] for j in block_joints]),
         block_geoms={model.geom(f"{name}_body").id: k for k, name in enumerate(blocks)},
@@ -120,6 +122,8 @@ def _add_robot(spec, urdf, motion):
     robot = mujoco.MjSpec.from_string(urdf)
     robot.compiler.fusestatic = False
     robot.compiler.balanceinertia = True
+    # Links without mass, as a mobile base has between its joints, are given next to none.
+    robot.compiler.boundmass, robot.compiler.boundinertia = 1e-4, 1e-6
     for geom in robot.geoms:
         geom.contype, geom.conaffinity = 0, 0
         geom.rgba = [0.75, 0.77, 0.8, 1.0]

@@ -135,14 +135,21 @@ class Simulation:
         self.data.qpos[self.scene.qpos] = start["positions"][0]
         self._follow_others(start["positions"][0])
         mujoco.mj_forward(self.model, self.data)
-        self.normal = poses.rotation(world.world_from_real)[:, 2]
+        self.held_inertia = [self._inertia([(self.scene.dof[i], 1.0)]) for i in held]
+        self.rods = []
+        """Of each joint that follows others: (address in qpos, in qvel, factor) whose sum is to stay 0, and its inertia."""
+        for name, (address, dof) in self.scene.followers.items():
+            rods = [(address, dof, 1.0)]
+            for joint, factor in scene.FOLLOWERS[name]:
+                index = motion.joints.index(joint)
+                rods.append((self.scene.qpos[index], self.scene.dof[index], -factor))
+            self.rods.append((rods, self._inertia([(at, factor) for _, at, factor in rods])))
         self.sliding_since = None
 
     def _follow_others(self, positions):
-        for address, dof, name in self.scene.followers:
-            value, rate = follower(name, self.motion.joints, positions)
-            self.data.qpos[address] = value
-            self.data.qvel[dof] = rate
+        for name, (address, _) in self.scene.followers.items():
+            terms = scene.FOLLOWERS[name]
+            self.data.qpos[address] = sum(factor * positions[self.motion.joints.index(joint)] for joint, factor in terms)
 
     def run(self, sink):
         """To the end of the motion, or until the sink says stop: what the wheel calls done."""
@@ -209,18 +216,27 @@ class Simulation:
         }
 
     def _hold(self, q, qd, qdd):
-        """Base and arms that do not wipe are held by drives of their own, and joints that follow others by stiff ones."""
-        data, held = self.data, self.held
-        targets = [
-            (self.scene.qpos[i], self.scene.dof[i], q[i], qd[i], qdd[i]) for i in held
-        ] + [
-            (address, dof, *follower_target(name, self.motion.joints, data.qpos[self.scene.qpos], data.qvel[self.scene.dof]))
-            for address, dof, name in self.scene.followers
-        ]
-        for address, dof, at, rate, change in targets:
-            inertia = self.data.M[self.model.M_rownnz[dof] + self.model.M_rowadr[dof] - 1]
-            error, slip = at - data.qpos[address], rate - data.qvel[dof]
-            data.qfrc_applied[dof] = data.qfrc_bias[dof] + inertia * (change + HOLD_STIFFNESS * error + HOLD_DAMPING * slip)
+        """Base and arms that do not wipe are held by drives of their own, and joints that follow others by stiff rods to them."""
+        data = self.data
+        for rods, inertia in self.rods:
+            error = -sum(factor * data.qpos[address] for address, _, factor in rods)
+            slip = -sum(factor * data.qvel[dof] for _, dof, factor in rods)
+            _, first, _ = rods[0]
+            force = data.qfrc_bias[first] + inertia * (HOLD_STIFFNESS * error + HOLD_DAMPING * slip)
+            for _, dof, factor in rods:
+                data.qfrc_applied[dof] += factor * force
+        for i, inertia in zip(self.held, self.held_inertia):
+            address, dof = self.scene.qpos[i], self.scene.dof[i]
+            change = qdd[i] + HOLD_STIFFNESS * (q[i] - data.qpos[address]) + HOLD_DAMPING * (qd[i] - data.qvel[dof])
+            data.qfrc_applied[dof] = data.qfrc_bias[dof] + inertia * change
+
+    def _inertia(self, terms):
+        """What moves along a combination of joints, all others being free: terms are (address in qvel, factor)."""
+        along, moved = np.zeros((1, self.model.nv)), np.zeros((1, self.model.nv))
+        for dof, factor in terms:
+            along[0, dof] = factor
+        mujoco.mj_solveM(self.model, self.data, moved, along)
+        return 1.0 / float(along[0] @ moved[0])
 
     def _push(self, time):
         data, body = self.data, self.scene.tool
@@ -292,20 +308,3 @@ class Simulation:
             turn = self.data.qpos[address + 3 : address + 7]
             self.crumbs.quaternions[crumb] = turn / np.linalg.norm(turn)
 
-
-def follower(name, joints, positions):
-    """Position and speed of a joint that follows others, at rest: (value, 0)."""
-    value, *_ = follower_target(name, joints, positions, np.zeros(len(positions)))
-    return value, 0.0
-
-
-FOLLOWERS = {"torso_4": (("torso_2", -1.0), ("torso_3", -1.0))}
-"""The humanoid's rods keep its chest upright."""
-
-
-def follower_target(name, joints, q, qd):
-    """Position, speed and acceleration that a joint which follows others is to have; acceleration is left to the spring."""
-    terms = FOLLOWERS.get(name, ())
-    at = sum(factor * q[joints.index(joint)] for joint, factor in terms)
-    rate = sum(factor * qd[joints.index(joint)] for joint, factor in terms)
-    return at, rate, 0.0
