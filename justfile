@@ -21,6 +21,10 @@ lint:
 doc *options:
     RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked {{options}}
 
+# Build the Python wheel, install it into a bare environment, run its tests.
+python *options:
+    crates/wisch-py/check {{options}}
+
 # Everything that must hold of a commit.
 ci:
     .ci/run

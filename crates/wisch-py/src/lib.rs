@@ -16,6 +16,7 @@ mod pictures;
 mod plan;
 mod program;
 mod robot;
+mod round;
 mod session;
 mod task;
 mod telemetry;
@@ -46,7 +47,9 @@ mod _wisch {
     #[pymodule_export]
     use crate::robot::PyRobot;
     #[pymodule_export]
-    use crate::session::{PyAudit, PyRound, PySession};
+    use crate::round::{PyAudit, PyRound};
+    #[pymodule_export]
+    use crate::session::PySession;
     #[pymodule_export]
     use crate::task::{PyTask, load_task, task_of_keys};
     #[pymodule_export]

@@ -7,11 +7,10 @@
 use crate::arrays::{self, Matrix};
 use crate::error::{of_run, plain, refused};
 use crate::executor::{PyExecutor, observe};
-use crate::interpret::PyInterpretation;
 use crate::motion::PyMotion;
 use crate::pictures;
-use crate::plan::{PyPlan, PyPrediction};
-use crate::task::PyTask;
+use crate::plan::PyPlan;
+use crate::round::{PyAudit, PyRound};
 use crate::telemetry::{Columns, PyTelemetry};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
@@ -21,13 +20,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 use std::time::Duration;
-use wisch::follow::Audit;
-use wisch::plan::PlanConfig;
 use wisch::recover::Verdict;
 use wisch::represent::{Observation, Task};
 use wisch::run::{
-    Execution, Executor, ExecutorError, MotionOrder, NoExecutor, PlannedRound, Round, RunConfig,
-    RunError, RunEvent, SampleSink, Session, Stage,
+    Execution, Executor, ExecutorError, MotionOrder, NoExecutor, Round, RunConfig, RunError,
+    RunEvent, SampleSink, Session, Stage,
 };
 use wisch_io::{EventWriter, LoadedTask, Robot, RobotFiles};
 
@@ -137,8 +134,8 @@ fn described(events: &mut Events, event: &RunEvent<'_>) -> Option<String> {
 }
 
 impl PySession {
-    pub fn new(task: &PyTask, robot: Option<Arc<Robot>>, config: RunConfig) -> PyResult<Self> {
-        let loaded = Arc::clone(&task.loaded);
+    /// A session that has not planned yet.
+    pub fn new(loaded: Arc<LoadedTask>, robot: Option<Arc<Robot>>, config: RunConfig) -> Self {
         let belief = loaded.belief();
         let wiping = Wiping::new(robot.clone(), |robot| {
             let session = Session::new(&loaded.task, config).with_belief(belief);
@@ -147,7 +144,7 @@ impl PySession {
                 None => session,
             }
         });
-        Ok(Self {
+        Self {
             task: loaded,
             robot,
             wiping: Arc::new(Mutex::new(wiping)),
@@ -156,7 +153,7 @@ impl PySession {
             is_running: AtomicBool::new(false),
             telemetry: Mutex::default(),
             rounds: Mutex::default(),
-        })
+        }
     }
 
     /// The files of the robot that wipes.
@@ -447,7 +444,7 @@ impl PySession {
             self.run_until(py, Stage::Audited, call(executor, on_event, None)?)?;
         }
         self.look(py, |session| {
-            let audit = session.audit().map(|audit| PyAudit(audit.clone()));
+            let audit = session.audit().map(PyAudit::of);
             audit.ok_or_else(|| plain("there is no motion: the session has ended"))
         })
     }
@@ -491,22 +488,16 @@ impl PySession {
                 let of_round = telemetry
                     .iter()
                     .rfind(|t| t.get().is_of(round.motion.number));
-                let round = PyRound {
-                    round: Arc::new(round.clone()),
-                    telemetry: of_round.map(|telemetry| telemetry.clone_ref(py)),
-                    config: self.task.config.clone(),
-                };
+                let telemetry = of_round.map(|telemetry| telemetry.clone_ref(py));
+                let round = PyRound::of(round, telemetry, &self.task.config);
                 kept.push(Py::new(py, round)?);
             }
             // The last verdict is said when the session ends.
             if let (Some(round), Some(last)) = (all.last(), kept.last_mut())
                 && last.get().round.verdict != round.verdict
             {
-                let renewed = PyRound {
-                    round: Arc::new(round.clone()),
-                    telemetry: last.get().telemetry.as_ref().map(|t| t.clone_ref(py)),
-                    config: self.task.config.clone(),
-                };
+                let telemetry = last.get().telemetry.as_ref().map(|t| t.clone_ref(py));
+                let renewed = PyRound::of(round, telemetry, &self.task.config);
                 *last = Py::new(py, renewed)?;
             }
             Ok(kept.iter().map(|round| round.clone_ref(py)).collect())
@@ -563,141 +554,5 @@ impl PySession {
     fn __repr__(&self) -> String {
         let stage = self.stage().unwrap_or("new");
         format!("<wisch.Session of {:?}: {stage}>", self.task.task.name)
-    }
-}
-
-/// What an independent check says of a motion.
-#[pyclass(name = "Audit", module = "wisch", frozen)]
-pub struct PyAudit(Audit);
-
-#[pymethods]
-impl PyAudit {
-    /// What is wrong, in words; nothing of a sound motion.
-    #[getter]
-    fn faults(&self) -> Vec<String> {
-        self.0.faults.iter().map(ToString::to_string).collect()
-    }
-
-    #[getter]
-    fn min_clearance_m(&self) -> f64 {
-        self.0.min_clearance
-    }
-
-    #[getter]
-    fn line_deviation_m(&self) -> f64 {
-        self.0.line.position
-    }
-
-    #[getter]
-    fn line_deviation_rad(&self) -> f64 {
-        self.0.line.rotation
-    }
-
-    fn __bool__(&self) -> bool {
-        self.0.faults.is_empty()
-    }
-
-    fn __repr__(&self) -> String {
-        format!(
-            "<wisch.Audit: {} faults, {:.0} mm clear>",
-            self.0.faults.len(),
-            1e3 * self.0.min_clearance
-        )
-    }
-}
-
-/// One round that is over.
-#[pyclass(name = "Round", module = "wisch", frozen)]
-pub struct PyRound {
-    pub round: Arc<Round>,
-    pub telemetry: Option<Py<PyTelemetry>>,
-    config: PlanConfig,
-}
-
-#[pymethods]
-impl PyRound {
-    #[getter]
-    fn number(&self) -> usize {
-        self.round.motion.number
-    }
-
-    #[getter]
-    fn plan(&self) -> PyPlan {
-        PyPlan::of(&self.round.motion.task, self.round.motion.plan.clone())
-    }
-
-    #[getter]
-    fn prediction(&self) -> PyPrediction {
-        let motion = &self.round.motion;
-        PyPrediction {
-            task: Arc::new(motion.task.clone()),
-            plan: Arc::new(motion.wiped()),
-            prediction: motion.prediction.clone(),
-        }
-    }
-
-    #[getter]
-    fn motion(&self) -> PyMotion {
-        PyMotion::of_round(&self.round.motion)
-    }
-
-    #[getter]
-    fn audit(&self) -> PyAudit {
-        PyAudit(self.round.audit.clone())
-    }
-
-    #[getter]
-    fn telemetry(&self, py: Python<'_>) -> Option<Py<PyTelemetry>> {
-        self.telemetry.as_ref().map(|one| one.clone_ref(py))
-    }
-
-    #[getter]
-    fn interpretation(&self) -> PyInterpretation {
-        let PlannedRound { task, plan, .. } = &self.round.motion;
-        let told = self.round.interpretation.clone();
-        PyInterpretation::of(task, plan.graph.goal, &self.config, told)
-    }
-
-    /// Expected performance, 0 to 1.
-    #[getter]
-    fn performance(&self) -> f64 {
-        self.round.interpretation.performance.mean
-    }
-
-    /// Its 90 % interval.
-    #[getter]
-    fn interval(&self) -> (f64, f64) {
-        let estimate = &self.round.interpretation.performance;
-        (estimate.low, estimate.high)
-    }
-
-    #[getter]
-    fn duration_s(&self) -> f64 {
-        self.round.execution.duration
-    }
-
-    #[getter]
-    fn ending(&self) -> &'static str {
-        self.round.execution.ending.as_str()
-    }
-
-    #[getter]
-    fn verdict(&self) -> &'static str {
-        self.round.verdict.as_str()
-    }
-
-    /// What it was predicted to do, as a picture for notebooks.
-    fn _repr_svg_(&self) -> String {
-        let motion = &self.round.motion;
-        pictures::drawn("before-after", &motion.task, &motion.wiped(), None)
-    }
-
-    fn __repr__(&self) -> String {
-        format!(
-            "<wisch.Round {}: {:.0} %, {}>",
-            self.round.motion.number,
-            100.0 * self.performance(),
-            self.round.verdict.as_str()
-        )
     }
 }

@@ -180,13 +180,6 @@ fn options_of(
     })
 }
 
-impl PyTask {
-    /// Its name, for messages.
-    pub fn shown(&self) -> String {
-        self.loaded.path.display().to_string()
-    }
-}
-
 #[pymethods]
 impl PyTask {
     #[getter]
@@ -401,7 +394,7 @@ impl PyTask {
             Some("greedy") => config.pace = wisch::run::Pace::Greedy,
             Some(other) => return Err(refused("pace", other, "\"whole\" or \"greedy\"")),
         }
-        PySession::new(self, robot, config)
+        Ok(PySession::new(Arc::clone(&self.loaded), robot, config))
     }
 
     /// The same task with other particles (N, 2) [m]; options as of `load_task`.

@@ -16,7 +16,7 @@ import wisch.executor
 import wisch.gym
 
 HERE = Path(__file__).parent
-EXAMPLES = sorted((HERE.parent / "examples").glob("*.py"))
+EXAMPLES = sorted((HERE.parent / "examples").glob("0*.py"))
 DOCS = HERE.parents[2] / "docs"
 NOTEBOOKS = sorted((DOCS / "notebooks").glob("*.ipynb"))
 

@@ -1,5 +1,6 @@
 """Executors that go wrong: a clear error, what was felt is kept, and nothing is left running."""
 
+import json
 import subprocess
 import sys
 import threading
@@ -240,11 +241,14 @@ def served(program, tmp_path, then, *more):
     return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=120)
 
 
-def test_an_executor_is_served_to_the_program(program, tmp_path):
+def test_an_executor_that_is_served_to_the_program_does_the_same(program, tmp_path, task, robot):
     ended = served(program, tmp_path, "pass")
     assert ended.returncode == 0, ended.stderr
     assert "executing ['joint_1'" in ended.stderr, "what it prints goes to standard error"
     assert len(wisch.Memory(tmp_path / "memory").episodes) == 1
+    [by_program] = json.loads((tmp_path / "out" / "rounds.json").read_text())
+    [here] = task.session(robot, rounds=1, target=0.2).run(Exact(task.surface_reaction))
+    assert (by_program["estimated"], by_program["verdict"]) == (here.performance, here.verdict), "to the last digit"
 
 
 @pytest.mark.parametrize(

@@ -109,7 +109,10 @@ pub fn execute(
                 seen => watch.flow(seen),
             }
         });
-        if let [.., round] = &session.rounds()[finished..] {
+        // One that broke off is no round to go on from.
+        if stage.is_ok()
+            && let [.., round] = &session.rounds()[finished..]
+        {
             let number = round.motion.number;
             if let Some(seconds) = executed_s.get(finished) {
                 watch.round(number).times.executing_s = *seconds;

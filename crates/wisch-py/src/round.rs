@@ -1,0 +1,166 @@
+//! Rounds that are over, and what an independent check says of motions.
+
+use crate::interpret::PyInterpretation;
+use crate::motion::PyMotion;
+use crate::pictures;
+use crate::plan::{PyPlan, PyPrediction};
+use crate::telemetry::PyTelemetry;
+use pyo3::prelude::*;
+use std::sync::Arc;
+use wisch::follow::Audit;
+use wisch::plan::PlanConfig;
+use wisch::run::{PlannedRound, Round};
+
+/// What an independent check says of a motion.
+#[pyclass(name = "Audit", module = "wisch", frozen)]
+pub struct PyAudit(Audit);
+
+impl PyAudit {
+    /// Of this motion.
+    pub fn of(audit: &Audit) -> Self {
+        Self(audit.clone())
+    }
+}
+
+#[pymethods]
+impl PyAudit {
+    /// What is wrong, in words; nothing of a sound motion.
+    #[getter]
+    fn faults(&self) -> Vec<String> {
+        self.0.faults.iter().map(ToString::to_string).collect()
+    }
+
+    #[getter]
+    fn min_clearance_m(&self) -> f64 {
+        self.0.min_clearance
+    }
+
+    #[getter]
+    fn line_deviation_m(&self) -> f64 {
+        self.0.line.position
+    }
+
+    #[getter]
+    fn line_deviation_rad(&self) -> f64 {
+        self.0.line.rotation
+    }
+
+    fn __bool__(&self) -> bool {
+        self.0.faults.is_empty()
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "<wisch.Audit: {} faults, {:.0} mm clear>",
+            self.0.faults.len(),
+            1e3 * self.0.min_clearance
+        )
+    }
+}
+
+/// One round that is over.
+#[pyclass(name = "Round", module = "wisch", frozen)]
+pub struct PyRound {
+    pub round: Arc<Round>,
+    pub telemetry: Option<Py<PyTelemetry>>,
+    config: PlanConfig,
+}
+
+impl PyRound {
+    /// Of a session that plans like this.
+    pub fn of(round: &Round, telemetry: Option<Py<PyTelemetry>>, config: &PlanConfig) -> Self {
+        Self {
+            round: Arc::new(round.clone()),
+            telemetry,
+            config: config.clone(),
+        }
+    }
+}
+
+#[pymethods]
+impl PyRound {
+    #[getter]
+    fn number(&self) -> usize {
+        self.round.motion.number
+    }
+
+    #[getter]
+    fn plan(&self) -> PyPlan {
+        PyPlan::of(&self.round.motion.task, self.round.motion.plan.clone())
+    }
+
+    #[getter]
+    fn prediction(&self) -> PyPrediction {
+        let motion = &self.round.motion;
+        PyPrediction {
+            task: Arc::new(motion.task.clone()),
+            plan: Arc::new(motion.wiped()),
+            prediction: motion.prediction.clone(),
+        }
+    }
+
+    #[getter]
+    fn motion(&self) -> PyMotion {
+        PyMotion::of_round(&self.round.motion)
+    }
+
+    #[getter]
+    fn audit(&self) -> PyAudit {
+        PyAudit(self.round.audit.clone())
+    }
+
+    #[getter]
+    fn telemetry(&self, py: Python<'_>) -> Option<Py<PyTelemetry>> {
+        self.telemetry.as_ref().map(|one| one.clone_ref(py))
+    }
+
+    #[getter]
+    fn interpretation(&self) -> PyInterpretation {
+        let PlannedRound { task, plan, .. } = &self.round.motion;
+        let told = self.round.interpretation.clone();
+        PyInterpretation::of(task, plan.graph.goal, &self.config, told)
+    }
+
+    /// Expected performance, 0 to 1.
+    #[getter]
+    fn performance(&self) -> f64 {
+        self.round.interpretation.performance.mean
+    }
+
+    /// Its 90 % interval.
+    #[getter]
+    fn interval(&self) -> (f64, f64) {
+        let estimate = &self.round.interpretation.performance;
+        (estimate.low, estimate.high)
+    }
+
+    #[getter]
+    fn duration_s(&self) -> f64 {
+        self.round.execution.duration
+    }
+
+    #[getter]
+    fn ending(&self) -> &'static str {
+        self.round.execution.ending.as_str()
+    }
+
+    #[getter]
+    fn verdict(&self) -> &'static str {
+        self.round.verdict.as_str()
+    }
+
+    /// What it was predicted to do, as a picture for notebooks.
+    fn _repr_svg_(&self) -> String {
+        let motion = &self.round.motion;
+        pictures::drawn("before-after", &motion.task, &motion.wiped(), None)
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "<wisch.Round {}: {:.0} %, {}>",
+            self.round.motion.number,
+            100.0 * self.performance(),
+            self.round.verdict.as_str()
+        )
+    }
+}
