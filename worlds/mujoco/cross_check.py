@@ -2,9 +2,9 @@
 """One motion in two physics engines: in the program's own world (Rapier) and in this one (MuJoCo), from the same places of the
 same number of crumbs: `python worlds/mujoco/cross_check.py`.
 
-The program `wisch` (what WISCH names, one that was built in this checkout, or one on the path) plans, executes, and leaves a bag; the wheel plans the same
-motion, which MuJoCo executes. Prints joint torques, contact force, tool path, and where the crumbs end, side by side. Exit code
-0 where the two motions are the same, else 2.
+The program `wisch` (what WISCH names, one that was built in this checkout, or one on the path) plans, executes, and leaves a
+bag; the wheel plans the same motion, which MuJoCo executes. Prints joint torques, contact force, tool path, and where the crumbs
+end, side by side. Exit code 0 where the two motions are the same, else 2.
 """
 
 import argparse
@@ -17,7 +17,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-import numpy as np
+try:
+    import numpy as np
+except ImportError as error:
+    sys.exit(f"{error}: pip install -r worlds/mujoco/requirements.txt ./crates/wisch-py")
 
 TOPICS = {"/tcp/measured", "/tcp/commanded", "/wrench/external", "/joint_states"}
 
@@ -172,9 +175,9 @@ def main():
     print(f"| over an edge | {len(fates) - taken[0] - lying[0].sum()} | {len(crumbs) - taken[1] - lying[1].sum()} |")
     if goal is not None:
         radius = task.collision_radius_m
-        met = [int((np.linalg.norm(p - goal, axis=1) <= radius)[on].sum()) for p, on in ((ends, lying[0]), (crumbs.places[:, :2], lying[1]))]
+        far = [1e3 * np.linalg.norm(p[on] - goal, axis=1) for p, on in zip((ends, crumbs.places[:, :2]), lying)]
+        met = [int((distances <= 1e3 * radius).sum()) for distances in far]
         print(f"| at the goal, of {len(crumbs)} | {met[0]} | {met[1]} |")
-        far = [1e3 * np.linalg.norm(p[on] - goal, axis=1) for p, on in ((ends, lying[0]), (crumbs.places[:, :2], lying[1]))]
         print(f"| from the goal [mm] | {quantiles(far[0])} | {quantiles(far[1])} |")
         both = lying[0] & lying[1]
         if both.any():

@@ -14,7 +14,10 @@ import time
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
-import numpy as np
+try:
+    import numpy as np
+except ImportError as error:
+    sys.exit(f"{error}: pip install -r worlds/mujoco/requirements.txt ./crates/wisch-py")
 
 DIRT = ("uniform", "clusters", "stripe")
 DISTURBANCES = ("undisturbed", "surface elsewhere", "pushed")

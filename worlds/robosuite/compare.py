@@ -10,12 +10,15 @@ import sys
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
-import numpy as np
+try:
+    import numpy as np
 
-from follower import Follower
-from peers import oracle_tour, zigzag_area, zigzag_box
-from planning import wipe
-from wipe_environment import ROBOTS, WipeEnvironment
+    from follower import Follower
+    from peers import oracle_tour, zigzag_area, zigzag_box
+    from planning import wipe
+    from wipe_environment import ROBOTS, WipeEnvironment
+except ImportError as error:
+    sys.exit(f"{error}: pip install -r worlds/robosuite/requirements.txt")
 
 WAYS = {"wisch": wipe, "oracle": oracle_tour, "zigzag 9 cm": zigzag_box, "zigzag 3 cm": zigzag_area}
 COLUMNS = ["robot", "way", "seed", "ending", "markers", "wiped", "time_s", "force_median_n", "force_p99_n", "force_max_n"]

@@ -18,7 +18,7 @@ def zigzag(middle, sizes, spacing, along):
 
 
 def zigzag_area(world, follower, spacing=0.03):
-    """Over all of the area that dirt may lie in, without looking; then once more over what is missed."""
+    """Over all of the area that dirt may lie in, without looking."""
     middle, sizes = world.dirt_area()
     yaw = np.pi / 2
     path = zigzag(middle, sizes, spacing, along=1)

@@ -1,15 +1,13 @@
 """A MuJoCo world for wisch: a robot by its URDF, a tool that is a bed of springs, and crumbs that are pushed by touching them."""
 
-import sys
-
 try:
     import mujoco  # noqa: F401
 except ImportError as error:
-    sys.exit(f"MuJoCo is needed ({error}): pip install -r worlds/mujoco/requirements.txt")
+    raise SystemExit(f"MuJoCo is needed ({error}): pip install -r worlds/mujoco/requirements.txt") from error
 try:
     import wisch  # noqa: F401
 except ImportError as error:
-    sys.exit(f"the wheel of wisch is needed ({error}): pip install ./crates/wisch-py")
+    raise SystemExit(f"the wheel of wisch is needed ({error}): pip install ./crates/wisch-py") from error
 
 from .settings import Push, Settings, Unsupported
 from .world import World
