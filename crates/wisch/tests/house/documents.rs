@@ -89,7 +89,7 @@ fn an_item_that_is_not_there_is_noticed() {
 }
 
 /// The documents for readers.
-const DOCUMENTS: [&str; 7] = [
+const DOCUMENTS: [&str; 8] = [
     "README.md",
     "ARCHITECTURE.md",
     "CONTRIBUTING.md",
@@ -97,10 +97,11 @@ const DOCUMENTS: [&str; 7] = [
     "PERFORMANCE.md",
     "STYLE.md",
     "docs/executor-protocol.md",
+    "docs/worlds.md",
 ];
 
 /// What paths in the documents begin with.
-const FOLDERS: [&str; 9] = [
+const FOLDERS: [&str; 10] = [
     "crates",
     "docs",
     "fuzz",
@@ -109,6 +110,7 @@ const FOLDERS: [&str; 9] = [
     "peers",
     "robots",
     "scenarios",
+    "worlds",
     ".ci",
 ];
 

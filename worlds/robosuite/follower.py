@@ -1,0 +1,223 @@
+"""Follows a path of planar tool poses on the table through robosuite's OSC controller.
+
+The same for whoever made the path: our plans, zigzags and tours go through here at one speed and one force.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+SUBSTEPS = 10
+"""Steps of the reference in one period of the controller."""
+
+
+@dataclass(frozen=True)
+class FollowerConfig:
+    """Constants, chosen on seeds 1000 and up."""
+
+    speed: float = 0.1
+    """Of the tool along its path in contact [m/s]: faster, the task's table carries the tool and markers stay."""
+    free_speed: float = 0.22
+    """Of the tool above the table [m/s]."""
+    acceleration: float = 1.0
+    """At corners [m/s²]."""
+    lookahead: float = 0.008
+    """How far ahead on its path the reference heads; so far inside of a corner it goes by [m]."""
+    turn_speed: float = 2.0
+    """Of the yaw [rad/s]."""
+    force: float = 25.0
+    """Normal force while wiping [N]."""
+    force_gain: float = 0.2
+    """Share of the force's error that is made up for in one period [1]."""
+    tilt_gain: float = 0.15
+    """The same of the tilt's error [1]."""
+    turn_range: float = 1.8
+    """How far the tool may be turned from how it began [rad]."""
+    turn_stiffness: float = 400.0
+    """Of the tool's rotation [1/s²]."""
+    lean: float = 0.003
+    """How far the tool leans forward at full speed [rad]: its leading side is pressed on first."""
+    landing_speed: float = 0.035
+    """At which the tool meets the table [m/s]."""
+    braking: float = 0.6
+    """Of the tool as it comes down [m/s²]."""
+
+
+def wrapped(angle):
+    """An angle of a tool that looks the same after half a turn, within ±π/2 [rad]."""
+    return (angle + np.pi / 2) % np.pi - np.pi / 2
+
+
+def rotation_error(rotation, yaw):
+    """Axis times angle, in the world, that brings the tool flat on the table with its broad side at `yaw` [rad]."""
+    x_axis = np.array([np.cos(yaw), np.sin(yaw), 0.0])
+    if x_axis @ rotation[:, 0] < 0.0:
+        x_axis = -x_axis
+    desired = np.column_stack([x_axis, np.cross([0.0, 0.0, 1.0], x_axis), [0.0, 0.0, 1.0]])
+    error = desired @ rotation.T
+    axis = np.array([error[2, 1] - error[1, 2], error[0, 2] - error[2, 0], error[1, 0] - error[0, 1]]) / 2.0
+    sine, cosine = np.linalg.norm(axis), (np.trace(error) - 1.0) / 2.0
+    return axis if sine < 1e-9 else axis / sine * np.arctan2(sine, cosine)
+
+
+class Reference:
+    """A point that runs along a polyline of poses (n, 3) as fast as speed and acceleration allow, cutting corners a little."""
+
+    def __init__(self, path, velocity, config):
+        path = np.asarray(path, dtype=float)
+        steps = np.linalg.norm(np.diff(path[:, :2], axis=0), axis=1)
+        self.path = path[np.concatenate([[True], steps > 1e-6])]
+        steps = steps[steps > 1e-6]
+        self.stations = np.concatenate([[0.0], np.cumsum(steps)])
+        self.end = path[-1]
+        self.config = config
+        self.position, self.velocity = path[0, :2].copy(), np.array(velocity, dtype=float)
+        self.acceleration = np.zeros(2)
+        self.yaw = path[0, 2]
+        self.station = 0.0
+
+    @property
+    def arrived(self):
+        """Whether the end is reached."""
+        far = np.linalg.norm(self.end[:2] - self.position)
+        return far < 0.002 and abs(self.end[2] - self.yaw) < 0.02
+
+    def _pose_at(self, station):
+        if len(self.stations) == 1 or station >= self.stations[-1]:
+            return self.end
+        index = int(np.searchsorted(self.stations, station, side="right")) - 1
+        share = (station - self.stations[index]) / (self.stations[index + 1] - self.stations[index])
+        begin, end = self.path[index], self.path[index + 1]
+        return begin + share * (end - begin)
+
+    def advance(self, period, most):
+        """One period of the controller goes by, at no more than a speed [m/s]."""
+        config, step = self.config, period / SUBSTEPS
+        before = self.velocity.copy()
+        for _ in range(SUBSTEPS):
+            # The carrot runs ahead on the path, and waits where the point is late.
+            while self.station < self.stations[-1]:
+                carrot = self._pose_at(self.station)
+                if np.linalg.norm(carrot[:2] - self.position) >= config.lookahead:
+                    break
+                self.station = min(self.stations[-1], self.station + 0.001)
+            carrot = self._pose_at(self.station)
+            way = carrot[:2] - self.position
+            far = np.linalg.norm(way)
+            left = far + self.stations[-1] - self.station
+            speed = min(most, np.sqrt(2.0 * 0.7 * config.acceleration * left), left / 0.05)
+            turn = carrot[2] - self.yaw
+            wanted = way / far * speed if far > 1e-9 else np.zeros(2)
+            change = (wanted - self.velocity) / 0.03
+            size = np.linalg.norm(change)
+            change *= min(1.0, config.acceleration / max(size, 1e-9))
+            self.velocity = self.velocity + change * step
+            self.position = self.position + self.velocity * step
+            self.yaw += np.clip(turn, -config.turn_speed * step, config.turn_speed * step)
+        self.acceleration = (self.velocity - before) / period
+
+
+class Follower:
+    """Drives the tool of one environment."""
+
+    def __init__(self, world, config=FollowerConfig()):
+        self.world, self.config = world, config
+        middle, _ = world.table()
+        self.height = middle[2]
+        self.stiffness, self.damping = float(world.controller.kp[0]), float(world.controller.kd[0])
+        self.pressing = 0.5 * config.force
+        self.tilt = np.zeros(3)
+        self.velocity = np.zeros(2)
+        self.pressed = []
+        """Normal forces at every step of the physics while the tool wipes [N]."""
+        self.track = []
+        """Where the tool was after each period of wiping: x, y, broad side's angle [m, rad]."""
+        self.landed = False
+        self.yaw = self.first_yaw = self.pose()[2]
+
+    def pose(self):
+        """Where the tool is: x, y, angle of its broad side."""
+        position, rotation = self.world.position(), self.world.rotation()
+        return np.array([position[0], position[1], np.arctan2(rotation[1, 0], rotation[0, 0])])
+
+    def follow(self, path, until=lambda: False):
+        """Wipes along a path (n, 3) from where the tool is; ends with the episode, the path, or when `until` says so."""
+        path = self._with_turns(path)
+        if not self.landed:
+            # It comes down where its path begins, not on the way there.
+            self._run(path[:1], until, lambda: self.landed)
+        self._run(path, until, lambda: False)
+
+    def _with_turns(self, path):
+        """A path whose angles are those that the wrist can take, half turns of the tool being the same: near the one before, and
+        never far from how the tool began."""
+        path, yaw = np.array(path, dtype=float), self.yaw
+        for pose in path:
+            turned = yaw + wrapped(pose[2] - yaw)
+            if abs(turned - self.first_yaw) > self.config.turn_range:
+                turned -= np.sign(turned - self.first_yaw) * np.pi
+            pose[2] = yaw = turned
+        return path
+
+    def _run(self, path, until, landed):
+        start = np.append(self.world.position()[:2], self.yaw)
+        reference = Reference(np.vstack([start, path]), self.velocity, self.config)
+        late = 0
+        while not (self.world.done or until() or landed()):
+            if reference.arrived and self.landed:
+                late += 1
+                if late > 3:
+                    break
+            clearance = self.world.position()[2] - self.height
+            in_air = not self.landed and clearance > 0.02
+            reference.advance(self.world.period, self.config.free_speed if in_air else self.config.speed)
+            left = np.linalg.norm(path[0, :2] - reference.position) - 0.004
+            self._command(reference, np.clip(left, 0.0, 0.05))
+        self.velocity, self.yaw = reference.velocity, reference.yaw
+
+    def _lean(self, reference):
+        """Axis times angle by which the tool leans towards the side that leads."""
+        broad, narrow, _ = self.world.rotation().T
+        across, along = narrow[:2] @ reference.velocity, broad[:2] @ reference.velocity
+        lean = self.config.lean / self.config.speed
+        return -lean * across * broad if abs(across) >= abs(along) else lean * along * narrow
+
+    def _command(self, reference, least_clearance):
+        """One period towards a reference; a tool that has not landed keeps a clearance of the table."""
+        world, config = self.world, self.config
+        position, moving, turning = world.position(), world.velocity(), world.turning()
+        acceleration, wrench = np.zeros(6), np.zeros(6)
+        acceleration[:2] = (
+            reference.acceleration
+            + self.damping * (reference.velocity - moving[:2])
+            + self.stiffness * (reference.position - position[:2])
+        )
+        error = rotation_error(world.rotation(), reference.yaw) + self._lean(reference)
+        if self.landed:
+            self.tilt[:2] = np.clip(self.tilt[:2] + config.tilt_gain * error[:2], -0.05, 0.05)
+            missing = config.force - world.force()
+            self.pressing = np.clip(self.pressing + config.force_gain * missing, 0.0, 2.0 * config.force)
+            wrench[2] = -self.pressing
+            acceleration[2] = -self.damping * moving[2]
+        else:
+            # As fast as there is way left to slow down on.
+            above = position[2] - self.height - max(0.004, least_clearance)
+            fall = min(config.free_speed, np.sqrt(2.0 * config.braking * max(0.0, above)))
+            if least_clearance <= 0.0:
+                fall = min(config.free_speed, fall + config.landing_speed)
+            acceleration[2] = (-fall - moving[2]) * self.damping
+            self.landed = world.force() > 2.0
+        stiffness = config.turn_stiffness
+        acceleration[3:] = stiffness * (error + self.tilt) - 2.0 * np.sqrt(stiffness) * turning
+        errors = world.errors_for(acceleration, wrench)
+        # What the controller would cut off is given up along the table first, evenly.
+        for share in (0.75, 0.5, 0.25, 0.0):
+            if np.abs(errors[:3]).max() <= 0.05:
+                break
+            acceleration[:2] = share * acceleration[:2]
+            errors = world.errors_for(acceleration, wrench)
+        before = len(world.forces)
+        world.step(errors)
+        if self.landed:
+            self.pressed.extend(world.forces[before:])
+            self.track.append(self.pose())

@@ -1,0 +1,194 @@
+"""robosuite's Wipe task, untouched: made headless, looked at, and stepped through its own controller.
+
+Lengths in metres, forces in newtons, angles in radians; positions in the frame of the world unless said otherwise.
+"""
+
+import logging
+import os
+import sys
+import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass
+
+os.environ.setdefault("MUJOCO_GL", "disable")
+logging.disable(logging.WARNING)  # robosuite tells of optional packages at import
+
+import numpy as np
+
+try:
+    import robosuite
+    from robosuite.utils.observables import Observable, sensor
+except ImportError as error:
+    sys.exit(f"robosuite is needed ({error}): pip install -r worlds/robosuite/requirements.txt")
+
+ROBOTS = ("Panda", "UR5e", "IIWA", "Sawyer")
+
+BASE_TOUCHES = {"Sawyer": ("robot0_right_arm_base_link", "robot0_right_l0")}
+"""Arms whose first link and base touch by a rounding error (-1.7e-16 m), which robosuite 1.5.2 takes for a collision that ends
+every episode at its first step: those two bodies are told not to collide."""
+
+
+@dataclass(frozen=True)
+class Tool:
+    """What touches: the rectangle between the wiping gripper's four corners."""
+
+    length: float
+    """Along its narrow side, across which it wipes broadly."""
+    width: float
+    """Along its broad side."""
+
+
+def _kept_apart(xml, one, other):
+    """A model in which two bodies do not collide."""
+    root = ElementTree.fromstring(xml)
+    contact = root.find("contact")
+    if contact is None:
+        contact = ElementTree.SubElement(root, "contact")
+    ElementTree.SubElement(contact, "exclude", body1=one, body2=other)
+    return ElementTree.tostring(root, encoding="unicode")
+
+
+class WipeEnvironment:
+    """One episode after another of the Wipe task with one arm.
+
+    The task is made as robosuite makes it by default: its controller (OSC_POSE, deltas), its 20 Hz, its table, its 100 markers,
+    its ends of an episode. What is added is a sensor: the force at the wrist at every step of the physics, by the
+    task's own way to add observables.
+    """
+
+    def __init__(self, robot, seed, horizon=2000, renders=False):
+        apart = robot in BASE_TOUCHES
+        self.env = robosuite.make(
+            "Wipe",
+            robots=robot,
+            has_renderer=False,
+            has_offscreen_renderer=renders,
+            use_camera_obs=False,
+            horizon=horizon,
+            hard_reset=apart,
+            seed=seed,
+        )
+        if apart:
+            self.env.set_xml_processor(lambda xml: _kept_apart(xml, *BASE_TOUCHES[robot]))
+        self.env.reset()
+        self.robot = self.env.robots[0]
+        self.arm = self.robot.arms[0]
+        self.controller = self.robot.part_controllers[self.arm]
+        self.forces = []
+        self._add_force_sensor()
+        self.done = False
+        corners = self.robot.gripper[self.arm].important_geoms["corners"]
+        self._corners = [self.env.sim.model.geom_name2id(name) for name in corners]
+
+    def _add_force_sensor(self):
+        @sensor(modality="wrist")
+        def wrist_force(_cache):
+            force = float(self.robot.ee_force[self.arm][2])
+            self.forces.append(force)
+            return force
+
+        rate = 1.0 / self.env.model_timestep
+        self.env.add_observable(Observable(name="wrist_force", sensor=wrist_force, sampling_rate=rate))
+        self.forces.clear()
+
+    # What a camera would see.
+
+    def visible_markers(self):
+        """Places of the markers that are not wiped, as a photo would give them: (n, 2)."""
+        data, model = self.env.sim.data, self.env.sim.model
+        wiped = {marker.name for marker in self.env.wiped_markers}
+        places = [
+            data.body_xpos[model.body_name2id(marker.root_body)][:2]
+            for marker in self.env.model.mujoco_arena.markers
+            if marker.name not in wiped
+        ]
+        return np.array(places, dtype=float).reshape(-1, 2)
+
+    def table(self):
+        """The table's rectangle: its middle (3) and its sizes along x and y (2)."""
+        return np.array(self.env.table_offset, dtype=float), np.array(self.env.table_full_size[:2], dtype=float)
+
+    def dirt_area(self):
+        """The rectangle that markers may lie in: its middle (2) and its sizes along x and y (2)."""
+        middle, sizes = self.table()
+        return middle[:2], sizes * self.env.coverage_factor - self.env.line_width
+
+    def tool(self):
+        """The wiping gripper's footprint, from its contact geometry."""
+        one, two, _, four = self.corners()
+        return Tool(length=float(np.linalg.norm(four - two)), width=float(np.linalg.norm(one - two)))
+
+    # What the robot feels.
+
+    def corners(self):
+        """Where the tool's four corners are: (4, 3)."""
+        return np.array(self.env.sim.data.geom_xpos[self._corners])
+
+    def position(self):
+        """The tool centre point (3)."""
+        return np.array(self.controller.ref_pos)
+
+    def velocity(self):
+        """Its velocity (3)."""
+        return np.array(self.controller.ref_pos_vel)
+
+    def rotation(self):
+        """Axes of the tool in the world (3, 3): x along its broad side, z out of its face."""
+        one, two, _, four = self.corners()
+        broad = (one - two) / np.linalg.norm(one - two)
+        narrow = (four - two) / np.linalg.norm(four - two)
+        return np.column_stack([broad, narrow, np.cross(broad, narrow)])
+
+    def force(self):
+        """The last measured normal force, positive when pressed."""
+        return self.forces[-1] if self.forces else 0.0
+
+    def turning(self):
+        """The tool's angular velocity (3)."""
+        return np.array(self.controller.ref_ori_vel)
+
+    def errors_for(self, acceleration, wrench):
+        """The errors of position and rotation (6) for which the controller gives an acceleration of the tool (6) while it presses on
+        its surroundings with a wrench (6).
+
+        The controller weighs position and rotation apart from each other; what couples them in the arm is made up for here.
+        """
+        controller = self.controller
+        mass, jacobian = np.array(controller.mass_matrix), np.array(controller.J_full)
+        mobility = jacobian @ np.linalg.solve(mass, jacobian.T)
+        wanted = np.linalg.solve(mobility, acceleration) + wrench
+        twist = np.concatenate([self.velocity(), self.turning()])
+        error = np.concatenate([mobility[:3, :3] @ wanted[:3], mobility[3:, 3:] @ wanted[3:]])
+        return (error + np.array(controller.kd) * twist) / np.array(controller.kp)
+
+    # The run of time.
+
+    @property
+    def time(self):
+        """Simulated seconds since the reset."""
+        return self.env.cur_time
+
+    @property
+    def period(self):
+        """Simulated seconds between commands."""
+        return self.env.control_timestep
+
+    def step(self, errors):
+        """Commands a pose by its errors (6), each cut to what the controller takes; one period goes by."""
+        limits = np.array(self.controller.output_max)
+        _, _, done, _ = self.env.step(np.clip(errors / limits, -1.0, 1.0))
+        self.done = self.done or bool(done)
+        return self.done
+
+    def ending(self):
+        """How the episode stands: "complete", "joint limit", "collision", "time" or "unfinished"."""
+        if self.env._check_success():
+            return "complete"
+        if self.robot.check_q_limits():
+            return "joint limit"
+        if self.env.check_contact(self.robot.robot_model):
+            return "collision"
+        return "time" if self.done else "unfinished"
+
+    def close(self):
+        """Frees the simulation."""
+        self.env.close()
