@@ -61,9 +61,10 @@ impl Wiping {
         let task = board(action, [0.5, 0.0, 0.2]);
         let plan = first_stroke(planned(&task));
         let cell = cell(&task);
-        // The stroke as planned, from the side on which tests put what is in its way.
+        // The stroke as planned: tests put things in its way, and waves under it.
         let config = FollowConfig {
             free_order: false,
+            free_yaw: false,
             ..FollowConfig::default()
         };
         let followed = follow(&task, &plan, &cell, None, &config, &mut |_| ()).unwrap();
