@@ -1,0 +1,155 @@
+// One clock for all that is shown: play, pause, speed, seek, and following a run that goes on.
+
+export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10];
+/** How fast the clock catches up with a run that goes on: the gap shrinks to a third in this time [s]. */
+const CATCH_UP_S = 0.12;
+
+/** What the clock runs over: a recording. */
+export interface Span {
+  duration: number;
+  /** Up to when it is known. */
+  now: number;
+  live: boolean;
+}
+
+interface Frames {
+  request(callback: (now: number) => void): number;
+  cancel(id: number): void;
+}
+
+const browser: Frames = {
+  request: (callback) => requestAnimationFrame(callback),
+  cancel: (id) => cancelAnimationFrame(id),
+};
+
+export class Clock {
+  /** The time that is shown [s]. */
+  time = 0;
+  playing = false;
+  /** Whether it sticks to the end of what is known while a run goes on. */
+  following = false;
+  speed = 1;
+  private readonly spans = new Set<Span>();
+  private readonly callbacks = new Set<(clock: Clock) => void>();
+  private frame: number | null = null;
+  private before: number | null = null;
+
+  constructor(private readonly frames: Frames = browser) {}
+
+  /** Runs over a recording as well; returns how to stop that. */
+  join(span: Span): () => void {
+    this.spans.add(span);
+    return () => { this.spans.delete(span); };
+  }
+
+  get duration(): number {
+    return Math.max(0, ...[...this.spans].map((span) => span.duration));
+  }
+
+  /** Up to when something is known. */
+  get end(): number {
+    return Math.max(0, ...[...this.spans].map((span) => span.now));
+  }
+
+  get live(): boolean {
+    return [...this.spans].some((span) => span.live);
+  }
+
+  subscribe(callback: (clock: Clock) => void): () => void {
+    this.callbacks.add(callback);
+    return () => this.callbacks.delete(callback);
+  }
+
+  /** What the clock runs over has grown. */
+  grown(): void {
+    if (this.following && !this.live) {
+      this.following = false;
+      this.time = this.end;
+    }
+    if (this.following) this.run();
+    this.tell();
+  }
+
+  seek(time: number): void {
+    this.following = false;
+    this.time = Math.min(this.duration, Math.max(0, Number.isFinite(time) ? time : 0));
+    this.tell();
+  }
+
+  play(): void {
+    if (this.time >= this.end - 1e-6) {
+      if (this.live) return this.follow();
+      this.time = 0;
+    }
+    this.playing = true;
+    this.following = false;
+    this.run();
+    this.tell();
+  }
+
+  pause(): void {
+    this.playing = false;
+    this.following = false;
+    this.tell();
+  }
+
+  toggle(): void {
+    if (this.playing || this.following) this.pause();
+    else this.play();
+  }
+
+  /** Sticks to the end while pieces come in. */
+  follow(): void {
+    this.following = true;
+    this.playing = false;
+    this.run();
+    this.tell();
+  }
+
+  setSpeed(speed: number): void {
+    this.speed = Math.min(10, Math.max(0.1, speed));
+    this.tell();
+  }
+
+  /** The next speed up (1) or down (-1). */
+  faster(by: 1 | -1): void {
+    const at = SPEEDS.reduce((best, speed, i) => (Math.abs(speed - this.speed) < Math.abs(SPEEDS[best]! - this.speed) ? i : best), 0);
+    this.setSpeed(SPEEDS[Math.min(SPEEDS.length - 1, Math.max(0, at + by))]!);
+  }
+
+  destroy(): void {
+    if (this.frame !== null) this.frames.cancel(this.frame);
+    this.frame = null;
+    this.callbacks.clear();
+  }
+
+  private run(): void {
+    if (this.frame !== null) return;
+    this.before = null;
+    this.frame = this.frames.request((now) => this.step(now));
+  }
+
+  private step(now: number): void {
+    this.frame = null;
+    // A tab that slept does not jump.
+    const passed = this.before === null ? 0 : Math.min(0.25, (now - this.before) / 1000);
+    this.before = now;
+    if (this.following) {
+      const gap = this.end - this.time;
+      this.time = Math.abs(gap) < 1e-3 ? this.end : this.time + gap * (1 - Math.exp(-passed / CATCH_UP_S));
+    } else if (this.playing) {
+      this.time = Math.min(this.end, this.time + passed * this.speed);
+      if (this.time >= this.end) {
+        this.playing = false;
+        if (this.live) this.following = true;
+      }
+    }
+    const again = this.playing || (this.following && Math.abs(this.end - this.time) > 0);
+    if (again) this.frame = this.frames.request((later) => this.step(later));
+    this.tell();
+  }
+
+  private tell(): void {
+    for (const callback of this.callbacks) callback(this);
+  }
+}

@@ -1,0 +1,101 @@
+// Columns of numbers that grow at their end.
+
+type Numbers = Float32Array<ArrayBuffer> | Float64Array<ArrayBuffer>;
+
+/** Numbers in a row, `width` of them an instant; pushing is O(1) amortised. */
+export class Column {
+  data: Numbers;
+  /** How many numbers it has. */
+  length = 0;
+
+  constructor(readonly exact = false, capacity = 256) {
+    this.data = exact ? new Float64Array(capacity) : new Float32Array(capacity);
+  }
+
+  push(value: number): void {
+    if (this.length === this.data.length) this.reserve(2 * this.length);
+    this.data[this.length++] = value;
+  }
+
+  /** The same number as long as the column is shorter than `length`. */
+  fill(value: number, length: number): void {
+    if (length > this.data.length) this.reserve(Math.max(length, 2 * this.data.length));
+    if (length > this.length) this.data.fill(value, this.length, length);
+    this.length = Math.max(length, this.length);
+  }
+
+  get last(): number {
+    return this.length ? this.data[this.length - 1]! : NaN;
+  }
+
+  private reserve(capacity: number): void {
+    const grown = this.exact ? new Float64Array(capacity) : new Float32Array(capacity);
+    grown.set(this.data.subarray(0, this.length));
+    this.data = grown;
+  }
+}
+
+const FANOUT = 16;
+
+/** A column that knows the least and the largest of any stretch in O(log n): what is drawn of an hour in one pixel. */
+export class PlotColumn extends Column {
+  /** Level k has least and largest of FANOUT^(k+1) numbers in turn. */
+  private readonly levels: Column[] = [];
+  least = Infinity;
+  largest = -Infinity;
+
+  override push(value: number): void {
+    super.push(value);
+    if (value < this.least) this.least = value;
+    if (value > this.largest) this.largest = value;
+    let [low, high] = [value, value];
+    for (let k = 0, size = FANOUT; this.length % size === 0; k++, size *= FANOUT) {
+      const below = k === 0 ? null : this.levels[k - 1]!;
+      [low, high] = [Infinity, -Infinity];
+      for (let i = 0; i < FANOUT; i++) {
+        const a = below ? below.data[below.length - 2 * FANOUT + 2 * i]! : this.data[this.length - FANOUT + i]!;
+        const b = below ? below.data[below.length - 2 * FANOUT + 2 * i + 1]! : a;
+        if (a < low) low = a;
+        if (b > high) high = b;
+      }
+      const level = (this.levels[k] ??= new Column(this.exact, 64));
+      level.push(low);
+      level.push(high);
+    }
+  }
+
+  /** Least and largest from index `from` up to before `to`; null if there is no number. */
+  range(from: number, to: number): [number, number] | null {
+    let [low, high] = [Infinity, -Infinity];
+    let i = Math.max(0, from);
+    const end = Math.min(to, this.length);
+    while (i < end) {
+      let [level, size] = [-1, 1];
+      while (i % (size * FANOUT) === 0 && i + size * FANOUT <= end && level + 1 < this.levels.length) {
+        level++;
+        size *= FANOUT;
+      }
+      const at = i / size;
+      const a = level < 0 ? this.data[i]! : this.levels[level]!.data[2 * at]!;
+      const b = level < 0 ? a : this.levels[level]!.data[2 * at + 1]!;
+      if (a < low) low = a;
+      if (b > high) high = b;
+      i += size;
+    }
+    return low <= high ? [low, high] : null;
+  }
+}
+
+/** Index of the last entry that is at most `value` among the first `length`, which rise; -1 if none is. */
+export function lastAtMost(rising: ArrayLike<number>, value: number, length = rising.length): number {
+  let [low, high] = [0, length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (rising[middle]! <= value) low = middle + 1;
+    else high = middle;
+  }
+  return low - 1;
+}
+
+/** A number as it comes in a piece: null stands for one that is not known. */
+export const number = (value: unknown): number => (typeof value === "number" ? value : NaN);

@@ -1,0 +1,46 @@
+// Elements, and numbers as text. Whatever a recording says becomes text, never markup.
+
+type Child = Node | string | null | undefined | false;
+type Attributes = Record<string, string | number | boolean | null | undefined | ((event: never) => void)>;
+
+function fill<E extends Element>(element: E, attributes: Attributes, children: Child[]): E {
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === "function") element.addEventListener(name, value as unknown as EventListener);
+    else if (value !== null && value !== undefined && value !== false) element.setAttribute(name, value === true ? "" : String(value));
+  }
+  element.append(...children.filter((child): child is Node | string => child !== null && child !== undefined && child !== false));
+  return element;
+}
+
+/** An element: attributes, and functions for its events. */
+export const el = <K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): HTMLElementTagNameMap[K] =>
+  fill(document.createElement(tag), attributes, children);
+
+export const svg = <K extends keyof SVGElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): SVGElementTagNameMap[K] =>
+  fill(document.createElementNS("http://www.w3.org/2000/svg", tag), attributes, children);
+
+/** Sets the text if it is another. */
+export function say(element: Element, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+const MINUS = "\u2212";
+export const fixed = (value: number, digits: number): string => {
+  const text = value.toFixed(digits);
+  return /^-0(\.0*)?$/.test(text) ? text.slice(1) : text.replace("-", MINUS);
+};
+export const percent = (share: number, digits = 0): string => `${fixed(100 * share, digits)}\u202f%`;
+
+/** A time as it stands beside a clock: seconds, with minutes where there are any. */
+export function clockText(seconds: number, digits = 1): string {
+  if (seconds < 60) return `${fixed(seconds, digits)} s`;
+  const scale = 10 ** digits;
+  const whole = Math.round(seconds * scale) / scale;
+  const [hours, minutes] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60];
+  const rest = (whole % 60).toFixed(digits).padStart(digits ? digits + 3 : 2, "0");
+  return hours ? `${hours}:${String(minutes).padStart(2, "0")}:${rest}` : `${minutes}:${rest}`;
+}
+
+let last = 0;
+/** A name for an element that no other has. */
+export const fresh = (): string => `w${++last}`;

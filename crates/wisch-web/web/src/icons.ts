@@ -1,0 +1,32 @@
+// Small pictures on buttons and in legends, as paths.
+import { svg } from "./dom.ts";
+
+const PATHS = {
+  play: "M4 2.5v11l9.5-5.5z",
+  pause: "M3.5 2.5h3v11h-3zM9.5 2.5h3v11h-3z",
+  before: "M3 3h2v10H3zM13 3v10L6 8z",
+  after: "M11 3h2v10h-2zM3 3v10l7-5z",
+} as const;
+
+export const icon = (name: keyof typeof PATHS): SVGSVGElement =>
+  svg("svg", { viewBox: "0 0 16 16", width: 14, height: 14, "aria-hidden": "true", fill: "currentColor" }, svg("path", { d: PATHS[name] }));
+
+const MARKS: Record<string, () => SVGElement> = {
+  believed: () => svg("circle", { cx: 8, cy: 8, r: 3.2, fill: "var(--believed)" }),
+  estimated: () => svg("circle", { cx: 8, cy: 8, r: 4.6, fill: "none", stroke: "var(--estimated)", "stroke-width": 2.4 }),
+  actual: () => svg("path", { d: "M4 4l8 8M12 4l-8 8", fill: "none", stroke: "var(--actual)", "stroke-width": 2.6 }),
+  seen: () => svg("rect", { x: 3, y: 3, width: 10, height: 10, fill: "none", stroke: "var(--seen)", "stroke-width": 1.8 }),
+  path: () => svg("path", { d: "M1 11h6l8-6", fill: "none", stroke: "var(--contact)", "stroke-width": 2.4 }),
+  strokes: () => svg("path", { d: "M1 11h6l8-6", fill: "none", stroke: "var(--stroke)", "stroke-width": 2 }),
+  force: () => svg("path", { d: "M8 15V6M8 1l4 6H4z", fill: "var(--force)", stroke: "var(--force)", "stroke-width": 2 }),
+  found: () => svg("path", { d: "M2 12l3-8h9l-3 8z", fill: "var(--found)", "fill-opacity": 0.3, stroke: "var(--found)", "stroke-width": 2 }),
+  actualSurface: () => svg("path", { d: "M2 12l3-8h9l-3 8z", fill: "none", stroke: "var(--actual)", "stroke-width": 1.6, "stroke-dasharray": "3 2" }),
+  felt: () => svg("path", { d: "M8 1v14M5 1h6M5 15h6", fill: "none", stroke: "var(--felt)", "stroke-width": 1.6 }),
+  interval: () => svg("path", { d: "M8 1v14M4 1h8M4 15h8", fill: "none", stroke: "var(--estimated)", "stroke-width": 2.2 }),
+  target: () => svg("path", { d: "M0 8h16", fill: "none", stroke: "var(--target)", "stroke-width": 2, "stroke-dasharray": "4 3" }),
+  goal: () => svg("circle", { cx: 8, cy: 8, r: 5.5, fill: "var(--goal)", "fill-opacity": 0.35, stroke: "var(--goal-line)", "stroke-width": 1.6 }),
+};
+
+/** The mark of a layer, as it looks in the scene. */
+export const mark = (name: string): SVGSVGElement =>
+  svg("svg", { viewBox: "0 0 16 16", width: 15, height: 15, "aria-hidden": "true" }, MARKS[name]?.());

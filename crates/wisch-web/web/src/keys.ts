@@ -1,0 +1,74 @@
+// Keys that move the clock, wherever the focus is within a view.
+import type { Clock } from "./clock.ts";
+import type { Recording } from "./store.ts";
+
+const STEP_S = 0.1;
+const LONG_STEP_S = 1;
+/** Nearer than this, the next stop is the one after [s]. */
+const SAME_S = 0.05;
+
+export const KEYS: [string, string][] = [
+  ["Space", "play, pause"],
+  ["\u2190 \u2192", "0.1 s back, on (with Shift 1 s)"],
+  ["[ ]", "previous, next event or stroke"],
+  ["Home End", "begin, end"],
+  ["+ \u2212", "faster, slower"],
+  ["L", "follow a run that goes on"],
+  ["F", "fit view"],
+  ["T", "follow the tool"],
+  ["V", "from above"],
+  ["W A S D", "turn the picture (when it has the focus)"],
+  ["Z X", "nearer, farther (when it has the focus)"],
+];
+
+/** The next time worth stopping at, before (-1) or after (1) a time. */
+export function nextStop(stops: number[], time: number, way: 1 | -1): number {
+  const found = way > 0 ? stops.find((stop) => stop > time + SAME_S) : stops.findLast((stop) => stop < time - SAME_S);
+  return found ?? (way > 0 ? stops.at(-1) ?? time : stops[0] ?? time);
+}
+
+const views: HTMLElement[] = [];
+
+/** Whether a key is for something else: a text, a list. */
+const taken = (target: EventTarget | null, key: string): boolean => {
+  if (!(target instanceof HTMLElement)) return false;
+  if (target.isContentEditable || /^(TEXTAREA|SELECT)$/.test(target.tagName)) return true;
+  if (target instanceof HTMLInputElement) return !(target.type === "checkbox" && key !== " ");
+  return key === " " && /^(BUTTON|A|SUMMARY)$/.test(target.tagName);
+};
+
+export function listenKeys(root: HTMLElement, clock: Clock, recording: Recording, more: (key: string) => boolean): () => void {
+  views.push(root);
+  const step = (by: number) => {
+    if (clock.playing) clock.pause();
+    clock.seek(clock.time + by);
+  };
+  const actions: Record<string, (shift: boolean) => void> = {
+    " ": () => clock.toggle(),
+    ArrowLeft: (shift) => step(shift ? -LONG_STEP_S : -STEP_S),
+    ArrowRight: (shift) => step(shift ? LONG_STEP_S : STEP_S),
+    "[": () => clock.seek(nextStop(recording.stops, clock.time, -1)),
+    "]": () => clock.seek(nextStop(recording.stops, clock.time, 1)),
+    Home: () => clock.seek(0),
+    End: () => clock.seek(clock.end),
+    "+": () => clock.faster(1),
+    "=": () => clock.faster(1),
+    "-": () => clock.faster(-1),
+  };
+  const down = (event: KeyboardEvent) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || taken(event.target, event.key)) return;
+    const target = event.target as Node;
+    // Where nothing has the focus, the first view takes the keys.
+    const nobody = target === document.body || target === document.documentElement;
+    if (!root.contains(target) && !(nobody && views[0] === root)) return;
+    const action = actions[event.key];
+    if (action) action(event.shiftKey);
+    else if (!more(event.key.toLowerCase())) return;
+    event.preventDefault();
+  };
+  document.addEventListener("keydown", down);
+  return () => {
+    document.removeEventListener("keydown", down);
+    views.splice(views.indexOf(root), 1);
+  };
+}

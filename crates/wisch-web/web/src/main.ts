@@ -1,0 +1,64 @@
+// What the page does when it is opened: a report shows the recording that it holds, the studio asks its server.
+import "./style/page.css";
+import "./style/view.css";
+import "./style/story.css";
+import { el, say } from "./dom.ts";
+import { setTheme, startTheme, onTheme, theme } from "./theme.ts";
+import { Recording } from "./store.ts";
+import { Story } from "./story.ts";
+import { startStudio } from "./studio/main.ts";
+import { mountView } from "./view.ts";
+import type { View } from "./view.ts";
+
+/** A button that changes between light and dark. */
+export function themeButton(): HTMLButtonElement {
+  const button = el("button", { class: "w-button w-theme", type: "button", click: () => setTheme(theme() === "dark" ? "light" : "dark") });
+  const show = () => say(button, theme() === "dark" ? "Light" : "Dark");
+  onTheme(show);
+  show();
+  return button;
+}
+
+/** The time of an address like #t=12.3. */
+const timeOf = (hash: string): number | null => {
+  const found = /^#t=(\d+(?:\.\d+)?)$/.exec(hash);
+  return found ? Number(found[1]) : null;
+};
+
+/** The address says the time that is shown whenever the clock rests. */
+function keepAddress({ clock }: View): void {
+  let later: ReturnType<typeof setTimeout> | undefined;
+  clock.subscribe(() => {
+    clearTimeout(later);
+    if (clock.playing || clock.following) return;
+    later = setTimeout(() => {
+      const hash = `#t=${clock.time.toFixed(1)}`;
+      if (location.hash === hash || (!location.hash && clock.time === 0)) return;
+      try {
+        history.replaceState(null, "", hash);
+      } catch {
+        // Some places that show files allow no addresses.
+      }
+    }, 300);
+  });
+  addEventListener("hashchange", () => {
+    const time = timeOf(location.hash);
+    if (time !== null && Math.abs(time - clock.time) > 0.06) clock.seek(time);
+  });
+}
+
+function startReport(app: HTMLElement): void {
+  const recording = Recording.parse(document.getElementById("recording")?.textContent ?? "");
+  app.classList.add("w-report");
+  app.append(new Story(recording, themeButton()).element);
+  const view = mountView(app, recording);
+  view.seek(timeOf(location.hash) ?? 0);
+  keepAddress(view);
+  // For who measures the page or drives it from its console.
+  Object.assign(window, { wisch: { recording, view } });
+}
+
+startTheme();
+const app = document.getElementById("app");
+if (app && document.documentElement.dataset.page === "report") startReport(app);
+else if (app) startStudio(app);

@@ -1,0 +1,62 @@
+// The surface from above as a drawing: outline, goal, dirt.
+import { svg } from "./dom.ts";
+import { metres } from "./particles.ts";
+import type { Round } from "./round.ts";
+
+export interface Dots {
+  mark: "believed" | "estimated" | "actual" | "seen";
+  places: Float32Array;
+}
+
+/** One path with all dots: a line of no length each, with round ends, or a small form. */
+function dots({ mark, places }: Dots, unit: number): SVGPathElement {
+  let d = "";
+  const at = (v: number) => (1000 * v).toFixed(1);
+  const r = unit;
+  for (let i = 0; i + 1 < places.length; i += 2) {
+    const [x, y] = [1000 * places[i]!, -1000 * places[i + 1]!];
+    if (!Number.isFinite(x + y)) continue;
+    if (mark === "believed") d += `M${x.toFixed(1)} ${y.toFixed(1)}h0`;
+    else if (mark === "estimated") d += `M${(x - r).toFixed(1)} ${y.toFixed(1)}a${r.toFixed(1)} ${r.toFixed(1)} 0 1 0 ${(2 * r).toFixed(1)} 0a${r.toFixed(1)} ${r.toFixed(1)} 0 1 0 ${(-2 * r).toFixed(1)} 0`;
+    else if (mark === "actual") d += `M${(x - r).toFixed(1)} ${(y - r).toFixed(1)}l${(2 * r).toFixed(1)} ${(2 * r).toFixed(1)}m0 ${(-2 * r).toFixed(1)}l${(-2 * r).toFixed(1)} ${(2 * r).toFixed(1)}`;
+    else d += `M${at(places[i]! - r / 1000)} ${at(-places[i + 1]! - r / 1000)}h${(2 * r).toFixed(1)}v${(2 * r).toFixed(1)}h${(-2 * r).toFixed(1)}z`;
+  }
+  return svg("path", { d, class: `w-dots w-dots-${mark}`, "stroke-width": mark === "believed" ? 2.2 * unit : 0.7 * unit });
+}
+
+/** A drawing in millimetres of the surface of a round, with dirt on it. */
+export function surfacePicture(round: Round, layers: Dots[], label: string): SVGSVGElement {
+  const rings = round.plan.surface.rings.map((ring) => metres(ring)).filter((ring) => ring.length >= 6);
+  const { goal } = round.plan;
+  let [left, bottom, right, top] = [Infinity, Infinity, -Infinity, -Infinity];
+  const reach = (x: number, y: number) => {
+    [left, right] = [Math.min(left, x), Math.max(right, x)];
+    [bottom, top] = [Math.min(bottom, y), Math.max(top, y)];
+  };
+  for (const ring of rings) for (let i = 0; i < ring.length; i += 2) reach(ring[i]!, ring[i + 1]!);
+  if (goal.kind === "collected") {
+    const [[x, y], r] = [goal.place, goal.radius];
+    reach(x - r, y - r);
+    reach(x + r, y + r);
+  }
+  // Dirt that fell off is seen if it lies near.
+  const margin = rings.length ? 0.15 * Math.max(right - left, top - bottom) : Infinity;
+  const [l, b, r, t] = [left - margin, bottom - margin, right + margin, top + margin];
+  for (const { places } of layers) {
+    for (let i = 0; i + 1 < places.length; i += 2) {
+      const [x, y] = [places[i]!, places[i + 1]!];
+      if (!rings.length || (x > l && x < r && y > b && y < t)) reach(x, y);
+    }
+  }
+  if (!(right > left)) [left, bottom, right, top] = [0, 0, 1, 1];
+  const pad = 0.03 * Math.max(right - left, top - bottom);
+  const box = [left - pad, -top - pad, right - left + 2 * pad, top - bottom + 2 * pad].map((v) => (1000 * v).toFixed(1));
+  const unit = 7 * Math.max(right - left, top - bottom);
+  const d = rings.map((ring) => `M${Array.from({ length: ring.length / 2 }, (_, i) => `${(1000 * ring[2 * i]!).toFixed(1)} ${(-1000 * ring[2 * i + 1]!).toFixed(1)}`).join("L")}Z`).join("");
+  return svg("svg", { viewBox: box.join(" "), class: "w-picture", role: "img", "aria-label": label },
+    svg("path", { d, class: "w-ground", "fill-rule": "evenodd", "stroke-width": 0.5 * unit }),
+    goal.kind === "collected" && svg("circle", {
+      cx: 1000 * goal.place[0], cy: -1000 * goal.place[1], r: 1000 * goal.radius, class: "w-goal", "stroke-width": 0.5 * unit,
+    }),
+    ...layers.map((layer) => dots(layer, unit)));
+}

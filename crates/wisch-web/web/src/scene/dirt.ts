@@ -1,0 +1,98 @@
+// Particles: as believed and predicted over time, as estimated, as seen and as they truly are. Marks differ in form too.
+import { BufferAttribute, BufferGeometry, CanvasTexture, Group, Points, PointsMaterial } from "three";
+import { colour } from "../theme.ts";
+import { ABOVE } from "./surface.ts";
+import { matrix } from "./solids.ts";
+import type { Instant, Recording } from "../store.ts";
+import type { Outcome } from "../store.ts";
+
+export type Mark = "believed" | "estimated" | "actual" | "seen";
+export const MARKS: Mark[] = ["believed", "estimated", "actual", "seen"];
+const SIZE: Record<Mark, number> = { believed: 5, estimated: 10, actual: 8, seen: 12 };
+
+/** How a mark looks, drawn on a square of size 64. */
+const DRAW: Record<Mark, (pen: CanvasRenderingContext2D) => void> = {
+  believed: (pen) => { pen.arc(32, 32, 28, 0, 2 * Math.PI); pen.fill(); },
+  estimated: (pen) => { pen.lineWidth = 13; pen.arc(32, 32, 22, 0, 2 * Math.PI); pen.stroke(); },
+  actual: (pen) => { pen.lineWidth = 15; pen.moveTo(10, 10); pen.lineTo(54, 54); pen.moveTo(54, 10); pen.lineTo(10, 54); pen.stroke(); },
+  seen: (pen) => { pen.lineWidth = 9; pen.rect(8, 8, 48, 48); pen.stroke(); },
+};
+
+function texture(mark: Mark): CanvasTexture {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = 64;
+  const pen = canvas.getContext("2d")!;
+  pen.fillStyle = pen.strokeStyle = "#fff";
+  pen.beginPath();
+  DRAW[mark](pen);
+  return new CanvasTexture(canvas);
+}
+
+/** Dots that lie on a surface are drawn a little nearer, or it would cut them in half. */
+function material(mark: Mark): PointsMaterial {
+  const made = new PointsMaterial({ size: SIZE[mark], sizeAttenuation: false, map: texture(mark), alphaTest: 0.4, transparent: true });
+  made.onBeforeCompile = (shader) => {
+    shader.vertexShader = shader.vertexShader.replace("#include <project_vertex>", `#include <project_vertex>
+      gl_Position = projectionMatrix * vec4(0.99 * mvPosition.xyz, 1.0);`);
+  };
+  return made;
+}
+
+export class Dirt {
+  readonly group = new Group();
+  private readonly points: Record<Mark, Points<BufferGeometry, PointsMaterial>>;
+  private readonly shown = new Map<Mark, Float32Array | null>();
+  private outcome: { key: string; outcome: Outcome | null } = { key: "", outcome: null };
+
+  constructor() {
+    this.points = Object.fromEntries(MARKS.map((mark) => {
+      const points = new Points(new BufferGeometry(), material(mark));
+      points.matrixAutoUpdate = false;
+      points.frustumCulled = false;
+      points.renderOrder = 2 + MARKS.indexOf(mark);
+      this.group.add(points);
+      return [mark, points];
+    })) as Dirt["points"];
+    this.paint();
+  }
+
+  paint(): void {
+    for (const mark of MARKS) this.points[mark].material.color.set(colour(mark));
+  }
+
+  show(recording: Recording, t: number, { round, time }: Instant, layers: Record<Mark, boolean>): void {
+    const key = `${recording.version} ${recording.rounds.filter((other) => other.end <= t + 1e-6).length}`;
+    if (key !== this.outcome.key) this.outcome = { key, outcome: recording.outcomeAt(t) };
+    const { outcome } = this.outcome;
+    const pose = round.plan.surface.pose;
+    this.set("believed", layers.believed ? round.particles.at(time) : null, pose, 1);
+    const late = outcome?.round.judged?.found ?? outcome?.round.plan.surface.pose ?? pose;
+    // What was found after an earlier round fades while the next one moves it.
+    const fresh = outcome?.round === round || time < (round.plan.phases.find(({ contact }) => contact)?.start ?? 0.5);
+    const opacity = fresh ? 1 : 0.45;
+    this.set("estimated", layers.estimated ? outcome?.estimated ?? null : null, late, opacity);
+    this.set("actual", layers.actual ? outcome?.actual ?? null : null, outcome?.round.truth?.surface ?? late, opacity);
+    this.set("seen", layers.seen ? outcome?.seen ?? null : null, late, opacity);
+  }
+
+  private set(mark: Mark, places: Float32Array | null, pose: Parameters<typeof matrix>[0], opacity: number): void {
+    const points = this.points[mark];
+    points.visible = places !== null && places.length > 0;
+    if (!places || !points.visible) return;
+    matrix(pose, points.matrix);
+    points.matrixWorldNeedsUpdate = true;
+    points.material.opacity = opacity;
+    if (this.shown.get(mark) === places) return;
+    this.shown.set(mark, places);
+    const count = places.length / 2;
+    let attribute = points.geometry.getAttribute("position") as BufferAttribute | undefined;
+    if (!attribute || attribute.count < count) {
+      points.geometry.dispose();
+      attribute = new BufferAttribute(new Float32Array(3 * Math.max(64, 2 * count)), 3);
+      points.geometry.setAttribute("position", attribute);
+    }
+    for (let i = 0; i < count; i++) attribute.setXYZ(i, places[2 * i]!, places[2 * i + 1]!, ABOVE);
+    attribute.needsUpdate = true;
+    points.geometry.setDrawRange(0, count);
+  }
+}

@@ -1,0 +1,62 @@
+// The force of the surroundings on the tool as an arrow, and its part along the surface's normal.
+import { Color, ConeGeometry, CylinderGeometry, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
+import { colour } from "../theme.ts";
+import { matrix } from "./solids.ts";
+import type { Instant } from "../store.ts";
+
+/** Length of an arrow for the largest force of a round [m]. */
+const LONGEST_M = 0.22;
+const LEAST_N = 0.2;
+const UP = new Vector3(0, 1, 0);
+
+class Arrow {
+  readonly group = new Group();
+  private readonly shaft: Mesh;
+  private readonly tip: Mesh;
+  readonly material = new MeshBasicMaterial({ depthTest: false, transparent: true, opacity: 0.95 });
+
+  constructor(radius: number) {
+    this.shaft = new Mesh(new CylinderGeometry(radius, radius, 1, 12).translate(0, 0.5, 0), this.material);
+    this.tip = new Mesh(new ConeGeometry(3 * radius, 6 * radius, 16).translate(0, 3 * radius, 0), this.material);
+    this.group.add(this.shaft, this.tip);
+    this.group.renderOrder = this.shaft.renderOrder = this.tip.renderOrder = 8;
+  }
+
+  /** From a place, along a vector whose length is the arrow's. */
+  show(place: Vector3, along: Vector3): void {
+    const length = along.length();
+    this.group.visible = length > 1e-3;
+    if (!this.group.visible) return;
+    this.group.position.copy(place);
+    this.group.quaternion.setFromUnitVectors(UP, along.clone().divideScalar(length));
+    this.shaft.scale.y = length;
+    this.tip.position.y = length;
+  }
+}
+
+export class Force {
+  readonly group = new Group();
+  private readonly whole = new Arrow(0.0042);
+  private readonly pressed = new Arrow(0.0022);
+
+  constructor() {
+    this.group.add(this.whole.group, this.pressed.group);
+    this.paint();
+  }
+
+  paint(): void {
+    this.whole.material.color = new Color(colour("force"));
+    this.pressed.material.color = new Color(colour("ink"));
+  }
+
+  show(instant: Instant, place: Vector3, visible: boolean): void {
+    const { force, normal, round } = instant;
+    const size = force ? Math.hypot(...force) : 0;
+    this.group.visible = visible && size > LEAST_N;
+    if (!this.group.visible || !force) return;
+    const scale = LONGEST_M / Math.max(10, round.normal.largest, size);
+    this.whole.show(place, new Vector3(...force).multiplyScalar(scale));
+    const up = new Vector3().setFromMatrixColumn(matrix(round.plan.surface.pose), 2);
+    this.pressed.show(place, up.multiplyScalar(Math.abs(normal ?? 0) > LEAST_N ? (normal ?? 0) * scale : 0));
+  }
+}

@@ -1,0 +1,94 @@
+// Lines of a width in pixels, that can grow.
+import { Color, InstancedInterleavedBuffer, InterleavedBufferAttribute } from "three";
+import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
+import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
+
+export function segments(ends: ArrayLike<number>, material: LineMaterial): LineSegments2 {
+  const geometry = new LineSegmentsGeometry();
+  geometry.setPositions(ends.length ? Float32Array.from(ends) : new Float32Array(6));
+  const line = new LineSegments2(geometry, material);
+  line.frustumCulled = false;
+  line.visible = ends.length > 0;
+  return line;
+}
+
+/** Corners in turn as segments; closed, or open. */
+export function chain(corners: readonly (readonly [number, number, number])[], closed: boolean): number[] {
+  const ends: number[] = [];
+  for (let i = 0; i + (closed ? 0 : 1) < corners.length; i++) ends.push(...corners[i]!, ...corners[(i + 1) % corners.length]!);
+  return ends;
+}
+
+/** Segments that are added one by one, each with a colour of a list; the first `shown` of them are drawn. */
+export class GrowingSegments {
+  readonly line: LineSegments2;
+  private positions = new Float32Array(6 * 256);
+  private colours = new Float32Array(6 * 256);
+  private kinds = new Uint8Array(256);
+  private fresh = true;
+  count = 0;
+
+  constructor(width: number, private palette: Color[]) {
+    const material = new LineMaterial({ linewidth: width, vertexColors: true });
+    this.line = new LineSegments2(new LineSegmentsGeometry(), material);
+    this.line.frustumCulled = false;
+    this.line.visible = false;
+  }
+
+  push(ends: readonly number[], kind: number): void {
+    if (this.count === this.kinds.length) this.reserve();
+    this.positions.set(ends, 6 * this.count);
+    this.kinds[this.count] = kind;
+    this.colour(this.count++);
+    this.fresh = true;
+  }
+
+  paint(palette: Color[]): void {
+    this.palette = palette;
+    for (let i = 0; i < this.count; i++) this.colour(i);
+    this.fresh = true;
+  }
+
+  show(shown: number): void {
+    if (this.fresh) this.upload();
+    this.line.geometry.instanceCount = Math.min(shown, this.count);
+    this.line.visible = shown > 0;
+  }
+
+  dispose(): void {
+    this.line.geometry.dispose();
+    this.line.material.dispose();
+  }
+
+  private colour(i: number): void {
+    const { r, g, b } = this.palette[this.kinds[i]!]!;
+    this.colours.set([r, g, b, r, g, b], 6 * i);
+  }
+
+  private upload(): void {
+    this.fresh = false;
+    const { geometry } = this.line;
+    geometry.dispose();
+    const places = new InstancedInterleavedBuffer(this.positions.slice(0, 6 * Math.max(1, this.count)), 6, 1);
+    geometry.setAttribute("instanceStart", new InterleavedBufferAttribute(places, 3, 0));
+    geometry.setAttribute("instanceEnd", new InterleavedBufferAttribute(places, 3, 3));
+    const colours = new InstancedInterleavedBuffer(this.colours.slice(0, 6 * Math.max(1, this.count)), 6, 1);
+    geometry.setAttribute("instanceColorStart", new InterleavedBufferAttribute(colours, 3, 0));
+    geometry.setAttribute("instanceColorEnd", new InterleavedBufferAttribute(colours, 3, 3));
+  }
+
+  private reserve(): void {
+    const grow = (from: Float32Array<ArrayBuffer>) => {
+      const to = new Float32Array(2 * from.length);
+      to.set(from);
+      return to;
+    };
+    [this.positions, this.colours] = [grow(this.positions), grow(this.colours)];
+    const kinds = new Uint8Array(2 * this.kinds.length);
+    kinds.set(this.kinds);
+    this.kinds = kinds;
+  }
+}
+
+export { LineMaterial };

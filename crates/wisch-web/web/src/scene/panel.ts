@@ -1,0 +1,116 @@
+// The scene with what stands over it: legend with toggles, views.
+import { el, fresh } from "../dom.ts";
+import { mark } from "../icons.ts";
+import { onTheme, isPrinting } from "../theme.ts";
+import { LAYERS, Stage } from "./stage.ts";
+import type { Layers } from "./stage.ts";
+import type { Recording } from "../store.ts";
+
+const NAMES: Record<keyof Layers, string> = {
+  believed: "Dirt as believed, predicted", estimated: "Dirt as estimated after", actual: "Dirt as it truly is", seen: "Dirt as seen",
+  path: "Tool path", strokes: "Strokes as planned", force: "Force", found: "Surface as found", actualSurface: "Surface as it truly is",
+};
+
+export class ScenePanel {
+  readonly element: HTMLElement;
+  readonly stage: Stage | null;
+  private readonly boxes = new Map<keyof Layers, HTMLElement>();
+  private readonly extra = el("ul", { class: "w-named" });
+  private readonly follow: HTMLButtonElement;
+  private readonly still = el("img", { class: "w-still", alt: "The robot and the surface at the time that is shown" });
+  private readonly stop: (() => void)[] = [];
+  private version = -1;
+
+  constructor(private readonly recording: Recording, compact: boolean) {
+    const canvas = el("canvas", { class: "w-canvas", tabindex: 0, role: "img", "aria-label": "Robot, tool and surface in 3-D. W A S D turn the picture, Z and X zoom." });
+    this.stage = makeStage(canvas, recording);
+    const button = (text: string, title: string, act: () => void) => el("button", { class: "w-button", type: "button", title, click: act }, text);
+    this.follow = button("Follow tool", "Keep the tool in the middle  T", () => this.toggleFollow());
+    this.follow.setAttribute("aria-pressed", "false");
+    const views = el("div", { class: "w-views", role: "group", "aria-label": "View" },
+      button("Fit", "All of robot and surface  F", () => this.look("all")),
+      button("Surface", "Near the surface", () => this.look("surface")),
+      button("Above", "From above  V", () => this.look("above")), this.follow);
+    this.element = el("section", { class: "w-scene", "aria-label": "Scene" },
+      this.stage ? canvas : el("p", { class: "w-none" }, "This browser draws no 3-D here. All else is below and beside."),
+      this.stage && views, this.stage && this.legend(compact), this.extra, this.still);
+    if (!this.stage) return;
+    const { stage } = this;
+    const sizes = new ResizeObserver(() => stage.resize(canvas.clientWidth, canvas.clientHeight));
+    sizes.observe(canvas);
+    this.stop.push(() => sizes.disconnect(), onTheme(() => {
+      stage.paint();
+      if (isPrinting()) this.still.src = stage.picture();
+    }));
+  }
+
+  show(time: number): void {
+    this.stage?.show(time);
+    if (this.version === this.recording.version) return;
+    this.version = this.recording.version;
+    // What a recording has nothing of needs no toggle.
+    const { rounds, observedBefore } = this.recording;
+    const has: Record<keyof Layers, boolean> = {
+      believed: rounds.some(({ plan }) => plan.particles.length > 0),
+      estimated: rounds.some(({ judged }) => judged !== null),
+      actual: rounds.some(({ truth }) => truth?.particles != null),
+      seen: observedBefore !== null || rounds.some(({ observed }) => observed !== null),
+      path: rounds.some(({ count }) => count > 0),
+      strokes: rounds.some(({ plan }) => plan.strokes.length > 0),
+      force: rounds.some(({ count }) => count > 0),
+      found: rounds.some(({ judged }) => judged?.found != null),
+      actualSurface: rounds.some(({ truth }) => truth?.surface != null),
+    };
+    for (const [name, box] of this.boxes) box.hidden = !has[name];
+  }
+
+  look(at: "all" | "surface" | "above"): void {
+    this.follow.setAttribute("aria-pressed", "false");
+    this.stage?.look(at);
+  }
+
+  toggleFollow(): void {
+    if (!this.stage) return;
+    const wanted = !this.stage.camera.following;
+    this.stage.follow = wanted;
+    this.follow.setAttribute("aria-pressed", String(wanted));
+  }
+
+  /** Names what was asked to be seen. */
+  name(list: { name: string; colour: string }[]): void {
+    this.extra.replaceChildren(...list.map(({ name, colour }) => {
+      const line = el("i", { "aria-hidden": "true" });
+      line.style.background = colour;
+      return el("li", {}, line, name);
+    }));
+  }
+
+  destroy(): void {
+    for (const stop of this.stop) stop();
+    this.stage?.destroy();
+  }
+
+  private legend(compact: boolean): HTMLElement {
+    const list = (Object.keys(LAYERS) as (keyof Layers)[]).map((name) => {
+      const id = fresh();
+      const box = el("input", { type: "checkbox", id, checked: LAYERS[name], change: () => {
+        if (!this.stage) return;
+        this.stage.layers[name] = box.checked;
+        this.stage.ask();
+      } });
+      const item = el("li", {}, box, el("label", { for: id }, mark(name), NAMES[name]));
+      this.boxes.set(name, item);
+      return item;
+    });
+    const wide = matchMedia("(min-width: 800px)").matches;
+    return el("details", { class: "w-layers", open: wide && !compact }, el("summary", {}, "Shown"), el("ul", {}, ...list));
+  }
+}
+
+function makeStage(canvas: HTMLCanvasElement, recording: Recording): Stage | null {
+  try {
+    return new Stage(canvas, recording);
+  } catch {
+    return null;
+  }
+}

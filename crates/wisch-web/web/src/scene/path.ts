@@ -1,0 +1,117 @@
+// The tool's path of a round up to now, coloured by contact, and paths that somebody asked to see.
+import { Color, Group, Vector3 } from "three";
+import { Column, lastAtMost } from "../columns.ts";
+import { colour } from "../theme.ts";
+import { ABOVE } from "./surface.ts";
+import { GrowingSegments, LineMaterial, chain, segments } from "./lines.ts";
+import { matrix } from "./solids.ts";
+import type { Round } from "../round.ts";
+
+/** Samples nearer than this to the last that is drawn add nothing to the path [m]. */
+const STEP_M = 0.0015;
+
+const LIFTED = 0;
+const CONTACT = 1;
+const palette = (): Color[] => [new Color(colour("lifted")), new Color(colour("contact"))];
+
+export class Path {
+  private readonly lines = new GrowingSegments(2.6, palette());
+  private readonly times = new Column(true);
+  private taken = 0;
+  private last: Vector3 | null = null;
+  private kind = LIFTED;
+  private readonly normal: Vector3;
+
+  constructor(readonly round: Round) {
+    this.normal = new Vector3().setFromMatrixColumn(matrix(round.plan.surface.pose), 2).multiplyScalar(1.5 * ABOVE);
+  }
+
+  get object() {
+    return this.lines.line;
+  }
+
+  show(time: number, visible: boolean): void {
+    this.grow();
+    const shown = lastAtMost(this.times.data, time, this.times.length) + 1;
+    this.lines.show(visible ? shown : 0);
+  }
+
+  paint(): void {
+    this.lines.paint(palette());
+  }
+
+  dispose(): void {
+    this.lines.dispose();
+  }
+
+  /** The path from one time to another, as ends of segments. */
+  between(from: number, to: number): number[] {
+    const ends: number[] = [];
+    const { round } = this;
+    const step = Math.max(1, Math.floor(round.count / 20000));
+    let before: Vector3 | null = null;
+    for (let i = Math.max(0, round.place(from)[0]); i < round.count && round.t.data[i]! <= to; i += step) {
+      const place = this.place(i);
+      if (before) ends.push(...before.toArray(), ...place.toArray());
+      before = place;
+    }
+    return ends;
+  }
+
+  private place(i: number): Vector3 {
+    const { data } = this.round.tool;
+    return new Vector3(data[7 * i]!, data[7 * i + 1]!, data[7 * i + 2]!).add(this.normal);
+  }
+
+  private grow(): void {
+    const { round } = this;
+    const least = (STEP_M * (1 + round.count / 20000)) ** 2;
+    for (; this.taken < round.count; this.taken++) {
+      const i = this.taken;
+      const time = round.t.data[i]!;
+      const place = this.place(i);
+      if (!Number.isFinite(place.x + place.y + place.z)) continue;
+      const kind = round.touches(time, round.normal.data[i]!) ? CONTACT : LIFTED;
+      if (this.last && this.last.distanceToSquared(place) < least && kind === this.kind) continue;
+      if (this.last) {
+        this.lines.push([...this.last.toArray(), ...place.toArray()], kind);
+        this.times.push(time);
+      }
+      this.last = place;
+      this.kind = kind;
+    }
+  }
+}
+
+export interface Trajectory {
+  name: string;
+  color?: string;
+  points: [number, number, number][];
+}
+
+/** Colours for trajectories that bring none. */
+export const TRAJECTORY_COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
+
+export class Trajectories {
+  readonly group = new Group();
+
+  show(list: Trajectory[]): void {
+    this.clear();
+    list.forEach(({ points, color }, i) => {
+      const material = new LineMaterial({ linewidth: 3.5 });
+      material.color.set(safeColour(color, i));
+      this.group.add(segments(chain(points, false), material));
+    });
+  }
+
+  clear(): void {
+    for (const child of [...this.group.children]) {
+      (child as ReturnType<typeof segments>).geometry.dispose();
+      this.group.remove(child);
+    }
+  }
+}
+
+/** A colour as it may stand in a style; else one of the list. */
+export const safeColour = (color: string | undefined, i: number): string =>
+  color && /^#[0-9a-f]{3,8}$/i.test(color) ? color : TRAJECTORY_COLOURS[i % TRAJECTORY_COLOURS.length]!;

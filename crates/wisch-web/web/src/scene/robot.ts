@@ -1,0 +1,109 @@
+// The robot at positions of its variables, as solid body or as ghost, with the tool that it holds.
+import { Group, Matrix4, Mesh, MeshLambertMaterial, Vector3 } from "three";
+import type { BufferGeometry, Material } from "three";
+import { geometryOf, matrix } from "./solids.ts";
+import type { Head, JointRecord, Pose } from "../recording.ts";
+import type { MeshRecord } from "../recording.ts";
+
+/** Where the links are: world_from_parent * parent_from_joint * motion(axis, position), from root to tips. */
+export class Tree {
+  readonly worldFromLink: Matrix4[];
+  private readonly joints: (JointRecord & { parentFromJoint: Matrix4; direction: Vector3 })[];
+  private readonly motion = new Matrix4();
+
+  constructor(joints: JointRecord[]) {
+    this.joints = joints.map((joint) => ({ ...joint, parentFromJoint: matrix(joint.pose), direction: new Vector3(...joint.axis) }));
+    this.worldFromLink = Array.from({ length: joints.length + 1 }, () => new Matrix4());
+  }
+
+  /** Moves all links. */
+  take(root: Pose, q: ArrayLike<number>): void {
+    matrix(root, this.worldFromLink[0]);
+    this.joints.forEach(({ parent, parentFromJoint, direction, kind, offset, terms }, i) => {
+      let position = offset;
+      for (const [variable, factor] of terms) position += factor * (q[variable] || 0);
+      const worldFromChild = this.worldFromLink[i + 1]!.multiplyMatrices(this.worldFromLink[parent]!, parentFromJoint);
+      if (kind === "revolute") worldFromChild.multiply(this.motion.makeRotationAxis(direction, position));
+      else if (kind === "prismatic") worldFromChild.multiply(this.motion.makeTranslation(direction.x * position, direction.y * position, direction.z * position));
+    });
+  }
+}
+
+/** Materials of the robot; links that follow each other have different shades. */
+export interface RobotMaterials {
+  body: [Material, Material];
+  arm: [Material, Material];
+  hand: Material;
+  tool: Material;
+}
+
+export const ghostMaterial = (): MeshLambertMaterial => new MeshLambertMaterial({ transparent: true, opacity: 0.22, depthWrite: false });
+
+interface Part { geometry: BufferGeometry; pose: Pose }
+
+export class Robot {
+  readonly group = new Group();
+  private readonly tree: Tree | null;
+  private readonly links: Group[] = [];
+  private readonly tool: Mesh;
+  private readonly linkFromTool: Matrix4;
+  private readonly parts: Part[][];
+  private readonly toolGeometry: BufferGeometry;
+
+  constructor(private readonly head: Head, meshes: MeshRecord[], materials: RobotMaterials, shared?: Robot) {
+    const { robot, tool } = head;
+    this.tree = robot ? new Tree(robot.joints) : null;
+    this.parts = shared?.parts ?? (robot?.links ?? []).map(({ shapes }) =>
+      shapes.map((shape) => ({ geometry: geometryOf(shape, meshes), pose: shape.pose })));
+    this.parts.forEach((parts, i) => {
+      const link = new Group();
+      link.matrixAutoUpdate = false;
+      const shade = i % 2;
+      const material = i === tool.link ? materials.hand : robot!.links[i]!.arm ? materials.arm[shade]! : materials.body[shade]!;
+      for (const { geometry, pose } of parts) {
+        const mesh = new Mesh(geometry, material);
+        mesh.matrixAutoUpdate = false;
+        matrix(pose, mesh.matrix);
+        mesh.castShadow = mesh.receiveShadow = !shared;
+        link.add(mesh);
+      }
+      this.links.push(link);
+      this.group.add(link);
+    });
+    this.toolGeometry = shared?.toolGeometry ?? geometryOf(tool.solid, meshes);
+    this.tool = new Mesh(this.toolGeometry, materials.tool);
+    this.tool.matrixAutoUpdate = false;
+    this.tool.castShadow = !shared;
+    this.linkFromTool = matrix(tool.solid.pose);
+    this.group.add(this.tool);
+  }
+
+  /** Moves it; where nothing is known of it, it is not shown. */
+  show(root: Pose | null, q: ArrayLike<number>, toolPose: Pose | null): void {
+    const placed = this.tree !== null && q.length > 0;
+    for (const link of this.links) link.visible = placed;
+    if (this.tree && placed) {
+      this.tree.take(root ?? [0, 0, 0, 0, 0, 0, 1], q);
+      this.links.forEach((link, i) => {
+        link.matrix.copy(this.tree!.worldFromLink[i]!);
+        link.matrixWorldNeedsUpdate = true;
+      });
+    }
+    const { link } = this.head.tool;
+    const worldFromLink = link !== null && placed ? this.tree!.worldFromLink[link] : undefined;
+    this.tool.visible = worldFromLink !== undefined || toolPose !== null;
+    if (worldFromLink) this.tool.matrix.multiplyMatrices(worldFromLink, this.linkFromTool);
+    else if (toolPose) matrix(toolPose, this.tool.matrix).multiply(this.linkFromTool);
+    this.tool.matrixWorldNeedsUpdate = true;
+  }
+
+  /** Where the tool is drawn. */
+  get toolPlace(): Vector3 {
+    return new Vector3().setFromMatrixPosition(this.tool.matrix);
+  }
+
+  /** Where a link is drawn. */
+  linkPlace(index: number): Vector3 {
+    return new Vector3().setFromMatrixPosition(this.links[index]?.matrix ?? new Matrix4());
+  }
+}

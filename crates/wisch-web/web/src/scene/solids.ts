@@ -1,0 +1,43 @@
+// Shapes as geometries, poses as matrices.
+import {
+  BoxGeometry, BufferAttribute, BufferGeometry, CapsuleGeometry, CylinderGeometry, Matrix4, Quaternion, SphereGeometry, Vector3,
+} from "three";
+import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import { PER_METRE } from "../particles.ts";
+import type { MeshRecord, Pose, Solid } from "../recording.ts";
+
+const ONE = new Vector3(1, 1, 1);
+/** Faces that meet at less than this look like one round face [rad]. */
+const CREASE = 0.7;
+
+/** The matrix of a pose. */
+export function matrix([x, y, z, qx, qy, qz, qw]: Pose, out = new Matrix4()): Matrix4 {
+  return out.compose(new Vector3(x, y, z), new Quaternion(qx, qy, qz, qw).normalize(), ONE);
+}
+
+const made = new WeakMap<MeshRecord, BufferGeometry>();
+
+/** A mesh is made once, however often it is placed. */
+function meshGeometry(mesh: MeshRecord | undefined): BufferGeometry {
+  if (!mesh) return new BufferGeometry();
+  let geometry = made.get(mesh);
+  if (!geometry) {
+    const plain = new BufferGeometry();
+    plain.setAttribute("position", new BufferAttribute(Float32Array.from(mesh.vertices, (v) => v / PER_METRE), 3));
+    plain.setIndex(mesh.triangles);
+    geometry = toCreasedNormals(plain, CREASE);
+    made.set(mesh, geometry);
+  }
+  return geometry;
+}
+
+export function geometryOf(solid: Solid, meshes: MeshRecord[]): BufferGeometry {
+  switch (solid.kind) {
+    case "box": return new BoxGeometry(...solid.size);
+    case "sphere": return new SphereGeometry(solid.radius, 28, 18);
+    case "cylinder": return new CylinderGeometry(solid.radius, solid.radius, solid.length, 32).rotateX(Math.PI / 2);
+    case "capsule": return new CapsuleGeometry(solid.radius, solid.length, 10, 28).rotateX(Math.PI / 2);
+    case "mesh": return meshGeometry(meshes[solid.mesh]);
+    default: return new BufferGeometry();
+  }
+}

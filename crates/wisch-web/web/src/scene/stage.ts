@@ -1,0 +1,284 @@
+// All that is seen in 3-D at a time of the clock, drawn only when something changes.
+import {
+  AmbientLight, Box3, Color, DirectionalLight, GridHelper, Group, HemisphereLight, Material, Mesh, MeshLambertMaterial,
+  MeshStandardMaterial, Object3D, PCFShadowMap, PlaneGeometry, Scene, ShadowMaterial, Sphere, Vector3, WebGLRenderer,
+} from "three";
+import { colour } from "../theme.ts";
+import { Camera } from "./camera.ts";
+import type { Look } from "./camera.ts";
+import { Dirt } from "./dirt.ts";
+import type { Mark } from "./dirt.ts";
+import { Force } from "./force.ts";
+import { LineMaterial, segments } from "./lines.ts";
+import { Path, Trajectories } from "./path.ts";
+import type { Trajectory } from "./path.ts";
+import { Robot, ghostMaterial } from "./robot.ts";
+import type { RobotMaterials } from "./robot.ts";
+import { Still } from "./surface.ts";
+import type { Instant, Recording } from "../store.ts";
+
+export type Layers = Record<Mark | "path" | "strokes" | "force" | "found" | "actualSurface", boolean>;
+export const LAYERS: Layers = {
+  believed: true, estimated: true, actual: true, seen: false, path: true, strokes: false, force: true, found: true, actualSurface: true,
+};
+
+/** The light falls from here onto what is seen. */
+const SUN = new Vector3(0.9, 0.5, 1.9);
+
+export class Stage {
+  readonly layers: Layers = { ...LAYERS };
+  readonly camera: Camera;
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly materials: RobotMaterials & Record<string, unknown>;
+  private readonly floor = new ShadowMaterial({ opacity: 0.14 });
+  private grid: GridHelper | null = null;
+  private robot: Robot | null = null;
+  private readonly ghosts = new Group();
+  private ghostTimes: number[] = [];
+  private readonly ghostLook = ghostMaterial();
+  private still: Still | null = null;
+  private path: Path | null = null;
+  private highlighted: { from: number; to: number }[] = [];
+  private readonly highlights = new Group();
+  private readonly highlightLook = new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75 });
+  private readonly trajectories = new Trajectories();
+  private readonly dirt = new Dirt();
+  private readonly force = new Force();
+  private home: { all: Sphere; surface: Sphere; from: Vector3 } | null = null;
+  private sized = false;
+  private frame = 0;
+  private time = 0;
+  /** Frames that were drawn, and when the first was, for who measures. */
+  drawn = 0;
+
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly recording: Recording) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: "high-performance" });
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    const matte = (roughness: number) => new MeshStandardMaterial({ roughness, metalness: 0.05 });
+    const hand = new MeshStandardMaterial({ roughness: 0.5, transparent: true, opacity: 0.45, depthWrite: false });
+    this.materials = { body: [matte(0.6), matte(0.6)], arm: [matte(0.5), matte(0.5)], hand, tool: new MeshLambertMaterial() };
+    this.scene.add(this.dirt.group, this.force.group, this.trajectories.group, this.highlights, this.ghosts);
+    this.camera = new Camera(canvas, () => this.ask());
+    this.paint();
+  }
+
+  /** Asks for a frame at a time of the clock. */
+  show(time: number): void {
+    this.time = time;
+    this.ask();
+  }
+
+  ask(): void {
+    if (!this.frame) this.frame = requestAnimationFrame(() => { this.frame = 0; this.draw(); });
+  }
+
+  resize(width: number, height: number): void {
+    if (!width || !height) return;
+    // More pixels than this cost more than they show.
+    const most = Math.sqrt(2.6e6 / (width * height));
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, 2, Math.max(1, most)));
+    this.renderer.setSize(width, height, false);
+    this.camera.shape(width, height);
+    if (!this.sized) this.home = null;
+    this.sized = true;
+    this.draw();
+  }
+
+  look(at: Look): void {
+    const instant = this.recording.at(this.time);
+    if (!this.home || !instant) return;
+    this.camera.following = false;
+    if (at === "above") this.camera.look(this.home.surface, new Vector3(0, -1e-3, 1));
+    else this.camera.look(this.home[at], this.home.from);
+    this.ask();
+  }
+
+  set follow(wanted: boolean) {
+    this.camera.following = wanted;
+    if (wanted && this.home && this.robot) {
+      const away = this.camera.lens.position.clone().sub(this.camera.controls.target).setLength(Math.max(0.35, 1.6 * this.home.surface.radius));
+      this.camera.controls.target.copy(this.robot.toolPlace);
+      this.camera.lens.position.copy(this.robot.toolPlace).add(away);
+      this.camera.controls.update();
+    }
+    this.ask();
+  }
+
+  highlight(intervals: { start: number; end: number }[]): void {
+    this.highlighted = intervals.map(({ start, end }) => ({ from: start, to: end }));
+    this.drawHighlights();
+    this.ask();
+  }
+
+  showTrajectories(list: Trajectory[]): void {
+    this.trajectories.show(list);
+    this.ask();
+  }
+
+  showGhosts(times: number[]): void {
+    this.ghostTimes = times;
+    this.ghosts.clear();
+    const { head, meshes } = this.recording;
+    if (head && this.robot) {
+      const look = this.ghostLook;
+      for (const time of times) {
+        const instant = this.recording.at(time);
+        if (!instant) continue;
+        const ghost = new Robot(head, meshes, { body: [look, look], arm: [look, look], hand: look, tool: look }, this.robot);
+        ghost.show(instant.round.plan.root, instant.q, instant.tool);
+        this.ghosts.add(ghost.group);
+      }
+    }
+    this.ask();
+  }
+
+  paint(): void {
+    const set = (material: Material, name: string) => (material as MeshStandardMaterial).color.set(colour(name));
+    const { body, arm, hand, tool } = this.materials;
+    set(body[0], "body-1"); set(body[1], "body-2"); set(arm[0], "arm-1"); set(arm[1], "arm-2");
+    set(hand, "arm-1"); set(tool, "tool"); set(this.ghostLook, "ghost");
+    this.highlightLook.color.set(colour("highlight"));
+    if (this.grid) (this.grid.material as Material & { color: Color }).color.set(colour("rule"));
+    this.dirt.paint();
+    this.force.paint();
+    this.path?.paint();
+    this.still?.paint();
+    this.ask();
+  }
+
+  /** The picture as it is, for paper. */
+  picture(): string {
+    this.draw();
+    return this.canvas.toDataURL("image/png");
+  }
+
+  destroy(): void {
+    cancelAnimationFrame(this.frame);
+    this.camera.controls.dispose();
+    this.still?.dispose();
+    this.path?.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
+  private draw(): void {
+    const instant = this.recording.at(this.time);
+    if (!this.sized) return;
+    if (instant) this.place(instant);
+    this.renderer.render(this.scene, this.camera.lens);
+    this.drawn++;
+  }
+
+  private place(instant: Instant): void {
+    const { head, meshes } = this.recording;
+    const { round, time } = instant;
+    if (!this.robot && head) {
+      this.robot = new Robot(head, meshes, this.materials);
+      this.scene.add(this.robot.group);
+    }
+    if (this.still?.round !== round) this.enter(instant);
+    this.robot?.show(round.plan.root, instant.q, instant.tool);
+    if (!this.home) this.settle(instant);
+    const stroke = instant.phase >= 0 ? round.plan.phases[instant.phase]!.stroke : null;
+    this.still!.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke, time >= round.length - 1e-6 || this.layers.found);
+    this.path!.show(time, this.layers.path);
+    this.dirt.show(this.recording, this.time, instant, this.layers);
+    if (this.robot) this.force.show(instant, this.robot.toolPlace, this.layers.force);
+    this.camera.follow(this.robot?.toolPlace ?? null);
+  }
+
+  /** Another round is shown. */
+  private enter({ round }: Instant): void {
+    for (const object of [this.still?.group, this.path?.object]) if (object) this.scene.remove(object);
+    this.still?.dispose();
+    this.path?.dispose();
+    this.still = new Still(round, this.recording.meshes);
+    this.path = new Path(round);
+    this.scene.add(this.still.group, this.path.object);
+    this.drawHighlights();
+  }
+
+  private drawHighlights(): void {
+    for (const line of [...this.highlights.children]) {
+      (line as ReturnType<typeof segments>).geometry.dispose();
+      this.highlights.remove(line);
+    }
+    if (!this.path) return;
+    const { start } = this.path.round;
+    const ends = this.highlighted.flatMap(({ from, to }) => this.path!.between(from - start, to - start));
+    if (ends.length) this.highlights.add(segments(ends, this.highlightLook));
+  }
+
+  /** Where to look from first; floor and light round what is seen. */
+  private settle({ round }: Instant): void {
+    const contact = round.plan.phases.find((phase) => phase.contact);
+    const then = this.recording.at(round.start + (contact?.start ?? 0));
+    if (then && this.robot) this.robot.show(round.plan.root, then.q, then.tool);
+    const shown = [this.robot?.group, this.still?.surface].filter((object): object is Group | Mesh => Boolean(object));
+    const near = [this.still?.surface].filter((object): object is Mesh => Boolean(object));
+    const all = this.ball(shown);
+    const surface = this.ball(near.length ? near : shown);
+    this.home = { all, surface, from: this.frontOf(round.plan.root ? then : null) };
+    if (!this.grid) this.build(all);
+    if (this.robot) {
+      const now = this.recording.at(this.time);
+      if (now) this.robot.show(round.plan.root, now.q, now.tool);
+    }
+    this.camera.look(all, this.home.from);
+  }
+
+  /** From the far side of the surface, on the side of the arm that wipes. */
+  private frontOf(instant: Instant | null): Vector3 {
+    const robot = this.recording.head?.robot;
+    if (!instant || !robot || !instant.q.length || !this.robot) return new Vector3(0.75, -1, 0.85);
+    const base = this.robot.linkPlace(Math.max(0, robot.links.findIndex(({ shapes }) => shapes.length)));
+    const way = this.robot.toolPlace.sub(base).setZ(0);
+    if (way.length() < 1e-3) way.set(1, 0, 0);
+    const arm = robot.links.findIndex((link) => link.arm);
+    const aside = arm < 0 ? new Vector3() : this.robot.linkPlace(arm).sub(base);
+    const left = way.x * aside.y - way.y * aside.x > 1e-6;
+    return way.normalize().applyAxisAngle(new Vector3(0, 0, 1), left ? 0.95 : -0.95).setZ(0.62).normalize();
+  }
+
+  private ball(objects: Object3D[]): Sphere {
+    const box = new Box3();
+    this.scene.updateMatrixWorld(true);
+    for (const object of objects) box.expandByObject(object);
+    return box.isEmpty() ? new Sphere(new Vector3(), 1) : box.getBoundingSphere(new Sphere());
+  }
+
+  private build({ center, radius }: Sphere): void {
+    const cells = 2 * Math.min(60, Math.max(6, Math.ceil(3 * radius)));
+    this.grid = new GridHelper(cells / 2, cells);
+    this.grid.rotation.x = Math.PI / 2;
+    this.grid.position.set(Math.round(center.x), Math.round(center.y), 0);
+    Object.assign(this.grid.material, { vertexColors: false, transparent: true, opacity: 0.7 });
+    (this.grid.material as Material & { color: Color }).color.set(colour("rule"));
+    const floor = new Mesh(new PlaneGeometry(cells / 2, cells / 2), this.floor);
+    floor.position.set(this.grid.position.x, this.grid.position.y, -0.001);
+    floor.receiveShadow = true;
+    const sun = new DirectionalLight(0xffffff, 2.0);
+    sun.position.copy(center).addScaledVector(SUN, 2 * radius);
+    sun.target.position.copy(center);
+    sun.castShadow = true;
+    sun.shadow.mapSize.set(1024, 1024);
+    sun.shadow.bias = -0.0005;
+    sun.shadow.normalBias = 0.01;
+    sun.shadow.intensity = 0.6;
+    Object.assign(sun.shadow.camera, {
+      left: -1.4 * radius, right: 1.4 * radius, top: 1.4 * radius, bottom: -1.4 * radius, near: 0.1, far: 9 * radius,
+    });
+    this.scene.add(this.grid, floor, sun, sun.target, new HemisphereLight(0xffffff, 0x8a8f98, 1.7), new AmbientLight(0xffffff, 0.35));
+    for (const [axis, name] of [[[1, 0, 0], "axis-x"], [[0, 1, 0], "axis-y"], [[0, 0, 1], "axis-z"]] as const) {
+      const material = new LineMaterial({ linewidth: 2.5 });
+      material.color.set(colour(name));
+      this.scene.add(segments([0, 0, 0.002, ...axis.map((v) => 0.25 * v)], material));
+    }
+  }
+
+  get ghostsAt(): number[] {
+    return this.ghostTimes;
+  }
+}

@@ -1,0 +1,175 @@
+// What stays where it is during a round: scene, surface as believed, found and true, goal, strokes.
+import {
+  Color, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Material, Mesh, MeshLambertMaterial, Object3D, RingGeometry,
+  CircleGeometry, Shape, ShapeGeometry, Vector2,
+} from "three";
+import type { BufferGeometry } from "three";
+import { colour } from "../theme.ts";
+import { metres } from "../particles.ts";
+import { LineMaterial, chain, segments } from "./lines.ts";
+import { geometryOf, matrix } from "./solids.ts";
+import type { Round } from "../round.ts";
+import type { MeshRecord, Pose } from "../recording.ts";
+
+/** What is drawn on the surface floats so much over it [m]. */
+export const ABOVE = 0.0015;
+
+export type Corner = [number, number, number];
+
+/** Places in turn as corners over the surface. */
+export function corners(places: number[], above = ABOVE): Corner[] {
+  const flat = metres(places);
+  return Array.from({ length: flat.length / 2 }, (_, i) => [flat[2 * i]!, flat[2 * i + 1]!, above]);
+}
+
+export class Still {
+  readonly group = new Group();
+  surface: Mesh | null = null;
+  private found: Group | null = null;
+  private actual: Object3D | null = null;
+  private foundAt: Pose | null = null;
+  private actualAt: Pose | null = null;
+  private readonly strokes: Object3D[] = [];
+  private readonly strokeGroup = new Group();
+  private readonly materials: Material[] = [];
+  private readonly geometries: BufferGeometry[] = [];
+
+  constructor(readonly round: Round, meshes: MeshRecord[]) {
+    const { plan } = round;
+    for (const { part, ...solid } of plan.scene) {
+      const geometry = geometryOf(solid, meshes);
+      const obstacle = part === "obstacle";
+      const body = new Mesh(geometry, this.keep(new MeshLambertMaterial(obstacle
+        ? { transparent: true, opacity: 0.5, depthWrite: false }
+        : { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }), obstacle ? "obstacle" : "carrier"));
+      body.receiveShadow = !obstacle;
+      body.renderOrder = obstacle ? 1 : 0;
+      const edges = this.own(new EdgesGeometry(geometry, 30));
+      const edge = new LineSegments(edges, this.keep(new LineBasicMaterial({ transparent: true, opacity: 0.5 }), "obstacle-line"));
+      if (solid.kind !== "mesh") this.geometries.push(geometry);
+      for (const object of [body, edge]) this.group.add(placed(object, solid.pose));
+    }
+    this.addSurface();
+    this.addGoal();
+    plan.strokes.forEach((stroke) => {
+      const material = this.keep(new LineMaterial({ linewidth: 2, transparent: true, opacity: 0.55, dashed: false }), "stroke");
+      const line = segments(chain(corners(stroke, 2 * ABOVE), false).flat(), material);
+      this.strokes.push(line);
+      this.strokeGroup.add(line);
+    });
+    this.group.add(placed(this.strokeGroup, plan.surface.pose));
+  }
+
+  /** Outlines of where the surface turned out to be; the current stroke stands out. */
+  show(layers: { strokes: boolean; found: boolean; actual: boolean }, stroke: number | null, foundNow: boolean): void {
+    const { judged, truth, plan } = this.round;
+    const found = judged?.found ?? null;
+    if (found !== this.foundAt) {
+      this.foundAt = found;
+      if (this.found) this.group.remove(this.found);
+      this.found = found ? this.outlined(found, "found", 0.28) : null;
+      if (this.found) this.group.add(this.found);
+    }
+    const actual = truth?.surface ?? null;
+    if (actual !== this.actualAt) {
+      this.actualAt = actual;
+      if (this.actual) this.group.remove(this.actual);
+      this.actual = actual ? this.outlined(actual, "actual", 0) : null;
+      if (this.actual) this.group.add(this.actual);
+    }
+    if (this.found) this.found.visible = layers.found && foundNow;
+    if (this.actual) this.actual.visible = layers.actual;
+    this.strokeGroup.visible = layers.strokes;
+    this.strokes.forEach((line, i) => {
+      const material = (line as unknown as { material: LineMaterial }).material;
+      material.linewidth = i === stroke ? 4 : 2;
+      material.opacity = i === stroke ? 1 : 0.5;
+    });
+    void plan;
+  }
+
+  paint(): void {
+    for (const material of this.materials) {
+      (material as Material & { color: Color }).color.set(colour(material.name));
+    }
+  }
+
+  dispose(): void {
+    for (const material of this.materials) material.dispose();
+    for (const geometry of this.geometries) geometry.dispose();
+  }
+
+  private keep<M extends Material>(material: M, name: string): M {
+    material.name = name;
+    (material as unknown as { color: Color }).color.set(colour(name));
+    this.materials.push(material);
+    return material;
+  }
+
+  private own<G extends BufferGeometry>(geometry: G): G {
+    this.geometries.push(geometry);
+    return geometry;
+  }
+
+  private get rings(): Corner[][] {
+    return this.round.plan.surface.rings.map((ring) => corners(ring)).filter((ring) => ring.length >= 3);
+  }
+
+  private face(): ShapeGeometry | null {
+    const [outer, ...holes] = this.rings.map((ring) => ring.map(([x, y]) => new Vector2(x, y)));
+    if (!outer) return null;
+    const shape = new Shape(outer);
+    shape.holes = holes.map((hole) => new Shape(hole));
+    return this.own(new ShapeGeometry(shape));
+  }
+
+  private addSurface(): void {
+    const { pose } = this.round.plan.surface;
+    const face = this.face();
+    if (!face) return;
+    const material = new MeshLambertMaterial({ side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 });
+    this.surface = placed(new Mesh(face, this.keep(material, "surface-3d")), pose);
+    this.surface.receiveShadow = true;
+    this.group.add(this.surface);
+    const ends = this.rings.flatMap((ring) => chain(ring, true));
+    this.group.add(placed(segments(ends, this.keep(new LineMaterial({ linewidth: 2 }), "outline")), pose));
+  }
+
+  /** The surface at another pose: an outline, and a tint if it is not clear. */
+  private outlined(pose: Pose, name: string, tint: number): Group {
+    const group = placed(new Group(), pose);
+    const line = new LineMaterial({ linewidth: tint ? 3 : 2, dashed: !tint, dashSize: 0.015, gapSize: 0.01 });
+    const outline = segments(this.rings.flatMap((ring) => chain(ring.map(([x, y, z]) => [x, y, z + ABOVE]), true)), this.keep(line, name));
+    if (!tint) outline.computeLineDistances();
+    group.add(outline);
+    const face = tint ? this.face() : null;
+    if (face) {
+      const material = new MeshLambertMaterial({ transparent: true, opacity: tint, side: DoubleSide, depthWrite: false });
+      group.add(new Mesh(face, this.keep(material, name)));
+    }
+    return group;
+  }
+
+  private addGoal(): void {
+    const { goal, surface } = this.round.plan;
+    if (goal.kind !== "collected") return;
+    const [x, y] = goal.place;
+    const group = placed(new Group(), surface.pose);
+    const flat = (geometry: BufferGeometry, opacity: number, name: string) => {
+      const material = new MeshLambertMaterial({ transparent: true, opacity, depthWrite: false, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -3, polygonOffsetUnits: -3 });
+      const mesh = new Mesh(this.own(geometry), this.keep(material, name));
+      mesh.position.set(x, y, ABOVE);
+      group.add(mesh);
+    };
+    flat(new CircleGeometry(goal.radius, 48), 0.22, "goal");
+    flat(new RingGeometry(Math.max(0, goal.radius - 0.003), goal.radius, 48), 1, "goal-line");
+    flat(new CircleGeometry(Math.min(0.006, 0.3 * goal.radius), 24), 1, "goal-line");
+    this.group.add(group);
+  }
+}
+
+function placed<O extends Object3D>(object: O, pose: Pose): O {
+  object.matrixAutoUpdate = false;
+  matrix(pose, object.matrix);
+  return object;
+}

@@ -1,0 +1,262 @@
+// A recording as it is looked at: pieces come in one by one, any time of it is at hand.
+import { metres } from "./particles.ts";
+import { Round } from "./round.ts";
+import type { EndedPiece, EventRecord, Head, MeshRecord, ObservedPiece, Piece, Pose, StagePiece, TruthPiece } from "./recording.ts";
+
+/** What is the case at a time of the common clock. */
+export interface Instant {
+  round: Round;
+  /** Since the round's begin. */
+  time: number;
+  /** Positions of the robot's variables; empty where nothing was measured. */
+  q: Float64Array;
+  tool: Pose | null;
+  force: [number, number, number] | null;
+  normal: number | null;
+  height: number | null;
+  /** As predicted. */
+  performance: number | null;
+  touches: boolean;
+  /** Index of the phase in the plan, -1 before the first. */
+  phase: number;
+}
+
+/** Something that happened from one time of the common clock to another. */
+export interface Happening {
+  start: number;
+  end: number;
+  /** "event" was noticed, "push" is what the simulated world knows. */
+  source: "event" | "push" | "round";
+  kind: string;
+  words: string;
+  byHand: boolean;
+}
+
+/** Where the dirt was after a round. */
+export interface Outcome {
+  round: Round;
+  estimated: Float32Array | null;
+  actual: Float32Array | null;
+  seen: Float32Array | null;
+}
+
+export class Recording {
+  head: Head | null = null;
+  readonly rounds: Round[] = [];
+  readonly stages: StagePiece[] = [];
+  readonly meshes: MeshRecord[] = [];
+  /** The surface as seen before the first round. */
+  observedBefore: ObservedPiece | null = null;
+  truthBefore: TruthPiece | null = null;
+  ended: EndedPiece | null = null;
+  /** Lines that are not of a piece, and pieces of unknown kinds. */
+  broken = 0;
+  unknown = 0;
+  /** Counts what changed, so that who draws knows. */
+  version = 0;
+  private closed = false;
+  private readonly callbacks = new Set<(piece: Piece | null) => void>();
+  private happened: { version: number; list: Happening[] } | null = null;
+
+  /** A whole recording from its JSON lines. */
+  static parse(text: string): Recording {
+    const recording = new Recording();
+    let from = 0;
+    while (from < text.length) {
+      let to = text.indexOf("\n", from);
+      if (to < 0) to = text.length;
+      recording.applyLine(text.slice(from, to));
+      from = to + 1;
+    }
+    recording.close();
+    return recording;
+  }
+
+  applyLine(line: string): void {
+    if (!line.trim()) return;
+    let piece: unknown;
+    try {
+      piece = JSON.parse(line);
+    } catch {
+      this.broken++;
+      this.changed(null);
+      return;
+    }
+    this.apply(piece as Piece);
+  }
+
+  /** Takes in the next piece. What is not as it should be is counted and left out. */
+  apply(piece: Piece): void {
+    try {
+      this.take(piece);
+    } catch {
+      this.broken++;
+    }
+    this.changed(piece);
+  }
+
+  /** No more pieces will come. */
+  close(): void {
+    this.closed = true;
+    for (const round of this.rounds) round.over = true;
+    this.lay();
+    this.changed(null);
+  }
+
+  /** Whether pieces may still come. */
+  get live(): boolean {
+    return !this.closed && !this.ended;
+  }
+
+  onChange(callback: (piece: Piece | null) => void): () => void {
+    this.callbacks.add(callback);
+    return () => this.callbacks.delete(callback);
+  }
+
+  private changed(piece: Piece | null): void {
+    this.version++;
+    for (const callback of this.callbacks) callback(piece);
+  }
+
+  private take(piece: Piece): void {
+    switch (piece?.piece) {
+      case "head":
+        this.meshes.push(...piece.meshes);
+        this.head = piece;
+        break;
+      case "stage": this.stages.push(piece); break;
+      case "round": {
+        const round = new Round(piece, this.head?.robot?.variables.length ?? 0);
+        this.meshes.push(...piece.meshes);
+        const last = this.rounds.at(-1);
+        if (last && last.number === round.number && !last.count && !last.judged) this.rounds.pop();
+        else if (last) last.over = true;
+        this.rounds.push(round);
+        this.lay();
+        break;
+      }
+      case "samples": {
+        const round = this.round(piece.round);
+        round.push(piece);
+        if (round !== this.rounds.at(-1)) this.lay();
+        break;
+      }
+      case "observed":
+        if (piece.round === 0) this.observedBefore = piece;
+        else this.round(piece.round).observed = piece;
+        break;
+      case "judged": this.round(piece.round).judged = { ...piece }; this.lay(); break;
+      case "truth":
+        if (piece.round === 0) this.truthBefore = piece;
+        else this.round(piece.round).truth = piece;
+        break;
+      case "ended":
+        this.ended = piece;
+        for (const round of this.rounds) round.over = true;
+        this.lay();
+        break;
+      default:
+        if (piece === null || typeof piece !== "object") throw new Error("not a piece");
+        this.unknown++;
+    }
+  }
+
+  /** The last round of a number. */
+  private round(number: number): Round {
+    for (let i = this.rounds.length - 1; i >= 0; i--) if (this.rounds[i]!.number === number) return this.rounds[i]!;
+    throw new Error(`no round ${number}`);
+  }
+
+  private lay(): void {
+    let start = 0;
+    for (const round of this.rounds) {
+      round.start = start;
+      start += round.length;
+    }
+  }
+
+  get duration(): number {
+    return this.rounds.at(-1)?.end ?? 0;
+  }
+
+  /** Up to when something has been measured; all there is once the run is over. */
+  get now(): number {
+    const last = this.rounds.at(-1);
+    if (!last || !this.live || last.judged || last.plan.kind === "planned") return this.duration;
+    return last.start + (last.count ? last.t.last : 0);
+  }
+
+  /** The round at a time of the common clock; at a joint, the later. */
+  roundAt(t: number): Round | null {
+    let [low, high] = [0, this.rounds.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.rounds[middle]!.start <= t) low = middle + 1;
+      else high = middle;
+    }
+    return this.rounds[Math.max(0, low - 1)] ?? null;
+  }
+
+  at(t: number): Instant | null {
+    const round = this.roundAt(t);
+    if (!round) return null;
+    const time = Math.min(Math.max(0, t - round.start), round.length);
+    const normal = round.valueAt(round.normal, time);
+    return {
+      round, time, normal,
+      q: round.count ? round.positions(time, new Float64Array(round.q.length)) : new Float64Array(),
+      tool: round.toolAt(time),
+      force: round.forceAt(time),
+      height: round.valueAt(round.height, time),
+      performance: round.growthAt(time),
+      touches: round.touches(time, normal),
+      phase: round.phaseAt(time),
+    };
+  }
+
+  /** Where the dirt was found after the last round that was over at a time. */
+  outcomeAt(t: number): Outcome | null {
+    for (let i = this.rounds.length - 1; i >= 0; i--) {
+      const round = this.rounds[i]!;
+      if (round.end > t + 1e-6 || !(round.judged || round.truth || round.observed)) continue;
+      return {
+        round,
+        estimated: places(round.judged?.particles),
+        actual: places(round.truth?.particles),
+        seen: places(round.observed?.detections),
+      };
+    }
+    return null;
+  }
+
+  /** All that happened, by its begin. */
+  get happenings(): Happening[] {
+    if (this.happened?.version === this.version) return this.happened.list;
+    const list: Happening[] = [];
+    for (const { start, judged, truth } of this.rounds) {
+      for (const event of judged?.events ?? []) list.push(happening(event, start));
+      for (const [from, to] of truth?.pushes ?? []) {
+        list.push({ start: start + from, end: start + to, source: "push", kind: "true push", words: "Somebody or something really pushed here.", byHand: true });
+      }
+    }
+    list.sort((a, b) => a.start - b.start);
+    this.happened = { version: this.version, list };
+    return list;
+  }
+
+  /** Times worth stopping at: begins of rounds, strokes and events, and the end. */
+  get stops(): number[] {
+    const stops = [0, this.duration];
+    for (const { start, plan } of this.rounds) {
+      stops.push(start);
+      for (const phase of plan.phases) if (phase.contact) stops.push(start + phase.start);
+    }
+    for (const { start } of this.happenings) stops.push(start);
+    return [...new Set(stops)].filter((t) => t <= this.duration).sort((a, b) => a - b);
+  }
+}
+
+const places = (list: number[] | null | undefined): Float32Array | null => (list ? metres(list) : null);
+
+const happening = ({ kind, start, end, words, by_hand }: EventRecord, offset: number): Happening =>
+  ({ start: offset + start, end: offset + end, source: "event", kind, words, byHand: by_hand });

@@ -1,0 +1,133 @@
+// The first screen: what was asked, what happened, how sure we are, what it would take to be surer.
+import { el, percent, say, svg } from "./dom.ts";
+import { mark } from "./icons.ts";
+import { metres } from "./particles.ts";
+import { surfacePicture } from "./picture.ts";
+import type { Dots } from "./picture.ts";
+import type { Recording } from "./store.ts";
+
+const NAMES: Record<string, string> = {
+  believed: "believed before", estimated: "estimated after", actual: "true after", seen: "seen",
+  interval: "90\u202f% interval", felt: "by touch alone", target: "target", goal: "goal",
+};
+
+const legend = (names: string[]) =>
+  el("ul", { class: "w-legend" }, ...names.map((name) => el("li", {}, mark(name), NAMES[name]!)));
+
+export class Story {
+  readonly element: HTMLElement;
+  private readonly title = el("h1", {});
+  private readonly badge = el("p", { class: "w-badge" });
+  private readonly pictures = el("div", { class: "w-pictures" });
+  private readonly texts = el("div", { class: "w-texts" });
+  private readonly stop: () => void;
+  private asked = 0;
+
+  constructor(private readonly recording: Recording, corner?: HTMLElement) {
+    this.element = el("header", { class: "w-story" },
+      el("div", { class: "w-top" }, this.title, this.badge, corner),
+      el("div", { class: "w-told" }, this.pictures, this.texts));
+    this.stop = recording.onChange((piece) => {
+      if (!piece || piece.piece !== "samples") this.ask();
+    });
+    this.show();
+  }
+
+  destroy(): void {
+    this.stop();
+    cancelAnimationFrame(this.asked);
+  }
+
+  private ask(): void {
+    if (!this.asked) this.asked = requestAnimationFrame(() => { this.asked = 0; this.show(); });
+  }
+
+  private show(): void {
+    const { head, ended, rounds, stages, live } = this.recording;
+    const judged = rounds.findLast((round) => round.judged) ?? null;
+    say(this.title, head?.title || "A run without a head");
+    const state = ended ? (ended.met ? "met" : "unmet") : live ? "live" : "broken";
+    this.badge.dataset.state = state;
+    say(this.badge, { met: ended?.verdict ?? "goal met", unmet: ended?.verdict ?? "stopped", live: "running", broken: rounds.length && rounds.every(({ plan }) => plan.kind === "planned") ? "planned only" : "broke off" }[state]);
+    const story = ended?.story;
+    const happened = story?.happened ?? (live ? stages.at(-1)?.words ?? "The run begins." : judged
+      ? `The run broke off after round ${judged.number}: ${judged.judged!.verdict}.` : rounds.length ? "The recording ends before a round was judged." : "The recording holds no round.");
+    this.texts.replaceChildren(
+      ...this.part("Asked", story?.asked ?? head?.task.asked ?? ""),
+      ...this.part(live ? "Now" : "What happened", happened),
+      ...this.part("How sure", story?.sure ?? (judged ? "" : "Nothing has been judged yet."), this.bars()),
+      ...this.part("To be surer", story?.surer ?? ""),
+    );
+    this.drawPictures();
+  }
+
+  private part(title: string, text: string, more: Node | null = null): Node[] {
+    if (!text && !more) return [];
+    const parts: Node[] = [el("h2", {}, title)];
+    if (text) parts.push(el("p", {}, text));
+    if (more) parts.push(more);
+    return parts;
+  }
+
+  private drawPictures(): void {
+    const { rounds, observedBefore } = this.recording;
+    const first = rounds[0];
+    if (!first) {
+      this.pictures.replaceChildren();
+      return;
+    }
+    const last = rounds.findLast((round) => round.judged ?? round.truth) ?? null;
+    const before: Dots[] = [{ mark: "believed", places: first.particles.places(0) }];
+    if (observedBefore) before.push({ mark: "seen", places: metres(observedBefore.detections) });
+    const after: Dots[] = [];
+    if (last?.judged) after.push({ mark: "estimated", places: metres(last.judged.particles) });
+    if (last?.truth?.particles) after.push({ mark: "actual", places: metres(last.truth.particles) });
+    if (last?.observed) after.push({ mark: "seen", places: metres(last.observed.detections) });
+    const figure = (title: string, round: typeof first, layers: Dots[]) =>
+      el("figure", {}, surfacePicture(round, layers, `${title}: the surface from above, ${layers.map(({ places, mark }) => `${places.length / 2} particles ${NAMES[mark]}`).join(", ")}`),
+        el("figcaption", {}, title));
+    if (!last) {
+      const end = first.particles.places(Math.max(0, first.particles.times.length - 1));
+      if (first.plan.kind === "planned") {
+        this.pictures.replaceChildren(figure("Before", first, before), this.arrow(), figure("As predicted", first, [{ mark: "believed", places: end }]), legend(["believed", "goal"]));
+      } else this.pictures.replaceChildren(figure("Believed before", first, before), legend(["believed", "goal"]));
+      return;
+    }
+    const names = [...new Set([...before, ...after].map(({ mark }) => mark as string)), ...(first.plan.goal.kind === "collected" ? ["goal"] : [])];
+    this.pictures.replaceChildren(
+      figure("Before", first, before), this.arrow(),
+      figure(`After ${last.number} ${last.number === 1 ? "round" : "rounds"}`, last, after), legend(names));
+  }
+
+  private arrow(): SVGElement {
+    return svg("svg", { viewBox: "0 0 24 24", class: "w-arrow", "aria-hidden": "true" }, svg("path", { d: "M3 12h16M13 6l6 6-6 6" }));
+  }
+
+  /** Per judged round its estimate as a bar against the target. */
+  private bars(): HTMLElement | null {
+    const { rounds, head } = this.recording;
+    const judged = rounds.filter((round) => round.judged).slice(-8);
+    if (!judged.length) return null;
+    const target = head?.task.target ?? null;
+    const rows = judged.map(({ number, judged, truth }) => {
+      const { estimate, felt } = judged!;
+      const truly = truth?.performance ?? null;
+      const x = (share: number) => 10 + 380 * Math.min(1, Math.max(0, share));
+      const label = `Round ${number}: estimated ${percent(estimate.mean)}, 90 % interval ${percent(estimate.low)} to ${percent(estimate.high)}${truly === null ? "" : `, true ${percent(truly)}`}`;
+      return el("div", { class: "w-bar" }, el("span", {}, `Round ${number}`),
+        svg("svg", { viewBox: "0 0 400 26", role: "img", "aria-label": label, preserveAspectRatio: "none" },
+          svg("rect", { x: x(0), y: 8, width: x(1) - x(0), height: 10, rx: 5, fill: "var(--lane)" }),
+          svg("path", { d: `M${x(felt.low)} 22H${x(felt.high)}`, stroke: "var(--felt)", "stroke-width": 2 }),
+          svg("rect", { x: x(estimate.low), y: 6, width: Math.max(3, x(estimate.high) - x(estimate.low)), height: 14, rx: 4, fill: "var(--estimated)", "fill-opacity": 0.35, stroke: "var(--estimated)", "stroke-width": 1.6 }),
+          svg("path", { d: `M${x(estimate.mean)} 4V22`, stroke: "var(--estimated)", "stroke-width": 3 }),
+          target !== null && svg("path", { d: `M${x(target)} 0V26`, stroke: "var(--target)", "stroke-width": 2, "stroke-dasharray": "4 3" }),
+          truly !== null && svg("path", { d: `M${x(truly) - 5} 8l10 10m0 -10l-10 10`, stroke: "var(--actual)", "stroke-width": 2.6, fill: "none" })),
+        el("b", {}, percent(estimate.mean)));
+    });
+    const anyTruth = judged.some(({ truth }) => typeof truth?.performance === "number");
+    const list = legend(["interval", "felt", ...(anyTruth ? ["actual"] : []), ...(target === null ? [] : ["target"])]);
+    for (const item of list.children) if (item.textContent === NAMES.actual) item.lastChild!.textContent = "true";
+    if (target !== null) list.lastElementChild!.lastChild!.textContent = `target ${percent(target)}`;
+    return el("div", { class: "w-bars" }, ...rows, list);
+  }
+}

@@ -1,0 +1,1 @@
+export function startStudio(app: HTMLElement): void { app.textContent = "The studio comes here."; }

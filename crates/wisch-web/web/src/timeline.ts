@@ -1,0 +1,255 @@
+// One timeline for all rounds, below the scene. Its cursor is the clock.
+import { clockText, el, fixed, percent, say } from "./dom.ts";
+import { colour, onTheme } from "./theme.ts";
+import { Frame, fitted, font, line } from "./timeline/frame.ts";
+import type { LaneName, Pen } from "./timeline/frame.ts";
+import { drawAxis, drawContact, drawEvents, drawPhases, drawRounds } from "./timeline/lanes.ts";
+import { drawMeasured, drawPerformance } from "./timeline/plots.ts";
+import { listen } from "./timeline/input.ts";
+import type { Clock } from "./clock.ts";
+import type { Recording } from "./store.ts";
+
+const LANES: LaneName[] = ["axis", "rounds", "phases", "contact", "events", "force", "height", "performance"];
+const COMPACT: LaneName[] = ["axis", "rounds", "phases", "contact", "events", "force"];
+/** Less than this is not zoomed into [s]. */
+const NEAREST_S = 0.2;
+
+export interface Interval {
+  start: number;
+  end: number;
+  label: string;
+}
+
+export class Timeline {
+  readonly element: HTMLElement;
+  private readonly base = el("canvas", { "aria-hidden": "true" });
+  private readonly over = el("canvas", { "aria-hidden": "true" });
+  private readonly tip = el("div", { class: "w-tip", hidden: true });
+  private readonly frame: Frame;
+  private readonly stop: (() => void)[] = [];
+  private highlights: Interval[] = [];
+  private zoomed = false;
+  private drawn = { version: -1, duration: -1 };
+  private asked = 0;
+  private stale = true;
+  private hovered: number | null = null;
+
+  constructor(private readonly recording: Recording, private readonly clock: Clock, compact: boolean) {
+    this.frame = new Frame(compact ? COMPACT : LANES);
+    this.element = el("div", {
+      class: "w-timeline", role: "slider", tabindex: 0, "aria-label": "Time in the run",
+      "aria-valuemin": 0, "aria-keyshortcuts": "Space ArrowLeft ArrowRight [ ] Home End",
+    }, this.base, this.over, this.tip);
+    listen(this.element, {
+      seek: (x) => {
+        if (clock.playing) clock.pause();
+        clock.seek(this.frame.t(Math.min(Math.max(x, this.frame.left), this.frame.width - this.frame.right)));
+      },
+      hover: (x, y) => this.hover(x, y),
+      zoom: (x, factor, moved) => this.zoom(x, factor, moved),
+      reset: () => this.reset(),
+    });
+    const sizes = new ResizeObserver(() => this.resize());
+    sizes.observe(this.element);
+    this.stop.push(
+      () => sizes.disconnect(),
+      clock.subscribe(() => this.ask()),
+      recording.onChange(() => this.ask()),
+      onTheme(() => this.redraw()),
+    );
+  }
+
+  highlight(intervals: Interval[]): void {
+    this.highlights = intervals;
+    this.redraw();
+  }
+
+  redraw(): void {
+    this.stale = true;
+    this.ask();
+  }
+
+  destroy(): void {
+    cancelAnimationFrame(this.asked);
+    for (const stop of this.stop) stop();
+  }
+
+  private ask(): void {
+    if (!this.asked) this.asked = requestAnimationFrame(() => { this.asked = 0; this.draw(); });
+  }
+
+  private resize(): void {
+    const width = this.element.clientWidth;
+    if (!width) return;
+    this.frame.lay(width);
+    const ratio = Math.min(devicePixelRatio || 1, 2);
+    for (const canvas of [this.base, this.over]) {
+      canvas.width = Math.round(width * ratio);
+      canvas.height = Math.round(this.frame.height * ratio);
+      canvas.style.width = `${width}px`;
+      canvas.style.height = `${this.frame.height}px`;
+    }
+    this.element.style.height = `${this.frame.height}px`;
+    this.stale = true;
+    cancelAnimationFrame(this.asked);
+    this.asked = 0;
+    this.draw();
+  }
+
+  private reset(): void {
+    this.zoomed = false;
+    this.redraw();
+  }
+
+  private zoom(x: number, factor: number, moved: number): void {
+    const { frame } = this;
+    const whole = Math.max(this.clock.duration, NEAREST_S);
+    const about = frame.t(x);
+    const width = Math.min(whole, Math.max(NEAREST_S, (frame.to - frame.from) * factor));
+    const share = (about - frame.from) / (frame.to - frame.from);
+    let from = about - share * width - (moved / frame.span) * width;
+    from = Math.min(Math.max(0, from), whole - width);
+    [frame.from, frame.to] = [from, from + width];
+    this.zoomed = width < whole * 0.999;
+    this.redraw();
+  }
+
+  private pen(canvas: HTMLCanvasElement): Pen {
+    const pen = canvas.getContext("2d")!;
+    const ratio = canvas.width / (parseFloat(canvas.style.width) || 1);
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    pen.clearRect(0, 0, this.frame.width, this.frame.height);
+    return pen;
+  }
+
+  private draw(): void {
+    const { recording, clock, frame } = this;
+    const { duration } = clock;
+    if (!this.zoomed) [frame.from, frame.to] = [0, Math.max(duration, 1e-3)];
+    else if (clock.playing || clock.following) this.keepInSight();
+    if (this.stale || this.drawn.version !== recording.version || this.drawn.duration !== duration) this.drawBase();
+    this.drawn = { version: recording.version, duration };
+    this.stale = false;
+    this.drawOver();
+    const { element } = this;
+    element.setAttribute("aria-valuemax", duration.toFixed(1));
+    element.setAttribute("aria-valuenow", clock.time.toFixed(2));
+    const instant = recording.at(clock.time);
+    const phase = instant?.round.plan.phases[instant.phase]?.name;
+    element.setAttribute("aria-valuetext", `${clockText(clock.time)}${instant ? `, round ${instant.round.number}` : ""}${phase ? `, ${phase}` : ""}`);
+  }
+
+  /** Follows the cursor where it leaves what is zoomed into. */
+  private keepInSight(): void {
+    const { frame, clock } = this;
+    const width = frame.to - frame.from;
+    if (clock.time >= frame.from && clock.time <= frame.to - 0.03 * width) return;
+    const from = Math.min(Math.max(0, clock.time - 0.1 * width), Math.max(0, clock.duration - width));
+    if (Math.abs(from - frame.from) < 1e-9) return;
+    [frame.from, frame.to] = [from, from + width];
+    this.stale = true;
+  }
+
+  private drawBase(): void {
+    const { frame, recording } = this;
+    const pen = this.pen(this.base);
+    for (const lane of frame.lanes) {
+      switch (lane.name) {
+        case "axis": drawAxis(pen, frame, lane); break;
+        case "rounds": drawRounds(pen, frame, lane, recording); break;
+        case "phases": drawPhases(pen, frame, lane, recording); break;
+        case "contact": drawContact(pen, frame, lane, recording); break;
+        case "events": drawEvents(pen, frame, lane, recording); break;
+        case "force": drawMeasured(pen, frame, lane, recording, (round) => round.normal, { name: "force", unit: 1, least: 5 }); break;
+        case "height": drawMeasured(pen, frame, lane, recording, (round) => round.height, { name: "height", unit: 1000, least: 10 }); break;
+        case "performance": drawPerformance(pen, frame, lane, recording); break;
+      }
+      font(pen);
+      pen.fillStyle = colour("quiet");
+      pen.textAlign = "left";
+      pen.textBaseline = "middle";
+      const plot = lane.height > 40;
+      if (!frame.narrow) fitted(pen, lane.label, 2, lane.top + (plot ? 8 : lane.height / 2), frame.left - (plot ? 26 : 6));
+      else if (plot) pen.fillText(lane.label, 2, lane.top - 8);
+    }
+    this.drawHighlights(pen);
+  }
+
+  private drawHighlights(pen: Pen): void {
+    const { frame } = this;
+    const top = frame.lane("rounds")?.top ?? 0;
+    for (const { start, end, label } of this.highlights) {
+      if (end < frame.from || start > frame.to) continue;
+      const from = Math.max(frame.left, frame.x(start));
+      const to = Math.max(from + 2, Math.min(frame.width - frame.right, frame.x(end)));
+      pen.fillStyle = colour("highlight");
+      pen.globalAlpha = 0.28;
+      pen.fillRect(from, top, to - from, frame.height - top);
+      pen.globalAlpha = 1;
+      pen.fillRect(from, top - 3, to - from, 3);
+      font(pen, 10, 600);
+      pen.fillStyle = colour("ink");
+      pen.textAlign = "left";
+      pen.textBaseline = "bottom";
+      fitted(pen, label, from + 3, frame.height - 4, Math.max(to - from - 4, 90));
+    }
+  }
+
+  private drawOver(): void {
+    const { frame, clock } = this;
+    const pen = this.pen(this.over);
+    const top = (frame.lane("axis")?.height ?? 0) - 3;
+    if (this.recording.live && clock.end < clock.duration) {
+      // What is still to come.
+      const x = Math.max(frame.left, frame.x(clock.end));
+      pen.fillStyle = colour("paper");
+      pen.globalAlpha = 0.55;
+      pen.fillRect(x, top, Math.max(0, frame.width - frame.right - x), frame.height);
+      pen.globalAlpha = 1;
+    }
+    if (this.hovered !== null) line(pen, this.hovered, top, this.hovered, frame.height, "quiet");
+    const x = frame.x(clock.time);
+    if (x < frame.left - 1 || x > frame.width - frame.right + 1) return;
+    line(pen, x, top, x, frame.height, "cursor", 2);
+    pen.fillStyle = colour("cursor");
+    pen.beginPath();
+    pen.moveTo(x - 6, top - 7);
+    pen.lineTo(x + 6, top - 7);
+    pen.lineTo(x, top + 2);
+    pen.fill();
+  }
+
+  private hover(x: number | null, y: number): void {
+    const { frame } = this;
+    const inside = x !== null && x >= frame.left && x <= frame.width - frame.right;
+    this.hovered = inside ? x : null;
+    this.tip.hidden = !inside;
+    if (inside) {
+      say(this.tip, this.words(frame.t(x)).join("\n"));
+      const width = this.tip.offsetWidth;
+      this.tip.style.left = `${Math.max(2, x + 14 + width > frame.width ? x - width - 12 : x + 14)}px`;
+      this.tip.style.top = `${Math.min(Math.max(2, y - 20), Math.max(2, frame.height - this.tip.offsetHeight - 4))}px`;
+    }
+    this.ask();
+  }
+
+  /** What is to be said of a time. */
+  private words(t: number): string[] {
+    const instant = this.recording.at(t);
+    if (!instant) return [clockText(t, 2)];
+    const { round, normal, height, performance, phase } = instant;
+    const near = 4 * ((this.frame.to - this.frame.from) / this.frame.span);
+    const events = this.recording.happenings.filter(({ start, end }) => t >= start - near && t <= end + near);
+    const judged = Math.abs(t - round.end) < 3 * near ? round.judged : null;
+    return [
+      `${clockText(t, 2)} \u00b7 round ${round.number}`,
+      round.plan.phases[phase]?.name ?? "",
+      normal === null ? "" : `force ${fixed(normal, 1)} N`,
+      height === null ? "" : `height ${fixed(1000 * height, 1)} mm`,
+      performance === null ? "" : `predicted ${percent(performance)}`,
+      judged ? `estimated ${percent(judged.estimate.mean)} (${percent(judged.estimate.low)} to ${percent(judged.estimate.high)})` : "",
+      judged && typeof round.truth?.performance === "number" ? `true ${percent(round.truth.performance)}` : "",
+      ...events.map(({ kind, words }) => `${kind}: ${words}`),
+    ].filter((text) => text !== "");
+  }
+}

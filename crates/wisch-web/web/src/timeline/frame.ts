@@ -1,0 +1,115 @@
+// What all parts of the timeline draw with: which time is where, and which lane is where.
+import { colour } from "../theme.ts";
+
+export interface Lane {
+  name: LaneName;
+  label: string;
+  top: number;
+  height: number;
+}
+export type LaneName = "axis" | "rounds" | "phases" | "contact" | "events" | "force" | "height" | "performance";
+
+const LABELS: Record<LaneName, string> = {
+  axis: "", rounds: "Round", phases: "Phase, stroke", contact: "Contact", events: "Events",
+  force: "Force on tool [N]", height: "Height [mm]", performance: "Done [%]",
+};
+const HEIGHTS: Record<LaneName, number> = { axis: 20, rounds: 20, phases: 18, contact: 12, events: 18, force: 74, height: 50, performance: 88 };
+const GAP = 4;
+
+/** Where times and lanes lie on the canvas, in pixels of the page. */
+export class Frame {
+  lanes: Lane[] = [];
+  left = 112;
+  right = 14;
+  width = 600;
+  height = 0;
+  /** Seconds that are seen. */
+  from = 0;
+  to = 1;
+
+  constructor(readonly names: LaneName[]) {}
+
+  /** Lays the lanes out over a width. */
+  lay(width: number): void {
+    this.width = width;
+    const narrow = width < 560;
+    this.left = narrow ? 34 : 112;
+    let top = 0;
+    this.lanes = this.names.map((name) => {
+      const plot = HEIGHTS[name] > 40;
+      // On a narrow page the name of a plot stands over it.
+      if (narrow && plot) top += 13;
+      const lane = { name, label: LABELS[name], top, height: HEIGHTS[name] };
+      top += lane.height + GAP + (plot ? 4 : 0);
+      return lane;
+    });
+    this.height = top;
+  }
+
+  get narrow(): boolean {
+    return this.left < 100;
+  }
+
+  get span(): number {
+    return this.width - this.left - this.right;
+  }
+
+  x(t: number): number {
+    return this.left + ((t - this.from) / (this.to - this.from)) * this.span;
+  }
+
+  t(x: number): number {
+    return this.from + ((x - this.left) / this.span) * (this.to - this.from);
+  }
+
+  lane(name: LaneName): Lane | undefined {
+    return this.lanes.find((lane) => lane.name === name);
+  }
+}
+
+const STEPS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 1800, 3600, 7200];
+
+/** Times that a label stands at: the step, and the first. */
+export function ticks(from: number, to: number, most: number): { step: number; times: number[] } {
+  const step = STEPS.find((step) => (to - from) / step <= most) ?? (to - from) / most;
+  const times: number[] = [];
+  for (let k = Math.ceil(from / step - 1e-9); k * step <= to + 1e-9; k++) times.push(k * step);
+  return { step, times };
+}
+
+/** Round values of an axis from `low` to `high`. */
+export function levels(low: number, high: number, most: number): number[] {
+  const raw = (high - low) / most;
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = [1, 2, 5, 10].map((k) => k * power).find((step) => step >= raw * 0.999) ?? raw;
+  const list: number[] = [];
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++) list.push(k * step);
+  return list;
+}
+
+export type Pen = CanvasRenderingContext2D;
+
+export const font = (pen: Pen, size = 11, weight = 400): void => {
+  pen.font = `${weight} ${size}px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif`;
+};
+
+/** Text that is cut where it does not fit; nothing if there is no room for a few letters. */
+export function fitted(pen: Pen, text: string, x: number, y: number, room: number): void {
+  if (room < 14) return;
+  let shown = text.length > 200 ? text.slice(0, 200) : text;
+  if (pen.measureText(shown).width > room) {
+    while (shown.length > 1 && pen.measureText(`${shown}\u2026`).width > room) shown = shown.slice(0, -1);
+    if (shown.length < 3) return;
+    shown += "\u2026";
+  }
+  pen.fillText(shown, x, y);
+}
+
+export function line(pen: Pen, x1: number, y1: number, x2: number, y2: number, name: string, width = 1): void {
+  pen.strokeStyle = colour(name);
+  pen.lineWidth = width;
+  pen.beginPath();
+  pen.moveTo(x1, y1);
+  pen.lineTo(x2, y2);
+  pen.stroke();
+}

@@ -1,0 +1,64 @@
+// Pointer and wheel on the timeline: drag to scrub, wheel or two fingers to zoom, double-click to see all.
+
+export interface Handlers {
+  seek(x: number): void;
+  hover(x: number | null, y: number): void;
+  /** Zooms by a factor about a place, then moves by pixels. */
+  zoom(x: number, factor: number, moved: number): void;
+  reset(): void;
+}
+
+export function listen(element: HTMLElement, handlers: Handlers): void {
+  const pointers = new Map<number, number>();
+  let pinched = false;
+  const xOf = (event: MouseEvent) => event.clientX - element.getBoundingClientRect().left;
+  const yOf = (event: MouseEvent) => event.clientY - element.getBoundingClientRect().top;
+  const pinch = () => {
+    const [a = 0, b = 0] = [...pointers.values()];
+    return { middle: (a + b) / 2, apart: Math.max(10, Math.abs(a - b)) };
+  };
+
+  element.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    pointers.set(event.pointerId, xOf(event));
+    element.setPointerCapture(event.pointerId);
+    element.focus({ preventScroll: true });
+    if (pointers.size === 1) {
+      pinched = false;
+      handlers.seek(xOf(event));
+    } else pinched = true;
+  });
+  element.addEventListener("pointermove", (event) => {
+    if (!pointers.has(event.pointerId)) {
+      handlers.hover(xOf(event), yOf(event));
+      return;
+    }
+    const before = pinch();
+    pointers.set(event.pointerId, xOf(event));
+    if (pointers.size === 2) {
+      const now = pinch();
+      handlers.zoom(before.middle, before.apart / now.apart, now.middle - before.middle);
+    } else if (!pinched) {
+      handlers.hover(xOf(event), yOf(event));
+      handlers.seek(xOf(event));
+    }
+  });
+  const up = (event: PointerEvent) => {
+    pointers.delete(event.pointerId);
+    if (event.pointerType !== "mouse") handlers.hover(null, 0);
+  };
+  element.addEventListener("pointerup", up);
+  element.addEventListener("pointercancel", up);
+  element.addEventListener("pointerleave", () => handlers.hover(null, 0));
+  element.addEventListener("dblclick", () => handlers.reset());
+  element.addEventListener("wheel", (event) => {
+    const { scrollHeight, clientHeight } = document.documentElement;
+    const sideways = Math.abs(event.deltaX) > Math.abs(event.deltaY) || event.shiftKey;
+    const held = event.ctrlKey || sideways || element.contains(document.activeElement) || scrollHeight <= clientHeight + 1;
+    if (!held) return;
+    event.preventDefault();
+    const delta = event.shiftKey && !event.deltaX ? event.deltaY : sideways ? event.deltaX : event.deltaY;
+    if (sideways) handlers.zoom(xOf(event), 1, -delta);
+    else handlers.zoom(xOf(event), Math.exp(Math.max(-1, Math.min(1, delta * 0.002))), 0);
+  }, { passive: false });
+}

@@ -1,0 +1,145 @@
+// Lanes of what goes on: rounds, phases and strokes, contact, events.
+import { clockText } from "../dom.ts";
+import { colour } from "../theme.ts";
+import { TOUCH_N } from "../round.ts";
+import { fitted, font, line, ticks } from "./frame.ts";
+import type { Frame, Lane, Pen } from "./frame.ts";
+import type { Round } from "../round.ts";
+import type { Happening, Recording } from "../store.ts";
+
+export function drawAxis(pen: Pen, frame: Frame, lane: Lane): void {
+  font(pen);
+  pen.textAlign = "center";
+  pen.textBaseline = "middle";
+  const { step, times } = ticks(frame.from, frame.to, Math.max(2, frame.span / 76));
+  const digits = step < 0.1 ? 2 : step < 1 ? 1 : 0;
+  for (const t of times) {
+    const x = frame.x(t);
+    line(pen, x, lane.top + lane.height, x, frame.height, "grid");
+    pen.fillStyle = colour("quiet");
+    pen.fillText(clockText(t, digits), Math.min(Math.max(x, frame.left + 10), frame.width - 16), lane.top + lane.height / 2);
+  }
+}
+
+/** From where to where a stretch of time is seen, at least a little; null if it is not. */
+function seen(frame: Frame, start: number, end: number, least = 1): [number, number] | null {
+  if (end < frame.from || start > frame.to) return null;
+  const from = Math.max(frame.x(start), frame.left);
+  return [from, Math.max(Math.min(frame.x(end), frame.width - frame.right), from + least)];
+}
+
+export function drawRounds(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
+  font(pen, 11, 600);
+  pen.textAlign = "left";
+  pen.textBaseline = "middle";
+  for (const round of recording.rounds) {
+    const place = seen(frame, round.start, round.end);
+    if (!place) continue;
+    const [from, to] = place;
+    pen.fillStyle = colour("round");
+    pen.beginPath();
+    pen.roundRect(from + 0.5, lane.top, Math.max(1, to - from - 1), lane.height, 4);
+    pen.fill();
+    pen.fillStyle = colour("ink");
+    fitted(pen, roundTitle(round), from + 7, lane.top + lane.height / 2 + 0.5, to - from - 12);
+    if (round.start > frame.from) line(pen, frame.x(round.start), lane.top, frame.x(round.start), frame.height, "rule");
+  }
+}
+
+export const roundTitle = (round: Round): string => {
+  const ended = round.judged ? round.judged.verdict : round.plan.kind === "planned" ? "planned only" : round.over ? "not judged" : "running";
+  return `${round.number} \u00b7 ${ended}`;
+};
+
+export function drawPhases(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
+  font(pen, 10.5);
+  pen.textAlign = "left";
+  pen.textBaseline = "middle";
+  for (const { start, plan, length } of recording.rounds) {
+    for (const phase of plan.phases) {
+      const place = seen(frame, start + phase.start, start + Math.min(phase.end, Math.max(length, phase.start)));
+      if (!place) continue;
+      const [from, to] = place;
+      pen.fillStyle = colour(phase.contact ? "wiping" : "lane");
+      pen.fillRect(from, lane.top, Math.max(1, to - from - 1), lane.height);
+      pen.fillStyle = colour(phase.contact ? "ink" : "quiet");
+      fitted(pen, phase.stroke === null ? phase.name : `${phase.stroke + 1} ${phase.name}`, from + 4, lane.top + lane.height / 2 + 0.5, to - from - 7);
+    }
+  }
+}
+
+export function drawContact(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
+  pen.fillStyle = colour("lane");
+  pen.fillRect(frame.left, lane.top, frame.span, lane.height);
+  for (const round of recording.rounds) {
+    if (!seen(frame, round.start, round.end)) continue;
+    pen.fillStyle = colour("contact");
+    if (round.judged) {
+      for (const [from, to] of round.judged.contacts) {
+        const place = seen(frame, round.start + from, round.start + to);
+        if (place) pen.fillRect(place[0], lane.top, place[1] - place[0], lane.height);
+      }
+    } else {
+      // Not judged yet: where it presses.
+      eachPixel(frame, round, (x, from, to) => {
+        const range = round.normal.range(from, to);
+        if (range && range[1] > TOUCH_N) pen.fillRect(x, lane.top, 1, lane.height);
+      });
+    }
+  }
+}
+
+/** Calls back for each column of pixels with the samples that lie in it. */
+export function eachPixel(frame: Frame, round: Round, draw: (x: number, from: number, to: number) => void): void {
+  if (!round.count) return;
+  const first = Math.max(Math.floor(frame.left), Math.floor(frame.x(round.start)));
+  const last = Math.min(frame.width - frame.right, frame.x(round.start + round.t.last));
+  let from = round.place(frame.t(first) - round.start)[0];
+  for (let x = first; x <= last; x++) {
+    const to = round.place(frame.t(x + 1) - round.start)[0];
+    draw(x, from, Math.max(to, from + 1));
+    from = to;
+  }
+}
+
+/** What an event looks like, by what it is. */
+export const eventColour = ({ source, kind, byHand }: Happening): string =>
+  source === "push" ? "push" : /collision/i.test(kind) ? "collision" : byHand ? "hand" : "event";
+
+export function drawEvents(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
+  pen.fillStyle = colour("lane");
+  pen.fillRect(frame.left, lane.top, frame.span, lane.height);
+  const middle = lane.top + lane.height / 2;
+  for (const event of recording.happenings) {
+    const place = seen(frame, event.start, event.end, 3);
+    if (!place) continue;
+    const [from, to] = place;
+    const name = eventColour(event);
+    pen.fillStyle = pen.strokeStyle = colour(name);
+    if (event.source === "push") {
+      pen.lineWidth = 1.5;
+      pen.setLineDash([3, 2]);
+      pen.strokeRect(from + 0.5, lane.top + 1.5, Math.max(2, to - from - 1), lane.height - 3);
+      pen.setLineDash([]);
+      continue;
+    }
+    pen.fillRect(from, middle - 2.5, to - from, 5);
+    mark(pen, name, from, middle);
+  }
+}
+
+/** A mark whose form tells the kind too: triangle, circle, square. */
+function mark(pen: Pen, name: string, x: number, y: number): void {
+  pen.beginPath();
+  if (name === "collision") {
+    pen.moveTo(x - 6, y + 5.5);
+    pen.lineTo(x + 6, y + 5.5);
+    pen.lineTo(x, y - 6);
+    pen.closePath();
+  } else if (name === "hand") pen.arc(x, y, 5, 0, 2 * Math.PI);
+  else pen.rect(x - 4, y - 4, 8, 8);
+  pen.fill();
+  pen.strokeStyle = colour("paper");
+  pen.lineWidth = 1;
+  pen.stroke();
+}

@@ -1,0 +1,115 @@
+// One view of a recording: scene, words, clock and timeline.
+import { Clock } from "./clock.ts";
+import { clockText, el } from "./dom.ts";
+import { listenKeys } from "./keys.ts";
+import { colour } from "./theme.ts";
+import { ScenePanel } from "./scene/panel.ts";
+import { safeColour } from "./scene/path.ts";
+import type { Trajectory } from "./scene/path.ts";
+import { Timeline } from "./timeline.ts";
+import type { Interval } from "./timeline.ts";
+import { transport } from "./transport.ts";
+import { Words } from "./words.ts";
+import type { Recording } from "./store.ts";
+
+export type { Interval, Trajectory };
+
+export interface ViewOptions {
+  /** Little room: no words, fewer lanes. */
+  compact?: boolean;
+  /** Shared with other views, which then show the same time. */
+  clock?: Clock;
+}
+
+export interface View {
+  readonly element: HTMLElement;
+  readonly clock: Clock;
+  seek(time: number): void;
+  /** Bands in the timeline and along the tool's path, in times of the common clock. */
+  highlight(intervals: Interval[]): void;
+  showTrajectories(list: Trajectory[]): void;
+  /** The robot as it was at these times, see-through. */
+  showRobotAt(times: number[]): void;
+  /** Takes away what the three above showed. */
+  clearShown(): void;
+  /** Frames of the scene that were drawn so far. */
+  readonly frames: number;
+  destroy(): void;
+}
+
+export function mountView(root: HTMLElement, recording: Recording, { compact = false, clock: shared }: ViewOptions = {}): View {
+  const clock = shared ?? new Clock();
+  const leave = clock.join(recording);
+  const panel = new ScenePanel(recording, compact);
+  const timeline = new Timeline(recording, clock, compact);
+  const words = compact ? null : new Words(recording, clock);
+  const bar = transport(clock, recording);
+  const element = el("div", { class: `w-view${compact ? " w-compact" : ""}` },
+    el("div", { class: "w-grid" }, panel.element, words?.element, el("div", { class: "w-below" }, bar.element, timeline.element)));
+  root.append(element);
+
+  let asked = 0;
+  const show = () => {
+    asked = 0;
+    panel.show(clock.time);
+    words?.show();
+    bar.show();
+  };
+  const ask = () => { if (!asked) asked = requestAnimationFrame(show); };
+  const stops = [
+    leave,
+    clock.subscribe(ask),
+    recording.onChange(() => {
+      clock.grown();
+      ask();
+    }),
+    listenKeys(element, clock, recording, (key) => {
+      if (key === "f") panel.look("all");
+      else if (key === "v") panel.look("above");
+      else if (key === "t") panel.toggleFollow();
+      else if (key === "l" && clock.live) clock.follow();
+      else return false;
+      return true;
+    }),
+  ];
+  if (recording.live) clock.follow();
+  show();
+
+  const named = { trajectories: [] as Trajectory[], ghosts: [] as number[] };
+  const name = () => panel.name([
+    ...named.trajectories.map(({ name, color }, i) => ({ name, colour: safeColour(color, i) })),
+    ...named.ghosts.map((time) => ({ name: `robot at ${clockText(time)}`, colour: colour("ghost") })),
+  ]);
+  const showTrajectories = (list: Trajectory[]) => {
+    named.trajectories = list;
+    panel.stage?.showTrajectories(list);
+    name();
+  };
+  const showRobotAt = (times: number[]) => {
+    named.ghosts = times;
+    panel.stage?.showGhosts(times);
+    name();
+  };
+  const highlight = (intervals: Interval[]) => {
+    timeline.highlight(intervals);
+    panel.stage?.highlight(intervals);
+  };
+  return {
+    element, clock, showTrajectories, showRobotAt, highlight,
+    seek: (time) => clock.seek(time),
+    clearShown: () => {
+      showTrajectories([]);
+      showRobotAt([]);
+      highlight([]);
+    },
+    get frames() { return panel.stage?.drawn ?? 0; },
+    destroy: () => {
+      cancelAnimationFrame(asked);
+      for (const stop of stops) stop();
+      panel.destroy();
+      timeline.destroy();
+      if (!shared) clock.destroy();
+      element.remove();
+    },
+  };
+}

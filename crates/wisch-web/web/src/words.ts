@@ -1,0 +1,149 @@
+// In words, beside the scene: what is going on, why, what came out, numbers, and what the program was at.
+import { clockText, el, fixed, percent, say } from "./dom.ts";
+import type { Clock } from "./clock.ts";
+import type { Estimate } from "./recording.ts";
+import type { Round } from "./round.ts";
+import type { Instant, Recording } from "./store.ts";
+
+const section = (title: string, open: boolean, ...children: (Node | string)[]) =>
+  el("details", { class: "w-section", open }, el("summary", {}, el("h2", {}, title)), ...children);
+
+const sentences = (list: readonly string[]) => el("ul", { class: "w-sentences" }, ...list.map((text) => el("li", {}, String(text))));
+
+export const estimateText = ({ mean, low, high }: Estimate): string => `${percent(mean)} (90\u202f%: ${percent(low)} to ${percent(high)})`;
+
+const row = (label: string, value: string) => [el("dt", {}, label), el("dd", {}, value)];
+
+export class Words {
+  readonly element: HTMLElement;
+  private readonly headline = el("p", { class: "w-headline" });
+  private readonly below = el("p", { class: "w-quiet" });
+  private readonly live = { contact: el("dd"), force: el("dd"), height: el("dd"), performance: el("dd") };
+  private readonly why = el("div");
+  private readonly after = el("div");
+  private readonly events = el("div");
+  private readonly numbers = el("div");
+  private readonly log = el("ol", { class: "w-log" });
+  private readonly logCount = el("span", { class: "w-quiet" });
+  private readonly complaint = el("p", { class: "w-complaint", hidden: true });
+  private key = "";
+  private version = -1;
+  private happened: { element: HTMLElement; start: number; end: number }[] = [];
+
+  constructor(private readonly recording: Recording, private readonly clock: Clock) {
+    const { contact, force, height, performance } = this.live;
+    this.element = el("aside", { class: "w-words", "aria-label": "What happens, and why", tabindex: 0 },
+      el("div", { class: "w-now" }, this.headline, this.below,
+        el("dl", { class: "w-values" },
+          el("div", {}, el("dt", {}, "Contact"), contact), el("div", {}, el("dt", {}, "Force"), force),
+          el("div", {}, el("dt", {}, "Height"), height), el("div", {}, el("dt", {}, "Predicted"), performance))),
+      this.complaint,
+      section("Why this plan", true, this.why),
+      section("What came out", true, this.after),
+      section("Events", true, this.events),
+      section("Numbers", true, this.numbers),
+      section("Log", false, this.logCount, this.log),
+    );
+  }
+
+  /** To be called once a frame. */
+  show(): void {
+    const { recording, clock } = this;
+    const instant = recording.at(clock.time);
+    this.sayNow(instant);
+    const key = `${recording.version} ${instant?.round.number ?? 0} ${recording.rounds.length}`;
+    if (key !== this.key) {
+      this.key = key;
+      this.sayRound(instant?.round ?? null);
+    }
+    if (recording.version !== this.version) {
+      this.version = recording.version;
+      this.sayAll();
+    }
+    for (const { element, start, end } of this.happened) {
+      element.toggleAttribute("data-now", clock.time >= start - 0.05 && clock.time <= end + 0.05);
+    }
+  }
+
+  private sayNow(instant: Instant | null): void {
+    const { recording, clock } = this;
+    const stage = recording.live && (clock.following || !instant) ? recording.stages.at(-1) : undefined;
+    if (!instant) {
+      say(this.headline, stage?.words ?? (recording.head ? "No round has begun." : "Nothing has been recorded yet."));
+      say(this.below, "");
+      for (const value of Object.values(this.live)) say(value, "\u2013");
+      return;
+    }
+    const { round, time, normal, height, performance, touches } = instant;
+    const phase = round.plan.phases[instant.phase];
+    const rounds = recording.rounds.length;
+    const over = time >= round.length - 1e-6 && round.judged;
+    const does = over ? round.judged!.verdict : phase ? phase.name : "begins";
+    const stroke = !over && phase?.stroke !== null && phase?.stroke !== undefined ? ` \u00b7 stroke ${phase.stroke + 1} of ${round.plan.strokes.length}` : "";
+    say(this.headline, stage && stage.stage !== "executing" ? stage.words : `${does}${stroke}`);
+    say(this.below, `Round ${round.number} of ${rounds}${round.plan.kind === "planned" ? " (planned only)" : ""} \u00b7 ${clockText(time)} of ${clockText(round.length)}`);
+    say(this.live.contact, touches ? "yes" : "no");
+    say(this.live.force, normal === null ? "\u2013" : `${fixed(normal, 1)} N`);
+    say(this.live.height, height === null ? "\u2013" : `${fixed(1000 * height, 1)} mm`);
+    say(this.live.performance, performance === null ? "\u2013" : percent(performance));
+  }
+
+  private sayRound(round: Round | null): void {
+    const why = round?.plan.why ?? [];
+    this.why.replaceChildren(why.length ? sentences(why) : el("p", { class: "w-quiet" }, round ? "The recording gives no reasons." : "No plan yet."));
+    if (!round?.judged) {
+      const text = !round ? "No round yet." : round.plan.kind === "planned" ? "This plan was not executed." : this.recording.live ? "The round is not over." : "The round was never judged: the run broke off.";
+      this.after.replaceChildren(el("p", { class: "w-quiet" }, text));
+      return;
+    }
+    const { judged, truth } = round;
+    this.after.replaceChildren(
+      el("p", {}, el("strong", {}, judged.verdict), judged.ending ? ` \u00b7 ${judged.ending}` : ""),
+      el("dl", { class: "w-facts" },
+        ...row("Predicted", percent(round.plan.predicted)),
+        ...row("Estimated", estimateText(judged.estimate)),
+        ...row("By touch alone", estimateText(judged.felt)),
+        ...(typeof truth?.performance === "number" ? row("True", percent(truth.performance)) : []),
+        ...(judged.found ? row("Surface", "found elsewhere than believed") : [])),
+      sentences(judged.words),
+    );
+  }
+
+  private sayAll(): void {
+    const { recording, clock } = this;
+    const list = recording.happenings;
+    this.happened = [];
+    this.events.replaceChildren(list.length ? el("ul", { class: "w-events" }, ...list.map(({ start, end, kind, words, source }) => {
+      const button = el("button", { type: "button", "data-source": source, click: () => clock.seek(start) },
+        el("span", { class: "w-when" }, clockText(start)), el("span", {}, el("strong", {}, kind), ` ${words}`));
+      this.happened.push({ element: button, start, end });
+      return el("li", {}, button);
+    })) : el("p", { class: "w-quiet" }, "None."));
+    this.sayNumbers();
+    this.log.replaceChildren(...recording.stages.slice(-500).map(({ round, stage, words }) =>
+      el("li", {}, el("span", { class: "w-when" }, `${round} ${stage}`), ` ${words}`)));
+    say(this.logCount, recording.stages.length > 500 ? `The last 500 of ${recording.stages.length}.` : "");
+    const { broken, unknown } = recording;
+    this.complaint.hidden = !broken && !unknown;
+    say(this.complaint, [
+      broken ? `${broken} ${broken === 1 ? "line" : "lines"} of this recording could not be read.` : "",
+      unknown ? `${unknown} ${unknown === 1 ? "piece is" : "pieces are"} of a kind that this page does not know.` : "",
+    ].join(" ").trim());
+  }
+
+  private sayNumbers(): void {
+    const { head, ended } = this.recording;
+    if (!head) return;
+    const { task, robot } = head;
+    const facts: [string, string][] = [
+      ...(ended?.facts ?? []),
+      ["Task", `${task.action} ${task.medium} with ${task.tool} on ${task.surface}`],
+      ["Strategy", task.strategy], ["Target", percent(task.target)], ["Seed", String(task.seed)],
+      ...(robot ? [["Robot", `${robot.name}, ${robot.variables.length} variables`] as [string, string]] : []),
+      ["Program", head.program],
+      ...(head.begun ? [["Begun", head.begun] as [string, string]] : []),
+      ...(ended?.episode ? [["Episode", ended.episode] as [string, string]] : []),
+    ];
+    this.numbers.replaceChildren(el("dl", { class: "w-facts" }, ...facts.flatMap(([label, value]) => row(String(label), String(value)))));
+  }
+}
