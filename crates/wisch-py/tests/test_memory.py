@@ -1,11 +1,19 @@
 """Episodes of sessions, and what can be asked of them."""
 
+import os
 import shutil
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import wisch
+
+#: Engines that can answer, with how they are got.
+ENGINES = {
+    "wisch-prolog": "cargo install --path crates/wisch-prolog --locked",
+    "swipl": "install SWI-Prolog",
+}
 
 
 @pytest.fixture(scope="module")
@@ -38,20 +46,50 @@ def test_a_session_is_kept_with_its_telemetry(remembered):
         memory.telemetry("20200101-000000-0000")
 
 
-def test_the_memory_answers_or_says_what_is_missing(remembered):
-    memory, _, rounds = remembered
-    query = "low_performance_round(Round, Performance)"
-    if not (shutil.which("wisch-prolog") or shutil.which("swipl")):
-        with pytest.raises(wisch.WischError, match="no Prolog engine") as caught:
-            memory.ask(query)
-        assert "SWI-Prolog" in caught.value.help
-        pytest.skip("there is no Prolog engine to ask")
+def with_engine(monkeypatch, engine):
+    """Has only this Prolog engine be found, or none."""
+    folders = os.environ["PATH"].split(os.pathsep)
+    found = shutil.which(engine) if engine else None
+    if engine and found is None:
+        pytest.skip(f"{engine} is not in PATH: {ENGINES[engine]}")
+    others = ENGINES.keys() - {engine}
+    free = [folder for folder in folders if not any((Path(folder) / other).is_file() for other in others)]
+    if engine and str(Path(found).parent) not in free:
+        pytest.skip(f"{engine} lies in one folder with another engine")
+    monkeypatch.setenv("PATH", os.pathsep.join(free))
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_the_memory_answers(remembered, engine, monkeypatch):
+    with_engine(monkeypatch, engine)
+    folder, episode, rounds = remembered[0].folder, *remembered[1:]
+    memory = wisch.Memory(folder)  # one that has asked no engine yet
     answers = memory.ask("member(X, [1, 2.5, a, f(b)])")
     assert [answer["X"] for answer in answers] == [1, 2.5, "a", ("f", ["b"])]
-    low = [answer["Performance"] for answer in memory.ask(query)]
-    assert low == pytest.approx([r.performance for r in rounds if r.performance < 0.85])
-    with pytest.raises(wisch.WischError):
+
+    # The rounds themselves say what is to be answered.
+    told = memory.ask("performance_by_round(Action, Number, Performance)")
+    wiped = sorted((answer["Number"], answer["Performance"]) for answer in told)
+    assert [number for number, _ in wiped] == [1, 2]
+    assert [performance for _, performance in wiped] == pytest.approx([r.performance for r in rounds])
+    low = memory.ask("low_performance_round(Round, Performance)")
+    assert [answer["Performance"] for answer in low] == pytest.approx([r.performance for r in rounds if r.performance <= 0.8])
+    [final] = memory.ask("final_performance(Episode, Performance)")
+    assert final["Performance"] == pytest.approx(rounds[-1].performance)
+    pressed = [memory.telemetry(episode, n, columns=["external/fz"])["external/fz"].max() for n in (1, 2)]
+    peaks = memory.ask("prediction_error(Round, _), telemetry('external/fz', Round, max, Force)")
+    assert sorted(peak["Force"] for peak in peaks) == pytest.approx(sorted(pressed))
+
+    with pytest.raises(wisch.WischError, match="no_such_thing"):
         memory.ask("no_such_thing(X)")
+    assert memory.ask("fail") == [], "it can be asked on after a query that was wrong"
+
+
+def test_without_an_engine_it_is_said_what_is_missing(remembered, monkeypatch):
+    with_engine(monkeypatch, None)
+    with pytest.raises(wisch.WischError, match="no Prolog engine") as caught:
+        wisch.Memory(remembered[0].folder).ask("true")
+    assert "SWI-Prolog" in caught.value.help
 
 
 def test_a_session_without_a_round_is_not_kept(task, robot, tmp_path):
