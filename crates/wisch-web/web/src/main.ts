@@ -55,7 +55,7 @@ function startReport(app: HTMLElement): void {
   view.seek(timeOf(location.hash) ?? 0);
   keepAddress(view);
   // For who measures the page or drives it from its console.
-  Object.assign(window, { wisch: { recording, view } });
+  Object.assign(window, { wisch: { recording, view, Recording, mountView } });
 }
 
 startTheme();

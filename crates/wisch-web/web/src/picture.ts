@@ -51,12 +51,14 @@ export function surfacePicture(round: Round, layers: Dots[], label: string): SVG
   if (!(right > left)) [left, bottom, right, top] = [0, 0, 1, 1];
   const pad = 0.03 * Math.max(right - left, top - bottom);
   const box = [left - pad, -top - pad, right - left + 2 * pad, top - bottom + 2 * pad].map((v) => (1000 * v).toFixed(1));
-  const unit = 7 * Math.max(right - left, top - bottom);
+  // Many dots are drawn smaller.
+  const most = Math.max(1, ...layers.map(({ places }) => places.length / 2));
+  const unit = 7 * Math.max(right - left, top - bottom) * Math.min(1, Math.max(0.45, Math.sqrt(140 / most)));
   const d = rings.map((ring) => `M${Array.from({ length: ring.length / 2 }, (_, i) => `${(1000 * ring[2 * i]!).toFixed(1)} ${(-1000 * ring[2 * i + 1]!).toFixed(1)}`).join("L")}Z`).join("");
   return svg("svg", { viewBox: box.join(" "), class: "w-picture", role: "img", "aria-label": label },
-    svg("path", { d, class: "w-ground", "fill-rule": "evenodd", "stroke-width": 0.5 * unit }),
+    svg("path", { d, class: "w-ground", "fill-rule": "evenodd", "stroke-width": 0.005 * 1000 * Math.max(right - left, top - bottom) }),
     goal.kind === "collected" && svg("circle", {
-      cx: 1000 * goal.place[0], cy: -1000 * goal.place[1], r: 1000 * goal.radius, class: "w-goal", "stroke-width": 0.5 * unit,
+      cx: 1000 * goal.place[0], cy: -1000 * goal.place[1], r: 1000 * goal.radius, class: "w-goal", "stroke-width": 0.004 * 1000 * Math.max(right - left, top - bottom),
     }),
     ...layers.map((layer) => dots(layer, unit)));
 }

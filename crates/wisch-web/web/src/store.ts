@@ -1,6 +1,7 @@
 // A recording as it is looked at: pieces come in one by one, any time of it is at hand.
 import { metres } from "./particles.ts";
 import { Round } from "./round.ts";
+import { checked } from "./shape.ts";
 import type { EndedPiece, EventRecord, Head, MeshRecord, ObservedPiece, Piece, Pose, StagePiece, TruthPiece } from "./recording.ts";
 
 /** What is the case at a time of the common clock. */
@@ -119,7 +120,8 @@ export class Recording {
   }
 
   private take(piece: Piece): void {
-    switch (piece?.piece) {
+    checked(piece);
+    switch (piece.piece) {
       case "head":
         this.meshes.push(...piece.meshes);
         this.head = piece;
@@ -155,9 +157,7 @@ export class Recording {
         for (const round of this.rounds) round.over = true;
         this.lay();
         break;
-      default:
-        if (piece === null || typeof piece !== "object") throw new Error("not a piece");
-        this.unknown++;
+      default: this.unknown++;
     }
   }
 

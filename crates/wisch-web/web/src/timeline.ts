@@ -11,6 +11,8 @@ import type { Recording } from "./store.ts";
 
 const LANES: LaneName[] = ["axis", "rounds", "phases", "contact", "events", "force", "height", "performance"];
 const COMPACT: LaneName[] = ["axis", "rounds", "phases", "contact", "events", "force"];
+/** Heights that are drawn [mm]. */
+const HEIGHTS_MM: [number, number] = [-20, 80];
 /** Less than this is not zoomed into [s]. */
 const NEAREST_S = 0.2;
 
@@ -161,7 +163,7 @@ export class Timeline {
         case "contact": drawContact(pen, frame, lane, recording); break;
         case "events": drawEvents(pen, frame, lane, recording); break;
         case "force": drawMeasured(pen, frame, lane, recording, (round) => round.normal, { name: "force", unit: 1, least: 5 }); break;
-        case "height": drawMeasured(pen, frame, lane, recording, (round) => round.height, { name: "height", unit: 1000, least: 10 }); break;
+        case "height": drawMeasured(pen, frame, lane, recording, (round) => round.height, { name: "height", unit: 1000, least: 10, bounds: HEIGHTS_MM }); break;
         case "performance": drawPerformance(pen, frame, lane, recording); break;
       }
       font(pen);
@@ -191,7 +193,7 @@ export class Timeline {
       pen.fillStyle = colour("ink");
       pen.textAlign = "left";
       pen.textBaseline = "bottom";
-      fitted(pen, label, from + 3, frame.height - 4, Math.max(to - from - 4, 90));
+      fitted(pen, label, from + 3, frame.height - 4, Math.max(to - from - 4, 170));
     }
   }
 

@@ -24,7 +24,8 @@ export function transport(clock: Clock, recording: Recording): { element: HTMLEl
     const runs = clock.playing || clock.following;
     if (runs !== playing) {
       playing = runs;
-      play.replaceChildren(icon(runs ? "pause" : "play"), runs ? "Pause" : "Play");
+      play.replaceChildren(icon(runs ? "pause" : "play"), el("span", {}, runs ? "Pause" : "Play"));
+      play.setAttribute("aria-label", runs ? "Pause" : "Play");
     }
     live.hidden = !clock.live;
     live.setAttribute("aria-pressed", String(clock.following));

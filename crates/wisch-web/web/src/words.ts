@@ -14,6 +14,8 @@ export const estimateText = ({ mean, low, high }: Estimate): string => `${percen
 
 const row = (label: string, value: string) => [el("dt", {}, label), el("dd", {}, value)];
 
+const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
 export class Words {
   readonly element: HTMLElement;
   private readonly headline = el("p", { class: "w-headline" });
@@ -80,7 +82,7 @@ export class Words {
     const over = time >= round.length - 1e-6 && round.judged;
     const does = over ? round.judged!.verdict : phase ? phase.name : "begins";
     const stroke = !over && phase?.stroke !== null && phase?.stroke !== undefined ? ` \u00b7 stroke ${phase.stroke + 1} of ${round.plan.strokes.length}` : "";
-    say(this.headline, stage && stage.stage !== "executing" ? stage.words : `${does}${stroke}`);
+    say(this.headline, capital(stage && stage.stage !== "executing" ? stage.words : `${does}${stroke}`));
     say(this.below, `Round ${round.number} of ${rounds}${round.plan.kind === "planned" ? " (planned only)" : ""} \u00b7 ${clockText(time)} of ${clockText(round.length)}`);
     say(this.live.contact, touches ? "yes" : "no");
     say(this.live.force, normal === null ? "\u2013" : `${fixed(normal, 1)} N`);

@@ -1,14 +1,19 @@
 // The camera: orbit by mouse, finger and keys, views that fit, and following the tool.
-import { PerspectiveCamera, Sphere, Vector3 } from "three";
+import { PerspectiveCamera, Vector3 } from "three";
+import type { Object3D } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
 export type Look = "all" | "surface" | "above";
 const TURN = Math.PI / 24;
+/** So much more than what is looked at is seen. */
+const MARGIN = 1.1;
 
 export class Camera {
   readonly lens = new PerspectiveCamera(36, 1, 0.02, 200);
   readonly controls: OrbitControls;
   following = false;
+  /** Share of the width that is not covered. */
+  private open = 1;
   private followed: Vector3 | null = null;
 
   constructor(canvas: HTMLCanvasElement, changed: () => void) {
@@ -41,12 +46,25 @@ export class Camera {
     });
   }
 
-  /** Shows a ball from a direction. */
-  look({ center, radius }: Sphere, from: Vector3): void {
-    const half = (this.lens.fov * Math.PI) / 360;
-    const narrowest = Math.min(half, Math.atan(Math.tan(half) * this.lens.aspect));
-    this.controls.target.copy(center);
-    this.lens.position.copy(center).addScaledVector(from.clone().normalize(), (0.98 * Math.max(radius, 0.05)) / Math.sin(narrowest));
+  /** Shows places from a direction, as near as all are seen. */
+  look(places: Vector3[], from: Vector3): void {
+    if (!places.length) return;
+    const back = from.clone().normalize();
+    const right = new Vector3().crossVectors(this.lens.up, back).normalize();
+    const up = new Vector3().crossVectors(back, right);
+    const middle = (axis: Vector3) => {
+      const along = places.map((place) => place.dot(axis));
+      return (Math.min(...along) + Math.max(...along)) / 2;
+    };
+    const target = new Vector3().addScaledVector(right, middle(right)).addScaledVector(up, middle(up)).addScaledVector(back, middle(back));
+    const high = Math.tan((this.lens.fov * Math.PI) / 360);
+    const wide = high * this.lens.aspect * this.open;
+    const distance = Math.max(0.1, ...places.map((place) => {
+      const away = place.clone().sub(target);
+      return away.dot(back) + MARGIN * Math.max(Math.abs(away.dot(right)) / wide, Math.abs(away.dot(up)) / high);
+    }));
+    this.controls.target.copy(target);
+    this.lens.position.copy(target).addScaledVector(back, distance);
     this.controls.update();
   }
 
@@ -63,9 +81,17 @@ export class Camera {
     this.controls.update();
   }
 
-  shape(width: number, height: number): void {
+  /** How large a metre at a thing is drawn. */
+  pixelsPerMetre(thing: Object3D | null, height: number): number {
+    const place = thing ? new Vector3().setFromMatrixPosition(thing.matrix) : this.controls.target;
+    return height / (2 * Math.tan((this.lens.fov * Math.PI) / 360) * Math.max(0.05, place.distanceTo(this.lens.position)));
+  }
+
+  /** The size of the picture, whose middle is that of what is not covered at the left. */
+  shape(width: number, height: number, covered: number): void {
     this.lens.aspect = width / height;
-    this.lens.updateProjectionMatrix();
+    this.open = (width - covered) / width;
+    this.lens.setViewOffset(width, height, -covered / 2, 0, width, height);
   }
 
   private turn(around: number, up: number): void {

@@ -2,13 +2,16 @@
 import { BufferAttribute, BufferGeometry, CanvasTexture, Group, Points, PointsMaterial } from "three";
 import { colour } from "../theme.ts";
 import { ABOVE } from "./surface.ts";
-import { matrix } from "./solids.ts";
+import { matrix, shifted } from "./solids.ts";
 import type { Instant, Recording } from "../store.ts";
 import type { Outcome } from "../store.ts";
 
 export type Mark = "believed" | "estimated" | "actual" | "seen";
 export const MARKS: Mark[] = ["believed", "estimated", "actual", "seen"];
-const SIZE: Record<Mark, number> = { believed: 5, estimated: 10, actual: 8, seen: 12 };
+const SIZE: Record<Mark, number> = { believed: 6, estimated: 10, actual: 8, seen: 12 };
+
+/** How large the dot of a particle is drawn [m]. */
+const CRUMB_M = 0.007;
 
 /** How a mark looks, drawn on a square of size 64. */
 const DRAW: Record<Mark, (pen: CanvasRenderingContext2D) => void> = {
@@ -30,12 +33,8 @@ function texture(mark: Mark): CanvasTexture {
 
 /** Dots that lie on a surface are drawn a little nearer, or it would cut them in half. */
 function material(mark: Mark): PointsMaterial {
-  const made = new PointsMaterial({ size: SIZE[mark], sizeAttenuation: false, map: texture(mark), alphaTest: 0.4, transparent: true });
-  made.onBeforeCompile = (shader) => {
-    shader.vertexShader = shader.vertexShader.replace("#include <project_vertex>", `#include <project_vertex>
-      gl_Position = projectionMatrix * vec4(0.99 * mvPosition.xyz, 1.0);`);
-  };
-  return made;
+  const made = new PointsMaterial({ size: SIZE[mark], sizeAttenuation: false, map: texture(mark), alphaTest: 0.15, transparent: true });
+  return shifted(made, 0.99);
 }
 
 export class Dirt {
@@ -73,6 +72,12 @@ export class Dirt {
     this.set("estimated", layers.estimated ? outcome?.estimated ?? null : null, late, opacity);
     this.set("actual", layers.actual ? outcome?.actual ?? null : null, outcome?.round.truth?.surface ?? late, opacity);
     this.set("seen", layers.seen ? outcome?.seen ?? null : null, late, opacity);
+  }
+
+  /** Dots are as large as crumbs, as far as that can be seen. */
+  scale(pixelsPerMetre: number): void {
+    const size = Math.min(1.25, Math.max(0.7, (CRUMB_M * pixelsPerMetre) / SIZE.believed));
+    for (const mark of MARKS) this.points[mark].material.size = size * SIZE[mark];
   }
 
   private set(mark: Mark, places: Float32Array | null, pose: Parameters<typeof matrix>[0], opacity: number): void {

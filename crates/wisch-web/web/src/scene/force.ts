@@ -5,8 +5,10 @@ import { matrix } from "./solids.ts";
 import type { Instant } from "../store.ts";
 
 /** Length of an arrow for the largest force of a round [m]. */
-const LONGEST_M = 0.22;
-const LEAST_N = 0.2;
+const LONGEST_M = 0.16;
+/** How thick an arrow is, as a share of how far it is from the eye. */
+const THICK = 0.0042;
+const LEAST_N = 0.5;
 const UP = new Vector3(0, 1, 0);
 
 class Arrow {
@@ -23,21 +25,22 @@ class Arrow {
   }
 
   /** From a place, along a vector whose length is the arrow's. */
-  show(place: Vector3, along: Vector3): void {
+  show(place: Vector3, along: Vector3, thick: number): void {
     const length = along.length();
     this.group.visible = length > 1e-3;
     if (!this.group.visible) return;
     this.group.position.copy(place);
     this.group.quaternion.setFromUnitVectors(UP, along.clone().divideScalar(length));
-    this.shaft.scale.y = length;
+    this.shaft.scale.set(thick, length, thick);
     this.tip.position.y = length;
+    this.tip.scale.setScalar(Math.min(thick, length / 9));
   }
 }
 
 export class Force {
   readonly group = new Group();
-  private readonly whole = new Arrow(0.0042);
-  private readonly pressed = new Arrow(0.0022);
+  private readonly whole = new Arrow(1);
+  private readonly pressed = new Arrow(0.5);
 
   constructor() {
     this.group.add(this.whole.group, this.pressed.group);
@@ -49,14 +52,15 @@ export class Force {
     this.pressed.material.color = new Color(colour("ink"));
   }
 
-  show(instant: Instant, place: Vector3, visible: boolean): void {
+  show(instant: Instant, place: Vector3, eye: Vector3, visible: boolean): void {
     const { force, normal, round } = instant;
     const size = force ? Math.hypot(...force) : 0;
     this.group.visible = visible && size > LEAST_N;
     if (!this.group.visible || !force) return;
     const scale = LONGEST_M / Math.max(10, round.normal.largest, size);
-    this.whole.show(place, new Vector3(...force).multiplyScalar(scale));
+    const thick = THICK * eye.distanceTo(place);
+    this.whole.show(place, new Vector3(...force).multiplyScalar(scale), thick);
     const up = new Vector3().setFromMatrixColumn(matrix(round.plan.surface.pose), 2);
-    this.pressed.show(place, up.multiplyScalar(Math.abs(normal ?? 0) > LEAST_N ? (normal ?? 0) * scale : 0));
+    this.pressed.show(place, up.multiplyScalar(Math.abs(normal ?? 0) > LEAST_N ? (normal ?? 0) * scale : 0), thick);
   }
 }

@@ -4,6 +4,9 @@ import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 
+/** Lines on a surface are drawn as if they lay a little nearer. */
+export const NEARER = { polygonOffset: true, polygonOffsetFactor: -4, polygonOffsetUnits: -4 };
+
 export function segments(ends: ArrayLike<number>, material: LineMaterial): LineSegments2 {
   const geometry = new LineSegmentsGeometry();
   geometry.setPositions(ends.length ? Float32Array.from(ends) : new Float32Array(6));
@@ -30,7 +33,7 @@ export class GrowingSegments {
   count = 0;
 
   constructor(width: number, private palette: Color[]) {
-    const material = new LineMaterial({ linewidth: width, vertexColors: true });
+    const material = new LineMaterial({ linewidth: width, vertexColors: true, ...NEARER });
     this.line = new LineSegments2(new LineSegmentsGeometry(), material);
     this.line.frustumCulled = false;
     this.line.visible = false;

@@ -36,8 +36,14 @@ export class ScenePanel {
       this.stage && views, this.stage && this.legend(compact), this.extra, this.still);
     if (!this.stage) return;
     const { stage } = this;
-    const sizes = new ResizeObserver(() => stage.resize(canvas.clientWidth, canvas.clientHeight));
+    const shape = () => {
+      const { clientWidth, clientHeight } = canvas;
+      const layers = this.element.querySelector<HTMLDetailsElement>(".w-layers");
+      stage.resize(clientWidth, clientHeight, layers?.open && clientWidth > 640 ? layers.offsetWidth : 0);
+    };
+    const sizes = new ResizeObserver(shape);
     sizes.observe(canvas);
+    this.element.addEventListener("toggle", shape, true);
     this.stop.push(() => sizes.disconnect(), onTheme(() => {
       stage.paint();
       if (isPrinting()) this.still.src = stage.picture();

@@ -15,7 +15,7 @@ const CONTACT = 1;
 const palette = (): Color[] => [new Color(colour("lifted")), new Color(colour("contact"))];
 
 export class Path {
-  private readonly lines = new GrowingSegments(2.6, palette());
+  private readonly lines = new GrowingSegments(3, palette());
   private readonly times = new Column(true);
   private taken = 0;
   private last: Vector3 | null = null;

@@ -1,6 +1,6 @@
 // The robot at positions of its variables, as solid body or as ghost, with the tool that it holds.
 import { Group, Matrix4, Mesh, MeshLambertMaterial, Vector3 } from "three";
-import type { BufferGeometry, Material } from "three";
+import type { BufferGeometry, Material, Object3D } from "three";
 import { geometryOf, matrix } from "./solids.ts";
 import type { Head, JointRecord, Pose } from "../recording.ts";
 import type { MeshRecord } from "../recording.ts";
@@ -37,7 +37,7 @@ export interface RobotMaterials {
   tool: Material;
 }
 
-export const ghostMaterial = (): MeshLambertMaterial => new MeshLambertMaterial({ transparent: true, opacity: 0.22, depthWrite: false });
+export const ghostMaterial = (): MeshLambertMaterial => new MeshLambertMaterial({ transparent: true, opacity: 0.22, depthWrite: false, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 });
 
 interface Part { geometry: BufferGeometry; pose: Pose }
 
@@ -95,6 +95,11 @@ export class Robot {
     if (worldFromLink) this.tool.matrix.multiplyMatrices(worldFromLink, this.linkFromTool);
     else if (toolPose) matrix(toolPose, this.tool.matrix).multiply(this.linkFromTool);
     this.tool.matrixWorldNeedsUpdate = true;
+  }
+
+  /** What wipes: the links of the arm, and the tool. */
+  get working(): Object3D[] {
+    return [...this.links.filter((_, i) => this.head.robot!.links[i]!.arm), this.tool];
   }
 
   /** Where the tool is drawn. */

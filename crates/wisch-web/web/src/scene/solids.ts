@@ -3,6 +3,7 @@ import {
   BoxGeometry, BufferAttribute, BufferGeometry, CapsuleGeometry, CylinderGeometry, Matrix4, Quaternion, SphereGeometry, Vector3,
 } from "three";
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import type { Material } from "three";
 import { PER_METRE } from "../particles.ts";
 import type { MeshRecord, Pose, Solid } from "../recording.ts";
 
@@ -13,6 +14,16 @@ const CREASE = 0.7;
 /** The matrix of a pose. */
 export function matrix([x, y, z, qx, qy, qz, qw]: Pose, out = new Matrix4()): Matrix4 {
   return out.compose(new Vector3(x, y, z), new Quaternion(qx, qy, qz, qw).normalize(), ONE);
+}
+
+/** Draws what a material is on as if it lay nearer (below 1) or farther (above 1) by a factor. */
+export function shifted<M extends Material>(material: M, factor: number): M {
+  material.onBeforeCompile = (shader) => {
+    shader.vertexShader = shader.vertexShader.replace("#include <project_vertex>", `#include <project_vertex>
+      gl_Position.z = (projectionMatrix * vec4(${factor.toFixed(3)} * mvPosition.xyz, 1.0)).z / ${factor.toFixed(3)};`);
+  };
+  material.customProgramCacheKey = () => `shifted ${factor}`;
+  return material;
 }
 
 const made = new WeakMap<MeshRecord, BufferGeometry>();

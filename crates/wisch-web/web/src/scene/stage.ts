@@ -4,6 +4,7 @@ import {
   MeshStandardMaterial, Object3D, PCFShadowMap, PlaneGeometry, Scene, ShadowMaterial, Sphere, Vector3, WebGLRenderer,
 } from "three";
 import { colour } from "../theme.ts";
+import type { BufferGeometry } from "three";
 import { Camera } from "./camera.ts";
 import type { Look } from "./camera.ts";
 import { Dirt } from "./dirt.ts";
@@ -45,7 +46,7 @@ export class Stage {
   private readonly trajectories = new Trajectories();
   private readonly dirt = new Dirt();
   private readonly force = new Force();
-  private home: { all: Sphere; surface: Sphere; from: Vector3 } | null = null;
+  private home: { all: Vector3[]; surface: Vector3[]; from: Vector3 } | null = null;
   private sized = false;
   private frame = 0;
   private time = 0;
@@ -74,13 +75,14 @@ export class Stage {
     if (!this.frame) this.frame = requestAnimationFrame(() => { this.frame = 0; this.draw(); });
   }
 
-  resize(width: number, height: number): void {
+  /** Its size, and how much of it at the left is covered. */
+  resize(width: number, height: number, covered: number): void {
     if (!width || !height) return;
     // More pixels than this cost more than they show.
     const most = Math.sqrt(2.6e6 / (width * height));
     this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, 2, Math.max(1, most)));
     this.renderer.setSize(width, height, false);
-    this.camera.shape(width, height);
+    this.camera.shape(width, height, covered);
     if (!this.sized) this.home = null;
     this.sized = true;
     this.draw();
@@ -98,7 +100,7 @@ export class Stage {
   set follow(wanted: boolean) {
     this.camera.following = wanted;
     if (wanted && this.home && this.robot) {
-      const away = this.camera.lens.position.clone().sub(this.camera.controls.target).setLength(Math.max(0.35, 1.6 * this.home.surface.radius));
+      const away = this.camera.lens.position.clone().sub(this.camera.controls.target).setLength(0.7);
       this.camera.controls.target.copy(this.robot.toolPlace);
       this.camera.lens.position.copy(this.robot.toolPlace).add(away);
       this.camera.controls.update();
@@ -182,11 +184,12 @@ export class Stage {
     this.robot?.show(round.plan.root, instant.q, instant.tool);
     if (!this.home) this.settle(instant);
     const stroke = instant.phase >= 0 ? round.plan.phases[instant.phase]!.stroke : null;
-    this.still!.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke, time >= round.length - 1e-6 || this.layers.found);
-    this.path!.show(time, this.layers.path);
-    this.dirt.show(this.recording, this.time, instant, this.layers);
-    if (this.robot) this.force.show(instant, this.robot.toolPlace, this.layers.force);
+    this.still!.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke);
     this.camera.follow(this.robot?.toolPlace ?? null);
+    this.path!.show(time, this.layers.path);
+    this.dirt.scale(this.camera.pixelsPerMetre(this.still!.surface, this.canvas.clientHeight));
+    this.dirt.show(this.recording, this.time, instant, this.layers);
+    if (this.robot) this.force.show(instant, this.robot.toolPlace, this.camera.lens.position, this.layers.force);
   }
 
   /** Another round is shown. */
@@ -218,15 +221,16 @@ export class Stage {
     if (then && this.robot) this.robot.show(round.plan.root, then.q, then.tool);
     const shown = [this.robot?.group, this.still?.surface].filter((object): object is Group | Mesh => Boolean(object));
     const near = [this.still?.surface].filter((object): object is Mesh => Boolean(object));
-    const all = this.ball(shown);
-    const surface = this.ball(near.length ? near : shown);
+    const all = this.cornersOf(shown);
+    const work = this.cornersOf([...(this.robot?.working ?? []), ...near]);
+    const surface = this.cornersOf(near.length ? near : shown);
     this.home = { all, surface, from: this.frontOf(round.plan.root ? then : null) };
-    if (!this.grid) this.build(all);
+    if (!this.grid) this.build(new Box3().setFromPoints(all).getBoundingSphere(new Sphere()));
     if (this.robot) {
       const now = this.recording.at(this.time);
       if (now) this.robot.show(round.plan.root, now.q, now.tool);
     }
-    this.camera.look(all, this.home.from);
+    this.camera.look(work, this.home.from);
   }
 
   /** From the far side of the surface, on the side of the arm that wipes. */
@@ -242,11 +246,24 @@ export class Stage {
     return way.normalize().applyAxisAngle(new Vector3(0, 0, 1), left ? 0.95 : -0.95).setZ(0.62).normalize();
   }
 
-  private ball(objects: Object3D[]): Sphere {
-    const box = new Box3();
+  /** Corners of the boxes round all meshes of some objects, in the world. */
+  private cornersOf(objects: Object3D[]): Vector3[] {
     this.scene.updateMatrixWorld(true);
-    for (const object of objects) box.expandByObject(object);
-    return box.isEmpty() ? new Sphere(new Vector3(), 1) : box.getBoundingSphere(new Sphere());
+    const places: Vector3[] = [];
+    const add = (object: Object3D) => {
+      if (!object.visible) return;
+      if (object instanceof Mesh) {
+        const geometry = object.geometry as BufferGeometry;
+        geometry.computeBoundingBox();
+        const { min, max } = geometry.boundingBox!;
+        if (min.x <= max.x) {
+          for (let k = 0; k < 8; k++) places.push(new Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z).applyMatrix4(object.matrixWorld));
+        }
+      }
+      object.children.forEach(add);
+    };
+    objects.forEach(add);
+    return places.length ? places : [new Vector3(-0.5, -0.5, 0), new Vector3(0.5, 0.5, 0.5)];
   }
 
   private build({ center, radius }: Sphere): void {

@@ -7,7 +7,7 @@ import type { BufferGeometry } from "three";
 import { colour } from "../theme.ts";
 import { metres } from "../particles.ts";
 import { LineMaterial, chain, segments } from "./lines.ts";
-import { geometryOf, matrix } from "./solids.ts";
+import { geometryOf, matrix, shifted } from "./solids.ts";
 import type { Round } from "../round.ts";
 import type { MeshRecord, Pose } from "../recording.ts";
 
@@ -39,9 +39,9 @@ export class Still {
     for (const { part, ...solid } of plan.scene) {
       const geometry = geometryOf(solid, meshes);
       const obstacle = part === "obstacle";
-      const body = new Mesh(geometry, this.keep(new MeshLambertMaterial(obstacle
-        ? { transparent: true, opacity: 0.5, depthWrite: false }
-        : { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }), obstacle ? "obstacle" : "carrier"));
+      // A surface that was found lower than what carries it is to be seen all the same.
+      const material = obstacle ? new MeshLambertMaterial({ transparent: true, opacity: 0.5, depthWrite: false }) : shifted(new MeshLambertMaterial(), 1.015);
+      const body = new Mesh(geometry, this.keep(material, obstacle ? "obstacle" : "carrier"));
       body.receiveShadow = !obstacle;
       body.renderOrder = obstacle ? 1 : 0;
       const edges = this.own(new EdgesGeometry(geometry, 30));
@@ -61,8 +61,8 @@ export class Still {
   }
 
   /** Outlines of where the surface turned out to be; the current stroke stands out. */
-  show(layers: { strokes: boolean; found: boolean; actual: boolean }, stroke: number | null, foundNow: boolean): void {
-    const { judged, truth, plan } = this.round;
+  show(layers: { strokes: boolean; found: boolean; actual: boolean }, stroke: number | null): void {
+    const { judged, truth } = this.round;
     const found = judged?.found ?? null;
     if (found !== this.foundAt) {
       this.foundAt = found;
@@ -77,7 +77,7 @@ export class Still {
       this.actual = actual ? this.outlined(actual, "actual", 0) : null;
       if (this.actual) this.group.add(this.actual);
     }
-    if (this.found) this.found.visible = layers.found && foundNow;
+    if (this.found) this.found.visible = layers.found;
     if (this.actual) this.actual.visible = layers.actual;
     this.strokeGroup.visible = layers.strokes;
     this.strokes.forEach((line, i) => {
@@ -85,7 +85,6 @@ export class Still {
       material.linewidth = i === stroke ? 4 : 2;
       material.opacity = i === stroke ? 1 : 0.5;
     });
-    void plan;
   }
 
   paint(): void {

@@ -11,7 +11,7 @@ export type LaneName = "axis" | "rounds" | "phases" | "contact" | "events" | "fo
 
 const LABELS: Record<LaneName, string> = {
   axis: "", rounds: "Round", phases: "Phase, stroke", contact: "Contact", events: "Events",
-  force: "Force on tool [N]", height: "Height [mm]", performance: "Done [%]",
+  force: "Force [N]", height: "Height [mm]", performance: "Done [%]",
 };
 const HEIGHTS: Record<LaneName, number> = { axis: 20, rounds: 20, phases: 18, contact: 12, events: 18, force: 74, height: 50, performance: 88 };
 const GAP = 4;
@@ -20,7 +20,7 @@ const GAP = 4;
 export class Frame {
   lanes: Lane[] = [];
   left = 112;
-  right = 14;
+  right = 22;
   width = 600;
   height = 0;
   /** Seconds that are seen. */

@@ -63,7 +63,13 @@ export function drawPhases(pen: Pen, frame: Frame, lane: Lane, recording: Record
       pen.fillStyle = colour(phase.contact ? "wiping" : "lane");
       pen.fillRect(from, lane.top, Math.max(1, to - from - 1), lane.height);
       pen.fillStyle = colour(phase.contact ? "ink" : "quiet");
-      fitted(pen, phase.stroke === null ? phase.name : `${phase.stroke + 1} ${phase.name}`, from + 4, lane.top + lane.height / 2 + 0.5, to - from - 7);
+      // A stroke's number stays where its name finds no room.
+      const number = phase.stroke === null ? "" : String(phase.stroke + 1);
+      const text = number ? `${number} ${phase.name}` : phase.name;
+      const y = lane.top + lane.height / 2 + 0.5;
+      if (number && pen.measureText(text).width > to - from - 7) {
+        if (pen.measureText(number).width <= to - from - 3) pen.fillText(number, (from + to - pen.measureText(number).width) / 2, y);
+      } else fitted(pen, text, from + 4, y, to - from - 7);
     }
   }
 }

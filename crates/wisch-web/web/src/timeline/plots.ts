@@ -27,19 +27,21 @@ function axis(pen: Pen, frame: Frame, lane: Lane, low: number, high: number, mos
 function clipped(pen: Pen, frame: Frame, lane: Lane, draw: () => void): void {
   pen.save();
   pen.beginPath();
-  pen.rect(frame.left - 1, lane.top - 2, frame.width - frame.left, lane.height + 4);
+  pen.rect(frame.left - 1, lane.top - 2, frame.width - frame.left + 1, lane.height + 4);
   pen.clip();
   draw();
   pen.restore();
 }
 
 /** A measured column of all rounds; `unit` turns what is kept into what is shown. */
-export function drawMeasured(pen: Pen, frame: Frame, lane: Lane, recording: Recording, of: (round: Round) => PlotColumn, look: { name: string; unit: number; least: number }): void {
+export function drawMeasured(pen: Pen, frame: Frame, lane: Lane, recording: Recording, of: (round: Round) => PlotColumn, look: { name: string; unit: number; least: number; bounds?: [number, number] }): void {
   let [low, high] = [0, look.least];
   for (const round of recording.rounds) {
     const { least, largest } = of(round);
     if (least <= largest) [low, high] = [Math.min(low, least * look.unit), Math.max(high, largest * look.unit)];
   }
+  // What lies far from the surface would flatten what happens on it.
+  if (look.bounds) [low, high] = [Math.max(low, look.bounds[0]), Math.min(high, look.bounds[1])];
   const room = 0.06 * (high - low);
   const y = axis(pen, frame, lane, low < 0 ? low - room : 0, high + room, 3, (value) => String(Number(value.toPrecision(3))).replace("-", "\u2212"));
   clipped(pen, frame, lane, () => {
@@ -50,7 +52,7 @@ export function drawMeasured(pen: Pen, frame: Frame, lane: Lane, recording: Reco
       pen.lineJoin = "round";
       pen.beginPath();
       const column = of(round);
-      const dense = round.count * ((frame.to - frame.from) / Math.max(round.length, 1e-9)) > 1.5 * frame.span;
+      const dense = round.count * ((frame.to - frame.from) / Math.max(round.length, 1e-9)) > 4 * frame.span;
       if (dense) envelope(pen, frame, round, column, (value) => y(value * look.unit));
       else each(pen, frame, round, column, (value) => y(value * look.unit));
       pen.stroke();
@@ -137,8 +139,8 @@ function whiskers(pen: Pen, x: number, y: Scale, { judged, truth }: Round): void
   if (truth?.performance === null || truth?.performance === undefined) return;
   const at = y(truth.performance);
   for (const [width, name] of [[5, "paper"], [2.4, "actual"]] as const) {
-    line(pen, x - 4.5, at - 4.5, x + 4.5, at + 4.5, name, width);
-    line(pen, x + 4.5, at - 4.5, x - 4.5, at + 4.5, name, width);
+    line(pen, x + 7, at - 4.5, x + 16, at + 4.5, name, width);
+    line(pen, x + 16, at - 4.5, x + 7, at + 4.5, name, width);
   }
 }
 

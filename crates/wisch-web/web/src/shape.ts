@@ -1,0 +1,67 @@
+// Whether a piece has what is drawn of it. A recording may come from anywhere.
+import type { Head, Piece } from "./recording.ts";
+
+type Check = (value: unknown) => boolean;
+
+const text: Check = (value) => typeof value === "string";
+const finite: Check = (value) => typeof value === "number" && Number.isFinite(value);
+const list = (each: Check): Check => (value) => Array.isArray(value) && value.every(each);
+const some: Check = (value) => Array.isArray(value);
+const exactly = (length: number): Check => (value) => Array.isArray(value) && value.length === length && value.every(finite);
+const maybe = (check: Check): Check => (value) => value === null || value === undefined || check(value);
+const has = (fields: Record<string, Check>): Check => (value) =>
+  typeof value === "object" && value !== null && Object.entries(fields).every(([name, check]) => check((value as Record<string, unknown>)[name]));
+
+const pose = exactly(7);
+const interval = exactly(2);
+const estimate = has({ mean: finite, low: finite, high: finite });
+const solid: Check = (value) => has({ pose, kind: text })(value) && {
+  box: has({ size: exactly(3) }), sphere: has({ radius: finite }), mesh: has({ mesh: finite }),
+  cylinder: has({ radius: finite, length: finite }), capsule: has({ radius: finite, length: finite }),
+}[(value as { kind: string }).kind]?.(value) === true;
+const mesh = has({ vertices: list(finite), triangles: list(finite) });
+
+const head = has({
+  task: has({ target: finite }), tool: has({ solid }), meshes: list(mesh),
+  robot: maybe(has({
+    variables: list(text), links: list(has({ shapes: list(solid) })),
+    joints: list(has({ parent: finite, pose, axis: exactly(3), offset: finite, terms: list(interval) })),
+  })),
+});
+
+const round = has({
+  round: finite, duration: finite, root: maybe(pose), surface: has({ pose, rings: list(list(finite)) }), scene: list(solid), meshes: list(mesh),
+  goal: (value) => has({ kind: text })(value) && ((value as { kind: string }).kind !== "collected" || has({ place: exactly(2), radius: finite })(value)),
+  strokes: list(list(finite)), phases: list(has({ name: text, start: finite, end: finite })), predicted: finite, growth: list(interval),
+  particles: list((step) => Array.isArray(step) && step.length === 3 && finite(step[0]) && some(step[1]) && some(step[2])), why: list(text),
+});
+
+const judged = has({
+  round: finite, duration: finite, estimate, felt: estimate, verdict: text, words: list(text), found: maybe(pose),
+  events: list(has({ kind: text, start: finite, end: finite, words: text })), contacts: list(interval), particles: some,
+});
+
+const CHECKS: Partial<Record<Piece["piece"], Check>> = {
+  head, round, judged,
+  stage: has({ stage: text, words: text }),
+  observed: has({ round: finite, detections: some }),
+  truth: has({ round: finite, performance: maybe(finite), particles: maybe(some), pushes: list(interval), surface: maybe(pose) }),
+  ended: has({ verdict: maybe(text), story: has({ asked: text, happened: text, sure: text, surer: text }), facts: list(list(text)) }),
+};
+
+/** Throws where a piece of a known kind lacks something. */
+export function checked(piece: Piece): void {
+  if (typeof piece !== "object" || piece === null) throw new Error("not a piece");
+  const check = CHECKS[piece.piece];
+  if (check && !check(piece)) throw new Error(`a broken ${piece.piece}`);
+  if (piece.piece === "head") joined(piece);
+}
+
+/** Joints come after their parents, and the tool is at a link that there is. */
+function joined({ robot, tool }: Head): void {
+  if (!robot) return;
+  const links = robot.joints.length + 1;
+  if (robot.links.length > links || robot.joints.some(({ parent }, i) => !(parent >= 0 && parent <= i))) throw new Error("a broken robot");
+  if (tool.link !== null && !(tool.link < links)) throw new Error("a tool at no link");
+}
+

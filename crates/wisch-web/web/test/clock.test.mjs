@@ -1,0 +1,110 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Clock } from "../src/clock.ts";
+import { nextStop } from "../src/keys.ts";
+
+/** Frames that come when the test says so. */
+function hand() {
+  let wanted = null;
+  let now = 0;
+  return {
+    frames: { request: (callback) => { wanted = callback; return 1; }, cancel: () => { wanted = null; } },
+    pass: (seconds, step = 0.02) => {
+      for (let left = seconds; left > 1e-9 && wanted; left -= step) {
+        now += 1000 * step;
+        const callback = wanted;
+        wanted = null;
+        callback(now);
+      }
+    },
+    get idle() { return wanted === null; },
+  };
+}
+
+const near = (a, b, tolerance = 0.03) => assert.ok(Math.abs(a - b) < tolerance, `${a} is not near ${b}`);
+
+test("plays at its speed, stops at the end and asks for no more frames", () => {
+  const h = hand();
+  const clock = new Clock(h.frames);
+  clock.join({ duration: 10, now: 10, live: false });
+  clock.play();
+  h.pass(2);
+  near(clock.time, 2);
+  clock.setSpeed(5);
+  h.pass(1);
+  near(clock.time, 7, 0.15);
+  h.pass(2);
+  assert.equal(clock.time, 10);
+  assert.equal(clock.playing, false);
+  assert.ok(h.idle);
+  clock.play();
+  assert.equal(clock.time, 0);
+});
+
+test("a tab that slept does not jump", () => {
+  const h = hand();
+  const clock = new Clock(h.frames);
+  clock.join({ duration: 100, now: 100, live: false });
+  clock.play();
+  h.pass(1);
+  h.pass(50, 50);
+  assert.ok(clock.time < 1.5);
+});
+
+test("seeks within what there is, and says so", () => {
+  const clock = new Clock(hand().frames);
+  clock.join({ duration: 4, now: 4, live: false });
+  const seen = [];
+  clock.subscribe(({ time }) => seen.push(time));
+  for (const t of [2, -1, 9, NaN]) clock.seek(t);
+  assert.deepEqual(seen, [2, 0, 4, 0]);
+});
+
+test("follows a run that goes on, until somebody looks elsewhere", () => {
+  const h = hand();
+  const clock = new Clock(h.frames);
+  const run = { duration: 30, now: 1, live: true };
+  clock.join(run);
+  clock.follow();
+  h.pass(2);
+  assert.equal(clock.time, 1);
+  assert.ok(h.idle);
+  run.now = 3;
+  clock.grown();
+  h.pass(2);
+  assert.equal(clock.time, 3);
+  clock.seek(0.5);
+  run.now = 5;
+  clock.grown();
+  h.pass(1);
+  assert.equal(clock.time, 0.5);
+  clock.play();
+  h.pass(20);
+  assert.equal(clock.following, true);
+  assert.equal(clock.time, 5);
+  Object.assign(run, { now: 6, live: false, duration: 6 });
+  clock.grown();
+  assert.deepEqual([clock.following, clock.time], [false, 6]);
+});
+
+test("two recordings share one clock, which runs over the longer", () => {
+  const clock = new Clock(hand().frames);
+  clock.join({ duration: 4, now: 4, live: false });
+  const leave = clock.join({ duration: 9, now: 9, live: false });
+  assert.equal(clock.duration, 9);
+  leave();
+  assert.equal(clock.duration, 4);
+});
+
+test("speeds go up and down within their list", () => {
+  const clock = new Clock(hand().frames);
+  for (let i = 0; i < 9; i++) clock.faster(1);
+  assert.equal(clock.speed, 10);
+  for (let i = 0; i < 20; i++) clock.faster(-1);
+  assert.equal(clock.speed, 0.1);
+});
+
+test("the next stop is the next that is not here", () => {
+  const stops = [0, 2, 5];
+  assert.deepEqual([nextStop(stops, 0, 1), nextStop(stops, 2, 1), nextStop(stops, 5, 1), nextStop(stops, 5, -1), nextStop(stops, 0.02, -1)], [2, 5, 5, 2, 0]);
+});

@@ -1,0 +1,129 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Column, PlotColumn, lastAtMost } from "../src/columns.ts";
+import { ParticleTrack } from "../src/particles.ts";
+import { Recording } from "../src/store.ts";
+import { lines, numbers, sample } from "./sample.mjs";
+
+const pieces = sample();
+const text = lines(pieces);
+
+test("a recording that comes piece by piece is the one that is read whole", () => {
+  const whole = Recording.parse(text);
+  const live = new Recording();
+  for (const piece of pieces) live.apply(piece);
+  assert.equal(live.live, false);
+  for (const t of [0, 3.21, 9.5, 17.31, 17.33, 25, whole.duration]) {
+    const [a, b] = [whole.at(t), live.at(t)];
+    assert.deepEqual(a.q, b.q);
+    assert.deepEqual([a.tool, a.force, a.normal, a.time, a.phase], [b.tool, b.force, b.normal, b.time, b.phase]);
+  }
+  assert.deepEqual(whole.happenings, live.happenings);
+});
+
+test("rounds lie one after the other on the common clock", () => {
+  const { rounds, duration } = Recording.parse(text);
+  const [first, second] = pieces.filter(({ piece }) => piece === "judged");
+  assert.equal(rounds[0].start, 0);
+  assert.ok(Math.abs(rounds[1].start - first.duration) < 1e-9);
+  assert.ok(Math.abs(duration - first.duration - second.duration) < 1e-9);
+});
+
+test("between two samples everything is in between", () => {
+  const recording = Recording.parse(text);
+  const [{ t, q, normal, tool }] = pieces.filter(({ piece }) => piece === "samples");
+  const share = 0.3;
+  const instant = recording.at(t[4] + share * (t[5] - t[4]));
+  const between = (a, b) => a + share * (b - a);
+  for (const v of [0, 3, 6]) assert.ok(Math.abs(instant.q[v] - between(q[v][4], q[v][5])) < 1e-6);
+  assert.ok(Math.abs(instant.normal - between(normal[4], normal[5])) < 1e-6);
+  assert.ok(Math.abs(instant.tool[0] - between(tool[28], tool[35])) < 1e-6);
+  assert.ok(Math.abs(Math.hypot(...instant.tool.slice(3)) - 1) < 1e-6);
+});
+
+test("a variable that a piece leaves out keeps its position", () => {
+  const [head, round] = [pieces[0], pieces.find(({ piece }) => piece === "round")];
+  const recording = new Recording();
+  const some = (t, q) => ({ piece: "samples", round: 1, t, q, tool: t.flatMap(() => [0, 0, 0, 0, 0, 0, 1]), force: t.flatMap(() => [0, 0, 0]), normal: t.map(() => 0), height: t.map(() => 0) });
+  [head, round, some([0, 1], Object.fromEntries(Array.from({ length: 7 }, (_, v) => [v, [v, v]]))), some([2, 3], { 3: [30, 40] }), some([4], { 2: [7] })].forEach((piece) => recording.apply(piece));
+  assert.deepEqual([...recording.at(3).q], [0, 1, 2, 40, 4, 5, 6]);
+  assert.deepEqual([...recording.at(4).q], [0, 1, 7, 40, 4, 5, 6]);
+  assert.equal(recording.broken, 0);
+});
+
+test("lines that are broken are counted, unknown pieces too, and the rest is shown", () => {
+  const rows = text.trim().split("\n");
+  const odd = [rows[0], "{broken", "null", '{"piece":"dance"}', '{"piece":"samples","round":9,"t":[],"q":{},"tool":[],"force":[],"normal":[],"height":[]}', ...rows.slice(1), '{"piece":"samples","round":2,"t":[1]}'];
+  const recording = Recording.parse(odd.join("\n"));
+  assert.equal(recording.broken, 4);
+  assert.equal(recording.unknown, 1);
+  assert.equal(recording.rounds.length, 2);
+  assert.equal(recording.duration, Recording.parse(text).duration);
+});
+
+test("a run that was killed ends with its last sample", () => {
+  const until = pieces.findIndex(({ piece }) => piece === "judged");
+  const killed = Recording.parse(lines(pieces.slice(0, until)));
+  const last = pieces.slice(0, until).findLast(({ piece }) => piece === "samples").t.at(-1);
+  assert.equal(killed.duration, last);
+  assert.equal(killed.rounds[0].judged, null);
+  assert.equal(killed.live, false);
+});
+
+test("a plan that nobody executed runs over its duration", () => {
+  const planned = pieces.filter(({ piece }) => piece === "head" || piece === "round").slice(0, 2).map((piece) => (piece.piece === "round" ? { ...piece, kind: "planned" } : piece));
+  const recording = Recording.parse(lines(planned));
+  assert.equal(recording.duration, planned[1].duration);
+  const { q, tool, normal, performance } = recording.at(recording.duration / 2);
+  assert.deepEqual([q.length, tool, normal], [0, null, null]);
+  assert.ok(performance > 0);
+});
+
+test("particles at any step are what going through all steps gives", () => {
+  const { particles } = pieces.find(({ piece }) => piece === "round");
+  let list = [];
+  const all = particles.map(([, gone, added]) => {
+    list = list.filter((_, i) => !gone.includes(i));
+    for (let i = 0; i < added.length; i += 2) list.push([added[i], added[i + 1]]);
+    return list.flat();
+  });
+  const track = new ParticleTrack(particles);
+  const random = numbers(3);
+  for (let k = 0; k < 300; k++) {
+    const i = Math.floor(random() * all.length);
+    assert.deepEqual([...track.places(i)].map((v) => Math.round(v * 1e4)), all[i]);
+  }
+});
+
+test("least and largest of any stretch are those of its numbers", () => {
+  const random = numbers(11);
+  const column = new PlotColumn();
+  const plain = [];
+  for (let i = 0; i < 5000; i++) {
+    const value = Math.fround(random() * 100 - 50);
+    column.push(value);
+    plain.push(value);
+  }
+  for (let k = 0; k < 500; k++) {
+    const from = Math.floor(random() * 5000);
+    const to = from + 1 + Math.floor(random() * (5000 - from));
+    assert.deepEqual(column.range(from, to), [Math.min(...plain.slice(from, to)), Math.max(...plain.slice(from, to))]);
+  }
+  assert.equal(column.range(3, 3), null);
+});
+
+test("numbers that are not known leave a gap", () => {
+  const column = new PlotColumn();
+  for (const value of [1, NaN, 3]) column.push(value);
+  assert.deepEqual(column.range(0, 3), [1, 3]);
+  assert.equal(column.range(1, 2), null);
+});
+
+test("columns grow and search finds the last that is at most a value", () => {
+  const column = new Column(true, 2);
+  for (let i = 0; i < 100; i++) column.push(i / 10);
+  assert.equal(column.length, 100);
+  assert.equal(lastAtMost(column.data, 4.25, column.length), 42);
+  assert.equal(lastAtMost(column.data, -1, column.length), -1);
+  assert.equal(lastAtMost(column.data, 1e9, column.length), 99);
+});
