@@ -9,6 +9,10 @@ import numpy as np
 
 SUBSTEPS = 10
 """Steps of the reference in one period of the controller."""
+SHARES = (1.0, 0.75, 0.375, 0.09375, 0.0)
+"""Of the acceleration along the table, tried one after the other until the controller can take it."""
+TAKEN = 0.05
+"""Error of position that the controller takes in a direction; what is above it is cut off [m]."""
 
 
 @dataclass(frozen=True)
@@ -31,8 +35,8 @@ class FollowerConfig:
     """Share of the force's error that is made up for in one period [1]."""
     tilt_gain: float = 0.15
     """The same of the tilt's error [1]."""
-    turn_range: float = 1.8
-    """How far the tool may be turned from how it began [rad]."""
+    turn_margin: float = 0.4
+    """How far the last joint is kept from its ends [rad]."""
     turn_stiffness: float = 400.0
     """Of the tool's rotation [1/s²]."""
     lean: float = 0.003
@@ -41,6 +45,10 @@ class FollowerConfig:
     """At which the tool meets the table [m/s]."""
     braking: float = 0.6
     """Of the tool as it comes down [m/s²]."""
+    singular: float = 0.3
+    """Error of position that no command has unless the arm is near a singular posture [m]: for others it is 0.29 at most."""
+    heaviest: tuple = (3000.0, 1000.0, 300.0, 100.0, 30.0)
+    """Above such a mass felt at the tool a direction is given up there, the first that the controller can take [kg]."""
 
 
 def wrapped(angle):
@@ -133,7 +141,7 @@ class Follower:
         self.track = []
         """Where the tool was after each period of wiping: x, y, broad side's angle [m, rad]."""
         self.landed = False
-        self.yaw = self.first_yaw = self.pose()[2]
+        self.yaw = self.pose()[2]
 
     def pose(self):
         """Where the tool is: x, y, angle of its broad side."""
@@ -149,14 +157,27 @@ class Follower:
         self._run(path, until, lambda: False)
 
     def _with_turns(self, path):
-        """A path whose angles are those that the wrist can take, half turns of the tool being the same: near the one before, and
-        never far from how the tool began."""
-        path, yaw = np.array(path, dtype=float), self.yaw
+        """A path (n, 3) whose angles are those that the wrist can take, half turns of the tool being the same: of the ways round,
+        the one that turns the tool least."""
+        ways = [self._turned(path, self.yaw + turn) for turn in (0.0, np.pi, -np.pi)]
+        return min(ways, key=lambda way: np.abs(np.diff(way[:, 2], prepend=self.yaw)).sum())
+
+    def _turned(self, path, yaw):
+        """A path whose angles are near the one before, the first near `yaw`, unless the last joint would come to its end."""
+        path = np.array(path, dtype=float)
+        angle, low, high, sign = self.world.last_joint()
+        here = self.world.bearing(self.pose()[:2])
+        margin = self.config.turn_margin
         for pose in path:
-            turned = yaw + wrapped(pose[2] - yaw)
-            if abs(turned - self.first_yaw) > self.config.turn_range:
-                turned -= np.sign(turned - self.first_yaw) * np.pi
-            pose[2] = yaw = turned
+            pose[2] = yaw + wrapped(pose[2] - yaw)
+            # A first joint that swings the arm round turns the tool with it.
+            swing = wrapped(self.world.bearing(pose[:2]) - here)
+            then = angle + sign * (pose[2] - self.yaw - swing)
+            if then > high - margin:
+                pose[2] -= sign * np.pi
+            elif then < low + margin:
+                pose[2] += sign * np.pi
+            yaw = pose[2]
         return path
 
     def _run(self, path, until, landed):
@@ -209,15 +230,26 @@ class Follower:
             self.landed = world.force() > 2.0
         stiffness = config.turn_stiffness
         acceleration[3:] = stiffness * (error + self.tilt) - 2.0 * np.sqrt(stiffness) * turning
-        errors = world.errors_for(acceleration, wrench)
-        # What the controller would cut off is given up along the table first, evenly.
-        for share in (0.75, 0.5, 0.25, 0.0):
-            if np.abs(errors[:3]).max() <= 0.05:
-                break
-            acceleration[:2] = share * acceleration[:2]
-            errors = world.errors_for(acceleration, wrench)
+        errors = self._errors(acceleration, wrench)
         before = len(world.forces)
         world.step(errors)
         if self.landed:
             self.pressed.extend(world.forces[before:])
             self.track.append(self.pose())
+
+    def _errors(self, acceleration, wrench):
+        """The errors of position and rotation (6) that have the controller accelerate the tool (6) and press with a wrench (6).
+
+        Of what it would cut off, the acceleration along the table is given up first, evenly. Where far too much is left the arm is
+        near a singular posture, and the directions are given up that are too heavy in it.
+        """
+        for heaviest in (np.inf, *self.config.heaviest):
+            for share in SHARES:
+                taken = acceleration * np.array([share, share, 1.0, 1.0, 1.0, 1.0])
+                errors = self.world.errors_for(taken, wrench, heaviest)
+                far = np.abs(errors[:3]).max()
+                if far <= TAKEN:
+                    return errors
+            if heaviest == np.inf and far <= self.config.singular:
+                return errors
+        return errors

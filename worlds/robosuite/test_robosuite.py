@@ -10,7 +10,7 @@ pytest.importorskip("robosuite", reason="pip install -r worlds/robosuite/require
 import planning
 from follower import Follower, FollowerConfig, Reference, rotation_error, wrapped
 from peers import zigzag
-from wipe_environment import WipeEnvironment
+from wipe_environment import LEVER, WipeEnvironment, _damped_solve
 
 
 @pytest.fixture(scope="module")
@@ -63,6 +63,61 @@ def test_what_couples_position_and_rotation_is_made_up_for():
     world.close()
 
 
+def mobility_of(masses, seed):
+    """A mobility of these masses in directions drawn at random, turning compared with moving."""
+    directions, _ = np.linalg.qr(np.random.default_rng(seed).standard_normal((6, 6)))
+    scale = np.array([1.0, 1.0, 1.0, LEVER, LEVER, LEVER])
+    return (directions / masses) @ directions.T / np.outer(scale, scale)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_what_is_light_enough_is_solved_exactly(seed):
+    mobility = mobility_of(np.array([2.0, 5.0, 9.0, 40.0, 300.0, 900.0]), seed)
+    wanted = np.random.default_rng([seed, 1]).standard_normal(6)
+    for heaviest in (1000.0, np.inf):
+        assert mobility @ _damped_solve(mobility, wanted, heaviest) == pytest.approx(wanted, abs=1e-8)
+
+
+@pytest.mark.parametrize("mass", [1e3, 1e5, 1e9, np.inf])
+def test_near_a_singular_posture_the_wrench_has_a_bound_and_the_other_directions_their_acceleration(mass):
+    heaviest = 500.0
+    mobility = mobility_of(np.array([2.0, 5.0, 9.0, 40.0, 300.0, mass]), seed=1)
+    scale = np.array([1.0, 1.0, 1.0, LEVER, LEVER, LEVER])
+    wanted = np.random.default_rng(2).standard_normal(6)
+    wrench = _damped_solve(mobility, wanted, heaviest)
+    assert np.linalg.norm(wrench / scale) <= heaviest * np.linalg.norm(scale * wanted)
+    _, directions = np.linalg.eigh(mobility * np.outer(scale, scale))
+    missing = directions.T @ (scale * (mobility @ wrench - wanted))
+    assert missing[1:] == pytest.approx(np.zeros(5), abs=1e-8)
+    lost = directions[:, 0] @ (wrench / scale)
+    assert abs(lost) <= heaviest**2 / mass * np.linalg.norm(scale * wanted) + 1e-6, "it goes to zero with the mobility"
+
+
+class Heavy:
+    """A stand-in whose command grows with the mass that it may feel."""
+
+    def __init__(self, by_mass):
+        self.by_mass, self.asked = by_mass, []
+
+    def errors_for(self, acceleration, wrench, heaviest=np.inf):
+        self.asked.append(heaviest)
+        return np.concatenate([acceleration[:3] + [0.0, 0.0, self.by_mass(heaviest)], np.zeros(3)])
+
+
+@pytest.mark.parametrize(
+    ("by_mass", "given_up"),
+    [(lambda _: 0.0, []), (lambda _: 0.2, []), (lambda mass: min(mass, 1e5) * 1e-4, [3000.0, 1000.0, 300.0])],
+    ids=["fits", "is cut off a little", "is singular"],
+)
+def test_nothing_is_given_up_but_near_a_singular_posture(panda, by_mass, given_up):
+    follower = Follower(panda)
+    follower.world = Heavy(by_mass)
+    errors = follower._errors(np.array([0.01, 0.0, 0.0, 0.0, 0.0, 0.0]), np.zeros(6))
+    asked = sorted({mass for mass in follower.world.asked if mass < np.inf}, reverse=True)
+    assert asked == given_up
+    assert errors[2] == by_mass(given_up[-1] if given_up else np.inf)
+
+
 def test_a_tool_that_looks_the_same_after_half_a_turn():
     assert wrapped(np.pi) == pytest.approx(0.0)
     assert wrapped(0.6 * np.pi) == pytest.approx(-0.4 * np.pi)
@@ -83,11 +138,29 @@ def test_a_reference_keeps_its_speed_and_arrives():
     assert nearest < config.lookahead
 
 
+def last_joint_along(world, path, yaw):
+    """Where the last joint of an arm that reaches down comes to be, for each pose of a path."""
+    angle, low, high, sign = world.last_joint()
+    here = world.bearing(world.position()[:2])
+    swings = np.array([wrapped(world.bearing(pose[:2]) - here) for pose in path])
+    return angle + sign * (path[:, 2] - yaw - swings), low, high
+
+
 def test_turns_stay_within_what_the_wrist_can_take(panda):
     follower = Follower(panda)
     path = follower._with_turns([[0.0, 0.0, 1.2 * k] for k in range(30)])
-    assert (np.abs(path[:, 2] - follower.first_yaw) <= follower.config.turn_range + 1e-9).all()
+    angles, low, high = last_joint_along(panda, path, follower.yaw)
+    assert (angles >= low + 0.3).all() and (angles <= high - 0.3).all()
     assert np.allclose([wrapped(a - 1.2 * k) for k, a in enumerate(path[:, 2])], 0.0, atol=1e-9)
+
+
+def test_a_stroke_that_would_end_beyond_the_wrist_begins_half_a_turn_away(panda):
+    # Of seed 1003: on its way the arm swings to one side while the tool turns to the other.
+    follower = Follower(panda)
+    path = follower._with_turns([[0.168, 0.04, 3.238], [0.259, -0.003, 3.342], [0.182, 0.227, 3.088]])
+    angles, low, high = last_joint_along(panda, path, follower.yaw)
+    assert (angles > low + 0.3).all() and (angles < high - 0.3).all()
+    assert np.abs(np.diff(path[:, 2])).max() < 0.5, "no half turn amid the stroke"
 
 
 def test_lanes_of_a_zigzag_are_no_further_apart_than_asked():

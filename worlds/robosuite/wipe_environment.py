@@ -47,6 +47,22 @@ def _kept_apart(xml, one, other):
     return ElementTree.tostring(root, encoding="unicode")
 
 
+LEVER = 0.1
+"""By which turning is compared with moving [m]."""
+
+
+def _damped_solve(mobility, acceleration, heaviest):
+    """The wrench (6) that gives a tool of some mobility (6, 6) an acceleration (6).
+
+    Exact in all directions in which the arm feels no heavier than `heaviest` [kg]. In the others, which it is about to lose in a
+    singular posture, the wrench goes to zero with the mobility.
+    """
+    scale = np.array([1.0, 1.0, 1.0, LEVER, LEVER, LEVER])
+    values, directions = np.linalg.eigh(mobility * np.outer(scale, scale))
+    masses = np.where(values * heaviest > 1.0, 1.0 / np.maximum(values, 1e-12), values * heaviest**2)
+    return scale * (directions @ (masses * (directions.T @ (scale * acceleration))))
+
+
 class WipeEnvironment:
     """One episode after another of the Wipe task with one arm.
 
@@ -146,19 +162,33 @@ class WipeEnvironment:
         """The tool's angular velocity (3)."""
         return np.array(self.controller.ref_ori_vel)
 
-    def errors_for(self, acceleration, wrench):
+    def errors_for(self, acceleration, wrench, heaviest=np.inf):
         """The errors of position and rotation (6) for which the controller gives an acceleration of the tool (6) while it presses on
         its surroundings with a wrench (6).
 
-        The controller weighs position and rotation apart from each other; what couples them in the arm is made up for here.
+        The controller weighs position and rotation apart from each other; what couples them in the arm is made up for here, but
+        for directions in which the arm feels heavier than `heaviest` [kg].
         """
         controller = self.controller
         mass, jacobian = np.array(controller.mass_matrix), np.array(controller.J_full)
         mobility = jacobian @ np.linalg.solve(mass, jacobian.T)
-        wanted = np.linalg.solve(mobility, acceleration) + wrench
+        wanted = _damped_solve(mobility, acceleration, heaviest) + wrench
         twist = np.concatenate([self.velocity(), self.turning()])
         error = np.concatenate([mobility[:3, :3] @ wanted[:3], mobility[3:, 3:] @ wanted[3:]])
         return (error + np.array(controller.kd) * twist) / np.array(controller.kp)
+
+    def last_joint(self):
+        """The arm's last joint: its angle, the least and greatest that it may have [rad], and by how much it turns when the tool
+        turns by a radian about the table's normal: one way or the other."""
+        simulation, joint = self.env.sim, self.robot.robot_model.joints[-1]
+        low, high = simulation.model.jnt_range[simulation.model.joint_name2id(joint)]
+        return simulation.data.get_joint_qpos(joint), low, high, np.sign(self.controller.J_full[5, -1])
+
+    def bearing(self, place):
+        """In which direction a place (2) lies, seen from the arm's first joint [rad]."""
+        first = self.env.sim.model.joint_name2id(self.robot.robot_model.joints[0])
+        way = np.asarray(place) - self.env.sim.data.xanchor[first][:2]
+        return np.arctan2(way[1], way[0])
 
     # The run of time.
 
