@@ -126,6 +126,21 @@ impl Episode {
         fs::read(&path).map_err(at(&path))
     }
 
+    /// The same, held against its check sum.
+    ///
+    /// # Errors
+    /// The same, or a file that is not what was written.
+    pub fn checked_attachment(&self, name: &str) -> Result<Vec<u8>, MemoryError> {
+        let bytes = self.attachment(name)?;
+        let path = self.folder.join(name);
+        if let Some(written) = self.sums()?.get(name)
+            && let Some(what) = written.difference(&FileSum::of(&path)?)
+        {
+            return Err(MemoryError::Changed { path, what });
+        }
+        Ok(bytes)
+    }
+
     /// The names of all its files, sorted, with `/` between folder and file.
     ///
     /// # Errors

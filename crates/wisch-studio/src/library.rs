@@ -1,0 +1,219 @@
+//! The memory's episodes as the page lists them.
+
+use crate::refusal::Refusal;
+use serde::Serialize;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+use wisch_memory::catalogue::{EpisodeRow, entries};
+use wisch_memory::{Catalogue, IndividualId, Memory, MemoryError, Node};
+
+/// An episode's recording among its files.
+pub const RECORDING_FILE: &str = "recording.jsonl.gz";
+/// Most episodes that are listed at once.
+pub const MOST_LISTED: usize = 500;
+
+/// The memory, and what was last read of it.
+#[derive(Debug)]
+pub struct Library {
+    memory: Memory,
+    last: Mutex<Option<Read>>,
+}
+
+/// A catalogue of these episodes.
+#[derive(Debug, Clone)]
+struct Read {
+    ids: Vec<String>,
+    catalogue: Arc<Catalogue>,
+}
+
+/// What is said of an episode.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Listed {
+    id: String,
+    title: String,
+    /// Such as "Collecting".
+    action: Option<String>,
+    tool: Option<String>,
+    medium: Option<String>,
+    surface: Option<String>,
+    /// When it began [s since 1970].
+    begun: f64,
+    seconds: f64,
+    rounds: usize,
+    /// Estimated in the end: mean, and lower and upper end of the 90 % interval.
+    performance: Option<f64>,
+    low: Option<f64>,
+    high: Option<f64>,
+    met: bool,
+    /// Of its last round, such as "goal met".
+    verdict: Option<String>,
+    collisions: usize,
+    has_recording: bool,
+}
+
+/// The episodes, newest first.
+#[derive(Debug, Serialize)]
+pub struct List {
+    episodes: Vec<Listed>,
+    /// How many there are that fit, also those that are not listed.
+    total: usize,
+    /// What cannot be read, and why.
+    broken: Vec<String>,
+}
+
+impl Library {
+    pub fn new(memory: Memory) -> Self {
+        Self {
+            memory,
+            last: Mutex::default(),
+        }
+    }
+
+    pub fn memory(&self) -> &Memory {
+        &self.memory
+    }
+
+    /// The catalogue of the episodes that are there now.
+    pub fn catalogue(&self) -> Result<Arc<Catalogue>, MemoryError> {
+        let ids = self.memory.episodes()?;
+        let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(read) = last.as_ref()
+            && read.ids == ids
+        {
+            return Ok(Arc::clone(&read.catalogue));
+        }
+        let catalogue = Arc::new(self.memory.catalogue()?);
+        *last = Some(Read {
+            ids,
+            catalogue: Arc::clone(&catalogue),
+        });
+        Ok(catalogue)
+    }
+
+    /// The newest episodes in whose name, task, action, tool, medium or surface all these words occur.
+    pub fn list(&self, wanted: &str) -> Result<List, Refusal> {
+        let catalogue = self.catalogue()?;
+        let words: Vec<String> = wanted.split_whitespace().map(str::to_lowercase).collect();
+        let about = About::of(&catalogue);
+        let mut rows: Vec<&EpisodeRow> = catalogue.episodes().iter().collect();
+        rows.sort_by(|a, b| {
+            let times = b.interval[0].total_cmp(&a.interval[0]);
+            times.then_with(|| b.id.cmp(&a.id))
+        });
+        let mut list = List {
+            episodes: Vec::new(),
+            total: 0,
+            broken: catalogue.left_out().to_vec(),
+        };
+        for row in rows {
+            let is_wanted = words.is_empty() || {
+                let text = about.text(row).to_lowercase();
+                words.iter().all(|word| text.contains(word))
+            };
+            if !is_wanted {
+                continue;
+            }
+            list.total += 1;
+            if list.episodes.len() < MOST_LISTED {
+                let mut listed = about.listed(row);
+                let recording = self.memory.folder().join(&row.id).join(RECORDING_FILE);
+                listed.has_recording = recording.is_file();
+                list.episodes.push(listed);
+            }
+        }
+        Ok(list)
+    }
+}
+
+/// What the catalogue says of wiping, by episode.
+struct About<'a> {
+    catalogue: &'a Catalogue,
+    /// The wiping of each episode, by the episode's first individual.
+    actions: HashMap<IndividualId, IndividualId>,
+    collisions: HashMap<IndividualId, usize>,
+    /// By the episode's first individual: the last round's verdict.
+    verdicts: HashMap<IndividualId, &'a str>,
+}
+
+impl<'a> About<'a> {
+    fn of(catalogue: &'a Catalogue) -> Self {
+        let first = |id: IndividualId| catalogue.episode_of(id).first;
+        let mut collisions = HashMap::new();
+        for &id in catalogue.of_class("semco:HumanCollision") {
+            *collisions.entry(first(id)).or_default() += 1;
+        }
+        let actions = catalogue.of_class("semco:WipingAction").iter();
+        let verdicts = catalogue.texts("semco:verdict").iter();
+        Self {
+            catalogue,
+            actions: actions.map(|&id| (first(id), id)).collect(),
+            collisions,
+            // Rounds come in their order: the last one stays.
+            verdicts: verdicts
+                .map(|(id, text)| (first(*id), text.as_str()))
+                .collect(),
+        }
+    }
+
+    fn listed(&self, row: &EpisodeRow) -> Listed {
+        let action = self.actions.get(&row.first).copied();
+        let number = |property: &str| {
+            let found = entries(self.catalogue.numbers(property), action?);
+            found.first().map(|(_, value)| *value)
+        };
+        let shared = |property: &str| self.shared(property, action?);
+        Listed {
+            id: row.id.clone(),
+            title: row.task.clone(),
+            action: action.and_then(|action| self.task(action)),
+            tool: shared("semco:usesTool"),
+            medium: shared("semco:removesMedium"),
+            surface: shared("semco:actsOnSurface"),
+            begun: row.interval[0],
+            seconds: row.interval[1] - row.interval[0],
+            rounds: row.rounds.len(),
+            performance: number("semco:performance"),
+            low: number("semco:performanceLow"),
+            high: number("semco:performanceHigh"),
+            met: shared("soma:hasExecutionState").as_deref() == Some("ExecutionState_Succeeded"),
+            verdict: (self.verdicts.get(&row.first)).map(|verdict| (*verdict).to_owned()),
+            collisions: self.collisions.get(&row.first).copied().unwrap_or(0),
+            has_recording: false,
+        }
+    }
+
+    /// All that an episode is looked for by.
+    fn text(&self, row: &EpisodeRow) -> String {
+        let about = self.listed(row);
+        let parts = [about.action, about.tool, about.medium, about.surface];
+        let parts = parts.into_iter().flatten();
+        let words: Vec<String> = [about.id, about.title].into_iter().chain(parts).collect();
+        words.join(" ")
+    }
+
+    /// What an individual stands in a relation to, without prefix, if it is something that episodes share.
+    fn shared(&self, property: &str, id: IndividualId) -> Option<String> {
+        let related = entries(self.catalogue.relations(property), id);
+        related.iter().find_map(|(_, node)| match node {
+            Node::Shared(place) => {
+                let name = self.catalogue.shared().get(*place as usize)?;
+                Some(local(name).to_owned())
+            }
+            Node::Individual(_) => None,
+        })
+    }
+
+    /// The class of the task that an action is done for.
+    fn task(&self, action: IndividualId) -> Option<String> {
+        let related = entries(self.catalogue.relations("dul:executesTask"), action);
+        related.iter().find_map(|(_, node)| match node {
+            Node::Individual(id) => Some(local(self.catalogue.class(*id)).to_owned()),
+            Node::Shared(_) => None,
+        })
+    }
+}
+
+/// A name without its prefix.
+fn local(name: &str) -> &str {
+    name.split_once(':').map_or(name, |(_, local)| local)
+}

@@ -1,0 +1,184 @@
+//! Runs that are going on: what they write into the memory's `.live` folder.
+//!
+//! ```text
+//! episodes/.live/
+//!   ID.json    {"pid": 4711, "task": "chopping-board", "begun": "2026-11-22T00:56:12Z"}
+//!   ID.jsonl   the recording as far as it goes, a piece a line
+//! ```
+//!
+//! Both go when the run's episode is there.
+
+use crate::process;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use std::fs::{self, File};
+use std::io::{self, Read, Seek, SeekFrom};
+use std::path::{Path, PathBuf};
+
+const LIVE_FOLDER: &str = ".live";
+/// Longest name of a run [characters].
+const MAX_ID_LEN: usize = 120;
+/// What is read from a recording's end to find its last piece [bytes].
+const TAIL: u64 = 1 << 18;
+/// What a sidecar may have [bytes].
+const LONGEST_SIDECAR: u64 = 1 << 16;
+
+/// The runs of a memory that are going on, or broke off.
+#[derive(Debug, Clone)]
+pub struct LiveFolder {
+    folder: PathBuf,
+    /// What the program is called that runs tasks.
+    program: String,
+}
+
+/// What a run says of itself beside its recording.
+#[derive(Debug, Clone, Deserialize)]
+pub struct Sidecar {
+    pub pid: u32,
+    #[serde(default)]
+    pub task: String,
+    #[serde(default)]
+    pub begun: Option<String>,
+}
+
+/// What is known of a run.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LiveRun {
+    pub id: String,
+    pub task: String,
+    pub begun: Option<String>,
+    pub pid: u32,
+    pub state: RunState,
+    /// The episode that it became.
+    pub episode: Option<String>,
+}
+
+/// How far a run is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum RunState {
+    /// It goes on.
+    Running,
+    /// It has said so.
+    Ended,
+    /// Its process is gone, and it has not said so.
+    Lost,
+}
+
+impl LiveFolder {
+    pub fn of(memory: &Path, program: &Path) -> Self {
+        let program = program.file_stem().unwrap_or_default();
+        Self {
+            folder: memory.join(LIVE_FOLDER),
+            program: program.to_string_lossy().into_owned(),
+        }
+    }
+
+    /// The recording of a run as far as it goes, if there is such a run.
+    pub fn recording(&self, id: &str) -> Option<PathBuf> {
+        let path = self.folder.join(format!("{}.jsonl", checked(id)?));
+        path.is_file().then_some(path)
+    }
+
+    /// All of them, newest first. What is broken is not among them.
+    pub fn runs(&self) -> Vec<LiveRun> {
+        let mut runs: Vec<LiveRun> = (self.ids().iter()).filter_map(|id| self.run(id)).collect();
+        runs.sort_by(|a, b| b.begun.cmp(&a.begun).then_with(|| b.id.cmp(&a.id)));
+        runs
+    }
+
+    /// One of them.
+    pub fn run(&self, id: &str) -> Option<LiveRun> {
+        let recording = self.recording(id)?;
+        let sidecar = self.sidecar(id);
+        let end = last_piece(&recording).filter(|piece| piece["piece"] == "ended");
+        let pid = sidecar.as_ref().map_or(0, |sidecar| sidecar.pid);
+        let state = match end {
+            Some(_) => RunState::Ended,
+            None if self.is_at_work(pid) => RunState::Running,
+            None => RunState::Lost,
+        };
+        let (task, begun) = sidecar.map_or_else(
+            || (id.to_owned(), None),
+            |sidecar| (sidecar.task, sidecar.begun),
+        );
+        let episode = end.and_then(|piece| piece["episode"].as_str().map(str::to_owned));
+        Some(LiveRun {
+            id: id.to_owned(),
+            task,
+            begun,
+            pid,
+            state,
+            episode,
+        })
+    }
+
+    /// The run of this process.
+    pub fn of_process(&self, pid: u32) -> Option<String> {
+        self.ids().into_iter().find(|id| {
+            let said = self.sidecar(id);
+            said.is_some_and(|sidecar| sidecar.pid == pid) && self.recording(id).is_some()
+        })
+    }
+
+    /// Whether a run's recording may still grow.
+    pub fn goes_on(&self, id: &str) -> bool {
+        let pid = self.sidecar(id).map(|sidecar| sidecar.pid);
+        self.recording(id).is_some() && pid.is_some_and(|pid| self.is_at_work(pid))
+    }
+
+    /// Whether this process goes on, and is one that runs tasks.
+    pub fn is_at_work(&self, pid: u32) -> bool {
+        process::is_alive(pid) && process::is_called(pid, &self.program)
+    }
+
+    /// Removes what a run has left behind that broke off; whether there was one.
+    pub fn clear(&self, id: &str) -> io::Result<bool> {
+        let lost = |run: &LiveRun| run.state != RunState::Running;
+        if self.run(id).filter(lost).is_none() {
+            return Ok(false);
+        }
+        for ending in ["json", "jsonl"] {
+            match fs::remove_file(self.folder.join(format!("{id}.{ending}"))) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+                _ => {}
+            }
+        }
+        Ok(true)
+    }
+
+    fn sidecar(&self, id: &str) -> Option<Sidecar> {
+        let file = File::open(self.folder.join(format!("{}.json", checked(id)?))).ok()?;
+        let mut text = String::new();
+        file.take(LONGEST_SIDECAR).read_to_string(&mut text).ok()?;
+        serde_json::from_str(&text).ok()
+    }
+
+    fn ids(&self) -> Vec<String> {
+        let Ok(entries) = fs::read_dir(&self.folder) else {
+            return Vec::new();
+        };
+        let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+        let ids = names.filter_map(|name| Some(checked(name.strip_suffix(".jsonl")?)?.to_owned()));
+        ids.collect()
+    }
+}
+
+/// A name that leads nowhere else.
+fn checked(id: &str) -> Option<&str> {
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    let is_plain = !id.is_empty() && id.len() <= MAX_ID_LEN && id.chars().all(plain);
+    is_plain.then_some(id)
+}
+
+/// The last piece that is there as a whole, if it is short enough to be one that ends a run.
+fn last_piece(recording: &Path) -> Option<Value> {
+    let mut file = File::open(recording).ok()?;
+    let len = file.metadata().ok()?.len();
+    file.seek(SeekFrom::Start(len.saturating_sub(TAIL))).ok()?;
+    let mut bytes = Vec::new();
+    file.take(TAIL).read_to_end(&mut bytes).ok()?;
+    let whole = bytes.strip_suffix(b"\n")?;
+    let start = whole.iter().rposition(|byte| *byte == b'\n');
+    serde_json::from_slice(&whole[start.map_or(0, |at| at + 1)..]).ok()
+}

@@ -1,0 +1,79 @@
+//! The program `wisch-studio`, which `wisch studio` begins.
+
+use std::process::ExitCode;
+use wisch_studio::{Arguments, Studio, USAGE, open_in_browser};
+
+fn main() -> ExitCode {
+    let arguments = match Arguments::parse(std::env::args_os().skip(1)) {
+        Ok(Some(arguments)) => arguments,
+        Ok(None) => {
+            println!("{USAGE}");
+            return ExitCode::SUCCESS;
+        }
+        Err(what) => return complain(&what),
+    };
+    let runtime = tokio::runtime::Builder::new_multi_thread()
+        .enable_all()
+        .build();
+    let worked = match runtime {
+        Ok(runtime) => runtime.block_on(work(&arguments)),
+        Err(error) => Err(error.to_string()),
+    };
+    match worked {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(what) => complain(&what),
+    }
+}
+
+async fn work(arguments: &Arguments) -> Result<(), String> {
+    let end = ended_by_signal().map_err(|error| format!("signals: {error}"))?;
+    let studio = Studio::begin(&arguments.config).await;
+    let studio = studio.map_err(|error| error.to_string())?;
+    if !arguments.config.host.is_loopback() {
+        eprintln!(
+            "warning: {} can be reached from other machines: whoever has the address can start runs and read the \
+             memory, and it goes over the network as it is",
+            arguments.config.host
+        );
+    }
+    println!("{}", studio.url());
+    if arguments.open {
+        open_in_browser(studio.url());
+    }
+    studio
+        .serve(end)
+        .await
+        .map_err(|error| format!("the server ended: {error}"))
+}
+
+/// What is done when Ctrl-C or a signal to end comes; the second one does not wait for anything.
+#[cfg(unix)]
+fn ended_by_signal() -> std::io::Result<impl Future<Output = ()>> {
+    use tokio::signal::unix::{SignalKind, signal};
+    /// What shells say of a program that Ctrl-C ended.
+    const EXIT_INTERRUPTED: i32 = 130;
+    let mut interrupt = signal(SignalKind::interrupt())?;
+    let mut terminate = signal(SignalKind::terminate())?;
+    let (sender, receiver) = tokio::sync::oneshot::channel();
+    tokio::spawn(async move {
+        tokio::select! { _ = interrupt.recv() => {}, _ = terminate.recv() => {} }
+        let _ = sender.send(());
+        tokio::select! { _ = interrupt.recv() => {}, _ = terminate.recv() => {} }
+        std::process::exit(EXIT_INTERRUPTED);
+    });
+    Ok(async move {
+        let _ = receiver.await;
+    })
+}
+
+#[cfg(not(unix))]
+fn ended_by_signal() -> std::io::Result<impl Future<Output = ()>> {
+    Ok(async {
+        let _ = tokio::signal::ctrl_c().await;
+    })
+}
+
+fn complain(what: &str) -> ExitCode {
+    eprintln!("error: {what}");
+    ExitCode::from(2)
+}

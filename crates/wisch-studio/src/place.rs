@@ -1,0 +1,277 @@
+//! Where in a query that lies which an engine complains of: engines say what is wrong, but not where.
+
+mod tokens;
+
+use tokens::{Kind, Token, tokens};
+use wisch_memory::ask::QueryFault;
+
+/// A part of a query's text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Place {
+    /// From the text's begin, in UTF-16 units, as browsers count.
+    pub offset: usize,
+    /// In the same units.
+    pub length: usize,
+    /// From 1.
+    pub line: usize,
+    /// In characters, from 1.
+    pub column: usize,
+}
+
+/// Where a fault lies, as far as that can be told.
+pub fn place(fault: &QueryFault, query: &str) -> Option<Place> {
+    let tokens = tokens(query);
+    let (start, end) = match fault {
+        QueryFault::Unknown { kind, name, .. } if kind == "predicate" => {
+            let (name, arity) = name.rsplit_once('/')?;
+            call(&tokens, query, name, arity.parse().unwrap_or(0))?
+        }
+        QueryFault::Unknown { name, .. } => named(&tokens, query, name)?,
+        QueryFault::NoName { term } => {
+            let start = query.find(term.as_str())?;
+            (start, start + term.len())
+        }
+        QueryFault::Prolog { what } if what.starts_with("the query is no Prolog") => {
+            syntax(&tokens, query)
+        }
+        QueryFault::Prolog { what } if what.starts_with("text after the full stop") => {
+            let stop = tokens.iter().position(|token| token.kind == Kind::Stop)?;
+            (tokens.get(stop + 1)?.start, query.trim_end().len())
+        }
+        _ => return None,
+    };
+    Some(Place::of(query, start, end))
+}
+
+impl Place {
+    /// Of bytes.
+    fn of(query: &str, start: usize, end: usize) -> Self {
+        let before = &query[..start];
+        let units = |text: &str| text.encode_utf16().count();
+        let last_line = before.rsplit('\n').next().unwrap_or_default();
+        Self {
+            offset: units(before),
+            length: units(&query[start..end]),
+            line: before.matches('\n').count() + 1,
+            column: last_line.chars().count() + 1,
+        }
+    }
+}
+
+/// Where a predicate is called; one of this many arguments, if there is any.
+fn call(tokens: &[Token], query: &str, name: &str, arity: usize) -> Option<(usize, usize)> {
+    let calls = tokens.iter().enumerate().filter(|(_, token)| {
+        matches!(token.kind, Kind::Name | Kind::Symbol) && token.value(query) == name
+    });
+    let calls: Vec<(usize, &Token)> = calls.collect();
+    let fits = calls
+        .iter()
+        .find(|(place, _)| arguments(&tokens[place + 1..]) == arity);
+    let (_, token) = fits.or_else(|| calls.first())?;
+    Some((token.start, token.end))
+}
+
+/// How many arguments stand in the brackets that open here.
+fn arguments(tokens: &[Token]) -> usize {
+    if tokens.first().map(|token| token.kind) != Some(Kind::Call) {
+        return 0;
+    }
+    let (mut depth, mut commas) = (0, 0);
+    for token in tokens {
+        match token.kind {
+            Kind::Call | Kind::Open => depth += 1,
+            Kind::Close if depth == 1 => return commas + 1,
+            Kind::Close => depth -= 1,
+            Kind::Comma if depth == 1 => commas += 1,
+            _ => {}
+        }
+    }
+    commas + 1
+}
+
+/// Where something is named, such as `semco:'Colision'`.
+fn named(tokens: &[Token], query: &str, name: &str) -> Option<(usize, usize)> {
+    let bare = |text: &str| text.trim_matches('\'').replace("\\'", "'");
+    let (prefix, local) = match name.split_once(':') {
+        Some((prefix, local)) => (Some(prefix), bare(local)),
+        None => (None, bare(name)),
+    };
+    let is = |token: &Token, wanted: &str| {
+        matches!(token.kind, Kind::Name | Kind::Number) && token.value(query) == wanted
+    };
+    let mut found = None;
+    for (place, token) in tokens.iter().enumerate() {
+        if !is(token, &local) {
+            continue;
+        }
+        let before = place.checked_sub(2).map(|place| &tokens[place]);
+        match (prefix, before) {
+            (Some(prefix), Some(first))
+                if is(first, prefix) && tokens[place - 1].value(query) == ":" =>
+            {
+                return Some((first.start, token.end));
+            }
+            _ => found = found.or(Some((token.start, token.end))),
+        }
+    }
+    // A name that is quoted as a whole.
+    let whole = || tokens.iter().find(|token| is(token, &bare(name)));
+    found.or_else(|| whole().map(|token| (token.start, token.end)))
+}
+
+/// Where the first token stands that cannot stand there.
+fn syntax(tokens: &[Token], query: &str) -> (usize, usize) {
+    let end = query.trim_end().len();
+    // What opened, and the place where.
+    let mut open: Vec<(&str, (usize, usize))> = Vec::new();
+    // Whether a term is to begin here.
+    let mut begins = true;
+    for (number, token) in tokens.iter().enumerate() {
+        let place = (token.start, token.end);
+        let text = &query[token.start..token.end];
+        match token.kind {
+            Kind::Unfinished => return place,
+            Kind::Stop => break,
+            Kind::Name | Kind::Number | Kind::Text | Kind::Variable => {
+                let is_infix = tokens::is_word_operator(text);
+                let is_prefix = text == "\\+" || text == "dynamic";
+                match (begins, is_infix) {
+                    (false, false) => return place,
+                    (false, true) => begins = true,
+                    (true, _) => begins = is_prefix,
+                }
+            }
+            // A sign before a term, or between two; as a name where nothing follows it.
+            Kind::Symbol => {
+                let next = tokens.get(number + 1).map(|next| next.kind);
+                let follows = !matches!(
+                    next,
+                    None | Some(Kind::Comma | Kind::Close | Kind::Bar | Kind::Stop)
+                );
+                if !begins && !follows {
+                    return place;
+                }
+                begins = follows;
+                if next == Some(Kind::Call) {
+                    begins = false;
+                }
+            }
+            Kind::Comma | Kind::Bar => {
+                if begins {
+                    return place;
+                }
+                begins = true;
+            }
+            Kind::Call | Kind::Open => {
+                if token.kind == Kind::Open && !begins {
+                    return place;
+                }
+                open.push((text, place));
+                begins = true;
+            }
+            Kind::Close => {
+                let fits = match open.pop() {
+                    Some(("(", _)) => text == ")",
+                    Some(("[", _)) => text == "]",
+                    Some(("{", _)) => text == "}",
+                    _ => false,
+                };
+                let opened_just_now = number > 0
+                    && matches!(tokens[number - 1].kind, Kind::Open)
+                    && matches!(text, "]" | "}");
+                if !fits || (begins && !opened_just_now) {
+                    return place;
+                }
+                begins = false;
+            }
+        }
+    }
+    match open.pop() {
+        Some((_, place)) => place,
+        None => (end, end),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn part(fault: &QueryFault, query: &str) -> Option<String> {
+        let place = place(fault, query)?;
+        let units: Vec<u16> = query.encode_utf16().collect();
+        let part = &units[place.offset..place.offset + place.length];
+        Some(String::from_utf16_lossy(part))
+    }
+
+    fn unknown(kind: &str, name: &str) -> QueryFault {
+        QueryFault::Unknown {
+            kind: kind.to_owned(),
+            name: name.to_owned(),
+            nearest: None,
+        }
+    }
+
+    #[test]
+    fn what_is_unknown_is_found_where_it_stands() {
+        let query = "owl_individual_of(C, semco:'Colision'),\n  occur(C, [S, E])";
+        let class = unknown("class", "semco:'Colision'");
+        assert_eq!(part(&class, query).as_deref(), Some("semco:'Colision'"));
+        let predicate = unknown("predicate", "occur/2");
+        assert_eq!(part(&predicate, query).as_deref(), Some("occur"));
+        let place = place(&predicate, query).unwrap();
+        assert_eq!((place.line, place.column), (2, 3));
+        let missing = unknown("predicate", "nothing/0");
+        assert_eq!(part(&missing, query), None);
+    }
+
+    #[test]
+    fn the_call_with_these_many_arguments_is_meant() {
+        let query = "f(a), f(b, [c, d])";
+        let place = place(&unknown("predicate", "f/2"), query).unwrap();
+        assert_eq!(place.offset, 6);
+    }
+
+    #[test]
+    fn places_count_as_browsers_do() {
+        let query = "X = '𝄞', foo(X)";
+        let place = place(&unknown("predicate", "foo/1"), query).unwrap();
+        assert_eq!((place.offset, place.column), (10, 10));
+    }
+
+    #[test]
+    fn a_syntax_error_lies_at_the_first_token_that_does_not_fit() {
+        let fault = QueryFault::Prolog {
+            what: "the query is no Prolog: incomplete reduction".to_owned(),
+        };
+        for (query, at) in [
+            ("foo(A, B", "("),
+            ("foo(A,, B)", ","),
+            ("foo(A B)", "B"),
+            ("foo(A)) , bar", ")"),
+            ("foo(A), 'open", "'open"),
+            ("foo(A] , b", "]"),
+            ("foo(A), ", ""),
+            ("X is 2 *", "*"),
+            ("foo [a]", "["),
+            ("a, | b", "|"),
+            ("low_performance(A P), occurs(A, [S, E])", "P"),
+        ] {
+            assert_eq!(part(&fault, query).as_deref(), Some(at), "{query}");
+        }
+    }
+
+    #[test]
+    fn what_is_right_has_no_place_but_its_end() {
+        for query in [
+            "owl_individual_of(C, semco:'Collision'), occurs(C, [S, E]), M is 0.5*(S+E)",
+            "has_data_value(A, performance =< 0.8), \\+ goal_met(A)",
+            "findall(N-P, performance_by_round(A, N, P), L), L = [_|T], X = -1, Y = - X",
+            "(goal_met(A) ; goal_missed(A, P)), S = \"text\", C = 0'a",
+            "is_at(robot, P) during [1, 2.5e3], X = {}, Y = [], Z = f",
+            "(a -> b ; c), X == Y, X =.. [f | Args], maplist(=(1), L)",
+        ] {
+            let place = syntax(&tokens(query), query);
+            assert_eq!(place, (query.len(), query.len()), "{query}");
+        }
+    }
+}

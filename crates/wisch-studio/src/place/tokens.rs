@@ -1,0 +1,154 @@
+//! A query's tokens, as Prolog has them.
+
+/// A token.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Token {
+    pub kind: Kind,
+    /// From and to [bytes].
+    pub start: usize,
+    pub end: usize,
+}
+
+/// What a token is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// An atom that is written with letters or in quotes.
+    Name,
+    Variable,
+    Number,
+    /// In double or back quotes.
+    Text,
+    /// An atom of signs.
+    Symbol,
+    Comma,
+    Bar,
+    /// A bracket right after a name.
+    Call,
+    /// Any other that opens.
+    Open,
+    Close,
+    /// The full stop.
+    Stop,
+    /// Quotes that do not end.
+    Unfinished,
+}
+
+impl Token {
+    /// As it is meant: an atom without its quotes.
+    pub fn value<'a>(&self, query: &'a str) -> std::borrow::Cow<'a, str> {
+        let text = &query[self.start..self.end];
+        match text
+            .strip_prefix('\'')
+            .and_then(|rest| rest.strip_suffix('\''))
+        {
+            Some(inner) => inner.replace("\\'", "'").replace("''", "'").into(),
+            None => text.into(),
+        }
+    }
+}
+
+/// Whether it is an operator that is written as a word.
+pub fn is_word_operator(text: &str) -> bool {
+    matches!(
+        text,
+        "is" | "mod" | "rem" | "div" | "rdiv" | "xor" | "during" | "since" | "until"
+    )
+}
+
+/// All of them; comments are none.
+pub fn tokens(query: &str) -> Vec<Token> {
+    let mut found: Vec<Token> = Vec::new();
+    let mut at = 0;
+    while let Some(c) = query[at..].chars().next() {
+        let rest = &query[at..];
+        let (kind, len) = match c {
+            '%' => (None, rest.find('\n').unwrap_or(rest.len())),
+            '/' if rest.starts_with("/*") => {
+                (None, rest.find("*/").map_or(rest.len(), |end| end + 2))
+            }
+            c if c.is_whitespace() => (None, c.len_utf8()),
+            '\'' | '"' | '`' => quoted(rest, c),
+            '0'..='9' => (Some(Kind::Number), number(rest)),
+            c if c.is_alphabetic() || c == '_' => {
+                let word = |c: char| c.is_alphanumeric() || c == '_';
+                let kind = if c.is_uppercase() || c == '_' {
+                    Kind::Variable
+                } else {
+                    Kind::Name
+                };
+                (Some(kind), rest.find(|c| !word(c)).unwrap_or(rest.len()))
+            }
+            ',' => (Some(Kind::Comma), 1),
+            '|' if !rest.starts_with("||") => (Some(Kind::Bar), 1),
+            '(' if follows_a_name(found.last(), at) => (Some(Kind::Call), 1),
+            '(' | '[' | '{' => (Some(Kind::Open), 1),
+            ')' | ']' | '}' => (Some(Kind::Close), 1),
+            '!' => (Some(Kind::Name), 1),
+            c if is_sign(c) => {
+                let len = rest.find(|c| !is_sign(c)).unwrap_or(rest.len());
+                let after = rest[len..].chars().next();
+                let is_stop = &rest[..len] == "." && after.is_none_or(char::is_whitespace);
+                (Some(if is_stop { Kind::Stop } else { Kind::Symbol }), len)
+            }
+            c => (Some(Kind::Symbol), c.len_utf8()),
+        };
+        if let Some(kind) = kind {
+            found.push(Token {
+                kind,
+                start: at,
+                end: at + len,
+            });
+        }
+        at += len;
+    }
+    found
+}
+
+fn follows_a_name(last: Option<&Token>, at: usize) -> bool {
+    last.is_some_and(|token| {
+        token.end == at && matches!(token.kind, Kind::Name | Kind::Symbol | Kind::Variable)
+    })
+}
+
+/// What begins with this quote.
+fn quoted(text: &str, mark: char) -> (Option<Kind>, usize) {
+    let mut chars = text.char_indices().skip(1).peekable();
+    while let Some((at, c)) = chars.next() {
+        if c == '\\' {
+            chars.next();
+        } else if c == mark {
+            if chars.next_if(|(_, next)| *next == mark).is_some() {
+                continue;
+            }
+            let kind = if mark == '\'' { Kind::Name } else { Kind::Text };
+            return (Some(kind), at + 1);
+        }
+    }
+    (Some(Kind::Unfinished), text.trim_end().len())
+}
+
+fn number(text: &str) -> usize {
+    if let Some(rest) = text.strip_prefix("0'") {
+        let escaped = rest.starts_with('\\') || rest.starts_with("''");
+        let chars = rest.chars().take(if escaped { 2 } else { 1 });
+        return 2 + chars.map(char::len_utf8).sum::<usize>();
+    }
+    let word = |text: &str| {
+        let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        text.find(|c| !is_part(c)).unwrap_or(text.len())
+    };
+    let mut len = word(text);
+    let fraction = text[len..].strip_prefix('.');
+    if fraction.is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit())) {
+        len += 1 + word(&text[len + 1..]);
+    }
+    let is_exponent = text[..len].ends_with(['e', 'E']);
+    if is_exponent && text[len..].starts_with(['+', '-']) {
+        len += 1 + word(&text[len + 1..]);
+    }
+    len
+}
+
+fn is_sign(c: char) -> bool {
+    "+-*/\\^<>=~:.?@#&$;".contains(c)
+}

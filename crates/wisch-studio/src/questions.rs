@@ -1,0 +1,311 @@
+//! Queries to the memory: one engine for all who ask, on a thread of its own, which the engine ends with.
+
+use crate::library::Library;
+use crate::place::place;
+use crate::refusal::Refusal;
+use crate::shown;
+use axum::http::StatusCode;
+use serde::Deserialize;
+use serde_json::{Map, Value, json};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc::{Receiver, SyncSender, TrySendError, sync_channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant, SystemTime};
+use tokio::sync::oneshot;
+use wisch_memory::Catalogue;
+use wisch_memory::ask::{
+    Answers, AskError, Asker, Assertions, EngineCommand, Limits, TelemetryPredicates, Term,
+};
+use wisch_memory::view::{Surroundings, gather};
+
+/// What a query may use, as `wisch ask` has it.
+pub const LIMITS: Limits = Limits {
+    time: Duration::from_secs(60),
+    memory: 4096 << 20,
+    answers: 1000,
+};
+/// Queries that may wait.
+const MOST_WAITING: usize = 8;
+/// Longest query [bytes].
+const LONGEST: usize = 20_000;
+/// How often a query is told to end that nobody waits for any more.
+const TELL_AGAIN: Duration = Duration::from_millis(50);
+/// Where statements are kept that queries told.
+const TOLD_FILE: &str = "told.jsonl";
+
+/// What is asked.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Question {
+    query: String,
+    /// Most answers, within what `wisch ask` gives.
+    #[serde(default)]
+    limit: Option<usize>,
+}
+
+/// Who answers.
+#[derive(Debug)]
+pub struct Questions {
+    jobs: SyncSender<Job>,
+    now: Arc<Now>,
+    next: AtomicU64,
+}
+
+/// What is being answered.
+#[derive(Debug, Default)]
+struct Now {
+    /// The job's number; 0: none.
+    number: AtomicU64,
+    interrupt: Mutex<Option<Arc<AtomicBool>>>,
+}
+
+#[derive(Debug)]
+struct Job {
+    number: u64,
+    question: Question,
+    reply: oneshot::Sender<Value>,
+}
+
+impl Questions {
+    /// Of this memory, to this engine or the first that is installed.
+    pub fn new(library: Arc<Library>, engine: Option<PathBuf>) -> Self {
+        let (jobs, waiting) = sync_channel(MOST_WAITING);
+        let now = Arc::new(Now::default());
+        let known = Arc::clone(&now);
+        std::thread::spawn(move || answer_all(&library, engine.as_deref(), &waiting, &known));
+        Self {
+            jobs,
+            now,
+            next: AtomicU64::new(1),
+        }
+    }
+
+    /// The answer, or what is wrong with the query, as the page reads it. A query that nobody waits for any more ends.
+    pub async fn ask(&self, question: Question) -> Result<Value, Refusal> {
+        if question.query.len() > LONGEST {
+            let why = format!("a query has at most {LONGEST} bytes");
+            return Err(Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, why));
+        }
+        let number = self.next.fetch_add(1, Ordering::Relaxed);
+        let (reply, answer) = oneshot::channel();
+        let job = Job {
+            number,
+            question,
+            reply,
+        };
+        self.jobs.try_send(job).map_err(|error| match error {
+            TrySendError::Full(_) => Refusal::new(
+                StatusCode::SERVICE_UNAVAILABLE,
+                "too many queries are waiting: ask again in a moment",
+            ),
+            TrySendError::Disconnected(_) => Refusal::failed("nobody answers queries any more"),
+        })?;
+        let waiting = Waiting {
+            number,
+            now: Arc::clone(&self.now),
+        };
+        let answered = answer.await;
+        drop(waiting);
+        answered.map_err(|_| Refusal::failed("the query was not answered"))
+    }
+}
+
+/// Somebody who waits for an answer.
+struct Waiting {
+    number: u64,
+    now: Arc<Now>,
+}
+
+impl Drop for Waiting {
+    fn drop(&mut self) {
+        let (number, now) = (self.number, Arc::clone(&self.now));
+        if now.number.load(Ordering::SeqCst) != number {
+            return;
+        }
+        // Not once only: a query that is just beginning forgets what it was told before.
+        std::thread::spawn(move || {
+            while now.number.load(Ordering::SeqCst) == number {
+                if let Some(interrupt) = &*lock(&now.interrupt) {
+                    interrupt.store(true, Ordering::Relaxed);
+                }
+                std::thread::sleep(TELL_AGAIN);
+            }
+        });
+    }
+}
+
+fn answer_all(library: &Library, engine: Option<&Path>, jobs: &Receiver<Job>, now: &Now) {
+    let mut open: Option<Open> = None;
+    for job in jobs {
+        if job.reply.is_closed() {
+            continue;
+        }
+        now.number.store(job.number, Ordering::SeqCst);
+        let began = Instant::now();
+        let answered = opened(&mut open, library, engine, now)
+            .and_then(|open| answer(open, library, &job.question));
+        now.number.store(0, Ordering::SeqCst);
+        let seconds = began.elapsed().as_secs_f64();
+        let said = match answered {
+            Ok(mut said) => {
+                said["seconds"] = json!(seconds);
+                said
+            }
+            Err(error) => in_words(&error, &job.question.query),
+        };
+        let _ = job.reply.send(said);
+    }
+}
+
+/// A memory as it was when it was opened.
+struct Open {
+    asker: Asker,
+    catalogue: Arc<Catalogue>,
+    told: Told,
+}
+
+/// What tells whether statements were added from elsewhere.
+type Told = Option<(u64, Option<SystemTime>)>;
+
+fn opened<'a>(
+    open: &'a mut Option<Open>,
+    library: &Library,
+    engine: Option<&Path>,
+    now: &Now,
+) -> Result<&'a mut Open, AskError> {
+    let catalogue = library.catalogue()?;
+    let folder = library.memory().folder();
+    let told = told(folder);
+    let is_current = |open: &Open| Arc::ptr_eq(&open.catalogue, &catalogue) && open.told == told;
+    let stays = open.take().filter(is_current);
+    let current = match stays {
+        Some(current) => current,
+        None => {
+            let asker = Asker::new(
+                command(engine)?,
+                LIMITS,
+                Arc::clone(&catalogue),
+                TelemetryPredicates::of(library.memory().clone()),
+                Assertions::read(folder)?,
+            );
+            *lock(&now.interrupt) = Some(asker.interrupt());
+            Open {
+                asker,
+                catalogue,
+                told,
+            }
+        }
+    };
+    Ok(open.insert(current))
+}
+
+fn told(folder: &Path) -> Told {
+    let metadata = std::fs::metadata(folder.join(TOLD_FILE)).ok()?;
+    Some((metadata.len(), metadata.modified().ok()))
+}
+
+fn command(engine: Option<&Path>) -> Result<EngineCommand, AskError> {
+    let found = match engine {
+        Some(path) => {
+            let is_swi = path.file_stem().is_some_and(|name| name == "swipl");
+            Some(if is_swi {
+                EngineCommand::Swi(path.to_path_buf())
+            } else {
+                EngineCommand::Scryer(path.to_path_buf())
+            })
+        }
+        None => EngineCommand::find(),
+    };
+    found.ok_or_else(|| {
+        let why = "neither wisch-prolog nor swipl can be found";
+        AskError::CannotStart(std::io::Error::new(std::io::ErrorKind::NotFound, why))
+    })
+}
+
+fn answer(open: &mut Open, library: &Library, question: &Question) -> Result<Value, AskError> {
+    let mut answers = open.asker.ask(&question.query)?;
+    // What this query told is known already.
+    open.told = told(library.memory().folder());
+    let limit = question.limit.unwrap_or(LIMITS.answers).max(1);
+    if answers.rows.len() > limit {
+        answers.rows.truncate(limit);
+        answers.is_cut = true;
+    }
+    let (views, rows) = (&answers.views, &answers.rows);
+    let mut surroundings = |_: &_| Surroundings::default();
+    let seen = gather(
+        views,
+        rows,
+        library.memory(),
+        &open.catalogue,
+        &mut surroundings,
+    );
+    let mut remarks = answers.remarks.clone();
+    let view = match seen {
+        Ok(view) => {
+            remarks.extend(view.remarks.iter().cloned());
+            shown::view(&view, &open.catalogue)
+        }
+        Err(error) => {
+            remarks.push(format!("cannot be shown: {error}"));
+            Value::Null
+        }
+    };
+    Ok(json!({
+        "columns": answers.names,
+        "rows": answers.rows.iter().map(|row| row.iter().map(value).collect()).collect::<Vec<Vec<Value>>>(),
+        "about": about(&answers, &open.catalogue),
+        "holds": answers.holds(),
+        "more": answers.is_cut,
+        "printed": answers.printed,
+        "remarks": remarks,
+        "view": view,
+    }))
+}
+
+/// By answer, what of episodes it names: where it can be shown.
+fn about(answers: &Answers, catalogue: &Catalogue) -> Vec<Vec<Value>> {
+    let named = |term: &Term| {
+        let id = catalogue.find(term.as_atom()?.strip_prefix("semco:")?)?;
+        let class = catalogue.class(id);
+        Some(json!({
+            "episode": catalogue.episode_of(id).id,
+            "class": class.strip_prefix("semco:").unwrap_or(class),
+            "interval": catalogue.interval(id),
+        }))
+    };
+    let rows = answers.rows.iter();
+    rows.map(|row| row.iter().filter_map(named).collect())
+        .collect()
+}
+
+/// A term as JSON, as `wisch ask --json` has it.
+fn value(term: &Term) -> Value {
+    match term {
+        Term::Variable(_) => Value::Null,
+        Term::Integer(number) => json!(number),
+        Term::Float(number) => json!(number),
+        Term::Atom(name) => json!(name),
+        Term::List(items) => items.iter().map(value).collect(),
+        Term::Compound(..) => json!(term.to_string()),
+    }
+}
+
+fn in_words(error: &AskError, query: &str) -> Value {
+    let mut said = Map::new();
+    said.insert("message".to_owned(), json!(error.to_string()));
+    if let AskError::Fault(fault) = error
+        && let Some(place) = place(fault, query)
+    {
+        said.insert("offset".to_owned(), json!(place.offset));
+        said.insert("length".to_owned(), json!(place.length));
+        said.insert("line".to_owned(), json!(place.line));
+        said.insert("column".to_owned(), json!(place.column));
+    }
+    json!({ "error": said })
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}

@@ -1,0 +1,60 @@
+//! What is answered when something cannot be done.
+
+use axum::Json;
+use axum::http::StatusCode;
+use axum::response::{IntoResponse, Response};
+use serde_json::json;
+use wisch_memory::MemoryError;
+
+/// Why something is not done: a status, and words for whoever asked.
+#[derive(Debug)]
+pub struct Refusal {
+    status: StatusCode,
+    message: String,
+}
+
+impl Refusal {
+    pub fn new(status: StatusCode, message: impl ToString) -> Self {
+        Self {
+            status,
+            message: message.to_string(),
+        }
+    }
+
+    /// There is no such thing.
+    pub fn unknown(message: impl ToString) -> Self {
+        Self::new(StatusCode::NOT_FOUND, message)
+    }
+
+    /// What was sent is wrong.
+    pub fn wrong(message: impl ToString) -> Self {
+        Self::new(StatusCode::UNPROCESSABLE_ENTITY, message)
+    }
+
+    /// Something here went wrong.
+    pub fn failed(message: impl ToString) -> Self {
+        Self::new(StatusCode::INTERNAL_SERVER_ERROR, message)
+    }
+}
+
+impl From<MemoryError> for Refusal {
+    fn from(error: MemoryError) -> Self {
+        match error {
+            MemoryError::Unknown { .. } | MemoryError::Id { .. } => Self::unknown(error),
+            _ => Self::failed(error),
+        }
+    }
+}
+
+impl From<tokio::task::JoinError> for Refusal {
+    fn from(error: tokio::task::JoinError) -> Self {
+        Self::failed(format!("this request broke off: {error}"))
+    }
+}
+
+impl IntoResponse for Refusal {
+    fn into_response(self) -> Response {
+        let said = json!({ "error": { "message": self.message } });
+        (self.status, Json(said)).into_response()
+    }
+}

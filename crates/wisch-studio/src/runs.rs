@@ -1,0 +1,256 @@
+//! Runs that are begun here: children of this program.
+
+use crate::live::LiveFolder;
+use crate::process;
+use crate::refusal::Refusal;
+use axum::http::StatusCode;
+use serde::Deserialize;
+use std::collections::HashMap;
+use std::io::{Read, Seek, SeekFrom};
+use std::path::{Path, PathBuf};
+use std::process::Stdio;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+use tempfile::TempDir;
+use tokio::process::{Child, Command};
+
+/// Most runs that go on at once, of those that are begun here.
+const MOST_RUNS: usize = 4;
+/// How long a run may take to say that it has begun.
+const BEGINNING: Duration = Duration::from_secs(20);
+/// How often it is looked whether it has.
+const LOOK_AGAIN: Duration = Duration::from_millis(25);
+/// How long a run may take to end when it is told to.
+const ENDING: Duration = Duration::from_secs(15);
+/// What is kept of a run's last words [bytes].
+const LAST_WORDS: u64 = 4096;
+
+/// What is to be run.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Order {
+    /// A shipped task's name, or a task file of this machine.
+    task: String,
+    #[serde(default)]
+    seed: Option<u64>,
+    #[serde(default)]
+    strategy: Option<String>,
+}
+
+/// The children.
+#[derive(Debug)]
+pub struct Runs {
+    wisch: PathBuf,
+    memory: PathBuf,
+    live: LiveFolder,
+    state: Arc<Mutex<State>>,
+}
+
+#[derive(Debug, Default)]
+struct State {
+    /// Names of runs that go on, by process.
+    children: HashMap<u32, Option<String>>,
+    /// What runs said in the end that did not end well.
+    last_words: HashMap<String, String>,
+}
+
+/// What a child leaves when it has ended.
+#[derive(Debug)]
+struct Ended {
+    code: Option<i32>,
+    words: String,
+}
+
+impl Runs {
+    pub fn new(wisch: &Path, memory: &Path, live: LiveFolder) -> Self {
+        Self {
+            wisch: wisch.to_path_buf(),
+            memory: memory.to_path_buf(),
+            live,
+            state: Arc::default(),
+        }
+    }
+
+    /// Begins a run, and gives its name when it can be watched.
+    pub async fn begin(&self, order: &Order, shipped: &[String]) -> Result<String, Refusal> {
+        let task = task(&order.task, shipped)?;
+        let strategy = order.strategy.as_deref().map(strategy).transpose()?;
+        if self.state().children.len() >= MOST_RUNS {
+            let why = format!("{MOST_RUNS} runs are going on already: stop one, or wait");
+            return Err(Refusal::new(StatusCode::TOO_MANY_REQUESTS, why));
+        }
+        let out = TempDir::with_prefix("wisch-studio-").map_err(Refusal::failed)?;
+        let errors = tempfile::tempfile().map_err(Refusal::failed)?;
+        let mut command = Command::new(&self.wisch);
+        command.args(["run", "--live", "--quiet", "--color", "never", "--memory"]);
+        command.arg(&self.memory).arg("--out");
+        command.arg(out.path().join("run"));
+        if let Some(seed) = order.seed {
+            command.args(["--seed", &seed.to_string()]);
+        }
+        if let Some(strategy) = strategy {
+            command.args(["--strategy", strategy]);
+        }
+        command.arg("--").arg(&task);
+        command.stdin(Stdio::null()).stdout(Stdio::null());
+        command.stderr(errors.try_clone().map_err(Refusal::failed)?);
+        // What a terminal interrupts is this program, which tells its runs.
+        #[cfg(unix)]
+        command.process_group(0);
+        let child = command.spawn().map_err(|error| {
+            Refusal::failed(format!("{} cannot be begun: {error}", self.wisch.display()))
+        })?;
+        let pid = child.id();
+        let pid = pid.ok_or_else(|| Refusal::failed("the run has no process"))?;
+        self.state().children.insert(pid, None);
+        let (sender, mut ended) = tokio::sync::oneshot::channel();
+        tokio::spawn(see_off(
+            child,
+            pid,
+            errors,
+            out,
+            Arc::clone(&self.state),
+            sender,
+        ));
+        let deadline = Instant::now() + BEGINNING;
+        loop {
+            let live = self.live.clone();
+            let begun = tokio::task::spawn_blocking(move || live.of_process(pid)).await?;
+            if let Some(id) = begun {
+                if let Some(name) = self.state().children.get_mut(&pid) {
+                    *name = Some(id.clone());
+                }
+                return Ok(id);
+            }
+            match ended.try_recv() {
+                Ok(ended) => return Err(ended.refusal()),
+                Err(_) if Instant::now() > deadline => {
+                    let _ = process::terminate(pid);
+                    return Err(Refusal::failed(
+                        "the run does not say what it does: is the program wisch of another version?",
+                    ));
+                }
+                Err(_) => tokio::time::sleep(LOOK_AGAIN).await,
+            }
+        }
+    }
+
+    /// Asks a run to end, one that was begun elsewhere only if its process is one that runs tasks.
+    pub fn stop(&self, id: &str) -> Result<(), Refusal> {
+        let run = self.live.run(id);
+        let run = run.ok_or_else(|| Refusal::unknown(format!("there is no run {id:?}")))?;
+        let is_own = self.is_own(id);
+        if !is_own && !self.live.is_at_work(run.pid) {
+            let why = format!("run {id:?} has ended already");
+            return Err(Refusal::new(StatusCode::CONFLICT, why));
+        }
+        process::terminate(run.pid)
+            .map_err(|error| Refusal::failed(format!("run {id:?} cannot be stopped: {error}")))
+    }
+
+    /// Whether this run was begun here, and goes on.
+    pub fn is_own(&self, id: &str) -> bool {
+        let state = self.state();
+        (state.children.values()).any(|name| name.as_deref() == Some(id))
+    }
+
+    /// What a run said in the end that did not end well.
+    pub fn last_words(&self, id: &str) -> Option<String> {
+        self.state().last_words.get(id).cloned()
+    }
+
+    /// Asks all runs that were begun here to end, and waits until they have.
+    pub async fn stop_all(&self) {
+        let pids: Vec<u32> = self.state().children.keys().copied().collect();
+        for pid in pids {
+            let _ = process::terminate(pid);
+        }
+        let deadline = Instant::now() + ENDING;
+        while !self.state().children.is_empty() && Instant::now() < deadline {
+            tokio::time::sleep(LOOK_AGAIN).await;
+        }
+    }
+
+    fn state(&self) -> std::sync::MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Waits until a child has ended, and clears away what it leaves.
+async fn see_off(
+    mut child: Child,
+    pid: u32,
+    mut errors: std::fs::File,
+    out: TempDir,
+    state: Arc<Mutex<State>>,
+    sender: tokio::sync::oneshot::Sender<Ended>,
+) {
+    let status = child.wait().await;
+    let code = status.ok().and_then(|status| status.code());
+    let len = errors.metadata().map_or(0, |metadata| metadata.len());
+    let mut words = Vec::new();
+    let begin = SeekFrom::Start(len.saturating_sub(LAST_WORDS));
+    if errors.seek(begin).is_ok() {
+        let _ = errors.read_to_end(&mut words);
+    }
+    let ended = Ended {
+        code,
+        words: String::from_utf8_lossy(&words).trim().to_owned(),
+    };
+    {
+        let mut state = state.lock().unwrap_or_else(PoisonError::into_inner);
+        let name = state.children.remove(&pid).flatten();
+        if let Some(id) = name
+            && !ended.words.is_empty()
+        {
+            state.last_words.insert(id, ended.words.clone());
+        }
+    }
+    let _ = sender.send(ended);
+    let _ = tokio::task::spawn_blocking(move || drop(out)).await;
+}
+
+impl Ended {
+    fn refusal(&self) -> Refusal {
+        let code = self
+            .code
+            .map_or_else(|| "by a signal".to_owned(), |code| format!("with {code}"));
+        let words = self
+            .words
+            .strip_prefix("error: ")
+            .unwrap_or(self.words.as_str());
+        Refusal::wrong(match words {
+            "" => format!("the run ended {code} before it could be watched"),
+            words => words.to_owned(),
+        })
+    }
+}
+
+/// What the program is given as a task.
+fn task(named: &str, shipped: &[String]) -> Result<PathBuf, Refusal> {
+    let named = named.trim();
+    if shipped.iter().any(|known| known == named) {
+        return Ok(PathBuf::from(named));
+    }
+    let path = Path::new(named);
+    if !path.extension().is_some_and(|ending| ending == "toml") {
+        return Err(Refusal::wrong(format!(
+            "{named:?} is neither a shipped task nor a task file (.toml)"
+        )));
+    }
+    match std::fs::canonicalize(path) {
+        Ok(path) if path.is_file() => Ok(path),
+        Ok(_) => Err(Refusal::wrong(format!("{named}: it is no file"))),
+        Err(error) => Err(Refusal::wrong(format!("{named}: {error}"))),
+    }
+}
+
+/// A word that is no option.
+fn strategy(named: &str) -> Result<&str, Refusal> {
+    let plain = |c: char| c.is_ascii_lowercase() || c == '-';
+    let is_plain = !named.is_empty() && !named.starts_with('-') && named.chars().all(plain);
+    if is_plain {
+        return Ok(named);
+    }
+    Err(Refusal::wrong(format!("{named:?} is no strategy")))
+}

@@ -1,0 +1,383 @@
+//! The server: what is asked for, and who answers it.
+
+use crate::gate::{Gate, nonce, page_policy, pass};
+use crate::library::{Library, RECORDING_FILE};
+use crate::live::{LiveFolder, LiveRun, RunState};
+use crate::questions::{LIMITS, Question, Questions};
+use crate::refusal::Refusal;
+use crate::runs::{Order, Runs};
+use crate::scenarios::{self, Scenario};
+use crate::stream::Tail;
+use crate::vocabulary::vocabulary;
+use crate::watch::changes;
+use axum::body::{Body, Bytes};
+use axum::extract::rejection::JsonRejection;
+use axum::extract::{DefaultBodyLimit, Path, Query, State};
+use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use axum::routing::{get, post};
+use axum::{Json, Router, middleware};
+use flate2::read::GzDecoder;
+use futures_util::stream;
+use serde::Deserialize;
+use serde_json::{Value, json};
+use std::io::{self, Read};
+use std::net::{IpAddr, SocketAddr};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::net::TcpListener;
+use tokio::sync::{Semaphore, watch};
+use wisch_memory::{Memory, MemoryError};
+
+/// Most answers at once that go on for as long as the page is open.
+const MOST_STREAMS: usize = 64;
+/// Most of what is sent to here [bytes].
+const LONGEST_BODY: usize = 1 << 16;
+/// How often something is sent where nothing changes.
+const HEARTBEAT: Duration = Duration::from_secs(10);
+
+/// What is served, and where.
+#[derive(Debug, Clone)]
+pub struct Config {
+    /// Folder of the memory; it is made if it is not there.
+    pub memory: PathBuf,
+    /// The program that runs tasks.
+    pub wisch: PathBuf,
+    /// The Prolog system, `wisch-prolog` or `swipl`; else the first that is installed.
+    pub engine: Option<PathBuf>,
+    /// The shipped tasks in JSON; else as the program lists them.
+    pub scenarios: Option<PathBuf>,
+    /// The address to listen at.
+    pub host: IpAddr,
+    /// The port; 0: any that is free.
+    pub port: u16,
+}
+
+/// Why the studio cannot begin.
+#[derive(Debug, thiserror::Error)]
+pub enum StudioError {
+    /// No memory.
+    #[error(transparent)]
+    Memory(#[from] MemoryError),
+    /// Nowhere to listen.
+    #[error("{address}: {error}")]
+    Listen {
+        /// Where.
+        address: SocketAddr,
+        /// Why.
+        error: io::Error,
+    },
+    /// No random numbers.
+    #[error("the system gives no random numbers: {0}")]
+    Random(getrandom::Error),
+    /// No list of shipped tasks.
+    #[error("{0}")]
+    Scenarios(String),
+    /// A path that leads nowhere.
+    #[error("{}: {error}", path.display())]
+    Path {
+        /// The path.
+        path: PathBuf,
+        /// Why.
+        error: io::Error,
+    },
+}
+
+/// A server that listens.
+#[derive(Debug)]
+pub struct Studio {
+    listener: TcpListener,
+    url: String,
+    gate: Arc<Gate>,
+    rooms: Arc<Rooms>,
+}
+
+/// All that answers draw on.
+#[derive(Debug)]
+struct Rooms {
+    library: Arc<Library>,
+    live: LiveFolder,
+    runs: Runs,
+    questions: Questions,
+    scenarios: Vec<Scenario>,
+    streams: Arc<Semaphore>,
+    changes: watch::Receiver<u64>,
+}
+
+type Answer = Result<Response, Refusal>;
+
+impl Studio {
+    /// Listens; requests are answered by [`Self::serve`].
+    ///
+    /// # Errors
+    /// No memory, no place to listen at, no list of tasks.
+    pub async fn begin(config: &Config) -> Result<Self, StudioError> {
+        let memory = Memory::create(&config.memory)?;
+        // Runs begin in the same folder, whatever it is called from there.
+        let folder = std::fs::canonicalize(memory.folder()).map_err(|error| StudioError::Path {
+            path: config.memory.clone(),
+            error,
+        })?;
+        let memory = Memory::open(&folder)?;
+        let scenarios = match &config.scenarios {
+            Some(file) => scenarios::read(file).map_err(StudioError::Scenarios)?,
+            None => scenarios::listed_by(&config.wisch),
+        };
+        let address = SocketAddr::new(config.host, config.port);
+        let listening = TcpListener::bind(address).await;
+        let listener = listening.map_err(|error| StudioError::Listen { address, error })?;
+        let bound = listener.local_addr();
+        let bound = bound.map_err(|error| StudioError::Listen { address, error })?;
+        let gate = Arc::new(Gate::new(bound).map_err(StudioError::Random)?);
+        let live = LiveFolder::of(&folder, &config.wisch);
+        let library = Arc::new(Library::new(memory));
+        let rooms = Rooms {
+            runs: Runs::new(&config.wisch, &folder, live.clone()),
+            questions: Questions::new(Arc::clone(&library), config.engine.clone()),
+            scenarios,
+            streams: Arc::new(Semaphore::new(MOST_STREAMS)),
+            changes: changes(Arc::clone(&library), live.clone()),
+            library,
+            live,
+        };
+        Ok(Self {
+            url: format!("http://{bound}/{}/", gate.token()),
+            listener,
+            gate,
+            rooms: Arc::new(rooms),
+        })
+    }
+
+    /// Where the page is, with the token.
+    pub fn url(&self) -> &str {
+        &self.url
+    }
+
+    /// Answers until this is over, then ends the runs that were begun here.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub async fn serve(self, until: impl Future<Output = ()> + Send) -> io::Result<()> {
+        let rooms = Arc::clone(&self.rooms);
+        let router = router(self.gate, self.rooms);
+        let served = tokio::select! {
+            served = axum::serve(self.listener, router) => served,
+            () = until => Ok(()),
+        };
+        rooms.runs.stop_all().await;
+        served
+    }
+}
+
+fn router(gate: Arc<Gate>, rooms: Arc<Rooms>) -> Router {
+    let inner = Router::new()
+        .route("/", get(page))
+        .route("/api/overview", get(overview))
+        .route("/api/overview/events", get(overview_events))
+        .route("/api/episodes/{id}/recording", get(recording))
+        .route("/api/runs", post(begin_run))
+        .route("/api/runs/{id}/stream", get(run_stream))
+        .route("/api/runs/{id}/stop", post(stop_run))
+        .route("/api/runs/{id}/clear", post(clear_run))
+        .route("/api/ask", post(ask))
+        .route("/api/vocabulary", get(words))
+        .with_state(rooms);
+    let base = format!("/{}", gate.token());
+    Router::new()
+        // A router within another does not have the path that ends at its door.
+        .route(&base, get(|| async { StatusCode::NOT_FOUND }))
+        .nest(&base, inner)
+        .fallback(|| async { StatusCode::NOT_FOUND })
+        .layer(DefaultBodyLimit::max(LONGEST_BODY))
+        .layer(middleware::from_fn_with_state(gate, pass))
+}
+
+async fn page() -> Answer {
+    let nonce = nonce().map_err(Refusal::failed)?;
+    // The only script of the page comes last.
+    let page = wisch_web::studio_page();
+    let (before, after) = page.split_at(page.find("<main").unwrap_or(0));
+    let script = format!("<script nonce=\"{nonce}\">");
+    let page = format!("{before}{}", after.replacen("<script>", &script, 1));
+    let headers = [
+        (header::CONTENT_TYPE, "text/html; charset=utf-8".to_owned()),
+        (header::CONTENT_SECURITY_POLICY, page_policy(&nonce)),
+    ];
+    Ok((headers, page).into_response())
+}
+
+#[derive(Debug, Default, Deserialize)]
+struct Wanted {
+    #[serde(default)]
+    find: String,
+}
+
+async fn overview(State(rooms): State<Arc<Rooms>>, Query(wanted): Query<Wanted>) -> Answer {
+    let found = tokio::task::spawn_blocking(move || -> Result<Value, Refusal> {
+        let list = rooms.library.list(&wanted.find)?;
+        let runs: Vec<Value> = rooms.live.runs().iter().map(|run| rooms.run(run)).collect();
+        Ok(json!({
+            "memory": rooms.library.memory().folder(),
+            "list": list,
+            "runs": runs,
+            "scenarios": rooms.scenarios,
+            "limits": { "answers": LIMITS.answers, "seconds": LIMITS.time.as_secs() },
+        }))
+    });
+    Ok(Json(found.await??).into_response())
+}
+
+impl Rooms {
+    /// What is said of a run.
+    fn run(&self, run: &LiveRun) -> Value {
+        let mut said = serde_json::to_value(run).unwrap_or_default();
+        said["own"] = json!(self.runs.is_own(&run.id));
+        if run.state == RunState::Lost {
+            said["message"] = json!(self.runs.last_words(&run.id));
+        }
+        said
+    }
+
+    fn stream_permit(&self) -> Result<tokio::sync::OwnedSemaphorePermit, Refusal> {
+        Arc::clone(&self.streams).try_acquire_owned().map_err(|_| {
+            let why = format!("{MOST_STREAMS} streams are open already: close a page");
+            Refusal::new(StatusCode::SERVICE_UNAVAILABLE, why)
+        })
+    }
+}
+
+async fn overview_events(State(rooms): State<Arc<Rooms>>) -> Answer {
+    let permit = rooms.stream_permit()?;
+    let changes = rooms.changes.clone();
+    let events = stream::unfold(
+        (changes, permit, true),
+        |(mut changes, permit, first)| async move {
+            let text = if first {
+                "retry: 1000\n\n".to_owned()
+            } else {
+                tokio::select! {
+                    changed = changes.changed() => {
+                        changed.ok()?;
+                        format!("event: changed\ndata: {}\n\n", *changes.borrow_and_update())
+                    }
+                    () = tokio::time::sleep(HEARTBEAT) => ": still here\n\n".to_owned(),
+                }
+            };
+            Some((
+                Ok::<_, io::Error>(Bytes::from(text)),
+                (changes, permit, false),
+            ))
+        },
+    );
+    let headers = [(header::CONTENT_TYPE, "text/event-stream; charset=utf-8")];
+    Ok((headers, Body::from_stream(events)).into_response())
+}
+
+/// The recording of an episode as it is kept.
+async fn packed(rooms: Arc<Rooms>, id: String) -> Result<Vec<u8>, Refusal> {
+    let read = tokio::task::spawn_blocking(move || -> Result<Vec<u8>, Refusal> {
+        let episode = rooms.library.memory().episode(&id)?;
+        if !episode.folder().join(RECORDING_FILE).is_file() {
+            return Err(Refusal::unknown(format!(
+                "episode {id} has no recording: it was kept by an earlier version, imported, or its run was not recorded"
+            )));
+        }
+        Ok(episode.checked_attachment(RECORDING_FILE)?)
+    });
+    read.await?
+}
+
+async fn recording(
+    State(rooms): State<Arc<Rooms>>,
+    Path(id): Path<String>,
+    headers: HeaderMap,
+) -> Answer {
+    let packed = packed(rooms, id.clone()).await?;
+    let kind = (header::CONTENT_TYPE, "application/x-ndjson; charset=utf-8");
+    let accepted = headers.get(header::ACCEPT_ENCODING);
+    let accepted = accepted.and_then(|accepted| accepted.to_str().ok());
+    if accepted.is_some_and(|accepted| accepted.contains("gzip")) {
+        let mut response = ([kind], packed).into_response();
+        let gzip = HeaderValue::from_static("gzip");
+        response
+            .headers_mut()
+            .insert(header::CONTENT_ENCODING, gzip);
+        return Ok(response);
+    }
+    let unpacked = tokio::task::spawn_blocking(move || {
+        let mut bytes = Vec::new();
+        let read = GzDecoder::new(packed.as_slice()).read_to_end(&mut bytes);
+        read.map(|_| bytes)
+    });
+    let bytes = unpacked
+        .await?
+        .map_err(|error| Refusal::failed(format!("the recording of episode {id}: {error}")))?;
+    Ok(([kind], bytes).into_response())
+}
+
+#[derive(Debug, Default, Deserialize)]
+struct After {
+    #[serde(default)]
+    after: u64,
+}
+
+async fn run_stream(
+    State(rooms): State<Arc<Rooms>>,
+    Path(id): Path<String>,
+    Query(After { after }): Query<After>,
+    headers: HeaderMap,
+) -> Answer {
+    let last = headers.get("last-event-id");
+    let last = last.and_then(|last| last.to_str().ok()?.parse().ok());
+    let after = last.unwrap_or(after);
+    let permit = rooms.stream_permit()?;
+    let live = rooms.live.clone();
+    let tail = if live.recording(&id).is_some() {
+        Tail::growing(live, &id, after, permit)?
+    } else {
+        let packed = packed(rooms, id.clone()).await;
+        let packed = packed.map_err(|_| Refusal::unknown(format!("there is no run {id:?}")))?;
+        Tail::kept(live, &id, packed, after, permit)
+    };
+    Ok(tail.into_response())
+}
+
+async fn begin_run(
+    State(rooms): State<Arc<Rooms>>,
+    order: Result<Json<Order>, JsonRejection>,
+) -> Answer {
+    let Json(order) = order.map_err(unreadable)?;
+    let shipped: Vec<String> = rooms.scenarios.iter().map(|one| one.name.clone()).collect();
+    let id = rooms.runs.begin(&order, &shipped).await?;
+    Ok((StatusCode::CREATED, Json(json!({ "run": id }))).into_response())
+}
+
+async fn stop_run(State(rooms): State<Arc<Rooms>>, Path(id): Path<String>) -> Answer {
+    rooms.runs.stop(&id)?;
+    Ok((StatusCode::ACCEPTED, Json(json!({ "stopping": id }))).into_response())
+}
+
+async fn clear_run(State(rooms): State<Arc<Rooms>>, Path(id): Path<String>) -> Answer {
+    if rooms.live.clear(&id).map_err(Refusal::failed)? {
+        return Ok(Json(json!({ "cleared": id })).into_response());
+    }
+    let why = format!("there is no run {id:?} that has ended");
+    Err(Refusal::new(StatusCode::CONFLICT, why))
+}
+
+async fn ask(
+    State(rooms): State<Arc<Rooms>>,
+    question: Result<Json<Question>, JsonRejection>,
+) -> Answer {
+    let Json(question) = question.map_err(unreadable)?;
+    Ok(Json(rooms.questions.ask(question).await?).into_response())
+}
+
+async fn words() -> Answer {
+    Ok(Json(vocabulary()).into_response())
+}
+
+fn unreadable(rejection: JsonRejection) -> Refusal {
+    Refusal::new(rejection.status(), rejection.body_text())
+}

@@ -1,0 +1,122 @@
+//! What a query shows, as JSON for the page.
+
+use serde_json::{Value, json};
+use wisch_memory::Catalogue;
+use wisch_memory::view::{
+    Body, Colour, Dirt, DirtState, Emphasis, Figure, Plot, PlotData, ShownEpisode, Track, View,
+};
+
+/// Digits behind the point of lengths [m] and times.
+const PLACES: i32 = 4;
+
+/// All of it; times in seconds since 1970, lengths in metres in the world.
+pub fn view(view: &View, catalogue: &Catalogue) -> Value {
+    let round = |place: usize| {
+        let round = &view.rounds[place];
+        (view.episodes[round.episode].id.as_str(), round.number)
+    };
+    json!({
+        "episodes": view.episodes.iter().map(|one| episode(one, catalogue)).collect::<Vec<_>>(),
+        "tracks": view.tracks.iter().map(|one| track(one, round(one.round))).collect::<Vec<_>>(),
+        "bodies": view.bodies.iter().map(|one| body(one, round(one.round))).collect::<Vec<_>>(),
+        "particles": view.particles.iter().map(|one| dirt(one, round(one.round))).collect::<Vec<_>>(),
+        "plots": view.plots.iter().map(plot).collect::<Vec<_>>(),
+        "left_out": view.left_out,
+    })
+}
+
+fn episode(shown: &ShownEpisode, catalogue: &Catalogue) -> Value {
+    let occurrences = shown.occurrences.iter().map(|occurrence| {
+        json!({
+            "name": occurrence.name,
+            "class": occurrence.class,
+            "collision": occurrence.is_collision,
+            "interval": occurrence.interval,
+        })
+    });
+    json!({
+        "id": shown.id,
+        "task": shown.task,
+        "interval": shown.interval,
+        "rounds": catalogue.episode(&shown.id).map(|row| row.rounds.clone()),
+        "occurrences": occurrences.collect::<Vec<_>>(),
+        "looked": shown.looked,
+    })
+}
+
+fn track(track: &Track, (episode, round): (&str, usize)) -> Value {
+    let path = track.path.iter().map(|at| [at.x, at.y, at.z].map(short));
+    let samples = track.samples.iter();
+    let samples = samples.map(|(time, at)| json!([time, short(at.x), short(at.y), short(at.z)]));
+    json!({
+        "thing": track.thing,
+        "episode": episode,
+        "round": round,
+        "interval": track.interval,
+        "path": path.collect::<Vec<_>>(),
+        "samples": samples.collect::<Vec<_>>(),
+        "strong": track.emphasis == Emphasis::Strong,
+        "colour": track.colour.map(hex),
+    })
+}
+
+fn body(body: &Body, (episode, round): (&str, usize)) -> Value {
+    let (kind, pose) = match &body.figure {
+        Figure::Robot {
+            world_from_tool, ..
+        } => ("robot", world_from_tool),
+        Figure::Tool(pose) => ("tool", pose),
+        Figure::Surface(pose) => ("surface", pose),
+        Figure::Frame(pose) => ("frame", pose),
+    };
+    let (at, q) = (pose.translation.vector, pose.rotation.coords);
+    json!({
+        "thing": body.thing,
+        "kind": kind,
+        "episode": episode,
+        "round": round,
+        "time": body.time,
+        "pose": [at.x, at.y, at.z, q.x, q.y, q.z, q.w],
+        "strong": body.emphasis == Emphasis::Strong,
+        "colour": body.colour.map(hex),
+    })
+}
+
+fn dirt(dirt: &Dirt, (episode, round): (&str, usize)) -> Value {
+    let positions = dirt.positions.iter().map(|at| [at.x, at.y].map(short));
+    json!({
+        "episode": episode,
+        "round": round,
+        "state": match dirt.state {
+            DirtState::Before => "before",
+            DirtState::Estimated => "estimated",
+        },
+        "positions": positions.collect::<Vec<_>>(),
+        "colour": dirt.colour.map(hex),
+    })
+}
+
+fn plot(plot: &Plot) -> Value {
+    let (kind, data) = match &plot.data {
+        PlotData::Amounts(amounts) => ("amounts", json!(amounts)),
+        PlotData::Spans(spans) => ("spans", json!(spans)),
+        PlotData::Points(points) => ("points", json!(points)),
+    };
+    json!({
+        "diagram": plot.diagram.as_str(),
+        "id": plot.id,
+        "title": plot.title,
+        "x_label": plot.x_label,
+        "y_label": plot.y_label,
+        kind: data,
+    })
+}
+
+fn hex(Colour([red, green, blue]): Colour) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+fn short(value: f64) -> f64 {
+    let scale = 10_f64.powi(PLACES);
+    (value * scale).round() / scale
+}

@@ -1,0 +1,81 @@
+//! What queries may name, for the page to complete, and queries to begin with.
+
+use serde_json::{Value, json};
+use wisch_memory::Ontology;
+use wisch_memory::ask::{builtins, predicates};
+use wisch_memory::ontology::TermKind;
+
+/// Queries to begin with: what they ask, and how.
+pub const EXAMPLES: [(&str, &str); 10] = [
+    (
+        "The paper's Fig. 20: where was the sponge during each collision, and the robot in the middle of it?",
+        "owl_individual_of(C, semco:'Collision'), occurs(C, [S, E]), M is 0.5*(S+E),\n\
+         show(trajectory('sponge'), interval(S, E, dt(0.5))), show(justin:'justin_robot1', M)",
+    ),
+    (
+        "Which rounds wiped 80 % or less?",
+        "low_performance_round(Round, P)",
+    ),
+    (
+        "When did somebody push, and during which motion?",
+        "human_collision(Motion, C, [S, E])",
+    ),
+    (
+        "How hard was each collision?",
+        "owl_individual_of(C, semco:'Collision'), occurs(C, [S, E]), telemetry(force, [S, E], max, F)",
+    ),
+    (
+        "How did the performance grow?",
+        "performance_by_round(Action, Round, P)",
+    ),
+    (
+        "How well does each tool do, as a chart?",
+        "findall(Tool, tool_performance(Tool, _, _, _), Tools),\n\
+         findall(P, tool_performance(_, _, P, _), Ps),\n\
+         data_vis(barchart(tools), [data: [Tools, Ps], title: 'Mean performance by tool'])",
+    ),
+    (
+        "Which strokes pressed too little?",
+        "weak_stroke(Stroke, F)",
+    ),
+    (
+        "Where was contact lost near an edge?",
+        "contact_loss_near_edge(Loss, D), show(Loss)",
+    ),
+    (
+        "Was the surface found elsewhere?",
+        "relocalized(Round, Tilt, Offset)",
+    ),
+    (
+        "How long was the longest contact of the last episode?",
+        "last_episode(Episode, _), longest_contact(Episode, C, Seconds), show(C)",
+    ),
+];
+
+/// All of it.
+pub fn vocabulary() -> Value {
+    let ontology = Ontology::shipped();
+    let terms = |wanted: fn(TermKind) -> bool| {
+        let found = ontology.terms().filter(move |(_, term)| wanted(term.kind));
+        found
+            .map(|(name, term)| json!({ "name": name, "label": term.label, "comment": term.comment }))
+            .collect::<Vec<_>>()
+    };
+    let predicates = predicates().into_iter().map(|predicate| {
+        json!({
+            "name": predicate.name,
+            "arity": predicate.arity,
+            "meaning": predicate.meaning,
+        })
+    });
+    let examples = EXAMPLES.iter();
+    let examples = examples.map(|(title, query)| json!({ "title": title, "query": query }));
+    json!({
+        "predicates": predicates.collect::<Vec<_>>(),
+        "builtins": builtins(),
+        "classes": terms(|kind| kind == TermKind::Class),
+        "properties": terms(TermKind::is_property),
+        "individuals": terms(|kind| kind == TermKind::Individual),
+        "examples": examples.collect::<Vec<_>>(),
+    })
+}
