@@ -171,24 +171,20 @@ impl Studio {
 }
 
 fn router(gate: Arc<Gate>, rooms: Arc<Rooms>) -> Router {
-    let inner = Router::new()
-        .route("/", get(page))
-        .route("/api/overview", get(overview))
-        .route("/api/overview/events", get(overview_events))
-        .route("/api/episodes/{id}/recording", get(recording))
-        .route("/api/runs", post(begin_run))
-        .route("/api/runs/{id}/stream", get(run_stream))
-        .route("/api/runs/{id}/stop", post(stop_run))
-        .route("/api/runs/{id}/clear", post(clear_run))
-        .route("/api/ask", post(ask))
-        .route("/api/vocabulary", get(words))
-        .with_state(rooms);
-    let base = format!("/{}", gate.token());
+    let at = |path: &str| format!("/{}/{path}", gate.token());
     Router::new()
-        // A router within another does not have the path that ends at its door.
-        .route(&base, get(|| async { StatusCode::NOT_FOUND }))
-        .nest(&base, inner)
+        .route(&at(""), get(page))
+        .route(&at("api/overview"), get(overview))
+        .route(&at("api/overview/events"), get(overview_events))
+        .route(&at("api/episodes/{id}/recording"), get(recording))
+        .route(&at("api/runs"), post(begin_run))
+        .route(&at("api/runs/{id}/stream"), get(run_stream))
+        .route(&at("api/runs/{id}/stop"), post(stop_run))
+        .route(&at("api/runs/{id}/clear"), post(clear_run))
+        .route(&at("api/ask"), post(ask))
+        .route(&at("api/vocabulary"), get(words))
         .fallback(|| async { StatusCode::NOT_FOUND })
+        .with_state(rooms)
         .layer(DefaultBodyLimit::max(LONGEST_BODY))
         .layer(middleware::from_fn_with_state(gate, pass))
 }
