@@ -15,10 +15,11 @@ const has = (fields: Record<string, Check>): Check => (value) =>
 const pose = exactly(7);
 const interval = exactly(2);
 const estimate = has({ mean: finite, low: finite, high: finite });
-const solid: Check = (value) => has({ pose, kind: text })(value) && {
-  box: has({ size: exactly(3) }), sphere: has({ radius: finite }), mesh: has({ mesh: finite }),
-  cylinder: has({ radius: finite, length: finite }), capsule: has({ radius: finite, length: finite }),
-}[(value as { kind: string }).kind]?.(value) === true;
+const SOLIDS = new Map<unknown, Check>([
+  ["box", has({ size: exactly(3) })], ["sphere", has({ radius: finite })], ["mesh", has({ mesh: finite })],
+  ["cylinder", has({ radius: finite, length: finite })], ["capsule", has({ radius: finite, length: finite })],
+]);
+const solid: Check = (value) => has({ pose, kind: text })(value) && SOLIDS.get((value as { kind: unknown }).kind)?.(value) === true;
 const mesh = has({ vertices: list(finite), triangles: list(finite) });
 
 const head = has({

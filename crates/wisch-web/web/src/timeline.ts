@@ -1,7 +1,7 @@
 // One timeline for all rounds, below the scene. Its cursor is the clock.
 import { clockText, el, fixed, percent, say } from "./dom.ts";
 import { colour, onTheme } from "./theme.ts";
-import { Frame, fitted, font, line } from "./timeline/frame.ts";
+import { Frame, fitted, font } from "./timeline/frame.ts";
 import type { LaneName, Pen } from "./timeline/frame.ts";
 import { drawAxis, drawContact, drawEvents, drawPhases, drawRounds } from "./timeline/lanes.ts";
 import { drawMeasured, drawPerformance } from "./timeline/plots.ts";
@@ -25,7 +25,9 @@ export interface Interval {
 export class Timeline {
   readonly element: HTMLElement;
   private readonly base = el("canvas", { "aria-hidden": "true" });
-  private readonly over = el("canvas", { "aria-hidden": "true" });
+  private readonly cursor = el("i", { class: "w-cursor", "aria-hidden": "true" });
+  private readonly hair = el("i", { class: "w-hair", "aria-hidden": "true", hidden: true });
+  private readonly veil = el("i", { class: "w-veil", "aria-hidden": "true", hidden: true });
   private readonly tip = el("div", { class: "w-tip", hidden: true });
   private readonly frame: Frame;
   private readonly stop: (() => void)[] = [];
@@ -41,7 +43,7 @@ export class Timeline {
     this.element = el("div", {
       class: "w-timeline", role: "slider", tabindex: 0, "aria-label": "Time in the run",
       "aria-valuemin": 0, "aria-keyshortcuts": "Space ArrowLeft ArrowRight [ ] Home End",
-    }, this.base, this.over, this.tip);
+    }, this.base, this.veil, this.hair, this.cursor, this.tip);
     listen(this.element, {
       seek: (x) => {
         if (clock.playing) clock.pause();
@@ -85,12 +87,10 @@ export class Timeline {
     if (!width) return;
     this.frame.lay(width);
     const ratio = Math.min(devicePixelRatio || 1, 2);
-    for (const canvas of [this.base, this.over]) {
-      canvas.width = Math.round(width * ratio);
-      canvas.height = Math.round(this.frame.height * ratio);
-      canvas.style.width = `${width}px`;
-      canvas.style.height = `${this.frame.height}px`;
-    }
+    this.base.width = Math.round(width * ratio);
+    this.base.height = Math.round(this.frame.height * ratio);
+    this.base.style.width = `${width}px`;
+    this.base.style.height = `${this.frame.height}px`;
     this.element.style.height = `${this.frame.height}px`;
     this.stale = true;
     cancelAnimationFrame(this.asked);
@@ -116,9 +116,9 @@ export class Timeline {
     this.redraw();
   }
 
-  private pen(canvas: HTMLCanvasElement): Pen {
-    const pen = canvas.getContext("2d")!;
-    const ratio = canvas.width / (parseFloat(canvas.style.width) || 1);
+  private pen(): Pen {
+    const pen = this.base.getContext("2d")!;
+    const ratio = this.base.width / (parseFloat(this.base.style.width) || 1);
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, this.frame.width, this.frame.height);
     return pen;
@@ -154,7 +154,7 @@ export class Timeline {
 
   private drawBase(): void {
     const { frame, recording } = this;
-    const pen = this.pen(this.base);
+    const pen = this.pen();
     for (const lane of frame.lanes) {
       switch (lane.name) {
         case "axis": drawAxis(pen, frame, lane); break;
@@ -197,28 +197,19 @@ export class Timeline {
     }
   }
 
+  /** Moves what lies over the drawing: that costs less than to draw it again. */
   private drawOver(): void {
     const { frame, clock } = this;
-    const pen = this.pen(this.over);
-    const top = (frame.lane("axis")?.height ?? 0) - 3;
-    if (this.recording.live && clock.end < clock.duration) {
-      // What is still to come.
-      const x = Math.max(frame.left, frame.x(clock.end));
-      pen.fillStyle = colour("paper");
-      pen.globalAlpha = 0.55;
-      pen.fillRect(x, top, Math.max(0, frame.width - frame.right - x), frame.height);
-      pen.globalAlpha = 1;
-    }
-    if (this.hovered !== null) line(pen, this.hovered, top, this.hovered, frame.height, "quiet");
+    const right = frame.width - frame.right;
     const x = frame.x(clock.time);
-    if (x < frame.left - 1 || x > frame.width - frame.right + 1) return;
-    line(pen, x, top, x, frame.height, "cursor", 2);
-    pen.fillStyle = colour("cursor");
-    pen.beginPath();
-    pen.moveTo(x - 6, top - 7);
-    pen.lineTo(x + 6, top - 7);
-    pen.lineTo(x, top + 2);
-    pen.fill();
+    this.cursor.hidden = x < frame.left - 1 || x > right + 1;
+    this.cursor.style.transform = `translateX(${x.toFixed(1)}px)`;
+    this.hair.hidden = this.hovered === null;
+    if (this.hovered !== null) this.hair.style.transform = `translateX(${this.hovered}px)`;
+    // What is still to come.
+    const come = Math.min(right, Math.max(frame.left, frame.x(clock.end)));
+    this.veil.hidden = !this.recording.live || come >= right;
+    Object.assign(this.veil.style, { left: `${come}px`, width: `${right - come}px` });
   }
 
   private hover(x: number | null, y: number): void {

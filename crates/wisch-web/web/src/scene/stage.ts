@@ -1,7 +1,7 @@
 // All that is seen in 3-D at a time of the clock, drawn only when something changes.
 import {
   AmbientLight, Box3, Color, DirectionalLight, GridHelper, Group, HemisphereLight, Material, Mesh, MeshLambertMaterial,
-  MeshStandardMaterial, Object3D, PCFShadowMap, PlaneGeometry, Scene, ShadowMaterial, Sphere, Vector3, WebGLRenderer,
+  MeshStandardMaterial, Object3D, PlaneGeometry, Scene, ShadowMaterial, Sphere, Vector3,
 } from "three";
 import { colour } from "../theme.ts";
 import type { BufferGeometry } from "three";
@@ -11,6 +11,7 @@ import { Dirt } from "./dirt.ts";
 import type { Mark } from "./dirt.ts";
 import { Force } from "./force.ts";
 import { LineMaterial, segments } from "./lines.ts";
+import { Painter } from "./painter.ts";
 import { Path, Trajectories } from "./path.ts";
 import type { Trajectory } from "./path.ts";
 import { Robot, ghostMaterial } from "./robot.ts";
@@ -29,7 +30,7 @@ const SUN = new Vector3(0.9, 0.5, 1.9);
 export class Stage {
   readonly layers: Layers = { ...LAYERS };
   readonly camera: Camera;
-  private readonly renderer: WebGLRenderer;
+  private readonly painter: Painter;
   private readonly scene = new Scene();
   private readonly materials: RobotMaterials & Record<string, unknown>;
   private readonly floor = new ShadowMaterial({ opacity: 0.14 });
@@ -54,11 +55,9 @@ export class Stage {
   drawn = 0;
 
   constructor(private readonly canvas: HTMLCanvasElement, private readonly recording: Recording) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: "high-performance" });
-    this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = PCFShadowMap;
-    const matte = (roughness: number) => new MeshStandardMaterial({ roughness, metalness: 0.05 });
-    const hand = new MeshStandardMaterial({ roughness: 0.5, transparent: true, opacity: 0.45, depthWrite: false });
+    this.painter = new Painter(canvas);
+    const matte = (roughness: number) => (this.painter.software ? new MeshLambertMaterial() : new MeshStandardMaterial({ roughness, metalness: 0.05 }));
+    const hand = Object.assign(matte(0.5), { transparent: true, opacity: 0.45, depthWrite: false });
     this.materials = { body: [matte(0.6), matte(0.6)], arm: [matte(0.5), matte(0.5)], hand, tool: new MeshLambertMaterial() };
     this.scene.add(this.dirt.group, this.force.group, this.trajectories.group, this.highlights, this.ghosts);
     this.camera = new Camera(canvas, () => this.ask());
@@ -78,10 +77,7 @@ export class Stage {
   /** Its size, and how much of it at the left is covered. */
   resize(width: number, height: number, covered: number): void {
     if (!width || !height) return;
-    // More pixels than this cost more than they show.
-    const most = Math.sqrt(2.6e6 / (width * height));
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, 2, Math.max(1, most)));
-    this.renderer.setSize(width, height, false);
+    this.painter.size(width, height);
     this.camera.shape(width, height, covered);
     if (!this.sized) this.home = null;
     this.sized = true;
@@ -141,6 +137,7 @@ export class Stage {
     const { body, arm, hand, tool } = this.materials;
     set(body[0], "body-1"); set(body[1], "body-2"); set(arm[0], "arm-1"); set(arm[1], "arm-2");
     set(hand, "arm-1"); set(tool, "tool"); set(this.ghostLook, "ghost");
+    this.painter.paint();
     this.highlightLook.color.set(colour("highlight"));
     if (this.grid) (this.grid.material as Material & { color: Color }).color.set(colour("rule"));
     this.dirt.paint();
@@ -152,7 +149,7 @@ export class Stage {
 
   /** The picture as it is, for paper. */
   picture(): string {
-    this.draw();
+    this.draw(true);
     return this.canvas.toDataURL("image/png");
   }
 
@@ -161,15 +158,14 @@ export class Stage {
     this.camera.controls.dispose();
     this.still?.dispose();
     this.path?.dispose();
-    this.renderer.dispose();
-    this.renderer.forceContextLoss();
+    this.painter.destroy();
   }
 
-  private draw(): void {
+  private draw(resting?: boolean): void {
     const instant = this.recording.at(this.time);
     if (!this.sized) return;
     if (instant) this.place(instant);
-    this.renderer.render(this.scene, this.camera.lens);
+    this.painter.draw(this.scene, this.camera.lens, resting);
     this.drawn++;
   }
 
@@ -280,7 +276,7 @@ export class Stage {
     sun.position.copy(center).addScaledVector(SUN, 2 * radius);
     sun.target.position.copy(center);
     sun.castShadow = true;
-    sun.shadow.mapSize.set(1024, 1024);
+    sun.shadow.mapSize.set(this.painter.shadowSize, this.painter.shadowSize);
     sun.shadow.bias = -0.0005;
     sun.shadow.normalBias = 0.01;
     sun.shadow.intensity = 0.6;
