@@ -51,6 +51,12 @@ export class Clock {
     return Math.max(0, ...[...this.spans].map((span) => span.now));
   }
 
+  /** Up to where runs that go on are known; else the end. */
+  get edge(): number {
+    const live = [...this.spans].filter((span) => span.live);
+    return live.length ? Math.max(0, ...live.map((span) => span.now)) : this.end;
+  }
+
   get live(): boolean {
     return [...this.spans].some((span) => span.live);
   }
@@ -135,8 +141,8 @@ export class Clock {
     const passed = this.before === null ? 0 : Math.min(0.25, (now - this.before) / 1000);
     this.before = now;
     if (this.following) {
-      const gap = this.end - this.time;
-      this.time = Math.abs(gap) < 1e-3 ? this.end : this.time + gap * (1 - Math.exp(-passed / CATCH_UP_S));
+      const gap = this.edge - this.time;
+      this.time = Math.abs(gap) < 1e-3 ? this.edge : this.time + gap * (1 - Math.exp(-passed / CATCH_UP_S));
     } else if (this.playing) {
       this.time = Math.min(this.end, this.time + passed * this.speed);
       if (this.time >= this.end) {
@@ -144,7 +150,7 @@ export class Clock {
         if (this.live) this.following = true;
       }
     }
-    const again = this.playing || (this.following && Math.abs(this.end - this.time) > 0);
+    const again = this.playing || (this.following && this.edge !== this.time);
     if (again) this.frame = this.frames.request((later) => this.step(later));
     this.tell();
   }

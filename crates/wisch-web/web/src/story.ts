@@ -46,16 +46,17 @@ export class Story {
     const { head, ended, rounds, stages, live } = this.recording;
     const judged = rounds.findLast((round) => round.judged) ?? null;
     say(this.title, head?.title || "A run without a head");
-    const state = ended ? (ended.met ? "met" : "unmet") : live ? "live" : "broken";
+    const planned = rounds.length > 0 && rounds.every(({ plan }) => plan.kind === "planned");
+    const state = ended ? (ended.met ? "met" : "unmet") : live ? "live" : planned ? "planned" : "broken";
     this.badge.dataset.state = state;
-    say(this.badge, { met: ended?.verdict ?? "goal met", unmet: ended?.verdict ?? "stopped", live: "running", broken: rounds.length && rounds.every(({ plan }) => plan.kind === "planned") ? "planned only" : "broke off" }[state]);
+    say(this.badge, { met: ended?.verdict ?? "goal met", unmet: ended?.verdict ?? "stopped", live: "running", planned: "planned only", broken: "broke off" }[state]);
     const story = ended?.story;
     const happened = story?.happened ?? (live ? stages.at(-1)?.words ?? "The run begins." : judged
-      ? `The run broke off after round ${judged.number}: ${judged.judged!.verdict}.` : rounds.length ? "The recording ends before a round was judged." : "The recording holds no round.");
+      ? `The run broke off after round ${judged.number}: ${judged.judged!.verdict}.` : planned ? `Planned, not executed: ${percent(rounds.at(-1)!.plan.predicted)} is predicted.` : rounds.length ? "The recording ends before a round was judged." : "The recording holds no round.");
     this.texts.replaceChildren(
       ...this.part("Asked", story?.asked ?? head?.task.asked ?? ""),
       ...this.part(live ? "Now" : "What happened", happened),
-      ...this.part("How sure", story?.sure ?? (judged ? "" : "Nothing has been judged yet."), this.bars()),
+      ...this.part("How sure", story?.sure ?? (judged || planned ? "" : "Nothing has been judged yet."), this.bars()),
       ...this.part("To be surer", story?.surer ?? ""),
     );
     this.drawPictures();

@@ -1,7 +1,7 @@
 // One timeline for all rounds, below the scene. Its cursor is the clock.
 import { clockText, el, fixed, percent, say } from "./dom.ts";
 import { colour, onTheme } from "./theme.ts";
-import { Frame, fitted, font } from "./timeline/frame.ts";
+import { Frame, PLOTS, fitted, font } from "./timeline/frame.ts";
 import type { LaneName, Pen } from "./timeline/frame.ts";
 import { drawAxis, drawContact, drawEvents, drawPhases, drawRounds } from "./timeline/lanes.ts";
 import { drawMeasured, drawPerformance } from "./timeline/plots.ts";
@@ -13,6 +13,8 @@ const LANES: LaneName[] = ["axis", "rounds", "phases", "contact", "events", "for
 const COMPACT: LaneName[] = ["axis", "rounds", "phases", "contact", "events", "force"];
 /** Heights that are drawn [mm]. */
 const HEIGHTS_MM: [number, number] = [-20, 80];
+/** A view that is less high has lower plots [pixels]. */
+const TIGHT_PX = 700;
 /** Less than this is not zoomed into [s]. */
 const NEAREST_S = 0.2;
 
@@ -55,6 +57,10 @@ export class Timeline {
     });
     const sizes = new ResizeObserver(() => this.resize());
     sizes.observe(this.element);
+    requestAnimationFrame(() => {
+      const view = this.element.closest(".w-view");
+      if (view) sizes.observe(view);
+    });
     this.stop.push(
       () => sizes.disconnect(),
       clock.subscribe(() => this.ask()),
@@ -85,7 +91,7 @@ export class Timeline {
   private resize(): void {
     const width = this.element.clientWidth;
     if (!width) return;
-    this.frame.lay(width);
+    this.frame.lay(width, (this.element.closest(".w-view")?.clientHeight ?? TIGHT_PX) < TIGHT_PX);
     const ratio = Math.min(devicePixelRatio || 1, 2);
     this.base.width = Math.round(width * ratio);
     this.base.height = Math.round(this.frame.height * ratio);
@@ -170,7 +176,7 @@ export class Timeline {
       pen.fillStyle = colour("quiet");
       pen.textAlign = "left";
       pen.textBaseline = "middle";
-      const plot = lane.height > 40;
+      const plot = PLOTS.has(lane.name);
       if (!frame.narrow) fitted(pen, lane.label, 2, lane.top + (plot ? 8 : lane.height / 2), frame.left - (plot ? 26 : 6));
       else if (plot) pen.fillText(lane.label, 2, lane.top - 8);
     }
@@ -207,7 +213,7 @@ export class Timeline {
     this.hair.hidden = this.hovered === null;
     if (this.hovered !== null) this.hair.style.transform = `translateX(${this.hovered}px)`;
     // What is still to come.
-    const come = Math.min(right, Math.max(frame.left, frame.x(clock.end)));
+    const come = Math.min(right, Math.max(frame.left, frame.x(this.recording.now)));
     this.veil.hidden = !this.recording.live || come >= right;
     Object.assign(this.veil.style, { left: `${come}px`, width: `${right - come}px` });
   }

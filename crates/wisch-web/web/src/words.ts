@@ -29,7 +29,7 @@ export class Words {
   private readonly logCount = el("span", { class: "w-quiet" });
   private readonly complaint = el("p", { class: "w-complaint", hidden: true });
   private key = "";
-  private version = -1;
+  private whole = "";
   private happened: { element: HTMLElement; start: number; end: number }[] = [];
 
   constructor(private readonly recording: Recording, private readonly clock: Clock) {
@@ -53,13 +53,16 @@ export class Words {
     const { recording, clock } = this;
     const instant = recording.at(clock.time);
     this.sayNow(instant);
-    const key = `${recording.version} ${instant?.round.number ?? 0} ${recording.rounds.length}`;
+    const round = instant?.round;
+    const key = [round?.number, round?.start, recording.rounds.length, Boolean(round?.judged), Boolean(round?.truth), recording.live].join();
     if (key !== this.key) {
       this.key = key;
-      this.sayRound(instant?.round ?? null);
+      this.sayRound(round ?? null);
     }
-    if (recording.version !== this.version) {
-      this.version = recording.version;
+    const { stages, happenings, head, ended, broken, unknown } = recording;
+    const whole = [stages.length, happenings.length, Boolean(head), Boolean(ended), broken, unknown].join();
+    if (whole !== this.whole) {
+      this.whole = whole;
       this.sayAll();
     }
     for (const { element, start, end } of this.happened) {

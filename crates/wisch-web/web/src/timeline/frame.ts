@@ -14,6 +14,8 @@ const LABELS: Record<LaneName, string> = {
   force: "Force [N]", height: "Height [mm]", performance: "Done [%]",
 };
 const HEIGHTS: Record<LaneName, number> = { axis: 20, rounds: 20, phases: 18, contact: 12, events: 18, force: 74, height: 50, performance: 88 };
+/** Lanes that have an axis. */
+export const PLOTS: ReadonlySet<LaneName> = new Set<LaneName>(["force", "height", "performance"]);
 const GAP = 4;
 
 /** Where times and lanes lie on the canvas, in pixels of the page. */
@@ -29,17 +31,17 @@ export class Frame {
 
   constructor(readonly names: LaneName[]) {}
 
-  /** Lays the lanes out over a width. */
-  lay(width: number): void {
+  /** Lays the lanes out over a width; plots are lower where there is little height. */
+  lay(width: number, tight: boolean): void {
     this.width = width;
     const narrow = width < 560;
     this.left = narrow ? 34 : 112;
     let top = 0;
     this.lanes = this.names.map((name) => {
-      const plot = HEIGHTS[name] > 40;
+      const plot = PLOTS.has(name);
       // On a narrow page the name of a plot stands over it.
       if (narrow && plot) top += 13;
-      const lane = { name, label: LABELS[name], top, height: HEIGHTS[name] };
+      const lane = { name, label: LABELS[name], top, height: Math.round(HEIGHTS[name] * (plot && tight ? 0.66 : 1)) };
       top += lane.height + GAP + (plot ? 4 : 0);
       return lane;
     });
