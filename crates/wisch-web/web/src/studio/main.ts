@@ -1,1 +1,219 @@
-export function startStudio(app: HTMLElement): void { app.textContent = "The studio comes here."; }
+// The page of the studio: what is there, what is shown, what is asked; the address says all three.
+import "./studio.css";
+import { el, say } from "../dom.ts";
+import { onTheme, setTheme, theme } from "../theme.ts";
+import { isSame, read, replace, write } from "./address.ts";
+import { Ask } from "./ask.ts";
+import { Refused, onChanged, overview } from "./server.ts";
+import { Side } from "./side.ts";
+import { apply, episodesOf, shownOf } from "./shown.ts";
+import { LiveSource, episode } from "./source.ts";
+import { Stage } from "./stage.ts";
+import { StartDialog } from "./start.ts";
+import type { Place } from "./address.ts";
+import type { Answers, Overview } from "./server.ts";
+import type { Source } from "./stage.ts";
+
+const HOME: Place = { kind: "home", ids: [], time: null, query: null };
+
+class Studio {
+  private readonly side: Side;
+  private readonly stage: Stage;
+  private readonly ask: Ask;
+  private readonly dialog: StartDialog;
+  private readonly tabs: Record<"runs" | "ask", HTMLButtonElement>;
+  private readonly offline = el("p", { class: "s-offline", role: "status", hidden: true }, "The studio does not answer: has it ended?");
+  private readonly aside: HTMLElement;
+  private known: Overview | null = null;
+  private place: Place = HOME;
+  private live: LiveSource[] = [];
+  /** Counts what was opened, so that what comes late is not shown. */
+  private opened = 0;
+
+  constructor(private readonly root: HTMLElement) {
+    this.side = new Side({
+      find: () => void this.refresh(),
+      start: () => this.dialog.open(this.known?.scenarios ?? []),
+      pick: (id) => this.compare(id),
+    });
+    this.ask = new Ask({
+      show: (answers, row, id) => void this.show(answers, row, id),
+      clear: () => { for (const { view } of this.stage.shown) view.clearShown(); },
+      asked: (query) => this.keep({ query }),
+    });
+    this.stage = new Stage({
+      rests: (time) => this.keep({ time }),
+      compare: () => {
+        this.open("runs");
+        this.side.compareWith(this.place.ids[0] ?? null);
+      },
+      isKept: (id) => this.isKept(id),
+    });
+    this.dialog = new StartDialog((id) => void this.go({ ...HOME, kind: "run", ids: [id] }));
+    const tab = (name: "runs" | "ask", words: string, title: string) => el("button", {
+      class: "w-button", type: "button", "aria-pressed": "false", title,
+      click: () => (this.isNarrow && this.aside.dataset.open === name ? this.open(null) : this.open(name)),
+    }, words);
+    this.tabs = { runs: tab("runs", "Runs", "Runs and episodes"), ask: tab("ask", "Ask", "Ask the memory ( / )") };
+    const light = el("button", { class: "w-button", type: "button", click: () => setTheme(theme() === "dark" ? "light" : "dark") });
+    const showTheme = () => say(light, theme() === "dark" ? "Light" : "Dark");
+    onTheme(showTheme);
+    showTheme();
+    this.aside = el("aside", { class: "s-side" },
+      el("header", { class: "s-top" }, el("h2", { class: "s-name" }, "wisch studio"), this.tabs.runs, this.tabs.ask, light),
+      this.offline, this.side.element, this.ask.element);
+    root.classList.add("s-studio");
+    root.append(this.aside, this.stage.element, this.dialog.element);
+    this.open("runs");
+  }
+
+  async begin(): Promise<void> {
+    addEventListener("hashchange", () => void this.route());
+    document.addEventListener("keydown", (event) => {
+      const target = event.target as HTMLElement;
+      if (event.key !== "/" || event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName)) return;
+      event.preventDefault();
+      this.open("ask");
+      this.ask.field.focus();
+    });
+    onChanged(() => void this.refresh(), (connected) => { this.offline.hidden = connected; });
+    // For who drives the page from its console, or measures it.
+    Object.assign(window, { wisch: { studio: this, stage: this.stage } });
+    await this.refresh();
+    await this.route();
+  }
+
+  private get isNarrow(): boolean {
+    return matchMedia("(max-width: 760px)").matches;
+  }
+
+  /** Which part of the left side is seen. */
+  private open(part: "runs" | "ask" | null): void {
+    this.aside.dataset.open = part ?? "";
+    this.side.element.hidden = part !== "runs";
+    this.ask.element.hidden = part !== "ask";
+    for (const name of ["runs", "ask"] as const) this.tabs[name].setAttribute("aria-pressed", String(part === name));
+  }
+
+  private async refresh(): Promise<void> {
+    try {
+      this.known = await overview(this.side.words);
+      this.side.show(this.known);
+      this.stage.connectionChanged();
+    } catch (error) {
+      if (!this.known) this.stage.say("fault", (error as Error).message);
+    }
+  }
+
+  private isKept(id: string): boolean {
+    return this.known?.list.episodes.some((one) => one.id === id) ?? false;
+  }
+
+  /** Goes to another place, with a step back to this one. */
+  private async go(place: Place): Promise<void> {
+    history.pushState(null, "", write(place) || location.pathname);
+    await this.route();
+  }
+
+  /** Changes what the address says of the place that is shown. */
+  private keep(change: Partial<Place>): void {
+    this.place = { ...this.place, ...change };
+    replace(this.place);
+  }
+
+  /** Shows what the address says. */
+  private async route(): Promise<void> {
+    let place = read(location.hash);
+    const { query } = place;
+    if (place.kind === "home") place = { ...this.first(), query };
+    const before = this.place;
+    this.place = place;
+    if (!isSame(before, place) || !this.stage.shown.length) await this.load(place);
+    else if (place.time !== null && Math.abs(place.time - this.stage.time) > 0.06) this.stage.shown[0]!.view.seek(place.time);
+    if (query && query !== before.query) {
+      this.open("ask");
+      this.ask.field.value = query;
+      await this.ask.ask();
+      // Whoever gives a time as well means that.
+      if (place.time !== null) this.stage.shown[0]?.view.seek(place.time);
+    }
+  }
+
+  /** What is shown if the address says nothing: a run that goes on, else the newest episode. */
+  private first(): Place {
+    const run = this.known?.runs.find(({ state }) => state === "running");
+    if (run) return { ...HOME, kind: "run", ids: [run.id] };
+    const newest = this.known?.list.episodes.find(({ has_recording }) => has_recording);
+    return newest ? { ...HOME, kind: "episode", ids: [newest.id] } : HOME;
+  }
+
+  private async load(place: Place): Promise<void> {
+    const mine = ++this.opened;
+    for (const live of this.live) live.close();
+    this.live = [];
+    this.side.compareWith(null);
+    this.side.mark(place.ids);
+    if (this.isNarrow && place.kind !== "home") this.open(null);
+    if (place.kind === "home") {
+      this.stage.say("note", "Nothing has been wiped yet in this memory.",
+        el("button", { class: "w-button s-primary", type: "button", click: () => this.dialog.open(this.known?.scenarios ?? []) }, "Start a task"));
+      return;
+    }
+    this.stage.say("wait", "Loading \u2026");
+    try {
+      const sources: Source[] = [];
+      for (const id of place.ids) sources.push(await this.source(id, place.kind === "run"));
+      if (mine !== this.opened) return;
+      this.stage.show(sources, place.time);
+      document.title = `${sources.map(({ id, recording }) => recording.head?.title ?? id).join(" | ")} \u2013 wisch studio`;
+    } catch (error) {
+      if (mine !== this.opened) return;
+      const words = error instanceof Refused ? error.message : `This cannot be shown: ${String(error)}`;
+      this.stage.say("fault", words, el("p", { class: "w-quiet" }, "What is known of it can be asked all the same."));
+    }
+  }
+
+  private async source(id: string, isRun: boolean): Promise<Source> {
+    const isLive = this.known?.runs.some((run) => run.id === id) || (isRun && !this.isKept(id));
+    if (!isLive) return { id, recording: await episode(id), live: null };
+    const live = new LiveSource(id, () => this.liveChanged(live));
+    this.live.push(live);
+    return { id, recording: live.recording, live };
+  }
+
+  private liveChanged(live: LiveSource): void {
+    this.stage.connectionChanged();
+    if (live.connection !== "ended") return;
+    // The same view, under the name that stays.
+    if (this.place.kind === "run" && this.place.ids[0] === live.id) this.keep({ kind: "episode", ids: [live.episode] });
+    this.side.mark(this.place.ids);
+    void this.refresh();
+  }
+
+  private compare(id: string): void {
+    const first = this.place.ids[0];
+    this.side.compareWith(null);
+    if (!first || first === id) return;
+    void this.go({ kind: "compare", ids: [first, id], time: this.stage.time, query: null });
+  }
+
+  /** Shows an answer, in the episode that is shown if it has to do with it. */
+  private async show(answers: Answers, row: number | null, wanted: string | null): Promise<void> {
+    const episodes = episodesOf(answers, row);
+    const current = this.stage.shown.find(({ id }) => (wanted ? id === wanted : episodes.includes(id)));
+    const id = wanted ?? current?.id ?? episodes[0];
+    if (!id) return;
+    if (!current) {
+      const place: Place = { kind: "episode", ids: [id], time: null, query: this.place.query };
+      history.pushState(null, "", write(place));
+      this.place = place;
+      await this.load(place);
+    } else if (this.isNarrow) this.open(null);
+    const now = this.stage.shown.find((one) => one.id === id);
+    if (now) apply(now.view, shownOf(answers, row, id, now.recording));
+  }
+}
+
+export function startStudio(root: HTMLElement): void {
+  void new Studio(root).begin();
+}

@@ -1,0 +1,167 @@
+// The left side while asking: a query, its answers, and what they show.
+import { el, fixed, say } from "../dom.ts";
+import { Completer } from "./complete.ts";
+import { plot } from "./plots.ts";
+import { Refused, ask, vocabulary } from "./server.ts";
+import { episodesOf, local } from "./shown.ts";
+import type { Answers, Cell, Fault } from "./server.ts";
+
+/** Most answers that are listed at once. */
+const MOST_ROWS = 200;
+/** Most episodes that are named below the answers. */
+const MOST_NAMED = 8;
+/** From here on a number may be a time since 1970 [s]: 2001. */
+const TIME_FROM = 1e9;
+const TIME_TO = 1e10;
+
+export interface AskActions {
+  /** Shows one answer, or all, of an episode or of that of most. */
+  show(answers: Answers, row: number | null, episode: string | null): void;
+  /** Takes away what is shown. */
+  clear(): void;
+  /** What is asked now; null: nothing. */
+  asked(query: string | null): void;
+}
+
+export class Ask {
+  readonly element: HTMLElement;
+  readonly field = el("textarea", {
+    class: "s-query", rows: 3, spellcheck: "false", autocomplete: "off", "aria-label": "Query in Prolog", placeholder: "low_performance_round(Round, P)",
+    keydown: (event: KeyboardEvent) => {
+      if (event.key !== "Enter" || event.shiftKey || event.isComposing) return;
+      event.preventDefault();
+      void this.ask();
+    },
+  });
+  private readonly completer = new Completer(this.field);
+  private readonly fault = el("div", { class: "w-complaint s-fault", role: "alert", hidden: true });
+  private readonly chips = el("div", { class: "s-chips" });
+  private readonly result = el("div", { class: "s-answers", "aria-live": "polite" });
+  private readonly button: HTMLButtonElement;
+  private asking: AbortController | null = null;
+  private answers: Answers | null = null;
+
+  constructor(private readonly actions: AskActions) {
+    this.button = el("button", { class: "w-button s-primary", type: "button", click: () => (this.asking ? this.asking.abort() : void this.ask()) }, "Ask");
+    this.element = el("section", { class: "s-ask", hidden: true },
+      el("div", { class: "s-field" }, this.field, this.completer.list),
+      el("div", { class: "s-row" }, this.button, el("span", { class: "w-quiet" }, "Enter asks, Shift + Enter breaks the line, Tab completes")),
+      this.fault, this.chips, this.result);
+    void this.learn();
+  }
+
+  private async learn(): Promise<void> {
+    try {
+      const words = await vocabulary();
+      this.completer.know(words);
+      this.chips.replaceChildren(...words.examples.map(({ title, query }, i) => el("button", {
+        class: "s-chip", type: "button", title: query, "data-example": i,
+        click: () => {
+          this.field.value = query;
+          void this.ask();
+        },
+      }, title)));
+    } catch (error) {
+      this.complain({ message: (error as Error).message });
+    }
+  }
+
+  /** Asks what stands in the field, and shows what the answers show. */
+  async ask(): Promise<void> {
+    const query = this.field.value.trim();
+    if (!query || this.asking) return;
+    this.completer.close();
+    this.fault.hidden = true;
+    const asking = new AbortController();
+    this.asking = asking;
+    say(this.button, "Cancel");
+    this.result.replaceChildren(el("p", { class: "w-quiet" }, "Asking \u2026"));
+    this.actions.asked(query);
+    try {
+      this.answers = await ask(query, asking.signal);
+      this.list(this.answers);
+      if (episodesOf(this.answers, null).length && this.hasView(this.answers)) this.actions.show(this.answers, null, null);
+      else this.actions.clear();
+    } catch (error) {
+      this.result.replaceChildren();
+      if (!asking.signal.aborted) this.complain(error instanceof Refused ? error.fault : { message: String(error) });
+    } finally {
+      this.asking = null;
+      say(this.button, "Ask");
+    }
+  }
+
+  private hasView({ view, about }: Answers): boolean {
+    return !!view && (view.tracks.length > 0 || view.bodies.length > 0 || about.some((mentions) => mentions.some(({ interval }) => interval)));
+  }
+
+  private complain({ message, offset, length, line, column }: Fault): void {
+    const query = this.field.value.trim();
+    const parts: Node[] = [el("p", {}, message)];
+    if (offset !== undefined && length !== undefined) {
+      const end = offset + length;
+      parts.push(el("pre", {}, query.slice(0, offset), el("mark", {}, query.slice(offset, end) || "\u2038"), query.slice(end)));
+      if (query.includes("\n")) parts.push(el("p", { class: "w-quiet" }, `line ${line}, column ${column}`));
+      this.field.value = query;
+      // Only who asks by keyboard is there already.
+      if (document.activeElement === this.field) this.field.setSelectionRange(offset, end);
+    }
+    this.fault.replaceChildren(...parts);
+    this.fault.hidden = false;
+  }
+
+  private list(answers: Answers): void {
+    const { rows, columns, holds, more, seconds, printed, remarks, view, about } = answers;
+    const count = holds ? `${rows.length}${more ? " or more" : ""} ${rows.length === 1 ? "answer" : "answers"}` : "No answer: it does not hold";
+    const parts: Node[] = [el("p", { class: "s-count" }, el("b", {}, count), ` in ${fixed(seconds, 2)} s`)];
+    const episodes = episodesOf(answers, null);
+    if (episodes.length && this.hasView(answers)) {
+      parts.push(el("div", { class: "s-row" },
+        el("button", { class: "w-button", type: "button", click: () => this.actions.show(answers, null, null) }, "Show all"),
+        el("button", { class: "w-button", type: "button", click: () => this.actions.clear() }, "Clear")));
+      if (episodes.length > 1) {
+        parts.push(el("div", { class: "s-in" }, el("span", { class: "w-quiet" }, "in "), ...episodes.slice(0, MOST_NAMED).map((id) =>
+          el("button", { class: "s-chip", type: "button", click: () => this.actions.show(answers, null, id) }, id))));
+      }
+    }
+    for (const remark of remarks) parts.push(el("p", { class: "w-quiet s-remark" }, remark));
+    if (printed) parts.push(el("pre", { class: "s-printed" }, printed));
+    for (const one of view?.plots ?? []) parts.push(plot(one));
+    if (rows.length && columns.length) parts.push(this.table(answers));
+    else if (rows.length && about.every((mentions) => !mentions.length)) parts.push(el("p", {}, "It holds."));
+    if (rows.length > MOST_ROWS) parts.push(el("p", { class: "w-quiet" }, `The first ${MOST_ROWS} of ${rows.length} are listed.`));
+    this.result.replaceChildren(...parts);
+  }
+
+  private table(answers: Answers): HTMLElement {
+    const { rows, columns, about } = answers;
+    const head = el("tr", {}, el("th", { scope: "col" }, el("span", { class: "s-hidden" }, "show")), ...columns.map((name) => el("th", { scope: "col" }, name)));
+    const body = rows.slice(0, MOST_ROWS).map((row, i) => {
+      const can = about[i]?.length;
+      return el("tr", {},
+        el("td", {}, can ? el("button", { class: "w-button s-show", type: "button", "data-row": i, "aria-label": `Show answer ${i + 1}`, click: () => this.actions.show(answers, i, null) }, "Show") : ""),
+        ...row.map((value) => cell(value)));
+    });
+    return el("div", { class: "s-table", tabindex: 0, role: "group", "aria-label": "Answers" }, el("table", {}, el("thead", {}, head), el("tbody", {}, ...body)));
+  }
+}
+
+function cell(value: Cell): HTMLElement {
+  if (typeof value === "number") {
+    const isTime = value >= TIME_FROM && value < TIME_TO;
+    const text = isTime ? clockOfDay(value) : Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(5)));
+    return el("td", { class: "s-number", title: String(value) }, text);
+  }
+  if (value === null) return el("td", { class: "w-quiet" }, "_");
+  const text = inWords(value);
+  return el("td", { title: typeof value === "string" ? value : text }, text);
+}
+
+const inWords = (value: Cell): string =>
+  value === null ? "_" : Array.isArray(value) ? `[${value.map(inWords).join(", ")}]` : typeof value === "number" ? String(Number(value.toPrecision(6))) : short(value);
+
+/** A name as it is told apart: individuals without the date that is their episode's. */
+const short = (name: string): string => local(name).replace(/_(\d{8}-\d{6}-[0-9a-f]{4})-(\d+)$/, " $2");
+
+/** A time since 1970 as the time of day, in UTC as the memory's names have it. */
+const clockOfDay = (time: number): string => new Date(1000 * time).toISOString().slice(11, 23);

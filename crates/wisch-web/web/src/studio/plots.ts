@@ -1,0 +1,89 @@
+// Diagrams that a query draws.
+import { el, fixed, svg } from "../dom.ts";
+import { TRAJECTORY_COLOURS } from "../scene/path.ts";
+import type { Plot } from "./server.ts";
+
+const WIDTH = 400;
+const HEIGHT = 220;
+const [LEFT, RIGHT, TOP, BOTTOM] = [52, 12, 10, 38];
+const ROW = 24;
+/** Of labels beside bars. */
+const LABEL = 130;
+
+export function plot(one: Plot): HTMLElement {
+  const title = one.title || one.id || one.diagram;
+  const drawn = one.amounts ? (one.diagram === "piechart" ? pie(one.amounts) : bars(one.amounts)) : one.spans ? spans(one.spans) : points(one);
+  drawn.setAttribute("role", "img");
+  drawn.setAttribute("aria-label", `${one.diagram}: ${title}`);
+  const labels = [one.x_label, one.y_label].filter((label) => label);
+  return el("figure", { class: "s-plot" }, el("figcaption", {}, title), drawn, labels.length ? el("p", { class: "w-quiet" }, labels.join(" / ")) : null);
+}
+
+const short = (value: number): string => (Number.isInteger(value) ? fixed(value, 0) : fixed(value, Math.abs(value) < 10 ? 3 : 1));
+const picture = (height: number, ...children: (Node | null)[]): SVGSVGElement => svg("svg", { viewBox: `0 0 ${WIDTH} ${height}` }, ...children);
+const text = (x: number, y: number, words: string, anchor: "start" | "middle" | "end" = "start"): SVGElement =>
+  svg("text", { x, y, "text-anchor": anchor, fill: "var(--ink)", "font-size": 11.5 }, words);
+const cut = (words: string, most: number): string => (words.length > most ? `${words.slice(0, most - 1)}\u2026` : words);
+
+function bars(amounts: [string, number][]): SVGSVGElement {
+  const [low, high] = [Math.min(0, ...amounts.map(([, n]) => n)), Math.max(0, ...amounts.map(([, n]) => n))];
+  const x = (value: number) => LABEL + ((WIDTH - LABEL - 52) * (value - low)) / (high - low || 1);
+  return picture(amounts.length * ROW + 6, ...amounts.flatMap(([label, value], i) => {
+    const y = i * ROW + 4;
+    const [from, to] = value < 0 ? [x(value), x(0)] : [x(0), x(value)];
+    return [
+      text(LABEL - 6, y + 13, cut(label, 20), "end"),
+      svg("rect", { x: from, y, width: Math.max(1, to - from), height: ROW - 6, rx: 3, fill: "var(--believed)" }, svg("title", {}, `${label}: ${value}`)),
+      text(to + 5, y + 13, short(value)),
+    ];
+  }));
+}
+
+function pie(amounts: [string, number][]): SVGSVGElement {
+  const all = amounts.reduce((sum, [, n]) => sum + n, 0) || 1;
+  const [cx, cy, r] = [90, 92, 82];
+  let angle = -Math.PI / 2;
+  const rim = (a: number) => `${cx + r * Math.cos(a)} ${cy + r * Math.sin(a)}`;
+  const height = Math.max(2 * cy, amounts.length * 20 + 10);
+  return picture(height, ...amounts.flatMap(([label, value], i) => {
+    const from = angle;
+    angle += (2 * Math.PI * value) / all;
+    const fill = TRAJECTORY_COLOURS[i % TRAJECTORY_COLOURS.length]!;
+    const isAll = value >= all;
+    const shape = isAll
+      ? svg("circle", { cx, cy, r, fill })
+      : svg("path", { d: `M${cx} ${cy}L${rim(from)}A${r} ${r} 0 ${angle - from > Math.PI ? 1 : 0} 1 ${rim(angle)}Z`, fill, stroke: "var(--paper)" });
+    return [shape, svg("rect", { x: 190, y: i * 20 + 4, width: 12, height: 12, fill }), text(208, i * 20 + 14, `${cut(label, 20)}: ${short(value)} (${fixed((100 * value) / all, 0)} %)`)];
+  }));
+}
+
+function spans(list: [string, [number, number]][]): SVGSVGElement {
+  const from = Math.min(...list.map(([, [start]]) => start));
+  const to = Math.max(...list.map(([, [, end]]) => end));
+  const x = (time: number) => LABEL + ((WIDTH - LABEL - 10) * (time - from)) / (to - from || 1);
+  const height = list.length * ROW + 22;
+  return picture(height, ...list.flatMap(([label, [start, end]], i) => [
+    text(LABEL - 6, i * ROW + 17, cut(label.replace(/^[a-z]+:/, ""), 20), "end"),
+    svg("rect", { x: x(start), y: i * ROW + 4, width: Math.max(2, x(end) - x(start)), height: ROW - 8, rx: 3, fill: "var(--event)" }, svg("title", {}, `${label}: ${short(end - start)} s`)),
+  ]), text(LABEL, height - 4, "0 s"), text(WIDTH - 10, height - 4, `${short(to - from)} s`, "end"));
+}
+
+function points({ points = [], diagram, x_label, y_label }: Plot): SVGSVGElement {
+  const range = (k: 0 | 1): [number, number] => {
+    const values = points.map((point) => point[k]);
+    const [low, high] = [Math.min(...values), Math.max(...values)];
+    return low < high ? [low, high] : [low - 0.5, high + 0.5];
+  };
+  if (!points.length) return picture(30, text(8, 18, "no points"));
+  const [[x0, x1], [y0, y1]] = [range(0), range(1)];
+  const x = (value: number) => LEFT + ((WIDTH - LEFT - RIGHT) * (value - x0)) / (x1 - x0);
+  const y = (value: number) => HEIGHT - BOTTOM - ((HEIGHT - TOP - BOTTOM) * (value - y0)) / (y1 - y0);
+  const marks: Node[] = diagram === "linechart"
+    ? [svg("path", { d: points.map(([px, py], i) => `${i ? "L" : "M"}${x(px).toFixed(1)} ${y(py).toFixed(1)}`).join(""), fill: "none", stroke: "var(--believed)", "stroke-width": 1.8 })]
+    : points.map(([px, py]) => svg("circle", { cx: x(px), cy: y(py), r: 2.6, fill: "var(--believed)", "fill-opacity": 0.7 }));
+  return picture(HEIGHT,
+    svg("path", { d: `M${LEFT} ${TOP}V${HEIGHT - BOTTOM}H${WIDTH - RIGHT}`, fill: "none", stroke: "var(--rule)" }), ...marks,
+    text(LEFT - 5, y(y0), short(y0), "end"), text(LEFT - 5, y(y1) + 9, short(y1), "end"),
+    text(LEFT, HEIGHT - BOTTOM + 15, short(x0)), text(WIDTH - RIGHT, HEIGHT - BOTTOM + 15, short(x1), "end"),
+    text(WIDTH / 2, HEIGHT - 5, cut(x_label, 40), "middle"), text(4, TOP + 22, cut(y_label, 30)));
+}

@@ -1,0 +1,220 @@
+// What the studio's server tells and does. Addresses are relative: the token stands in the page's own.
+
+export interface Listed {
+  id: string;
+  title: string;
+  action: string | null;
+  tool: string | null;
+  medium: string | null;
+  surface: string | null;
+  /** Seconds since 1970. */
+  begun: number;
+  seconds: number;
+  rounds: number;
+  performance: number | null;
+  low: number | null;
+  high: number | null;
+  met: boolean;
+  verdict: string | null;
+  collisions: number;
+  has_recording: boolean;
+}
+
+export interface LiveRun {
+  id: string;
+  task: string;
+  begun: string | null;
+  pid: number;
+  state: "running" | "ended" | "lost";
+  episode: string | null;
+  own: boolean;
+  message?: string | null;
+}
+
+export interface Scenario {
+  name: string;
+  about: string;
+}
+
+export interface Overview {
+  memory: string;
+  list: { episodes: Listed[]; total: number; broken: string[] };
+  runs: LiveRun[];
+  scenarios: Scenario[];
+  limits: { answers: number; seconds: number };
+}
+
+export interface Named {
+  name: string;
+  label: string;
+  comment: string;
+}
+
+export interface Vocabulary {
+  predicates: { name: string; arity: number; meaning: string }[];
+  builtins: string[];
+  classes: Named[];
+  properties: Named[];
+  individuals: Named[];
+  examples: { title: string; query: string }[];
+}
+
+export type Cell = string | number | null | Cell[];
+
+/** Something of an episode that an answer names. */
+export interface Mention {
+  episode: string;
+  class: string;
+  interval: [number, number] | null;
+}
+
+export interface Plot {
+  diagram: "piechart" | "barchart" | "timeline" | "linechart" | "scatter";
+  id: string;
+  title: string;
+  x_label: string;
+  y_label: string;
+  amounts?: [string, number][];
+  spans?: [string, [number, number]][];
+  points?: [number, number][];
+}
+
+export interface Track {
+  thing: string;
+  episode: string;
+  round: number;
+  interval: [number, number];
+  path: [number, number, number][];
+  samples: [number, number, number, number][];
+  strong: boolean;
+  colour: string | null;
+}
+
+export interface ShownBody {
+  thing: string;
+  kind: "robot" | "tool" | "surface" | "frame";
+  episode: string;
+  round: number;
+  time: number;
+  strong: boolean;
+  colour: string | null;
+}
+
+export interface ShownEpisode {
+  id: string;
+  task: string;
+  interval: [number, number];
+  /** When each round began, in seconds since 1970. */
+  rounds: number[] | null;
+  looked: [number, number][];
+}
+
+export interface Seen {
+  episodes: ShownEpisode[];
+  tracks: Track[];
+  bodies: ShownBody[];
+  plots: Plot[];
+  left_out: number;
+}
+
+export interface Answers {
+  columns: string[];
+  rows: Cell[][];
+  about: Mention[][];
+  holds: boolean;
+  more: boolean;
+  seconds: number;
+  printed: string;
+  remarks: string[];
+  view: Seen | null;
+}
+
+export interface Fault {
+  message: string;
+  /** In the query, in UTF-16 units. */
+  offset?: number;
+  length?: number;
+  line?: number;
+  column?: number;
+}
+
+/** What the server refuses, in its words. */
+export class Refused extends Error {
+  constructor(readonly fault: Fault, readonly status: number) {
+    super(fault.message);
+  }
+}
+
+const GONE = "The studio does not answer: has it ended?";
+
+async function request(path: string, init?: RequestInit): Promise<Response> {
+  let response: Response;
+  try {
+    response = await fetch(path, { ...init, cache: "no-store" });
+  } catch {
+    throw new Refused({ message: GONE }, 0);
+  }
+  if (response.ok) return response;
+  throw new Refused(await faultOf(response), response.status);
+}
+
+async function faultOf(response: Response): Promise<Fault> {
+  try {
+    const said = (await response.json()) as { error?: Fault };
+    if (said.error) return said.error;
+  } catch {
+    // It said nothing that can be read.
+  }
+  return { message: `The studio answers ${response.status}.` };
+}
+
+const post = async <T>(path: string, body: unknown, signal?: AbortSignal): Promise<T> => {
+  const headers = { "content-type": "application/json" };
+  return (await (await request(path, { method: "POST", headers, body: JSON.stringify(body), signal: signal ?? null })).json()) as T;
+};
+
+export const overview = async (find: string): Promise<Overview> =>
+  (await (await request(`api/overview?find=${encodeURIComponent(find)}`)).json()) as Overview;
+
+export const vocabulary = async (): Promise<Vocabulary> => (await (await request("api/vocabulary")).json()) as Vocabulary;
+
+/** JSON lines of an episode. */
+export async function recordingOf(id: string): Promise<string> {
+  const response = await request(`api/episodes/${encodeURIComponent(id)}/recording`);
+  try {
+    return await response.text();
+  } catch {
+    throw new Refused({ message: "The recording of this episode is broken: it cannot be unpacked. wisch memory verify says what else is." }, 0);
+  }
+}
+
+export const startRun = async (task: string, seed: number | null, strategy: string | null): Promise<string> => {
+  const order = { task, ...(seed === null ? {} : { seed }), ...(strategy ? { strategy } : {}) };
+  return (await post<{ run: string }>("api/runs", order)).run;
+};
+
+export const stopRun = (id: string): Promise<unknown> => post(`api/runs/${encodeURIComponent(id)}/stop`, {});
+export const clearRun = (id: string): Promise<unknown> => post(`api/runs/${encodeURIComponent(id)}/clear`, {});
+
+export async function ask(query: string, signal: AbortSignal): Promise<Answers> {
+  const said = await post<Answers | { error: Fault }>("api/ask", { query }, signal);
+  if ("error" in said) throw new Refused(said.error, 200);
+  return said;
+}
+
+/** Calls back whenever episodes or runs come or go, and when the connection comes back. */
+export function onChanged(callback: () => void, state: (connected: boolean) => void): void {
+  const events = new EventSource("api/overview/events");
+  events.addEventListener("changed", callback);
+  let lost = false;
+  events.addEventListener("open", () => {
+    state(true);
+    if (lost) callback();
+    lost = false;
+  });
+  events.addEventListener("error", () => {
+    lost = true;
+    state(false);
+    if (events.readyState === EventSource.CLOSED) setTimeout(() => onChanged(callback, state), 2000);
+  });
+}

@@ -1,0 +1,90 @@
+// What an answer shows, in times of the common clock of a recording.
+import { clockText } from "../dom.ts";
+import type { Interval, Trajectory, View } from "../view.ts";
+import type { Recording } from "../store.ts";
+import type { Answers, Mention } from "./server.ts";
+
+/** What lasts longer than this share of an episode is the episode. */
+const ALMOST_ALL = 0.95;
+/** Two times are the same to a query [s]. */
+const SAME_S = 1e-3;
+
+export interface Shown {
+  trajectories: Trajectory[];
+  times: number[];
+  intervals: Interval[];
+}
+
+const meets = ([from, to]: [number, number], [start, end]: [number, number]): boolean => from <= end + SAME_S && to >= start - SAME_S;
+
+/** The episodes of which an answer, or all of them, have something to show; those of most first. */
+export function episodesOf({ about, view }: Answers, row: number | null): string[] {
+  const counts = new Map<string, number>();
+  const count = (id: string) => counts.set(id, (counts.get(id) ?? 0) + 1);
+  const rows = row === null ? about : [about[row] ?? []];
+  for (const mentions of rows) for (const id of new Set(mentions.map(({ episode }) => episode))) count(id);
+  if (row === null && view) for (const { episode } of [...view.tracks, ...view.bodies]) count(episode);
+  return [...counts].sort((a, b) => b[1] - a[1]).map(([id]) => id);
+}
+
+/** What there is to show of one episode, of one answer or of all. */
+export function shownOf(answers: Answers, row: number | null, id: string, recording: Recording): Shown {
+  const view = answers.view;
+  const begins = view?.episodes.find((episode) => episode.id === id);
+  const shown: Shown = { trajectories: [], times: [], intervals: [] };
+  if (!view || !begins) return shown;
+  const at = (time: number) => clockTime(recording, begins.rounds ?? [begins.interval[0]], time);
+  const mentions = mentioned(row === null ? answers.about.flat() : answers.about[row] ?? [], id, begins.interval);
+  for (const { interval, class: label } of mentions) {
+    if (interval) shown.intervals.push({ start: at(interval[0]), end: at(interval[1]), label });
+  }
+  const belongs = (interval: [number, number]) =>
+    row === null || !mentions.length || mentions.some((mention) => mention.interval && meets(mention.interval, interval));
+  for (const { episode, thing, interval, path, samples, colour } of view.tracks) {
+    if (episode !== id || !belongs(interval)) continue;
+    const name = `${local(thing)} ${clockText(at(interval[0]))} to ${clockText(at(interval[1]))}`;
+    const points = path.length > 1 ? path : samples.map(([, x, y, z]) => [x, y, z] as [number, number, number]);
+    shown.trajectories.push({ name, points, ...(colour ? { color: colour } : {}) });
+  }
+  for (const { episode, kind, time } of view.bodies) {
+    if (episode === id && (kind === "robot" || kind === "tool") && belongs([time, time])) shown.times.push(at(time));
+  }
+  shown.times = [...new Set(shown.times)].sort((a, b) => a - b);
+  if (!shown.intervals.length) {
+    for (const [from, to] of begins.looked) shown.intervals.push({ start: at(from), end: at(to), label: "shown" });
+  }
+  return shown;
+}
+
+/** Those of an episode that are a part of it; once each. */
+function mentioned(all: Mention[], id: string, [begin, end]: [number, number]): Mention[] {
+  const known = new Set<string>();
+  return all.filter(({ episode, interval, class: label }) => {
+    if (episode !== id || !interval) return false;
+    const key = `${label} ${interval.join()}`;
+    if (known.has(key) || interval[1] - interval[0] > ALMOST_ALL * (end - begin)) return false;
+    known.add(key);
+    return true;
+  });
+}
+
+/** A time since 1970 on the common clock. */
+export function clockTime(recording: Recording, begins: number[], time: number): number {
+  let place = begins.findLastIndex((begin) => begin <= time + SAME_S);
+  place = Math.max(0, place);
+  const round = recording.rounds.find(({ number }) => number === place + 1) ?? recording.rounds.at(-1);
+  if (!round) return 0;
+  return Math.min(round.end, Math.max(round.start, round.start + time - begins[place]!));
+}
+
+/** Shows it, and goes to where it begins. */
+export function apply(view: View, { trajectories, times, intervals }: Shown): void {
+  view.clearShown();
+  view.showTrajectories(trajectories);
+  view.showRobotAt(times);
+  view.highlight(intervals);
+  const starts = [...intervals.map(({ start }) => start), ...times];
+  if (starts.length) view.seek(Math.min(...starts));
+}
+
+export const local = (name: string): string => name.replace(/^[a-z]+:/, "");

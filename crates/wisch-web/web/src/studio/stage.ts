@@ -1,0 +1,194 @@
+// The middle: one recording, or two side by side on one clock.
+import { Clock } from "../clock.ts";
+import { el, percent, say } from "../dom.ts";
+import { Story } from "../story.ts";
+import { mountView } from "../view.ts";
+import type { View } from "../view.ts";
+import type { Recording } from "../store.ts";
+import { stopRun } from "./server.ts";
+import type { LiveSource } from "./source.ts";
+
+/** Until the clock counts as resting [ms]. */
+const REST_MS = 300;
+
+export interface Source {
+  id: string;
+  recording: Recording;
+  live: LiveSource | null;
+}
+
+export interface StageActions {
+  /** The clock rests at this time. */
+  rests(time: number): void;
+  /** Something is to be compared with what is shown. */
+  compare(): void;
+  /** Whether a recording is in the memory, as an episode of this name. */
+  isKept(id: string): boolean;
+}
+
+interface Pane extends Source {
+  view: View;
+  head: Head;
+  stop: () => void;
+}
+
+export class Stage {
+  readonly element = el("section", { class: "s-stage", "aria-label": "What is shown" });
+  private panes: Pane[] = [];
+  private clock: Clock | null = null;
+  private stops: (() => void)[] = [];
+
+  constructor(private readonly actions: StageActions) {}
+
+  get shown(): readonly { id: string; recording: Recording; view: View }[] {
+    return this.panes;
+  }
+
+  get time(): number {
+    return this.panes[0]?.view.clock.time ?? 0;
+  }
+
+  /** Something in words instead of a recording. */
+  say(kind: "note" | "fault" | "wait", message: string, ...more: (Node | string)[]): void {
+    this.clear();
+    this.element.append(el("div", { class: `s-said s-${kind}`, role: kind === "fault" ? "alert" : "status" }, el("p", {}, message), ...more));
+  }
+
+  show(sources: Source[], time: number | null): void {
+    this.clear();
+    const compact = sources.length > 1;
+    this.element.classList.toggle("s-two", compact);
+    const shared = compact ? new Clock() : undefined;
+    this.clock = shared ?? null;
+    this.panes = sources.map((source) => this.pane(source, shared));
+    const clock = this.panes[0]!.view.clock;
+    if (time !== null) clock.seek(time);
+    let later: ReturnType<typeof setTimeout> | undefined;
+    this.stops.push(clock.subscribe(() => {
+      clearTimeout(later);
+      if (clock.playing || clock.following) return;
+      later = setTimeout(() => this.actions.rests(clock.time), REST_MS);
+    }), () => clearTimeout(later));
+  }
+
+  private pane(source: Source, shared: Clock | undefined): Pane {
+    const { recording } = source;
+    const head = new Head(source, !shared, this.actions);
+    const box = el("div", { class: "s-view" });
+    this.element.append(el("div", { class: "s-pane" }, head.element, head.story, box));
+    const view = mountView(box, recording, shared ? { compact: true, clock: shared } : {});
+    let asked = 0;
+    const stop = recording.onChange((piece) => {
+      if (piece?.piece === "samples" || asked) return;
+      asked = requestAnimationFrame(() => {
+        asked = 0;
+        head.show();
+      });
+    });
+    return { ...source, view, head, stop };
+  }
+
+  /** The connection to a run has changed. */
+  connectionChanged(): void {
+    for (const { head } of this.panes) head.show();
+  }
+
+  clear(): void {
+    for (const stop of this.stops) stop();
+    this.stops = [];
+    for (const { view, head, stop } of this.panes) {
+      stop();
+      head.destroy();
+      view.destroy();
+    }
+    this.clock?.destroy();
+    this.clock = null;
+    this.panes = [];
+    this.element.classList.remove("s-two");
+    this.element.replaceChildren();
+  }
+}
+
+const CONNECTIONS = {
+  connecting: "connecting \u2026",
+  live: "live",
+  reconnecting: "connection lost, trying again \u2026",
+  ended: "",
+  lost: "the run ended unexpectedly",
+  gone: "the run is not there any more",
+} as const;
+
+/** What stands over a view: title, result, and what can be done. */
+class Head {
+  readonly element: HTMLElement;
+  readonly story: HTMLElement;
+  private readonly title = el("h1", {});
+  private readonly result = el("span", { class: "s-result" });
+  private readonly connection = el("span", { class: "s-connection", role: "status" });
+  private readonly kept = el("span", { class: "s-kept w-quiet" });
+  private readonly stopButton: HTMLButtonElement;
+  private readonly storyButton: HTMLButtonElement;
+  private readonly told: Story;
+  private wasLive: boolean;
+
+  constructor(private readonly source: Source, private readonly whole: boolean, private readonly actions: StageActions) {
+    const { recording, id } = source;
+    this.wasLive = source.live !== null;
+    this.told = new Story(recording);
+    this.story = el("div", { class: "s-story", hidden: true }, this.told.element);
+    this.stopButton = el("button", { class: "w-button s-stop", type: "button", hidden: true, click: () => void this.stopIt(id) }, "Stop");
+    this.storyButton = el("button", { class: "w-button", type: "button", "aria-pressed": "false", click: () => this.toggle(this.story.hidden) }, "Story");
+    this.element = el("header", { class: "s-head" }, this.title, this.result, this.connection, this.kept,
+      el("span", { class: "s-actions" }, this.stopButton, this.storyButton,
+        whole && el("button", { class: "w-button", type: "button", click: () => actions.compare() }, "Compare")));
+    this.show();
+  }
+
+  private toggle(open: boolean): void {
+    this.story.hidden = !open;
+    this.storyButton.setAttribute("aria-pressed", String(open));
+  }
+
+  private async stopIt(id: string): Promise<void> {
+    this.stopButton.disabled = true;
+    say(this.stopButton, "Stopping \u2026");
+    try {
+      await stopRun(id);
+    } catch (error) {
+      this.stopButton.disabled = false;
+      say(this.stopButton, "Stop");
+      say(this.connection, String((error as Error).message));
+    }
+  }
+
+  show(): void {
+    const { recording, live, id } = this.source;
+    say(this.title, recording.head?.title ?? id);
+    const judged = recording.rounds.findLast((round) => round.judged)?.judged;
+    const met = recording.ended?.met;
+    const verdict = recording.ended ? recording.ended.verdict ?? "stopped" : "";
+    const parts: Node[] = [];
+    if (judged) {
+      const { mean, low, high } = judged.estimate;
+      parts.push(el("b", { title: "estimated performance, 90 % interval" }, percent(mean), el("small", {}, ` ${percent(low)} \u2013 ${percent(high)}`)));
+    }
+    if (verdict) parts.push(el("span", { class: "s-badge", "data-state": met ? "met" : "unmet" }, verdict));
+    this.result.replaceChildren(...parts);
+    const connection = live?.connection ?? "ended";
+    this.connection.dataset.state = connection;
+    say(this.connection, [CONNECTIONS[connection], live?.message ?? ""].filter((words) => words).join(": "));
+    this.stopButton.hidden = !live || connection === "ended" || connection === "lost" || connection === "gone";
+    const episode = live?.episode ?? id;
+    const isKept = !live || (connection === "ended" && this.actions.isKept(episode));
+    say(this.kept, isKept ? `episode ${episode}` : "");
+    if (this.wasLive && recording.ended) {
+      // What came of it is what the run was watched for.
+      this.wasLive = false;
+      if (this.whole) this.toggle(true);
+    }
+  }
+
+  destroy(): void {
+    this.told.destroy();
+  }
+}

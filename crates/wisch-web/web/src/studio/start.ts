@@ -1,0 +1,72 @@
+// The dialog in which a run is begun.
+import { el, say } from "../dom.ts";
+import { Refused, startRun } from "./server.ts";
+import type { Scenario } from "./server.ts";
+
+const STRATEGIES = ["best", "adaptive", "grid", "rrt", "kde"];
+
+export class StartDialog {
+  readonly element: HTMLDialogElement;
+  private readonly list = el("ul", { class: "s-scenarios" });
+  private readonly seed = el("input", { type: "number", min: 0, step: 1, placeholder: "the task's", "aria-label": "Seed" });
+  private readonly strategy = el("select", { class: "w-select", "aria-label": "Strategy" },
+    el("option", { value: "" }, "the task's"), ...STRATEGIES.map((name) => el("option", { value: name }, name)));
+  private readonly path = el("input", { type: "text", placeholder: "/path/to/task.toml", "aria-label": "Task file on this machine", autocomplete: "off", spellcheck: "false" });
+  private readonly fault = el("p", { class: "w-complaint", role: "alert", hidden: true });
+  private busy = false;
+
+  constructor(private readonly begun: (id: string) => void) {
+    const own = el("form", {
+      class: "s-own",
+      submit: (event: Event) => {
+        event.preventDefault();
+        void this.start(this.path.value.trim());
+      },
+    }, el("label", {}, "A task file of your own", this.path), el("button", { class: "w-button", type: "submit" }, "Start"));
+    this.element = el("dialog", { class: "s-dialog", "aria-labelledby": "s-start-title" },
+      el("header", {}, el("h1", { id: "s-start-title" }, "Start a task"),
+        el("button", { class: "w-button", type: "button", "aria-label": "Close", click: () => this.element.close() }, "\u00d7")),
+      this.fault, this.list, own,
+      el("div", { class: "s-options" }, el("label", {}, "Seed", this.seed), el("label", {}, "Strategy", this.strategy)));
+    // A click beside it closes it.
+    this.element.addEventListener("click", (event) => { if (event.target === this.element) this.element.close(); });
+  }
+
+  open(scenarios: Scenario[]): void {
+    this.fault.hidden = true;
+    this.list.replaceChildren(...scenarios.map(({ name, about }) => el("li", {},
+      el("div", {}, el("b", {}, name), el("p", {}, about)),
+      el("button", { class: "w-button s-primary", type: "button", "data-task": name, "aria-label": `Start ${name}`, click: () => void this.start(name) }, "Start"))));
+    if (!scenarios.length) this.list.append(el("li", {}, "The program lists no shipped tasks."));
+    this.element.showModal();
+  }
+
+  private async start(task: string): Promise<void> {
+    if (this.busy) return;
+    const seed = this.seed.value.trim();
+    if (!task) return this.complain("Give the path of a task file.");
+    if (seed && !/^\d+$/.test(seed)) return this.complain("A seed is a whole number from 0 on.");
+    this.setBusy(true);
+    try {
+      const id = await startRun(task, seed ? Number(seed) : null, this.strategy.value || null);
+      this.element.close();
+      this.begun(id);
+    } catch (error) {
+      this.complain(error instanceof Refused ? error.message : String(error));
+    } finally {
+      this.setBusy(false);
+    }
+  }
+
+  private setBusy(busy: boolean): void {
+    this.busy = busy;
+    this.element.toggleAttribute("data-busy", busy);
+    for (const button of this.element.querySelectorAll("button")) button.disabled = busy;
+  }
+
+  private complain(message: string): void {
+    this.fault.hidden = false;
+    say(this.fault, message);
+    this.fault.scrollIntoView({ block: "nearest" });
+  }
+}
