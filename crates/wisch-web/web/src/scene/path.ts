@@ -7,8 +7,10 @@ import { GrowingSegments, LineMaterial, chain, segments } from "./lines.ts";
 import { matrix } from "./solids.ts";
 import type { Round } from "../round.ts";
 
-/** Samples nearer than this to the last that is drawn add nothing to the path [m]. */
+/** Samples nearer than this to the last that is drawn add nothing to the path, at first [m]. */
 const STEP_M = 0.0015;
+/** A path of more segments is drawn with longer ones. */
+const MOST_SEGMENTS = 4000;
 
 const LIFTED = 0;
 const CONTACT = 1;
@@ -18,6 +20,7 @@ export class Path {
   private readonly lines = new GrowingSegments(3, palette());
   private readonly times = new Column(true);
   private taken = 0;
+  private step = STEP_M;
   private last: Vector3 | null = null;
   private kind = LIFTED;
   private readonly normal: Vector3;
@@ -63,22 +66,31 @@ export class Path {
     return new Vector3(data[7 * i]!, data[7 * i + 1]!, data[7 * i + 2]!).add(this.normal);
   }
 
+  /** Begins again with segments twice as long. */
+  private coarsen(): void {
+    this.step *= 2;
+    this.taken = -1;
+    this.last = null;
+    this.lines.count = 0;
+    this.times.length = 0;
+  }
+
   private grow(): void {
     const { round } = this;
-    const least = (STEP_M * (1 + round.count / 20000)) ** 2;
     for (; this.taken < round.count; this.taken++) {
       const i = this.taken;
       const time = round.t.data[i]!;
       const place = this.place(i);
       if (!Number.isFinite(place.x + place.y + place.z)) continue;
       const kind = round.touches(time, round.normal.data[i]!) ? CONTACT : LIFTED;
-      if (this.last && this.last.distanceToSquared(place) < least && kind === this.kind) continue;
+      if (this.last && this.last.distanceToSquared(place) < this.step ** 2 && (kind === this.kind || this.step > 2 * STEP_M)) continue;
       if (this.last) {
         this.lines.push([...this.last.toArray(), ...place.toArray()], kind);
         this.times.push(time);
       }
       this.last = place;
       this.kind = kind;
+      if (this.lines.count > MOST_SEGMENTS) this.coarsen();
     }
   }
 }

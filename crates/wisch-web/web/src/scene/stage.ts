@@ -17,12 +17,16 @@ import type { Trajectory } from "./path.ts";
 import { Robot, ghostMaterial } from "./robot.ts";
 import type { RobotMaterials } from "./robot.ts";
 import { Still } from "./surface.ts";
+import type { Round } from "../round.ts";
 import type { Instant, Recording } from "../store.ts";
 
 export type Layers = Record<Mark | "path" | "strokes" | "force" | "found" | "actualSurface", boolean>;
 export const LAYERS: Layers = {
   believed: true, estimated: true, actual: true, seen: false, path: true, strokes: false, force: true, found: true, actualSurface: true,
 };
+
+/** So many rounds stay at hand. */
+const KEPT_ROUNDS = 6;
 
 /** The light falls from here onto what is seen. */
 const SUN = new Vector3(0.9, 0.5, 1.9);
@@ -41,6 +45,7 @@ export class Stage {
   private readonly ghostLook = ghostMaterial();
   private still: Still | null = null;
   private path: Path | null = null;
+  private readonly entered = new Map<Round, { still: Still; path: Path }>();
   private highlighted: { from: number; to: number }[] = [];
   private readonly highlights = new Group();
   private readonly highlightLook = new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75 });
@@ -142,8 +147,10 @@ export class Stage {
     if (this.grid) (this.grid.material as Material & { color: Color }).color.set(colour("rule"));
     this.dirt.paint();
     this.force.paint();
-    this.path?.paint();
-    this.still?.paint();
+    for (const { still, path } of this.entered.values()) {
+      still.paint();
+      path.paint();
+    }
     this.ask();
   }
 
@@ -156,8 +163,10 @@ export class Stage {
   destroy(): void {
     cancelAnimationFrame(this.frame);
     this.camera.controls.dispose();
-    this.still?.dispose();
-    this.path?.dispose();
+    for (const { still, path } of this.entered.values()) {
+      still.dispose();
+      path.dispose();
+    }
     this.painter.destroy();
   }
 
@@ -188,13 +197,20 @@ export class Stage {
     if (this.robot) this.force.show(instant, this.robot.toolPlace, this.camera.lens.position, this.layers.force);
   }
 
-  /** Another round is shown. */
+  /** Another round is shown; those that were shown before are kept for a while. */
   private enter({ round }: Instant): void {
     for (const object of [this.still?.group, this.path?.object]) if (object) this.scene.remove(object);
-    this.still?.dispose();
-    this.path?.dispose();
-    this.still = new Still(round, this.recording.meshes);
-    this.path = new Path(round);
+    const kept = this.entered.get(round) ?? { still: new Still(round, this.recording.meshes), path: new Path(round) };
+    this.entered.delete(round);
+    this.entered.set(round, kept);
+    for (const [oldest, { still, path }] of this.entered) {
+      if (this.entered.size <= KEPT_ROUNDS) break;
+      this.entered.delete(oldest);
+      still.dispose();
+      path.dispose();
+    }
+    this.still = kept.still;
+    this.path = kept.path;
     this.scene.add(this.still.group, this.path.object);
     this.drawHighlights();
   }

@@ -49,7 +49,7 @@ class Studio {
       },
       isKept: (id) => this.isKept(id),
     });
-    this.dialog = new StartDialog((id) => void this.go({ ...HOME, kind: "run", ids: [id] }));
+    this.dialog = new StartDialog((id) => void this.go({ ...HOME, kind: "run", ids: [id] }).then(() => this.stage.focus()));
     const tab = (name: "runs" | "ask", words: string, title: string) => el("button", {
       class: "w-button", type: "button", "aria-pressed": "false", title,
       click: () => (this.isNarrow && this.aside.dataset.open === name ? this.open(null) : this.open(name)),

@@ -88,6 +88,14 @@ export class Stage {
     return { ...source, view, head, stop };
   }
 
+  /** Keys go to what is shown. */
+  focus(): void {
+    const element = this.panes[0]?.view.element;
+    if (!element) return;
+    element.tabIndex = -1;
+    element.focus({ preventScroll: true });
+  }
+
   /** The connection to a run has changed. */
   connectionChanged(): void {
     for (const { head } of this.panes) head.show();
