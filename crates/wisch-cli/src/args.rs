@@ -139,6 +139,14 @@ JointTrajectory, and a MultiDOFJointTrajectory for a base that moves), tcp-path.
 
 Exit codes: 0 the predicted performance reaches the task's target, 1 it does not, 2 an error.")]
     Follow(FollowArgs),
+    /// Write an episode, or a folder of results, as one page that needs nothing but itself
+    #[command(after_help = "\
+Examples:
+  wisch report out/chopping-board
+  wisch report 20261122-005612-3f2a --out wiping.html
+
+The page shows robot, dirt, forces and estimates on one clock, as `wisch studio` does; it opens from a file.")]
+    Report(ReportArgs),
     /// Query the episodic memory in Prolog
     #[command(after_help = "\
 Examples:
@@ -350,6 +358,9 @@ pub struct LoopArgs {
     /// Give an executor up that hands on nothing for so long [s], or goes on for so long after it was told to stop
     #[arg(long, value_name = "SECONDS", requires = "executor", default_value_t = 60.0, value_parser = seconds)]
     pub timeout: f64,
+    /// Let others look on while it runs, as `wisch studio` does; needs a memory. SIGTERM ends it in order
+    #[arg(long, conflicts_with = "no_memory")]
+    pub live: bool,
     /// Write progress events as JSON lines to a file, or with "-" to standard output
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub events: Option<PathBuf>,
@@ -373,6 +384,20 @@ pub struct FollowArgs {
     /// The results.
     #[command(flatten)]
     pub results: ResultArgs,
+}
+
+/// Arguments of `report`.
+#[derive(Debug, Args)]
+pub struct ReportArgs {
+    /// An episode of the memory, or a folder of results
+    #[arg(value_name = "EPISODE|FOLDER", value_hint = ValueHint::AnyPath)]
+    pub what: String,
+    /// The page [default: the name of the episode or folder, with .html]
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub out: Option<PathBuf>,
+    /// The memory.
+    #[command(flatten)]
+    pub memory: MemoryArgs,
 }
 
 /// Which robot, and what is known of it.

@@ -19,7 +19,6 @@ pub fn drawn(name: &str, task: &Task, plan: &Plan, bandwidth: Option<f64>) -> St
         prediction: &prediction,
         frames: &frames,
         bandwidth,
-        facts: &[],
         motion: None,
         rounds: None,
     });

@@ -9,7 +9,7 @@ use wisch::represent::Task;
 /// What a report is made of.
 #[derive(Debug, Clone, Copy)]
 pub struct ReportInput<'a> {
-    /// Headline; the task's name as a rule.
+    /// Headline of the figures; the task's name as a rule.
     pub title: &'a str,
     /// What was to be done.
     pub task: &'a Task,
@@ -21,8 +21,6 @@ pub struct ReportInput<'a> {
     pub frames: &'a EffectFrames,
     /// Bandwidth that the plan was asked for, [`wisch::plan::PlanConfig::bandwidth`] [m].
     pub bandwidth: Option<f64>,
-    /// Rows of the table of metrics: label, and value with unit.
-    pub facts: &'a [(String, String)],
     /// How a robot does it; `None` if none was asked to.
     pub motion: Option<&'a MotionInput<'a>>,
     /// What came of it, round by round; `None` if nothing was executed.

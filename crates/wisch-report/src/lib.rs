@@ -3,11 +3,11 @@
 //!
 //! | drawn | from | by |
 //! |---|---|---|
-//! | one HTML page that needs nothing but itself | [`ReportInput`] | [`page`] |
-//! | the same pictures as files, in SVG | [`ReportInput`] | [`pictures`] |
+//! | a run as it goes on, for the page of `wisch-web` | run events | [`RecordingWriter`] |
+//! | figures for papers, in SVG | [`ReportInput`] | [`pictures`] |
 //! | the effect over the distance wiped | a running prediction | [`EffectFrames`], part of [`ReportInput`] |
-//! | a robot in motion: 3-D view, joints, base placements | [`ShownMotion`] of what follows a plan, or any [`MotionInput`] | part of [`ReportInput`], or [`joint_plots`], [`placements_plan`] |
-//! | rounds: in 3-D as executed, force, path, chance of an effect, residue | [`RoundsInput`], [`MeasuredMotion`] | part of [`ReportInput`] |
+//! | a robot in motion: joints, base placements | [`ShownMotion`] of what follows a plan, or any [`MotionInput`] | part of [`ReportInput`], or [`joint_plots`], [`placements_plan`] |
+//! | rounds: force, path, chance of an effect, residue | [`RoundsInput`] | part of [`ReportInput`] |
 //! | answers of the memory, in space and over time | [`AnswersInput`] | [`answers_page`] |
 //! | a tool's footprint | [`wisch::represent::Tool`] | [`footprint_drawing`] |
 //! | how well beliefs hold | [`CalibrationCurve`]s | [`calibration_drawing`] |
@@ -44,7 +44,9 @@ mod input;
 mod memory;
 mod motion;
 mod page;
+mod pictures;
 mod prediction;
+mod recording;
 mod rounds;
 mod scene;
 mod table1;
@@ -57,11 +59,14 @@ pub use footprint::footprint_drawing;
 pub use input::ReportInput;
 pub use memory::{AnswersInput, answers_page};
 pub use motion::{
-    Contact, MeasuredMotion, MotionInput, Origin, ParticleFrame, Phase, Placement, RatedPlace,
-    ShownMotion, joint_plots, placements_plan,
+    Contact, MotionInput, ParticleFrame, Phase, Placement, RatedPlace, ShownMotion, joint_plots,
+    placements_plan,
 };
-pub use page::{page, pictures};
+pub use pictures::pictures;
 pub use prediction::frames::{EffectFrames, Frame};
+pub use recording::{
+    Outcome, PlannedOnly, RECORDING_SCHEMA, RecordingHead, RecordingWriter, RoundTruth,
+};
 pub use rounds::{RoundView, RoundsInput};
 pub use table1::{
     ActionRows, ComparedFigure, StrategyColumn, SurfaceColumns, Table1Input, WipedSurface,

@@ -19,7 +19,6 @@ struct Run {
     plan: Plan,
     prediction: Prediction,
     frames: EffectFrames,
-    facts: Vec<(String, String)>,
 }
 
 impl Run {
@@ -32,23 +31,11 @@ impl Run {
         let plan = plan(&task, &config).expect("the scenes of these tests can be planned");
         let mut frames = EffectFrames::new(&task, &plan);
         let prediction = predict(&task, &plan, |progress| frames.watch(progress));
-        let facts = vec![
-            (
-                "distance in contact".to_owned(),
-                format!("{:.2} m", plan.contact_distance()),
-            ),
-            (
-                "distance in all".to_owned(),
-                format!("{:.2} m", plan.total_distance()),
-            ),
-            ("strokes".to_owned(), plan.strokes.len().to_string()),
-        ];
         Self {
             task,
             plan,
             prediction,
             frames,
-            facts,
         }
     }
 
@@ -60,7 +47,6 @@ impl Run {
             prediction: &self.prediction,
             frames: &self.frames,
             bandwidth: None,
-            facts: &self.facts,
             motion: None,
             rounds: None,
         }
@@ -161,12 +147,11 @@ pub(crate) fn keep(name: &str, bytes: impl AsRef<[u8]>) {
     std::fs::write(folder.join(name), bytes).expect("the file is written");
 }
 
-/// Writes page and pictures into a folder that is kept only if [`KEEP`] says so.
+/// Writes pictures into a folder that is kept only if [`KEEP`] says so.
 fn write(name: &str, input: &ReportInput) {
     let scratch = tempfile::tempdir().expect("a temporary folder");
     let folder = std::env::var_os(KEEP).map_or(scratch.path().to_owned(), PathBuf::from);
     std::fs::create_dir_all(&folder).expect("the folder can be made");
-    std::fs::write(folder.join(format!("{name}.html")), page(input)).expect("the page is written");
     for (stem, svg) in pictures(input) {
         let png = rasterize(&svg, 1.5).expect("our own pictures can be drawn");
         std::fs::write(folder.join(format!("{name}-{stem}.svg")), &svg).expect("written");
@@ -201,7 +186,7 @@ fn a_request_would_be_seen() {
 }
 
 #[test]
-fn every_kind_of_run_has_a_page_and_pictures_that_decode_to_their_size() {
+fn every_kind_of_run_has_pictures_that_decode_to_their_size() {
     let runs = [
         (
             "board-absorb-grid",
@@ -228,10 +213,6 @@ fn every_kind_of_run_has_a_page_and_pictures_that_decode_to_their_size() {
         let run = Run::of(task, strategy);
         let input = run.input();
         write(name, &input);
-        let html = page(&input);
-        assert_eq!(requests(&html), [""; 0], "{name}");
-        assert_eq!(html, page(&input), "{name}: same input, same bytes");
-        assert!(html.contains(&run.facts[0].1));
         for (stem, svg) in pictures(&input) {
             assert_eq!(requests(&svg), [""; 0], "{name} {stem}");
             let size = usvg::Tree::from_str(&svg, &usvg::Options::default())
@@ -283,10 +264,9 @@ fn hostile_names_stay_text() {
     task.tool.name = evil.into();
     task.surface.name = evil.into();
     task.scene[0].name = evil.into();
-    let mut run = Run::of(task, CoverageStrategy::Grid);
-    run.facts.push((evil.into(), evil.into()));
+    let run = Run::of(task, CoverageStrategy::Grid);
     let texts = pictures(&run.input()).into_iter().map(|(_, svg)| svg);
-    for text in texts.chain([page(&run.input())]) {
+    for text in texts {
         assert!(!text.contains("<script>alert"));
         assert!(!text.contains("</title><script"));
         assert!(text.contains("&lt;script&gt;alert"));
@@ -309,8 +289,6 @@ fn a_run_without_frames_strokes_or_particles_is_shown_all_the_same() {
     );
     for (name, run) in [("unwatched", unwatched), ("still", still), ("clean", clean)] {
         write(name, &run.input());
-        let html = page(&run.input());
-        assert!(!html.contains("NaN") && !html.contains("inf "), "{name}");
         for (_, svg) in pictures(&run.input()) {
             assert!(!svg.contains("NaN") && !svg.contains("inf "), "{name}");
         }
@@ -318,16 +296,12 @@ fn a_run_without_frames_strokes_or_particles_is_shown_all_the_same() {
 }
 
 #[test]
-fn a_hundred_thousand_particles_are_thinned_and_the_page_says_so() {
+fn a_hundred_thousand_particles_are_thinned() {
     let run = Run::of(
         task(Action::Skim, Vector2::new(0.9, 0.4), Vec::new(), 100_000),
         CoverageStrategy::Grid,
     );
     write("many", &run.input());
-    let html = page(&run.input());
-    assert!(html.len() < 3_000_000, "{} bytes", html.len());
-    assert!(html.contains("Drawn is one particle in 20"));
-    assert!(html.contains("100\u{202f}000"));
     assert!(run.frames.all().len() <= MAX_FRAMES);
     assert!(run.frames.all()[0].particles.len() <= MAX_DRAWN);
 }

@@ -15,8 +15,8 @@ use wisch::run::{PlannedRound, RunEvent};
 use wisch_io::{PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE};
 use wisch_io::{PlanRecord, RobotFiles, particles_to_csv};
 use wisch_memory::{
-    EpisodeHeader, EpisodeRound, EpisodeWriter, Memory, MemoryError, RobotText, RoundLog,
-    RoundObservations, RoundScene, TelemetryWriter, episode_id, remember,
+    EpisodeHeader, EpisodeRound, EpisodeWriter, Memory, MemoryError, RECORDING_FILE, RobotText,
+    RoundLog, RoundObservations, RoundScene, TelemetryWriter, episode_id, remember,
 };
 
 /// What wrote an episode.
@@ -96,6 +96,11 @@ impl EpisodeRecorder {
         Ok(Self { kept: Some(kept) })
     }
 
+    /// Its name, if there is one.
+    pub fn id(&self) -> Option<&str> {
+        Some(self.kept.as_ref()?.writer.id())
+    }
+
     /// Whether there is one.
     pub fn is_kept(&self) -> bool {
         self.kept.is_some()
@@ -123,6 +128,7 @@ impl EpisodeRecorder {
         prepared: &Prepared,
         task_args: &TaskArgs,
         robot: &RobotFiles,
+        recording: &[u8],
     ) -> Result<Option<KeptEpisode>, Failure> {
         let Some(kept) = self.kept else {
             return Ok(None);
@@ -132,6 +138,7 @@ impl EpisodeRecorder {
             attached.map_err(|error| cannot_keep(&error))
         };
         attach_task(task_args, prepared, &attach)?;
+        attach(RECORDING_FILE, recording)?;
         let robot = RobotText {
             urdf: robot.urdf.clone(),
             srdf: robot.srdf.clone(),

@@ -11,7 +11,7 @@ use wisch::recover::Verdict;
 use wisch::represent::{ParticleDistribution, ParticleError, Task};
 use wisch::run::{Considered, Pace, PlannedRound, Round, RunConfig, RunError, Session};
 use wisch_io::{OutputFolder, Robot, RoundTimes};
-use wisch_report::{EffectFrames, MeasuredMotion};
+use wisch_report::EffectFrames;
 use wisch_sim::{GroundTruth, Schedule};
 
 /// Rounds of a single stroke that stand for one of a whole plan.
@@ -80,6 +80,8 @@ pub(super) struct Results {
     pub considered: Option<Vec<Considered>>,
     /// What was executed.
     pub rounds: Vec<Done>,
+    /// All that its report shows; empty where there is nothing to show.
+    pub recording: Vec<u8>,
 }
 
 impl Results {
@@ -101,8 +103,6 @@ pub struct WatchedRound {
     pub times: RoundTimes,
     /// What it was predicted to do, over time; `None` for a plan without strokes, which does nothing.
     pub frames: Option<EffectFrames>,
-    /// How the joints moved.
-    pub measured: MeasuredMotion,
 }
 
 impl WatchedRound {
@@ -119,10 +119,6 @@ pub struct Done {
     pub round: Round,
     /// How long its parts took.
     pub times: RoundTimes,
-    /// What it was predicted to do, over time.
-    pub frames: EffectFrames,
-    /// How the joints moved.
-    pub measured: MeasuredMotion,
     /// Where the dirt really lies after it; `None` where none was simulated.
     pub truth: Option<ParticleDistribution>,
     /// The true performance [1]; `None` where no dirt was simulated.
@@ -162,8 +158,6 @@ impl Done {
                 .collect(),
             missed: schedule.missed,
             times: watched.times,
-            frames: watched.effect(task, &round.motion.wiped()),
-            measured: watched.measured,
             round,
         })
     }

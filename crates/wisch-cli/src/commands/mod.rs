@@ -20,6 +20,8 @@ mod map;
 mod memory;
 mod new;
 mod prepare;
+mod recording;
+mod report;
 mod results;
 mod robot;
 mod round_views;
@@ -39,6 +41,7 @@ use crate::terminal::Outcome;
 pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
     match &cli.command {
         Command::Run(args) => run::run(args, &cli.global),
+        Command::Report(args) => report::report(args, &cli.global),
         Command::Ask(args) => ask::ask(args, &cli.global),
         Command::Follow(args) => run::follow_only(args, &cli.global),
         Command::Plan(args) => run::plan_only(args, &cli.global),

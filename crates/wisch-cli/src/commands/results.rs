@@ -3,7 +3,8 @@
 use super::follow::Following;
 use super::job::Results;
 use super::prepare::Prepared;
-use super::round_views::{input, motion as motion_of_round, summary as summary_of_round, views};
+use super::recording::packed;
+use super::round_views::{input, summary as summary_of_round, views};
 use super::words::{internal, json, percent};
 use crate::args::ResultArgs;
 use crate::failure::Failure;
@@ -12,13 +13,14 @@ use wisch::plan::{Plan, Prediction};
 use wisch_io::RoundSummary;
 use wisch_io::{
     FOLLOWING_FILE, OutputFolder, PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE,
-    PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE, REPORT_FILE, ROUNDS_FILE,
-    TCP_PATH_FILE, TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE,
+    PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE, RECORDING_FILE, REPORT_FILE,
+    ROUNDS_FILE, TCP_PATH_FILE, TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE,
 };
 use wisch_io::{
     FollowedRecord, PlanRecord, RobotTrajectory, particles_to_csv, planned_path_csv, tcp_path_csv,
 };
-use wisch_report::{self as report, EffectFrames, MotionInput, ReportInput, ShownMotion};
+use wisch_report::{self as report, EffectFrames, ReportInput, ShownMotion};
+use wisch_web::report_page;
 
 /// Pixels per unit of a picture's own size.
 const PNG_SCALE: f32 = 2.0;
@@ -75,7 +77,8 @@ pub(super) fn write(
             PARTICLES_AFTER_FILE,
             particles_to_csv(&prediction.particles),
         )?;
-        write_report(folder, prepared, results, prediction, frames)?;
+        write_figures(folder, prepared, results, prediction, frames)?;
+        write_report(folder, prepared, &results.recording)?;
     }
     if let Some(last) = results.rounds.last() {
         let interpretation = &last.round.interpretation;
@@ -115,28 +118,21 @@ fn write_motion(
     Ok(())
 }
 
-fn write_report(
+fn write_figures(
     folder: &OutputFolder,
     prepared: &Prepared,
     results: &Results,
     prediction: &Prediction,
     frames: &EffectFrames,
 ) -> Result<(), Failure> {
-    let title = title(prepared);
     let following = results.following.as_ref();
     let wiped = following.map_or_else(|| results.plan.clone(), |f| f.plan(&results.plan));
-    let mut facts = facts(prepared, &wiped, prediction);
-    facts.extend(following.iter().flat_map(|following| following.facts()));
     let shown = following.map(|f| ShownMotion::of(&f.cell, &f.followed, frames));
     let motion = shown.as_ref().map(|shown| shown.input(&results.task));
-    let executed: Vec<ShownMotion> = results.rounds.iter().map(motion_of_round).collect();
-    let motions: Vec<MotionInput> = (executed.iter().zip(&results.rounds))
-        .map(|(shown, done)| shown.input(&done.round.motion.task))
-        .collect();
-    let views = views(&results.rounds, &motions);
+    let views = views(&results.rounds);
     let rounds = input(&results.rounds, &views, prepared);
     let input = ReportInput {
-        title: &title,
+        title: &title(prepared),
         task: &results.task,
         plan: &wiped,
         motion: motion.as_ref(),
@@ -144,18 +140,39 @@ fn write_report(
         prediction,
         frames,
         bandwidth: prepared.config.bandwidth,
-        facts: &facts,
     };
     for (name, svg) in report::pictures(&input) {
         folder.write(&format!("{name}.svg"), &svg)?;
         let png = report::rasterize(&svg, PNG_SCALE).map_err(internal)?;
         folder.write(&format!("{name}.png"), png)?;
     }
-    folder.write(REPORT_FILE, report::page(&input))?;
     Ok(())
 }
 
-fn title(prepared: &Prepared) -> String {
+fn write_report(
+    folder: &OutputFolder,
+    prepared: &Prepared,
+    recording: &[u8],
+) -> Result<(), Failure> {
+    let text = std::str::from_utf8(recording).map_err(internal)?;
+    folder.write(RECORDING_FILE, packed(recording)?)?;
+    folder.write(REPORT_FILE, report_page(&title(prepared), text))?;
+    Ok(())
+}
+
+/// What the report says beside its pictures.
+pub(super) fn facts_of(prepared: &Prepared, results: &Results) -> Vec<(String, String)> {
+    let Some((prediction, _)) = &results.predicted else {
+        return Vec::new();
+    };
+    let following = results.following.as_ref();
+    let wiped = following.map_or_else(|| results.plan.clone(), |f| f.plan(&results.plan));
+    let mut facts = facts(prepared, &wiped, prediction);
+    facts.extend(following.iter().flat_map(|following| following.facts()));
+    facts
+}
+
+pub(super) fn title(prepared: &Prepared) -> String {
     let task = &prepared.task;
     format!(
         "{}: {} {} with {} on {}",

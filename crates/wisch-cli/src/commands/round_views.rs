@@ -7,29 +7,17 @@ use wisch::interpret::EventKind;
 use wisch::recover::Verdict;
 use wisch::run::Ending;
 use wisch_io::RoundSummary;
-use wisch_report::{MotionInput, RoundView, RoundsInput, ShownMotion};
+use wisch_report::{RoundView, RoundsInput};
 
 /// What `--json` says of a round.
 pub fn summary(done: &Done) -> RoundSummary {
     RoundSummary::new(&done.round, &done.times, done.true_performance)
 }
 
-/// How the robot moved in a round.
-pub fn motion(done: &Done) -> ShownMotion<'_> {
-    let Done {
-        round,
-        frames,
-        measured,
-        ..
-    } = done;
-    ShownMotion::of(&round.motion.cell, &round.motion.followed, frames)
-        .executed(measured, round.execution.duration)
-}
-
-/// What the report shows of the rounds, with their motions.
-pub fn views<'a>(done: &'a [Done], motions: &'a [MotionInput<'a>]) -> Vec<RoundView<'a>> {
-    (done.iter().zip(motions))
-        .map(|(done, motion)| RoundView {
+/// What figures show of the rounds.
+pub fn views(done: &[Done]) -> Vec<RoundView<'_>> {
+    (done.iter())
+        .map(|done| RoundView {
             number: done.round.motion.number,
             plan: &done.round.motion.plan,
             believed: &done.round.motion.task.particles,
@@ -37,7 +25,6 @@ pub fn views<'a>(done: &'a [Done], motions: &'a [MotionInput<'a>]) -> Vec<RoundV
             interpretation: &done.round.interpretation,
             truth: done.truth.as_ref().zip(done.true_performance),
             pushes: &done.pushes,
-            motion: Some(motion),
         })
         .collect()
 }

@@ -5,16 +5,19 @@ use super::follow::Following;
 use super::interrupt::say_how_to_resume;
 use super::job::{Done, Job, Results};
 use super::prepare::Prepared;
+use super::recording::{RunRecording, packed};
 use super::watch::{Recorder, Watch, bag_name};
 use super::words::{counted, internal, json};
 use crate::args::LoopArgs;
 use crate::failure::Failure;
 use crate::terminal::remark;
+use signal_hook::consts::SIGTERM;
 use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
-use std::sync::atomic::Ordering;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 use wisch::plan::Plan;
 use wisch::run::{Executor, Recording, Stage};
@@ -40,6 +43,15 @@ pub fn execute(
     } = *job;
     let (_, robot) = job.robot.ok_or_else(|| internal("there is no robot"))?;
     let mut episode = EpisodeRecorder::begin(&args.memory)?;
+    let mut recording = match (args.live, episode.id()) {
+        (true, Some(id)) => RunRecording::begin_live(job, &args.memory.memory, id)?,
+        _ => RunRecording::begin(job)?,
+    };
+    let stop = args.live.then(stop_flag).transpose()?;
+    let is_stopped = || {
+        stop.as_ref()
+            .is_some_and(|stop| stop.load(Ordering::SeqCst))
+    };
     let config = job.config(Some(args));
     let is_given = given.is_some();
     let checkpoints = Checkpoints::new(
@@ -90,6 +102,10 @@ pub fn execute(
         let finished = session.rounds().len();
         let stage = session.step(executor.as_dyn(), &mut |event| {
             watch.see(event)?;
+            watch.flow(recording.see(event))?;
+            if is_stopped() {
+                return ControlFlow::Break(());
+            }
             if let Some((path, events)) = &mut events {
                 let written = events.write(event);
                 watch.flow(written.map_err(|error| no_event(path, &error)))?;
@@ -138,7 +154,7 @@ pub fn execute(
         }
         match stage {
             Ok(Stage::Ended) => break Ok(()),
-            Ok(_) if watch.failure.is_some() => break Ok(()),
+            Ok(_) if watch.failure.is_some() || is_stopped() => break Ok(()),
             Ok(_) => {}
             Err(error) => break Err(error),
         }
@@ -177,12 +193,7 @@ pub fn execute(
         let text = format!("the push of round {round} did not happen: the run ended after {count}");
         progress.aside(|| remark(&text));
     }
-    let kept = episode.commit(&rounds, first_look, prepared, task_args, &robot.files);
-    if let Some(failure) = broken.or(no_bag) {
-        say_where(&kept);
-        return Err(failure);
-    }
-    let results = Results {
+    let mut results = Results {
         task,
         plan,
         planning_time_s: (!is_given).then_some(planning_s),
@@ -190,8 +201,37 @@ pub fn execute(
         predicted,
         considered: None,
         rounds,
+        recording: Vec::new(),
     };
+    results.recording = recording.end(prepared, &results)?;
+    let attached = packed(&results.recording)?;
+    let rounds = &results.rounds;
+    let kept = episode.commit(
+        rounds,
+        first_look,
+        prepared,
+        task_args,
+        &robot.files,
+        &attached,
+    );
+    let name = kept
+        .as_ref()
+        .ok()
+        .and_then(|kept| kept.as_ref()?.place.file_name()?.to_str());
+    recording.leave(prepared, &results, name);
+    if let Some(failure) = broken.or(no_bag) {
+        say_where(&kept);
+        return Err(failure);
+    }
     Ok((results, kept))
+}
+
+/// Whether somebody asked the run to end in order: what was begun is interpreted as far as it went, and kept.
+fn stop_flag() -> Result<Arc<AtomicBool>, Failure> {
+    let flag = Arc::new(AtomicBool::new(false));
+    (signal_hook::flag::register(SIGTERM, Arc::clone(&flag)))
+        .map_err(|error| Failure::new(format!("SIGTERM: {error}")))?;
+    Ok(flag)
 }
 
 /// Says where an episode is kept whose results are not.

@@ -4,6 +4,7 @@ use super::budget::in_evaluations;
 use super::follow::{Chosen, Following, performer};
 use super::job::{Job, Results};
 use super::prepare::Prepared;
+use super::recording::RunRecording;
 use super::results::{out_folder, write};
 use super::rounds::{execute, say_where};
 use super::summary::{in_words, summary};
@@ -219,7 +220,12 @@ fn simulate_effect(
         (Extent::Plan { .. }, _) | (_, None) => Stage::Planned,
         (_, Some(_)) => Stage::Audited,
     };
-    let mut look = |event: &RunEvent<'_>| watch.see(event);
+    let mut recording = RunRecording::begin(job)?;
+    let mut look = |event: &RunEvent<'_>| {
+        watch.see(event)?;
+        let seen = recording.see(event);
+        watch.flow(seen)
+    };
     (session.run_until(until, &mut NoExecutor, &mut look)).map_err(|error| job.failed(error))?;
     let plan = session.plan().ok_or_else(|| internal("no plan was made"))?;
     let task = &job.prepared.task;
@@ -237,7 +243,7 @@ fn simulate_effect(
         }
     };
     let times = watch.round(1).times;
-    Ok(Results {
+    let mut results = Results {
         task: task.clone(),
         plan: plan.clone(),
         planning_time_s: (!is_given).then_some(times.planning_s),
@@ -245,7 +251,12 @@ fn simulate_effect(
         predicted,
         considered,
         rounds: Vec::new(),
-    })
+        recording: Vec::new(),
+    };
+    if results.predicted.is_some() {
+        results.recording = recording.end(job.prepared, &results)?;
+    }
+    Ok(results)
 }
 
 /// Reads a plan, and takes over what it was made with.

@@ -73,11 +73,6 @@ impl<'a> Watch<'a> {
                 let begin = || EffectFrames::new(task, wiped);
                 frames.get_or_insert_with(begin).watch(progress);
             }
-            RunEvent::Sample(sample) => {
-                if let Some(round) = self.rounds.last_mut() {
-                    round.measured.watch(sample);
-                }
-            }
             RunEvent::Audited { round, .. } => {
                 self.take(*round, |times| &mut times.following_s);
             }
@@ -88,7 +83,10 @@ impl<'a> Watch<'a> {
             RunEvent::Judged(round) => {
                 self.take(round.motion.number, |times| &mut times.interpreting_s);
             }
-            RunEvent::Executing(_) | RunEvent::Observed { .. } | RunEvent::Ended(_) => {}
+            RunEvent::Sample(_)
+            | RunEvent::Executing(_)
+            | RunEvent::Observed { .. }
+            | RunEvent::Ended(_) => {}
         }
         ControlFlow::Continue(())
     }

@@ -34,6 +34,8 @@ pub const TRAJECTORY_JSON_FILE: &str = "trajectory.json";
 pub const TRAJECTORY_YAML_FILE: &str = "trajectory.yaml";
 /// The tool's path as a table.
 pub const TCP_PATH_FILE: &str = "tcp-path.csv";
+/// All that its report shows, as JSON lines.
+pub const RECORDING_FILE: &str = "recording.jsonl.gz";
 /// The report.
 pub const REPORT_FILE: &str = "report.html";
 

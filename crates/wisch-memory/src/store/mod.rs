@@ -49,6 +49,15 @@ const LOCK_ENDING: &str = ".lock";
 const FORGOTTEN_ENDING: &str = ".forgotten";
 const MEMORY_LOCK: &str = ".lock";
 
+/// The recording of an episode, as `wisch studio` and reports show it: JSON lines, packed.
+pub const RECORDING_FILE: &str = "recording.jsonl.gz";
+
+/// Where a run that goes on lets others look on: in `jsonl` lines that grow, in `json` who writes them. There is nothing any
+/// more once its episode, of this name, is in the memory.
+pub fn live_place(memory: &Path, id: &str, ending: &str) -> PathBuf {
+    memory.join(".live").join(format!("{id}.{ending}"))
+}
+
 /// A memory of episodes.
 ///
 /// Any number of programs may read and write at the same time; each episode has one writer.

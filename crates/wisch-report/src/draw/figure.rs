@@ -2,7 +2,7 @@
 
 use super::legend::{self, Entry};
 use super::panel::Panel;
-use maud::{Markup, html};
+use maud::html;
 
 /// A picture with its name and what explains its marks.
 pub(crate) struct Figure {
@@ -13,22 +13,6 @@ pub(crate) struct Figure {
 }
 
 impl Figure {
-    /// As part of the page, all of it in sight.
-    pub(crate) fn whole(&self) -> Markup {
-        html! {
-            figure class="whole limited" { (self.panel.inline(&self.what)) }
-            (legend::list(&self.entries))
-        }
-    }
-
-    /// As part of the page; scrolls where the page is too narrow to read it.
-    pub(crate) fn scrolling(&self) -> Markup {
-        html! {
-            figure class="scroll" { (self.panel.inline(&self.what)) }
-            (legend::list(&self.entries))
-        }
-    }
-
     /// As a file of its own, its legend so far from the left and right.
     pub(crate) fn standalone(self, title: &str, [left, right]: [f64; 2]) -> String {
         let panel = self.panel;

@@ -56,17 +56,6 @@ impl View {
         }
     }
 
-    /// The same scale round the origin, for what is moved about as a whole.
-    pub(crate) fn at_origin(&self) -> Self {
-        Self {
-            low: Point2::origin(),
-            high: Point2::origin(),
-            left: 0.0,
-            top: 0.0,
-            ..*self
-        }
-    }
-
     pub(crate) fn width(&self) -> f64 {
         (self.high.x - self.low.x) * self.scale
     }

@@ -70,7 +70,6 @@ impl Demo {
             tool_link: self.robot.link("right_tcp").expect("a hand"),
             link_from_tool: Pose::identity(),
             samples: &self.samples,
-            origin: Origin::Planned,
             phases: &self.phases,
             placements: &self.placements,
             ratings: &self.ratings,

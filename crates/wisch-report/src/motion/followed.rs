@@ -1,8 +1,6 @@
 //! What is shown of a followed plan: sampled, with its phases and the particles over time.
 
-use super::{
-    Contact, MeasuredMotion, MotionInput, Origin, ParticleFrame, Phase, Placement, RatedPlace,
-};
+use super::{Contact, MotionInput, ParticleFrame, Phase, Placement, RatedPlace};
 use crate::prediction::frames::EffectFrames;
 use wisch::follow::{self, Followed, TrajectorySample, Workcell};
 use wisch::represent::Task;
@@ -15,7 +13,6 @@ const SHOWN_PERIOD: f64 = 0.05;
 pub struct ShownMotion<'a> {
     cell: &'a Workcell,
     samples: Vec<TrajectorySample>,
-    origin: Origin,
     phases: Vec<Phase>,
     placements: Vec<Placement>,
     ratings: Vec<RatedPlace>,
@@ -60,27 +57,11 @@ impl<'a> ShownMotion<'a> {
         Self {
             cell,
             samples,
-            origin: Origin::Planned,
             phases,
             placements,
             ratings,
             particles: particles(followed, frames),
         }
-    }
-
-    /// The same as it was executed, which took so long [s]: the joints as measured, or if they were not, as planned
-    /// until then.
-    #[must_use]
-    pub fn executed(mut self, measured: &MeasuredMotion, duration: f64) -> Self {
-        let variables = self.cell.robot().dof();
-        let measured = measured.samples();
-        if measured.iter().any(|sample| sample.q.len() == variables) {
-            self.samples = measured.to_vec();
-            self.origin = Origin::Measured;
-        } else {
-            self.samples.retain(|sample| sample.time <= duration);
-        }
-        self
     }
 
     /// The same with the robot and its scene.
@@ -92,7 +73,6 @@ impl<'a> ShownMotion<'a> {
             tool_link: self.cell.tip(),
             link_from_tool: *self.cell.tip_from_tool(),
             samples: &self.samples,
-            origin: self.origin,
             phases: &self.phases,
             placements: &self.placements,
             ratings: &self.ratings,

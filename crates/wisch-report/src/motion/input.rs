@@ -21,8 +21,6 @@ pub struct MotionInput<'a> {
     /// Positions, velocities and accelerations of all n variables of the robot, by rising time.
     /// What is of another length, not finite or out of order is left out.
     pub samples: &'a [TrajectorySample],
-    /// Where they come from.
-    pub origin: Origin,
     /// What is done when, by rising time.
     pub phases: &'a [Phase],
     /// Where the base is placed, in this order; none for a robot that stands still.
@@ -31,15 +29,6 @@ pub struct MotionInput<'a> {
     pub ratings: &'a [RatedPlace],
     /// The particles over time, by rising time.
     pub particles: &'a [ParticleFrame],
-}
-
-/// Where samples of a motion come from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Origin {
-    /// From the plan: where the joints shall be.
-    Planned,
-    /// From an execution: where they were.
-    Measured,
 }
 
 /// A stretch of time with a name.
@@ -64,16 +53,6 @@ pub enum Contact {
     Wiping,
     /// It does not.
     Lifted,
-}
-
-impl Contact {
-    /// Class of what is filled in its colour.
-    pub(crate) const fn class(self) -> &'static str {
-        match self {
-            Self::Wiping => "phase-contact",
-            Self::Lifted => "phase-lifted",
-        }
-    }
 }
 
 /// Where the robot's base stands, in the world.

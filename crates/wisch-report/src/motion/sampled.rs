@@ -48,25 +48,6 @@ impl SampledMotion {
         }
     }
 
-    pub(crate) fn is_empty(&self) -> bool {
-        self.q.is_empty()
-    }
-
-    /// Time from the first frame to the last [s].
-    pub(crate) fn duration(&self) -> f64 {
-        self.period * self.q.len().saturating_sub(1) as f64
-    }
-
-    /// Which part of the motion lies before a time, from 0 to 1.
-    pub(crate) fn share(&self, time: f64) -> f64 {
-        let duration = self.duration();
-        if duration > 0.0 {
-            ((time - self.start) / duration).clamp(0.0, 1.0)
-        } else {
-            0.0
-        }
-    }
-
     /// When a frame is [s].
     pub(crate) fn time(&self, frame: usize) -> f64 {
         self.start + frame as f64 * self.period

@@ -35,25 +35,6 @@ const GRAPH_KEYS: [Key; 10] = [
     Key::Obstacle,
 ];
 
-/// The surface from above with every layer, each in a group that the page can hide.
-pub(crate) fn map(drawing: &Drawing) -> Figure {
-    let view = drawing.map_view();
-    let layers = html! {
-        (drawing.ground(&view))
-        g class="layer-before" { (drawing.before(&view)) }
-        g class="layer-after" { (drawing.after(&view)) }
-        g class="layer-tool" { (drawing.tool_at_start(&view)) }
-        g class="layer-graph" { (drawing.edges(&view)) }
-        g class="layer-graph" { (drawing.nodes(&view)) }
-        g class="layer-order" { (drawing.order(&view)) }
-    };
-    Figure {
-        panel: framed(drawing, &view, layers),
-        entries: entries(drawing, PARTICLE_KEYS.into_iter().chain(GRAPH_KEYS)),
-        what: "Surface from above: particles before and after, nodes, strokes".to_owned(),
-    }
-}
-
 /// Nodes, edges and order over the particles as they lay; paper Fig. 5.
 pub(crate) fn graph(drawing: &Drawing) -> String {
     let view = drawing.map_view();

@@ -24,8 +24,6 @@ pub(crate) struct Drawing<'a> {
     before: Vec<Point2>,
     unreachable: Vec<Point2>,
     after: Vec<Particle>,
-    /// Every how many-th particle is drawn.
-    pub(crate) thinning: usize,
 }
 
 impl<'a> Drawing<'a> {
@@ -63,7 +61,6 @@ impl<'a> Drawing<'a> {
                 .iter()
                 .step_by(thinning)
                 .collect(),
-            thinning,
         }
     }
 

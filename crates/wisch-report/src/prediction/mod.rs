@@ -5,4 +5,3 @@ pub(crate) mod figures;
 pub(crate) mod frames;
 mod keys;
 pub(crate) mod layers;
-pub(crate) mod player;

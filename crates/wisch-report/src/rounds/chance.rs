@@ -1,7 +1,7 @@
 //! How likely contact of some force has its effect, and how strong contact was; paper Fig. 11.
 
 use super::input::{RoundView, RoundsInput};
-use super::{reduce, words};
+use super::reduce;
 use crate::draw::{Figure, GAP, Panel, Pen, axes, decimals, metres, percent, px, tick_step};
 use maud::{Markup, html};
 use wisch::interpret::{PathPiece, Touch};
@@ -59,20 +59,6 @@ impl Histogram {
     }
 }
 
-/// Both plots for the page, with what they say.
-pub(crate) fn section(input: &RoundsInput, round: &RoundView) -> Markup {
-    let [curve, density] = panels(input, round);
-    let histogram = histogram(input, round);
-    html! {
-        @let sentence = sentence(&input.task.interaction.likelihood, &histogram);
-        p { (words::unbroken(&sentence)) }
-        div class="pair" {
-            figure { (curve.inline("Chance of an effect over the normalised force, and how long contact had which force")) }
-            figure { (density.inline("Density of the least force that has an effect")) }
-        }
-    }
-}
-
 /// Both beside each other.
 pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let [curve, density] = panels(input, round);
@@ -93,23 +79,6 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
 fn histogram(input: &RoundsInput, round: &RoundView) -> Histogram {
     let path = reduce::usable(&round.interpretation.path);
     Histogram::new(&path, &input.task.interaction.likelihood)
-}
-
-fn sentence(likelihood: &LogNormal, histogram: &Histogram) -> String {
-    let full = percent(likelihood.probability(1.0));
-    let median = metres(likelihood.mu.exp(), 2);
-    let round = if histogram.total > 0.0 {
-        format!(
-            "Over the {} s in contact the chance was {} on average.",
-            metres(histogram.total, 1),
-            percent(histogram.chance)
-        )
-    } else {
-        "The tool was not in contact.".to_owned()
-    };
-    format!(
-        "Contact of full force affects {full} of the particles under the tool, and half of them from f' = {median} on. {round}"
-    )
 }
 
 fn panels(input: &RoundsInput, round: &RoundView) -> [Panel; 2] {

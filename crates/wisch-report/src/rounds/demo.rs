@@ -138,7 +138,6 @@ impl Demo {
                 interpretation: &round.interpretation,
                 truth: Some((&round.truth, round.share)),
                 pushes: &round.pushes,
-                motion: None,
             })
             .collect()
     }

@@ -1,7 +1,6 @@
 //! Rounds of planning, wiping and interpreting, as they are to be shown.
 
-use crate::motion::{Mark, MarkKind, MotionInput, Track};
-use wisch::interpret::{EventKind, Interpretation};
+use wisch::interpret::Interpretation;
 use wisch::plan::Plan;
 use wisch::represent::{GoalState, ParticleDistribution, Performance, Task};
 
@@ -23,8 +22,6 @@ pub struct RoundView<'a> {
     pub truth: Option<(&'a ParticleDistribution, f64)>,
     /// When something really pushed the tool: from, to [s].
     pub pushes: &'a [[f64; 2]],
-    /// How the robot moved; `None` where it is not to be shown. All rounds are of the same robot with the same tool.
-    pub motion: Option<&'a MotionInput<'a>>,
 }
 
 /// All rounds of a task.
@@ -41,32 +38,6 @@ pub struct RoundsInput<'a> {
 }
 
 impl<'a> RoundView<'a> {
-    /// The round as the 3-D view shows it.
-    pub(crate) fn track(&self) -> Option<Track<'a>> {
-        let felt = self.interpretation.events.iter();
-        let felt = felt
-            .filter(|event| event.kind.is_by_hand())
-            .map(|event| Mark {
-                kind: MarkKind::Felt,
-                name: if event.kind == EventKind::HandGuiding {
-                    "hand guiding felt"
-                } else {
-                    "collision felt"
-                },
-                times: [event.start, event.end],
-            });
-        let pushes = self.pushes.iter().map(|&times| Mark {
-            kind: MarkKind::True,
-            name: "pushed (truth)",
-            times,
-        });
-        Some(Track {
-            round: Some(self.number),
-            motion: self.motion?,
-            marks: pushes.chain(felt).collect(),
-        })
-    }
-
     /// What makes up the belief after the round.
     pub(crate) fn replays(&self) -> &'a [ParticleDistribution] {
         self.interpretation.belief.replays()

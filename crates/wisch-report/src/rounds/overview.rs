@@ -1,10 +1,8 @@
 //! All rounds at once: predicted, estimated and true performance, and what was felt.
 
 use super::input::{RoundView, RoundsInput};
-use super::words;
-use crate::draw::{Entry, Figure, Panel, axes, legend, metres, percent, px};
+use crate::draw::{Entry, Figure, Panel, axes, legend, percent, px};
 use maud::{Markup, html};
-use wisch::interpret::{Event, EventKind};
 
 /// Narrower than the surface, so that its numbers can be read on a phone.
 const WIDTH: f64 = 520.0;
@@ -17,9 +15,6 @@ const HEIGHT: f64 = BOTTOM + 44.0;
 const WIDEST: f64 = 40.0;
 /// Bars that are at least so wide have their numbers on top.
 const NUMBERED: f64 = 22.0;
-/// Most events that are listed.
-const MAX_LISTED: usize = 200;
-
 fn down(share: f64) -> f64 {
     BOTTOM - share.clamp(0.0, 1.0) * (BOTTOM - TOP)
 }
@@ -134,107 +129,4 @@ fn entries(input: &RoundsInput) -> Vec<Entry> {
     }
     entries.push(legend::line("limit", "target"));
     entries
-}
-
-/// The rounds in numbers.
-pub(crate) fn table(input: &RoundsInput) -> Markup {
-    let truth = input.rounds.iter().any(|round| round.truth.is_some());
-    html! {
-        div class="wide-table" tabindex="0" role="region" aria-label="Rounds in numbers" {
-            table {
-                thead {
-                    tr {
-                        th scope="col" { "round" }
-                        th scope="col" { "predicted" }
-                        th scope="col" { "estimated (90\u{a0}%)" }
-                        @if truth { th scope="col" { "true" } }
-                        th scope="col" { "in contact" }
-                        th scope="col" { "collisions" }
-                        th scope="col" { "tilt" }
-                        th scope="col" { "offset" }
-                        th scope="col" { "surface" }
-                    }
-                }
-                tbody {
-                    @for round in input.rounds {
-                        (row(round, truth))
-                    }
-                }
-            }
-        }
-    }
-}
-
-fn row(round: &RoundView, truth: bool) -> Markup {
-    let found = round.interpretation;
-    let estimate = found.performance;
-    let plane = found.plane.map(|plane| {
-        (
-            words::degrees(plane.tilt),
-            format!("{} mm", metres(1e3 * plane.offset, 1)),
-        )
-    });
-    let (tilt, offset) = plane.unwrap_or(("–".to_owned(), "–".to_owned()));
-    html! {
-        tr {
-            th scope="row" { (round.number) }
-            td { (percent(round.predicted)) }
-            td { (percent(estimate.mean)) br; small { (format!("{:.1} to {:.1} %", 100.0 * estimate.low, 100.0 * estimate.high)) } }
-            @if truth {
-                td { @if let Some((_, share)) = round.truth { (percent(share)) } @else { "–" } }
-            }
-            td { (percent(found.contact_share)) }
-            td { (words::count(&found.events, EventKind::Collision)) }
-            td { (tilt) }
-            td { (offset) }
-            td { (words::verdict(found.diagnosis)) }
-        }
-    }
-}
-
-/// What happened, to be unfolded; times lead to the 3-D view of a round, if there is one.
-pub(crate) fn events(events: &[Event], shown_in_3d: Option<usize>) -> Markup {
-    let events: Vec<Event> = (events.iter())
-        .filter(|event| !event.kind.is_phase())
-        .copied()
-        .collect();
-    html! {
-        @if events.is_empty() {
-            p class="note" { "Nothing happened that could be felt." }
-        } @else {
-            details {
-                summary { "Events: " (words::tally(&events)) }
-                div class="wide-table" tabindex="0" role="region" aria-label="Events" {
-                    table {
-                        thead {
-                            tr {
-                                th scope="col" { "event" }
-                                th scope="col" { "from" }
-                                th scope="col" { "to" }
-                                th scope="col" { "evidence" }
-                            }
-                        }
-                        tbody {
-                            @for event in events.iter().take(MAX_LISTED) {
-                                tr {
-                                    th scope="row" { (words::kind(event.kind)) }
-                                    td {
-                                        @let start = metres(event.start, 2);
-                                        @if let Some(round) = shown_in_3d {
-                                            a href=(format!("#round={round}&motion={start}")) { (start) " s" }
-                                        } @else { (start) " s" }
-                                    }
-                                    td { (metres(event.end, 2)) " s" }
-                                    td { (words::evidence(event)) }
-                                }
-                            }
-                        }
-                    }
-                }
-                @if events.len() > MAX_LISTED {
-                    p class="note" { "The first " (MAX_LISTED) " of " (events.len()) " events are listed." }
-                }
-            }
-        }
-    }
 }

@@ -1,7 +1,6 @@
 //! What is left: as planned on, as estimated and in truth, and how sure the estimate is of each place.
 
 use super::input::{RoundView, RoundsInput};
-use super::words;
 use crate::draw::{
     BANDS, Entry, Figure, GAP, Panel, Pen, View, inset, legend, metres, percent, px, short,
     surface::{
@@ -151,31 +150,6 @@ fn shown(surface: &Surface) -> Bounds2 {
     bounds
 }
 
-/// Views and maps for the page.
-pub(crate) fn section(input: &RoundsInput, round: &RoundView) -> Markup {
-    let cells = Cells::new(round.replays(), input.goal, &input.task.surface);
-    let views = views(input, round, &cells);
-    let [mean, deviation] = maps(input, round, &cells);
-    html! {
-        p { (words::unbroken(&sentence(input, round))) }
-        div class="trio" {
-            @for (panel, what) in &views { figure { (panel.inline(what)) } }
-        }
-        (legend::list(&particle_entries(input, round)))
-        div class="pair" {
-            @if input.goal.action().treats() {
-                figure { (mean.inline("Mean number of passes, by cell")) }
-            } @else {
-                figure { (mean.inline("Mean number of particles still to be wiped, by cell")) }
-            }
-            figure { (deviation.inline("Standard deviation of that number over the replays, by cell")) }
-        }
-        @if round.replays().len() < 2 {
-            p class="note" { "There is one replay only, so nothing is known of how sure the estimate is." }
-        }
-    }
-}
-
 pub(crate) fn particles_figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let cells = Cells::new(round.replays(), input.goal, &input.task.surface);
     let views = views(input, round, &cells);
@@ -261,22 +235,6 @@ fn views(input: &RoundsInput, round: &RoundView, cells: &Cells) -> Vec<(Panel, S
         views.push(framed(input, &view, &name, particles(input, &view, truth)));
     }
     views
-}
-
-fn sentence(input: &RoundsInput, round: &RoundView) -> String {
-    let estimate = words::interval(round.interpretation.performance);
-    let what = achieved(input.goal);
-    let truth = round.truth.map_or_else(String::new, |(_, share)| {
-        format!(", in truth {}", percent(share))
-    });
-    let replays = match round.replays().len() {
-        1 => "The one replay is drawn".to_owned(),
-        many => format!("Drawn is the one of {many} replays that comes nearest to the mean"),
-    };
-    format!(
-        "Predicted were {} {what}; estimated are {estimate}{truth}. {replays}, over the mean of all.",
-        percent(round.predicted)
-    )
 }
 
 fn view(input: &RoundsInput, width: f64) -> View {

@@ -2,20 +2,13 @@ use super::demo::{Demo, Trouble};
 use super::reduce::Dot;
 use super::residual_map::Cells;
 use super::*;
-use crate::motion::MarkKind;
-use crate::page::document::document;
+use crate::rasterize;
 use crate::tests::{board, keep, requests, table, windshield};
-use crate::{EffectFrames, ReportInput, rasterize};
 use proptest::prelude::*;
 use wisch::geometry::{Point2, Point3, Polygon, Vector2};
-use wisch::interpret::{Belief, Diagnosis, Estimate, EventKind, PathPiece, Touch};
+use wisch::interpret::{Belief, Diagnosis, Estimate, PathPiece, Touch};
 use wisch::plan::predict;
 use wisch::represent::{Action, GoalState, LogNormal, ParticleDistribution, Performance};
-
-/// A page with nothing but the rounds.
-fn page(section: &Markup) -> String {
-    document("rounds", "", section)
-}
 
 fn three_rounds() -> Demo {
     let troubles = [Trouble::Pushed, Trouble::Tilted(0.05), Trouble::Nothing];
@@ -27,13 +20,10 @@ fn three_rounds_are_shown() {
     let demo = three_rounds();
     let views = demo.views();
     let input = demo.input(&views);
-    let html = page(&section(&input));
-    keep("rounds.html", &html);
-    assert_eq!(requests(&html), [""; 0]);
-    assert!(html.len() < 1_000_000, "{} bytes", html.len());
     let pictures = pictures(&input);
     assert_eq!(pictures.len(), 1 + 3 * 5);
     for (stem, svg) in pictures {
+        assert_eq!(requests(&svg), [""; 0], "{stem}");
         assert!(svg.len() < 150_000, "{stem}: {} bytes", svg.len());
         let png = rasterize(&svg, 1.5).expect("our own pictures can be drawn");
         keep(&format!("{stem}.svg"), &svg);
@@ -60,7 +50,7 @@ fn dot(x: f64, y: f64, touch: Touch) -> Dot {
     Dot { x, y, touch }
 }
 
-/// Sections and pictures of a demo that was changed, all of them drawable.
+/// Pictures of a demo that was changed, all of them drawable: their text, and each.
 fn draw(
     name: &str,
     demo: &Demo,
@@ -71,10 +61,6 @@ fn draw(
     let mut input = demo.input(&none);
     change(&mut input, &mut views);
     input.rounds = &views;
-    let html = page(&section(&input));
-    keep(&format!("{name}.html"), &html);
-    assert_eq!(requests(&html), [""; 0]);
-    assert!(!html.contains("NaN") && !html.contains("inf\""), "{name}");
     let pictures = pictures(&input);
     for (stem, svg) in &pictures {
         assert!(svg.len() < 150_000, "{name}, {stem}: {} bytes", svg.len());
@@ -82,7 +68,8 @@ fn draw(
         let png = rasterize(svg, 1.0).expect("our own pictures can be drawn");
         keep(&format!("{name}-{stem}.png"), png);
     }
-    (html, pictures)
+    let all = pictures.iter().map(|(_, svg)| svg.as_str());
+    (all.collect(), pictures)
 }
 
 fn one_round(path: &[PathPiece]) -> Demo {
@@ -231,15 +218,7 @@ fn a_round_without_contact_says_so() {
     found.diagnosis = Diagnosis::NoContact;
     found.events = Vec::new();
     let (html, pictures) = draw("no-contact", &demo, |_, _| ());
-    for said in [
-        "too few confident contacts",
-        "no contact found",
-        "height over the believed surface",
-        "The tool was not in contact.",
-        "Nothing happened that could be felt.",
-    ] {
-        assert!(html.contains(said), "{said}");
-    }
+    assert!(html.contains("height over the believed surface"));
     let path = &pictures
         .iter()
         .find(|(stem, _)| stem == "round-1-path")
@@ -247,6 +226,9 @@ fn a_round_without_contact_says_so() {
         .1;
     assert!(!path.contains("class=\"fitted-plane\""));
 }
+
+/// Where figures show what is true.
+const TRUTHS: [&str; 2] = ["(truth)", "class=\"bar-true"];
 
 #[test]
 fn where_nobody_knows_the_truth_none_is_shown() {
@@ -257,25 +239,11 @@ fn where_nobody_knows_the_truth_none_is_shown() {
             view.pushes = &[];
         }
     });
-    for truth in [
-        "in truth",
-        "In truth",
-        "truly",
-        "(truth)",
-        ">true<",
-        "class=\"bar-true",
-    ] {
+    for truth in TRUTHS {
         assert!(!html.contains(truth), "{truth}");
     }
     let (html, _) = draw("truth", &demo, |_, _| ());
-    for truth in [
-        "in truth",
-        "In truth",
-        "truly",
-        "(truth)",
-        ">true<",
-        "class=\"bar-true",
-    ] {
+    for truth in TRUTHS {
         assert!(html.contains(truth), "{truth}");
     }
 }
@@ -287,29 +255,27 @@ fn names_are_escaped() {
     demo.task.medium = "<b>crumbs</b>".to_owned();
     let (html, pictures) = draw("names", &demo, |_, _| ());
     assert!(!html.contains("<script") && !html.contains("<b>"));
-    assert!(html.contains("&lt;b&gt;crumbs"));
     assert!(pictures[0].1.contains("&lt;script&gt;"));
 }
 
 #[test]
 fn no_round_is_no_fault() {
     let demo = three_rounds();
-    let (html, pictures) = draw("none", &demo, |_, views| views.clear());
-    assert!(html.contains("No round was executed."));
+    let (_, pictures) = draw("none", &demo, |_, views| views.clear());
     assert_eq!(pictures, []);
 }
 
 #[test]
 fn of_many_rounds_the_first_and_the_last_have_pictures() {
     let demo = Demo::new(board(Action::Absorb), &[Trouble::Nothing]);
-    let (html, pictures) = draw("many", &demo, |_, views| {
+    let (_, pictures) = draw("many", &demo, |_, views| {
         let first = views[0];
         views.extend((2..=40).map(|number| RoundView { number, ..first }));
     });
     assert_eq!(pictures.len(), 1 + 5 * MAX_PICTURED);
-    assert!(html.contains("<h3>Round 1</h3>") && html.contains("<h3>Round 40</h3>"));
-    assert!(!html.contains("<h3>Round 2</h3>"));
-    assert!(html.contains("<th scope=\"row\">2</th>"));
+    let stems: Vec<&str> = pictures.iter().map(|(stem, _)| stem.as_str()).collect();
+    assert!(stems.contains(&"round-1-force") && stems.contains(&"round-40-force"));
+    assert!(!stems.contains(&"round-2-force"));
 }
 
 #[test]
@@ -361,10 +327,7 @@ fn the_typical_replay_is_nearest_to_the_mean() {
 #[test]
 fn what_the_library_interprets_is_shown() {
     let demo = three_rounds().interpreted();
-    let (html, pictures) = draw("interpreted", &demo, |_, _| ());
-    for said in ["surface elsewhere", "2 collisions", "90\u{a0}% interval"] {
-        assert!(html.contains(said), "{said}");
-    }
+    let (_, pictures) = draw("interpreted", &demo, |_, _| ());
     let path = |stem: &str| pictures.iter().find(|(name, _)| name == stem);
     let pushed = path("round-1-path").map(|(_, svg)| svg.contains("class=\"felt-false\" d="));
     assert_eq!(pushed, Some(true));
@@ -418,66 +381,4 @@ fn a_collect_and_a_skim_are_shown() {
         };
         assert!(html.contains(done), "{action}");
     }
-}
-
-#[test]
-fn a_report_has_rounds_if_there_were_any() {
-    let demo = three_rounds();
-    let views = demo.views();
-    let rounds = demo.input(&views);
-    let plan = &demo.rounds[0].plan;
-    let mut frames = EffectFrames::new(&demo.task, plan);
-    let prediction = predict(&demo.task, plan, |progress| frames.watch(progress));
-    let mut input = ReportInput {
-        title: "board",
-        task: &demo.task,
-        plan,
-        prediction: &prediction,
-        frames: &frames,
-        bandwidth: None,
-        facts: &[],
-        motion: None,
-        rounds: None,
-    };
-    let (without, pictures) = (crate::page(&input), crate::pictures(&input).len());
-    assert!(!without.contains("Round by round") && without.contains("Nothing on this page"));
-    input.rounds = Some(&rounds);
-    let html = crate::page(&input);
-    keep("report-with-rounds.html", &html);
-    assert!(html.contains("Round by round") && !html.contains("Nothing on this page"));
-    assert_eq!(requests(&html), [""; 0]);
-    assert_eq!(crate::pictures(&input).len(), pictures + 1 + 3 * 5);
-    let mut ids: Vec<&str> = (html.split(" id=\"").skip(1))
-        .filter_map(|rest| rest.split('"').next())
-        .collect();
-    let all = ids.len();
-    ids.sort_unstable();
-    ids.dedup();
-    assert_eq!(ids.len(), all, "an id stands twice");
-}
-
-#[test]
-fn rounds_that_are_shown_in_3d_are_led_to_with_their_events_as_marks() {
-    let demo = three_rounds();
-    let motion = crate::motion::demo::Demo::new();
-    let motion = motion.input();
-    let mut views = demo.views();
-    views[0].motion = Some(&motion);
-    let html = page(&section(&demo.input(&views)));
-    assert!(html.contains(r##"href="#round=1""##) && !html.contains(r##"href="#round=2""##));
-    let track = views[0].track().expect("it is shown");
-    assert!(track.round == Some(1) && views[1].track().is_none());
-    let [pushes, felt] = [MarkKind::True, MarkKind::Felt].map(|kind| {
-        let of_kind = track.marks.iter().filter(|mark| mark.kind == kind);
-        of_kind.map(|mark| mark.times).collect::<Vec<_>>()
-    });
-    assert_eq!(pushes, views[0].pushes);
-    let collisions = (views[0].interpretation.events.iter())
-        .filter(|event| event.kind == EventKind::Collision)
-        .map(|event| [event.start, event.end]);
-    assert_eq!(felt, collisions.collect::<Vec<_>>());
-    assert!(felt.len() == 2, "{felt:?}");
-    let [start, _] = felt[0];
-    let link = format!(r##"href="#round=1&amp;motion={start:.2}""##);
-    assert!(html.contains(&link), "{link}");
 }

@@ -1,6 +1,5 @@
 //! Rounds in words.
 
-use super::input::{RoundView, RoundsInput};
 use crate::draw::{metres, percent};
 use wisch::interpret::{Diagnosis, Estimate, Event, EventKind, Interpretation};
 
@@ -33,36 +32,6 @@ pub(crate) const fn kind(kind: EventKind) -> &'static str {
     }
 }
 
-/// Without a line's end between a number and its per cent sign.
-pub(crate) fn unbroken(text: &str) -> String {
-    text.replace(" %", "\u{a0}%")
-}
-
-/// How far the rounds led, against what was wanted.
-pub(crate) fn outcome(input: &RoundsInput) -> String {
-    let Some(last) = input.rounds.last() else {
-        return "No round was executed.".to_owned();
-    };
-    let rounds = match input.rounds.len() {
-        1 => "one round".to_owned(),
-        count => format!("{count} rounds"),
-    };
-    let performance = last.interpretation.performance;
-    let reached = if performance.mean >= input.target {
-        "reaches"
-    } else {
-        "misses"
-    };
-    let truth = last.truth.map_or_else(String::new, |(_, share)| {
-        format!(" In truth it is {}.", percent(share))
-    });
-    format!(
-        "After {rounds} the performance is estimated at {}, which {reached} the target of {}.{truth}",
-        interval(performance),
-        percent(input.target),
-    )
-}
-
 /// A mean with its interval.
 pub(crate) fn interval(estimate: Estimate) -> String {
     if estimate.low == estimate.high {
@@ -74,29 +43,6 @@ pub(crate) fn interval(estimate: Estimate) -> String {
         100.0 * estimate.low,
         100.0 * estimate.high
     )
-}
-
-/// What one round told.
-pub(crate) fn round(input: &RoundsInput, view: &RoundView) -> String {
-    let found = view.interpretation;
-    let (all, medium) = (view.believed.len(), &input.task.medium);
-    let mut text = format!(
-        "Planned on {} of {all} particles of {medium} still believed on the surface. {}",
-        view.believed.tally().remaining,
-        diagnosis(found)
-    );
-    if !matches!(found.diagnosis, Diagnosis::NoContact | Diagnosis::Hovering) {
-        text += &format!(
-            " The tool was in contact for {} of the time near the surface.",
-            percent(found.contact_share)
-        );
-    }
-    match count(&found.events, EventKind::Collision) {
-        0 => {}
-        1 => text += " One collision was felt.",
-        many => text += &format!(" {many} collisions were felt."),
-    }
-    text
 }
 
 /// The diagnosis as a sentence.
@@ -119,16 +65,6 @@ pub(crate) fn diagnosis(found: &Interpretation) -> String {
             "The tool hovers: nothing is felt, and the estimate goes by where the tool was."
                 .to_owned()
         }
-    }
-}
-
-/// The diagnosis in two or three words.
-pub(crate) const fn verdict(diagnosis: Diagnosis) -> &'static str {
-    match diagnosis {
-        Diagnosis::Localized => "as believed",
-        Diagnosis::Relocalize { .. } => "surface elsewhere",
-        Diagnosis::NoContact => "no contact found",
-        Diagnosis::Hovering => "nothing to feel",
     }
 }
 

@@ -23,8 +23,8 @@ pub(crate) struct Meshes {
     coarsened: usize,
 }
 
-#[derive(Debug, PartialEq, Serialize)]
-struct MeshRecord {
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct MeshRecord {
     /// x, y, z of all vertices in turn.
     vertices: Vec<i64>,
     /// Three vertices each.
@@ -72,10 +72,14 @@ impl Meshes {
         }
     }
 
-    /// A sentence, if meshes that are shown had to be coarsened.
-    pub(crate) fn cut(&self) -> Option<String> {
-        let (meshes, each) = (self.coarsened, self.most);
-        (meshes > 0).then(|| format!("Meshes are drawn with about {each} triangles at most, which coarsens {meshes} of them."))
+    /// How many there are.
+    pub(crate) const fn len(&self) -> usize {
+        self.records.len()
+    }
+
+    /// Those from this one on.
+    pub(crate) fn since(&self, first: usize) -> Vec<MeshRecord> {
+        self.records[first..].to_vec()
     }
 
     /// A collision shape; `pose` is its pose in the frame that it is shown in.

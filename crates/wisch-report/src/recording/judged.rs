@@ -1,0 +1,148 @@
+//! A round that is over.
+
+use super::particles::lying;
+use super::samples::rounded;
+use super::{RoundTruth, words};
+use crate::scene::seven;
+use serde::Serialize;
+use wisch::interpret::{Diagnosis, Estimate, Event, EventKind, Interpretation, Touch};
+use wisch::represent::{GoalState, ParticleDistribution, Performance, Surface};
+use wisch::run::Round;
+
+#[derive(Serialize)]
+pub(super) struct Judged {
+    piece: &'static str,
+    round: usize,
+    duration: f64,
+    estimate: EstimateRecord,
+    felt: EstimateRecord,
+    verdict: &'static str,
+    ending: &'static str,
+    words: Vec<String>,
+    found: Option<[f64; 7]>,
+    events: Vec<EventRecord>,
+    contacts: Vec<[f64; 2]>,
+    particles: Vec<i64>,
+}
+
+#[derive(Serialize)]
+struct EstimateRecord {
+    mean: f64,
+    low: f64,
+    high: f64,
+}
+
+#[derive(Serialize)]
+struct EventRecord {
+    kind: &'static str,
+    start: f64,
+    end: f64,
+    words: String,
+    by_hand: bool,
+}
+
+#[derive(Serialize)]
+pub(super) struct Truth {
+    piece: &'static str,
+    round: usize,
+    performance: Option<f64>,
+    particles: Option<Vec<i64>>,
+    pushes: Vec<[f64; 2]>,
+    surface: Option<[f64; 7]>,
+}
+
+impl Judged {
+    pub(super) fn new(round: &Round, target: f64) -> Self {
+        let (motion, found) = (&round.motion, &round.interpretation);
+        let is_shown = |event: &&Event| !event.kind.is_phase() && event.kind != EventKind::Contact;
+        Self {
+            piece: "judged",
+            round: motion.number,
+            duration: rounded(round.execution.duration, 1e3),
+            estimate: EstimateRecord::new(found.performance),
+            felt: EstimateRecord::new(found.felt),
+            verdict: round.verdict.as_str(),
+            ending: round.execution.ending.as_str(),
+            words: words::judged(round, target),
+            found: match &found.diagnosis {
+                Diagnosis::Relocalize { world_from_surface } => Some(seven(world_from_surface)),
+                _ => None,
+            },
+            events: (found.events.iter().filter(is_shown))
+                .map(EventRecord::new)
+                .collect(),
+            contacts: contacts(found),
+            particles: lying(
+                typical(found, &motion.plan.graph.goal, &motion.task.surface)
+                    .unwrap_or(&motion.task.particles),
+            ),
+        }
+    }
+}
+
+impl EstimateRecord {
+    fn new(estimate: Estimate) -> Self {
+        let [mean, low, high] =
+            [estimate.mean, estimate.low, estimate.high].map(|share| rounded(share, 1e4));
+        Self { mean, low, high }
+    }
+}
+
+impl EventRecord {
+    fn new(event: &Event) -> Self {
+        Self {
+            kind: crate::rounds::words::kind(event.kind),
+            start: rounded(event.start, 1e3),
+            end: rounded(event.end, 1e3),
+            words: crate::rounds::words::evidence(event),
+            by_hand: event.kind.is_by_hand(),
+        }
+    }
+}
+
+impl Truth {
+    pub(super) fn new(truth: &RoundTruth<'_>) -> Self {
+        Self {
+            piece: "truth",
+            round: truth.round,
+            performance: truth.performance.map(|share| rounded(share, 1e4)),
+            particles: truth.particles.map(lying),
+            pushes: (truth.pushes.iter())
+                .map(|times| times.map(|time| rounded(time, 1e3)))
+                .collect(),
+            surface: truth.world_from_surface.as_ref().map(seven),
+        }
+    }
+}
+
+/// The replay whose performance is nearest to the mean: one way in which it may be.
+fn typical<'a>(
+    found: &'a Interpretation,
+    goal: &GoalState,
+    surface: &Surface,
+) -> Option<&'a ParticleDistribution> {
+    let mean = found.performance.mean;
+    let off = |particles: &ParticleDistribution| {
+        (Performance::of(particles, goal, surface).ratio() - mean).abs()
+    };
+    let replays = found.belief.replays().iter();
+    replays.min_by(|a, b| off(a).total_cmp(&off(b)))
+}
+
+/// When the tool was felt to touch, pieces in a row as one.
+fn contacts(found: &Interpretation) -> Vec<[f64; 2]> {
+    // Pieces end where the next begins, but for the last sample's period.
+    const GAP: f64 = 0.05;
+    let mut contacts: Vec<[f64; 2]> = Vec::new();
+    for piece in &found.path {
+        if !matches!(piece.touch, Touch::Weak | Touch::Confident) {
+            continue;
+        }
+        let [start, end] = piece.time.map(|time| rounded(time, 1e3));
+        match contacts.last_mut() {
+            Some(last) if start - last[1] <= GAP => last[1] = end,
+            _ => contacts.push([start, end]),
+        }
+    }
+    contacts
+}

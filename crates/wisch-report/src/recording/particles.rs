@@ -1,0 +1,98 @@
+//! Particles over time, each step as what differs from the one before.
+
+use crate::scene::tenth;
+use std::collections::BTreeMap;
+use wisch::geometry::Point2;
+use wisch::represent::ParticleDistribution;
+
+/// Most particles that are shown at one time.
+const MAX_SHOWN: usize = 1_500;
+/// Most changes of particles in a round.
+const MAX_CHANGES: usize = 24_000;
+
+/// Time [s]; indices in the step before of particles that are gone; x, y of those that are new, in tenths of a millimetre.
+pub(super) type ParticleStep = (f64, Vec<usize>, Vec<i64>);
+
+/// Particles at a time [s].
+pub(super) struct Moment {
+    pub(super) time: f64,
+    pub(super) places: Vec<Point2>,
+}
+
+/// The steps from moment to moment.
+pub(super) fn steps(moments: &[Moment]) -> Vec<ParticleStep> {
+    let most = moments.iter().map(|moment| moment.places.len()).max();
+    let one_in = most.unwrap_or(0).div_ceil(MAX_SHOWN).max(1);
+    let mut now: Vec<[i64; 2]> = Vec::new();
+    let mut budget = MAX_CHANGES;
+    let mut steps = Vec::new();
+    for (i, moment) in moments.iter().enumerate() {
+        let is_last = i + 1 == moments.len();
+        let places = moment.places.iter().map(flat);
+        let mut wanted: BTreeMap<[i64; 2], usize> = BTreeMap::new();
+        for place in places.filter(|place| is_shown(*place, one_in)) {
+            *wanted.entry(place).or_default() += 1;
+        }
+        let mut gone = Vec::new();
+        let mut next = Vec::new();
+        for (index, place) in now.iter().enumerate() {
+            match wanted.get_mut(place) {
+                Some(count) if *count > 0 => {
+                    *count -= 1;
+                    next.push(*place);
+                }
+                _ => gone.push(index),
+            }
+        }
+        let added: Vec<[i64; 2]> = (wanted.into_iter())
+            .flat_map(|(place, count)| std::iter::repeat_n(place, count))
+            .collect();
+        // Rather fewer moments than a page too large; the first and the last one are always there.
+        let changes = gone.len() + added.len();
+        if changes > budget && !is_last && i > 0 {
+            continue;
+        }
+        budget = budget.saturating_sub(changes);
+        next.extend(&added);
+        now = next;
+        let time = super::samples::rounded(moment.time, 1e3);
+        steps.push((time, gone, added.into_flattened()));
+    }
+    steps
+}
+
+/// Where particles lie that are on the surface, thinned.
+pub(super) fn lying(particles: &ParticleDistribution) -> Vec<i64> {
+    let remaining = particles.remaining().map(|p| flat(&p));
+    let one_in = particles.len().div_ceil(MAX_SHOWN).max(1);
+    let shown = remaining.filter(|place| is_shown(*place, one_in));
+    shown.flatten().collect()
+}
+
+/// Places, thinned.
+pub(super) fn flat_places(places: impl ExactSizeIterator<Item = Point2>) -> Vec<i64> {
+    let one_in = places.len().div_ceil(MAX_SHOWN).max(1);
+    let places = places.map(|p| flat(&p));
+    places
+        .filter(|place| is_shown(*place, one_in))
+        .flatten()
+        .collect()
+}
+
+/// Points in a row, all of them.
+pub(super) fn line<'a>(points: impl IntoIterator<Item = &'a Point2>) -> Vec<i64> {
+    points.into_iter().flat_map(flat).collect()
+}
+
+/// Whether a particle is among the one in so many that are shown: by its place, so that one that rests is shown in every
+/// step or in none.
+fn is_shown([x, y]: [i64; 2], one_in: usize) -> bool {
+    // Fibonacci hashing: multiples of 2^64 over the golden ratio spread evenly.
+    const SPREAD: u64 = 0x9e37_79b9_7f4a_7c15;
+    let mixed = (x as u64).wrapping_mul(SPREAD) ^ (y as u64).wrapping_mul(SPREAD.rotate_left(32));
+    (mixed.wrapping_mul(SPREAD) >> 32).is_multiple_of(one_in as u64)
+}
+
+fn flat(p: &Point2) -> [i64; 2] {
+    [tenth(p.x), tenth(p.y)]
+}

@@ -1,0 +1,112 @@
+//! A robot as its parts.
+
+use crate::scene::{Meshes, Solid, seven, vector};
+use serde::Serialize;
+use wisch::follow::Workcell;
+use wisch::robot::{Joint, JointKind, LinkId, RobotModel};
+
+/// Most triangles of a mesh.
+pub(super) const MAX_TRIANGLES: usize = 2_000;
+
+#[derive(Serialize)]
+pub(super) struct RobotRecord<'a> {
+    name: &'a str,
+    variables: Vec<&'a str>,
+    /// Joint i holds link i + 1.
+    joints: Vec<JointRecord<'a>>,
+    links: Vec<LinkRecord<'a>>,
+}
+
+#[derive(Serialize)]
+struct JointRecord<'a> {
+    parent: usize,
+    pose: [f64; 7],
+    axis: [f64; 3],
+    kind: &'static str,
+    offset: f64,
+    terms: &'a [(usize, f64)],
+}
+
+#[derive(Serialize)]
+struct LinkRecord<'a> {
+    name: &'a str,
+    /// Whether it is of the arm that holds the tool.
+    arm: bool,
+    shapes: Vec<Solid>,
+}
+
+impl<'a> RobotRecord<'a> {
+    pub(super) fn new(cell: &'a Workcell, meshes: &mut Meshes) -> Self {
+        let robot = cell.robot();
+        let arm = arm(robot, cell.tip());
+        let links = (robot.links().iter().enumerate()).map(|(i, link)| LinkRecord {
+            name: &link.name,
+            arm: arm.contains(&i),
+            shapes: (link.collision.iter())
+                .map(|c| meshes.shape(&c.link_from_shape, &c.shape))
+                .collect(),
+        });
+        Self {
+            name: robot.name(),
+            variables: (0..robot.dof())
+                .map(|i| robot.variable(i).name.as_str())
+                .collect(),
+            links: links.collect(),
+            joints: robot.joints().iter().map(JointRecord::new).collect(),
+        }
+    }
+}
+
+impl<'a> JointRecord<'a> {
+    fn new(joint: &'a Joint) -> Self {
+        Self {
+            parent: joint.parent.index(),
+            pose: seven(&joint.parent_from_joint),
+            axis: vector(&joint.axis),
+            kind: match joint.kind {
+                JointKind::Fixed => "fixed",
+                JointKind::Revolute => "revolute",
+                JointKind::Prismatic => "prismatic",
+            },
+            offset: joint.drive.offset,
+            terms: &joint.drive.terms,
+        }
+    }
+}
+
+/// The links of the arm: what hangs on the last fork before the tool, tool side. A fork is a link
+/// that also carries something else that moves by itself.
+fn arm(robot: &RobotModel, tool_link: LinkId) -> Vec<usize> {
+    let holder = |link: usize| {
+        robot.links()[link]
+            .parent
+            .map(|id| &robot.joints()[id.index()])
+    };
+    // Whether a variable moves something at or beyond a link.
+    let mut moves = vec![false; robot.links().len()];
+    for joint in robot.joints().iter().rev() {
+        let child = joint.child.index();
+        moves[joint.parent.index()] |= moves[child] || joint.kind != JointKind::Fixed;
+    }
+    let is_fork = |link: usize, way: usize| {
+        let others =
+            (robot.joints().iter()).filter(|j| j.parent.index() == link && j.child.index() != way);
+        let mut moving = others.filter(|j| moves[j.child.index()] || j.kind != JointKind::Fixed);
+        moving.next().is_some()
+    };
+    let mut root = tool_link.index();
+    while let Some(joint) = holder(root) {
+        let parent = joint.parent.index();
+        if is_fork(parent, root) || holder(parent).is_none() {
+            break;
+        }
+        root = parent;
+    }
+    let mut arm = vec![root];
+    for joint in robot.joints() {
+        if arm.contains(&joint.parent.index()) {
+            arm.push(joint.child.index());
+        }
+    }
+    arm
+}

@@ -1,0 +1,244 @@
+//! A round before it is executed, or a plan that nobody executes.
+
+use super::particles::{Moment, ParticleStep, line, steps};
+use super::samples::{rounded, seconds_at};
+use super::{PlannedOnly, words};
+use crate::prediction::frames::EffectFrames;
+use crate::scene::{MeshRecord, Meshes, Solid, seven};
+use serde::Serialize;
+use wisch::follow::{Followed, Phase};
+use wisch::plan::Plan;
+use wisch::represent::{GoalState, ScenePart, Task};
+use wisch::run::PlannedRound;
+
+/// Slowest that a tool without a robot is shown [m/s].
+pub(super) const NOMINAL_SPEED: f64 = 0.1;
+
+#[derive(Serialize)]
+pub(super) struct RoundPiece {
+    piece: &'static str,
+    round: usize,
+    kind: &'static str,
+    duration: f64,
+    root: Option<[f64; 7]>,
+    surface: SurfaceRecord,
+    scene: Vec<ObjectRecord>,
+    meshes: Vec<MeshRecord>,
+    goal: GoalRecord,
+    strokes: Vec<Vec<i64>>,
+    phases: Vec<PhaseRecord>,
+    predicted: f64,
+    growth: Vec<[f64; 2]>,
+    particles: Vec<ParticleStep>,
+    why: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct SurfaceRecord {
+    pose: [f64; 7],
+    rings: Vec<Vec<i64>>,
+}
+
+#[derive(Serialize)]
+struct ObjectRecord {
+    part: &'static str,
+    #[serde(flatten)]
+    solid: Solid,
+}
+
+#[derive(Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+enum GoalRecord {
+    Collected { place: [f64; 2], radius: f64 },
+    Absorbed,
+    Skimmed,
+    Polished,
+    Emitted,
+}
+
+#[derive(Serialize)]
+struct PhaseRecord {
+    name: &'static str,
+    start: f64,
+    end: f64,
+    contact: bool,
+    stroke: Option<usize>,
+}
+
+impl RoundPiece {
+    /// One that is about to be executed.
+    pub(super) fn executed(
+        planned: &PlannedRound,
+        frames: Option<&EffectFrames>,
+        audited: Option<String>,
+        meshes: &mut Meshes,
+        written: usize,
+    ) -> Self {
+        let wiped = planned.wiped();
+        let unwatched;
+        let frames = match frames {
+            Some(frames) => frames,
+            None => {
+                unwatched = EffectFrames::new(&planned.task, &wiped);
+                &unwatched
+            }
+        };
+        let followed = Some(&planned.followed);
+        let mut why = words::why(&planned.plan, &wiped, followed);
+        why.extend(audited);
+        let performance = planned.prediction.performance.ratio();
+        Self {
+            root: Some(seven(planned.cell.world_from_root())),
+            ..Self::new(
+                planned.number,
+                "executed",
+                &planned.task,
+                &wiped,
+                followed,
+                frames,
+                performance,
+                why,
+                (meshes, written),
+            )
+        }
+    }
+
+    /// One that nobody executes.
+    pub(super) fn planned(
+        planned: &PlannedOnly<'_>,
+        audited: Option<String>,
+        meshes: &mut Meshes,
+        written: usize,
+    ) -> Self {
+        let followed = planned.followed.map(|(_, followed, _)| followed);
+        let mut why = words::why(planned.plan, planned.plan, followed);
+        why.extend(audited);
+        let root = planned
+            .followed
+            .map(|(cell, ..)| seven(cell.world_from_root()));
+        Self {
+            root,
+            ..Self::new(
+                1,
+                "planned",
+                planned.task,
+                planned.plan,
+                followed,
+                planned.frames,
+                planned.prediction.performance.ratio(),
+                why,
+                (meshes, written),
+            )
+        }
+    }
+
+    #[allow(clippy::too_many_arguments)]
+    fn new(
+        round: usize,
+        kind: &'static str,
+        task: &Task,
+        wiped: &Plan,
+        followed: Option<&Followed>,
+        frames: &EffectFrames,
+        predicted: f64,
+        why: Vec<String>,
+        (meshes, written): (&mut Meshes, usize),
+    ) -> Self {
+        let outline = &task.surface.outline;
+        let scene: Vec<ObjectRecord> = (task.scene.iter())
+            .filter_map(|object| {
+                let part = match object.part {
+                    ScenePart::Obstacle => "obstacle",
+                    ScenePart::Carrier => "carrier",
+                    ScenePart::Robot | ScenePart::Tool => return None,
+                };
+                let solid = meshes.solid(&object.world_from_object, &object.mesh);
+                Some(ObjectRecord { part, solid })
+            })
+            .collect();
+        let mut since = 0.0;
+        let moments: Vec<(f64, usize)> = (frames.all().iter().enumerate())
+            .map(|(i, frame)| {
+                since = seconds_at(followed, frame.stroke, frame.distance)
+                    .unwrap_or(since)
+                    .max(since);
+                (since, i)
+            })
+            .collect();
+        let of_frame = |&(time, i): &(f64, usize)| Moment {
+            time,
+            places: (frames.all()[i].particles.iter())
+                .filter(|(_, fate)| fate.is_on_surface())
+                .map(|(place, _)| *place)
+                .collect(),
+        };
+        let growth = moments.iter().map(|&(time, i)| {
+            [
+                rounded(time, 1e3),
+                rounded(frames.all()[i].performance.ratio(), 1e4),
+            ]
+        });
+        let duration = match followed {
+            Some(followed) => followed.duration(),
+            None => wiped.contact_distance() / NOMINAL_SPEED,
+        };
+        Self {
+            piece: "round",
+            round,
+            kind,
+            duration: rounded(duration, 1e3),
+            root: None,
+            surface: SurfaceRecord {
+                pose: seven(&task.surface.world_from_surface),
+                rings: outline.rings().map(|ring| line(ring)).collect(),
+            },
+            scene,
+            goal: GoalRecord::new(&wiped.graph.goal),
+            strokes: (wiped.strokes.iter())
+                .map(|stroke| line(stroke.poses.iter().map(|pose| &pose.position)))
+                .collect(),
+            phases: followed.map_or_else(Vec::new, phases),
+            predicted: rounded(predicted, 1e4),
+            growth: growth.collect(),
+            particles: steps(&moments.iter().map(of_frame).collect::<Vec<_>>()),
+            why,
+            meshes: meshes.since(written),
+        }
+    }
+}
+
+impl GoalRecord {
+    fn new(goal: &GoalState) -> Self {
+        match goal {
+            GoalState::Collected { center, radius } => Self::Collected {
+                place: [center.x, center.y].map(|x| rounded(x, 1e4)),
+                radius: rounded(*radius, 1e4),
+            },
+            GoalState::Absorbed => Self::Absorbed,
+            GoalState::Skimmed => Self::Skimmed,
+            GoalState::Polished { .. } => Self::Polished,
+            GoalState::Emitted { .. } => Self::Emitted,
+        }
+    }
+}
+
+/// Motions in a row for the same purpose are one.
+fn phases(followed: &Followed) -> Vec<PhaseRecord> {
+    let mut phases: Vec<PhaseRecord> = Vec::new();
+    for motion in &followed.motions {
+        let (phase, end): (Phase, f64) = (motion.phase, rounded(motion.end(), 1e3));
+        match phases.last_mut() {
+            Some(last) if last.name == phase.as_str() && last.stroke == phase.stroke() => {
+                last.end = end;
+            }
+            _ => phases.push(PhaseRecord {
+                name: phase.as_str(),
+                start: rounded(motion.start, 1e3),
+                end,
+                contact: phase.is_contact(),
+                stroke: phase.stroke(),
+            }),
+        }
+    }
+    phases
+}

@@ -1,0 +1,204 @@
+//! What is measured, some instants in a row.
+
+use super::PlannedOnly;
+use super::round::NOMINAL_SPEED;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use wisch::follow::{Followed, Phase, ToolPose, Workcell};
+use wisch::geometry::{Point3, Pose, Vector3};
+use wisch::run::{PlannedRound, TelemetrySample};
+
+/// Instants a second that are shown.
+const RATE: f64 = 25.0;
+/// Instants in a piece.
+const BATCH: usize = 10;
+/// A force between two instants that is so much greater than at them is shown all the same [N].
+const PEAK: f64 = 5.0;
+
+#[derive(Serialize)]
+pub(super) struct Samples {
+    piece: &'static str,
+    round: usize,
+    t: Vec<f64>,
+    /// By index of the variable.
+    q: BTreeMap<usize, Vec<f64>>,
+    tool: Vec<f64>,
+    force: Vec<f64>,
+    normal: Vec<f64>,
+    height: Vec<f64>,
+}
+
+/// Instants until there are enough for a piece.
+#[derive(Debug, Default)]
+pub(super) struct Batch {
+    round: usize,
+    surface_from_world: Pose,
+    times: Vec<f64>,
+    positions: Vec<Vec<f64>>,
+    tool: Vec<f64>,
+    force: Vec<f64>,
+    normal: Vec<f64>,
+    height: Vec<f64>,
+    /// Positions when the piece before ended; none yet.
+    last: Option<Vec<f64>>,
+    last_time: Option<f64>,
+    /// The greatest normal force since the last instant [N].
+    peak: f64,
+}
+
+impl Batch {
+    pub(super) fn of(planned: &PlannedRound) -> Self {
+        Self::new(planned.number, &planned.task.surface.world_from_surface)
+    }
+
+    fn new(round: usize, world_from_surface: &Pose) -> Self {
+        Self {
+            round,
+            surface_from_world: world_from_surface.inverse(),
+            ..Self::default()
+        }
+    }
+
+    /// Takes note of a sample; whether a piece is full.
+    pub(super) fn watch(&mut self, sample: &TelemetrySample<'_>) -> bool {
+        // Times of periods add up to a little less.
+        const SLACK: f64 = 1e-6;
+        let normal = (self.surface_from_world * sample.external.force).z;
+        if normal.abs() > self.peak.abs() {
+            self.peak = normal;
+        }
+        if (self.last_time).is_some_and(|last| sample.time < last + 1.0 / RATE - SLACK) {
+            return false;
+        }
+        let shown = if self.peak.abs() > normal.abs() + PEAK {
+            self.peak
+        } else {
+            normal
+        };
+        self.peak = 0.0;
+        let force = sample.external.force;
+        self.push(
+            sample.time,
+            sample.positions,
+            &sample.world_from_tool,
+            force,
+            shown,
+        );
+        self.times.len() >= BATCH
+    }
+
+    fn push(&mut self, time: f64, q: &[f64], world_from_tool: &Pose, force: Vector3, normal: f64) {
+        self.last_time = Some(time);
+        self.times.push(rounded(time, 1e3));
+        self.positions
+            .push(q.iter().map(|&q| rounded(q, 1e4)).collect());
+        self.tool.extend(short_pose(world_from_tool));
+        self.force
+            .extend([force.x, force.y, force.z].map(|f| rounded(f, 1e2)));
+        self.normal.push(rounded(normal, 1e2));
+        let tool = Point3::from(world_from_tool.translation.vector);
+        self.height
+            .push(rounded((self.surface_from_world * tool).z, 1e4));
+    }
+
+    /// What there is, as a piece.
+    pub(super) fn take(&mut self) -> Option<Samples> {
+        let last = self.positions.last()?.clone();
+        let before = self.last.as_ref();
+        let q = (0..last.len())
+            .map(|i| (i, self.positions.iter().map(|q| q[i]).collect::<Vec<f64>>()))
+            .filter(|(i, values)| match before {
+                Some(before) => values.iter().any(|value| *value != before[*i]),
+                None => true,
+            })
+            .collect();
+        self.positions.clear();
+        self.last = Some(last);
+        let take = std::mem::take::<Vec<f64>>;
+        Some(Samples {
+            piece: "samples",
+            round: self.round,
+            t: take(&mut self.times),
+            q,
+            tool: take(&mut self.tool),
+            force: take(&mut self.force),
+            normal: take(&mut self.normal),
+            height: take(&mut self.height),
+        })
+    }
+}
+
+/// A motion that nobody executes, at the instants at which one that is executed is shown.
+pub(super) fn planned(planned: &PlannedOnly<'_>) -> Vec<Samples> {
+    let mut batch = Batch::new(1, &planned.task.surface.world_from_surface);
+    let mut pieces = Vec::new();
+    match planned.followed {
+        Some((cell, followed, _)) => {
+            let count = (followed.duration() * RATE).ceil() as usize;
+            for i in 0..=count {
+                let time = (i as f64 / RATE).min(followed.duration());
+                let Some(sample) = followed.sample(time) else {
+                    continue;
+                };
+                let Some(tool) = world_from_tool(cell, &sample.q) else {
+                    continue;
+                };
+                batch.push(time, &sample.q, &tool, Vector3::zeros(), 0.0);
+                if batch.times.len() >= BATCH {
+                    pieces.extend(batch.take());
+                }
+            }
+        }
+        None => {
+            for frame in planned.frames.all() {
+                let at = ToolPose {
+                    surface_from_tool: frame.surface_from_tool,
+                    height: 0.0,
+                    tilt: 0.0,
+                };
+                let pose = Workcell::world_from_tool(planned.task, &at);
+                let time = frame.distance / NOMINAL_SPEED;
+                batch.push(time, &[], &pose, Vector3::zeros(), 0.0);
+            }
+        }
+    }
+    pieces.extend(batch.take());
+    pieces
+}
+
+fn world_from_tool(cell: &Workcell, q: &[f64]) -> Option<Pose> {
+    let kinematics = cell.robot().forward_kinematics(q).ok()?;
+    Some(cell.world_from_root() * kinematics.world_from_link(cell.tip()) * cell.tip_from_tool())
+}
+
+/// When a tool has come so far in contact [m], wiping each stroke at one speed [s].
+pub(super) fn seconds_at(
+    followed: Option<&Followed>,
+    stroke: Option<usize>,
+    distance: f64,
+) -> Option<f64> {
+    let Some(followed) = followed else {
+        return Some(distance / NOMINAL_SPEED);
+    };
+    let stroke = stroke?;
+    let before: f64 = (followed.strokes.iter().take(stroke))
+        .map(wisch::plan::Stroke::length)
+        .sum();
+    let length = followed.strokes.get(stroke)?.length();
+    let motion = (followed.motions.iter()).find(|m| m.phase == Phase::Wipe(stroke))?;
+    let share = ((distance - before) / length.max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+    Some(motion.start + share * motion.trajectory.duration())
+}
+
+/// To a tenth of a millimetre and of a milliradian.
+fn short_pose(pose: &Pose) -> [f64; 7] {
+    let (at, turn) = (pose.translation.vector, pose.rotation.coords);
+    let [x, y, z] = [at.x, at.y, at.z].map(|x| rounded(x, 1e4));
+    let [i, j, k, w] = [turn.x, turn.y, turn.z, turn.w].map(|x| rounded(x, 1e4));
+    [x, y, z, i, j, k, w]
+}
+
+/// A number to so many parts of one; adding zero leaves no "-0.0".
+pub(super) fn rounded(value: f64, per_unit: f64) -> f64 {
+    (value * per_unit).round() / per_unit + 0.0
+}

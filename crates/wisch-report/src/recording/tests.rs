@@ -1,0 +1,168 @@
+use super::*;
+use serde_json::Value;
+use wisch::follow::{FollowConfig, follow};
+use wisch::geometry::Point2;
+use wisch::plan::predict;
+use wisch::represent::Action;
+use wisch_testkit as kit;
+
+/// The pieces of a recording.
+fn pieces(recording: &[u8]) -> Vec<Value> {
+    let text = std::str::from_utf8(recording).expect("it is text");
+    let lines = text.lines();
+    lines
+        .map(|line| serde_json::from_str(line).expect("each line is JSON"))
+        .collect()
+}
+
+/// A plan for a board that an arm follows and nobody executes, as a recording.
+fn followed(task: &Task) -> Vec<u8> {
+    let plan = kit::planned(task);
+    let cell = kit::cell(task);
+    let config = FollowConfig::default();
+    let followed = follow(task, &plan, &cell, None, &config, &mut |_| ()).expect("it is in reach");
+    let wiped = Plan {
+        strokes: followed.strokes.clone(),
+        ..plan
+    };
+    let mut frames = EffectFrames::new(task, &wiped);
+    let prediction = predict(task, &wiped, |progress| frames.watch(progress));
+    let audit = Audit {
+        line: Default::default(),
+        grip: Default::default(),
+        min_clearance: 0.1,
+        faults: Vec::new(),
+    };
+    let mut recording = RecordingWriter::new(Vec::new());
+    let head = RecordingHead {
+        title: "</script><b>board",
+        program: "test 1",
+        task,
+        strategy: wiped.strategy,
+        target: 0.9,
+        cell: Some(&cell),
+    };
+    recording.begin(&head).expect("memory takes it");
+    let planned = PlannedOnly {
+        task,
+        plan: &wiped,
+        prediction: &prediction,
+        frames: &frames,
+        followed: Some((&cell, &followed, &audit)),
+    };
+    recording.planned_only(&planned).expect("memory takes it");
+    recording.into_inner()
+}
+
+#[test]
+fn a_followed_plan_is_whole() {
+    let task = kit::board(Action::Absorb, [0.6, 0.0, 0.2]);
+    let recording = followed(&task);
+    assert_eq!(recording, followed(&task), "same input, same bytes");
+    let pieces = pieces(&recording);
+    let (head, round, samples) = (&pieces[0], &pieces[1], &pieces[2..]);
+    assert_eq!(
+        (&head["piece"], &round["piece"]),
+        (&"head".into(), &"round".into())
+    );
+    let variables = head["robot"]["variables"].as_array().expect("names").len();
+    let mut q: Vec<Option<f64>> = vec![None; variables];
+    let mut last = f64::NEG_INFINITY;
+    let mut count = 0;
+    for piece in samples {
+        assert_eq!(piece["piece"], "samples");
+        let times = piece["t"].as_array().expect("times");
+        for time in times {
+            let time = time.as_f64().expect("a number");
+            assert!(time > last, "{time} after {last}");
+            last = time;
+        }
+        count += times.len();
+        for (name, per_instant) in [("tool", 7), ("force", 3), ("normal", 1), ("height", 1)] {
+            let numbers = piece[name].as_array().expect("numbers");
+            assert_eq!(numbers.len(), per_instant * times.len(), "{name}");
+        }
+        for (index, values) in piece["q"].as_object().expect("variables") {
+            let values = values.as_array().expect("numbers");
+            assert_eq!(values.len(), times.len());
+            q[index.parse::<usize>().expect("an index")] = values.last().and_then(Value::as_f64);
+        }
+    }
+    assert!(
+        q.iter().all(Option::is_some),
+        "the first piece has all of them"
+    );
+    let duration = round["duration"].as_f64().expect("a number");
+    assert!((last - duration).abs() < 1e-3 && count as f64 > 24.0 * duration);
+    assert!(round["growth"].as_array().expect("points").len() > 2);
+}
+
+#[test]
+fn steps_of_particles_lead_back_to_where_they_are() {
+    let moments: Vec<particles::Moment> = (0..5)
+        .map(|k| particles::Moment {
+            time: f64::from(k),
+            places: (0..40 - 3 * k)
+                .map(|i| Point2::new(0.001 * f64::from(i), if i < 4 * k { 0.1 } else { 0.0 }))
+                .collect(),
+        })
+        .collect();
+    let mut now: Vec<[i64; 2]> = Vec::new();
+    for (step, moment) in particles::steps(&moments).iter().zip(&moments) {
+        let (time, gone, added) = step;
+        assert_eq!(*time, moment.time);
+        let mut kept: Vec<[i64; 2]> = (now.iter().enumerate())
+            .filter(|(i, _)| !gone.contains(i))
+            .map(|(_, place)| *place)
+            .collect();
+        kept.extend(added.chunks(2).map(|xy| [xy[0], xy[1]]));
+        let mut wanted: Vec<[i64; 2]> = (moment.places.iter())
+            .map(|p| [p.x, p.y].map(|x| (1e4 * x).round() as i64))
+            .collect();
+        now = kept.clone();
+        kept.sort_unstable();
+        wanted.sort_unstable();
+        assert_eq!(kept, wanted);
+    }
+}
+
+#[test]
+fn what_is_large_is_thinned() {
+    let crowd = |k: usize| particles::Moment {
+        time: k as f64,
+        places: (0..200_000)
+            .map(|i| Point2::new(1e-3 * (i % 500) as f64, 1e-3 * (i / 500 + k) as f64))
+            .collect(),
+    };
+    let moments: Vec<particles::Moment> = (0..80).map(crowd).collect();
+    let steps = particles::steps(&moments);
+    let numbers: usize = steps
+        .iter()
+        .map(|(_, gone, added)| gone.len() + added.len())
+        .sum();
+    assert!(steps.len() > 1 && numbers < 80_000, "{numbers}");
+    assert_eq!(
+        steps.last().map(|step| step.0),
+        Some(79.0),
+        "the end is there"
+    );
+}
+
+#[test]
+fn a_task_that_nobody_can_do_has_a_head() {
+    let task = kit::board(Action::Collect, [0.6, 0.0, 0.2]);
+    let mut recording = RecordingWriter::new(Vec::new());
+    let head = RecordingHead {
+        title: "board",
+        program: "test 1",
+        task: &task,
+        strategy: Strategy::Adaptive,
+        target: 0.9,
+        cell: None,
+    };
+    recording.begin(&head).expect("memory takes it");
+    let piece = &pieces(&recording.into_inner())[0];
+    assert!(piece["robot"].is_null() && piece["tool"]["link"].is_null());
+    let asked = piece["task"]["asked"].as_str().expect("words");
+    assert!(asked.contains("90.0 %"), "{asked}");
+}
