@@ -19,6 +19,7 @@ const MARKS: Record<string, () => SVGElement> = {
   path: () => svg("path", { d: "M1 11h6l8-6", fill: "none", stroke: "var(--contact)", "stroke-width": 2.4 }),
   strokes: () => svg("path", { d: "M1 11h6l8-6", fill: "none", stroke: "var(--stroke)", "stroke-width": 2 }),
   force: () => svg("path", { d: "M8 15V6M8 1l4 6H4z", fill: "var(--force)", stroke: "var(--force)", "stroke-width": 2 }),
+  events: () => svg("circle", { cx: 8, cy: 8, r: 4.5, fill: "var(--collision)", stroke: "var(--ink)", "stroke-width": 1.2 }),
   found: () => svg("path", { d: "M2 12l3-8h9l-3 8z", fill: "var(--found)", "fill-opacity": 0.3, stroke: "var(--found)", "stroke-width": 2 }),
   actualSurface: () => svg("path", { d: "M2 12l3-8h9l-3 8z", fill: "none", stroke: "var(--actual)", "stroke-width": 1.6, "stroke-dasharray": "3 2" }),
   felt: () => svg("path", { d: "M8 1v14M5 1h6M5 15h6", fill: "none", stroke: "var(--felt)", "stroke-width": 1.6 }),

@@ -49,6 +49,7 @@ export class Round {
     const n = t.length;
     const wrong = tool.length !== 7 * n || force.length !== 3 * n || normal.length !== n || height.length !== n;
     if (wrong || Object.values(q).some((column) => column.length !== n)) throw new Error("samples of different length");
+    if (!t.every(Number.isFinite)) throw new Error("a time that is none");
     const before = this.count;
     for (const time of t) this.t.push(Math.max(number(time), this.count ? this.t.last : -Infinity));
     this.q.forEach((column, variable) => {

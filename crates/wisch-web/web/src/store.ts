@@ -33,9 +33,13 @@ export interface Happening {
   byHand: boolean;
 }
 
-/** Where the dirt was after a round. */
+/** Where the dirt was found after a round, or before the first. */
 export interface Outcome {
-  round: Round;
+  /** From this time of the common clock on. */
+  since: number;
+  /** Of the surface as it was found, and as it truly is. */
+  pose: Pose;
+  actualPose: Pose;
   estimated: Float32Array | null;
   actual: Float32Array | null;
   seen: Float32Array | null;
@@ -219,14 +223,21 @@ export class Recording {
     for (let i = this.rounds.length - 1; i >= 0; i--) {
       const round = this.rounds[i]!;
       if (round.end > t + 1e-6 || !(round.judged || round.truth || round.observed)) continue;
+      const pose = round.judged?.found ?? round.plan.surface.pose;
       return {
-        round,
+        since: round.end, pose, actualPose: round.truth?.surface ?? pose,
         estimated: places(round.judged?.particles),
         actual: places(round.truth?.particles),
         seen: places(round.observed?.detections),
       };
     }
-    return null;
+    const [first] = this.rounds;
+    if (!first || !(this.truthBefore || this.observedBefore)) return null;
+    const { pose } = first.plan.surface;
+    return {
+      since: 0, pose, actualPose: this.truthBefore?.surface ?? pose, estimated: null,
+      actual: places(this.truthBefore?.particles), seen: places(this.observedBefore?.detections),
+    };
   }
 
   /** All that happened, by its begin. */

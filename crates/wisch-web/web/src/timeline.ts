@@ -1,6 +1,6 @@
 // One timeline for all rounds, below the scene. Its cursor is the clock.
 import { clockText, el, fixed, percent, say } from "./dom.ts";
-import { colour, onTheme } from "./theme.ts";
+import { colour, isPrinting, onTheme } from "./theme.ts";
 import { Frame, PLOTS, fitted, font } from "./timeline/frame.ts";
 import type { LaneName, Pen } from "./timeline/frame.ts";
 import { drawAxis, drawContact, drawEvents, drawPhases, drawRounds } from "./timeline/lanes.ts";
@@ -13,6 +13,8 @@ const LANES: LaneName[] = ["axis", "rounds", "phases", "contact", "events", "for
 const COMPACT: LaneName[] = ["axis", "rounds", "phases", "contact", "events", "force"];
 /** Heights that are drawn [mm]. */
 const HEIGHTS_MM: [number, number] = [-20, 80];
+/** How wide the timeline is drawn for paper [pixels]. */
+const PAPER_PX = 900;
 /** A view that is less high has lower plots [pixels]. */
 const TIGHT_PX = 700;
 /** Less than this is not zoomed into [s]. */
@@ -65,7 +67,7 @@ export class Timeline {
       () => sizes.disconnect(),
       clock.subscribe(() => this.ask()),
       recording.onChange(() => this.ask()),
-      onTheme(() => this.redraw()),
+      onTheme(() => this.resize()),
     );
   }
 
@@ -89,10 +91,10 @@ export class Timeline {
   }
 
   private resize(): void {
-    const width = this.element.clientWidth;
+    const width = isPrinting() ? PAPER_PX : this.element.clientWidth;
     if (!width) return;
-    this.frame.lay(width, (this.element.closest(".w-view")?.clientHeight ?? TIGHT_PX) < TIGHT_PX);
-    const ratio = Math.min(devicePixelRatio || 1, 2);
+    this.frame.lay(width, isPrinting() || (this.element.closest(".w-view")?.clientHeight ?? TIGHT_PX) < TIGHT_PX);
+    const ratio = isPrinting() ? 3 : Math.min(devicePixelRatio || 1, 2);
     this.base.width = Math.round(width * ratio);
     this.base.height = Math.round(this.frame.height * ratio);
     this.base.style.width = `${width}px`;

@@ -40,7 +40,10 @@ export interface View {
 export function mountView(root: HTMLElement, recording: Recording, { compact = false, clock: shared }: ViewOptions = {}): View {
   const clock = shared ?? new Clock();
   const leave = clock.join(recording);
-  const panel = new ScenePanel(recording, compact);
+  const panel = new ScenePanel(recording, compact, (time) => {
+    if (clock.playing) clock.pause();
+    clock.seek(time);
+  });
   const timeline = new Timeline(recording, clock, compact);
   const words = compact ? null : new Words(recording, clock);
   const bar = transport(clock, recording);

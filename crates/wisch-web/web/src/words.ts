@@ -16,6 +16,9 @@ const row = (label: string, value: string) => [el("dt", {}, label), el("dd", {},
 
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
+/** Of more events than this, the first are listed. */
+const MOST_EVENTS = 300;
+
 export class Words {
   readonly element: HTMLElement;
   private readonly headline = el("p", { class: "w-headline" });
@@ -116,14 +119,14 @@ export class Words {
 
   private sayAll(): void {
     const { recording, clock } = this;
-    const list = recording.happenings;
+    const list = recording.happenings.slice(0, MOST_EVENTS);
     this.happened = [];
     this.events.replaceChildren(list.length ? el("ul", { class: "w-events" }, ...list.map(({ start, end, kind, words, source }) => {
       const button = el("button", { type: "button", "data-source": source, click: () => clock.seek(start) },
         el("span", { class: "w-when" }, clockText(start)), el("span", {}, el("strong", {}, kind), ` ${words}`));
       this.happened.push({ element: button, start, end });
       return el("li", {}, button);
-    })) : el("p", { class: "w-quiet" }, "None."));
+    }), recording.happenings.length > MOST_EVENTS && el("li", { class: "w-quiet" }, `and ${recording.happenings.length - MOST_EVENTS} more`)) : el("p", { class: "w-quiet" }, "None."));
     this.sayNumbers();
     this.log.replaceChildren(...recording.stages.slice(-500).map(({ round, stage, words }) =>
       el("li", {}, el("span", { class: "w-when" }, `${round} ${stage}`), ` ${words}`)));

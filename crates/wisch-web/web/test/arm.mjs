@@ -111,4 +111,10 @@ export const ROBOT = {
   links: SHAPES.map((shapes, i) => ({ name: `link_${i}`, arm: i > 0, shapes })),
 };
 
-export const TOOL = { link: 7, solid: { kind: "box", size: [0.05, 0.09, 0.03], pose: [0, 0, 0.145, 0, 0, 0, 1] } };
+/** A sponge as a mesh in the frame of the tool, whose origin lies on its wiping face. */
+export const SPONGE = {
+  vertices: Array.from({ length: 8 }, (_, k) => [k & 1 ? 250 : -250, k & 2 ? 450 : -450, k & 4 ? 300 : 0]).flat(),
+  triangles: [0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5],
+};
+
+export const TOOL = { link: 7, solid: { kind: "mesh", mesh: 1, pose: LINK_FROM_TOOL } };

@@ -1,5 +1,5 @@
 // A recording as a run might give it, for tests and for looking: `node test/sample.mjs > sample.jsonl`.
-import { FLANGE, REST_POSE, ROBOT, TOOL, reach } from "./arm.mjs";
+import { FLANGE, REST_POSE, ROBOT, SPONGE, TOOL, reach } from "./arm.mjs";
 
 const PERIOD_S = 0.04;
 const SPEED = 0.12;
@@ -106,7 +106,7 @@ export function sample({ title = "Breadcrumbs on a chopping board", count = 300 
       action: "collect", medium: "breadcrumbs", tool: "sponge", surface: "chopping board", strategy: "kde", seed: 1, target: 0.85,
       asked: "Collect the breadcrumbs on the chopping board near its corner; 85 of 100 are to lie there.",
     },
-    robot: ROBOT, tool: TOOL, meshes: [FLANGE],
+    robot: ROBOT, tool: TOOL, meshes: [FLANGE, SPONGE],
   }];
   const stage = (round, stage, words) => pieces.push({ piece: "stage", round, stage, words });
   const flat = (list) => list.flat().map(whole);

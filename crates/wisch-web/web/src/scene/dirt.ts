@@ -37,6 +37,21 @@ function material(mark: Mark): PointsMaterial {
   return shifted(made, 0.99);
 }
 
+/** A dot with a light rim, for what is coloured by other means. */
+export function dotTexture(): CanvasTexture {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = 64;
+  const pen = canvas.getContext("2d")!;
+  pen.beginPath();
+  pen.arc(32, 32, 24, 0, 2 * Math.PI);
+  pen.fillStyle = "#fff";
+  pen.fill();
+  pen.lineWidth = 5;
+  pen.strokeStyle = "#000";
+  pen.stroke();
+  return new CanvasTexture(canvas);
+}
+
 export class Dirt {
   readonly group = new Group();
   private readonly points: Record<Mark, Points<BufferGeometry, PointsMaterial>>;
@@ -65,12 +80,12 @@ export class Dirt {
     const { outcome } = this.outcome;
     const pose = round.plan.surface.pose;
     this.set("believed", layers.believed ? round.particles.at(time) : null, pose, 1);
-    const late = outcome?.round.judged?.found ?? outcome?.round.plan.surface.pose ?? pose;
-    // What was found after an earlier round fades while the next one moves it.
-    const fresh = outcome?.round === round || time < (round.plan.phases.find(({ contact }) => contact)?.start ?? 0.5);
-    const opacity = fresh ? 1 : 0.45;
+    const late = outcome?.pose ?? pose;
+    // What was found before fades once the robot wipes and moves it.
+    const touched = round.start + (round.plan.phases.find(({ contact }) => contact)?.start ?? 0.5);
+    const opacity = t <= Math.max(outcome?.since ?? 0, touched) ? 1 : 0.45;
     this.set("estimated", layers.estimated ? outcome?.estimated ?? null : null, late, opacity);
-    this.set("actual", layers.actual ? outcome?.actual ?? null : null, outcome?.round.truth?.surface ?? late, opacity);
+    this.set("actual", layers.actual ? outcome?.actual ?? null : null, outcome?.actualPose ?? late, opacity);
     this.set("seen", layers.seen ? outcome?.seen ?? null : null, late, opacity);
   }
 

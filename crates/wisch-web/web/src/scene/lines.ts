@@ -1,5 +1,5 @@
 // Lines of a width in pixels, that can grow.
-import { Color, InstancedInterleavedBuffer, InterleavedBufferAttribute } from "three";
+import { Color, InstancedInterleavedBuffer, InterleavedBufferAttribute, Vector3 } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
@@ -45,6 +45,11 @@ export class GrowingSegments {
     this.kinds[this.count] = kind;
     this.colour(this.count++);
     this.fresh = true;
+  }
+
+  /** Where a segment ends. */
+  end(i: number): Vector3 {
+    return new Vector3(this.positions[6 * i + 3], this.positions[6 * i + 4], this.positions[6 * i + 5]);
   }
 
   paint(palette: Color[]): void {

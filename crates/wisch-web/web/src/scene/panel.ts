@@ -8,7 +8,7 @@ import type { Recording } from "../store.ts";
 
 const NAMES: Record<keyof Layers, string> = {
   believed: "Dirt as believed, predicted", estimated: "Dirt as estimated after", actual: "Dirt as it truly is", seen: "Dirt as seen",
-  path: "Tool path", strokes: "Strokes as planned", force: "Force", found: "Surface as found", actualSurface: "Surface as it truly is",
+  path: "Tool path", strokes: "Strokes as planned", force: "Force", events: "Events", found: "Surface as found", actualSurface: "Surface as it truly is",
 };
 
 export class ScenePanel {
@@ -21,7 +21,7 @@ export class ScenePanel {
   private readonly stop: (() => void)[] = [];
   private version = -1;
 
-  constructor(private readonly recording: Recording, compact: boolean) {
+  constructor(private readonly recording: Recording, compact: boolean, seek: (time: number) => void) {
     const canvas = el("canvas", { class: "w-canvas", tabindex: 0, role: "img", "aria-label": "Robot, tool and surface in 3-D. W A S D turn the picture, Z and X zoom." });
     this.stage = makeStage(canvas, recording);
     const button = (text: string, title: string, act: () => void) => el("button", { class: "w-button", type: "button", title, click: act }, text);
@@ -44,6 +44,14 @@ export class ScenePanel {
     const sizes = new ResizeObserver(shape);
     sizes.observe(canvas);
     this.element.addEventListener("toggle", shape, true);
+    // A click on the path goes to when the tool was there.
+    let down = { x: 0, y: 0 };
+    canvas.addEventListener("pointerdown", ({ offsetX, offsetY }) => { down = { x: offsetX, y: offsetY }; });
+    canvas.addEventListener("click", ({ offsetX, offsetY }) => {
+      if (Math.hypot(offsetX - down.x, offsetY - down.y) > 3) return;
+      const time = stage.timeAt(offsetX, offsetY);
+      if (time !== null) seek(time);
+    });
     this.stop.push(() => sizes.disconnect(), onTheme(() => {
       stage.paint();
       if (isPrinting()) this.still.src = stage.picture();
@@ -64,6 +72,7 @@ export class ScenePanel {
       path: rounds.some(({ count }) => count > 0),
       strokes: rounds.some(({ plan }) => plan.strokes.length > 0),
       force: rounds.some(({ count }) => count > 0),
+      events: this.recording.happenings.length > 0,
       found: rounds.some(({ judged }) => judged?.found != null),
       actualSurface: rounds.some(({ truth }) => truth?.surface != null),
     };

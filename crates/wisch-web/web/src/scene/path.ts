@@ -61,6 +61,17 @@ export class Path {
     return ends;
   }
 
+  /** The time at which the path, as far as it is shown, is nearest to a place on the screen; null if it is not near. */
+  nearest(toScreen: (place: Vector3) => { x: number; y: number }, x: number, y: number, until: number, within: number): number | null {
+    let [best, time] = [within ** 2, null as number | null];
+    for (let k = 0; k < this.times.length && this.times.data[k]! <= until; k++) {
+      const at = toScreen(this.lines.end(k));
+      const away = (at.x - x) ** 2 + (at.y - y) ** 2;
+      if (away < best) [best, time] = [away, this.times.data[k]!];
+    }
+    return time;
+  }
+
   private place(i: number): Vector3 {
     const { data } = this.round.tool;
     return new Vector3(data[7 * i]!, data[7 * i + 1]!, data[7 * i + 2]!).add(this.normal);

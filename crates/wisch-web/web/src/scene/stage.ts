@@ -3,7 +3,7 @@ import {
   AmbientLight, Box3, Color, DirectionalLight, GridHelper, Group, HemisphereLight, Material, Mesh, MeshLambertMaterial,
   MeshStandardMaterial, Object3D, PlaneGeometry, Scene, ShadowMaterial, Sphere, Vector3,
 } from "three";
-import { colour } from "../theme.ts";
+import { colour, theme } from "../theme.ts";
 import type { BufferGeometry } from "three";
 import { Camera } from "./camera.ts";
 import type { Look } from "./camera.ts";
@@ -11,6 +11,7 @@ import { Dirt } from "./dirt.ts";
 import type { Mark } from "./dirt.ts";
 import { Force } from "./force.ts";
 import { LineMaterial, segments } from "./lines.ts";
+import { Marks } from "./marks.ts";
 import { Painter } from "./painter.ts";
 import { Path, Trajectories } from "./path.ts";
 import type { Trajectory } from "./path.ts";
@@ -20,11 +21,13 @@ import { Still } from "./surface.ts";
 import type { Round } from "../round.ts";
 import type { Instant, Recording } from "../store.ts";
 
-export type Layers = Record<Mark | "path" | "strokes" | "force" | "found" | "actualSurface", boolean>;
+export type Layers = Record<Mark | "path" | "strokes" | "force" | "events" | "found" | "actualSurface", boolean>;
 export const LAYERS: Layers = {
-  believed: true, estimated: true, actual: true, seen: false, path: true, strokes: false, force: true, found: true, actualSurface: true,
+  believed: true, estimated: true, actual: true, seen: false, path: true, strokes: false, force: true, events: true, found: true, actualSurface: true,
 };
 
+/** So near to the path a click means it. */
+const NEAR_PX = 9;
 /** So many rounds stay at hand. */
 const KEPT_ROUNDS = 6;
 
@@ -52,6 +55,7 @@ export class Stage {
   private readonly trajectories = new Trajectories();
   private readonly dirt = new Dirt();
   private readonly force = new Force();
+  private readonly marks = new Marks();
   private home: { all: Vector3[]; surface: Vector3[]; from: Vector3 } | null = null;
   private sized = false;
   private frame = 0;
@@ -64,7 +68,7 @@ export class Stage {
     const matte = (roughness: number) => (this.painter.software ? new MeshLambertMaterial() : new MeshStandardMaterial({ roughness, metalness: 0.05 }));
     const hand = Object.assign(matte(0.5), { transparent: true, opacity: 0.45, depthWrite: false });
     this.materials = { body: [matte(0.6), matte(0.6)], arm: [matte(0.5), matte(0.5)], hand, tool: new MeshLambertMaterial() };
-    this.scene.add(this.dirt.group, this.force.group, this.trajectories.group, this.highlights, this.ghosts);
+    this.scene.add(this.dirt.group, this.force.group, this.marks.points, this.trajectories.group, this.highlights, this.ghosts);
     this.camera = new Camera(canvas, () => this.ask());
     this.paint();
   }
@@ -96,6 +100,17 @@ export class Stage {
     if (at === "above") this.camera.look(this.home.surface, new Vector3(0, -1e-3, 1));
     else this.camera.look(this.home[at], this.home.from);
     this.ask();
+  }
+
+  /** The time of the common clock at which the tool was at a place of the picture, if it came by. */
+  timeAt(x: number, y: number): number | null {
+    if (!this.path || !this.layers.path) return null;
+    const { clientWidth, clientHeight } = this.canvas;
+    const time = this.path.nearest((place) => {
+      place.project(this.camera.lens);
+      return { x: ((place.x + 1) / 2) * clientWidth, y: ((1 - place.y) / 2) * clientHeight };
+    }, x, y, this.time - this.path.round.start, NEAR_PX);
+    return time === null ? null : this.path.round.start + time;
   }
 
   set follow(wanted: boolean) {
@@ -194,6 +209,7 @@ export class Stage {
     this.path!.show(time, this.layers.path);
     this.dirt.scale(this.camera.pixelsPerMetre(this.still!.surface, this.canvas.clientHeight));
     this.dirt.show(this.recording, this.time, instant, this.layers);
+    this.marks.show(this.recording, round, time, this.layers.events, theme());
     if (this.robot) this.force.show(instant, this.robot.toolPlace, this.camera.lens.position, this.layers.force);
   }
 
