@@ -37,6 +37,11 @@ const LONGEST_BODY: usize = 1 << 16;
 /// How often something is sent where nothing changes.
 const HEARTBEAT: Duration = Duration::from_secs(10);
 
+/// A board that is wiped from left to right.
+const ICON: &str = "<link rel=\"icon\" href=\"data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 \
+                    16 16'%3E%3Crect x='1' y='2' width='14' height='12' rx='2' fill='%23f3e3c3'/%3E%3Cpath d='M3 11h5l5-6' \
+                    fill='none' stroke='%230072b2' stroke-width='3'/%3E%3C/svg%3E\">";
+
 /// What is served, and where.
 #[derive(Debug, Clone)]
 pub struct Config {
@@ -194,6 +199,8 @@ async fn page() -> Answer {
     // The only script of the page comes last.
     let page = wisch_web::studio_page();
     let (before, after) = page.split_at(page.find("<main").unwrap_or(0));
+    // Browsers ask for an icon elsewhere if the page has none.
+    let before = before.replacen("</title>", &format!("</title>\n{ICON}"), 1);
     let script = format!("<script nonce=\"{nonce}\">");
     let page = format!("{before}{}", after.replacen("<script>", &script, 1));
     let headers = [

@@ -30,8 +30,8 @@ pub const EXAMPLES: [(&str, &str); 10] = [
     ),
     (
         "How well does each tool do, as a chart?",
-        "findall(Tool, tool_performance(Tool, _, _, _), Tools),\n\
-         findall(P, tool_performance(_, _, P, _), Ps),\n\
+        "findall(_T, tool_performance(_T, _, _, _), Tools),\n\
+         findall(_P, tool_performance(_, _, _P, _), Ps),\n\
          data_vis(barchart(tools), [data: [Tools, Ps], title: 'Mean performance by tool'])",
     ),
     (

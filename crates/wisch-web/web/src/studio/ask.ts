@@ -36,6 +36,7 @@ export class Ask {
   private readonly completer = new Completer(this.field);
   private readonly fault = el("div", { class: "w-complaint s-fault", role: "alert", hidden: true });
   private readonly chips = el("div", { class: "s-chips" });
+  private readonly examples = el("details", { class: "s-examples", open: true }, el("summary", {}, el("h2", {}, "Questions to begin with")), this.chips);
   private readonly result = el("div", { class: "s-answers", "aria-live": "polite" });
   private readonly button: HTMLButtonElement;
   private asking: AbortController | null = null;
@@ -46,7 +47,7 @@ export class Ask {
     this.element = el("section", { class: "s-ask", hidden: true },
       el("div", { class: "s-field" }, this.field, this.completer.list),
       el("div", { class: "s-row" }, this.button, el("span", { class: "w-quiet" }, "Enter asks, Shift + Enter breaks the line, Tab completes")),
-      this.fault, this.chips, this.result);
+      this.fault, this.examples, this.result);
     void this.learn();
   }
 
@@ -74,6 +75,7 @@ export class Ask {
     this.fault.hidden = true;
     const asking = new AbortController();
     this.asking = asking;
+    this.examples.open = false;
     say(this.button, "Cancel");
     this.result.replaceChildren(el("p", { class: "w-quiet" }, "Asking \u2026"));
     this.actions.asked(query);

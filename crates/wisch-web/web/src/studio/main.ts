@@ -79,7 +79,9 @@ class Studio {
     onChanged(() => void this.refresh(), (connected) => { this.offline.hidden = connected; });
     // For who drives the page from its console, or measures it.
     Object.assign(window, { wisch: { studio: this, stage: this.stage } });
-    await this.refresh();
+    const listed = this.refresh();
+    // An episode is fetched meanwhile; what else the address may say has to be looked up.
+    if (read(location.hash).kind !== "episode") await listed;
     await this.route();
   }
 
@@ -184,10 +186,12 @@ class Studio {
   private liveChanged(live: LiveSource): void {
     this.stage.connectionChanged();
     if (live.connection !== "ended") return;
-    // The same view, under the name that stays.
-    if (this.place.kind === "run" && this.place.ids[0] === live.id) this.keep({ kind: "episode", ids: [live.episode] });
-    this.side.mark(this.place.ids);
-    void this.refresh();
+    void this.refresh().then(() => {
+      // The same view, under the name that stays.
+      if (this.place.kind !== "run" || this.place.ids[0] !== live.id || !this.isKept(live.episode)) return;
+      this.keep({ kind: "episode", ids: [live.episode] });
+      this.side.mark(this.place.ids);
+    });
   }
 
   private compare(id: string): void {
@@ -210,7 +214,9 @@ class Studio {
       await this.load(place);
     } else if (this.isNarrow) this.open(null);
     const now = this.stage.shown.find((one) => one.id === id);
-    if (now) apply(now.view, shownOf(answers, row, id, now.recording));
+    if (!now) return;
+    this.stage.makeRoom();
+    apply(now.view, shownOf(answers, row, id, now.recording));
   }
 }
 

@@ -79,7 +79,7 @@ export class Side {
     for (const [day, episodes] of byDay(list.episodes)) {
       parts.push(el("h2", {}, day), el("ul", {}, ...episodes.map((episode) => this.episode(episode))));
     }
-    if (!list.episodes.length) parts.push(el("p", { class: "w-quiet" }, this.words ? "No episode fits." : "No episodes yet: start a task."));
+    if (!list.episodes.length && (this.words || !going.length)) parts.push(el("p", { class: "w-quiet" }, this.words ? "No episode fits." : "No episodes yet: start a task."));
     if (list.total > list.episodes.length) {
       parts.push(el("p", { class: "w-quiet" }, `The newest ${list.episodes.length} of ${list.total}; search for the others.`));
     }
@@ -107,7 +107,7 @@ export class Side {
 
   private run({ id, task, begun, state, message }: LiveRun): HTMLElement {
     const lost = state === "lost";
-    const words = lost ? "ended unexpectedly" : `running${begun ? ` since ${begun.slice(11, 16)}` : ""}`;
+    const words = lost ? "ended unexpectedly" : `running${begun ? ` since ${hour(begun)}` : ""}`;
     return el("li", {}, this.link("run", id,
       el("span", { class: "s-title" }, el("i", { class: `s-dot${lost ? " s-dot-lost" : ""}`, "aria-hidden": "true" }), task),
       el("span", { class: "s-what" }, el("span", {}, words)),
@@ -117,13 +117,12 @@ export class Side {
 
   private episode(one: Listed): HTMLElement {
     const { performance, low, high, rounds, collisions } = one;
-    const time = new Date(1000 * one.begun).toLocaleTimeString([], { hour: "2-digit", minute: "2-digit" });
-    const facts = [time, `${rounds} ${rounds === 1 ? "round" : "rounds"}`, `${fixed(one.seconds, 0)} s`];
+    const facts = [hourOf(new Date(1000 * one.begun)), `${rounds} ${rounds === 1 ? "round" : "rounds"}`, `${fixed(one.seconds, 0)} s`];
     if (collisions) facts.push(`pushed ${collisions}\u00d7`);
     if (!one.has_recording) facts.push("no recording");
     const interval = low !== null && high !== null ? `, 90\u202f% interval ${percent(low)} to ${percent(high)}` : "";
     return el("li", {}, this.link("episode", one.id,
-      el("span", { class: "s-title" }, one.title,
+      el("span", { class: "s-title" }, el("span", {}, one.title),
         performance === null ? null : el("b", { title: `estimated performance${interval}` }, percent(performance)),
         badge(one)),
       el("span", { class: "s-what" }, facts.join(" \u00b7 "))));
@@ -134,6 +133,14 @@ export class Side {
 export function badge({ met, verdict, performance }: Pick<Listed, "met" | "verdict" | "performance">): HTMLElement {
   const state = met ? "met" : performance === null ? "none" : "unmet";
   return el("span", { class: "s-badge", "data-state": state, title: verdict ?? "" }, { met: "met", unmet: "not met", none: "\u2013" }[state]);
+}
+
+const hourOf = (date: Date): string => date.toLocaleTimeString([], { hour: "2-digit", minute: "2-digit" });
+
+/** Date and time of a run, in UTC. */
+function hour(begun: string): string {
+  const date = new Date(`${begun.replace(" ", "T").replace(/Z$/, "")}Z`);
+  return Number.isNaN(date.getTime()) ? begun : hourOf(date);
 }
 
 function byDay(episodes: Listed[]): Map<string, Listed[]> {

@@ -88,6 +88,11 @@ export class Stage {
     return { ...source, view, head, stop };
   }
 
+  /** Puts stories away. */
+  makeRoom(): void {
+    for (const { head } of this.panes) head.toggle(false);
+  }
+
   /** Keys go to what is shown. */
   focus(): void {
     const element = this.panes[0]?.view.element;
@@ -152,7 +157,7 @@ class Head {
     this.show();
   }
 
-  private toggle(open: boolean): void {
+  toggle(open: boolean): void {
     this.story.hidden = !open;
     this.storyButton.setAttribute("aria-pressed", String(open));
   }
@@ -187,8 +192,8 @@ class Head {
     say(this.connection, [CONNECTIONS[connection], live?.message ?? ""].filter((words) => words).join(": "));
     this.stopButton.hidden = !live || connection === "ended" || connection === "lost" || connection === "gone";
     const episode = live?.episode ?? id;
-    const isKept = !live || (connection === "ended" && this.actions.isKept(episode));
-    say(this.kept, isKept ? `episode ${episode}` : "");
+    if (!live || (connection === "ended" && this.actions.isKept(episode))) say(this.kept, `episode ${episode}`);
+    else say(this.kept, connection === "ended" ? "not kept as an episode" : "");
     if (this.wasLive && recording.ended) {
       // What came of it is what the run was watched for.
       this.wasLive = false;
