@@ -141,6 +141,8 @@ class Follower:
         self.track = []
         """Where the tool was after each period of wiping: x, y, broad side's angle [m, rad]."""
         self.landed = False
+        self.is_singular = False
+        """Whether the arm is near a singular posture, until the controller can take a whole command again."""
         self.yaw = self.pose()[2]
 
     def pose(self):
@@ -249,7 +251,9 @@ class Follower:
                 errors = self.world.errors_for(taken, wrench, heaviest)
                 far = np.abs(errors[:3]).max()
                 if far <= TAKEN:
+                    self.is_singular = self.is_singular and heaviest < np.inf
                     return errors
-            if heaviest == np.inf and far <= self.config.singular:
+            self.is_singular = self.is_singular or far > self.config.singular
+            if not self.is_singular:
                 return errors
         return errors

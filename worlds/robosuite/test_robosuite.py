@@ -118,6 +118,17 @@ def test_nothing_is_given_up_but_near_a_singular_posture(panda, by_mass, given_u
     assert errors[2] == by_mass(given_up[-1] if given_up else np.inf)
 
 
+def test_what_is_given_up_stays_so_until_a_whole_command_fits(panda):
+    follower, size = Follower(panda), 0.0
+    follower.world = Heavy(lambda mass: size if mass == np.inf else 0.01)
+    given_up = []
+    for size in (0.2, 0.4, 0.2, 0.06, 0.0, 0.2):
+        follower.world.asked.clear()
+        follower._errors(np.zeros(6), np.zeros(6))
+        given_up.append(min(follower.world.asked) < np.inf)
+    assert given_up == [False, True, True, True, False, False]
+
+
 def test_a_tool_that_looks_the_same_after_half_a_turn():
     assert wrapped(np.pi) == pytest.approx(0.0)
     assert wrapped(0.6 * np.pi) == pytest.approx(-0.4 * np.pi)
