@@ -53,7 +53,7 @@ export function surfacePicture(round: Round, layers: Dots[], label: string): SVG
   const box = [left - pad, -top - pad, right - left + 2 * pad, top - bottom + 2 * pad].map((v) => (1000 * v).toFixed(1));
   // Many dots are drawn smaller.
   const most = Math.max(1, ...layers.map(({ places }) => places.length / 2));
-  const unit = 7 * Math.max(right - left, top - bottom) * Math.min(1, Math.max(0.45, Math.sqrt(140 / most)));
+  const unit = 7 * Math.max(right - left, top - bottom) * Math.min(1, Math.max(0.6, Math.sqrt(160 / most)));
   const d = rings.map((ring) => `M${Array.from({ length: ring.length / 2 }, (_, i) => `${(1000 * ring[2 * i]!).toFixed(1)} ${(-1000 * ring[2 * i + 1]!).toFixed(1)}`).join("L")}Z`).join("");
   return svg("svg", { viewBox: box.join(" "), class: "w-picture", role: "img", "aria-label": label },
     svg("path", { d, class: "w-ground", "fill-rule": "evenodd", "stroke-width": 0.005 * 1000 * Math.max(right - left, top - bottom) }),

@@ -45,7 +45,7 @@ export class Story {
   private show(): void {
     const { head, ended, rounds, stages, live } = this.recording;
     const judged = rounds.findLast((round) => round.judged) ?? null;
-    say(this.title, head?.title || "A run without a head");
+    say(this.title, head?.title || "Recording");
     const planned = rounds.length > 0 && rounds.every(({ plan }) => plan.kind === "planned");
     const state = ended ? (ended.met ? "met" : "unmet") : live ? "live" : planned ? "planned" : "broken";
     this.badge.dataset.state = state;
@@ -77,6 +77,7 @@ export class Story {
       this.pictures.replaceChildren();
       return;
     }
+    const goal = first.plan.goal.kind === "collected" ? ["goal"] : [];
     const last = rounds.findLast((round) => round.judged ?? round.truth) ?? null;
     const before: Dots[] = [{ mark: "believed", places: first.particles.places(0) }];
     if (observedBefore) before.push({ mark: "seen", places: metres(observedBefore.detections) });
@@ -90,11 +91,11 @@ export class Story {
     if (!last) {
       const end = first.particles.places(Math.max(0, first.particles.times.length - 1));
       if (first.plan.kind === "planned") {
-        this.pictures.replaceChildren(figure("Before", first, before), this.arrow(), figure("As predicted", first, [{ mark: "believed", places: end }]), legend(["believed", "goal"]));
-      } else this.pictures.replaceChildren(figure("Believed before", first, before), legend(["believed", "goal"]));
+        this.pictures.replaceChildren(figure("Before", first, before), this.arrow(), figure("As predicted", first, [{ mark: "believed", places: end }]), legend(["believed", ...goal]));
+      } else this.pictures.replaceChildren(figure("Believed before", first, before), legend([...before.map(({ mark }) => mark), ...goal]));
       return;
     }
-    const names = [...new Set([...before, ...after].map(({ mark }) => mark as string)), ...(first.plan.goal.kind === "collected" ? ["goal"] : [])];
+    const names = [...new Set([...before, ...after].map(({ mark }) => mark as string)), ...goal];
     this.pictures.replaceChildren(
       figure("Before", first, before), this.arrow(),
       figure(`After ${last.number} ${last.number === 1 ? "round" : "rounds"}`, last, after), legend(names));
@@ -113,16 +114,19 @@ export class Story {
     const rows = judged.map(({ number, judged, truth }) => {
       const { estimate, felt } = judged!;
       const truly = truth?.performance ?? null;
-      const x = (share: number) => 10 + 380 * Math.min(1, Math.max(0, share));
+      const x = (share: number) => `${(1.5 + 97 * Math.min(1, Math.max(0, share))).toFixed(2)}%`;
+      const width = (from: number, to: number) => `${Math.max(0.6, 97 * (Math.min(1, to) - Math.max(0, from))).toFixed(2)}%`;
+      const upright = (share: number, y1: number, y2: number, look: Record<string, string | number>) => svg("line", { x1: x(share), x2: x(share), y1, y2, ...look });
       const label = `Round ${number}: estimated ${percent(estimate.mean)}, 90 % interval ${percent(estimate.low)} to ${percent(estimate.high)}${truly === null ? "" : `, true ${percent(truly)}`}`;
       return el("div", { class: "w-bar" }, el("span", {}, `Round ${number}`),
-        svg("svg", { viewBox: "0 0 400 26", role: "img", "aria-label": label, preserveAspectRatio: "none" },
-          svg("rect", { x: x(0), y: 8, width: x(1) - x(0), height: 10, rx: 5, fill: "var(--lane)" }),
-          svg("path", { d: `M${x(felt.low)} 22H${x(felt.high)}`, stroke: "var(--felt)", "stroke-width": 2 }),
-          svg("rect", { x: x(estimate.low), y: 6, width: Math.max(3, x(estimate.high) - x(estimate.low)), height: 14, rx: 4, fill: "var(--estimated)", "fill-opacity": 0.35, stroke: "var(--estimated)", "stroke-width": 1.6 }),
-          svg("path", { d: `M${x(estimate.mean)} 4V22`, stroke: "var(--estimated)", "stroke-width": 3 }),
-          target !== null && svg("path", { d: `M${x(target)} 0V26`, stroke: "var(--target)", "stroke-width": 2, "stroke-dasharray": "4 3" }),
-          truly !== null && svg("path", { d: `M${x(truly) - 5} 8l10 10m0 -10l-10 10`, stroke: "var(--actual)", "stroke-width": 2.6, fill: "none" })),
+        svg("svg", { role: "img", "aria-label": label },
+          svg("rect", { x: x(0), y: 8, width: "97%", height: 10, rx: 5, fill: "var(--lane)" }),
+          svg("rect", { x: x(felt.low), y: 21.5, width: width(felt.low, felt.high), height: 2, fill: "var(--felt)" }),
+          svg("rect", { x: x(estimate.low), y: 6, width: width(estimate.low, estimate.high), height: 14, rx: 4, fill: "var(--estimated)", "fill-opacity": 0.35, stroke: "var(--estimated)", "stroke-width": 1.6 }),
+          upright(estimate.mean, 4, 22, { stroke: "var(--estimated)", "stroke-width": 3 }),
+          target !== null && upright(target, 0, 26, { stroke: "var(--target)", "stroke-width": 2, "stroke-dasharray": "4 3" }),
+          truly !== null && svg("svg", { x: x(truly), y: 13, overflow: "visible" },
+            svg("path", { d: "M-5 -5L5 5M5 -5L-5 5", stroke: "var(--actual)", "stroke-width": 2.6, fill: "none" }))),
         el("b", {}, percent(estimate.mean)));
     });
     const anyTruth = judged.some(({ truth }) => typeof truth?.performance === "number");

@@ -77,7 +77,7 @@ export class Words {
     const { recording, clock } = this;
     const stage = recording.live && (clock.following || !instant) ? recording.stages.at(-1) : undefined;
     if (!instant) {
-      say(this.headline, stage?.words ?? (recording.head ? "No round has begun." : "Nothing has been recorded yet."));
+      say(this.headline, stage?.words ?? (!recording.live ? "The recording holds no round." : recording.head ? "No round has begun." : "Nothing has been recorded yet."));
       say(this.below, "");
       for (const value of Object.values(this.live)) say(value, "\u2013");
       return;

@@ -6,7 +6,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 export type Look = "all" | "surface" | "above";
 const TURN = Math.PI / 24;
 /** So much more than what is looked at is seen. */
-const MARGIN = 1.1;
+const MARGIN = 1.16;
 
 export class Camera {
   readonly lens = new PerspectiveCamera(36, 1, 0.02, 200);

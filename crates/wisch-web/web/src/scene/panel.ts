@@ -22,7 +22,7 @@ export class ScenePanel {
   private version = -1;
 
   constructor(private readonly recording: Recording, compact: boolean, seek: (time: number) => void) {
-    const canvas = el("canvas", { class: "w-canvas", tabindex: 0, role: "img", "aria-label": "Robot, tool and surface in 3-D. W A S D turn the picture, Z and X zoom." });
+    const canvas = el("canvas", { class: "w-canvas", tabindex: 0, role: "application", "aria-label": "Robot, tool and surface in 3-D. W A S D turn the picture, Z and X zoom." });
     this.stage = makeStage(canvas, recording);
     const button = (text: string, title: string, act: () => void) => el("button", { class: "w-button", type: "button", title, click: act }, text);
     this.follow = button("Follow tool", "Keep the tool in the middle  T", () => this.toggleFollow());
@@ -77,6 +77,8 @@ export class ScenePanel {
       actualSurface: rounds.some(({ truth }) => truth?.surface != null),
     };
     for (const [name, box] of this.boxes) box.hidden = !has[name];
+    const layers = this.element.querySelector<HTMLElement>(".w-layers");
+    if (layers) layers.hidden = !Object.values(has).some(Boolean);
   }
 
   look(at: "all" | "surface" | "above"): void {

@@ -27,7 +27,7 @@ function axis(pen: Pen, frame: Frame, lane: Lane, low: number, high: number, mos
 function clipped(pen: Pen, frame: Frame, lane: Lane, draw: () => void): void {
   pen.save();
   pen.beginPath();
-  pen.rect(frame.left - 1, lane.top - 2, frame.width - frame.left + 1, lane.height + 4);
+  pen.rect(frame.left - 1, lane.top - 2, frame.span + 2, lane.height + 4);
   pen.clip();
   draw();
   pen.restore();
@@ -103,9 +103,11 @@ export function drawPerformance(pen: Pen, frame: Frame, lane: Lane, recording: R
     for (const round of recording.rounds) {
       if (round.end < frame.from || round.start > frame.to) continue;
       growth(pen, frame, round, y);
-      if (round.judged) whiskers(pen, frame.x(round.end), y, round);
     }
   });
+  for (const round of recording.rounds) {
+    if (round.judged && round.end >= frame.from && round.end <= frame.to + 1e-9) whiskers(pen, frame.x(round.end), y, round);
+  }
   if (target === undefined) return;
   font(pen, 10);
   pen.fillStyle = colour("target");
