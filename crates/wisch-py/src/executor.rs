@@ -32,7 +32,7 @@ trait Taking {
 /// An executor in Python: any object with `execute(motion, sink)` and, if it can look, `observe()`.
 pub struct PyExecutor<'py> {
     pub object: Bound<'py, PyAny>,
-    /// Without a sample for so long, it is given up.
+    /// Without a sample, or an answer of what it sees, for so long, it is given up.
     pub timeout: Option<Duration>,
     /// What it raised.
     pub raised: Option<PyErr>,
@@ -74,6 +74,17 @@ impl PyExecutor<'_> {
         self.raised = Some(error);
         Err(message)
     }
+
+    /// What it sees, if it says so in time; nothing of one that cannot look.
+    pub fn look(&self) -> PyResult<Option<Observation>> {
+        let py = self.object.py();
+        let watchdog = Watchdog::begin(py, self.timeout)?;
+        let seen = observe(&self.object);
+        match watchdog {
+            Some(watchdog) => watchdog.end(py, seen, "did not say what it sees"),
+            None => seen,
+        }
+    }
 }
 
 impl Executor for PyExecutor<'_> {
@@ -113,7 +124,7 @@ impl Executor for PyExecutor<'_> {
             self.object.call_method1("execute", (motion, taker))
         });
         let returned = match &watchdog {
-            Some(watchdog) => watchdog.end(py, returned),
+            Some(watchdog) => watchdog.end(py, returned, "handed on no sample"),
             None => returned,
         };
         let since = round.intake.time();
@@ -141,12 +152,12 @@ impl Executor for PyExecutor<'_> {
     }
 
     fn observe(&mut self, _: &Task) -> Result<Option<Observation>, ExecutorError> {
-        observe(&self.object).or_else(|error| self.raise(error))
+        self.look().or_else(|error| self.raise(error))
     }
 }
 
 /// What an executor sees; nothing of one that cannot look.
-pub fn observe(object: &Bound<'_, PyAny>) -> PyResult<Option<Observation>> {
+fn observe(object: &Bound<'_, PyAny>) -> PyResult<Option<Observation>> {
     let Ok(look) = object.getattr("observe") else {
         return Ok(None);
     };

@@ -6,7 +6,7 @@
 
 use crate::arrays::{self, Matrix};
 use crate::error::{of_run, plain, refused};
-use crate::executor::{PyExecutor, observe};
+use crate::executor::PyExecutor;
 use crate::motion::PyMotion;
 use crate::pictures;
 use crate::plan::PyPlan;
@@ -290,7 +290,7 @@ impl PySession {
                 }
                 Some(Ok(Request::Observe)) => {
                     let seen = match &call.executor {
-                        Some(executor) => observe(&executor.object)?,
+                        Some(executor) => executor.look()?,
                         None => None,
                     };
                     let _ = answer.send(Reply::Seen(Ok(seen)));

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 /// Between two looks.
 const LOOK: Duration = Duration::from_millis(20);
 
-/// Watches one execution, and interrupts its thread as Ctrl-C would when there is no sample for too long.
+/// Watches one call of an executor, and interrupts its thread as Ctrl-C would when it gives no sign of life for too long.
 pub struct Watchdog {
     limit: Duration,
     shared: Arc<Shared>,
@@ -70,13 +70,13 @@ impl Watchdog {
         }))
     }
 
-    /// There was a sample.
+    /// There was a sign of life.
     pub fn touch(&self) {
         *(self.shared.last.lock()).unwrap_or_else(PoisonError::into_inner) = Instant::now();
     }
 
-    /// Watches no longer; what the execution came to, or that it was given up.
-    pub fn end<T>(&self, py: Python<'_>, result: PyResult<T>) -> PyResult<T> {
+    /// Watches no longer; what the call came to, or that it was given up, with what was missing of it.
+    pub fn end<T>(&self, py: Python<'_>, result: PyResult<T>, missing: &str) -> PyResult<T> {
         self.shared.is_over.store(true, Ordering::SeqCst);
         let thread = (self.thread.lock().unwrap_or_else(PoisonError::into_inner)).take();
         py.detach(|| thread.map(JoinHandle::join));
@@ -89,9 +89,7 @@ impl Watchdog {
         match result {
             Err(error) if !error.is_instance_of::<PyKeyboardInterrupt>(py) => Err(error),
             Ok(value) if late.is_err() => Ok(value),
-            _ => Err(plain(format!(
-                "the executor handed on no sample for {seconds} s"
-            ))),
+            _ => Err(plain(format!("the executor {missing} for {seconds} s"))),
         }
     }
 }

@@ -8,7 +8,7 @@ import time
 
 import numpy as np
 import pytest
-from conftest import Exact
+from conftest import AllAtOnce, Exact
 
 import wisch
 
@@ -173,6 +173,40 @@ def test_an_executor_that_hangs_is_given_up(task, robot, how, thread):
     assert isinstance(error, wisch.WischError) and "no sample for 0.4 s" in str(error), repr(error)
     assert seconds < 30
     assert len(session.rounds[0].telemetry) == GOOD
+    time.sleep(0.1)  # an interruption that came late would come now
+
+
+@pytest.mark.parametrize("looks", [1, 2], ids=["before the first plan", "after a motion"])
+@pytest.mark.parametrize("thread", ["main", "other"])
+def test_an_executor_that_looks_for_ever_is_given_up(robot, looks, thread):
+    class Stares(AllAtOnce):
+        def observe(self):
+            seen.append(1)
+            end = time.monotonic() + 60
+            while len(seen) == looks and time.monotonic() < end:
+                time.sleep(0.05 if thread == "other" else 60)
+            return seeing.particles
+
+    seen, results = [], []
+    seeing = wisch.load_task("arm-board")
+    session = seeing.session(robot)
+
+    def run():
+        begin = time.monotonic()
+        try:
+            session.run(Stares(seeing.surface_reaction), timeout=0.4)
+        except BaseException as error:
+            results.append((error, time.monotonic() - begin))
+
+    if thread == "main":
+        run()
+    else:
+        other = threading.Thread(target=run)
+        other.start()
+        other.join()
+    [(error, seconds)] = results
+    assert isinstance(error, wisch.WischError) and "did not say what it sees for 0.4 s" in str(error), repr(error)
+    assert len(seen) == looks and seconds < 30
     time.sleep(0.1)  # an interruption that came late would come now
 
 

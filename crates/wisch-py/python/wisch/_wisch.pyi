@@ -362,7 +362,7 @@ class Session:
     What takes long runs without Python's lock. Ctrl-C is heard in every stage; the stage goes on by itself to its end, and the
     session can go on from there. ``on_event`` is called with what happens as a dict, as ``wisch run --events`` writes it; if it
     returns False, the session stops. An executor is called on the caller's thread; ``timeout`` [s] gives it up when there is
-    no sample for so long.
+    no sample, or ``observe`` does not return, for so long.
     """
     def plan(self, executor: Executor | None = None, *, on_event: OnEvent | None = None) -> Plan:
         """Plan the round at hand, if it is not planned; an executor that can look is asked before the first."""
