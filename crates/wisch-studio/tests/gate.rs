@@ -1,0 +1,116 @@
+//! Who is let in.
+
+use crate::client::send;
+use crate::place::Place;
+
+#[test]
+fn without_the_token_there_is_nothing() {
+    let place = Place::new();
+    let token = place.base.trim_matches('/');
+    assert_eq!(token.len(), 32);
+    let other: String = token
+        .chars()
+        .map(|c| if c == '0' { '1' } else { '0' })
+        .collect();
+    let near = format!(
+        "{}{}",
+        &token[..31],
+        if token.ends_with('0') { '1' } else { '0' }
+    );
+    for path in [
+        "/".to_owned(),
+        "/api/overview".to_owned(),
+        format!("/{other}/"),
+        format!("/{near}/api/overview"),
+        format!("/{}/", &token[..31]),
+        format!("/{token}0/"),
+        format!("//{token}/"),
+        format!("/x/../{token}/"),
+    ] {
+        let answer = send(&place.address, "GET", &path, &[], "");
+        assert_eq!(answer.status, 404, "{path}");
+        assert_eq!(answer.body, b"", "{path}");
+    }
+    assert_eq!(place.get("").status, 200);
+}
+
+#[test]
+fn tokens_differ() {
+    assert_ne!(Place::new().base, Place::new().base);
+}
+
+#[test]
+fn a_name_that_somebody_points_here_is_refused() {
+    let place = Place::new();
+    let port = place.address.rsplit(':').next().unwrap();
+    for (host, status) in [
+        (format!("evil.example:{port}"), 421),
+        (format!("127.0.0.1.evil.example:{port}"), 421),
+        ("127.0.0.1".to_owned(), 421),
+        ("127.0.0.1:1".to_owned(), 421),
+        (String::new(), 421),
+        (format!("127.0.0.1:{port}"), 200),
+        (format!("localhost:{port}"), 200),
+        (format!("LOCALHOST:{port}"), 200),
+        (format!("[::1]:{port}"), 200),
+    ] {
+        let answer = place.get_with("api/overview", &[("Host", &host)]);
+        assert_eq!(answer.status, status, "{host:?}");
+    }
+}
+
+#[test]
+fn other_pages_are_refused() {
+    let place = Place::new();
+    let own = format!("http://{}", place.address);
+    let secure = format!("https://{}", place.address);
+    for (origin, status) in [
+        ("https://evil.example", 403),
+        ("http://127.0.0.1:1", 403),
+        ("null", 403),
+        (secure.as_str(), 403),
+        (own.as_str(), 200),
+    ] {
+        let answer = place.get_with("api/overview", &[("Origin", origin)]);
+        assert_eq!(answer.status, status, "{origin}");
+        assert!(!answer.headers.contains_key("access-control-allow-origin"));
+    }
+}
+
+#[test]
+fn browsers_are_told_to_keep_it_to_themselves() {
+    let place = Place::new();
+    for path in ["", "api/overview", "nothing"] {
+        let headers = place.get(path).headers;
+        for (name, value) in [
+            ("referrer-policy", "no-referrer"),
+            ("x-content-type-options", "nosniff"),
+            ("cache-control", "no-store"),
+            ("cross-origin-resource-policy", "same-origin"),
+        ] {
+            assert_eq!(headers[name], value, "{path}");
+        }
+        let policy = &headers["content-security-policy"];
+        assert!(policy.contains("default-src 'none'"), "{path}: {policy}");
+        assert!(
+            policy.contains("frame-ancestors 'none'"),
+            "{path}: {policy}"
+        );
+    }
+}
+
+#[test]
+fn the_pages_script_is_the_only_one_that_may_run() {
+    let place = Place::new();
+    let page = place.get("");
+    let policy = &page.headers["content-security-policy"];
+    let (_, rest) = policy.split_once("'nonce-").unwrap();
+    let (nonce, _) = rest.split_once('\'').unwrap();
+    let text = page.text();
+    assert_eq!(
+        text.matches(&format!("<script nonce=\"{nonce}\">")).count(),
+        1
+    );
+    assert!(!policy.contains("unsafe-eval") && !policy.contains("script-src 'unsafe-inline'"));
+    assert_ne!(policy, &place.get("").headers["content-security-policy"]);
+}
