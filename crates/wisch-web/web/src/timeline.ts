@@ -32,6 +32,7 @@ export class Timeline {
   private readonly cursor = el("i", { class: "w-cursor", "aria-hidden": "true" });
   private readonly hair = el("i", { class: "w-hair", "aria-hidden": "true", hidden: true });
   private readonly veil = el("i", { class: "w-veil", "aria-hidden": "true", hidden: true });
+  private readonly whole = el("button", { class: "w-button w-whole", type: "button", hidden: true, title: "See the whole run again  (double-click)", click: () => this.reset() }, "Whole run");
   private readonly tip = el("div", { class: "w-tip", hidden: true });
   private readonly frame: Frame;
   private readonly stop: (() => void)[] = [];
@@ -47,7 +48,7 @@ export class Timeline {
     this.element = el("div", {
       class: "w-timeline", role: "slider", tabindex: 0, "aria-label": "Time in the run",
       "aria-valuemin": 0, "aria-keyshortcuts": "Space ArrowLeft ArrowRight [ ] Home End",
-    }, this.base, this.veil, this.hair, this.cursor, this.tip);
+    }, this.base, this.veil, this.hair, this.cursor, this.whole, this.tip);
     listen(this.element, {
       seek: (x) => {
         if (clock.playing) clock.pause();
@@ -139,6 +140,7 @@ export class Timeline {
     else if (clock.playing || clock.following) this.keepInSight();
     if (this.stale || this.drawn.version !== recording.version || this.drawn.duration !== duration) this.drawBase();
     this.drawn = { version: recording.version, duration };
+    this.whole.hidden = !this.zoomed;
     this.stale = false;
     this.drawOver();
     const { element } = this;

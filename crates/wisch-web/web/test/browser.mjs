@@ -102,8 +102,11 @@ const cases = {
     const tip = await page.locator(".w-tip").innerText();
     assert.match(tip, /round 1/);
     await picture("zoomed");
+    assert.equal(await page.locator(".w-whole").isVisible(), true);
     await page.mouse.dblclick(left + 0.5 * span, box.y + 180);
     near(await time(page), 0.5 * duration, 1.5);
+    await drawn(page);
+    assert.equal(await page.locator(".w-whole").isVisible(), false);
 
     await page.getByRole("button", { name: "Dark" }).click();
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(18, 22, 27)");
@@ -154,6 +157,24 @@ const cases = {
     await picture("phone-view");
     const [scene, below, words] = await Promise.all([".w-scene", ".w-below", ".w-words"].map((part) => page.locator(part).boundingBox()));
     assert.ok(scene.y + scene.height <= below.y + 1 && below.y + below.height <= words.y + 1);
+    // Two fingers that part zoom the timeline; one finger scrubs it.
+    await page.locator(".w-timeline").scrollIntoViewIfNeeded();
+    const lanes = await page.locator(".w-timeline").boundingBox();
+    const fingers = await page.context().newCDPSession(page);
+    const touch = (type, ...xs) => fingers.send("Input.dispatchTouchEvent", { type, touchPoints: xs.map((x, id) => ({ x, y: lanes.y + 60, id })) });
+    await touch("touchStart", 100);
+    await touch("touchMove", 140);
+    await touch("touchEnd");
+    near(await time(page), ((140 - lanes.x - 34) / (lanes.width - 34 - 22)) * (await page.evaluate(() => wisch.view.clock.duration)), 0.3);
+    await touch("touchStart", 150, 190);
+    await touch("touchMove", 120, 220);
+    await touch("touchMove", 80, 260);
+    await touch("touchEnd");
+    await drawn(page);
+    assert.equal(await page.locator(".w-whole").isVisible(), true, "a pinch does not zoom");
+    await page.locator(".w-whole").tap();
+    await drawn(page);
+    assert.equal(await page.locator(".w-whole").isVisible(), false);
     assert.deepEqual(complaints, []);
     await page.close();
   },

@@ -70,6 +70,7 @@ export class Stage {
     this.materials = { body: [matte(0.6), matte(0.6)], arm: [matte(0.5), matte(0.5)], hand, tool: new MeshLambertMaterial() };
     this.scene.add(this.dirt.group, this.force.group, this.marks.points, this.trajectories.group, this.highlights, this.ghosts);
     this.camera = new Camera(canvas, () => this.ask());
+    canvas.addEventListener("webglcontextrestored", () => this.ask());
     this.paint();
   }
 

@@ -19,7 +19,7 @@ export function listen(element: HTMLElement, handlers: Handlers): void {
   };
 
   element.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
+    if (event.button !== 0 || event.target instanceof HTMLButtonElement) return;
     pointers.set(event.pointerId, xOf(event));
     element.setPointerCapture(event.pointerId);
     element.focus({ preventScroll: true });
