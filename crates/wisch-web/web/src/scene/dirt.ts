@@ -8,7 +8,7 @@ import type { Outcome } from "../store.ts";
 
 export type Mark = "believed" | "estimated" | "actual" | "seen";
 export const MARKS: Mark[] = ["believed", "estimated", "actual", "seen"];
-const SIZE: Record<Mark, number> = { believed: 6, estimated: 10, actual: 8, seen: 12 };
+const SIZE: Record<Mark, number> = { believed: 6, estimated: 12, actual: 8, seen: 14 };
 
 /** How large the dot of a particle is drawn [m]. */
 const CRUMB_M = 0.007;
@@ -16,9 +16,9 @@ const CRUMB_M = 0.007;
 /** How a mark looks, drawn on a square of size 64. */
 const DRAW: Record<Mark, (pen: CanvasRenderingContext2D) => void> = {
   believed: (pen) => { pen.arc(32, 32, 28, 0, 2 * Math.PI); pen.fill(); },
-  estimated: (pen) => { pen.lineWidth = 13; pen.arc(32, 32, 22, 0, 2 * Math.PI); pen.stroke(); },
+  estimated: (pen) => { pen.lineWidth = 9; pen.arc(32, 32, 25, 0, 2 * Math.PI); pen.stroke(); },
   actual: (pen) => { pen.lineWidth = 15; pen.moveTo(10, 10); pen.lineTo(54, 54); pen.moveTo(54, 10); pen.lineTo(10, 54); pen.stroke(); },
-  seen: (pen) => { pen.lineWidth = 9; pen.rect(8, 8, 48, 48); pen.stroke(); },
+  seen: (pen) => { pen.lineWidth = 7; pen.rect(6, 6, 52, 52); pen.stroke(); },
 };
 
 function texture(mark: Mark): CanvasTexture {

@@ -26,6 +26,7 @@ export class Painter {
   private width = 0;
   private height = 0;
   private ratio = 0;
+  private rested = false;
   private rest: ReturnType<typeof setTimeout> | undefined;
 
   constructor(canvas: HTMLCanvasElement) {
@@ -35,6 +36,11 @@ export class Painter {
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.shadowMap.autoUpdate = !this.software;
+  }
+
+  /** Without a graphics card the first picture comes without shadows: to make ready for them takes as long as the picture. */
+  get shadows(): boolean {
+    return !this.software || this.rested;
   }
 
   get shadowSize(): number {
@@ -50,13 +56,16 @@ export class Painter {
     if (this.software) this.renderer.setClearColor(new Color(colour("scene")));
   }
 
-  /** Draws; what moves coarsely is drawn finely once it rests. */
-  draw(scene: Scene, camera: Camera, resting = !this.software): void {
+  /** Draws; what moves is drawn coarsely, and asked for again once it rests. */
+  draw(scene: Scene, camera: Camera, resting: boolean, again: () => void): void {
     clearTimeout(this.rest);
     this.sharpen(resting);
     this.renderer.shadowMap.needsUpdate = resting || this.renderer.info.render.frame % 3 === 0;
     this.renderer.render(scene, camera);
-    if (!resting) this.rest = setTimeout(() => this.draw(scene, camera, true), REST_MS);
+    if (!resting) this.rest = setTimeout(() => {
+      this.rested = true;
+      again();
+    }, REST_MS);
   }
 
   destroy(): void {

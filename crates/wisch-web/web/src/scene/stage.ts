@@ -40,7 +40,9 @@ export class Stage {
   private readonly painter: Painter;
   private readonly scene = new Scene();
   private readonly materials: RobotMaterials & Record<string, unknown>;
-  private readonly floor = new ShadowMaterial({ opacity: 0.14 });
+  /** Where shadows fall beside all else. */
+  private readonly ground = new Mesh(new PlaneGeometry(1, 1), new ShadowMaterial({ opacity: 0.14 }));
+  private sun: DirectionalLight | null = null;
   private grid: GridHelper | null = null;
   private robot: Robot | null = null;
   private readonly ghosts = new Group();
@@ -186,11 +188,12 @@ export class Stage {
     this.painter.destroy();
   }
 
-  private draw(resting?: boolean): void {
+  private draw(resting = !this.painter.software): void {
     const instant = this.recording.at(this.time);
     if (!this.sized) return;
     if (instant) this.place(instant);
-    this.painter.draw(this.scene, this.camera.lens, resting);
+    if (this.sun) this.sun.castShadow = this.ground.visible = this.painter.shadows;
+    this.painter.draw(this.scene, this.camera.lens, resting, () => this.draw(true));
     this.drawn++;
   }
 
@@ -302,13 +305,13 @@ export class Stage {
     this.grid.position.set(Math.round(center.x), Math.round(center.y), 0);
     Object.assign(this.grid.material, { vertexColors: false, transparent: true, opacity: 0.7 });
     (this.grid.material as Material & { color: Color }).color.set(colour("rule"));
-    const floor = new Mesh(new PlaneGeometry(cells / 2, cells / 2), this.floor);
-    floor.position.set(this.grid.position.x, this.grid.position.y, -0.001);
-    floor.receiveShadow = true;
+    this.ground.scale.setScalar(cells / 2);
+    this.ground.position.set(this.grid.position.x, this.grid.position.y, -0.001);
+    this.ground.receiveShadow = true;
     const sun = new DirectionalLight(0xffffff, 2.0);
     sun.position.copy(center).addScaledVector(SUN, 2 * radius);
     sun.target.position.copy(center);
-    sun.castShadow = true;
+    this.sun = sun;
     sun.shadow.mapSize.set(this.painter.shadowSize, this.painter.shadowSize);
     sun.shadow.bias = -0.0005;
     sun.shadow.normalBias = 0.01;
@@ -316,7 +319,7 @@ export class Stage {
     Object.assign(sun.shadow.camera, {
       left: -1.4 * radius, right: 1.4 * radius, top: 1.4 * radius, bottom: -1.4 * radius, near: 0.1, far: 9 * radius,
     });
-    this.scene.add(this.grid, floor, sun, sun.target, new HemisphereLight(0xffffff, 0x8a8f98, 1.7), new AmbientLight(0xffffff, 0.35));
+    this.scene.add(this.grid, this.ground, sun, sun.target, new HemisphereLight(0xffffff, 0x8a8f98, 1.7), new AmbientLight(0xffffff, 0.35));
     for (const [axis, name] of [[[1, 0, 0], "axis-x"], [[0, 1, 0], "axis-y"], [[0, 0, 1], "axis-z"]] as const) {
       const material = new LineMaterial({ linewidth: 2.5 });
       material.color.set(colour(name));

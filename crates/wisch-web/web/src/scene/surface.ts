@@ -143,7 +143,7 @@ export class Still {
     group.add(outline);
     const face = tint ? this.face() : null;
     if (face) {
-      const material = new MeshLambertMaterial({ transparent: true, opacity: tint, side: DoubleSide, depthWrite: false });
+      const material = new MeshLambertMaterial({ transparent: true, opacity: tint, depthWrite: false });
       group.add(new Mesh(face, this.keep(material, name)));
     }
     return group;
@@ -155,7 +155,7 @@ export class Still {
     const [x, y] = goal.place;
     const group = placed(new Group(), surface.pose);
     const flat = (geometry: BufferGeometry, opacity: number, name: string) => {
-      const material = new MeshLambertMaterial({ transparent: true, opacity, depthWrite: false, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -3, polygonOffsetUnits: -3 });
+      const material = new MeshLambertMaterial({ transparent: true, opacity, depthWrite: false, polygonOffset: true, polygonOffsetFactor: -3, polygonOffsetUnits: -3 });
       const mesh = new Mesh(this.own(geometry), this.keep(material, name));
       mesh.position.set(x, y, ABOVE);
       group.add(mesh);
