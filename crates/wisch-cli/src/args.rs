@@ -139,6 +139,16 @@ JointTrajectory, and a MultiDOFJointTrajectory for a base that moves), tcp-path.
 
 Exit codes: 0 the predicted performance reaches the task's target, 1 it does not, 2 an error.")]
     Follow(FollowArgs),
+    /// Begin runs, watch them, and ask about any in the memory, on one page in the browser
+    #[command(after_help = "\
+Examples:
+  wisch studio --open
+  wisch studio --memory kitchen/episodes --port 8080
+  wisch run chopping-board --live       a run elsewhere, which the page shows while it goes on
+
+Prints the page's address, which holds a random token; only this machine reaches it, unless --host says otherwise.
+Ends with Ctrl-C, and the runs that were begun on it with it.")]
+    Studio(StudioArgs),
     /// Write an episode, or a folder of results, as one page that needs nothing but itself
     #[command(after_help = "\
 Examples:
@@ -384,6 +394,23 @@ pub struct FollowArgs {
     /// The results.
     #[command(flatten)]
     pub results: ResultArgs,
+}
+
+/// Arguments of `studio`.
+#[derive(Debug, Args)]
+pub struct StudioArgs {
+    /// The memory.
+    #[command(flatten)]
+    pub memory: MemoryArgs,
+    /// Open the page in the browser
+    #[arg(long)]
+    pub open: bool,
+    /// Port to listen at; 0 takes any that is free
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub port: u16,
+    /// Address to listen at; any other than this machine's own is reached by others
+    #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1")]
+    pub host: String,
 }
 
 /// Arguments of `report`.

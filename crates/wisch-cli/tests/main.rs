@@ -13,6 +13,7 @@ mod learn;
 mod memory;
 mod plans;
 mod program;
+mod recording;
 mod robot;
 mod rounds;
 mod wipings;

@@ -3,6 +3,7 @@
 mod ask;
 mod budget;
 mod check;
+mod companion;
 mod engine;
 mod episode;
 mod eval;
@@ -29,6 +30,7 @@ mod rounds;
 mod run;
 mod scenarios;
 mod shell;
+mod studio;
 mod summary;
 mod watch;
 mod words;
@@ -41,6 +43,7 @@ use crate::terminal::Outcome;
 pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
     match &cli.command {
         Command::Run(args) => run::run(args, &cli.global),
+        Command::Studio(args) => studio::studio(args, &cli.global),
         Command::Report(args) => report::report(args, &cli.global),
         Command::Ask(args) => ask::ask(args, &cli.global),
         Command::Follow(args) => run::follow_only(args, &cli.global),

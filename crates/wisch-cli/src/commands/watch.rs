@@ -11,7 +11,7 @@ use wisch::run::{PlannedRound, RunEvent, TelemetrySample};
 use wisch_io::{OutputFolder, RoundTimes};
 use wisch_report::EffectFrames;
 use wisch_sim::Checkpoints;
-use wisch_telemetry::{BagHead, BagWriter, LookTime, WriteError};
+use wisch_telemetry::{BagHead, BagWriter, LookTime, RobotShown, WriteError};
 
 /// Between two updates of the progress [samples].
 const SAY_EVERY: usize = 200;
@@ -117,6 +117,8 @@ pub struct Recorder<'a> {
     /// Rounds that an earlier run executed and recorded.
     taken_over: usize,
     is_realtime: bool,
+    /// The robot's description.
+    urdf: Option<&'a str>,
     bag: Option<BagWriter>,
     /// Whether what the bag records is over.
     is_executed: bool,
@@ -145,6 +147,7 @@ impl<'a> Recorder<'a> {
             checkpoints,
             taken_over,
             is_realtime,
+            urdf: job.robot.map(|(_, robot)| robot.files.urdf.as_str()),
             bag: None,
             is_executed: false,
             world_from_surface: job.prepared.task.surface.world_from_surface,
@@ -231,6 +234,15 @@ impl<'a> Recorder<'a> {
         };
         let path = self.folder.place(&bag_name(planned.number));
         let mut bag = BagWriter::create(&path, head)?;
+        if let Some(urdf) = self.urdf {
+            bag.write_robot(&RobotShown {
+                urdf,
+                model: robot,
+                world_from_root: *planned.cell.world_from_root(),
+            })?;
+        }
+        bag.write_scene(task, &planned.plan.graph.goal)?;
+        bag.write_strokes(&planned.followed.strokes)?;
         bag.write_particles(0.0, &in_world(task))?;
         if let Some(seen) = &self.seen {
             let before = seen.of_surface(&task.surface.world_from_surface);

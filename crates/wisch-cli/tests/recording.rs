@@ -1,0 +1,200 @@
+//! What is kept of a run to be shown, who may look on meanwhile, and the page that is made of it.
+
+use crate::program::{path, root, wisch};
+use flate2::read::GzDecoder;
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::fs::{self, File};
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::time::Duration;
+
+/// A run of at most two short rounds.
+fn run(folder: &Path, more: &[&str]) -> Child {
+    let mut command = Command::new(path());
+    command.current_dir(folder).arg("run");
+    command.arg(root().join("scenarios/chopping-board.toml"));
+    command.args([
+        "--greedy",
+        "--strategy",
+        "kde",
+        "--rounds",
+        "2",
+        "--out",
+        "out",
+    ]);
+    command.args(["--set", "target_performance=1.0", "--quiet"]);
+    command.args(more).stdout(Stdio::null());
+    command.spawn().expect("it runs")
+}
+
+fn recording(folder: &Path) -> String {
+    let file = File::open(folder.join("recording.jsonl.gz")).expect("there is a recording");
+    let mut text = String::new();
+    GzDecoder::new(file)
+        .read_to_string(&mut text)
+        .expect("it is packed text");
+    text
+}
+
+fn pieces(text: &str) -> Vec<Value> {
+    let lines = text.lines();
+    lines
+        .map(|line| serde_json::from_str(line).expect("each line is JSON"))
+        .collect()
+}
+
+/// The episodes of a memory.
+fn episodes(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder.join("episodes")).expect("a memory");
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    paths
+        .filter(|path| path.join("episode.json").is_file())
+        .collect()
+}
+
+#[test]
+fn a_run_is_kept_as_it_is_shown_and_becomes_a_page() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let code = run(folder.path(), &[]).wait().expect("it ends").code();
+    assert_eq!(code, Some(1), "the goal cannot be met");
+    let text = recording(&folder.path().join("out"));
+    let pieces = pieces(&text);
+    let kinds: Vec<&str> = pieces
+        .iter()
+        .filter_map(|piece| piece["piece"].as_str())
+        .collect();
+    assert_eq!((kinds[0], kinds[kinds.len() - 1]), ("head", "ended"));
+    let kinds: BTreeSet<&str> = kinds.into_iter().collect();
+    for kind in ["stage", "round", "samples", "observed", "judged", "truth"] {
+        assert!(kinds.contains(kind), "{kind} in {kinds:?}");
+    }
+    for round in [1, 2] {
+        let samples = (pieces.iter()).filter(|p| p["piece"] == "samples" && p["round"] == round);
+        let times: Vec<f64> = samples
+            .flat_map(|piece| piece["t"].as_array().expect("times"))
+            .map(|time| time.as_f64().expect("a number"))
+            .collect();
+        assert!(
+            times.len() > 50 && times.is_sorted_by(|a, b| a < b),
+            "round {round}"
+        );
+        let judged = (pieces.iter()).find(|p| p["piece"] == "judged" && p["round"] == round);
+        let contacts = judged.expect("it is judged")["contacts"].as_array();
+        assert!(!contacts.expect("spans").is_empty(), "round {round}");
+    }
+    let [episode] = &episodes(folder.path())[..] else {
+        panic!("one episode");
+    };
+    assert_eq!(recording(episode), text, "the episode keeps the same");
+
+    let name = episode.file_name().expect("a name").to_str().expect("text");
+    let report = fs::read_to_string(folder.path().join("out/report.html")).expect("a report");
+    for (what, page) in [
+        ("out", "out.html".to_owned()),
+        (name, format!("{name}.html")),
+    ] {
+        let (code, out, err) = wisch(folder.path(), &["report", what]);
+        assert_eq!((code, out, err), (0, format!("{page}\n"), String::new()));
+        let page = fs::read_to_string(folder.path().join(page)).expect("a page");
+        assert!(page == report, "{what}: the page is that of the run");
+    }
+    assert!(report.len() < 3_000_000, "{} bytes", report.len());
+}
+
+#[test]
+fn what_has_no_recording_is_no_page() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |path: &str| folder.path().join(path);
+    fs::create_dir_all(at("old")).expect("a folder");
+    fs::write(at("old/plan.json"), "{}").expect("written");
+    fs::create_dir_all(at("broken")).expect("a folder");
+    fs::write(at("broken/recording.jsonl.gz"), "no gzip").expect("written");
+    fs::create_dir_all(at("episodes")).expect("a folder");
+    for (what, says) in [
+        ("old", "there is no recording.jsonl.gz in it"),
+        (
+            "broken",
+            "broken/recording.jsonl.gz: cannot read the recording",
+        ),
+        ("nowhere", "nowhere"),
+        ("../episodes", "../episodes"),
+    ] {
+        let (code, _, err) = wisch(folder.path(), &["report", what, "--out", "page.html"]);
+        assert!(code == 2 && err.contains(says), "{what}: {code}: {err}");
+        assert!(!at("page.html").exists(), "{what}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn others_look_on_and_may_end_it_in_order() {
+    use rustix::process::{Pid, Signal, kill_process};
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut running = run(folder.path(), &["--live", "--realtime"]);
+    let live = folder.path().join("episodes/.live");
+    let lines = || {
+        let entries = fs::read_dir(&live).into_iter().flatten().flatten();
+        entries
+            .map(|entry| entry.path())
+            .find(|path| path.extension().is_some_and(|ending| ending == "jsonl"))
+    };
+    let wait_for = |running: &mut Child, what: &dyn Fn() -> bool| {
+        while !what() {
+            assert_eq!(
+                running.try_wait().expect("a process"),
+                None,
+                "it ended too early"
+            );
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    };
+    let has_samples = || {
+        let text = lines().and_then(|path| fs::read_to_string(path).ok());
+        text.is_some_and(|text| text.contains("\"samples\""))
+    };
+    wait_for(&mut running, &has_samples);
+    let path = lines().expect("it is there");
+    let who = fs::read_to_string(path.with_extension("json")).expect("who it is");
+    let who: Value = serde_json::from_str(&who).expect("JSON");
+    assert_eq!(
+        (&who["pid"], &who["task"]),
+        (&running.id().into(), &"chopping-board".into())
+    );
+    assert!(episodes(folder.path()).is_empty());
+    // Who holds it sees the end of it, though its name is gone by then.
+    let mut held = File::open(&path).expect("it can be read");
+
+    kill_process(Pid::from_child(&running), Signal::TERM).expect("it can be told");
+    assert_eq!(running.wait().expect("it ends").code(), Some(1));
+    let [episode] = &episodes(folder.path())[..] else {
+        panic!("what was wiped is kept");
+    };
+    assert_eq!(
+        fs::read_dir(&live).expect("a folder").count(),
+        0,
+        "nobody looks on any more"
+    );
+    let mut text = String::new();
+    held.read_to_string(&mut text).expect("text");
+    let pieces = pieces(&text);
+    let last = pieces.last().expect("pieces");
+    let name = episode.file_name().expect("a name").to_str().expect("text");
+    assert_eq!(
+        (&last["piece"], &last["episode"]),
+        (&"ended".into(), &name.into())
+    );
+    let judged = pieces.iter().find(|piece| piece["piece"] == "judged");
+    assert_eq!(judged.expect("it is interpreted")["ending"], "stopped");
+}
+
+#[test]
+fn without_a_memory_nobody_looks_on() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (code, _, err) = wisch(
+        folder.path(),
+        &["run", "arm-board", "--live", "--no-memory"],
+    );
+    assert!(code == 2 && err.contains("--no-memory"), "{err}");
+}
