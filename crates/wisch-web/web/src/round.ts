@@ -3,8 +3,9 @@ import { Column, PlotColumn, lastAtMost, number } from "./columns.ts";
 import { ParticleTrack } from "./particles.ts";
 import type { JudgedPiece, ObservedPiece, Pose, RoundPiece, SamplesPiece, TruthPiece } from "./recording.ts";
 
-/** Pressed harder than this, the tool touches [N]. */
+/** Pressed harder than this, and than this share of what it was pressed with at most, the tool touches. */
 export const TOUCH_N = 0.3;
+const TOUCH_SHARE = 0.1;
 
 export class Round {
   readonly number: number;
@@ -118,9 +119,14 @@ export class Round {
     return found;
   }
 
+  /** What tells touch from noise [N]. */
+  get touchForce(): number {
+    return Math.max(TOUCH_N, TOUCH_SHARE * this.normal.largest);
+  }
+
   /** Whether the tool touches: as measured, else as planned. */
   touches(time: number, normal: number | null): boolean {
-    if (normal !== null && this.normal.largest > TOUCH_N) return normal > TOUCH_N;
+    if (normal !== null && this.normal.largest > TOUCH_N) return normal > this.touchForce;
     return this.plan.phases[this.phaseAt(time)]?.contact ?? false;
   }
 }

@@ -36,9 +36,13 @@ export class ScenePanel {
       this.stage && views, this.stage && this.legend(compact), this.extra, this.still);
     if (!this.stage) return;
     const { stage } = this;
+    let shaped = false;
     const shape = () => {
       const { clientWidth, clientHeight } = canvas;
       const layers = this.element.querySelector<HTMLDetailsElement>(".w-layers");
+      // On a small picture the legend waits until it is asked for.
+      if (!shaped && clientWidth && clientWidth <= 640 && layers) layers.open = false;
+      shaped ||= clientWidth > 0;
       stage.resize(clientWidth, clientHeight, layers?.open && clientWidth > 640 ? layers.offsetWidth : 0);
     };
     const sizes = new ResizeObserver(shape);
@@ -119,8 +123,7 @@ export class ScenePanel {
       this.boxes.set(name, item);
       return item;
     });
-    const wide = matchMedia("(min-width: 800px)").matches;
-    return el("details", { class: "w-layers", open: wide && !compact }, el("summary", {}, "Shown"), el("ul", {}, ...list));
+    return el("details", { class: "w-layers", open: !compact }, el("summary", {}, "Shown"), el("ul", {}, ...list));
   }
 }
 

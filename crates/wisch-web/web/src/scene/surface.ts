@@ -52,7 +52,7 @@ export class Still {
     this.addSurface();
     this.addGoal();
     plan.strokes.forEach((stroke) => {
-      const material = this.keep(new LineMaterial({ linewidth: 2, transparent: true, opacity: 0.55, dashed: false }), "stroke");
+      const material = this.keep(new LineMaterial({ linewidth: 6, transparent: true, opacity: 0.35 }), "stroke");
       const line = segments(chain(corners(stroke, 2 * ABOVE), false).flat(), material);
       this.strokes.push(line);
       this.strokeGroup.add(line);
@@ -82,8 +82,8 @@ export class Still {
     this.strokeGroup.visible = layers.strokes;
     this.strokes.forEach((line, i) => {
       const material = (line as unknown as { material: LineMaterial }).material;
-      material.linewidth = i === stroke ? 4 : 2;
-      material.opacity = i === stroke ? 1 : 0.5;
+      material.linewidth = i === stroke ? 9 : 6;
+      material.opacity = i === stroke ? 0.6 : 0.35;
     });
   }
 

@@ -1,7 +1,6 @@
 // Lanes of what goes on: rounds, phases and strokes, contact, events.
 import { clockText } from "../dom.ts";
 import { colour } from "../theme.ts";
-import { TOUCH_N } from "../round.ts";
 import { fitted, font, line, ticks } from "./frame.ts";
 import type { Frame, Lane, Pen } from "./frame.ts";
 import type { Round } from "../round.ts";
@@ -89,7 +88,7 @@ export function drawContact(pen: Pen, frame: Frame, lane: Lane, recording: Recor
       // Not judged yet: where it presses.
       eachPixel(frame, round, (x, from, to) => {
         const range = round.normal.range(from, to);
-        if (range && range[1] > TOUCH_N) pen.fillRect(x, lane.top, 1, lane.height);
+        if (range && range[1] > round.touchForce) pen.fillRect(x, lane.top, 1, lane.height);
       });
     }
   }
