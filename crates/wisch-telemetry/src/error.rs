@@ -57,6 +57,16 @@ pub enum WriteError {
         /// How many it should have.
         joints: usize,
     },
+    /// A robot that the samples are not of.
+    #[error("robot {name:?} has {variables} variables, but the bag has {joints} joints")]
+    Robot {
+        /// Its name.
+        name: String,
+        /// How many variables it has.
+        variables: usize,
+        /// How many it should have.
+        joints: usize,
+    },
 }
 
 /// Why a log cannot be read.

@@ -6,7 +6,8 @@
 //! units.
 //!
 //! A bag that is written goes from `bag::writer` through `ros2::messages` (as CDR lays them out) and
-//! `ros2::definitions` (their schemas). One that is read goes through `bag::container` (records, packed or not),
+//! `ros2::definitions` (their schemas); what it shows beside what is measured is in `bag::links` (a robot's frames) and
+//! `bag::scene` (markers). One that is read goes through `bag::container` (records, packed or not),
 //! `bag::reader` (topics), `ros2::schema` and `ros2::walk` (messages of any type), `bag::locator` (where in them a
 //! pose or force stands), `track` (pairing in time), `frames` (transforms) and `log` (frames, signs, units); a table joins at `track`.
 
@@ -20,7 +21,7 @@ mod ros2;
 mod table;
 mod track;
 
-pub use bag::{BagHead, BagWriter, LookTime, active_path};
+pub use bag::{BagHead, BagWriter, LookTime, RobotShown, SceneShown, active_path};
 pub use error::{ReadError, ReadFault, RecordingKind, WriteError};
 pub use log::{AxesSource, Log, Skipped, read};
 pub use options::{Axes, AxesChoice, LogOptions, TopicChoice, WrenchSign};

@@ -2,6 +2,8 @@
 
 mod damage;
 mod foreign;
+#[path = "../examples/demo_bag/shown.rs"]
+mod shown;
 #[path = "../examples/demo_bag/wiping.rs"]
 mod wiping;
 
@@ -39,6 +41,16 @@ fn head(start: u64) -> BagHead {
         start,
         notes: BTreeMap::new(),
     }
+}
+
+/// Writes the made-up log with what a bag may show besides.
+fn write_shown(path: &Path, rate: f64) -> usize {
+    let mut bag = BagWriter::create(path, head(0)).unwrap();
+    bag.write_particles(0.0, &[Point3::origin()]).unwrap();
+    shown::write(&mut bag, &wipe(rate)).unwrap();
+    let count = wipe(rate).write(&mut bag).unwrap();
+    bag.finish().unwrap();
+    count
 }
 
 /// Writes the made-up log; how many samples it has.
@@ -205,4 +217,104 @@ fn topics_are_chosen_by_name_and_refused_by_name() {
         let shown = refused(&path, &named(pose, wrench));
         assert!(shown.starts_with(expected), "{shown}");
     }
+}
+
+/// Times of the messages of each topic [ns].
+fn times(path: &Path) -> BTreeMap<String, Vec<u64>> {
+    let bytes = fs::read(path).unwrap();
+    let mut times = BTreeMap::<_, Vec<u64>>::new();
+    for message in mcap::MessageStream::new(&bytes).unwrap() {
+        let message = message.unwrap();
+        let topic = message.channel.topic.clone();
+        times.entry(topic).or_default().push(message.log_time);
+    }
+    times
+}
+
+#[test]
+fn what_a_bag_shows_besides_changes_nothing_of_what_is_read() {
+    let (_folder, path) = in_folder();
+    write_bag(&path, 200.0, 0);
+    let bare = read(&path, &LogOptions::default()).unwrap();
+    write_shown(&path, 200.0);
+    let shown = read(&path, &LogOptions::default()).unwrap();
+    assert_eq!(bare.samples, shown.samples);
+    assert_eq!(bare.world_from_surface, shown.world_from_surface);
+    assert_eq!(
+        (bare.pose_name, bare.wrench_name, bare.axes, bare.start),
+        (shown.pose_name, shown.wrench_name, shown.axes, shown.start)
+    );
+    assert_eq!((bare.gaps, bare.frames_used), (shown.gaps, vec![]));
+}
+
+#[test]
+fn what_stands_is_shown_once_and_what_moves_at_25_hz() {
+    let (_folder, path) = in_folder();
+    let count = write_shown(&path, 200.0);
+    let times = times(&path);
+    for topic in [
+        "/robot_description",
+        "/tf_static",
+        "/scene",
+        "/plan/strokes",
+        "/tool",
+    ] {
+        assert_eq!(times[topic], [0], "{topic}");
+    }
+    let period = 40_000_000;
+    let force = &times["/force"];
+    assert!(force.windows(2).all(|pair| pair[1] - pair[0] >= period));
+    // It is drawn while the tool wipes, and taken away once where it leaves.
+    let log = read(&path, &LogOptions::default()).unwrap();
+    let pressed = log.samples.iter().filter(|s| s.force.norm() > 1.0).count();
+    let expected = pressed as f64 / 200.0 * 25.0;
+    assert!((force.len() as f64 - expected).abs() < 4.0, "{expected}");
+    assert!(pressed < count, "the tool leaves the surface");
+    // The tool's frame at 50 Hz, the robot's links at half of that.
+    let both = count.div_ceil(4) + count.div_ceil(8);
+    assert_eq!(times["/tf"].len(), both);
+}
+
+#[test]
+fn links_move_by_their_joints() {
+    let (_folder, path) = in_folder();
+    write_shown(&path, 200.0);
+    let log = read(&path, &named("/tf:forearm", "/wrench/external")).unwrap();
+    let model =
+        wisch::robot::RobotModel::from_urdf("arm", shown::URDF, &mut |_| Err(String::new()));
+    let model = model.unwrap();
+    let [upper, forearm] = ["upper_arm", "forearm"].map(|name| model.link(name).unwrap());
+    let [x, y, z] = shown::WORLD_FROM_ROOT;
+    let world = LogOptions {
+        world_frame: "world".into(),
+        ..named("/tf:forearm", "/wrench/external")
+    };
+    let in_world = read(&path, &world).unwrap();
+    assert!(!in_world.frames_used.is_empty(), "{:?}", log.frames_used);
+    for sample in in_world.samples.iter().filter(|s| on_the_dot(s.time)) {
+        let wave = (0.5 * sample.time).sin();
+        let kinematics = model
+            .forward_kinematics(&[wave, 0.5 * wave, -wave])
+            .unwrap();
+        let expected = Pose::translation(x, y, z) * kinematics.world_from_link(forearm);
+        let apart = expected.to_matrix() - sample.world_from_tool.to_matrix();
+        assert!(apart.norm() < 1e-6, "{} {}", sample.time, apart.norm());
+        assert_ne!(kinematics.world_from_link(upper), expected);
+    }
+}
+
+/// Whether the robot's links are told of at this time, not between two such times.
+fn on_the_dot(time: f64) -> bool {
+    let steps = time * 25.0;
+    (steps - steps.round()).abs() < 1e-6
+}
+
+#[test]
+fn a_robot_of_other_joints_is_refused() {
+    let (_folder, path) = in_folder();
+    let head = BagHead::at(surface());
+    let mut bag = BagWriter::create(&path, head).unwrap();
+    let refused = shown::write(&mut bag, &wipe(100.0)).unwrap_err();
+    let expected = "robot \"demo_arm\" has 3 variables, but the bag has 0 joints";
+    assert_eq!(refused.to_string(), expected);
 }

@@ -5,6 +5,7 @@
 //! wisch interpret demo.mcap --task scenarios/chopping-board.toml --action absorb
 //! ```
 
+mod shown;
 mod wiping;
 
 use std::path::PathBuf;
@@ -39,6 +40,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let crumbs = [[0.1, 0.05], [-0.1, 0.0], [0.0, -0.05]]
         .map(|[x, y]| world_from_surface * Point3::new(x, y, 0.0));
     bag.write_particles(0.0, &crumbs)?;
+    shown::write(&mut bag, &wiping)?;
     let start = Instant::now();
     let samples = wiping.write(&mut bag)?;
     bag.finish()?;

@@ -2,14 +2,18 @@
 
 mod container;
 mod joint_states;
+mod links;
 mod locator;
 mod observation;
 mod reader;
+mod scene;
 mod topic;
 mod unpack;
 mod writer;
 
+pub use links::RobotShown;
 pub use observation::LookTime;
 pub(crate) use reader::BagReader;
+pub use scene::SceneShown;
 pub(crate) use topic::{FRAME_SURFACE, FRAME_WORLD};
 pub use writer::{BagHead, BagWriter, active_path};

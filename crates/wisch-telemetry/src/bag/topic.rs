@@ -47,10 +47,16 @@ pub(crate) enum Topic {
     HiddenBefore,
     DirtAfter,
     HiddenAfter,
+    Robot,
+    StaticTransforms,
+    Scene,
+    Strokes,
+    Tool,
+    Force,
 }
 
 impl Topic {
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 18] = [
         Self::Joints,
         Self::Commanded,
         Self::Measured,
@@ -63,6 +69,12 @@ impl Topic {
         Self::HiddenBefore,
         Self::DirtAfter,
         Self::HiddenAfter,
+        Self::Robot,
+        Self::StaticTransforms,
+        Self::Scene,
+        Self::Strokes,
+        Self::Tool,
+        Self::Force,
     ];
 
     /// Its name, its package and type.
@@ -80,6 +92,12 @@ impl Topic {
             Self::HiddenBefore => (HIDDEN[0], ["geometry_msgs", "PolygonStamped"]),
             Self::DirtAfter => (DIRT[1], ["sensor_msgs", "PointCloud2"]),
             Self::HiddenAfter => (HIDDEN[1], ["geometry_msgs", "PolygonStamped"]),
+            Self::Robot => ("/robot_description", ["std_msgs", "String"]),
+            Self::StaticTransforms => ("/tf_static", ["tf2_msgs", "TFMessage"]),
+            Self::Scene => ("/scene", ["visualization_msgs", "MarkerArray"]),
+            Self::Strokes => ("/plan/strokes", ["visualization_msgs", "MarkerArray"]),
+            Self::Tool => ("/tool", ["visualization_msgs", "Marker"]),
+            Self::Force => ("/force", ["visualization_msgs", "Marker"]),
         }
     }
 
@@ -122,7 +140,18 @@ impl Topic {
             Self::HiddenBefore | Self::HiddenAfter => {
                 &[("wisch.meaning", "where the camera could see nothing")]
             }
-            Self::Joints | Self::Transforms | Self::Phase => &[],
+            Self::Strokes => &[("wisch.meaning", "strokes as they are to be wiped")],
+            Self::Force => &[(
+                "wisch.meaning",
+                "the force of /wrench/external, drawn from the tool centre point",
+            )],
+            Self::Joints
+            | Self::Transforms
+            | Self::Phase
+            | Self::Robot
+            | Self::StaticTransforms
+            | Self::Scene
+            | Self::Tool => &[],
         };
         // rosbag2 looks for profiles; an empty text stands for the usual ones.
         [("offered_qos_profiles", "")]

@@ -1,12 +1,14 @@
 //! Telemetry as a ROS 2 bag: MCAP with CDR messages, written while it comes in.
 
+use super::links::{LinkFrames, RobotShown};
 use super::observation::{LookTime, point_cloud, polygon_stamped};
+use super::scene::{self, SceneShown};
 use super::topic::{FRAME_SURFACE, FRAME_TOOL, FRAME_WORLD, NOTES, Topic};
 use crate::error::WriteError;
 use crate::ros2::full_definition;
 use crate::ros2::messages::{
-    Color, Header, JointState, MARKER_POINTS, Marker, NANOSECONDS_PER_SECOND, NoImage, NoMesh,
-    Pose as PoseMessage, PoseStamped, Text, TfMessage, Time, TransformStamped, Vector3,
+    Color, Header, JointState, MARKER_DELETE, Marker, MarkerArray, MarkerKind,
+    NANOSECONDS_PER_SECOND, PoseStamped, Text, TfMessage, Time, TransformStamped, Vector3,
     WrenchStamped,
 };
 use cdr::{CdrLe, Infinite};
@@ -20,6 +22,7 @@ use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 use wisch::follow::Phase;
 use wisch::geometry::{Point3, Pose};
+use wisch::plan::Stroke;
 use wisch::represent::Observation;
 use wisch::run::TelemetrySample;
 
@@ -29,6 +32,8 @@ const CHUNK_TIME: u64 = NANOSECONDS_PER_SECOND;
 const CHUNK_LEN: u64 = 1 << 20;
 /// Least time between two messages of `/tf` [ns]: 50 Hz, as displays ask for no more.
 const TF_PERIOD: u64 = NANOSECONDS_PER_SECOND / 50;
+/// Least time between two of the robot's links on `/tf`, and between two of `/force` [ns]: 25 Hz.
+const SHOW_PERIOD: u64 = NANOSECONDS_PER_SECOND / 25;
 /// Least time between two messages of `/particles` [ns].
 const PARTICLES_PERIOD: u64 = NANOSECONDS_PER_SECOND / 2;
 /// Side of a particle as it is drawn [m].
@@ -83,8 +88,15 @@ impl BagHead {
 /// | `/tcp/commanded`, `/tcp/measured` | `geometry_msgs/PoseStamped`, in the world | every sample |
 /// | `/wrench/controller`, `/wrench/external` | `geometry_msgs/WrenchStamped`, axes of the world, about the tool centre point | every sample |
 /// | `/tf` | `tf2_msgs/TFMessage`: world to tool, world to surface | at most 50 Hz |
+/// | `/tf`, with a robot | the same: of its moving joints, link to link | at most 25 Hz |
+/// | `/tf_static` | `tf2_msgs/TFMessage`: the world to the robot's root, of its fixed joints link to link | once, with a robot |
+/// | `/robot_description` | `std_msgs/String`: its URDF | once, with a robot |
 /// | `/particles` | `visualization_msgs/Marker`, points in the world | at most 2 Hz |
 /// | `/phase` | `std_msgs/String` | when it changes |
+/// | `/scene` | `visualization_msgs/MarkerArray`: the surface's face and outline, the goal of a collect, what stands round it | once, if told |
+/// | `/plan/strokes` | `visualization_msgs/MarkerArray`: a line for each, in the frame of the surface | once, if told |
+/// | `/tool` | `visualization_msgs/Marker`: triangles in the frame of the tool | once, if told |
+/// | `/force` | `visualization_msgs/Marker`: an arrow from the tool centre point, 1 cm/N, in the world | at most 25 Hz while it is 1 N or more |
 /// | `/wisch/dirt_before`, `/wisch/dirt_after` | `sensor_msgs/PointCloud2`, in the frame of the believed surface | once each, if a camera looked |
 /// | `/wisch/hidden_before`, `/wisch/hidden_after` | `geometry_msgs/PolygonStamped`, in that frame | one for each part of the surface that it could not see |
 ///
@@ -138,6 +150,10 @@ pub struct BagWriter {
     chunk_start: u64,
     last_transforms: Option<u64>,
     last_particles: Option<u64>,
+    links: LinkFrames,
+    last_shown: Option<u64>,
+    /// Whether the last message of `/force` draws an arrow.
+    force_drawn: bool,
     phase: Option<Phase>,
     /// Particles that wait until they may be written.
     particles: Vec<Vector3>,
@@ -197,6 +213,9 @@ impl BagWriter {
             last: None,
             last_transforms: None,
             last_particles: None,
+            links: LinkFrames::default(),
+            last_shown: None,
+            force_drawn: false,
             phase: None,
             particles: Vec::new(),
             particles_wait: false,
@@ -240,6 +259,11 @@ impl BagWriter {
             self.last_transforms = Some(time);
             self.write_transforms(time, sample)?;
         }
+        if is_due(self.last_shown, time, SHOW_PERIOD) {
+            self.last_shown = Some(time);
+            self.write_links(time, sample.positions)?;
+            self.write_force(time, sample)?;
+        }
         if self.phase != Some(sample.phase) {
             self.phase = Some(sample.phase);
             self.write_phase(time, sample.phase)?;
@@ -267,6 +291,49 @@ impl BagWriter {
         Ok(())
     }
 
+    /// Shows the robot: its description, and from now on where its links are. A link's frame bears its name, with `robot/`
+    /// before it where that is `world`, `tool` or `surface`; a root called `world` that stands there is the same frame.
+    ///
+    /// # Errors
+    /// A robot of another number of variables than the bag has joints, or what the system says.
+    pub fn write_robot(&mut self, robot: &RobotShown<'_>) -> Result<(), WriteError> {
+        let (variables, joints) = (robot.model.dof(), self.head.joints.len());
+        if variables != joints {
+            return Err(WriteError::Robot {
+                name: robot.model.name().to_owned(),
+                variables,
+                joints,
+            });
+        }
+        let time = self.now();
+        self.put(Topic::Robot, time, &Text { data: robot.urdf })?;
+        self.links = LinkFrames::new(robot);
+        let standing = std::mem::take(&mut self.links.standing);
+        let transforms: Vec<_> = (standing.iter())
+            .map(|(parent, child, pose)| transform(time, parent, child, pose))
+            .collect();
+        let transforms = &transforms;
+        self.put(Topic::StaticTransforms, time, &TfMessage { transforms })
+    }
+
+    /// Shows the surface, what stands round it, the tool and the goal.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn write_scene(&mut self, scene: &SceneShown<'_>) -> Result<(), WriteError> {
+        self.put_markers(Topic::Scene, &scene::scene(scene))?;
+        let time = self.now();
+        self.put(Topic::Tool, time, &scene::tool(scene.tool).marker(time))
+    }
+
+    /// Shows the strokes that are to be wiped, in their order.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn write_strokes(&mut self, strokes: &[Stroke]) -> Result<(), WriteError> {
+        self.put_markers(Topic::Strokes, &scene::strokes(strokes))
+    }
+
     /// Says what a camera saw of the dirt, in the frame of the believed surface: before the round, or after its last
     /// sample.
     ///
@@ -279,10 +346,7 @@ impl BagWriter {
     ) -> Result<(), WriteError> {
         let (time, [dirt, hidden]) = match look {
             LookTime::Before => (self.head.start, [Topic::DirtBefore, Topic::HiddenBefore]),
-            LookTime::After => (
-                self.last.unwrap_or(self.head.start),
-                [Topic::DirtAfter, Topic::HiddenAfter],
-            ),
+            LookTime::After => (self.now(), [Topic::DirtAfter, Topic::HiddenAfter]),
         };
         self.put(dirt, time, &point_cloud(time, &observation.detections))?;
         for polygon in observation.hidden.polygons() {
@@ -297,7 +361,7 @@ impl BagWriter {
     /// What the system says; the bag then keeps the ending `.active`.
     pub fn finish(mut self) -> Result<(), WriteError> {
         if self.particles_wait {
-            self.write_waiting_particles(self.last.unwrap_or(self.head.start))?;
+            self.write_waiting_particles(self.now())?;
         }
         self.mcap.finish().map_err(|error| self.failed(error))?;
         std::fs::rename(&self.active, &self.target).map_err(|error| WriteError::File {
@@ -370,16 +434,61 @@ impl BagWriter {
         time: u64,
         sample: &TelemetrySample<'_>,
     ) -> Result<(), WriteError> {
-        let transform = |child_frame_id, pose: &Pose| TransformStamped {
-            header: in_world(time),
-            child_frame_id,
-            transform: pose.into(),
-        };
         let transforms = &[
-            transform(FRAME_TOOL, &sample.world_from_tool),
-            transform(FRAME_SURFACE, &self.head.world_from_surface),
+            transform(time, FRAME_WORLD, FRAME_TOOL, &sample.world_from_tool),
+            transform(
+                time,
+                FRAME_WORLD,
+                FRAME_SURFACE,
+                &self.head.world_from_surface,
+            ),
         ];
         self.put(Topic::Transforms, time, &TfMessage { transforms })
+    }
+
+    fn write_links(&mut self, time: u64, q: &[f64]) -> Result<(), WriteError> {
+        // The names belong to us, and so does the buffer that they are to be written to.
+        let links = std::mem::take(&mut self.links);
+        let transforms: Vec<_> = (links.at(q))
+            .map(|(parent, child, pose)| transform(time, parent, child, &pose))
+            .collect();
+        let written = if transforms.is_empty() {
+            Ok(())
+        } else {
+            let transforms = &transforms;
+            self.put(Topic::Transforms, time, &TfMessage { transforms })
+        };
+        self.links = links;
+        written
+    }
+
+    fn write_force(&mut self, time: u64, sample: &TelemetrySample<'_>) -> Result<(), WriteError> {
+        let was_drawn = self.force_drawn;
+        let force = scene::force(sample);
+        self.force_drawn = force.is_some();
+        match force {
+            Some(force) => self.put(Topic::Force, time, &force.marker(time)),
+            None if was_drawn => {
+                let gone = scene::no_force();
+                let gone = Marker {
+                    action: MARKER_DELETE,
+                    ..gone.marker(time)
+                };
+                self.put(Topic::Force, time, &gone)
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn put_markers(&mut self, topic: Topic, drawn: &[scene::Drawn]) -> Result<(), WriteError> {
+        let time = self.now();
+        let markers: Vec<_> = drawn.iter().map(|drawn| drawn.marker(time)).collect();
+        self.put(topic, time, &MarkerArray { markers: &markers })
+    }
+
+    /// When the last sample was taken, or the first will be [ns].
+    fn now(&self) -> u64 {
+        self.last.unwrap_or(self.head.start)
     }
 
     fn write_phase(&mut self, time: u64, phase: Phase) -> Result<(), WriteError> {
@@ -402,42 +511,21 @@ impl BagWriter {
         self.particles_wait = false;
         self.last_particles = Some(time);
         let points = std::mem::take(&mut self.particles);
-        let nothing = Header {
-            stamp: Time::ZERO,
-            frame_id: "",
-        };
-        let marker = Marker {
-            header: in_world(time),
-            ns: "particles",
-            id: 0,
-            kind: MARKER_POINTS,
-            action: 0,
-            pose: PoseMessage::from(&Pose::identity()),
-            scale: Vector3 {
-                x: PARTICLE_SIZE,
-                y: PARTICLE_SIZE,
-                z: PARTICLE_SIZE,
-            },
-            color: PARTICLE_COLOR,
-            lifetime: Time::ZERO,
-            frame_locked: false,
-            points: &points,
-            colors: &[],
-            texture_resource: "",
-            texture: NoImage {
-                header: nothing,
-                format: "",
-                data: &[],
-            },
-            uv_coordinates: &[],
-            text: "",
-            mesh_resource: "",
-            mesh_file: NoMesh {
-                filename: "",
-                data: &[],
-            },
-            mesh_use_embedded_materials: false,
-        };
+        let size = PARTICLE_SIZE;
+        let marker = Marker::new(
+            (Time::from_nanoseconds(time), FRAME_WORLD),
+            ("particles", 0),
+            MarkerKind::Points,
+            (
+                Vector3 {
+                    x: size,
+                    y: size,
+                    z: size,
+                },
+                PARTICLE_COLOR,
+            ),
+            &points,
+        );
         let written = self.put(Topic::Particles, time, &marker);
         self.particles = points;
         written
@@ -478,6 +566,22 @@ fn in_world(time: u64) -> Header<'static> {
     Header {
         stamp: Time::from_nanoseconds(time),
         frame_id: FRAME_WORLD,
+    }
+}
+
+fn transform<'a>(
+    time: u64,
+    parent: &'a str,
+    child_frame_id: &'a str,
+    pose: &Pose,
+) -> TransformStamped<'a> {
+    TransformStamped {
+        header: Header {
+            stamp: Time::from_nanoseconds(time),
+            frame_id: parent,
+        },
+        child_frame_id,
+        transform: pose.into(),
     }
 }
 

@@ -116,6 +116,10 @@ visualization_msgs/MeshFile mesh_file
 bool mesh_use_embedded_materials
 ",
     ),
+    (
+        "visualization_msgs/MarkerArray",
+        "visualization_msgs/Marker[] markers\n",
+    ),
 ];
 
 /// What stands between the definitions of a type and of those that it is made of.

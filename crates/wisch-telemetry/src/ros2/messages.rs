@@ -191,6 +191,70 @@ pub(crate) struct Marker<'a> {
     pub mesh_use_embedded_materials: bool,
 }
 
+/// `Marker::kind`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum MarkerKind {
+    /// From the first point to the second.
+    Arrow = 0,
+    LineStrip = 4,
+    Points = 8,
+    /// Three points each.
+    TriangleList = 11,
+}
+
+/// `Marker::action` of what is drawn no more.
+pub(crate) const MARKER_DELETE: i32 = 2;
+
+impl<'a> Marker<'a> {
+    /// A marker for ever, at the origin of its frame: when and in which frame, its name, its scale and colour, and the
+    /// points that it is drawn by.
+    pub fn new(
+        (stamp, frame_id): (Time, &'a str),
+        (ns, id): (&'a str, i32),
+        kind: MarkerKind,
+        (scale, color): (Vector3, Color),
+        points: &'a [Vector3],
+    ) -> Self {
+        Self {
+            header: Header { stamp, frame_id },
+            ns,
+            id,
+            kind: kind as i32,
+            action: 0,
+            pose: (&geometry::Pose::identity()).into(),
+            scale,
+            color,
+            lifetime: Time::ZERO,
+            frame_locked: false,
+            points,
+            colors: &[],
+            texture_resource: "",
+            texture: NoImage {
+                header: Header {
+                    stamp: Time::ZERO,
+                    frame_id: "",
+                },
+                format: "",
+                data: &[],
+            },
+            uv_coordinates: &[],
+            text: "",
+            mesh_resource: "",
+            mesh_file: NoMesh {
+                filename: "",
+                data: &[],
+            },
+            mesh_use_embedded_materials: false,
+        }
+    }
+}
+
+/// `visualization_msgs/MarkerArray`.
+#[derive(Debug, Serialize)]
+pub(crate) struct MarkerArray<'a> {
+    pub markers: &'a [Marker<'a>],
+}
+
 /// `sensor_msgs/PointField`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct PointField {
@@ -239,9 +303,6 @@ pub(crate) struct PolygonStamped {
     pub header: OwnedHeader,
     pub points: Vec<Point32>,
 }
-
-/// `Marker::kind` of points.
-pub(crate) const MARKER_POINTS: i32 = 8;
 
 #[cfg(test)]
 mod tests {
