@@ -1,0 +1,141 @@
+//! Where the links of a robot are, as transforms between frames that bear their names.
+
+use super::topic::{FRAME_SURFACE, FRAME_TOOL, FRAME_WORLD};
+use wisch::geometry::Pose;
+use wisch::robot::{Joint, JointKind, JointMotion, JointTransform, RobotModel};
+
+/// Before the name of a link that is called like a frame of the bag's own.
+const PREFIX: &str = "robot/";
+
+/// The robot that a bag shows.
+#[derive(Debug, Clone, Copy)]
+pub struct RobotShown<'a> {
+    /// Its URDF, as text.
+    pub urdf: &'a str,
+    /// Its links; its variables are those of the samples, in their order.
+    pub model: &'a RobotModel,
+    /// Where its root link stands in the world.
+    pub world_from_root: Pose,
+}
+
+/// The frames of a robot's links: each in that of the link that holds it, the root's in the world's.
+#[derive(Debug, Clone, Default)]
+pub(super) struct LinkFrames {
+    /// Parent, child and the one in the other, of what never moves.
+    pub standing: Vec<(String, String, Pose)>,
+    moving: Vec<Moving>,
+}
+
+/// A joint that moves.
+#[derive(Debug, Clone)]
+struct Moving {
+    transform: JointTransform,
+    joint: Joint,
+}
+
+impl LinkFrames {
+    pub fn new(robot: &RobotShown<'_>) -> Self {
+        let links = robot.model.links();
+        let root = &links[0].name;
+        // Many a description calls the floor its root: that is then the same frame.
+        let root_is_world = root == FRAME_WORLD && robot.world_from_root == Pose::identity();
+        let frame = |index: usize| match links[index].name.as_str() {
+            name if index == 0 && root_is_world => name.to_owned(),
+            name @ (FRAME_WORLD | FRAME_TOOL | FRAME_SURFACE) => format!("{PREFIX}{name}"),
+            name => name.to_owned(),
+        };
+        let mut frames = Self::default();
+        if !root_is_world {
+            let root = (FRAME_WORLD.to_owned(), frame(0), robot.world_from_root);
+            frames.standing.push(root);
+        }
+        for joint in robot.model.joints() {
+            let (parent, child) = (frame(joint.parent.index()), frame(joint.child.index()));
+            let motion = match joint.kind {
+                JointKind::Fixed => JointMotion::Fixed,
+                JointKind::Revolute => JointMotion::Revolute(joint.axis),
+                JointKind::Prismatic => JointMotion::Prismatic(joint.axis),
+            };
+            let transform = JointTransform {
+                joint: joint.name.clone(),
+                parent,
+                child,
+                parent_from_joint: joint.parent_from_joint,
+                motion,
+                mimic: None,
+            };
+            if joint.drive.terms.is_empty() {
+                let pose = transform.at(joint.drive.offset);
+                (frames.standing).push((transform.parent, transform.child, pose));
+            } else {
+                let joint = joint.clone();
+                frames.moving.push(Moving { transform, joint });
+            }
+        }
+        frames
+    }
+
+    /// Parent, child and the one in the other, of what moves, at positions of the robot's variables [rad or m].
+    pub fn at(&self, q: &[f64]) -> impl Iterator<Item = (&str, &str, Pose)> {
+        self.moving.iter().map(|Moving { transform, joint }| {
+            let pose = transform.at(joint.drive.position(q));
+            (transform.parent.as_str(), transform.child.as_str(), pose)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const URDF: &str = r#"<robot name="lift"><link name="world"/><link name="tool"/><link name="plate"/><link name="tip"/>
+        <joint name="spindle" type="prismatic"><parent link="world"/><child link="tool"/><origin xyz="0 0 0.4"/>
+        <axis xyz="0 0 1"/><limit lower="0" upper="1" velocity="1" effort="1"/></joint>
+        <joint name="turn" type="continuous"><parent link="tool"/><child link="plate"/><axis xyz="0 0 1"/></joint>
+        <joint name="end" type="fixed"><parent link="plate"/><child link="tip"/><origin xyz="0.1 0 0"/></joint></robot>"#;
+
+    fn frames(world_from_root: Pose) -> LinkFrames {
+        let model = RobotModel::from_urdf("lift", URDF, &mut |_| Err(String::new())).unwrap();
+        LinkFrames::new(&RobotShown {
+            urdf: URDF,
+            model: &model,
+            world_from_root,
+        })
+    }
+
+    fn names<'a>(
+        triples: impl IntoIterator<Item = (&'a str, &'a str, Pose)>,
+    ) -> Vec<(&'a str, &'a str)> {
+        triples.into_iter().map(|(a, b, _)| (a, b)).collect()
+    }
+
+    fn standing(frames: &LinkFrames) -> Vec<(&str, &str)> {
+        names(frames.standing.iter().map(|(a, b, p)| (&**a, &**b, *p)))
+    }
+
+    #[test]
+    fn links_bear_their_names_but_those_of_the_bag_s_own_frames() {
+        let here = frames(Pose::identity());
+        assert_eq!(standing(&here), [("plate", "tip")]);
+        let moving = [("world", "robot/tool"), ("robot/tool", "plate")];
+        assert_eq!(names(here.at(&[0.0; 2])), moving);
+        let there = frames(Pose::translation(1.0, 0.0, 0.0));
+        assert_eq!(
+            standing(&there),
+            [("world", "robot/world"), ("plate", "tip")]
+        );
+        assert_eq!(names(there.at(&[0.0; 2]))[0].0, "robot/world");
+    }
+
+    #[test]
+    fn they_lead_to_where_the_robot_s_kinematics_has_the_links() {
+        let model = RobotModel::from_urdf("lift", URDF, &mut |_| Err(String::new())).unwrap();
+        let frames = frames(Pose::identity());
+        let q = [0.3, 1.1];
+        let kinematics = model.forward_kinematics(&q).unwrap();
+        let moved: Vec<_> = frames.at(&q).map(|(.., pose)| pose).collect();
+        let world_from_tip = moved[0] * moved[1] * frames.standing[0].2;
+        let expected = kinematics.world_from_link(model.link("tip").unwrap());
+        assert!((world_from_tip.to_matrix() - expected.to_matrix()).norm() < 1e-12);
+    }
+}

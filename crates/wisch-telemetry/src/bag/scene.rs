@@ -1,0 +1,289 @@
+//! What a bag shows beside what is measured, as markers: surface and scene, the goal, the strokes, tool and force.
+
+use super::topic::{FRAME_SURFACE, FRAME_TOOL, FRAME_WORLD};
+use crate::ros2::messages::{Color, Marker, MarkerKind, Time, Vector3};
+use std::f64::consts::TAU;
+use wisch::geometry::{Mesh, Point2, Point3, Polygon, Pose};
+use wisch::plan::Stroke;
+use wisch::represent::{GoalState, SceneObject, ScenePart, Surface};
+use wisch::run::TelemetrySample;
+
+/// How high above the surface its face and what is drawn on it lie, so that no two lie in one plane [m].
+const FACE_HEIGHT: f64 = 0.0005;
+const LINE_HEIGHT: f64 = 0.001;
+const STROKE_HEIGHT: f64 = 0.002;
+/// How wide lines are [m].
+const LINE_WIDTH: f64 = 0.003;
+/// Corners of a circle.
+const CIRCLE_CORNERS: u32 = 48;
+/// Length of the arrow of a force [m/N].
+const FORCE_SCALE: f64 = 0.01;
+/// A smaller force is not drawn [N]: its arrow would be shorter than its head.
+const LEAST_FORCE: f64 = 1.0;
+/// Diameters of an arrow's shaft and head [m].
+const ARROW: [f64; 2] = [0.006, 0.014];
+
+const FACE: Color = color(0.93, 0.91, 0.85, 1.0);
+const OUTLINE: Color = color(0.25, 0.25, 0.25, 1.0);
+const CARRIER: Color = color(0.76, 0.62, 0.44, 1.0);
+const OBSTACLE: Color = color(0.62, 0.64, 0.67, 1.0);
+const GOAL: Color = color(0.10, 0.60, 0.25, 1.0);
+const FIRST_STROKE: Color = color(0.10, 0.35, 0.80, 1.0);
+const LAST_STROKE: Color = color(0.65, 0.80, 1.0, 1.0);
+const TOOL: Color = color(0.95, 0.75, 0.20, 1.0);
+const FORCE: Color = color(0.85, 0.15, 0.15, 1.0);
+
+const fn color(r: f32, g: f32, b: f32, a: f32) -> Color {
+    Color { r, g, b, a }
+}
+
+/// What stands where, as a bag shows it.
+#[derive(Debug, Clone, Copy)]
+pub struct SceneShown<'a> {
+    /// The target surface.
+    pub surface: &'a Surface,
+    /// What stands round it; robot and tool show themselves.
+    pub objects: &'a [SceneObject],
+    /// The tool's surface in its own frame [m].
+    pub tool: &'a Mesh,
+    /// What is to become of the dirt: where it is to be collected is shown.
+    pub goal: &'a GoalState,
+}
+
+/// A marker with the points that it is drawn by.
+#[derive(Debug, Clone)]
+pub(super) struct Drawn {
+    frame: &'static str,
+    /// What it shows; with `id` its name.
+    ns: String,
+    id: i32,
+    kind: MarkerKind,
+    pose: Pose,
+    scale: [f64; 3],
+    color: Color,
+    points: Vec<Vector3>,
+}
+
+impl Drawn {
+    fn new(frame: &'static str, ns: &str, kind: MarkerKind, color: Color) -> Self {
+        let scale = match kind {
+            MarkerKind::Arrow => [ARROW[0], ARROW[1], 0.0],
+            MarkerKind::LineStrip => [LINE_WIDTH, 0.0, 0.0],
+            MarkerKind::Points => [LINE_WIDTH, LINE_WIDTH, 0.0],
+            MarkerKind::TriangleList => [1.0; 3],
+        };
+        Self {
+            frame,
+            ns: ns.to_owned(),
+            id: 0,
+            kind,
+            pose: Pose::identity(),
+            scale,
+            color,
+            points: Vec::new(),
+        }
+    }
+
+    fn through(mut self, points: impl IntoIterator<Item = Point3>) -> Self {
+        self.points.extend(points.into_iter().map(at));
+        self
+    }
+
+    /// The message, which says it for good: it moves with its frame.
+    pub fn marker(&self, time: u64) -> Marker<'_> {
+        let [x, y, z] = self.scale;
+        Marker {
+            pose: (&self.pose).into(),
+            frame_locked: true,
+            ..Marker::new(
+                (Time::from_nanoseconds(time), self.frame),
+                (&self.ns, self.id),
+                self.kind,
+                (Vector3 { x, y, z }, self.color),
+                &self.points,
+            )
+        }
+    }
+}
+
+fn at(point: Point3) -> Vector3 {
+    point.coords.into()
+}
+
+fn raised(height: f64) -> impl Fn(&Point2) -> Point3 {
+    move |point| Point3::new(point.x, point.y, height)
+}
+
+/// The surface, what stands round it, and where dirt is to be collected.
+pub(super) fn scene(shown: &SceneShown<'_>) -> Vec<Drawn> {
+    let outline = &shown.surface.outline;
+    let mut all = vec![surface_face(outline)];
+    all.extend((0..).zip(outline.rings()).map(|(id, ring)| {
+        let corners = ring.iter().chain(ring.first());
+        let drawn = on_surface("outline", OUTLINE).through(corners.map(raised(LINE_HEIGHT)));
+        Drawn { id, ..drawn }
+    }));
+    if let GoalState::Collected { center, radius } = shown.goal {
+        let corner = |i: u32| {
+            let (y, x) = (TAU * f64::from(i) / f64::from(CIRCLE_CORNERS)).sin_cos();
+            Point3::new(center.x + radius * x, center.y + radius * y, LINE_HEIGHT)
+        };
+        all.push(on_surface("goal", GOAL).through((0..=CIRCLE_CORNERS).map(corner)));
+    }
+    all.extend(shown.objects.iter().filter_map(|object| {
+        let color = match object.part {
+            ScenePart::Carrier => CARRIER,
+            ScenePart::Obstacle => OBSTACLE,
+            ScenePart::Robot | ScenePart::Tool => return None,
+        };
+        Some(Drawn {
+            pose: object.world_from_object,
+            ..solid(FRAME_WORLD, &object.name, color, &object.mesh)
+        })
+    }));
+    all
+}
+
+/// The strokes in their order, the first the darkest.
+pub(super) fn strokes(strokes: &[Stroke]) -> Vec<Drawn> {
+    let last = (strokes.len().max(2) - 1) as f32;
+    let stroke = |(id, stroke): (i32, &Stroke)| {
+        let share = id as f32 / last;
+        let mixed = |from: f32, to: f32| from + share * (to - from);
+        let [from, to] = [FIRST_STROKE, LAST_STROKE];
+        let color = color(
+            mixed(from.r, to.r),
+            mixed(from.g, to.g),
+            mixed(from.b, to.b),
+            1.0,
+        );
+        let line = on_surface("strokes", color)
+            .through((stroke.poses.iter()).map(|pose| raised(STROKE_HEIGHT)(&pose.position)));
+        // A touch without motion is no line.
+        let kind = if line.points.len() < 2 {
+            MarkerKind::Points
+        } else {
+            line.kind
+        };
+        Drawn {
+            id,
+            kind,
+            scale: [LINE_WIDTH; 3],
+            ..line
+        }
+    };
+    (0..).zip(strokes).map(stroke).collect()
+}
+
+pub(super) fn tool(mesh: &Mesh) -> Drawn {
+    solid(FRAME_TOOL, "tool", TOOL, mesh)
+}
+
+/// The force on the tool, from its tool centre point; nothing where it is too small to be seen.
+pub(super) fn force(sample: &TelemetrySample<'_>) -> Option<Drawn> {
+    let force = sample.external.force;
+    if force.norm() < LEAST_FORCE {
+        return None;
+    }
+    let from = Point3::from(sample.world_from_tool.translation.vector);
+    Some(no_force().through([from, from + FORCE_SCALE * force]))
+}
+
+/// What goes where there is none.
+pub(super) fn no_force() -> Drawn {
+    Drawn::new(FRAME_WORLD, "force", MarkerKind::Arrow, FORCE)
+}
+
+fn on_surface(ns: &str, color: Color) -> Drawn {
+    Drawn::new(FRAME_SURFACE, ns, MarkerKind::LineStrip, color)
+}
+
+fn solid(frame: &'static str, ns: &str, color: Color, mesh: &Mesh) -> Drawn {
+    let corners = mesh.corners().flatten();
+    Drawn::new(frame, ns, MarkerKind::TriangleList, color).through(corners)
+}
+
+fn surface_face(outline: &Polygon) -> Drawn {
+    let face = Drawn::new(FRAME_SURFACE, "surface", MarkerKind::TriangleList, FACE);
+    face.through(triangles(outline).iter().flatten().map(raised(FACE_HEIGHT)))
+}
+
+/// A polygon with its holes as triangles, counter-clockwise: cut at the height of every corner into trapezoids.
+fn triangles(polygon: &Polygon) -> Vec<[Point2; 3]> {
+    let mut heights: Vec<f64> = polygon.rings().flatten().map(|p| p.y).collect();
+    heights.sort_unstable_by(f64::total_cmp);
+    heights.dedup();
+    let mut triangles = Vec::new();
+    for slab in heights.windows(2) {
+        let (low, high) = (slab[0], slab[1]);
+        // The edges that cross the slab, by where they do at its lower and upper end.
+        let mut crossings: Vec<[f64; 2]> = (polygon.edges())
+            .filter(|edge| {
+                let (a, b) = (edge.start.y.min(edge.end.y), edge.start.y.max(edge.end.y));
+                a <= low && b >= high
+            })
+            .map(|edge| {
+                let x = |y: f64| {
+                    let share = (y - edge.start.y) / (edge.end.y - edge.start.y);
+                    edge.start.x + share * (edge.end.x - edge.start.x)
+                };
+                [x(low), x(high)]
+            })
+            .collect();
+        crossings.sort_unstable_by(|a, b| (a[0] + a[1]).total_cmp(&(b[0] + b[1])));
+        for pair in crossings.chunks_exact(2) {
+            let ([left_low, left_high], [right_low, right_high]) = (pair[0], pair[1]);
+            let corners = [
+                Point2::new(left_low, low),
+                Point2::new(right_low, low),
+                Point2::new(right_high, high),
+                Point2::new(left_high, high),
+            ];
+            triangles.push([corners[0], corners[1], corners[2]]);
+            triangles.push([corners[0], corners[2], corners[3]]);
+        }
+    }
+    let is_flat = |t: &[Point2; 3]| double_area(t) <= 0.0;
+    triangles.retain(|triangle| !is_flat(triangle));
+    triangles
+}
+
+fn double_area([a, b, c]: &[Point2; 3]) -> f64 {
+    (b - a).perp(&(c - a))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use wisch::geometry::Vector2;
+
+    fn points(corners: &[[f64; 2]]) -> Vec<Point2> {
+        corners.iter().map(|&[x, y]| Point2::new(x, y)).collect()
+    }
+
+    #[test]
+    fn a_face_is_as_large_as_its_outline_and_leaves_its_holes_out() {
+        let hole = points(&[[0.2, 0.2], [0.4, 0.25], [0.3, 0.5]]);
+        let notched = [
+            [0.0, 0.0],
+            [1.0, 0.0],
+            [1.0, 1.0],
+            [0.6, 0.5],
+            [0.4, 1.2],
+            [0.0, 0.7],
+        ];
+        let polygons = [
+            Polygon::rectangle(Vector2::new(0.4, 0.28)),
+            Polygon::new(points(&notched), vec![hole]),
+        ];
+        for polygon in polygons {
+            let triangles = triangles(&polygon);
+            let area: f64 = triangles.iter().map(|t| double_area(t) / 2.0).sum();
+            assert!((area - polygon.area()).abs() < 1e-12, "{area}");
+            for [a, b, c] in triangles {
+                let center = Point2::from((a.coords + b.coords + c.coords) / 3.0);
+                assert!(polygon.contains(center), "{center}");
+            }
+        }
+    }
+}
