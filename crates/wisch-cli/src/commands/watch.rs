@@ -11,7 +11,7 @@ use wisch::run::{PlannedRound, RunEvent, TelemetrySample};
 use wisch_io::{OutputFolder, RoundTimes};
 use wisch_report::EffectFrames;
 use wisch_sim::Checkpoints;
-use wisch_telemetry::{BagHead, BagWriter, LookTime, RobotShown, WriteError};
+use wisch_telemetry::{BagHead, BagWriter, LookTime, RobotShown, SceneShown, WriteError};
 
 /// Between two updates of the progress [samples].
 const SAY_EVERY: usize = 200;
@@ -241,7 +241,12 @@ impl<'a> Recorder<'a> {
                 world_from_root: *planned.cell.world_from_root(),
             })?;
         }
-        bag.write_scene(task, &planned.plan.graph.goal)?;
+        bag.write_scene(&SceneShown {
+            surface: &task.surface,
+            objects: &task.scene,
+            tool: &task.tool.mesh,
+            goal: &planned.plan.graph.goal,
+        })?;
         bag.write_strokes(&planned.followed.strokes)?;
         bag.write_particles(0.0, &in_world(task))?;
         if let Some(seen) = &self.seen {
