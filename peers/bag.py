@@ -14,6 +14,7 @@ import math
 import sys
 from collections import defaultdict
 from pathlib import Path
+from xml.etree import ElementTree
 
 from mcap.exceptions import EndOfFile
 from mcap.reader import NonSeekingReader, make_reader
@@ -31,10 +32,27 @@ EXPECTED_TYPES = {
     "/tf": "tf2_msgs/msg/TFMessage",
     "/particles": "visualization_msgs/msg/Marker",
     "/phase": "std_msgs/msg/String",
+    "/robot_description": "std_msgs/msg/String",
+    "/tf_static": "tf2_msgs/msg/TFMessage",
+    "/scene": "visualization_msgs/msg/MarkerArray",
+    "/plan/strokes": "visualization_msgs/msg/MarkerArray",
+    "/tool": "visualization_msgs/msg/Marker",
+    "/force": "visualization_msgs/msg/Marker",
+    "/wisch/dirt_before": "sensor_msgs/msg/PointCloud2",
+    "/wisch/dirt_after": "sensor_msgs/msg/PointCloud2",
+    "/wisch/hidden_before": "geometry_msgs/msg/PolygonStamped",
+    "/wisch/hidden_after": "geometry_msgs/msg/PolygonStamped",
 }
 # Topics of which each sample has one message.
 EVERY_SAMPLE = [topic for topic in EXPECTED_TYPES if topic.split("/")[1] in ("joint_states", "tcp", "wrench")]
 TF_PERIOD_NS = 20_000_000
+# Topics that are told once, at the start, of a bag that shows the scene.
+ONCE = ["/robot_description", "/tf_static", "/scene", "/plan/strokes", "/tool"]
+SHOW_PERIOD_NS = 40_000_000
+# visualization_msgs/Marker: how many points there may be, by type.
+MARKER_POINTS = {0: lambda n: n == 2, 4: lambda n: n >= 2, 8: lambda n: n >= 1, 11: lambda n: n >= 3 and n % 3 == 0}
+MARKER_DELETE = 2
+FORCE_M_PER_N = 0.01
 
 
 def plain(message):
@@ -96,14 +114,20 @@ def check(messages):
         assert math.isclose(math.hypot(q.x, q.y, q.z, q.w), 1.0, abs_tol=1e-9)
     poses = {time: message.pose for time, message in messages["/tcp/measured"]}
     previous = None
+    links = []
     for time, message in messages["/tf"]:
         frames = [(t.header.frame_id, t.child_frame_id) for t in message.transforms]
+        if ("world", "tool") not in frames:
+            links.append((time, frames))
+            continue
         assert frames == [("world", "tool"), ("world", "surface")], frames
         translation = message.transforms[0].transform.translation
         position = poses[time].position
         assert [translation.x, translation.y, translation.z] == [position.x, position.y, position.z]
         assert previous is None or time - previous >= TF_PERIOD_NS
         previous = time
+    if "/scene" in messages:
+        check_shown(messages, links)
     names = {tuple(message.name) for _, message in messages["/joint_states"]}
     assert len(names) == 1
     phases = [message.data for _, message in messages["/phase"]]
@@ -113,6 +137,44 @@ def check(messages):
     pressed = max(abs(m.wrench.force.z) for _, m in messages["/wrench/external"])
     print(f"  {samples} samples, {sum(map(len, messages.values()))} messages, joints {names.pop()}")
     print(f"  phases {phases}, largest force along z {pressed:.2f} N")
+
+
+def check_shown(messages, links):
+    """What a bag shows beside what is measured."""
+    for topic in ONCE:
+        assert len(messages[topic]) == 1, (topic, len(messages[topic]))
+    robot = ElementTree.fromstring(messages["/robot_description"][0][1].data)
+    described = {(j.find("parent").get("link"), j.find("child").get("link")) for j in robot.iter("joint") if j.get("type")}
+    standing = [(t.header.frame_id, t.child_frame_id) for t in messages["/tf_static"][0][1].transforms]
+    moving = links[0][1]
+    assert all(frames == moving for _, frames in links), "the moving links change"
+    assert all(b - a >= SHOW_PERIOD_NS for (a, _), (b, _) in zip(links, links[1:]))
+    told = [*standing, *moving]
+    assert len({child for _, child in told}) == len(told), "a frame has two parents"
+    named = {link.get("name") for link in robot.iter("link")} - {"world", "tool", "surface"}
+    assert named <= {name for pair in told for name in pair}, named
+    extra = {pair for pair in told if pair not in described}
+    assert all("world" in pair or any(name.startswith("robot/") for name in pair) for pair in extra), extra
+    markers = [marker for topic in ("/scene", "/plan/strokes") for marker in messages[topic][0][1].markers]
+    names = [(marker.ns, marker.id) for marker in markers]
+    assert len(set(names)) == len(names), names
+    drawn = 0
+    for _, marker in [*((0, m) for m in markers), *messages["/tool"], *messages["/force"], *messages["/particles"]]:
+        if marker.action != MARKER_DELETE:
+            # A scene may have no particle left.
+            assert marker.ns == "particles" or MARKER_POINTS[marker.type](len(marker.points)), (marker.ns, marker.type)
+            drawn += 1
+    wrenches = {time: message.wrench.force for time, message in messages["/wrench/external"]}
+    poses = {time: message.pose.position for time, message in messages["/tcp/measured"]}
+    for time, arrow in messages["/force"]:
+        if arrow.action == MARKER_DELETE:
+            continue
+        start, end = arrow.points
+        for axis in "xyz":
+            at = getattr(poses[time], axis)
+            to = at + FORCE_M_PER_N * getattr(wrenches[time], axis)
+            assert getattr(start, axis) == at and math.isclose(getattr(end, axis), to, abs_tol=1e-12)
+    print(f"  {len(told)} frames of links, of which {len(moving)} move, and {drawn} markers")
 
 
 def write_foreign(path):

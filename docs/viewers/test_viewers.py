@@ -1,0 +1,203 @@
+"""Whether a bag shows in Rerun and Foxglove what it should.
+
+    python -m pytest docs/viewers
+
+takes a bag that the example demo_bag writes; WISCH_BAG=round-1.mcap takes another.
+"""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import rerun_bag
+from mcap.reader import make_reader
+from rerun.chunk import RrdReader
+from rerun.urdf import UrdfTree
+
+HERE = Path(__file__).parent
+NS_PER_S = 1e9
+
+
+@pytest.fixture(scope="session")
+def bag(tmp_path_factory):
+    if given := os.environ.get("WISCH_BAG"):
+        return Path(given)
+    path = tmp_path_factory.mktemp("bag") / "demo.mcap"
+    command = ["cargo", "run", "-q", "-p", "wisch-telemetry", "--example", "demo_bag", "--", str(path)]
+    subprocess.run(command, cwd=HERE.parents[1], check=True)
+    return path
+
+
+@pytest.fixture(scope="session")
+def told(bag):
+    """The messages by topic, with their times, but those that come every sample: of these the first 100."""
+    told = {}
+    for topic, time, message in rerun_bag.messages(bag, None):
+        entries = told.setdefault(topic, [])
+        if len(entries) < 100 or topic in ("/tf", "/force", "/particles"):
+            entries.append((time, message))
+    return told
+
+
+@pytest.fixture(scope="session")
+def duration_s(bag):
+    with open(bag, "rb") as stream:
+        statistics = make_reader(stream).get_summary().statistics
+    return (statistics.message_end_time - statistics.message_start_time) / NS_PER_S
+
+
+@pytest.fixture(scope="session")
+def recording(bag, tmp_path_factory):
+    """The recording that the script saves, read back."""
+    path = tmp_path_factory.mktemp("rerun") / "bag.rrd"
+    subprocess.run([sys.executable, str(HERE / "rerun_bag.py"), str(bag), "--save", str(path)], check=True)
+    reader = RrdReader(path)
+    assert len(reader.blueprints()) == 1
+    return reader.stream().collect()
+
+
+def rows(recording, entity, column, index=rerun_bag.TIMELINE):
+    """Times [s] and values of a column where it says something."""
+    table = recording.reader(index, contents=entity).to_arrow_table()
+    name = f"{entity}:{column}"
+    assert name in table.column_names, f"{name} is not among {table.column_names}"
+    values = table.column(name).to_pylist()
+    if index is None:
+        return [], [value for value in values if value]
+    times = table.column(index).to_numpy().astype("timedelta64[ns]").astype(np.int64) / NS_PER_S
+    said = [(time, value) for time, value in zip(times, values) if value]
+    return [time for time, _ in said], [value for _, value in said]
+
+
+def in_frame(marker):
+    """A marker's points in the frame of its header, turned by the quaternion itself and not by a matrix."""
+    q = marker.pose.orientation
+    axis = np.array([q.x, q.y, q.z])
+    points = np.array([[p.x, p.y, p.z] for p in marker.points])
+    turned = points + 2 * np.cross(axis, q.w * points + np.cross(axis, points))
+    return turned + [marker.pose.position.x, marker.pose.position.y, marker.pose.position.z]
+
+
+def test_a_marker_that_is_turned_is_drawn_turned():
+    def vector(*values):
+        return SimpleNamespace(**dict(zip("xyzw", values)))
+
+    q = np.array([0.1, -0.5, 0.3, 0.7])
+    pose = SimpleNamespace(position=vector(1.0, 2.0, 3.0), orientation=vector(*(q / np.linalg.norm(q))))
+    marker = SimpleNamespace(pose=pose, points=[vector(0.3, 0.0, 0.0), vector(0.0, 0.2, -0.1)])
+    assert np.allclose(rerun_bag.points_in_frame(marker), in_frame(marker))
+
+
+def test_scene_stands_there_from_the_beginning(recording, told):
+    markers = told["/scene"][0][1].markers
+    meshes = [m for m in markers if m.type == rerun_bag.TRIANGLE_LIST]
+    assert meshes and {m.ns for m in markers} >= {"surface", "outline"}
+    for marker in markers:
+        entity = f"/scene/{marker.ns}/{marker.id}"
+        column = "Mesh3D:vertex_positions" if marker in meshes else "LineStrips3D:strips"
+        times, values = rows(recording, entity, column)
+        assert times == [0.0], entity
+        drawn = np.array(values[0] if marker in meshes else values[0][0])
+        assert np.allclose(drawn, in_frame(marker), atol=1e-6), entity
+        assert rows(recording, entity, "CoordinateFrame:frame")[1] == [[marker.header.frame_id]]
+
+
+def test_strokes_are_lines_and_touches_points(recording, told):
+    strokes = told["/plan/strokes"][0][1].markers
+    assert strokes
+    for marker in strokes:
+        line = marker.type == rerun_bag.LINE_STRIP
+        assert line == (len(marker.points) > 1)
+        column = "LineStrips3D:strips" if line else "Points3D:positions"
+        assert rows(recording, f"/plan/strokes/{marker.ns}/{marker.id}", column)[0] == [0.0]
+
+
+def test_tool_moves_with_its_frame_and_particles_are_there(recording, told):
+    assert rows(recording, "/tool", "Mesh3D:vertex_positions")[0] == [0.0]
+    assert rows(recording, "/tool", "CoordinateFrame:frame")[1] == [["tool"]]
+    times, values = rows(recording, "/particles", "Points3D:positions")
+    assert [len(v) for v in values] == [len(m.points) for _, m in told["/particles"] if m.points]
+
+
+def test_force_is_an_arrow_over_time(recording, told, duration_s):
+    drawn = [(time / NS_PER_S, m) for time, m in told["/force"] if m.action != rerun_bag.DELETE]
+    times, vectors = rows(recording, "/force", "Arrows3D:vectors")
+    assert np.allclose(times, [time for time, _ in drawn]) and len(times) > 10
+    assert np.all(np.diff(times) > 0.039) and times[-1] < duration_s
+    longest = max(np.linalg.norm(vector[0]) for vector in vectors)
+    assert 0.01 < longest < 1.0, longest
+
+
+def test_links_of_the_robot_move(recording, told, bag, tmp_path, duration_s):
+    urdf = tmp_path / "robot.urdf"
+    urdf.write_text(told["/robot_description"][0][1].data)
+    tree = UrdfTree.from_file_path(urdf)
+    moved = {child for joint in tree.joints() if (child := joint.child_link) and joint.joint_type != "fixed"}
+    fixed = {joint.child_link for joint in tree.joints() if joint.joint_type == "fixed"}
+    by_frame = {}
+    for time, message in told["/tf"]:
+        for transform in message.transforms:
+            by_frame.setdefault(transform.child_frame_id, []).append(time / NS_PER_S)
+    assert set(by_frame) == moved | {"tool", "surface"}
+    standing = {t.child_frame_id for t in told["/tf_static"][0][1].transforms}
+    assert fixed <= standing and not standing & set(by_frame)
+    for frame in moved:
+        assert abs(len(by_frame[frame]) / duration_s - 25.0) < 1.0, frame
+    # Several frames move at the same time, and the dataframe has one row for each time: count in the chunks.
+    placed = {}
+    for chunk in recording.stream().filter(content="/tf").to_chunks():
+        table = chunk.to_record_batch()
+        if "Transform3D:child_frame" in table.schema.names:
+            for (frame,) in table.column("Transform3D:child_frame").to_pylist():
+                placed[frame] = placed.get(frame, 0) + 1
+    assert placed == {frame: len(times) for frame, times in by_frame.items()}
+    # Rerun has read the description: at least one link is drawn, in a frame of its name.
+    entities = {chunk.entity_path for chunk in recording.stream().to_chunks()}
+    shapes = [entity for entity in entities if "/visual_geometries/" in entity]
+    assert shapes, entities
+
+
+def test_curves_are_as_long_as_the_bag(recording, duration_s):
+    for entity in ["/curves/force_n/measured_z", "/curves/height_mm/measured"]:
+        times, _ = rows(recording, entity, "Scalars:scalars")
+        assert times[-1] > 0.95 * duration_s and len(times) > 10 * duration_s
+
+
+def paths_of(layout):
+    """Every path of the layout that leads into a message."""
+    for config in layout["configById"].values():
+        yield from (path["value"] for path in config.get("paths", []))
+
+
+def test_the_layout_asks_for_what_is_in_the_bag(told):
+    layout = json.loads((HERE / "foxglove-layout.json").read_text())
+    scene = layout["configById"]["3D!scene"]
+    shown = {topic for topic, settings in scene["topics"].items() if settings["visible"]}
+    shown |= {layer["topic"] for layer in scene["layers"].values() if "topic" in layer}
+    assert shown == {*rerun_bag.MARKER_TOPICS, "/robot_description"}
+    assert shown <= set(told), shown - set(told)
+    for path in paths_of(layout):
+        topic, *fields = path.split(".")
+        assert topic in told, topic
+        value = told[topic][0][1]
+        for field in fields:
+            value = getattr(value, field)
+        assert isinstance(value, (float, str)), path
+    frames = {t.child_frame_id for _, m in told["/tf"] for t in m.transforms} | {"world"}
+    wanted = {scene["followTf"], scene["fixedFrame"], scene["layers"]["grid"]["frameId"]}
+    wanted |= {name.removeprefix("frame:") for name in scene["transforms"]}
+    assert wanted <= frames, wanted - frames
+
+
+def test_the_layout_places_each_panel_once():
+    layout = json.loads((HERE / "foxglove-layout.json").read_text())
+
+    def leaves(node):
+        return [node] if isinstance(node, str) else leaves(node["first"]) + leaves(node["second"])
+
+    assert sorted(leaves(layout["layout"])) == sorted(layout["configById"])
