@@ -9,6 +9,7 @@ wrenches it shows as text only; those are converted here. Times are seconds sinc
 
 import argparse
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 import rerun as rr
@@ -27,7 +28,6 @@ POSES = {"/tcp/measured": "measured", "/tcp/commanded": "commanded"}
 # visualization_msgs/Marker, type and action.
 ARROW, LINE_STRIP, POINTS, TRIANGLE_LIST = 0, 4, 8, 11
 DELETE = 2
-NS_PER_S = 1e9
 
 
 def messages(path, topics):
@@ -129,13 +129,24 @@ def log_curves(path, recording):
         rr.send_columns(entity, [index], rr.Scalars.columns(scalars=curve), recording=recording)
 
 
-def blueprint():
+def shapes_of_robot(path):
+    """Where Rerun puts the shapes of the robot that are to be seen: those for collisions only where it has no others."""
+    for _, _, message in messages(path, ["/robot_description"]):
+        robot = ElementTree.fromstring(message.data)
+        kind = "visual" if robot.find("link/visual") is not None else "collision"
+        return {f"/{robot.get('name')}/{other}_geometries": other == kind for other in ("visual", "collision")}
+    return {}
+
+
+def blueprint(path):
+    shapes = {entity: rrb.EntityBehavior(visible=shown) for entity, shown in shapes_of_robot(path).items()}
     return rrb.Blueprint(
         rrb.Horizontal(
             rrb.Spatial3DView(
                 name="scene",
                 origin="/",
                 contents=["+ /**", "- /curves/**", "- /tcp/**"],
+                overrides=shapes,
                 spatial_information=rrb.SpatialInformation(target_frame="world"),
             ),
             rrb.Vertical(
@@ -171,9 +182,9 @@ def main():
     args = parser.parse_args()
     recording = rr.RecordingStream("wisch")
     if args.save:
-        recording.save(args.save, default_blueprint=blueprint())
+        recording.save(args.save, default_blueprint=blueprint(args.bag))
     else:
-        recording.spawn(default_blueprint=blueprint())
+        recording.spawn(default_blueprint=blueprint(args.bag))
     convert(args.bag, recording)
     recording.flush()
 

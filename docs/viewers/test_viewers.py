@@ -52,13 +52,16 @@ def duration_s(bag):
 
 
 @pytest.fixture(scope="session")
-def recording(bag, tmp_path_factory):
-    """The recording that the script saves, read back."""
+def saved(bag, tmp_path_factory):
+    """The file that the script saves, read back."""
     path = tmp_path_factory.mktemp("rerun") / "bag.rrd"
     subprocess.run([sys.executable, str(HERE / "rerun_bag.py"), str(bag), "--save", str(path)], check=True)
-    reader = RrdReader(path)
-    assert len(reader.blueprints()) == 1
-    return reader.stream().collect()
+    return RrdReader(path)
+
+
+@pytest.fixture(scope="session")
+def recording(saved):
+    return saved.stream().collect()
 
 
 def rows(recording, entity, column, index=rerun_bag.TIMELINE):
@@ -156,10 +159,28 @@ def test_links_of_the_robot_move(recording, told, bag, tmp_path, duration_s):
             for (frame,) in table.column("Transform3D:child_frame").to_pylist():
                 placed[frame] = placed.get(frame, 0) + 1
     assert placed == {frame: len(times) for frame, times in by_frame.items()}
-    # Rerun has read the description: at least one link is drawn, in a frame of its name.
-    entities = {chunk.entity_path for chunk in recording.stream().to_chunks()}
-    shapes = [entity for entity in entities if "/visual_geometries/" in entity]
-    assert shapes, entities
+    # Rerun has read the description: shapes are there where the blueprint shows them, in frames that are told.
+    told_frames = standing | set(by_frame) | {"world"}
+    shown = [entity for entity, visible in rerun_bag.shapes_of_robot(bag).items() if visible]
+    chunks = [chunk for chunk in recording.stream().to_chunks() if chunk.entity_path.startswith(f"{shown[0]}/")]
+    frames = set()
+    for chunk in chunks:
+        table = chunk.to_record_batch()
+        if "CoordinateFrame:frame" in table.schema.names:
+            frames |= {frame for (frame,) in table.column("CoordinateFrame:frame").to_pylist()}
+    assert frames and frames <= told_frames, frames - told_frames
+
+
+def test_the_blueprint_shows_the_robot_by_its_visual_shapes_or_else_by_those_for_collisions(saved, told):
+    (blueprint,) = saved.blueprints()
+    visible = {}
+    for chunk in saved.stream(store=blueprint).to_chunks():
+        table = chunk.to_record_batch()
+        if "EntityBehavior:visible" in table.schema.names:
+            kind = "visual" if "visual_geometries" in chunk.entity_path else "collision"
+            visible[kind] = table.column("EntityBehavior:visible").to_pylist() == [[True]]
+    has_visual = "<visual>" in told["/robot_description"][0][1].data
+    assert visible == {"visual": has_visual, "collision": not has_visual}
 
 
 def test_curves_are_as_long_as_the_bag(recording, duration_s):
