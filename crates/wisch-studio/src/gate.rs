@@ -139,3 +139,48 @@ fn hosts(address: SocketAddr) -> Vec<String> {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn refusal(path: &str, headers: &[(&'static str, &'static str)]) -> Option<u16> {
+        let gate = Gate {
+            token: "a0b1".to_owned(),
+            hosts: hosts("127.0.0.1:80".parse().unwrap()),
+        };
+        let headers = headers.iter().map(|(name, value)| {
+            (
+                header::HeaderName::from_static(name),
+                HeaderValue::from_static(value),
+            )
+        });
+        let refused = gate.refusal(path, &headers.collect());
+        refused.map(|status| status.as_u16())
+    }
+
+    #[test]
+    fn only_the_whole_token_opens() {
+        let host = [("host", "localhost")];
+        for path in ["/a0b1", "/a0b1/", "/a0b1/api/overview"] {
+            assert_eq!(refusal(path, &host), None, "{path}");
+        }
+        for path in [
+            "", "/", "/a0b", "/a0b10", "/a0b2/", "/A0B1/", "//a0b1/", "/x/a0b1",
+        ] {
+            assert_eq!(refusal(path, &host), Some(404), "{path}");
+        }
+    }
+
+    #[test]
+    fn the_usual_port_is_left_out() {
+        for host in ["127.0.0.1", "localhost:80", "[::1]"] {
+            assert_eq!(refusal("/a0b1/", &[("host", host)]), None, "{host}");
+        }
+        assert_eq!(refusal("/a0b1/", &[]), Some(421));
+        let own = [("host", "localhost"), ("origin", "http://localhost")];
+        assert_eq!(refusal("/a0b1/", &own), None);
+        let foreign = [("host", "localhost"), ("origin", "http://localhost:81")];
+        assert_eq!(refusal("/a0b1/", &foreign), Some(403));
+    }
+}

@@ -5,10 +5,8 @@ use serde::Serialize;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use wisch_memory::catalogue::{EpisodeRow, entries};
-use wisch_memory::{Catalogue, IndividualId, Memory, MemoryError, Node};
+use wisch_memory::{Catalogue, IndividualId, Memory, MemoryError, Node, RECORDING_FILE};
 
-/// An episode's recording among its files.
-pub const RECORDING_FILE: &str = "recording.jsonl.gz";
 /// Most episodes that are listed at once.
 pub const MOST_LISTED: usize = 500;
 

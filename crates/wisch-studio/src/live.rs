@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! episodes/.live/
-//!   ID.json    {"pid": 4711, "task": "chopping-board", "begun": "2026-11-22T00:56:12Z"}
+//!   ID.json    {"pid": 4711, "task": "chopping-board", "begun": "2026-11-22 00:56:12"}
 //!   ID.jsonl   the recording as far as it goes, a piece a line
 //! ```
 //!
@@ -14,8 +14,8 @@ use serde_json::Value;
 use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
+use wisch_memory::live_place;
 
-const LIVE_FOLDER: &str = ".live";
 /// Longest name of a run [characters].
 const MAX_ID_LEN: usize = 120;
 /// What is read from a recording's end to find its last piece [bytes].
@@ -26,7 +26,7 @@ const LONGEST_SIDECAR: u64 = 1 << 16;
 /// The runs of a memory that are going on, or broke off.
 #[derive(Debug, Clone)]
 pub struct LiveFolder {
-    folder: PathBuf,
+    memory: PathBuf,
     /// What the program is called that runs tasks.
     program: String,
 }
@@ -69,14 +69,14 @@ impl LiveFolder {
     pub fn of(memory: &Path, program: &Path) -> Self {
         let program = program.file_stem().unwrap_or_default();
         Self {
-            folder: memory.join(LIVE_FOLDER),
+            memory: memory.to_path_buf(),
             program: program.to_string_lossy().into_owned(),
         }
     }
 
     /// The recording of a run as far as it goes, if there is such a run.
     pub fn recording(&self, id: &str) -> Option<PathBuf> {
-        let path = self.folder.join(format!("{}.jsonl", checked(id)?));
+        let path = live_place(&self.memory, checked(id)?, "jsonl");
         path.is_file().then_some(path)
     }
 
@@ -139,7 +139,7 @@ impl LiveFolder {
             return Ok(false);
         }
         for ending in ["json", "jsonl"] {
-            match fs::remove_file(self.folder.join(format!("{id}.{ending}"))) {
+            match fs::remove_file(live_place(&self.memory, id, ending)) {
                 Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
                 _ => {}
             }
@@ -148,14 +148,15 @@ impl LiveFolder {
     }
 
     fn sidecar(&self, id: &str) -> Option<Sidecar> {
-        let file = File::open(self.folder.join(format!("{}.json", checked(id)?))).ok()?;
+        let file = File::open(live_place(&self.memory, checked(id)?, "json")).ok()?;
         let mut text = String::new();
         file.take(LONGEST_SIDECAR).read_to_string(&mut text).ok()?;
         serde_json::from_str(&text).ok()
     }
 
     fn ids(&self) -> Vec<String> {
-        let Ok(entries) = fs::read_dir(&self.folder) else {
+        let any = live_place(&self.memory, "any", "jsonl");
+        let Some(Ok(entries)) = any.parent().map(fs::read_dir) else {
             return Vec::new();
         };
         let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());

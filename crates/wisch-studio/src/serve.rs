@@ -1,7 +1,7 @@
 //! The server: what is asked for, and who answers it.
 
 use crate::gate::{Gate, nonce, page_policy, pass};
-use crate::library::{Library, RECORDING_FILE};
+use crate::library::Library;
 use crate::live::{LiveFolder, LiveRun, RunState};
 use crate::questions::{LIMITS, Question, Questions};
 use crate::refusal::Refusal;
@@ -28,7 +28,7 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::net::TcpListener;
 use tokio::sync::{Semaphore, watch};
-use wisch_memory::{Memory, MemoryError};
+use wisch_memory::{Memory, MemoryError, RECORDING_FILE};
 
 /// Most answers at once that go on for as long as the page is open.
 const MOST_STREAMS: usize = 64;

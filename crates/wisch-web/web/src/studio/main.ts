@@ -164,7 +164,7 @@ class Studio {
     this.stage.say("wait", "Loading \u2026");
     try {
       const sources: Source[] = [];
-      for (const id of place.ids) sources.push(await this.source(id, place.kind === "run"));
+      for (const id of place.ids) sources.push(await this.source(id));
       if (mine !== this.opened) return;
       this.stage.show(sources, place.time);
       document.title = `${sources.map(({ id, recording }) => recording.head?.title ?? id).join(" | ")} \u2013 wisch studio`;
@@ -175,9 +175,25 @@ class Studio {
     }
   }
 
-  private async source(id: string, isRun: boolean): Promise<Source> {
-    const isLive = this.known?.runs.some((run) => run.id === id) || (isRun && !this.isKept(id));
-    if (!isLive) return { id, recording: await episode(id), live: null };
+  private async source(id: string): Promise<Source> {
+    if (this.isRun(id)) return this.liveSource(id);
+    try {
+      return { id, recording: await episode(id), live: null };
+    } catch (error) {
+      if (!(error instanceof Refused) || error.status !== 404) throw error;
+      // It may have begun just now.
+      await this.refresh();
+      if (this.isRun(id)) return this.liveSource(id);
+      if (this.known && !this.isKept(id)) throw new Refused({ message: `There is no run or episode ${id}. A run that was stopped before its first round was over is not kept.` }, 404);
+      throw error;
+    }
+  }
+
+  private isRun(id: string): boolean {
+    return this.known?.runs.some((run) => run.id === id) ?? false;
+  }
+
+  private liveSource(id: string): Source {
     const live = new LiveSource(id, () => this.liveChanged(live));
     this.live.push(live);
     return { id, recording: live.recording, live };
