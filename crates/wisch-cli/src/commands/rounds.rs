@@ -103,27 +103,27 @@ pub fn execute(
         let stage = session.step(executor.as_dyn(), &mut |event| {
             watch.see(event)?;
             watch.flow(recording.see(event))?;
-            if is_stopped() {
-                return ControlFlow::Break(());
-            }
             if let Some((path, events)) = &mut events {
                 let written = events.write(event);
                 watch.flow(written.map_err(|error| no_event(path, &error)))?;
             }
             recorder.round_of(event);
             episode.see(event);
-            if recorder.is_taken_over() {
-                return ControlFlow::Continue(());
-            }
-            // An episode does not depend on the results, nor on where they go.
-            match recorder.see(event).map_err(cannot_write) {
-                Err(failure) if episode.is_kept() => {
-                    recorder.give_up();
-                    no_bag.get_or_insert(failure);
-                    ControlFlow::Continue(())
+            if !recorder.is_taken_over()
+                && let Err(failure) = recorder.see(event).map_err(cannot_write)
+            {
+                // An episode does not depend on the results, nor on where they go.
+                if !episode.is_kept() {
+                    return watch.flow(Err(failure));
                 }
-                seen => watch.flow(seen),
+                recorder.give_up();
+                no_bag.get_or_insert(failure);
             }
+            // What was begun is ended in order, and all have seen it by now.
+            if is_stopped() {
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(())
         });
         // One that broke off is no round to go on from.
         if stage.is_ok()
@@ -154,7 +154,7 @@ pub fn execute(
         }
         match stage {
             Ok(Stage::Ended) => break Ok(()),
-            Ok(_) if watch.failure.is_some() || is_stopped() => break Ok(()),
+            Ok(_) if watch.failure.is_some() => break Ok(()),
             Ok(_) => {}
             Err(error) => break Err(error),
         }
