@@ -270,6 +270,9 @@ fn what_stands_is_shown_once_and_what_moves_at_25_hz() {
     let expected = pressed as f64 / 200.0 * 25.0;
     assert!((force.len() as f64 - expected).abs() < 4.0, "{expected}");
     assert!(pressed < count, "the tool leaves the surface");
+    let last_pressed = log.samples.iter().rfind(|s| s.force.norm() > 1.0).unwrap();
+    let last_said = *force.last().unwrap() as f64 * 1e-9;
+    assert!(last_said > last_pressed.time, "the arrow stays");
     // The tool's frame at 50 Hz, the robot's links at half of that.
     let both = count.div_ceil(4) + count.div_ceil(8);
     assert_eq!(times["/tf"].len(), both);
