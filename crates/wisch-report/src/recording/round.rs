@@ -190,7 +190,7 @@ impl RoundPiece {
             root: None,
             surface: SurfaceRecord {
                 pose: seven(&task.surface.world_from_surface),
-                rings: outline.rings().map(|ring| line(ring)).collect(),
+                rings: outline.rings().map(line).collect(),
             },
             scene,
             goal: GoalRecord::new(&wiped.graph.goal),
