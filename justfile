@@ -33,6 +33,15 @@ ci:
 bench *options:
     cargo bench --workspace --locked {{options}}
 
+# Check, test and build the page of reports and of the studio, in a real browser too (needs Node and Chromium).
+web:
+    cd crates/wisch-web/web && npm ci && npm run check && npm test && npm run test:browser
+    crates/wisch-studio/check/run
+
+# Open our bags as Rerun and Foxglove do (needs what docs/viewers/requirements.txt lists).
+viewers *options:
+    python3 -m pytest docs/viewers {{options}}
+
 # One table of what wisch and its peers take for the same computations (needs what peers/requirements.txt lists).
 bench-peers:
     python3 peers/table.py
