@@ -17,7 +17,7 @@ const browser = await chromium.launch({
 const complaints = [];
 const figures = {};
 
-/** What goes wrong here and nowhere else is expected. */
+/** A page; what its console complains of is kept. */
 async function open(hash = "", options = {}) {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
   const page = await context.newPage();

@@ -233,7 +233,7 @@ fn task(named: &str, shipped: &[String]) -> Result<PathBuf, Refusal> {
         return Ok(PathBuf::from(named));
     }
     let path = Path::new(named);
-    if !path.extension().is_some_and(|ending| ending == "toml") {
+    if path.extension().is_none_or(|ending| ending != "toml") {
         return Err(Refusal::wrong(format!(
             "{named:?} is neither a shipped task nor a task file (.toml)"
         )));

@@ -164,7 +164,7 @@ class Studio {
     this.stage.say("wait", "Loading \u2026");
     try {
       const sources: Source[] = [];
-      for (const id of place.ids) sources.push(await this.source(id));
+      for (const id of place.ids) sources.push(await this.source(id, place.kind === "run"));
       if (mine !== this.opened) return;
       this.stage.show(sources, place.time);
       document.title = `${sources.map(({ id, recording }) => recording.head?.title ?? id).join(" | ")} \u2013 wisch studio`;
@@ -175,7 +175,9 @@ class Studio {
     }
   }
 
-  private async source(id: string): Promise<Source> {
+  private async source(id: string, isRun: boolean): Promise<Source> {
+    // One that has begun just now is not listed yet.
+    if (isRun && !this.isRun(id)) await this.refresh();
     if (this.isRun(id)) return this.liveSource(id);
     try {
       return { id, recording: await episode(id), live: null };
