@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 /// The crates in the order in which data walks through them; those of a row do not know each other.
 const LAYERS: [&[&str]; 6] = [
-    &["wisch"],
+    &["wisch", "wisch-web"],
     &["wisch-io"],
     &["wisch-sim", "wisch-telemetry", "wisch-memory"],
     &["wisch-report"],
@@ -14,8 +14,9 @@ const LAYERS: [&[&str]; 6] = [
 ];
 
 /// Crates beside the order, and what they may depend on of this workspace. Nothing depends on them.
-const APART: [(&str, &[&str]); 3] = [
+const APART: [(&str, &[&str]); 4] = [
     ("wisch-prolog", &[]),
+    ("wisch-studio", &["wisch-memory", "wisch-web"]),
     (
         "wisch-py",
         &[
@@ -33,11 +34,13 @@ const APART: [(&str, &[&str]); 3] = [
 /// Crates that only some of ours may depend on, by the beginning of their names.
 /// The simulated world is opened by the program and by evaluations alone: what plans, interprets, reads files or draws
 /// cannot name it.
-const KEPT_APART: [(&str, &[&str]); 4] = [
+const KEPT_APART: [(&str, &[&str]); 6] = [
     ("wisch-sim", &["wisch-eval", "wisch-cli"]),
     ("rapier", &["wisch-sim"]),
     ("clap", &["wisch-cli"]),
     ("scryer", &["wisch-prolog"]),
+    ("axum", &["wisch-studio"]),
+    ("tokio", &["wisch-studio"]),
 ];
 
 fn crates() -> PathBuf {
