@@ -34,11 +34,10 @@ pub fn changes(library: Arc<Library>, live: LiveFolder) -> watch::Receiver<u64> 
 
 fn fingerprint(library: &Library, live: &LiveFolder) -> u64 {
     let mut hasher = DefaultHasher::new();
-    library
-        .memory()
-        .episodes()
-        .unwrap_or_default()
-        .hash(&mut hasher);
+    // Episodes come and go by renaming folders in this one; to list 10^5 of them takes its time.
+    let folder = std::fs::metadata(library.memory().folder());
+    let changed = folder.and_then(|folder| folder.modified());
+    changed.ok().hash(&mut hasher);
     for run in live.runs() {
         run.id.hash(&mut hasher);
         format!("{:?} {:?}", run.state, run.episode).hash(&mut hasher);

@@ -5,6 +5,7 @@ import { Story } from "../story.ts";
 import { mountView } from "../view.ts";
 import type { View } from "../view.ts";
 import type { Recording } from "../store.ts";
+import { write } from "./address.ts";
 import { stopRun } from "./server.ts";
 import type { LiveSource } from "./source.ts";
 
@@ -185,15 +186,18 @@ class Head {
       const { mean, low, high } = judged.estimate;
       parts.push(el("b", { title: "estimated performance, 90 % interval" }, percent(mean), el("small", {}, ` ${percent(low)} \u2013 ${percent(high)}`)));
     }
-    if (verdict) parts.push(el("span", { class: "s-badge", "data-state": met ? "met" : "unmet" }, verdict));
+    if (verdict) parts.push(el("span", { class: "s-badge", "data-state": !recording.ended!.verdict ? "none" : met ? "met" : "unmet" }, verdict));
     this.result.replaceChildren(...parts);
     const connection = live?.connection ?? "ended";
     this.connection.dataset.state = connection;
     say(this.connection, [CONNECTIONS[connection], live?.message ?? ""].filter((words) => words).join(": "));
     this.stopButton.hidden = !live || connection === "ended" || connection === "lost" || connection === "gone";
     const episode = live?.episode ?? id;
-    if (!live || (connection === "ended" && this.actions.isKept(episode))) say(this.kept, `episode ${episode}`);
-    else say(this.kept, connection === "ended" ? "not kept as an episode" : "");
+    this.title.title = `${this.title.textContent} (${id})`;
+    if (live && connection === "ended") {
+      this.kept.replaceChildren(this.actions.isKept(episode)
+        ? el("a", { href: write({ kind: "episode", ids: [episode], time: null, query: null }), title: episode }, "kept as an episode") : "not kept as an episode");
+    }
     if (this.wasLive && recording.ended) {
       // What came of it is what the run was watched for.
       this.wasLive = false;
