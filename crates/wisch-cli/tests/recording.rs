@@ -189,6 +189,34 @@ fn others_look_on_and_may_end_it_in_order() {
     assert_eq!(judged.expect("it is interpreted")["ending"], "stopped");
 }
 
+#[cfg(unix)]
+#[test]
+fn ended_before_a_round_is_over_nothing_is_kept() {
+    use rustix::process::{Pid, Signal, kill_process};
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut command = Command::new(path());
+    command.current_dir(folder.path()).stderr(Stdio::piped());
+    // To look for the best plan takes its time.
+    command.args(["run", "chopping-board", "--live", "--quiet"]);
+    let running = command.spawn().expect("it runs");
+    let live = folder.path().join("episodes/.live");
+    while fs::read_dir(&live).map_or(0, Iterator::count) < 2 {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    // From then on it listens.
+    std::thread::sleep(Duration::from_millis(100));
+    kill_process(Pid::from_child(&running), Signal::TERM).expect("it can be told");
+    let ended = running.wait_with_output().expect("it ends");
+    let said = String::from_utf8(ended.stderr).expect("text");
+    assert_eq!(ended.status.code(), Some(2), "{said}");
+    assert!(
+        said.contains("ended before the first round was over"),
+        "{said}"
+    );
+    assert!(episodes(folder.path()).is_empty());
+    assert_eq!(fs::read_dir(&live).expect("a folder").count(), 0);
+}
+
 #[test]
 fn without_a_memory_nobody_looks_on() {
     let folder = tempfile::tempdir().expect("a folder");

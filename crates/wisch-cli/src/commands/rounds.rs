@@ -171,6 +171,11 @@ pub fn execute(
     {
         return Err(failure);
     }
+    if is_stopped() && session.rounds().is_empty() {
+        return Err(Failure::new(
+            "ended before the first round was over, so nothing is kept",
+        ));
+    }
     let following = Following::of(&session, watch.round(1).times.following_s);
     let (planned, _) = (session.first()).ok_or_else(|| internal("no round was planned"))?;
     let (plan, prediction) = (planned.plan.clone(), planned.prediction.clone());

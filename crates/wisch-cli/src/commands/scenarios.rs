@@ -40,7 +40,26 @@ fn first_sentence(text: &str) -> String {
         }
         sentence.replace_range(start..=end, "");
     }
-    let end = sentence.find(['.', ';']).unwrap_or(sentence.len());
+    // The point of 0.1 ends none.
+    let ends = |(i, c): &(usize, char)| match c {
+        '.' => !sentence[i + 1..].starts_with(|c: char| !c.is_whitespace()),
+        c => *c == ';',
+    };
+    let end = sentence.char_indices().find(ends);
+    let end = end.map_or(sentence.len(), |(i, _)| i);
     sentence.truncate(end);
     sentence
+}
+
+#[cfg(test)]
+mod tests {
+    use super::first_sentence;
+
+    #[test]
+    fn a_number_ends_no_sentence() {
+        let text = "# Painted: 0.1 mm everywhere (in\n# lanes). World: z up.\nname = \"x\"";
+        assert_eq!(first_sentence(text), "Painted: 0.1 mm everywhere");
+        assert_eq!(first_sentence("# All of it; and more"), "All of it");
+        assert_eq!(first_sentence("# The end."), "The end");
+    }
 }

@@ -4,6 +4,7 @@ use super::words;
 use crate::draw::percent;
 use crate::rounds::words::interval;
 use serde::Serialize;
+use wisch::recover::Verdict;
 use wisch::represent::Task;
 use wisch::run::Round;
 
@@ -80,7 +81,10 @@ fn executed(outcome: &Outcome<'_>, asked: String, last: &Round, rounds: usize) -
         happened: format!(
             "After {rounds} {} is where it belongs, the robot believes: {}.",
             percent(found.performance.mean),
-            last.verdict.as_str()
+            match last.verdict {
+                Verdict::Again => "no more rounds were allowed",
+                verdict => verdict.as_str(),
+            }
         ),
         sure: format!("By {senses}: {}.{truth}", interval(found.performance)),
         surer: words::surer(last),

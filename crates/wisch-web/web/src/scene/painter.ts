@@ -8,7 +8,7 @@ const MOST_PIXELS = 2.6e6;
 /** Without a graphics card: resolution while things move and once they rest, and when that is. */
 const MOVING_RATIO = 0.75;
 const RESTING_RATIO = 1.5;
-const REST_MS = 260;
+const REST_MS = 700;
 
 /** Whether the processor draws. */
 function drawnBySoftware(): boolean {
