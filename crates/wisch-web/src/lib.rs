@@ -55,7 +55,10 @@ mod tests {
 
     #[test]
     fn nothing_in_a_recording_ends_its_element() {
-        let page = report_page("a < b", "{\"title\":\"</script><script>alert(1)</script>\"}");
+        let page = report_page(
+            "a < b",
+            "{\"title\":\"</script><script>alert(1)</script>\"}",
+        );
         assert!(page.contains("<title>a &lt; b</title>"));
         assert!(!page.contains("</script><script>alert(1)"));
     }

@@ -20,6 +20,7 @@ mod look;
 mod map;
 mod memory;
 mod new;
+mod packed;
 mod prepare;
 mod recording;
 mod report;

@@ -1,6 +1,6 @@
 //! `wisch report`: an episode or a folder of results as one page.
 
-use super::recording::read_packed;
+use super::packed::read_packed;
 use crate::args::{GlobalArgs, ReportArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print};

@@ -2,8 +2,8 @@
 
 use super::follow::Following;
 use super::job::Results;
+use super::packed::packed;
 use super::prepare::Prepared;
-use super::recording::packed;
 use super::round_views::{input, summary as summary_of_round, views};
 use super::words::{internal, json, percent};
 use crate::args::ResultArgs;

@@ -1,7 +1,7 @@
 //! A round before it is executed, or a plan that nobody executes.
 
 use super::particles::{Moment, ParticleStep, line, steps};
-use super::samples::{rounded, seconds_at};
+use super::samples::{NOMINAL_SPEED, rounded, seconds_at};
 use super::{PlannedOnly, words};
 use crate::prediction::frames::EffectFrames;
 use crate::scene::{MeshRecord, Meshes, Solid, seven};
@@ -10,9 +10,6 @@ use wisch::follow::{Followed, Phase};
 use wisch::plan::Plan;
 use wisch::represent::{GoalState, ScenePart, Task};
 use wisch::run::PlannedRound;
-
-/// Slowest that a tool without a robot is shown [m/s].
-pub(super) const NOMINAL_SPEED: f64 = 0.1;
 
 #[derive(Serialize)]
 pub(super) struct RoundPiece {

@@ -1,7 +1,6 @@
 //! What is measured, some instants in a row.
 
 use super::PlannedOnly;
-use super::round::NOMINAL_SPEED;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use wisch::follow::{Followed, Phase, ToolPose, Workcell};
@@ -10,6 +9,8 @@ use wisch::run::{PlannedRound, TelemetrySample};
 
 /// Instants a second that are shown.
 const RATE: f64 = 25.0;
+/// How fast a tool that no robot holds is shown to wipe [m/s].
+pub(super) const NOMINAL_SPEED: f64 = 0.1;
 /// Instants in a piece.
 const BATCH: usize = 10;
 /// A force between two instants that is so much greater than at them is shown all the same [N].
