@@ -363,6 +363,7 @@ fn is_result_file(name: &str) -> bool {
         TRAJECTORY_JSON_FILE,
         TRAJECTORY_YAML_FILE,
         TCP_PATH_FILE,
+        RECORDING_FILE,
         REPORT_FILE,
     ];
     let is_bag = name.starts_with("round-") && name.ends_with(".mcap");
