@@ -1,6 +1,6 @@
 //! What is kept of a run to be shown, who may look on meanwhile, and the page that is made of it.
 
-use crate::program::{path, root, wisch};
+use crate::program::{path, wisch};
 use flate2::read::GzDecoder;
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -12,20 +12,8 @@ use std::time::Duration;
 
 /// A run of at most two short rounds.
 fn run(folder: &Path, more: &[&str]) -> Child {
-    let mut command = Command::new(path());
-    command.current_dir(folder).arg("run");
-    command.arg(root().join("scenarios/chopping-board.toml"));
-    command.args([
-        "--greedy",
-        "--strategy",
-        "kde",
-        "--rounds",
-        "2",
-        "--out",
-        "out",
-    ]);
-    command.args(["--set", "target_performance=1.0", "--quiet"]);
-    command.args(more).stdout(Stdio::null());
+    let mut command = crate::rounds::wisch(folder, "out", more);
+    command.arg("--quiet").stdout(Stdio::null());
     command.spawn().expect("it runs")
 }
 

@@ -20,7 +20,7 @@ const FILES: [&str; 9] = [
 ];
 
 /// A run of two short rounds.
-fn wisch(folder: &Path, out: &str, more: &[&str]) -> Command {
+pub fn wisch(folder: &Path, out: &str, more: &[&str]) -> Command {
     let task = root().join("scenarios/chopping-board.toml");
     let mut command = Command::new(path());
     command.current_dir(folder).arg("run").arg(task);

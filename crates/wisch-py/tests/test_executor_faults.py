@@ -135,6 +135,27 @@ def test_what_an_executor_returns_is_checked(task, robot):
         assert message in str(caught.value)
 
 
+def failure_of(run, thread):
+    """What a run on the main or on another thread raises, and after how many seconds."""
+    results = []
+
+    def timed():
+        begin = time.monotonic()
+        try:
+            run()
+        except BaseException as error:
+            results.append((error, time.monotonic() - begin))
+
+    if thread == "main":
+        timed()
+    else:
+        other = threading.Thread(target=timed)
+        other.start()
+        other.join()
+    [(error, seconds)] = results
+    return error, seconds
+
+
 @pytest.mark.parametrize("how", ["sleeps", "spins", "swallows"])
 @pytest.mark.parametrize("thread", ["main", "other"])
 def test_an_executor_that_hangs_is_given_up(task, robot, how, thread):
@@ -153,23 +174,10 @@ def test_an_executor_that_hangs_is_given_up(task, robot, how, thread):
                     if len(how_often) == 2:
                         return
 
-    how_often, results = [], []
+    how_often = []
     session = task.session(robot)
 
-    def run():
-        begin = time.monotonic()
-        try:
-            session.run(Hangs(task.surface_reaction), timeout=0.4)
-        except BaseException as error:
-            results.append((error, time.monotonic() - begin))
-
-    if thread == "main":
-        run()
-    else:
-        other = threading.Thread(target=run)
-        other.start()
-        other.join()
-    [(error, seconds)] = results
+    error, seconds = failure_of(lambda: session.run(Hangs(task.surface_reaction), timeout=0.4), thread)
     assert isinstance(error, wisch.WischError) and "no sample for 0.4 s" in str(error), repr(error)
     assert seconds < 30
     assert len(session.rounds[0].telemetry) == GOOD
@@ -187,24 +195,11 @@ def test_an_executor_that_looks_for_ever_is_given_up(robot, looks, thread):
                 time.sleep(0.05 if thread == "other" else 60)
             return seeing.particles
 
-    seen, results = [], []
+    seen = []
     seeing = wisch.load_task("arm-board")
     session = seeing.session(robot)
 
-    def run():
-        begin = time.monotonic()
-        try:
-            session.run(Stares(seeing.surface_reaction), timeout=0.4)
-        except BaseException as error:
-            results.append((error, time.monotonic() - begin))
-
-    if thread == "main":
-        run()
-    else:
-        other = threading.Thread(target=run)
-        other.start()
-        other.join()
-    [(error, seconds)] = results
+    error, seconds = failure_of(lambda: session.run(Stares(seeing.surface_reaction), timeout=0.4), thread)
     assert isinstance(error, wisch.WischError) and "did not say what it sees for 0.4 s" in str(error), repr(error)
     assert len(seen) == looks and seconds < 30
     time.sleep(0.1)  # an interruption that came late would come now

@@ -32,7 +32,7 @@ const LONGEST: usize = 20_000;
 /// How often a query is told to end that nobody waits for any more.
 const TELL_AGAIN: Duration = Duration::from_millis(50);
 /// Where statements are kept that queries told.
-const TOLD_FILE: &str = "told.jsonl";
+const STATEMENTS_FILE: &str = "told.jsonl";
 
 /// What is asked.
 #[derive(Debug, Clone, Deserialize)]
@@ -162,11 +162,11 @@ fn answer_all(library: &Library, engine: Option<&Path>, jobs: &Receiver<Job>, no
 struct Open {
     asker: Asker,
     catalogue: Arc<Catalogue>,
-    told: Told,
+    statements: StatementsState,
 }
 
 /// What tells whether statements were added from elsewhere.
-type Told = Option<(u64, Option<SystemTime>)>;
+type StatementsState = Option<(u64, Option<SystemTime>)>;
 
 fn opened<'a>(
     open: &'a mut Option<Open>,
@@ -176,8 +176,9 @@ fn opened<'a>(
 ) -> Result<&'a mut Open, AskError> {
     let catalogue = library.catalogue()?;
     let folder = library.memory().folder();
-    let told = told(folder);
-    let is_current = |open: &Open| Arc::ptr_eq(&open.catalogue, &catalogue) && open.told == told;
+    let statements = statements_state(folder);
+    let is_current =
+        |open: &Open| Arc::ptr_eq(&open.catalogue, &catalogue) && open.statements == statements;
     let stays = open.take().filter(is_current);
     let current = match stays {
         Some(current) => current,
@@ -193,15 +194,15 @@ fn opened<'a>(
             Open {
                 asker,
                 catalogue,
-                told,
+                statements,
             }
         }
     };
     Ok(open.insert(current))
 }
 
-fn told(folder: &Path) -> Told {
-    let metadata = std::fs::metadata(folder.join(TOLD_FILE)).ok()?;
+fn statements_state(folder: &Path) -> StatementsState {
+    let metadata = std::fs::metadata(folder.join(STATEMENTS_FILE)).ok()?;
     Some((metadata.len(), metadata.modified().ok()))
 }
 
@@ -226,7 +227,7 @@ fn command(engine: Option<&Path>) -> Result<EngineCommand, AskError> {
 fn answer(open: &mut Open, library: &Library, question: &Question) -> Result<Value, AskError> {
     let mut answers = open.asker.ask(&question.query)?;
     // What this query told is known already.
-    open.told = told(library.memory().folder());
+    open.statements = statements_state(library.memory().folder());
     let limit = question.limit.unwrap_or(LIMITS.answers).max(1);
     if answers.rows.len() > limit {
         answers.rows.truncate(limit);
@@ -254,7 +255,7 @@ fn answer(open: &mut Open, library: &Library, question: &Question) -> Result<Val
     };
     Ok(json!({
         "columns": answers.names,
-        "rows": answers.rows.iter().map(|row| row.iter().map(value).collect()).collect::<Vec<Vec<Value>>>(),
+        "rows": answers.rows.iter().map(|row| row.iter().map(Term::to_json).collect()).collect::<Vec<Vec<Value>>>(),
         "about": about(&answers, &open.catalogue),
         "holds": answers.holds(),
         "more": answers.is_cut,
@@ -278,18 +279,6 @@ fn about(answers: &Answers, catalogue: &Catalogue) -> Vec<Vec<Value>> {
     let rows = answers.rows.iter();
     rows.map(|row| row.iter().filter_map(named).collect())
         .collect()
-}
-
-/// A term as JSON, as `wisch ask --json` has it.
-fn value(term: &Term) -> Value {
-    match term {
-        Term::Variable(_) => Value::Null,
-        Term::Integer(number) => json!(number),
-        Term::Float(number) => json!(number),
-        Term::Atom(name) => json!(name),
-        Term::List(items) => items.iter().map(value).collect(),
-        Term::Compound(..) => json!(term.to_string()),
-    }
 }
 
 fn in_words(error: &AskError, query: &str) -> Value {

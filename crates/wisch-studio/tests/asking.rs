@@ -116,7 +116,7 @@ fn an_engine_that_is_not_there_is_named() {
 }
 
 #[test]
-fn what_may_be_named_is_told() {
+fn the_vocabulary_lists_classes_properties_and_predicates() {
     let words = Place::new().get("api/vocabulary").json();
     let has = |list: &str, name: &str| {
         let names = words[list].as_array().unwrap().iter();

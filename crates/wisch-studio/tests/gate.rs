@@ -78,7 +78,7 @@ fn other_pages_are_refused() {
 }
 
 #[test]
-fn browsers_are_told_to_keep_it_to_themselves() {
+fn responses_carry_security_headers() {
     let place = Place::new();
     for path in ["", "api/overview", "nothing"] {
         let headers = place.get(path).headers;

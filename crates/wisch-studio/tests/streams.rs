@@ -140,7 +140,7 @@ fn there_are_not_more_streams_than_may_be() {
 }
 
 #[test]
-fn changes_are_told() {
+fn the_overview_streams_changes() {
     let place = Place::new();
     let path = format!("{}api/overview/events", place.base);
     let mut events = Events::open(&place.address, &path, &[]);

@@ -258,7 +258,7 @@ fn in_json(query: &str, answers: &Answers) -> Value {
     let rows = answers.rows.iter().map(|row| {
         let bound = answers.names.iter().zip(row);
         let bound: Map<String, Value> = bound
-            .map(|(name, term)| (name.clone(), value(term)))
+            .map(|(name, term)| (name.clone(), term.to_json()))
             .collect();
         Value::Object(bound)
     });
@@ -270,18 +270,6 @@ fn in_json(query: &str, answers: &Answers) -> Value {
         "printed": answers.printed,
         "remarks": answers.remarks,
     })
-}
-
-/// A term as JSON: numbers, lists and names as such, others as text.
-fn value(term: &Term) -> Value {
-    match term {
-        Term::Variable(_) => Value::Null,
-        Term::Integer(number) => json!(number),
-        Term::Float(number) => json!(number),
-        Term::Atom(name) => json!(name),
-        Term::List(items) => items.iter().map(value).collect(),
-        Term::Compound(..) => json!(term.to_string()),
-    }
 }
 
 fn in_csv(answers: &Answers) -> String {

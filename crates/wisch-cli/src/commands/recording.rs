@@ -137,6 +137,8 @@ impl RunRecording {
                 followed: following.map(|f| (&f.cell, &f.followed, &f.audit)),
             })?;
         }
+        let believed = prepared.task.surface.world_from_surface;
+        let world_from_surface = Some(believed * prepared.reality.believed_from_real);
         for done in &results.rounds {
             if done.true_performance.is_none() && done.truth.is_none() {
                 continue;
@@ -146,7 +148,7 @@ impl RunRecording {
                 performance: done.true_performance,
                 particles: done.truth.as_ref(),
                 pushes: &done.pushes,
-                world_from_surface: None,
+                world_from_surface,
             })?;
         }
         // Who looks on is told where the episode lies as well, once it lies there.

@@ -33,6 +33,24 @@ impl Term {
         Self::Compound(name.into(), arguments.into())
     }
 
+    /// As JSON: numbers, lists and names as such, what is not bound as null, others as text.
+    ///
+    /// ```
+    /// use wisch_memory::ask::Term;
+    /// let list = Term::List(vec![Term::Integer(2), Term::atom("sponge")]);
+    /// assert_eq!(list.to_json().to_string(), r#"[2,"sponge"]"#);
+    /// ```
+    pub fn to_json(&self) -> serde_json::Value {
+        match self {
+            Self::Variable(_) => serde_json::Value::Null,
+            Self::Integer(number) => (*number).into(),
+            Self::Float(number) => (*number).into(),
+            Self::Atom(name) => name.as_str().into(),
+            Self::List(items) => items.iter().map(Self::to_json).collect(),
+            Self::Compound(..) => self.to_string().into(),
+        }
+    }
+
     /// The text of an atom.
     pub fn as_atom(&self) -> Option<&str> {
         match self {

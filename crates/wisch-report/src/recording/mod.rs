@@ -73,7 +73,7 @@ pub struct RoundTruth<'a> {
     pub round: usize,
     /// The performance, in [0, 1]; `None` where no dirt was simulated.
     pub performance: Option<f64>,
-    /// Where the dirt lies, in the frame of the surface as it was believed [m].
+    /// Where the dirt lies, in the frame of the real surface [m].
     pub particles: Option<&'a ParticleDistribution>,
     /// When somebody pushed: from, to [s].
     pub pushes: &'a [[f64; 2]],
@@ -105,9 +105,9 @@ pub struct RecordingWriter<W> {
     meshes: Meshes,
     /// How many of them are written.
     written: usize,
-    round: usize,
+    /// What the round is predicted to do, before it is executed.
     frames: Option<EffectFrames>,
-    /// Which task and plan the motion belongs to, from the frames' own words.
+    /// What the check of its motion says.
     audited: Option<String>,
     batch: Batch,
     target: f64,
@@ -120,7 +120,6 @@ impl<W: Write> RecordingWriter<W> {
             output,
             meshes: Meshes::new(robot::MAX_TRIANGLES),
             written: 0,
-            round: 0,
             frames: None,
             audited: None,
             batch: Batch::default(),
@@ -245,7 +244,6 @@ impl<W: Write> RecordingWriter<W> {
     }
 
     fn executing(&mut self, planned: &PlannedRound) -> io::Result<()> {
-        self.round = planned.number;
         let frames = self.frames.take();
         let audited = self.audited.take();
         let piece = RoundPiece::executed(

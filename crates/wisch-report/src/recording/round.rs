@@ -83,21 +83,18 @@ impl RoundPiece {
         let followed = Some(&planned.followed);
         let mut why = words::why(&planned.plan, &wiped, followed);
         why.extend(audited);
-        let performance = planned.prediction.performance.ratio();
-        Self {
+        Shown {
+            round: planned.number,
+            kind: "executed",
             root: Some(seven(planned.cell.world_from_root())),
-            ..Self::new(
-                planned.number,
-                "executed",
-                &planned.task,
-                &wiped,
-                followed,
-                frames,
-                performance,
-                why,
-                (meshes, written),
-            )
+            task: &planned.task,
+            wiped: &wiped,
+            followed,
+            frames,
+            predicted: planned.prediction.performance.ratio(),
+            why,
         }
+        .piece(meshes, written)
     }
 
     /// One that nobody executes.
@@ -110,37 +107,43 @@ impl RoundPiece {
         let followed = planned.followed.map(|(_, followed, _)| followed);
         let mut why = words::why(planned.plan, planned.plan, followed);
         why.extend(audited);
-        let root = planned
-            .followed
-            .map(|(cell, ..)| seven(cell.world_from_root()));
-        Self {
-            root,
-            ..Self::new(
-                1,
-                "planned",
-                planned.task,
-                planned.plan,
-                followed,
-                planned.frames,
-                planned.prediction.performance.ratio(),
-                why,
-                (meshes, written),
-            )
+        Shown {
+            round: 1,
+            kind: "planned",
+            root: (planned.followed).map(|(cell, ..)| seven(cell.world_from_root())),
+            task: planned.task,
+            wiped: planned.plan,
+            followed,
+            frames: planned.frames,
+            predicted: planned.prediction.performance.ratio(),
+            why,
         }
+        .piece(meshes, written)
     }
+}
 
-    #[allow(clippy::too_many_arguments)]
-    fn new(
-        round: usize,
-        kind: &'static str,
-        task: &Task,
-        wiped: &Plan,
-        followed: Option<&Followed>,
-        frames: &EffectFrames,
-        predicted: f64,
-        why: Vec<String>,
-        (meshes, written): (&mut Meshes, usize),
-    ) -> Self {
+/// What a piece is made of.
+struct Shown<'a> {
+    round: usize,
+    kind: &'static str,
+    root: Option<[f64; 7]>,
+    task: &'a Task,
+    wiped: &'a Plan,
+    followed: Option<&'a Followed>,
+    frames: &'a EffectFrames,
+    predicted: f64,
+    why: Vec<String>,
+}
+
+impl Shown<'_> {
+    fn piece(self, meshes: &mut Meshes, written: usize) -> RoundPiece {
+        let Self {
+            task,
+            wiped,
+            followed,
+            frames,
+            ..
+        } = self;
         let outline = &task.surface.outline;
         let scene: Vec<ObjectRecord> = (task.scene.iter())
             .filter_map(|object| {
@@ -179,12 +182,12 @@ impl RoundPiece {
             Some(followed) => followed.duration(),
             None => wiped.contact_distance() / NOMINAL_SPEED,
         };
-        Self {
+        RoundPiece {
             piece: "round",
-            round,
-            kind,
+            round: self.round,
+            kind: self.kind,
             duration: rounded(duration, 1e3),
-            root: None,
+            root: self.root,
             surface: SurfaceRecord {
                 pose: seven(&task.surface.world_from_surface),
                 rings: outline.rings().map(line).collect(),
@@ -195,10 +198,10 @@ impl RoundPiece {
                 .map(|stroke| line(stroke.poses.iter().map(|pose| &pose.position)))
                 .collect(),
             phases: followed.map_or_else(Vec::new, phases),
-            predicted: rounded(predicted, 1e4),
+            predicted: rounded(self.predicted, 1e4),
             growth: growth.collect(),
             particles: steps(&moments.iter().map(of_frame).collect::<Vec<_>>()),
-            why,
+            why: self.why,
             meshes: meshes.since(written),
         }
     }
