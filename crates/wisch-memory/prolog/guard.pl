@@ -30,7 +30,9 @@ guarded_arguments([Kind|Kinds], [A|As], [B|Bs]) :-
     guarded_arguments(Kinds, As, Bs).
 
 guarded_argument(value, A, A).
-guarded_argument(goal, A, B) :- guarded(A, B).
+guarded_argument(goal, A, B) :- guarded(A, A1), with_joins(A, A1, B).
+% What is said of times is looked into before it is called.
+guarded_argument(statement, A, B) :- guarded(A, B).
 guarded_argument(solutions, A, B) :- guarded_solutions(A, B).
 % Closures are checked when they are called: their arguments are known only then.
 guarded_argument(closure, A, run(A)).
@@ -86,9 +88,9 @@ meta(exclude, 3, [closure, value, value]).
 meta(partition, 4, [closure, value, value, value]).
 meta(kb_call, 1, [goal]).
 meta(ask, 1, [goal]).
-meta(during, 2, [goal, value]).
-meta(since, 2, [goal, value]).
-meta(until, 2, [goal, value]).
+meta(during, 2, [statement, value]).
+meta(since, 2, [statement, value]).
+meta(until, 2, [statement, value]).
 
 listed(Name, Arity) :- builtin(Name, Arity).
 listed(Name, Arity) :- predicate(Name, Arity, _).

@@ -41,10 +41,14 @@ answer(Query, Limit, End) :-
     names_and_values(Names, Atoms, Values),
     say(names(Atoms)),
     guarded(Goal, Guarded),
+    ( solved(Goal, Values, End) -> true ; gone_through(Goal, Guarded, Values, Limit, End) ).
+
+gone_through(Goal, Guarded, Values, Limit, End) :-
+    with_joins(Goal, Guarded, Joining),
     counter_set(0),
     groups(Values, Groups),
     Row =.. [row|Groups],
-    findall(Row, at_most(Limit, Guarded, Row), Rows),
+    findall(Row, at_most(Limit, Joining, Row), Rows),
     say_rows(Rows),
     counter_get(Count),
     ( Count >= Limit -> End = done(limit) ; End = done(all) ).

@@ -161,7 +161,14 @@ tell(Statement) :- throw(error(domain_error(statement, Statement), tell)).
 % These are answered from what episodes are, not from what is said of them.
 tellable(P) :- ( member(P, ['rdf:type', 'rdfs:subClassOf', 'dul:hasConstituent', 'dul:isConstituentOf']) -> throw(untold(P)) ; true ).
 
-told(S, P, O) :- ( exactly(S, P, O) -> true ; need(tell(S, P, O), Facts), store(Facts) ).
+told(S, P, O) :-
+    ( exactly(S, P, O) -> true
+    ; need(tell(S, P, O), Facts),
+      store(Facts),
+      % What was found before does not know of it.
+      retractall(loaded(filter(P, _, _))),
+      retractall(f(filter(P, _, _), _))
+    ).
 
 kb_call(Goal) :- call(Goal).
 ask(Goal) :- call(Goal).

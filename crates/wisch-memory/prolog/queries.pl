@@ -186,66 +186,32 @@ tilted_surface(Round, Tilt) :-
 % contact_force_drift(-Surface, -Slope, -First, -Last): newtons by which the mean force of contact falls per
 % episode on this surface, fitted over at least five episodes; only where it falls noticeably.
 contact_force_drift(Surface, Slope, First, Last) :-
-    thing(Surface, Name),
-    on_surface(Name, 'semco:meanNormalForce', abs, Series),
-    trend(Series, Slope, First, Last),
+    trend(Surface, 'semco:meanNormalForce', abs, Slope, First, Last),
     Last < 0.95 * First.
 
 % localization_drift(-Surface, -Slope, -First, -Last): metres by which the found plane moves per episode.
 localization_drift(Surface, Slope, First, Last) :-
-    thing(Surface, Name),
-    on_surface(Name, 'semco:planeOffset', plain, Series),
-    trend(Series, Slope, First, Last),
+    trend(Surface, 'semco:planeOffset', plain, Slope, First, Last),
     abs(Last - First) > 0.002.
 
-on_surface(Surface, Property, How, Series) :-
-    findall(O-(S-V), ( stream(first_rounds(Property), x(O, S, V0)), amount(How, V0, V) ), All),
-    keysort(All, Sorted),
-    grouped(Sorted, Groups),
-    member(Surface-Timed, Groups),
-    keysort(Timed, InTime),
-    findall(V, member(_-V, InTime), Series),
-    length(Series, N),
-    N >= 5.
-
-amount(abs, V0, V) :- V is abs(V0).
-amount(plain, V, V).
-
-grouped([], []).
-grouped([Key-V|Rest], [Key-[V|Vs]|Groups]) :- same_key(Rest, Key, Vs, Others), grouped(Others, Groups).
-
-same_key([Key1-V|Rest], Key, [V|Vs], Others) :- Key1 == Key, !, same_key(Rest, Key, Vs, Others).
-same_key(Others, _, [], Others).
-
-% trend(+Series, -Slope, -First, -Last): the least squares line, and where it begins and ends.
-trend(Series, Slope, First, Last) :-
-    sums(Series, 0, 0, 0.0, 0, 0.0, N, Sx, Sy, Sxx, Sxy),
-    N > 1,
-    D is N * Sxx - Sx * Sx,
-    Slope is (N * Sxy - Sx * Sy) / D,
-    First is (Sy - Slope * Sx) / N,
-    Last is First + Slope * (N - 1).
-
-sums([], N, Sx, Sy, Sxx, Sxy, N, Sx, Sy, Sxx, Sxy).
-sums([Y|Ys], N0, Sx0, Sy0, Sxx0, Sxy0, N, Sx, Sy, Sxx, Sxy) :-
-    Sx1 is Sx0 + N0,
-    Sy1 is Sy0 + Y,
-    Sxx1 is Sxx0 + N0 * N0,
-    Sxy1 is Sxy0 + N0 * Y,
-    N1 is N0 + 1,
-    sums(Ys, N1, Sx1, Sy1, Sxx1, Sxy1, N, Sx, Sy, Sxx, Sxy).
+% trend(?Surface, +Property, +How, -Slope, -First, -Last): of the values of first rounds, or with abs of their amounts: the
+% least squares line over the episodes on a surface, at least five, and where it begins and ends.
+trend(Surface, Property, How, Slope, First, Last) :-
+    thing(Surface, Name),
+    need(trends(Property, How), Found),
+    member(t(Name, Slope, First, Last), Found).
 
 tool_performance(Tool, Medium, Mean, Count) :-
-    findall((Tool-Medium)-P, (of_class(A, 'semco:WipingAction'), relation(A, 'semco:usesTool', Tool), relation(A, 'semco:removesMedium', Medium), value_of(A, 'semco:performance', P)), All),
-    mean_by_key(All, Tool-Medium, Mean, Count).
+    thing(Tool, Tool1),
+    thing(Medium, Medium1),
+    mean_by(T-M, P, (of_class(A, 'semco:WipingAction'), relation(A, 'semco:usesTool', T), relation(A, 'semco:removesMedium', M), value_of(A, 'semco:performance', P)), Tool1-Medium1, Mean, Count).
 
 strategy_performance(Strategy, Mean, Count) :-
-    findall(Strategy-P, (of_class(A, 'semco:WipingAction'), value(A, 'semco:strategy', Strategy), value_of(A, 'semco:performance', P)), All),
-    mean_by_key(All, Strategy, Mean, Count).
+    mean_by(S, P, (of_class(A, 'semco:WipingAction'), value(A, 'semco:strategy', S), value_of(A, 'semco:performance', P)), Strategy, Mean, Count).
 
 surface_performance(Surface, Mean, Count) :-
-    findall(Surface-P, (of_class(A, 'semco:WipingAction'), relation(A, 'semco:actsOnSurface', Surface), value_of(A, 'semco:performance', P)), All),
-    mean_by_key(All, Surface, Mean, Count).
+    thing(Surface, Surface1),
+    mean_by(S, P, (of_class(A, 'semco:WipingAction'), relation(A, 'semco:actsOnSurface', S), value_of(A, 'semco:performance', P)), Surface1, Mean, Count).
 
 mean_by_key(All, Key, Mean, Count) :-
     keysort(All, Sorted),
@@ -254,6 +220,12 @@ mean_by_key(All, Key, Mean, Count) :-
     total(Ps, 0, Sum),
     length(Ps, Count),
     Mean is Sum / Count.
+
+grouped([], []).
+grouped([Key-V|Rest], [Key-[V|Vs]|Groups]) :- same_key(Rest, Key, Vs, Others), grouped(Others, Groups).
+
+same_key([Key1-V|Rest], Key, [V|Vs], Others) :- Key1 == Key, !, same_key(Rest, Key, Vs, Others).
+same_key(Others, _, [], Others).
 
 episode_with_tool(Episode, Tool) :- taking_part(Episode, Tool).
 episode_on_surface(Episode, Surface) :- taking_part(Episode, Surface).

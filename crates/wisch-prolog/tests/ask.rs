@@ -1,5 +1,6 @@
 //! Questions to a memory whose answers can be told by looking at it, from both engines.
 
+mod joined;
 mod memory;
 mod mutated;
 mod random;

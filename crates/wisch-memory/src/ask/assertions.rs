@@ -111,6 +111,11 @@ impl Assertions {
         about.map(fact).collect()
     }
 
+    /// Whether anything was added with this property.
+    pub fn has(&self, property: &str) -> bool {
+        self.statements.iter().any(|(_, of, _)| of == property)
+    }
+
     /// Values of a property, each with its thing.
     pub fn values(&self, property: &str) -> Vec<Term> {
         let added = self.statements.iter().filter(|(_, of, _)| of == property);

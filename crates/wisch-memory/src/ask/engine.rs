@@ -1,5 +1,6 @@
 //! A Prolog engine in a process of its own, and the lines that go to and fro.
 
+use super::definitions::definitions;
 use super::error::AskError;
 use super::term::Term;
 use std::env::consts::EXE_SUFFIX;
@@ -31,9 +32,10 @@ const PROCESSOR_SPARE_S: u64 = 30;
 const SCRYER: &str = include_str!("../../prolog/engine_scryer.pl");
 const SWI: &str = include_str!("../../prolog/engine_swi.pl");
 /// The predicates, the same for every engine.
-const PORTABLE: [&str; 9] = [
+const PORTABLE: [&str; 10] = [
     include_str!("../../prolog/host.pl"),
     include_str!("../../prolog/guard.pl"),
+    include_str!("../../prolog/plan.pl"),
     include_str!("../../prolog/facts.pl"),
     include_str!("../../prolog/intervals.pl"),
     include_str!("../../prolog/knowrob.pl"),
@@ -131,7 +133,10 @@ impl EngineCommand {
             Self::Scryer(_) => SCRYER,
             Self::Swi(_) => SWI,
         };
-        [&[dialect], PORTABLE.as_slice()].concat().join("\n")
+        let definitions = definitions(&PORTABLE);
+        [&[dialect], PORTABLE.as_slice(), &[&definitions]]
+            .concat()
+            .join("\n")
     }
 }
 

@@ -4,6 +4,7 @@ use super::assertions::Assertions;
 use super::error::{AskError, QueryFault};
 use super::facts::{SentFacts, in_lists};
 use super::intervals::{IntervalIndex, Relation};
+use super::join::{Budget, Indices, Joins, Solutions};
 use super::names::Names;
 use super::printed::formatted;
 use super::reply::{Cursor, Refusal, Reply, Rows};
@@ -11,6 +12,7 @@ use super::rows::name_of;
 use super::streams::Knowledge;
 use super::telemetry_predicates::TelemetryPredicates;
 use super::term::Term;
+use super::trends::trends;
 use crate::catalogue::{Catalogue, IndividualId};
 use crate::ontology::Ontology;
 use std::collections::HashMap;
@@ -25,13 +27,19 @@ const FILTERED_FACTS: usize = 20_000;
 /// Most members of a class that the engine keeps, with times and parents; more are named one after the other.
 const MOST_MEMBERS: usize = 30_000;
 
+/// Most solutions of goals that the engine gets at once, and candidates that are gone through for them: it may need few.
+const MOST_JOINED: usize = 200_000;
+const MOST_CANDIDATES: u64 = 5_000_000;
+
 /// Most that a query may print [bytes].
 const MOST_PRINTED: usize = 1 << 20;
 
 /// Answers the needs of one engine; knows what that engine already has.
 pub struct Host {
     known: Knowledge,
-    intervals: Option<Arc<IntervalIndex>>,
+    indices: Indices,
+    /// Whether goals that ask for facts alone are solved here.
+    joins_facts: bool,
     telemetry: TelemetryPredicates,
     sent: SentFacts,
     cursors: HashMap<i64, Cursor>,
@@ -56,7 +64,8 @@ impl Host {
                 catalogue,
                 assertions,
             },
-            intervals: None,
+            indices: Indices::default(),
+            joins_facts: true,
             telemetry,
             sent: SentFacts::default(),
             cursors: HashMap::new(),
@@ -100,11 +109,70 @@ impl Host {
         self.cursors.clear();
     }
 
+    /// Whether goals that ask for facts alone are solved here, as they are unless this says otherwise.
+    pub fn join_facts(&mut self, does: bool) {
+        self.joins_facts = does;
+    }
+
+    /// At most so many solutions of a list of goals, with what each of these terms is in them; `None` where the engine
+    /// is to solve them.
+    ///
+    /// # Errors
+    /// If the query has to end.
+    pub fn solve(
+        &mut self,
+        goals: &Term,
+        wanted: &[Term],
+        most: usize,
+        budget: Budget<'_>,
+    ) -> Result<Option<Solutions>, AskError> {
+        if !self.joins_facts {
+            return Ok(None);
+        }
+        let joins = Joins {
+            known: &self.known,
+            indices: &mut self.indices,
+            telemetry: &mut self.telemetry,
+        };
+        joins.solve(goals, wanted, most, budget)
+    }
+
+    /// The solutions of goals that stand before others in a query, all of them.
+    fn joined(
+        &mut self,
+        goals: &Term,
+        wanted: &[Term],
+        budget: Budget<'_>,
+    ) -> Result<Option<Rows>, AskError> {
+        let budget = Budget {
+            candidates: MOST_CANDIDATES,
+            ..budget
+        };
+        let solved = self.solve(goals, wanted, MOST_JOINED, budget)?;
+        let all = solved.filter(|solutions| !solutions.is_cut);
+        Ok(all.map(|solutions| Box::new(solutions.rows.into_iter().map(Term::List)) as Rows))
+    }
+
     /// What is to be sent in answer to a request.
     ///
     /// # Errors
     /// The program failed; what a query did wrong is an answer.
-    pub fn answer(&mut self, request: &Term, reply: &mut String) -> Result<(), AskError> {
+    pub fn answer(
+        &mut self,
+        request: &Term,
+        budget: Budget<'_>,
+        reply: &mut String,
+    ) -> Result<(), AskError> {
+        if let Some(("join", [goals, Term::List(wanted)])) = request.parts() {
+            match self.joined(goals, wanted, budget)? {
+                Some(rows) => {
+                    let (rows, size) = (rows.peekable(), CHUNK[0]);
+                    self.next_chunk(Cursor { rows, size }, reply);
+                }
+                None => reply.push_str("declined"),
+            }
+            return Ok(());
+        }
         let (rows, size): (Rows, usize) = match self.rows(request) {
             Ok(Reply::Facts(facts)) => (Box::new(facts.into_iter()), FACTS_AT_ONCE),
             Ok(Reply::Stream(rows)) => (rows, CHUNK[0]),
@@ -161,13 +229,18 @@ impl Host {
             }
             ("size", [of]) => vec![Term::atom(self.size(of)?)],
             ("filter", [Term::Atom(property), Term::Atom(operator), bound]) => {
-                let found = self.filter(property, operator, bound)?;
-                if found.len() > FILTERED_FACTS {
-                    return Ok(Reply::Stream(known.named(found)));
+                let (found, told) = self.filter(property, operator, bound)?;
+                let is_many = found.len() > FILTERED_FACTS;
+                let names = known.named(found).chain(told);
+                if is_many {
+                    return Ok(Reply::Stream(Box::new(names)));
                 }
-                in_lists("f", request, known.named(found).collect())
+                in_lists("f", request, names.collect())
             }
             ("last_episode", []) => self.last_episode(),
+            ("trends", [Term::Atom(property), Term::Atom(how)]) => {
+                trends(&known.catalogue, property, how == "abs")
+            }
             ("format", [format, arguments]) => vec![Term::Atom(formatted(format, arguments)?)],
             ("print", [format, arguments]) => {
                 let text = formatted(format, arguments)?;
@@ -210,7 +283,6 @@ impl Host {
             ("relations", []) => known.relations(None),
             ("relations", [Term::Atom(property)]) => known.relations(Some(property)),
             ("related_to", [Term::Atom(object)]) => known.related_to(object),
-            ("first_rounds", [Term::Atom(property)]) => known.first_rounds(property),
             ("at", [start, end]) => {
                 let times = times(start, end).ok_or_else(malformed)?;
                 let found = self.intervals().related(Relation::Equals, times);
@@ -232,11 +304,8 @@ impl Host {
     }
 
     fn intervals(&mut self) -> Arc<IntervalIndex> {
-        let catalogue = &self.known.catalogue;
-        let index = self
-            .intervals
-            .get_or_insert_with(|| Arc::new(IntervalIndex::of(catalogue)));
-        Arc::clone(index)
+        let timeline = self.indices.timeline(&self.known.catalogue);
+        Arc::clone(&timeline.intervals)
     }
 
     /// Whether the engine keeps what a request finds (`few`), or is sent it each time (`many`).
@@ -246,20 +315,20 @@ impl Host {
                 self.known.catalogue.of_class(class).len() > MOST_MEMBERS
             }
             Some(("filter", [Term::Atom(property), Term::Atom(operator), bound])) => {
-                self.filter(property, operator, bound)?.len() > FILTERED_FACTS
+                self.filter(property, operator, bound)?.0.len() > FILTERED_FACTS
             }
             _ => return Err(AskError::unexpected(request).into()),
         };
         Ok(if is_many { "many" } else { "few" })
     }
 
-    /// Individuals of which a number of this property compares so with a bound.
+    /// Individuals of which a number of this property compares so with a bound, and what was told so.
     fn filter(
         &self,
         property: &str,
         operator: &str,
         bound: &Term,
-    ) -> Result<Vec<IndividualId>, Refusal> {
+    ) -> Result<(Vec<IndividualId>, Vec<Term>), Refusal> {
         #[allow(clippy::float_cmp, reason = "what is asked for")]
         let matches: fn(f64, f64) -> bool = match operator {
             "=<" => |value, bound| value <= bound,
@@ -273,15 +342,20 @@ impl Host {
         let bound = number.ok_or_else(|| AskError::unexpected(format!("filter by {bound}")))?;
         let numbers = self.known.catalogue.numbers(property).iter();
         let matching = numbers.filter(|(_, value)| matches(*value, bound));
-        Ok(matching.map(|(id, _)| *id).collect())
+        let told = self.known.assertions.values(property).into_iter();
+        let told = told.filter_map(|pair| match pair {
+            Term::Compound(_, parts) => {
+                let [value, name] = <[Term; 2]>::try_from(parts).ok()?;
+                matches(value.as_number()?, bound).then_some(name)
+            }
+            _ => None,
+        });
+        Ok((matching.map(|(id, _)| *id).collect(), told.collect()))
     }
 
     fn last_episode(&self) -> Vec<Term> {
-        let catalogue = &self.known.catalogue;
-        let episodes = catalogue.episodes().iter();
-        let last = episodes.max_by(|a, b| a.interval[1].total_cmp(&b.interval[1]));
-        let row = last.map(|episode| {
-            let name = name_of(catalogue, episode.first);
+        let row = self.known.last_episode().map(|episode| {
+            let name = name_of(&self.known.catalogue, episode.first);
             Term::compound("-", [name, Term::Float(episode.interval[1])])
         });
         row.into_iter().collect()

@@ -35,6 +35,8 @@ pub enum Relation {
     Intersects,
     /// Lies within the other, or is the same.
     DuringOrEqual,
+    /// The other lies within it, or is the same.
+    ContainsOrEquals,
 }
 
 impl Relation {
@@ -60,6 +62,28 @@ impl Relation {
         })
     }
 
+    /// The relation in which the second stands to the first.
+    pub fn inverse(self) -> Self {
+        match self {
+            Self::Before => Self::After,
+            Self::After => Self::Before,
+            Self::Meets => Self::MetBy,
+            Self::MetBy => Self::Meets,
+            Self::Overlaps => Self::OverlappedBy,
+            Self::OverlappedBy => Self::Overlaps,
+            Self::Starts => Self::StartedBy,
+            Self::StartedBy => Self::Starts,
+            Self::Finishes => Self::FinishedBy,
+            Self::FinishedBy => Self::Finishes,
+            Self::During => Self::Contains,
+            Self::Contains => Self::During,
+            Self::Equals => Self::Equals,
+            Self::Intersects => Self::Intersects,
+            Self::DuringOrEqual => Self::ContainsOrEquals,
+            Self::ContainsOrEquals => Self::DuringOrEqual,
+        }
+    }
+
     /// Whether the first interval stands in it to the second.
     #[allow(
         clippy::float_cmp,
@@ -82,6 +106,7 @@ impl Relation {
             Self::Equals => s1 == s2 && e1 == e2,
             Self::Intersects => s1 <= e2 && s2 <= e1,
             Self::DuringOrEqual => s1 >= s2 && e1 <= e2,
+            Self::ContainsOrEquals => s1 <= s2 && e1 >= e2,
         }
     }
 }
@@ -183,7 +208,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    const ALL: [Relation; 15] = [
+    const ALL: [Relation; 16] = [
         Relation::Before,
         Relation::After,
         Relation::Meets,
@@ -199,6 +224,7 @@ mod tests {
         Relation::Equals,
         Relation::Intersects,
         Relation::DuringOrEqual,
+        Relation::ContainsOrEquals,
     ];
 
     proptest! {
@@ -219,6 +245,16 @@ mod tests {
                 found.sort_unstable();
                 let all: Vec<_> = entries.iter().filter(|e| relation.holds([e.0, e.1], to)).map(|e| e.2).collect();
                 prop_assert_eq!(found, all, "{:?}", relation);
+            }
+        }
+
+        #[test]
+        fn a_relation_holds_where_its_inverse_holds_the_other_way_round(
+            a in (0_u8..9, 0_u8..6), b in (0_u8..9, 0_u8..6),
+        ) {
+            let [a, b] = [a, b].map(|(s, l)| [f64::from(s), f64::from(s + l)]);
+            for relation in ALL {
+                prop_assert_eq!(relation.holds(a, b), relation.inverse().holds(b, a), "{:?}", relation);
             }
         }
 

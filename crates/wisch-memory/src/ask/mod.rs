@@ -4,11 +4,13 @@
 //! by need and stay in the engine for the next query.
 
 mod assertions;
+mod definitions;
 mod engine;
 mod error;
 mod facts;
 mod host;
 mod intervals;
+mod join;
 mod listing;
 mod names;
 mod printed;
@@ -18,6 +20,7 @@ mod rows;
 mod streams;
 mod telemetry_predicates;
 mod term;
+mod trends;
 
 pub use assertions::Assertions;
 pub use engine::{EngineCommand, Limits};
@@ -30,6 +33,7 @@ use crate::catalogue::Catalogue;
 use crate::store::Memory;
 use engine::Engine;
 use host::Host;
+use join::Budget;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -100,6 +104,12 @@ impl Asker {
         }
     }
 
+    /// Whether conjunctions of goals that ask for facts alone are joined by the program, as they are unless this says
+    /// otherwise; the answers are the same.
+    pub fn join_facts(&mut self, does: bool) {
+        self.host.join_facts(does);
+    }
+
     /// What, set to true, ends the query that is being answered; the memory can be asked on.
     pub fn interrupt(&self) -> Arc<AtomicBool> {
         Arc::clone(&self.interrupt)
@@ -140,6 +150,12 @@ impl Asker {
             none => none.insert(Engine::start(&self.command, &self.limits)?),
         };
         self.interrupt.store(false, Ordering::Relaxed);
+        let budget = Budget {
+            deadline,
+            time: self.limits.time,
+            interrupt: &self.interrupt,
+            candidates: u64::MAX,
+        };
         engine.begin_query(&asking(&text, self.limits.answers), self.limits.time)?;
         let mut answers = Answers::default();
         let mut reply = String::new();
@@ -159,8 +175,22 @@ impl Asker {
                     }
                     ("need", 1) => {
                         reply.clear();
-                        self.host.answer(&arguments[0], &mut reply)?;
+                        self.host.answer(&arguments[0], budget, &mut reply)?;
                         engine.send(&reply)?;
+                    }
+                    ("solve", 2) => {
+                        let wanted = match arguments.remove(1) {
+                            Term::List(wanted) => wanted,
+                            other => return Err(AskError::unexpected(other)),
+                        };
+                        let most = self.limits.answers;
+                        let solved = self.host.solve(&arguments[0], &wanted, most, budget)?;
+                        engine.send(match &solved {
+                            Some(solutions) if solutions.is_cut => "solved(limit)",
+                            Some(_) => "solved(all)",
+                            None => "declined",
+                        })?;
+                        answers.rows.extend(solved.unwrap_or_default().rows);
                     }
                     ("view", 1) => answers.views.append(&mut arguments),
                     ("names", 1) => {

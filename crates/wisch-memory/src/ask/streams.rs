@@ -4,9 +4,9 @@ use super::assertions::Assertions;
 use super::intervals::{IntervalIndex, Relation};
 use super::names::Names;
 use super::reply::Rows;
-use super::rows::{individual_row, name_of, node_name, relation_row};
+use super::rows::{individual_row, name_of, relation_row};
 use super::term::Term;
-use crate::catalogue::{Catalogue, IndividualId, Node, entries};
+use crate::catalogue::{Catalogue, EpisodeRow, IndividualId, Node};
 use std::sync::Arc;
 
 /// What answers are made of: the episodes, and what people added to them.
@@ -132,19 +132,9 @@ impl Knowledge {
         }))
     }
 
-    /// Of the first round of each wiping: surface, start and a value.
-    pub fn first_rounds(&self, property: &str) -> Rows {
-        let catalogue = Arc::clone(&self.catalogue);
-        let property = property.to_owned();
-        let len = catalogue.numbers(&property).len();
-        Box::new((0..len).filter_map(move |place| {
-            let (id, value) = catalogue.numbers(&property)[place];
-            let round = entries(catalogue.numbers("semco:round"), id).first()?;
-            let [start, _] = catalogue.interval(id)?;
-            let surface = entries(catalogue.relations("semco:actsOnSurface"), id).first()?;
-            let surface = node_name(&catalogue, surface.1);
-            let is_first = round.1 < 1.5;
-            is_first.then(|| Term::compound("x", [surface, Term::Float(start), Term::Float(value)]))
-        }))
+    /// The episode that ended last.
+    pub fn last_episode(&self) -> Option<&EpisodeRow> {
+        let episodes = self.catalogue.episodes().iter();
+        episodes.max_by(|a, b| a.interval[1].total_cmp(&b.interval[1]))
     }
 }

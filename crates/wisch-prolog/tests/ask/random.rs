@@ -97,3 +97,46 @@ fn further(random: &mut ChaCha8Rng) -> String {
         _ => format!("has_data_value(A, {} = V)", one(random, &NUMBERS)),
     }
 }
+
+/// A query of several goals that ask for facts, with what is made of their solutions.
+pub fn of_facts(seed: u64) -> String {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let goals = facts(&mut random);
+    let number = one(&mut random, &NUMBERS);
+    match random.random_range(0..9) {
+        0 => format!("findall(A, ({goals}), L), length(L, N)"),
+        1 => format!("aggregate_all(count, ({goals}), N)"),
+        2 => format!("aggregate_all(max(V, A), ({goals}, has_data_value(A, {number} = V)), M)"),
+        3 => format!("aggregate_all(sum(V), ({goals}, has_data_value(A, {number}(V))), S)"),
+        4 => format!("aggregate_all(set(A), ({goals}), S), member(A, S), occurs(A, [F, T])"),
+        5 => format!("{goals}, \\+ (has_subevent(A, P), has_type(P, 'Stroke'))"),
+        6 => format!("{goals}, atom(A), once((has_subevent(A, P), occurs(P, [F, T])))"),
+        _ => goals,
+    }
+}
+
+/// Goals about A, and about B beside it.
+fn facts(random: &mut ChaCha8Rng) -> String {
+    let mut goals = vec![first(random)];
+    for _ in 0..random.random_range(1..4) {
+        goals.push(match random.random_range(0..9) {
+            0 => "occurs(A, [S, E]), E - S > 1.0".to_owned(),
+            1 => format!("has_type(B, {})", one(random, &CLASSES)),
+            2 => format!("has_type(C, {}), has_subevent(C, A)", one(random, &CLASSES)),
+            3 => format!(
+                "interval_{}(A, B)",
+                one(random, &["overlaps", "during", "before", "intersects"])
+            ),
+            4 => format!(
+                "(has_type(A, {}) ; has_type(A, {}))",
+                one(random, &CLASSES),
+                one(random, &CLASSES)
+            ),
+            5 => format!("triple(A, {}, O)", one(random, &PROPERTIES)),
+            6 => format!("has_data_value(A, {} = W), W > 0.5", one(random, &NUMBERS)),
+            7 => "low_performance_round(A, P)".to_owned(),
+            _ => "aggregate_all(count, has_subevent(A, _), N1), N1 < 4".to_owned(),
+        });
+    }
+    goals.join(", ")
+}

@@ -1,0 +1,158 @@
+//! Arithmetic, as far as all engines agree on it.
+
+use super::value::{Pattern, Value};
+
+/// Whole numbers up to here are numbers of double precision, too.
+const EXACT: i64 = 1 << 53;
+
+/// What `is` and comparisons evaluate.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Expression {
+    /// A variable or a number.
+    Pattern(Pattern),
+    /// A function of one number.
+    Unary(Unary, Box<Expression>),
+    /// A function of two numbers.
+    Binary(Binary, Box<Expression>, Box<Expression>),
+}
+
+/// Functions of one number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unary {
+    /// The number with the other sign.
+    Minus,
+    /// The number without its sign.
+    Absolute,
+    /// The whole part.
+    Truncate,
+}
+
+/// Functions of two numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Binary {
+    /// The sum.
+    Plus,
+    /// The difference.
+    Minus,
+    /// The product.
+    Times,
+    /// The quotient, of numbers of which one has a fraction.
+    Over,
+}
+
+impl Expression {
+    /// The variables in it.
+    pub fn variables(&self, found: &mut Vec<usize>) {
+        match self {
+            Self::Pattern(pattern) => pattern.variables(found),
+            Self::Unary(_, of) => of.variables(found),
+            Self::Binary(_, left, right) => {
+                left.variables(found);
+                right.variables(found);
+            }
+        }
+    }
+
+    /// Its value, if it has one on which all engines agree.
+    pub fn evaluate(&self, value: &impl Fn(&Pattern) -> Option<Value>) -> Option<Value> {
+        match self {
+            Self::Pattern(pattern) => {
+                let found = value(pattern)?;
+                let is_exact = |n: &i64| n.unsigned_abs() < EXACT.unsigned_abs();
+                match &found {
+                    Value::Integer(n) => is_exact(n).then_some(found),
+                    Value::Float(_) => Some(found),
+                    _ => None,
+                }
+            }
+            Self::Unary(function, of) => unary(*function, of.evaluate(value)?),
+            Self::Binary(function, left, right) => {
+                binary(*function, left.evaluate(value)?, right.evaluate(value)?)
+            }
+        }
+    }
+}
+
+fn unary(function: Unary, of: Value) -> Option<Value> {
+    Some(match (function, of) {
+        (Unary::Minus, Value::Integer(n)) => Value::Integer(-n),
+        (Unary::Minus, Value::Float(x)) => Value::Float(-x),
+        (Unary::Absolute, Value::Integer(n)) => Value::Integer(n.abs()),
+        (Unary::Absolute, Value::Float(x)) => Value::Float(x.abs()),
+        (Unary::Truncate, Value::Integer(n)) => Value::Integer(n),
+        #[allow(clippy::cast_possible_truncation, reason = "within what is exact")]
+        (Unary::Truncate, Value::Float(x)) if x.abs() < 1e15 => Value::Integer(x.trunc() as i64),
+        _ => return None,
+    })
+}
+
+/// The value of a function of two numbers.
+pub fn binary(function: Binary, left: Value, right: Value) -> Option<Value> {
+    if let (Value::Integer(a), Value::Integer(b)) = (&left, &right) {
+        let (a, b) = (*a, *b);
+        let whole = match function {
+            Binary::Plus => a.checked_add(b),
+            Binary::Minus => a.checked_sub(b),
+            Binary::Times => a.checked_mul(b),
+            // Engines differ.
+            Binary::Over => None,
+        };
+        return whole
+            .filter(|n| n.unsigned_abs() < EXACT.unsigned_abs())
+            .map(Value::Integer);
+    }
+    let (a, b) = (left.as_number()?, right.as_number()?);
+    let found = match function {
+        Binary::Plus => a + b,
+        Binary::Minus => a - b,
+        Binary::Times => a * b,
+        Binary::Over => a / b,
+    };
+    // What is no number is an error that the engine words.
+    found.is_finite().then_some(Value::Float(found))
+}
+
+/// How two numbers compare.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Comparison {
+    /// At most.
+    AtMost,
+    /// At least.
+    AtLeast,
+    /// Less.
+    Less,
+    /// More.
+    More,
+    /// Of the same value.
+    Equal,
+    /// Of different values.
+    Different,
+}
+
+impl Comparison {
+    /// The comparison of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Some(match name {
+            "=<" => Self::AtMost,
+            ">=" => Self::AtLeast,
+            "<" => Self::Less,
+            ">" => Self::More,
+            "=:=" => Self::Equal,
+            "=\\=" => Self::Different,
+            _ => return None,
+        })
+    }
+
+    /// Whether it holds.
+    #[allow(clippy::float_cmp, reason = "what is asked for")]
+    pub fn holds(self, a: f64, b: f64) -> bool {
+        match self {
+            Self::AtMost => a <= b,
+            Self::AtLeast => a >= b,
+            Self::Less => a < b,
+            Self::More => a > b,
+            Self::Equal => a == b,
+            Self::Different => a != b,
+        }
+    }
+}

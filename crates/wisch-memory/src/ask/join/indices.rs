@@ -1,0 +1,102 @@
+//! What finds facts from their other end; made when it is needed first, and kept.
+
+use crate::ask::intervals::IntervalIndex;
+use crate::catalogue::{Catalogue, IndividualId, Node};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// Relations of a property by what they lead to: places in the column.
+pub type ByObject = HashMap<Node, Vec<u32>>;
+
+/// Intervals in the order of their starts.
+#[derive(Debug)]
+pub struct Timeline {
+    /// The intervals.
+    pub intervals: Arc<IntervalIndex>,
+    /// The place of each individual among them.
+    places: Vec<u32>,
+}
+
+impl Timeline {
+    /// The place of an individual that has a time.
+    pub fn place(&self, id: IndividualId) -> u32 {
+        self.places[id as usize]
+    }
+}
+
+/// The parts of each individual.
+#[derive(Debug)]
+pub struct Children {
+    /// Where those of an individual begin among all; one more than there are individuals.
+    begins: Vec<u32>,
+    all: Vec<IndividualId>,
+}
+
+impl Children {
+    fn of_all(catalogue: &Catalogue) -> Self {
+        let ids = 0..u32::try_from(catalogue.len()).unwrap_or(u32::MAX);
+        let parents = ids.filter_map(|id| Some((catalogue.parent(id)?, id)));
+        let mut pairs: Vec<(IndividualId, IndividualId)> = parents.collect();
+        pairs.sort_unstable();
+        let mut begins = vec![0; catalogue.len() + 1];
+        for (parent, _) in &pairs {
+            begins[*parent as usize + 1] += 1;
+        }
+        for place in 1..begins.len() {
+            begins[place] += begins[place - 1];
+        }
+        let all = pairs.into_iter().map(|(_, id)| id).collect();
+        Self { begins, all }
+    }
+
+    /// The direct parts of an individual.
+    pub fn of(&self, whole: IndividualId) -> &[IndividualId] {
+        let [from, to] = [whole, whole + 1].map(|place| self.begins[place as usize] as usize);
+        &self.all[from..to]
+    }
+}
+
+/// The indices of a catalogue.
+#[derive(Debug, Default)]
+pub struct Indices {
+    timeline: Option<Arc<Timeline>>,
+    by_object: HashMap<String, Arc<ByObject>>,
+    children: Option<Arc<Children>>,
+}
+
+impl Indices {
+    /// All intervals.
+    pub fn timeline(&mut self, catalogue: &Catalogue) -> Arc<Timeline> {
+        let timeline = self.timeline.get_or_insert_with(|| {
+            let intervals = Arc::new(IntervalIndex::of(catalogue));
+            let mut places = vec![u32::MAX; catalogue.len()];
+            for place in 0..intervals.len() {
+                let (_, id) = intervals.entry(place);
+                places[id as usize] = u32::try_from(place).unwrap_or(u32::MAX);
+            }
+            Arc::new(Timeline { intervals, places })
+        });
+        Arc::clone(timeline)
+    }
+
+    /// The parts of all.
+    pub fn children(&mut self, catalogue: &Catalogue) -> Arc<Children> {
+        let children = &mut self.children;
+        Arc::clone(children.get_or_insert_with(|| Arc::new(Children::of_all(catalogue))))
+    }
+
+    /// Relations of a property by what they lead to.
+    pub fn by_object(&mut self, catalogue: &Catalogue, property: &str) -> Arc<ByObject> {
+        if let Some(found) = self.by_object.get(property) {
+            return Arc::clone(found);
+        }
+        let mut index = ByObject::new();
+        for (place, (_, node)) in (0..).zip(catalogue.relations(property)) {
+            index.entry(*node).or_default().push(place);
+        }
+        let index = Arc::new(index);
+        self.by_object
+            .insert(property.to_owned(), Arc::clone(&index));
+        index
+    }
+}

@@ -1,0 +1,427 @@
+//! Solves goals from first to last, solution by solution, as Prolog does, with numbers in place of names.
+
+use super::compile::{named, thing_of};
+use super::expression::Expression;
+use super::goal::{Block, Goal};
+use super::indices::Indices;
+use super::value::{Pattern, Value};
+use crate::ask::error::AskError;
+use crate::ask::streams::Knowledge;
+use crate::ask::telemetry_predicates::TelemetryPredicates;
+use crate::ask::term::Term;
+use crate::catalogue::IndividualId;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+/// Candidates between two looks at the clock.
+const LOOK_UP: u64 = 4096;
+
+/// Whether there is to be more.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Flow {
+    /// The next solution is wanted.
+    Continue,
+    /// There are enough.
+    Stop,
+}
+
+/// Why nothing is found.
+#[derive(Debug)]
+pub enum Stop {
+    /// The engine is to do it.
+    Declined,
+    /// The query ends.
+    Error(AskError),
+}
+
+/// What solving may take.
+#[derive(Debug, Clone, Copy)]
+pub struct Budget<'a> {
+    /// When the query has to be answered.
+    pub deadline: Instant,
+    /// How much time it had.
+    pub time: Duration,
+    /// Ends the query where it is set.
+    pub interrupt: &'a AtomicBool,
+    /// Candidates after which the engine is to do it, which does not look for more than are asked for.
+    pub candidates: u64,
+}
+
+/// What is done with each solution.
+pub type Next<'n, 's> = &'n mut dyn FnMut(&mut Solver<'s>, u64) -> Result<Flow, Stop>;
+
+/// Solves goals.
+pub struct Solver<'s> {
+    pub(super) known: &'s Knowledge,
+    pub(super) indices: &'s mut Indices,
+    pub(super) telemetry: &'s mut TelemetryPredicates,
+    budget: Budget<'s>,
+    bindings: Vec<Option<Value>>,
+    trail: Vec<usize>,
+    /// Which solution of each goal this is: what solutions are sorted by where goals were moved.
+    keys: Vec<u64>,
+    candidates: u64,
+}
+
+impl<'s> Solver<'s> {
+    /// A solver of goals with so many variables.
+    pub fn new(
+        known: &'s Knowledge,
+        indices: &'s mut Indices,
+        telemetry: &'s mut TelemetryPredicates,
+        budget: Budget<'s>,
+        variables: usize,
+    ) -> Self {
+        Self {
+            known,
+            indices,
+            telemetry,
+            budget,
+            bindings: vec![None; variables],
+            trail: Vec::new(),
+            keys: Vec::new(),
+            candidates: 0,
+        }
+    }
+
+    /// All solutions of a block, in the order in which Prolog would find them.
+    ///
+    /// # Errors
+    /// What ends the query, or leaves it to the engine.
+    pub fn solve(
+        &mut self,
+        block: &Block,
+        next: &mut dyn FnMut(&mut Self) -> Result<Flow, Stop>,
+    ) -> Result<Flow, Stop> {
+        if block.stood.is_empty() {
+            return self.goals(&block.goals, next);
+        }
+        let len = block.goals.len();
+        let mut found: Vec<(Vec<u64>, Vec<Option<Value>>)> = Vec::new();
+        self.goals(&block.goals, &mut |solver| {
+            solver.tick()?;
+            let last = &solver.keys[solver.keys.len() - len..];
+            let mut keys = vec![0; len];
+            for (place, key) in block.stood.iter().zip(last) {
+                keys[*place] = *key;
+            }
+            let values = block
+                .binds
+                .iter()
+                .map(|&variable| solver.bindings[variable].clone());
+            found.push((keys, values.collect()));
+            Ok(Flow::Continue)
+        })?;
+        found.sort_by(|a, b| a.0.cmp(&b.0));
+        for (_, values) in found {
+            let mark = self.trail.len();
+            for (variable, value) in block.binds.iter().zip(values) {
+                if self.bindings[*variable].is_none()
+                    && let Some(value) = value
+                {
+                    self.bind(*variable, value);
+                }
+            }
+            let flow = next(self)?;
+            self.undo(mark);
+            if flow == Flow::Stop {
+                return Ok(flow);
+            }
+        }
+        Ok(Flow::Continue)
+    }
+
+    fn goals(
+        &mut self,
+        goals: &[Goal],
+        next: &mut dyn FnMut(&mut Self) -> Result<Flow, Stop>,
+    ) -> Result<Flow, Stop> {
+        let Some((goal, rest)) = goals.split_first() else {
+            return next(self);
+        };
+        self.goal(goal, &mut |solver, key| {
+            solver.keys.push(key);
+            let flow = solver.goals(rest, next);
+            solver.keys.pop();
+            flow
+        })
+    }
+
+    fn goal(&mut self, goal: &Goal, next: Next<'_, 's>) -> Result<Flow, Stop> {
+        match goal {
+            Goal::Class { thing, classes } => self.class(thing, classes, next),
+            Goal::Statement {
+                subject,
+                object,
+                sources,
+            } => self.statement(subject, object, sources, next),
+            Goal::Compared {
+                thing,
+                properties,
+                comparison,
+                bound,
+            } => self.compared(thing, properties, *comparison, bound, next),
+            Goal::Timed { event, start, end } => self.timed(event, [start, end], next),
+            Goal::Related {
+                relation,
+                first,
+                second,
+            } => self.related(*relation, first, second, next),
+            Goal::PartBelow {
+                whole,
+                part,
+                classes,
+            } => self.part_below(whole, part, classes, next),
+            Goal::Above {
+                part,
+                whole,
+                classes,
+            } => self.above(part, whole, classes, next),
+            Goal::LastEpisode { episode, time } => self.last_episode(episode, time, next),
+            Goal::Telemetry {
+                episode,
+                channel,
+                when,
+                statistic,
+                value,
+            } => self.felt([episode, channel, when, statistic, value], next),
+            Goal::Is(result, expression) => {
+                let value = self.evaluated(expression)?;
+                self.candidate(&[(result, value)], 0, next)
+            }
+            Goal::Comparison(comparison, left, right) => {
+                let (left, right) = (self.number(left)?, self.number(right)?);
+                self.only_if(comparison.holds(left, right), next)
+            }
+            Goal::Same(left, right) => match (self.instance(left), self.instance(right)) {
+                (Some(value), _) => self.candidate(&[(right, value)], 0, next),
+                (None, Some(value)) => self.candidate(&[(left, value)], 0, next),
+                (None, None) => Err(Stop::Declined),
+            },
+            Goal::Number(pattern) => {
+                let value = self.instance(pattern);
+                self.only_if(value.is_some_and(|value| value.as_number().is_some()), next)
+            }
+            Goal::Length(list, len) => match self.instance(list) {
+                Some(Value::Term(Term::List(items))) => {
+                    let found = i64::try_from(items.len()).map_err(|_| Stop::Declined)?;
+                    self.candidate(&[(len, Value::Integer(found))], 0, next)
+                }
+                _ => Err(Stop::Declined),
+            },
+            Goal::Not(block) => {
+                let mut is_found = false;
+                self.solve(block, &mut |_| {
+                    is_found = true;
+                    Ok(Flow::Stop)
+                })?;
+                self.only_if(!is_found, next)
+            }
+            Goal::Either(blocks) => {
+                for block in blocks {
+                    if self.solve(block, &mut |solver| next(solver, 0))? == Flow::Stop {
+                        return Ok(Flow::Stop);
+                    }
+                }
+                Ok(Flow::Continue)
+            }
+            Goal::Once(block) => {
+                let mut flow = Flow::Continue;
+                self.solve(block, &mut |solver| {
+                    flow = next(solver, 0)?;
+                    Ok(Flow::Stop)
+                })?;
+                Ok(flow)
+            }
+            Goal::Over {
+                block,
+                aggregate,
+                result,
+            } => match self.aggregated(block, aggregate)? {
+                Some(value) => self.candidate(&[(result, value)], 0, next),
+                None => Ok(Flow::Continue),
+            },
+            Goal::MeanByKey {
+                block,
+                key,
+                number,
+                result: [of, mean, count],
+            } => {
+                for (place, group) in (0..).zip(self.means(block, key, number)?) {
+                    let [key, average, members] = group;
+                    let pairs = [(of, key), (mean, average), (count, members)];
+                    if self.candidate(&pairs, place, next)? == Flow::Stop {
+                        return Ok(Flow::Stop);
+                    }
+                }
+                Ok(Flow::Continue)
+            }
+        }
+    }
+
+    pub(super) fn only_if(&mut self, holds: bool, next: Next<'_, 's>) -> Result<Flow, Stop> {
+        if holds {
+            next(self, 0)
+        } else {
+            Ok(Flow::Continue)
+        }
+    }
+
+    /// Goes on with these patterns unified with these values, if they can be; then takes that back.
+    pub(super) fn candidate(
+        &mut self,
+        pairs: &[(&Pattern, Value)],
+        key: u64,
+        next: Next<'_, 's>,
+    ) -> Result<Flow, Stop> {
+        self.tick()?;
+        let mark = self.trail.len();
+        let fits = pairs
+            .iter()
+            .all(|(pattern, value)| self.unify(pattern, value));
+        let flow = if fits {
+            next(self, key)?
+        } else {
+            Flow::Continue
+        };
+        self.undo(mark);
+        Ok(flow)
+    }
+
+    /// Counts a candidate, and looks now and then whether there is time for more.
+    pub(super) fn tick(&mut self) -> Result<(), Stop> {
+        self.candidates += 1;
+        if !self.candidates.is_multiple_of(LOOK_UP) {
+            return Ok(());
+        }
+        if self.budget.interrupt.swap(false, Ordering::Relaxed) {
+            return Err(Stop::Error(AskError::Interrupted));
+        }
+        if Instant::now() >= self.budget.deadline {
+            return Err(Stop::Error(AskError::Time(self.budget.time)));
+        }
+        if self.candidates > self.budget.candidates {
+            return Err(Stop::Declined);
+        }
+        Ok(())
+    }
+
+    fn bind(&mut self, variable: usize, value: Value) {
+        self.bindings[variable] = Some(value);
+        self.trail.push(variable);
+    }
+
+    fn undo(&mut self, mark: usize) {
+        for variable in self.trail.drain(mark..) {
+            self.bindings[variable] = None;
+        }
+    }
+
+    fn unify(&mut self, pattern: &Pattern, value: &Value) -> bool {
+        match (pattern, value) {
+            (Pattern::Variable(variable), _) => match &self.bindings[*variable] {
+                Some(found) => found.is_same(value, &self.known.catalogue),
+                None => {
+                    self.bind(*variable, value.clone());
+                    true
+                }
+            },
+            (Pattern::Value(found), _) => found.is_same(value, &self.known.catalogue),
+            (Pattern::List(patterns), Value::Term(Term::List(items))) => {
+                self.unify_all(patterns, items)
+            }
+            (Pattern::Compound(name, patterns), Value::Term(Term::Compound(other, items))) => {
+                name == other && self.unify_all(patterns, items)
+            }
+            _ => false,
+        }
+    }
+
+    fn unify_all(&mut self, patterns: &[Pattern], items: &[Term]) -> bool {
+        let mut pairs = patterns.iter().zip(items);
+        patterns.len() == items.len()
+            && pairs.all(|(pattern, item)| self.unify(pattern, &Value::of(item.clone())))
+    }
+
+    /// What a pattern stands for, if all of it is known.
+    pub(super) fn instance(&self, pattern: &Pattern) -> Option<Value> {
+        match pattern {
+            Pattern::Variable(variable) => self.bindings[*variable].clone(),
+            Pattern::Value(value) => Some(value.clone()),
+            Pattern::List(items) => Some(Value::Term(Term::List(self.instances(items)?))),
+            Pattern::Compound(name, items) => {
+                let items = self.instances(items)?;
+                Some(Value::Term(Term::compound(name, items)))
+            }
+        }
+    }
+
+    fn instances(&self, patterns: &[Pattern]) -> Option<Vec<Term>> {
+        let values = patterns.iter().map(|pattern| self.instance(pattern));
+        let terms = values.map(|value| Some(value?.to_term(&self.known.catalogue)));
+        terms.collect()
+    }
+
+    /// The instance of a pattern as a term.
+    ///
+    /// # Errors
+    /// Something in it is not known.
+    pub fn term(&self, pattern: &Pattern) -> Result<Term, Stop> {
+        let value = self.instance(pattern).ok_or(Stop::Declined)?;
+        Ok(value.to_term(&self.known.catalogue))
+    }
+
+    /// The same for an answer: a variable may be left that nothing was asked of outside `findall/3` and its like.
+    ///
+    /// # Errors
+    /// Something within the term is not known.
+    pub fn answer(&self, pattern: &Pattern) -> Result<Term, Stop> {
+        match pattern {
+            Pattern::Variable(variable) if self.bindings[*variable].is_none() => {
+                Ok(Term::Variable("_".to_owned()))
+            }
+            other => self.term(other),
+        }
+    }
+
+    /// The thing that a pattern stands for; `None` of a variable that is not bound.
+    pub(super) fn thing(&self, pattern: &Pattern) -> Result<Option<Value>, Stop> {
+        match self.instance(pattern) {
+            // Only under its full name is it the same as what is found.
+            Some(Value::Term(Term::Atom(name))) => {
+                let thing = thing_of(self.known, &Term::atom(&name)).ok_or(Stop::Declined)?;
+                let is_full = thing.to_term(&self.known.catalogue).as_atom() == Some(&name);
+                is_full.then_some(Some(thing)).ok_or(Stop::Declined)
+            }
+            Some(Value::Term(_)) => Err(Stop::Declined),
+            Some(Value::Integer(_) | Value::Float(_)) => Err(Stop::Declined),
+            other => Ok(other),
+        }
+    }
+
+    /// The individual that a pattern stands for: `Ok(Err(true))` of a variable that is not bound, `Ok(Err(false))` of
+    /// another thing.
+    pub(super) fn individual(&self, pattern: &Pattern) -> Result<Result<IndividualId, bool>, Stop> {
+        Ok(match self.thing(pattern)? {
+            Some(Value::Individual(id)) => Ok(id),
+            Some(_) => Err(false),
+            None => Err(true),
+        })
+    }
+
+    /// The thing of a full name.
+    pub(super) fn named(&self, name: String) -> Value {
+        named(self.known, name)
+    }
+
+    pub(super) fn evaluated(&self, expression: &Expression) -> Result<Value, Stop> {
+        let value = expression.evaluate(&|pattern| self.instance(pattern));
+        value.ok_or(Stop::Declined)
+    }
+
+    pub(super) fn number(&self, expression: &Expression) -> Result<f64, Stop> {
+        self.evaluated(expression)?
+            .as_number()
+            .ok_or(Stop::Declined)
+    }
+}

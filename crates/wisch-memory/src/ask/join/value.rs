@@ -1,0 +1,133 @@
+//! What variables of a join hold, and what stands in its goals for them.
+
+use crate::ask::rows::name_of;
+use crate::ask::term::Term;
+use crate::catalogue::{Catalogue, IndividualId};
+use std::cmp::Ordering;
+
+/// What a variable holds: always something definite.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// An individual of an episode.
+    Individual(IndividualId),
+    /// Something that episodes share: its place in [`Catalogue::shared`].
+    Shared(u32),
+    /// A whole number.
+    Integer(i64),
+    /// A number with a fraction.
+    Float(f64),
+    /// Any other term; no variable is in it.
+    Term(Term),
+}
+
+impl Value {
+    /// A term without variables; names in it stay names.
+    pub fn of(term: Term) -> Self {
+        match term {
+            Term::Integer(value) => Self::Integer(value),
+            Term::Float(value) => Self::Float(value),
+            other => Self::Term(other),
+        }
+    }
+
+    /// As the engine takes it.
+    pub fn to_term(&self, catalogue: &Catalogue) -> Term {
+        match self {
+            Self::Individual(id) => name_of(catalogue, *id),
+            Self::Shared(number) => Term::atom(&catalogue.shared()[*number as usize]),
+            Self::Integer(value) => Term::Integer(*value),
+            Self::Float(value) => Term::Float(*value),
+            Self::Term(term) => term.clone(),
+        }
+    }
+
+    /// Whether two values unify.
+    pub fn is_same(&self, other: &Self, catalogue: &Catalogue) -> bool {
+        let names = |thing: &Self, term: &Term| {
+            // All names of things have a prefix; most texts have none.
+            term.as_atom().is_some_and(|name| name.contains(':'))
+                && thing.to_term(catalogue) == *term
+        };
+        match (self, other) {
+            (thing @ (Self::Individual(_) | Self::Shared(_)), Self::Term(term))
+            | (Self::Term(term), thing @ (Self::Individual(_) | Self::Shared(_))) => {
+                names(thing, term)
+            }
+            _ => self == other,
+        }
+    }
+
+    /// The value of a number.
+    pub fn as_number(&self) -> Option<f64> {
+        match self {
+            #[allow(
+                clippy::cast_precision_loss,
+                reason = "times and counts are far below 2^53"
+            )]
+            Self::Integer(value) => Some(*value as f64),
+            Self::Float(value) => Some(*value),
+            _ => None,
+        }
+    }
+}
+
+/// The standard order of terms: numbers, then atoms, then terms with arguments. `None` where engines differ: lists.
+pub fn standard_order(a: &Term, b: &Term) -> Option<Ordering> {
+    let rank = |term: &Term| match term {
+        Term::Variable(_) | Term::List(_) => None,
+        Term::Integer(_) | Term::Float(_) => Some(0),
+        Term::Atom(_) => Some(1),
+        Term::Compound(..) => Some(2),
+    };
+    let by_rank = rank(a)?.cmp(&rank(b)?);
+    if by_rank.is_ne() {
+        return Some(by_rank);
+    }
+    match (a, b) {
+        (Term::Atom(a), Term::Atom(b)) => Some(a.cmp(b)),
+        (Term::Compound(a, of_a), Term::Compound(b, of_b)) => {
+            let heads = of_a.len().cmp(&of_b.len()).then_with(|| a.cmp(b));
+            let mut order = heads;
+            for (a, b) in of_a.iter().zip(of_b) {
+                if order.is_ne() {
+                    break;
+                }
+                order = standard_order(a, b)?;
+            }
+            Some(order)
+        }
+        _ => {
+            let by_value = a.as_number()?.total_cmp(&b.as_number()?);
+            let is_whole = |term: &Term| matches!(term, Term::Integer(_));
+            Some(by_value.then(is_whole(a).cmp(&is_whole(b))))
+        }
+    }
+}
+
+/// What stands in a goal: a variable, a value, or a term with variables in it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Pattern {
+    /// A variable, by its number.
+    Variable(usize),
+    /// A value.
+    Value(Value),
+    /// A list of which something is a variable.
+    List(Vec<Pattern>),
+    /// A term of which something is a variable.
+    Compound(String, Vec<Pattern>),
+}
+
+impl Pattern {
+    /// The variables in it.
+    pub fn variables(&self, found: &mut Vec<usize>) {
+        match self {
+            Self::Variable(number) => found.push(*number),
+            Self::Value(_) => {}
+            Self::List(items) | Self::Compound(_, items) => {
+                for item in items {
+                    item.variables(found);
+                }
+            }
+        }
+    }
+}
