@@ -16,6 +16,9 @@ mod order;
 mod solver;
 mod value;
 
+#[cfg(test)]
+mod tests;
+
 pub use indices::Indices;
 pub use solver::Budget;
 
