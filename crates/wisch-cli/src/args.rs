@@ -3,6 +3,7 @@
 mod ask;
 mod budget;
 mod eval;
+mod fleet;
 mod learn;
 mod log;
 mod memory;
@@ -14,6 +15,7 @@ pub use eval::{
     CalibrationArgs, EvalCommand, JournalArgs, ScenarioEvaluationArgs, SensesChoice, SweepArgs,
     Table1Args,
 };
+pub use fleet::{PullArgs, PushArgs, SelectionArgs};
 pub use learn::LearnArgs;
 pub use log::{InterpretArgs, LogArgs, LoggedArgs};
 pub use memory::{

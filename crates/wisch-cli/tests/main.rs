@@ -5,6 +5,8 @@ mod cli;
 mod eval;
 mod executor;
 mod export;
+#[cfg(unix)]
+mod fleet;
 mod follow;
 mod interpret;
 #[cfg(target_os = "linux")]

@@ -1,5 +1,6 @@
 //! Arguments of `ask`.
 
+use super::SelectionArgs;
 use clap::{Args, ValueEnum, ValueHint};
 use std::path::PathBuf;
 
@@ -9,9 +10,15 @@ pub struct AskArgs {
     /// Prolog query; without one, an interactive prompt
     #[arg(value_name = "QUERY")]
     pub query: Option<String>,
-    /// Folder of the memory
-    #[arg(long, value_name = "DIR", default_value = "episodes", value_hint = ValueHint::DirPath)]
-    pub memory: PathBuf,
+    /// Folder of the memory [default: episodes; with --fleet one that is gone afterwards]
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub memory: Option<PathBuf>,
+    /// Ask episodes of a fleet (s3://BUCKET/PREFIX or a folder): those selected are brought into the memory first
+    #[arg(long, value_name = "URL")]
+    pub fleet: Option<String>,
+    /// Which episodes of a fleet.
+    #[command(flatten)]
+    pub selection: SelectionArgs,
     /// Prolog system: scryer (the program wisch-prolog) or swi (SWI-Prolog) [default: the first that is installed]
     #[arg(long, value_name = "NAME")]
     pub engine: Option<EngineChoice>,

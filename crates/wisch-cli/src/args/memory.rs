@@ -1,6 +1,6 @@
 //! Arguments of `memory`, and where runs are kept.
 
-use super::LoggedArgs;
+use super::{LoggedArgs, PullArgs, PushArgs};
 use clap::{Args, Subcommand, ValueHint};
 use std::path::PathBuf;
 use wisch_memory::neem::NeemConfig;
@@ -69,6 +69,21 @@ The folder has one subfolder for each collection, each a dump that mongorestore 
 annotations, inferred, tf, and two of our own: wrench, and observation, what a camera saw of the dirt.
 Beside them are meta.json and semco.owl.")]
     Export(ExportArgs),
+    /// Bring the episodes into a fleet: a store that many robots share
+    #[command(after_help = "\
+Examples:
+  wisch memory push s3://robots/fleet --robot kitchen-7
+  wisch memory push /mnt/fleet --memory episodes
+
+The program wisch-fleet does it: what is there already is passed over, and what was cut off is gone on with. Credentials
+come from the environment (AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY, AWS_ENDPOINT, …) or from the usual files.")]
+    Push(PushArgs),
+    /// Bring episodes of a fleet into this memory, byte for byte
+    #[command(after_help = "\
+Examples:
+  wisch memory pull s3://robots/fleet --since 2026-11-01 --class HumanCollision
+  wisch memory pull /mnt/fleet --where \"performance <= 0.8\" --memory doubtful")]
+    Pull(PullArgs),
 }
 
 /// Arguments of `memory import`.

@@ -1,7 +1,7 @@
 //! `wisch ask`: queries in Prolog to a memory, one or line by line.
 
-use super::{engine, look};
-use crate::args::{AskArgs, GlobalArgs};
+use super::{engine, fleet, look};
+use crate::args::{AskArgs, DEFAULT_MEMORY, GlobalArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, complain_of, print, remark};
 use rustyline::completion::{Completer, Pair};
@@ -12,9 +12,10 @@ use serde_json::{Map, Value, json};
 use signal_hook::consts::SIGINT;
 use signal_hook::flag::register;
 use std::io::IsTerminal;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
+use tempfile::TempDir;
 use wisch_memory::ask::{
     Answers, AskError, Asker, Assertions, Limits, Predicate, QueryFault, TelemetryPredicates, Term,
     builtins, predicates,
@@ -32,11 +33,51 @@ pub fn ask(args: &AskArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
         print(&listing(&predicates()))?;
         return Ok(Outcome::Done);
     }
-    let mut asked = Asked::open(args, global)?;
+    let place = Place::of(args, global)?;
+    let mut asked = Asked::open(place.folder(), args, global)?;
     match &args.query {
         Some(query) => answer(&mut asked, query, args, global),
         None if std::io::stdin().is_terminal() => interactive(&mut asked, args, global),
         None => lines(&mut asked, args, global),
+    }
+}
+
+/// Where the memory that is asked stands.
+enum Place {
+    Folder(PathBuf),
+    /// Pulled from a fleet, and gone afterwards.
+    Pulled(TempDir),
+}
+
+impl Place {
+    fn of(args: &AskArgs, global: &GlobalArgs) -> Result<Self, Failure> {
+        let folder = args.memory.clone();
+        let Some(url) = &args.fleet else {
+            if !args.selection.to_arguments().is_empty() {
+                return Err(
+                    Failure::new("which episodes are asked is said of a fleet only")
+                        .with_help("--fleet names it; of one memory, the query says which"),
+                );
+            }
+            return Ok(Self::Folder(
+                folder.unwrap_or_else(|| DEFAULT_MEMORY.into()),
+            ));
+        };
+        let place = match folder {
+            Some(folder) => Self::Folder(folder),
+            None => Self::Pulled(
+                tempfile::tempdir().map_err(|error| Failure::new(format!("a folder: {error}")))?,
+            ),
+        };
+        fleet::fetch(url, &args.selection, place.folder(), global)?;
+        Ok(place)
+    }
+
+    fn folder(&self) -> &Path {
+        match self {
+            Self::Folder(folder) => folder,
+            Self::Pulled(folder) => folder.path(),
+        }
     }
 }
 
@@ -48,8 +89,8 @@ struct Asked {
 }
 
 impl Asked {
-    fn open(args: &AskArgs, global: &GlobalArgs) -> Result<Self, Failure> {
-        let memory = Memory::open(&args.memory).map_err(|error| {
+    fn open(folder: &Path, args: &AskArgs, global: &GlobalArgs) -> Result<Self, Failure> {
+        let memory = Memory::open(folder).map_err(|error| {
             Failure::new(error).with_help("wisch run makes a memory; --memory names another one")
         })?;
         let catalogue = Arc::new(memory.catalogue().map_err(Failure::new)?);
@@ -80,7 +121,7 @@ fn asker(
         memory: u64::from(args.memory_limit) << 20,
         answers: args.limit as usize,
     };
-    let assertions = Assertions::read(&args.memory).map_err(Failure::new)?;
+    let assertions = Assertions::read(memory.folder()).map_err(Failure::new)?;
     let telemetry = TelemetryPredicates::of(memory);
     Ok(Asker::new(
         command, limits, catalogue, telemetry, assertions,
@@ -189,7 +230,7 @@ fn interactive(asked: &mut Asked, args: &AskArgs, global: &GlobalArgs) -> Result
     editor.set_helper(Some(Typing {
         predicates: predicates(),
     }));
-    let history = args.memory.join(HISTORY_FILE);
+    let history = asked.memory.folder().join(HISTORY_FILE);
     // A history that is not there yet, or cannot be read, is none.
     let _ = editor.load_history(&history);
     if !global.quiet {

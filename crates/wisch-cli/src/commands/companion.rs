@@ -2,6 +2,7 @@
 //! the source builds them.
 
 use crate::args::GlobalArgs;
+use crate::failure::Failure;
 use crate::terminal::remark;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -13,6 +14,8 @@ pub struct Companion {
     pub name: &'static str,
     /// What is said while it is built.
     pub building: &'static str,
+    /// Whether it is a workspace of its own, with its own lock file, and no member of the program's.
+    pub is_workspace: bool,
 }
 
 impl Companion {
@@ -28,6 +31,22 @@ impl Companion {
             .find(|program| program.is_file())
     }
 
+    /// Finds it, or builds it in a checkout.
+    ///
+    /// # Errors
+    /// That it cannot be had, and what installs it.
+    pub fn find_or_build(&self, global: &GlobalArgs) -> Result<PathBuf, Failure> {
+        if let Some(program) = self.find() {
+            return Ok(program);
+        }
+        let built = self.build(global);
+        let built = built.map_err(|why| Failure::new(why).with_help(self.install()))?;
+        let program = built.then(|| self.find()).flatten();
+        program.ok_or_else(|| {
+            Failure::new(format!("{} cannot be found", self.name)).with_help(self.install())
+        })
+    }
+
     /// Builds it beside this program, if that lies in the target folder of a checkout, as after `cargo run`: whether it did.
     ///
     /// # Errors
@@ -39,9 +58,13 @@ impl Companion {
         };
         let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
         cargo.args(["build", "--locked", "--package", self.name]);
+        let manifest = match self.is_workspace {
+            true => checkout.join("crates").join(self.name),
+            false => checkout.to_path_buf(),
+        };
         cargo
             .arg("--manifest-path")
-            .arg(checkout.join("Cargo.toml"));
+            .arg(manifest.join("Cargo.toml"));
         cargo.arg("--target-dir").arg(target);
         if folder.ends_with("release") {
             cargo.arg("--release");

@@ -9,6 +9,7 @@ use wisch_memory::ask::EngineCommand;
 const ENGINE: Companion = Companion {
     name: "wisch-prolog",
     building: "building the Prolog engine, once: some minutes (4 on two cores)",
+    is_workspace: false,
 };
 
 /// The engine of this choice; without one, Scryer Prolog if it can be had, else SWI-Prolog if it is installed.

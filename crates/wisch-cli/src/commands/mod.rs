@@ -9,6 +9,7 @@ mod episode;
 mod eval;
 mod explain;
 mod export;
+mod fleet;
 mod follow;
 mod footprint;
 mod import;
@@ -69,6 +70,8 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Memory(MemoryCommand::Forget(args)) => memory::forget(args, &cli.global),
         Command::Memory(MemoryCommand::Import(args)) => import::import(args, &cli.global),
         Command::Memory(MemoryCommand::Export(args)) => export::export(args, &cli.global),
+        Command::Memory(MemoryCommand::Push(args)) => fleet::push(args, &cli.global),
+        Command::Memory(MemoryCommand::Pull(args)) => fleet::pull(args, &cli.global),
         Command::Robot(RobotCommand::Check(args)) => robot::check_robot(args, &cli.global),
         Command::Robot(RobotCommand::Map(args)) => map::map(args, &cli.global),
     }

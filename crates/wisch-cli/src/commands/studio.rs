@@ -4,18 +4,18 @@ use super::companion::Companion;
 use crate::args::{GlobalArgs, StudioArgs};
 use crate::failure::Failure;
 use crate::terminal::Outcome;
-use std::path::PathBuf;
 use std::process::Command;
 use wisch_memory::ask::EngineCommand;
 
 const STUDIO: Companion = Companion {
     name: "wisch-studio",
     building: "building the studio, once: a minute or two",
+    is_workspace: false,
 };
 
 /// Begins the server, and ends with it.
 pub fn studio(args: &StudioArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    let program = find(global)?;
+    let program = STUDIO.find_or_build(global)?;
     let wisch = std::env::current_exe()
         .map_err(|error| Failure::new(format!("this program cannot be found: {error}")))?;
     let mut server = Command::new(&program);
@@ -37,16 +37,4 @@ pub fn studio(args: &StudioArgs, global: &GlobalArgs) -> Result<Outcome, Failure
         // It has said why.
         _ => Err(Failure::new(format!("the studio ended: {ended}"))),
     }
-}
-
-fn find(global: &GlobalArgs) -> Result<PathBuf, Failure> {
-    if let Some(program) = STUDIO.find() {
-        return Ok(program);
-    }
-    let built = STUDIO.build(global);
-    let built = built.map_err(|why| Failure::new(why).with_help(STUDIO.install()))?;
-    let program = built.then(|| STUDIO.find()).flatten();
-    program.ok_or_else(|| {
-        Failure::new(format!("{} cannot be found", STUDIO.name)).with_help(STUDIO.install())
-    })
 }
