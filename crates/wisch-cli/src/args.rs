@@ -3,12 +3,14 @@
 mod ask;
 mod budget;
 mod eval;
+mod fleet;
 mod learn;
 mod log;
 mod memory;
 mod robot;
 
 pub use ask::{AskArgs, EngineChoice};
+pub use fleet::{FleetArgs, FleetFilter, PullArgs, PushArgs};
 pub use budget::Budget;
 pub use eval::{
     CalibrationArgs, EvalCommand, JournalArgs, ScenarioEvaluationArgs, SensesChoice, SweepArgs,

@@ -226,7 +226,7 @@ pub async fn pull(args: &PullArgs) -> Result<Outcome, FleetError> {
     let mut said = format!(
         "{}: {} of {} episodes selected, {} pulled ({}), {} were there already\n",
         place.url(),
-        pulled.selected,
+        pulled.ids.len(),
         pulled.of,
         pulled.episodes,
         bytes(pulled.bytes),

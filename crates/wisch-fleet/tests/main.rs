@@ -1,5 +1,6 @@
 //! Everything that must hold of a fleet, against memories of synthetic episodes.
 
+mod documentation;
 mod memories;
 mod moves;
 mod program;

@@ -1,5 +1,6 @@
 //! Arguments of `ask`.
 
+use super::FleetArgs;
 use clap::{Args, ValueEnum, ValueHint};
 use std::path::PathBuf;
 
@@ -12,6 +13,9 @@ pub struct AskArgs {
     /// Folder of the memory
     #[arg(long, value_name = "DIR", default_value = "episodes", value_hint = ValueHint::DirPath)]
     pub memory: PathBuf,
+    /// A fleet instead.
+    #[command(flatten)]
+    pub fleet: FleetArgs,
     /// Prolog system: scryer (the program wisch-prolog) or swi (SWI-Prolog) [default: the first that is installed]
     #[arg(long, value_name = "NAME")]
     pub engine: Option<EngineChoice>,

@@ -1,6 +1,6 @@
 //! Arguments of `memory`, and where runs are kept.
 
-use super::LoggedArgs;
+use super::{LoggedArgs, PullArgs, PushArgs};
 use clap::{Args, Subcommand, ValueHint};
 use std::path::PathBuf;
 use wisch_memory::neem::NeemConfig;
@@ -59,6 +59,20 @@ Exit codes: 0 all is well, 1 something is broken, 2 an error.")]
     Verify(MemoryVerifyArgs),
     /// Delete an episode for good
     Forget(EpisodeArgs),
+    /// Bring all episodes into a fleet's store, where they are not yet
+    #[command(after_help = "\
+Examples:
+  wisch memory push s3://robots/fleet
+  wisch memory push /mnt/fleet --robot kitchen-7
+
+The program wisch-fleet does it. Credentials come from the environment (AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY, AWS_ENDPOINT, …)
+or from ~/.aws/credentials.")]
+    Push(PushArgs),
+    /// Bring episodes of a fleet's store into the memory, byte for byte
+    #[command(after_help = "\
+Example:
+  wisch memory pull s3://robots/fleet --since 2026-11-01 --class HumanCollision")]
+    Pull(Box<PullArgs>),
     /// Export episodes as narrative-enabled episodic memories (NEEM) for KnowRob and openEASE
     #[command(after_help = "\
 Examples:

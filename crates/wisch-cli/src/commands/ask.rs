@@ -1,6 +1,6 @@
 //! `wisch ask`: queries in Prolog to a memory, one or line by line.
 
-use super::{engine, look};
+use super::{engine, fleet, look};
 use crate::args::{AskArgs, GlobalArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, complain_of, print, remark};
@@ -49,10 +49,19 @@ struct Asked {
 
 impl Asked {
     fn open(args: &AskArgs, global: &GlobalArgs) -> Result<Self, Failure> {
-        let memory = Memory::open(&args.memory).map_err(|error| {
+        let pulled = args.fleet.fleet.as_ref();
+        let pulled = pulled.map(|url| fleet::pull_to_ask(url, &args.fleet, global));
+        let pulled = pulled.transpose()?;
+        let folder = pulled.as_ref().map_or(&args.memory, |(folder, _)| folder);
+        let memory = Memory::open(folder).map_err(|error| {
             Failure::new(error).with_help("wisch run makes a memory; --memory names another one")
         })?;
-        let catalogue = Arc::new(memory.catalogue().map_err(Failure::new)?);
+        let mut catalogue = memory.catalogue().map_err(Failure::new)?;
+        if let Some((_, ids)) = &pulled {
+            // Others are there of earlier questions.
+            catalogue = catalogue.retain(|row| ids.contains(&row.id));
+        }
+        let catalogue = Arc::new(catalogue);
         if !global.quiet {
             for why in catalogue.left_out() {
                 remark(&format!(
@@ -80,7 +89,7 @@ fn asker(
         memory: u64::from(args.memory_limit) << 20,
         answers: args.limit as usize,
     };
-    let assertions = Assertions::read(&args.memory).map_err(Failure::new)?;
+    let assertions = Assertions::read(memory.folder()).map_err(Failure::new)?;
     let telemetry = TelemetryPredicates::of(memory);
     Ok(Asker::new(
         command, limits, catalogue, telemetry, assertions,
@@ -189,7 +198,7 @@ fn interactive(asked: &mut Asked, args: &AskArgs, global: &GlobalArgs) -> Result
     editor.set_helper(Some(Typing {
         predicates: predicates(),
     }));
-    let history = args.memory.join(HISTORY_FILE);
+    let history = asked.memory.folder().join(HISTORY_FILE);
     // A history that is not there yet, or cannot be read, is none.
     let _ = editor.load_history(&history);
     if !global.quiet {

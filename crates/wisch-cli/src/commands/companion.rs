@@ -13,6 +13,17 @@ pub struct Companion {
     pub name: &'static str,
     /// What is said while it is built.
     pub building: &'static str,
+    /// Which build it belongs to.
+    pub workspace: Workspace,
+}
+
+/// Which build a program belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Workspace {
+    /// That of this program.
+    Shared,
+    /// One of its own, with its own lock file.
+    Own,
 }
 
 impl Companion {
@@ -39,9 +50,13 @@ impl Companion {
         };
         let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
         cargo.args(["build", "--locked", "--package", self.name]);
+        let workspace = match self.workspace {
+            Workspace::Shared => checkout.to_path_buf(),
+            Workspace::Own => checkout.join("crates").join(self.name),
+        };
         cargo
             .arg("--manifest-path")
-            .arg(checkout.join("Cargo.toml"));
+            .arg(workspace.join("Cargo.toml"));
         cargo.arg("--target-dir").arg(target);
         if folder.ends_with("release") {
             cargo.arg("--release");

@@ -1,6 +1,6 @@
 //! Where `wisch ask` finds its Prolog engine; in a checkout of the source it builds it.
 
-use super::companion::Companion;
+use super::companion::{Companion, Workspace};
 use crate::args::{EngineChoice, GlobalArgs};
 use crate::failure::Failure;
 use crate::terminal::remark;
@@ -9,6 +9,7 @@ use wisch_memory::ask::EngineCommand;
 const ENGINE: Companion = Companion {
     name: "wisch-prolog",
     building: "building the Prolog engine, once: some minutes (4 on two cores)",
+    workspace: Workspace::Shared,
 };
 
 /// The engine of this choice; without one, Scryer Prolog if it can be had, else SWI-Prolog if it is installed.

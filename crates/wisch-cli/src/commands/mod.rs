@@ -9,6 +9,7 @@ mod episode;
 mod eval;
 mod explain;
 mod export;
+mod fleet;
 mod follow;
 mod footprint;
 mod import;
@@ -67,6 +68,8 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Memory(MemoryCommand::Show(args)) => memory::show(args),
         Command::Memory(MemoryCommand::Verify(args)) => memory::verify(args, &cli.global),
         Command::Memory(MemoryCommand::Forget(args)) => memory::forget(args, &cli.global),
+        Command::Memory(MemoryCommand::Push(args)) => fleet::push(args, &cli.global),
+        Command::Memory(MemoryCommand::Pull(args)) => fleet::pull(args, &cli.global),
         Command::Memory(MemoryCommand::Import(args)) => import::import(args, &cli.global),
         Command::Memory(MemoryCommand::Export(args)) => export::export(args, &cli.global),
         Command::Robot(RobotCommand::Check(args)) => robot::check_robot(args, &cli.global),

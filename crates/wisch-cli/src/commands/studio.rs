@@ -1,6 +1,6 @@
 //! `wisch studio`: the page on which runs are begun, watched and asked about. Its server is a program of its own.
 
-use super::companion::Companion;
+use super::companion::{Companion, Workspace};
 use crate::args::{GlobalArgs, StudioArgs};
 use crate::failure::Failure;
 use crate::terminal::Outcome;
@@ -11,6 +11,7 @@ use wisch_memory::ask::EngineCommand;
 const STUDIO: Companion = Companion {
     name: "wisch-studio",
     building: "building the studio, once: a minute or two",
+    workspace: Workspace::Shared,
 };
 
 /// Begins the server, and ends with it.

@@ -29,8 +29,8 @@ pub struct Filter {
 /// What was pulled.
 #[derive(Debug, Clone, PartialEq, Default, serde::Serialize)]
 pub struct Pulled {
-    /// Episodes that the filters select.
-    pub selected: usize,
+    /// The episodes that the filters select, by name.
+    pub ids: Vec<String>,
     /// Episodes of the fleet.
     pub of: usize,
     /// Episodes that came.
@@ -114,7 +114,7 @@ pub async fn pull(
         selected.extend(kept(&batch)?);
     }
     let mut pulled = Pulled {
-        selected: selected.len(),
+        ids: selected.iter().map(|one| one.id.clone()).collect(),
         of: usize::try_from(of).unwrap_or(usize::MAX),
         ..Pulled::default()
     };
