@@ -79,6 +79,9 @@ pub struct SqlArgs {
     /// Write the answer to a Parquet file.
     #[arg(long, value_name = "FILE", group = "form")]
     pub parquet: Option<PathBuf>,
+    /// Say on standard error how long each statement took.
+    #[arg(long)]
+    pub timing: bool,
 }
 
 /// Of what lists something.

@@ -6,6 +6,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use std::io::{self, IsTerminal, Read, Write};
 use std::path::PathBuf;
+use std::time::Instant;
 use wisch_fleet::ask::{Form, Session, Source, views, write};
 use wisch_fleet::moves::{self, Filter, Local, Part, PushOptions};
 use wisch_fleet::store::{FleetError, Place, now};
@@ -64,7 +65,11 @@ pub async fn sql(args: &SqlArgs) -> Result<Outcome, FleetError> {
         return prompt(&session, &form).await;
     }
     for statement in statements(&text) {
+        let begun = Instant::now();
         answer(&session, statement, &form).await?;
+        if args.timing {
+            eprintln!("{:.4} s", begun.elapsed().as_secs_f64());
+        }
     }
     Ok(Outcome::Done)
 }

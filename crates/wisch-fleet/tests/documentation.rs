@@ -10,10 +10,15 @@ fn the_page_lists_every_column_and_view() {
     let mut expected = String::new();
     for table in &TABLES {
         let (name, about) = (table.name, table.about);
-        expected += &format!("\n### `{name}`: {about}\n\n| column | type | unit | what |\n|---|---|---|---|\n");
+        expected += &format!(
+            "\n### `{name}`: {about}\n\n| column | type | unit | what |\n|---|---|---|---|\n"
+        );
         for column in table.columns {
             let kind = column.kind.name();
-            expected += &format!("| `{}` | {kind} | {} | {} |\n", column.name, column.unit, column.about);
+            expected += &format!(
+                "| `{}` | {kind} | {} | {} |\n",
+                column.name, column.unit, column.about
+            );
         }
     }
     assert_eq!(listed, expected);

@@ -11,7 +11,9 @@ pub const SEED: u64 = 7;
 
 /// Synthetic records of these numbers, one an hour apart from what the next day holds.
 pub fn some(count: usize) -> Vec<EpisodeRecord> {
-    (0..count).map(|number| records::record(SEED, number)).collect()
+    (0..count)
+        .map(|number| records::record(SEED, number))
+        .collect()
 }
 
 /// A memory of these; the first has telemetry of its first round.
@@ -19,7 +21,9 @@ pub fn memory(folder: &Path, records: &[EpisodeRecord]) -> Memory {
     let memory = Memory::create(folder).unwrap();
     for (number, record) in records.iter().enumerate() {
         let writer = memory.begin(&record.id).unwrap();
-        writer.attach("task.toml", format!("name = {:?}\n", record.task)).unwrap();
+        writer
+            .attach("task.toml", format!("name = {:?}\n", record.task))
+            .unwrap();
         writer.attach("round-1/plan.json", "{}").unwrap();
         if number == 0 {
             let columns = ["external/fz", "measured/x"].map(str::to_owned);
@@ -38,7 +42,10 @@ pub fn contents(memory: &Memory) -> BTreeMap<String, Vec<u8>> {
     for id in memory.episodes().unwrap() {
         let folder = memory.folder().join(&id);
         for name in memory.episode(&id).unwrap().files().unwrap() {
-            all.insert(format!("{id}/{name}"), std::fs::read(folder.join(&name)).unwrap());
+            all.insert(
+                format!("{id}/{name}"),
+                std::fs::read(folder.join(&name)).unwrap(),
+            );
         }
     }
     all

@@ -26,17 +26,29 @@ fn killed_at_any_moment_a_push_loses_doubles_and_halves_nothing() {
     let here = memory(&folder.path().join("here"), &records);
     let push = || {
         let mut command = server.program(SECRET);
-        command.arg("push").arg(here.folder()).args([FLEET, "--json"]);
+        command
+            .arg("push")
+            .arg(here.folder())
+            .args([FLEET, "--json"]);
         command
     };
-    let verify = || stdout(&run(server.program(SECRET).args(["verify", FLEET, "--json"])));
+    let verify = || {
+        stdout(&run(server
+            .program(SECRET)
+            .args(["verify", FLEET, "--json"])))
+    };
     let mut killed = 0;
     // Moments spread over the length of a push by the golden ratio, as random ones would be.
     for moment in 0..20_u32 {
         let wait = 0.05 + 1.2 * (f64::from(moment) * 0.618_034).fract();
-        let mut child = push().stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+        let mut child = push()
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
         let begun = Instant::now();
-        while begun.elapsed() < Duration::from_secs_f64(wait) && child.try_wait().unwrap().is_none() {
+        while begun.elapsed() < Duration::from_secs_f64(wait) && child.try_wait().unwrap().is_none()
+        {
             std::thread::sleep(Duration::from_millis(5));
         }
         // SIGKILL; one that has ended already is counted as it is.
@@ -48,7 +60,10 @@ fn killed_at_any_moment_a_push_loses_doubles_and_halves_nothing() {
     assert!(killed > 0, "none was killed amid its work");
     stdout(&run(&mut push()));
     let found = verify();
-    assert!(found.contains("\"episodes\":600") && found.contains("\"faults\":[]"), "{found}");
+    assert!(
+        found.contains("\"episodes\":600") && found.contains("\"faults\":[]"),
+        "{found}"
+    );
     let mut pull = server.program(SECRET);
     pull.arg("pull").arg(FLEET).arg(folder.path().join("there"));
     stdout(&run(&mut pull));
@@ -56,7 +71,13 @@ fn killed_at_any_moment_a_push_loses_doubles_and_halves_nothing() {
     assert_eq!(contents(&here), contents(&there));
     let rounds: usize = records.iter().map(|record| record.rounds.len()).sum();
     let mut sql = server.program(SECRET);
-    sql.args(["sql", "SELECT count(*) AS n FROM rounds", "--fleet", FLEET, "--csv"]);
+    sql.args([
+        "sql",
+        "SELECT count(*) AS n FROM rounds",
+        "--fleet",
+        FLEET,
+        "--csv",
+    ]);
     assert_eq!(stdout(&run(&mut sql)), format!("n\n{rounds}\n"));
 }
 
@@ -77,8 +98,13 @@ fn two_programs_at_once_push_each_episode_once() {
     for mut child in children {
         assert!(child.wait().unwrap().success());
     }
-    let found = stdout(&run(server.program(SECRET).args(["verify", FLEET, "--json"])));
-    assert!(found.contains("\"episodes\":120") && found.contains("\"faults\":[]"), "{found}");
+    let found = stdout(&run(server
+        .program(SECRET)
+        .args(["verify", FLEET, "--json"])));
+    assert!(
+        found.contains("\"episodes\":120") && found.contains("\"faults\":[]"),
+        "{found}"
+    );
 }
 
 #[test]
@@ -88,8 +114,14 @@ fn wrong_credentials_are_told_and_not_shown() {
     let output = run(server.program("another-secret").args(["verify", FLEET]));
     assert_eq!(output.status.code(), Some(2));
     let said = String::from_utf8_lossy(&output.stderr);
-    assert!(said.contains("s3://fleet/robots") && said.contains("AWS_SECRET_ACCESS_KEY"), "{said}");
-    assert!(!said.contains(KEY_ID) && !said.contains("another-secret"), "{said}");
+    assert!(
+        said.contains("s3://fleet/robots") && said.contains("AWS_SECRET_ACCESS_KEY"),
+        "{said}"
+    );
+    assert!(
+        !said.contains(KEY_ID) && !said.contains("another-secret"),
+        "{said}"
+    );
 }
 
 #[test]
@@ -102,7 +134,9 @@ fn a_full_disk_is_told() {
     let mut state = 1_u64;
     let noise: Vec<u8> = (0..65_536)
         .map(|_| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
             (state >> 56) as u8
         })
         .collect();
@@ -121,8 +155,13 @@ fn a_full_disk_is_told() {
         .unwrap();
     assert_eq!(output.status.code(), Some(2));
     let said = String::from_utf8_lossy(&output.stderr);
-    assert!(said.contains(&record.id) && said.contains("File too large"), "{said}");
-    let output = run(Command::new(env!("CARGO_BIN_EXE_wisch-fleet")).arg("verify").arg(&fleet));
+    assert!(
+        said.contains(&record.id) && said.contains("File too large"),
+        "{said}"
+    );
+    let output = run(Command::new(env!("CARGO_BIN_EXE_wisch-fleet"))
+        .arg("verify")
+        .arg(&fleet));
     assert!(stdout(&output).contains("0 episodes: all well"));
 }
 

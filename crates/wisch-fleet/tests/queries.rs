@@ -20,7 +20,11 @@ fn texts(batches: &[RecordBatch]) -> Vec<Vec<String>> {
         for row in 0..batch.num_rows() {
             let text = |column: &std::sync::Arc<dyn Array>| {
                 let column = column.as_string::<i32>();
-                if column.is_valid(row) { column.value(row).to_owned() } else { "null".to_owned() }
+                if column.is_valid(row) {
+                    column.value(row).to_owned()
+                } else {
+                    "null".to_owned()
+                }
             };
             rows.push(columns.iter().map(text).collect());
         }
@@ -32,7 +36,9 @@ fn texts(batches: &[RecordBatch]) -> Vec<Vec<String>> {
 fn numbers(batches: &[RecordBatch], column: &str) -> Vec<f64> {
     let all = batches.iter().flat_map(|batch| {
         let column = cast(batch.column_by_name(column).unwrap(), &DataType::Float64).unwrap();
-        let column = column.as_primitive::<datafusion::arrow::datatypes::Float64Type>().clone();
+        let column = column
+            .as_primitive::<datafusion::arrow::datatypes::Float64Type>()
+            .clone();
         column.iter().map(Option::unwrap).collect::<Vec<f64>>()
     });
     let mut all: Vec<f64> = all.collect();
@@ -41,7 +47,9 @@ fn numbers(batches: &[RecordBatch], column: &str) -> Vec<f64> {
 }
 
 fn number(catalogue: &Catalogue, property: &str, id: IndividualId) -> Option<f64> {
-    entries(catalogue.numbers(property), id).first().map(|(_, value)| *value)
+    entries(catalogue.numbers(property), id)
+        .first()
+        .map(|(_, value)| *value)
 }
 
 fn thing(catalogue: &Catalogue, property: &str, id: IndividualId) -> String {
@@ -67,11 +75,15 @@ fn records() -> Vec<EpisodeRecord> {
     for (number, record) in all.iter_mut().enumerate() {
         for (place, one) in record.individuals.iter_mut().enumerate() {
             let mut set = |property: &str, value: f64| {
-                one.values.insert(property.to_owned(), wisch_memory::Value::Number(value));
+                one.values
+                    .insert(property.to_owned(), wisch_memory::Value::Number(value));
             };
             match one.class.as_str() {
                 "semco:WipingRound" if number % 3 == 0 => {
-                    set("semco:simulatedPerformance", 0.3 + 0.01 * (number % 60) as f64);
+                    set(
+                        "semco:simulatedPerformance",
+                        0.3 + 0.01 * (number % 60) as f64,
+                    );
                 }
                 "semco:Stroke" if (number + place) % 11 == 0 => set("semco:contactShare", 0.0),
                 _ => {}
@@ -88,7 +100,9 @@ async fn asked(run: impl AsyncFn(&Session, &Catalogue)) {
     let catalogue = Catalogue::of(&records);
     // Pushed, and as it is: the same answers.
     let fleet = place(&folder.path().join("fleet"));
-    push(&memory, &fleet, &PushOptions::default(), &mut |_, _| {}).await.unwrap();
+    push(&memory, &fleet, &PushOptions::default(), &mut |_, _| {})
+        .await
+        .unwrap();
     run(&session(&fleet).await, &catalogue).await;
     let local = local(&memory, Part::Facts).await.unwrap();
     run(&Session::new(&local.sources).await.unwrap(), &catalogue).await;
@@ -101,7 +115,10 @@ async fn performance_of_80_percent_or_less() {
             ("low_performance", "semco:WipingAction"),
             ("low_performance_rounds", "semco:WipingRound"),
         ] {
-            let found = session.rows(&format!("SELECT * FROM {view}")).await.unwrap();
+            let found = session
+                .rows(&format!("SELECT * FROM {view}"))
+                .await
+                .unwrap();
             let all = catalogue.of_class(class).iter();
             let all = all.filter_map(|&id| number(catalogue, "semco:performance", id));
             let mut expected: Vec<f64> = all.filter(|value| *value <= 0.8).collect();
@@ -116,12 +133,17 @@ async fn performance_of_80_percent_or_less() {
 #[tokio::test]
 async fn collisions_by_tool_and_hour() {
     asked(async |session, catalogue| {
-        let found = session.rows("SELECT * FROM collisions_by_tool_and_hour").await.unwrap();
+        let found = session
+            .rows("SELECT * FROM collisions_by_tool_and_hour")
+            .await
+            .unwrap();
         let mut expected: BTreeMap<(String, i64), usize> = BTreeMap::new();
         for &id in catalogue.of_class("semco:HumanCollision") {
             let tool = thing(catalogue, "semco:usesTool", round_of(catalogue, id));
             let [start, _] = catalogue.interval(id).unwrap();
-            *expected.entry((tool, start as i64 / 3600 % 24)).or_default() += 1;
+            *expected
+                .entry((tool, start as i64 / 3600 % 24))
+                .or_default() += 1;
         }
         let mut expected: Vec<Vec<String>> = (expected.into_iter())
             .map(|((tool, hour), count)| vec![tool, hour.to_string(), count.to_string()])
@@ -142,10 +164,16 @@ async fn peak_force_of_each_collision() {
         let all = catalogue.of_class("semco:HumanCollision").iter();
         let mut expected: Vec<String> = all.map(|&id| catalogue.name(id)).collect();
         expected.sort();
-        let names: Vec<String> = texts(&found).into_iter().map(|row| row[0].clone()).collect();
+        let names: Vec<String> = texts(&found)
+            .into_iter()
+            .map(|row| row[0].clone())
+            .collect();
         assert!(!names.is_empty());
         assert_eq!(names, expected);
-        let found = session.rows("SELECT * FROM peak_force_per_collision").await.unwrap();
+        let found = session
+            .rows("SELECT * FROM peak_force_per_collision")
+            .await
+            .unwrap();
         let all = catalogue.of_class("semco:HumanCollision").iter();
         let all = all.map(|&id| number(catalogue, "semco:peakForce", id).unwrap());
         let mut expected: Vec<f64> = all.collect();
@@ -200,13 +228,21 @@ async fn calibration_of_estimates() {
 #[tokio::test]
 async fn drift_of_contact_force() {
     asked(async |session, catalogue| {
-        let found = session.rows("SELECT * FROM contact_force_drift").await.unwrap();
+        let found = session
+            .rows("SELECT * FROM contact_force_drift")
+            .await
+            .unwrap();
         let mut series: BTreeMap<String, Vec<(f64, f64)>> = BTreeMap::new();
         for &id in catalogue.of_class("semco:WipingRound") {
             if number(catalogue, "semco:round", id) == Some(1.0) {
-                let force = number(catalogue, "semco:meanNormalForce", id).unwrap().abs();
+                let force = number(catalogue, "semco:meanNormalForce", id)
+                    .unwrap()
+                    .abs();
                 let surface = thing(catalogue, "semco:actsOnSurface", id);
-                series.entry(surface).or_default().push((catalogue.interval(id).unwrap()[0], force));
+                series
+                    .entry(surface)
+                    .or_default()
+                    .push((catalogue.interval(id).unwrap()[0], force));
             }
         }
         let mut slopes = Vec::new();
@@ -215,7 +251,10 @@ async fn drift_of_contact_force() {
             let n = one.len() as f64;
             let mean_x = (n - 1.0) / 2.0;
             let mean_y = one.iter().map(|(_, y)| y).sum::<f64>() / n;
-            let products = one.iter().enumerate().map(|(k, (_, y))| (k as f64 - mean_x) * (y - mean_y));
+            let products = one
+                .iter()
+                .enumerate()
+                .map(|(k, (_, y))| (k as f64 - mean_x) * (y - mean_y));
             let squares = (0..one.len()).map(|k| (k as f64 - mean_x).powi(2));
             let slope = products.sum::<f64>() / squares.sum::<f64>();
             let first = mean_y - slope * mean_x;
@@ -273,9 +312,15 @@ async fn an_episode_of_two_sources_counts_once() {
     }
     let session = Session::new(&sources).await.unwrap();
     assert_eq!(session.shared(), 4);
-    let found = session.rows("SELECT count(*) AS n, count(DISTINCT episode) AS m FROM episodes").await.unwrap();
+    let found = session
+        .rows("SELECT count(*) AS n, count(DISTINCT episode) AS m FROM episodes")
+        .await
+        .unwrap();
     assert_eq!(texts(&found), [["20", "20"]]);
-    let found = session.rows("SELECT count(*) AS n FROM rounds").await.unwrap();
+    let found = session
+        .rows("SELECT count(*) AS n FROM rounds")
+        .await
+        .unwrap();
     let rounds: usize = all.iter().map(|record| record.rounds.len()).sum();
     assert_eq!(texts(&found), [[rounds.to_string()]]);
 }
@@ -301,8 +346,16 @@ async fn rows_of_a_memory_follow_it() {
 async fn a_statement_only_reads() {
     let folder = tempfile::tempdir().unwrap();
     let session = session(&place(folder.path())).await;
-    for sql in ["DROP TABLE episodes", "INSERT INTO episodes VALUES (1)", "SET a = 1", "SELEC 1"] {
+    for sql in [
+        "DROP TABLE episodes",
+        "INSERT INTO episodes VALUES (1)",
+        "SET a = 1",
+        "SELEC 1",
+    ] {
         assert!(session.rows(sql).await.is_err(), "{sql}");
     }
-    assert_eq!(texts(&session.rows("SELECT count(*) FROM episodes").await.unwrap()), [["0"]]);
+    assert_eq!(
+        texts(&session.rows("SELECT count(*) FROM episodes").await.unwrap()),
+        [["0"]]
+    );
 }

@@ -37,21 +37,30 @@ impl Server {
                 let (socket, _) = listener.accept().await.unwrap();
                 let (service, puts) = (service.clone(), Arc::clone(&puts));
                 tokio::spawn(async move {
-                    let one = hyper::service::service_fn(move |request: hyper::Request<hyper::body::Incoming>| {
-                        let (service, puts) = (service.clone(), Arc::clone(&puts));
-                        async move {
-                            let is_put = request.method() == hyper::Method::PUT;
-                            let _alone = if is_put { Some(puts.lock().await) } else { None };
-                            hyper::service::Service::call(&service, request).await
-                        }
-                    });
+                    let one = hyper::service::service_fn(
+                        move |request: hyper::Request<hyper::body::Incoming>| {
+                            let (service, puts) = (service.clone(), Arc::clone(&puts));
+                            async move {
+                                let is_put = request.method() == hyper::Method::PUT;
+                                let _alone = if is_put {
+                                    Some(puts.lock().await)
+                                } else {
+                                    None
+                                };
+                                hyper::service::Service::call(&service, request).await
+                            }
+                        },
+                    );
                     let builder = Builder::new(TokioExecutor::new());
                     // Who is killed amid a request is no fault of the server.
                     let _ = builder.serve_connection(TokioIo::new(socket), one).await;
                 });
             }
         });
-        Self { port, _runtime: runtime }
+        Self {
+            port,
+            _runtime: runtime,
+        }
     }
 
     /// The program, so that it finds the server.

@@ -22,10 +22,16 @@ const TOGETHER: usize = 50_000;
 #[tokio::main]
 async fn main() -> Result<(), Box<dyn std::error::Error>> {
     let args: Vec<String> = std::env::args().skip(1).collect();
-    let pairs = args.chunks(2).filter_map(|pair| Some((pair.first()?.as_str(), pair.get(1)?.as_str())));
+    let pairs = args
+        .chunks(2)
+        .filter_map(|pair| Some((pair.first()?.as_str(), pair.get(1)?.as_str())));
     let asked: BTreeMap<&str, &str> = pairs.collect();
-    let number = |name: &str, otherwise: usize| asked.get(name).map_or(Ok(otherwise), |text| text.parse());
-    let (episodes, robots) = (number("--episodes", 10_000)?, number("--robots", 100)?.max(1));
+    let number =
+        |name: &str, otherwise: usize| asked.get(name).map_or(Ok(otherwise), |text| text.parse());
+    let (episodes, robots) = (
+        number("--episodes", 10_000)?,
+        number("--robots", 100)?.max(1),
+    );
     let place = Place::open(asked.get("--out").copied().unwrap_or("fleet"))?;
     let mut snapshot = Snapshot::read(&place).await?;
     let begun = Instant::now();
@@ -54,7 +60,10 @@ async fn main() -> Result<(), Box<dyn std::error::Error>> {
         *bytes += file.bytes;
     }
     for (table, (rows, bytes)) in &tables {
-        println!("{table:<13} {rows:>10} rows {:>8.1} bytes per episode", *bytes as f64 / episodes as f64);
+        println!(
+            "{table:<13} {rows:>10} rows {:>8.1} bytes per episode",
+            *bytes as f64 / episodes as f64
+        );
     }
     let bytes: u64 = tables.values().map(|(_, bytes)| bytes).sum();
     println!(
