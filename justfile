@@ -25,6 +25,10 @@ doc *options:
 python *options:
     crates/wisch-py/check {{options}}
 
+# Format, lints and all tests of wisch-fleet, among them a real S3 server and pushes that are killed.
+fleet *options:
+    crates/wisch-fleet/check {{options}}
+
 # Everything that must hold of a commit.
 ci:
     .ci/run

@@ -183,11 +183,22 @@ pub(super) fn observations_file(round: usize) -> String {
 
 /// Whether a file of this name stands in the episode and is not written by the store itself.
 pub(super) fn check_name(id: &str, name: &str) -> Result<(), MemoryError> {
+    if [RECORD_FILE, SUMS_FILE].contains(&name) {
+        return Err(MemoryError::Name {
+            id: id.to_owned(),
+            name: name.to_owned(),
+        });
+    }
+    check_place(id, name)
+}
+
+/// Whether a file of this name stands in the episode.
+pub(super) fn check_place(id: &str, name: &str) -> Result<(), MemoryError> {
     let mut parts = Path::new(name).components();
     let stays = parts.clone().next().is_some()
         && parts.all(|part| matches!(part, Component::Normal(_)))
         && !name.contains('\\');
-    if stays && ![RECORD_FILE, SUMS_FILE].contains(&name) {
+    if stays {
         return Ok(());
     }
     Err(MemoryError::Name {

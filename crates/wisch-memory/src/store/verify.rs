@@ -28,7 +28,7 @@ impl Memory {
         let mut faults = Vec::new();
         for id in self.episodes()? {
             let found = match self.episode(&id) {
-                Ok(episode) => faults_of(&episode),
+                Ok(episode) => episode.faults(),
                 // Forgotten meanwhile.
                 Err(MemoryError::Unknown { .. }) => continue,
                 Err(error) => vec![error],
@@ -42,20 +42,23 @@ impl Memory {
     }
 }
 
-fn faults_of(episode: &Episode) -> Vec<MemoryError> {
-    let sums = match episode.sums() {
-        Ok(sums) => sums,
-        Err(error) => return vec![error],
-    };
-    let mut faults = Vec::new();
-    // The record has to be there even if the sums know nothing of it.
-    if !sums.contains_key(RECORD_FILE) {
-        faults.extend(episode.record().err());
+impl Episode {
+    /// What is wrong with it: every file is held against its check sum, its record and all telemetry are read.
+    pub fn faults(&self) -> Vec<MemoryError> {
+        let sums = match self.sums() {
+            Ok(sums) => sums,
+            Err(error) => return vec![error],
+        };
+        let mut faults = Vec::new();
+        // The record has to be there even if the sums know nothing of it.
+        if !sums.contains_key(RECORD_FILE) {
+            faults.extend(self.record().err());
+        }
+        for (name, written) in &sums {
+            faults.extend(fault_of(self, name, written).err());
+        }
+        faults
     }
-    for (name, written) in &sums {
-        faults.extend(fault_of(episode, name, written).err());
-    }
-    faults
 }
 
 fn fault_of(episode: &Episode, name: &str, written: &FileSum) -> Result<(), MemoryError> {

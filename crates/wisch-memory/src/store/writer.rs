@@ -1,6 +1,8 @@
 //! An episode while it is written.
 
-use super::episode::{check_name, files_in, observations_file, telemetry_file};
+use super::episode::{
+    Episode, check_name, check_place, files_in, observations_file, telemetry_file,
+};
 use super::error::{MemoryError, at};
 use super::sums::{FileSum, SUMS_FILE, Sums};
 use super::{Memory, RECORD_FILE, remove_file, remove_folder, sync_folder};
@@ -123,10 +125,42 @@ impl EpisodeWriter {
         write_lasting(&path, &text)?;
         let sums = self.sums()?;
         write_lasting(&self.folder.join(SUMS_FILE), sums.as_bytes())?;
+        self.move_to_place(&place)
+    }
+
+    /// Adds a file of an episode that is copied from elsewhere, its record and check sums as well.
+    ///
+    /// # Errors
+    /// A name that leads out of the episode, or what the system says.
+    pub fn restore(&self, name: &str, contents: &[u8]) -> Result<(), MemoryError> {
+        check_place(&self.id, name)?;
+        let path = self.folder.join(name);
+        if let Some(parent) = path.parent() {
+            fs::create_dir_all(parent).map_err(at(parent))?;
+        }
+        write_lasting(&path, contents)
+    }
+
+    /// Puts the episode at its place whose files were all [restored](Self::restore): each is what its check sums say, and
+    /// can be read.
+    ///
+    /// # Errors
+    /// The first file that is missing or not what was written, or what the system says; then the episode is not there.
+    pub fn commit_restored(self) -> Result<(), MemoryError> {
+        let copied = Episode::new(&self.id, self.folder.clone());
+        if let Some(error) = copied.faults().into_iter().next() {
+            return Err(error);
+        }
+        let place = self.memory.folder.join(&self.id);
+        self.move_to_place(&place)
+    }
+
+    /// By one rename, after all of it has reached the disk.
+    fn move_to_place(&self, place: &Path) -> Result<(), MemoryError> {
         for folder in folders_in(&self.folder)? {
             sync_folder(&folder)?;
         }
-        fs::rename(&self.folder, &place).map_err(at(&place))?;
+        fs::rename(&self.folder, place).map_err(at(place))?;
         sync_folder(&self.memory.folder)
     }
 }

@@ -14,7 +14,8 @@ const LAYERS: [&[&str]; 6] = [
 ];
 
 /// Crates beside the order, and what they may depend on of this workspace. Nothing depends on them.
-const APART: [(&str, &[&str]); 4] = [
+const APART: [(&str, &[&str]); 5] = [
+    ("wisch-fleet", &["wisch-memory"]),
     ("wisch-prolog", &[]),
     ("wisch-studio", &["wisch-memory", "wisch-web"]),
     (
@@ -34,13 +35,15 @@ const APART: [(&str, &[&str]); 4] = [
 /// Crates that only some of ours may depend on, by the beginning of their names.
 /// The simulated world is opened by the program and by evaluations alone: what plans, interprets, reads files or draws
 /// cannot name it.
-const KEPT_APART: [(&str, &[&str]); 6] = [
+const KEPT_APART: [(&str, &[&str]); 8] = [
     ("wisch-sim", &["wisch-eval", "wisch-cli"]),
     ("rapier", &["wisch-sim"]),
-    ("clap", &["wisch-cli"]),
+    ("clap", &["wisch-cli", "wisch-fleet"]),
     ("scryer", &["wisch-prolog"]),
     ("axum", &["wisch-studio"]),
-    ("tokio", &["wisch-studio"]),
+    ("tokio", &["wisch-fleet", "wisch-studio"]),
+    ("datafusion", &["wisch-fleet"]),
+    ("object_store", &["wisch-fleet"]),
 ];
 
 fn crates() -> PathBuf {

@@ -1,0 +1,9 @@
+//! SQL over one or many sources of episodes.
+
+mod output;
+mod provider;
+mod session;
+pub mod views;
+
+pub use output::{Form, write};
+pub use session::{Session, Source};

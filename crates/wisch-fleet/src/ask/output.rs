@@ -1,0 +1,103 @@
+//! Answers as text or files.
+
+use crate::store::FleetError;
+use datafusion::arrow::array::RecordBatch;
+use datafusion::arrow::csv;
+use datafusion::arrow::datatypes::SchemaRef;
+use datafusion::arrow::json::LineDelimitedWriter;
+use datafusion::arrow::util::pretty::pretty_format_batches;
+use datafusion::dataframe::DataFrame;
+use datafusion::error::DataFusionError;
+use futures::StreamExt;
+use parquet::arrow::ArrowWriter;
+use std::fs::File;
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// How an answer is written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Form {
+    /// For people.
+    Table,
+    /// Comma-separated, with a first line of names.
+    Csv,
+    /// JSON, one object a line.
+    Json,
+    /// A Parquet file of this name.
+    Parquet(PathBuf),
+}
+
+/// Writes an answer while it comes in; a table for people comes at once. The number of its rows.
+///
+/// # Errors
+/// What happens on the way, or what the system says.
+pub async fn write(
+    answer: DataFrame,
+    form: &Form,
+    out: &mut (impl Write + Send),
+) -> Result<usize, FleetError> {
+    let schema: SchemaRef = Arc::new(answer.schema().as_arrow().clone());
+    let mut rows = 0;
+    match form {
+        Form::Table => {
+            let batches = answer.collect().await?;
+            rows = batches.iter().map(RecordBatch::num_rows).sum();
+            let none = [RecordBatch::new_empty(schema)];
+            let shown = if batches.is_empty() {
+                &none[..]
+            } else {
+                &batches
+            };
+            let table = pretty_format_batches(shown).map_err(DataFusionError::from)?;
+            let noun = if rows == 1 { "row" } else { "rows" };
+            writeln!(out, "{table}\n{rows} {noun}").map_err(printed)?;
+        }
+        Form::Csv => {
+            let mut writer = csv::WriterBuilder::new().with_header(true).build(out);
+            writer
+                .write(&RecordBatch::new_empty(schema))
+                .map_err(DataFusionError::from)?;
+            let mut batches = answer.execute_stream().await?;
+            while let Some(batch) = batches.next().await {
+                let batch = batch?;
+                rows += batch.num_rows();
+                writer.write(&batch).map_err(DataFusionError::from)?;
+            }
+        }
+        Form::Json => {
+            let mut writer = LineDelimitedWriter::new(out);
+            let mut batches = answer.execute_stream().await?;
+            while let Some(batch) = batches.next().await {
+                let batch = batch?;
+                rows += batch.num_rows();
+                writer.write(&batch).map_err(DataFusionError::from)?;
+            }
+            writer.finish().map_err(DataFusionError::from)?;
+        }
+        Form::Parquet(path) => {
+            let failed = |error| FleetError::File {
+                path: path.clone(),
+                error,
+            };
+            let file = File::create(path).map_err(failed)?;
+            let writer = ArrowWriter::try_new(file, schema, None);
+            let mut writer = writer.map_err(DataFusionError::from)?;
+            let mut batches = answer.execute_stream().await?;
+            while let Some(batch) = batches.next().await {
+                let batch = batch?;
+                rows += batch.num_rows();
+                writer.write(&batch).map_err(DataFusionError::from)?;
+            }
+            writer.close().map_err(DataFusionError::from)?;
+        }
+    }
+    Ok(rows)
+}
+
+fn printed(error: std::io::Error) -> FleetError {
+    FleetError::File {
+        path: PathBuf::from("standard output"),
+        error,
+    }
+}

@@ -1,0 +1,201 @@
+//! A table of a fleet, for DataFusion: the files that the log names, without those that what is asked rules out.
+
+use crate::store::{FileEntry, Place};
+use crate::tables::Table;
+use crate::tables::file::VERSION;
+use async_trait::async_trait;
+use datafusion::arrow::datatypes::{DataType, Field, Schema, SchemaRef};
+use datafusion::catalog::{Session, TableProvider};
+use datafusion::common::pruning::PrunableStatistics;
+use datafusion::common::stats::Precision;
+use datafusion::common::{
+    ColumnStatistics, DataFusionError, Result, ScalarValue, Statistics, ToDFSchema,
+};
+use datafusion::config::TableParquetOptions;
+use datafusion::datasource::listing::PartitionedFile;
+use datafusion::datasource::physical_plan::{FileGroup, FileScanConfigBuilder, ParquetSource};
+use datafusion::datasource::source::DataSourceExec;
+use datafusion::execution::object_store::ObjectStoreUrl;
+use datafusion::logical_expr::utils::conjunction;
+use datafusion::logical_expr::{Expr, TableProviderFilterPushDown, TableType};
+use datafusion::physical_optimizer::pruning::PruningPredicateBuilder;
+use datafusion::physical_plan::ExecutionPlan;
+use datafusion::physical_plan::empty::EmptyExec;
+use object_store::ObjectMeta;
+use object_store::path::Path;
+use std::sync::Arc;
+
+/// So much of a file's end is read at once [bytes]: most footers are shorter.
+const FOOTER: usize = 64 << 10;
+
+/// A table.
+#[derive(Debug)]
+pub(super) struct FleetTable {
+    schema: SchemaRef,
+    store: ObjectStoreUrl,
+    files: Vec<(Path, FileEntry)>,
+}
+
+/// What is held in views in memory: texts of up to twelve bytes without a pointer.
+pub(super) fn schema_in_memory(table: &Table) -> SchemaRef {
+    let schema = table.schema();
+    let fields = schema.fields().iter().map(|field| match field.data_type() {
+        DataType::Utf8 => Field::new(field.name(), DataType::Utf8View, true),
+        _ => field.as_ref().clone(),
+    });
+    Arc::new(Schema::new(fields.collect::<Vec<_>>()))
+}
+
+impl FleetTable {
+    /// Of these files.
+    ///
+    /// # Errors
+    /// A file that a newer program wrote.
+    pub(super) fn new<'a>(
+        table: &Table,
+        place: &Place,
+        store: ObjectStoreUrl,
+        files: impl Iterator<Item = &'a FileEntry>,
+    ) -> Result<Self> {
+        let files = files.map(|file| {
+            if file.schema[0] > VERSION[0] {
+                let [major, minor] = file.schema;
+                return Err(DataFusionError::Plan(format!(
+                    "{}: version {major}.{minor} is not supported, this program reads versions up to {}.x",
+                    place.shown(&file.path),
+                    VERSION[0]
+                )));
+            }
+            Ok((place.path(&file.path), file.clone()))
+        });
+        Ok(Self {
+            schema: schema_in_memory(table),
+            store,
+            files: files.collect::<Result<_>>()?,
+        })
+    }
+
+    /// What the log says of the values in a file: bounds, by which it may be left out.
+    fn bounds(&self, file: &FileEntry) -> Result<Statistics> {
+        let text = |value: &String| ScalarValue::Utf8View(Some(value.clone()));
+        let day = |value: &String| text(value).cast_to(&DataType::Date32);
+        let [from, to] = file.times.map(|time| ScalarValue::Float64(Some(time)));
+        let mut statistics = Statistics::new_unknown(&self.schema);
+        statistics.num_rows = Precision::Exact(usize::try_from(file.rows).unwrap_or(usize::MAX));
+        for (column, field) in (statistics.column_statistics.iter_mut()).zip(self.schema.fields()) {
+            let [least, greatest] = match field.name().as_str() {
+                "robot" => file.robots.each_ref().map(text),
+                "day" => [day(&file.days[0])?, day(&file.days[1])?],
+                "start_s" | "end_s" | "time_s" => [from.clone(), to.clone()],
+                _ => continue,
+            };
+            *column = ColumnStatistics {
+                min_value: Precision::Exact(least),
+                max_value: Precision::Exact(greatest),
+                ..ColumnStatistics::new_unknown()
+            };
+        }
+        Ok(statistics)
+    }
+
+    /// The files that may hold rows for which all this is true.
+    fn needed(&self, state: &dyn Session, filters: &[Expr]) -> Result<Vec<&(Path, FileEntry)>> {
+        let Some(filter) = conjunction(filters.to_vec()) else {
+            return Ok(self.files.iter().collect());
+        };
+        let schema = Arc::clone(&self.schema).to_dfschema()?;
+        let filter = state.create_physical_expr(filter, &schema)?;
+        // What cannot rule a file out rules none out.
+        let Ok(predicate) = PruningPredicateBuilder::new()
+            .with_file_schema(Arc::clone(&self.schema))
+            .try_build(filter)
+        else {
+            return Ok(self.files.iter().collect());
+        };
+        let bounds = self
+            .files
+            .iter()
+            .map(|(_, file)| self.bounds(file).map(Arc::new));
+        let bounds = bounds.collect::<Result<Vec<_>>>()?;
+        let keep = predicate.prune(&PrunableStatistics::new(bounds, Arc::clone(&self.schema)))?;
+        let kept = self.files.iter().zip(keep).filter(|(_, keep)| *keep);
+        Ok(kept.map(|(file, _)| file).collect())
+    }
+}
+
+#[async_trait]
+impl TableProvider for FleetTable {
+    fn schema(&self) -> SchemaRef {
+        Arc::clone(&self.schema)
+    }
+
+    fn table_type(&self) -> TableType {
+        TableType::Base
+    }
+
+    fn supports_filters_pushdown(
+        &self,
+        filters: &[&Expr],
+    ) -> Result<Vec<TableProviderFilterPushDown>> {
+        Ok(vec![TableProviderFilterPushDown::Inexact; filters.len()])
+    }
+
+    async fn scan(
+        &self,
+        state: &dyn Session,
+        projection: Option<&Vec<usize>>,
+        filters: &[Expr],
+        limit: Option<usize>,
+    ) -> Result<Arc<dyn ExecutionPlan>> {
+        let files = self.needed(state, filters)?;
+        if files.is_empty() {
+            let schema = datafusion::common::project_schema(&self.schema, projection)?;
+            return Ok(Arc::new(EmptyExec::new(schema)));
+        }
+        let rows: u64 = files.iter().map(|(_, file)| file.rows).sum();
+        let bytes: u64 = files.iter().map(|(_, file)| file.bytes).sum();
+        let mut statistics = Statistics::new_unknown(&self.schema);
+        let rows = usize::try_from(rows).unwrap_or(usize::MAX);
+        statistics.num_rows = match filters {
+            [] => Precision::Exact(rows),
+            _ => Precision::Inexact(rows),
+        };
+        statistics.total_byte_size =
+            Precision::Inexact(usize::try_from(bytes).unwrap_or(usize::MAX));
+        let options = TableParquetOptions {
+            global: state.config_options().execution.parquet.clone(),
+            ..TableParquetOptions::default()
+        };
+        let mut source = ParquetSource::new(Arc::clone(&self.schema))
+            .with_table_parquet_options(options)
+            .with_metadata_size_hint(FOOTER);
+        if let Some(filter) = conjunction(filters.to_vec()) {
+            let schema = Arc::clone(&self.schema).to_dfschema()?;
+            source = source.with_predicate(state.create_physical_expr(filter, &schema)?);
+        }
+        // Shared out by length, so that no thread waits for another.
+        let mut groups = vec![(0, Vec::new()); state.config().target_partitions().max(1)];
+        for (path, file) in files {
+            let (length, group) = (groups.iter_mut())
+                .min_by_key(|(length, _)| *length)
+                .expect("there is a group at least");
+            *length += file.bytes;
+            group.push(PartitionedFile::new_from_meta(ObjectMeta {
+                location: path.clone(),
+                last_modified: Default::default(),
+                size: file.bytes,
+                e_tag: None,
+                version: None,
+            }));
+        }
+        let groups = groups.into_iter().filter(|(_, group)| !group.is_empty());
+        let groups = groups.map(|(_, group)| FileGroup::new(group)).collect();
+        let config = FileScanConfigBuilder::new(self.store.clone(), Arc::new(source))
+            .with_file_groups(groups)
+            .with_statistics(statistics)
+            .with_projection_indices(projection.cloned())?
+            .with_limit(limit)
+            .build();
+        Ok(DataSourceExec::from_data_source(config))
+    }
+}

@@ -1,0 +1,204 @@
+//! What a statement is run in: the tables of all sources, and the views.
+
+use super::provider::{FleetTable, schema_in_memory};
+use super::views;
+use crate::store::{FleetError, Place, Snapshot};
+use crate::tables::TABLES;
+use datafusion::arrow::array::{RecordBatch, StringArray};
+use datafusion::arrow::compute::cast;
+use datafusion::arrow::datatypes::{DataType, Field, Schema};
+use datafusion::common::TableReference;
+use datafusion::dataframe::DataFrame;
+use datafusion::datasource::MemTable;
+use datafusion::execution::object_store::ObjectStoreUrl;
+use datafusion::execution::runtime_env::RuntimeEnvBuilder;
+use datafusion::prelude::{JoinType, SQLOptions, SessionConfig, SessionContext};
+use std::sync::Arc;
+use std::thread;
+
+/// What a statement may take of the memory [bytes]; what sorts and groups more puts it on disk.
+const MEMORY: usize = 4 << 30;
+const MEMORY_FRACTION: f64 = 0.9;
+
+/// Where episodes are.
+#[derive(Debug, Clone)]
+pub struct Source {
+    /// The place.
+    pub place: Place,
+    /// What counts of it.
+    pub snapshot: Snapshot,
+}
+
+impl Source {
+    /// A fleet as it is now.
+    ///
+    /// # Errors
+    /// What the store says, or a log that cannot be read.
+    pub async fn open(place: Place) -> Result<Self, FleetError> {
+        let snapshot = Snapshot::read(&place).await?;
+        Ok(Self { place, snapshot })
+    }
+}
+
+/// Tables and views that can be asked.
+pub struct Session {
+    context: SessionContext,
+    /// Episodes that more than one source has; those of the first count.
+    shared: usize,
+}
+
+impl Session {
+    /// Over all these sources. An episode that several have is taken from the first.
+    ///
+    /// # Errors
+    /// A source that cannot be read.
+    pub async fn new(sources: &[Source]) -> Result<Self, FleetError> {
+        let mut config = SessionConfig::new()
+            .with_information_schema(true)
+            .with_target_partitions(thread::available_parallelism().map_or(1, usize::from));
+        let options = config.options_mut();
+        options.execution.parquet.pushdown_filters = true;
+        options.execution.parquet.reorder_filters = true;
+        options.sql_parser.enable_ident_normalization = true;
+        let runtime = RuntimeEnvBuilder::new()
+            .with_memory_limit(MEMORY, MEMORY_FRACTION)
+            .build_arc()?;
+        let context = SessionContext::new_with_config_rt(config, runtime);
+        let mut session = Self { context, shared: 0 };
+        for (number, source) in sources.iter().enumerate() {
+            session.add(number, source)?;
+        }
+        session.unite(sources.len()).await?;
+        for view in views::all() {
+            session.context.sql(view.statement).await?;
+        }
+        Ok(session)
+    }
+
+    fn add(&self, number: usize, source: &Source) -> Result<(), FleetError> {
+        let store = ObjectStoreUrl::parse(format!("fleet{number}://"))?;
+        let base = url::Url::parse(store.as_str()).map_err(|error| FleetError::Url {
+            url: store.to_string(),
+            what: error.to_string(),
+        })?;
+        self.context
+            .register_object_store(&base, source.place.store());
+        for table in &TABLES {
+            let files = source.snapshot.files_of(table.name);
+            let table_of = FleetTable::new(table, &source.place, store.clone(), files)?;
+            self.context
+                .register_table(name_in(table.name, number), Arc::new(table_of))?;
+        }
+        Ok(())
+    }
+
+    /// Makes one table of those of all sources.
+    async fn unite(&mut self, sources: usize) -> Result<(), FleetError> {
+        let mut seen: Vec<RecordBatch> = Vec::new();
+        let mut doubled: Vec<Option<DataFrame>> = vec![None];
+        for number in 1..sources {
+            // Which episodes of this source have come with an earlier one.
+            seen.extend(self.episodes_of(number - 1).await?);
+            let earlier = self.context.read_batches(seen.clone())?;
+            let here = self.context.table(name_in("episodes", number)).await?;
+            let here = here.select_columns(&["episode"])?;
+            let both = here.join(earlier, JoinType::LeftSemi, &["episode"], &["id"], None)?;
+            let both = both.collect().await?;
+            let count: usize = both.iter().map(RecordBatch::num_rows).sum();
+            self.shared += count;
+            doubled.push(match count {
+                0 => None,
+                _ => Some(self.context.read_batches(with_name(&both, "id")?)?),
+            });
+        }
+        for table in &TABLES {
+            let mut all: Option<DataFrame> = None;
+            for (number, doubled) in doubled.iter().enumerate().take(sources) {
+                let mut rows = self.context.table(name_in(table.name, number)).await?;
+                if let Some(doubled) = doubled {
+                    rows = rows.join(
+                        doubled.clone(),
+                        JoinType::LeftAnti,
+                        &["episode"],
+                        &["id"],
+                        None,
+                    )?;
+                }
+                all = Some(match all {
+                    Some(all) => all.union(rows)?,
+                    None => rows,
+                });
+            }
+            let united = match all {
+                Some(all) => all.into_view(),
+                None => Arc::new(MemTable::try_new(schema_in_memory(table), vec![vec![]])?),
+            };
+            let name = TableReference::bare(table.name);
+            match sources {
+                // One source's table is asked as it is.
+                1 => {
+                    let only = self.context.table_provider(name_in(table.name, 0)).await?;
+                    self.context.register_table(name, only)?
+                }
+                _ => self.context.register_table(name, united)?,
+            };
+        }
+        Ok(())
+    }
+
+    async fn episodes_of(&self, number: usize) -> Result<Vec<RecordBatch>, FleetError> {
+        let rows = self.context.table(name_in("episodes", number)).await?;
+        let rows = rows.select_columns(&["episode"])?.collect().await?;
+        with_name(&rows, "id")
+    }
+
+    /// How many episodes more than one source has.
+    pub fn shared(&self) -> usize {
+        self.shared
+    }
+
+    /// What a statement means; it only reads.
+    ///
+    /// # Errors
+    /// A statement that is none, or that would change something.
+    pub async fn plan(&self, sql: &str) -> Result<DataFrame, FleetError> {
+        let reads = SQLOptions::new()
+            .with_allow_ddl(false)
+            .with_allow_dml(false)
+            .with_allow_statements(false);
+        Ok(self.context.sql_with_options(sql, reads).await?)
+    }
+
+    /// The rows of an answer.
+    ///
+    /// # Errors
+    /// The same, or what happens on the way.
+    pub async fn rows(&self, sql: &str) -> Result<Vec<RecordBatch>, FleetError> {
+        Ok(self.plan(sql).await?.collect().await?)
+    }
+}
+
+/// What a source's table is called.
+fn name_in(table: &str, source: usize) -> TableReference {
+    TableReference::bare(format!("{table}_{source}"))
+}
+
+/// The first column under another name.
+fn with_name(batches: &[RecordBatch], name: &str) -> Result<Vec<RecordBatch>, FleetError> {
+    let renamed = batches.iter().map(|batch| {
+        let texts = cast(batch.column(0), &DataType::Utf8)?;
+        let schema = Schema::new(vec![Field::new(name, DataType::Utf8, true)]);
+        Ok(RecordBatch::try_new(Arc::new(schema), vec![texts])?)
+    });
+    let renamed: Result<Vec<RecordBatch>, datafusion::error::DataFusionError> = renamed.collect();
+    let mut renamed = renamed?;
+    if renamed.is_empty() {
+        let schema = Schema::new(vec![Field::new(name, DataType::Utf8, true)]);
+        let none = Arc::new(StringArray::new_null(0));
+        renamed.push(
+            RecordBatch::try_new(Arc::new(schema), vec![none])
+                .map_err(datafusion::error::DataFusionError::from)?,
+        );
+    }
+    Ok(renamed)
+}

@@ -1,0 +1,354 @@
+//! What the commands do.
+
+use crate::Outcome;
+use crate::args::{CompactArgs, ListArgs, PullArgs, PushArgs, RetainArgs, SqlArgs, VerifyArgs};
+use indicatif::{ProgressBar, ProgressStyle};
+use serde::Serialize;
+use std::io::{self, IsTerminal, Read, Write};
+use std::path::PathBuf;
+use std::time::Instant;
+use wisch_fleet::ask::{Form, Session, Source, views, write};
+use wisch_fleet::moves::{self, Filter, Local, Part, PushOptions};
+use wisch_fleet::store::{FleetError, Place, now};
+use wisch_fleet::tables::TABLES;
+use wisch_memory::Memory;
+
+/// Answers statements.
+pub async fn sql(args: &SqlArgs) -> Result<Outcome, FleetError> {
+    if args.fleet.is_empty() && args.memory.is_empty() {
+        return Err(FleetError::Asked(
+            "nothing to ask: --fleet URL or --memory FOLDER says where episodes are".to_owned(),
+        ));
+    }
+    let form = match (&args.parquet, args.csv, args.json) {
+        (Some(file), ..) => Form::Parquet(file.clone()),
+        (None, true, _) => Form::Csv,
+        (None, _, true) => Form::Json,
+        _ => Form::Table,
+    };
+    let at_prompt = args.statement.is_none() && io::stdin().is_terminal();
+    let text = match &args.statement {
+        Some(statement) => statement.clone(),
+        None if at_prompt => String::new(),
+        None => {
+            let mut text = String::new();
+            io::stdin()
+                .read_to_string(&mut text)
+                .map_err(at("standard input"))?;
+            text
+        }
+    };
+    let part = match at_prompt || text.to_lowercase().contains("telemetry") {
+        true => Part::Telemetry,
+        false => Part::Facts,
+    };
+    let mut sources = Vec::new();
+    for url in &args.fleet {
+        sources.push(Source::open(Place::open(url)?).await?);
+    }
+    // Kept until the end: rows of a memory that may not be written are in a folder of their own.
+    let mut locals: Vec<Local> = Vec::new();
+    for folder in &args.memory {
+        let mut local = moves::local(&Memory::open(folder)?, part).await?;
+        for why in &local.left_out {
+            eprintln!("{why}: left out; wisch memory verify says what is broken");
+        }
+        sources.append(&mut local.sources);
+        locals.push(local);
+    }
+    let session = Session::new(&sources).await?;
+    if session.shared() > 0 {
+        let count = session.shared();
+        eprintln!("{count} episodes are in several of the sources; each counts once");
+    }
+    if at_prompt {
+        return prompt(&session, &form).await;
+    }
+    for statement in statements(&text) {
+        let begun = Instant::now();
+        answer(&session, statement, &form).await?;
+        if args.timing {
+            eprintln!("{:.4} s", begun.elapsed().as_secs_f64());
+        }
+    }
+    Ok(Outcome::Done)
+}
+
+/// The statements of a text: `;` between them, but not in texts, names and remarks.
+fn statements(text: &str) -> Vec<&str> {
+    let mut found = Vec::new();
+    let (mut begin, mut within) = (0, None);
+    let bytes = text.as_bytes();
+    for (place, &byte) in bytes.iter().enumerate() {
+        match (within, byte) {
+            (None, b'\'' | b'"') => within = Some(byte),
+            (None, b'-') if bytes.get(place + 1) == Some(&b'-') => within = Some(b'\n'),
+            (Some(end), byte) if byte == end => within = None,
+            (None, b';') => {
+                found.push(&text[begin..place]);
+                begin = place + 1;
+            }
+            _ => {}
+        }
+    }
+    found.push(&text[begin..]);
+    let says = |part: &&str| {
+        let lines = part.lines().map(str::trim);
+        lines
+            .into_iter()
+            .any(|line| !line.is_empty() && !line.starts_with("--"))
+    };
+    found.retain(says);
+    found
+}
+
+async fn answer(session: &Session, statement: &str, form: &Form) -> Result<(), FleetError> {
+    let answer = session.plan(statement).await?;
+    let rows = write(answer, form, &mut io::stdout()).await?;
+    if let Form::Parquet(file) = form {
+        eprintln!("{}: {rows} rows", file.display());
+    }
+    Ok(())
+}
+
+async fn prompt(session: &Session, form: &Form) -> Result<Outcome, FleetError> {
+    let broken = |error: rustyline::error::ReadlineError| {
+        at("terminal")(io::Error::other(error.to_string()))
+    };
+    let mut editor = rustyline::DefaultEditor::new().map_err(broken)?;
+    println!("SQL, ended by ; — SHOW TABLES lists tables and views, Ctrl-D ends");
+    let mut text = String::new();
+    loop {
+        let mark = if text.is_empty() {
+            "fleet> "
+        } else {
+            "     > "
+        };
+        match editor.readline(mark) {
+            Ok(line) => {
+                text += &line;
+                text.push('\n');
+                if !line.trim_end().ends_with(';') {
+                    continue;
+                }
+                let _ = editor.add_history_entry(text.trim());
+                for statement in statements(&text) {
+                    if let Err(error) = answer(session, statement, form).await {
+                        eprintln!("error: {error}");
+                    }
+                }
+                text.clear();
+            }
+            Err(rustyline::error::ReadlineError::Interrupted) => text.clear(),
+            Err(rustyline::error::ReadlineError::Eof) => return Ok(Outcome::Done),
+            Err(error) => return Err(broken(error)),
+        }
+    }
+}
+
+/// Lists the views.
+pub fn views(args: &ListArgs) -> Result<Outcome, FleetError> {
+    let mut text = String::new();
+    for view in views::all() {
+        let (name, meaning) = (view.name, view.meaning());
+        if args.json {
+            text += &json(
+                &serde_json::json!({ "view": name, "meaning": meaning, "sql": view.statement }),
+            );
+        } else {
+            text += &format!("{name}\n    {meaning}\n");
+        }
+    }
+    print(&text)
+}
+
+/// Lists the tables and their columns.
+pub fn columns(args: &ListArgs) -> Result<Outcome, FleetError> {
+    let mut text = String::new();
+    for table in &TABLES {
+        if !args.json {
+            text += &format!("{}: {}\n", table.name, table.about);
+        }
+        for column in table.columns {
+            let kind = column.kind.name();
+            if args.json {
+                text += &json(&serde_json::json!({
+                    "table": table.name, "column": column.name, "type": kind, "unit": column.unit, "meaning": column.about,
+                }));
+            } else {
+                text += &format!(
+                    "  {:<24} {kind:<8} {:<5} {}\n",
+                    column.name, column.unit, column.about
+                );
+            }
+        }
+    }
+    print(&text)
+}
+
+/// Pushes a memory.
+pub async fn push(args: &PushArgs) -> Result<Outcome, FleetError> {
+    let (memory, place) = (Memory::open(&args.memory)?, Place::open(&args.url)?);
+    let options = PushOptions {
+        robot: args.robot.clone(),
+    };
+    let bar = bar("pushing");
+    let pushed = moves::push(&memory, &place, &options, &mut |done, of| {
+        step(&bar, done, of)
+    })
+    .await;
+    bar.finish_and_clear();
+    let pushed = pushed?;
+    let said = format!(
+        "{}: {} episodes pushed ({}), {} were there already\n",
+        place.url(),
+        pushed.episodes,
+        bytes(pushed.bytes),
+        pushed.there
+    );
+    print(&if args.json { json(&pushed) } else { said })
+}
+
+/// Pulls episodes.
+pub async fn pull(args: &PullArgs) -> Result<Outcome, FleetError> {
+    let place = Place::open(&args.url)?;
+    let memory = Memory::create(&args.memory)?;
+    let filter = Filter {
+        since: args.since,
+        until: args.until,
+        robots: args.robot.clone(),
+        classes: args.class.clone(),
+        episodes: args.episode.clone(),
+        condition: args.condition.clone(),
+    };
+    let bar = bar("pulling");
+    let pulled = moves::pull(&place, &memory, &filter, &mut |done, of| {
+        step(&bar, done, of)
+    })
+    .await;
+    bar.finish_and_clear();
+    let pulled = pulled?;
+    let mut said = format!(
+        "{}: {} of {} episodes selected, {} pulled ({}), {} were there already\n",
+        place.url(),
+        pulled.ids.len(),
+        pulled.of,
+        pulled.episodes,
+        bytes(pulled.bytes),
+        pulled.there
+    );
+    if pulled.thinned > 0 {
+        said += &format!(
+            "{} of them without telemetry, which is not kept any more\n",
+            pulled.thinned
+        );
+    }
+    print(&if args.json { json(&pulled) } else { said })
+}
+
+/// Compacts.
+pub async fn compact(args: &CompactArgs) -> Result<Outcome, FleetError> {
+    let place = Place::open(&args.url)?;
+    let mut compacted = moves::compact(&place).await?;
+    let purged = moves::purge(&place, now() - args.older_than).await?;
+    compacted.deleted = purged;
+    let said = format!(
+        "{}: {} files became {}, {} objects deleted\n",
+        place.url(),
+        compacted.before,
+        compacted.after,
+        compacted.deleted
+    );
+    print(&if args.json { json(&compacted) } else { said })
+}
+
+/// Takes old telemetry out.
+pub async fn retain(args: &RetainArgs) -> Result<Outcome, FleetError> {
+    let place = Place::open(&args.url)?;
+    let retained = moves::retain(&place, now() - args.keep_telemetry).await?;
+    let said = format!(
+        "{}: telemetry before {} is not kept any more ({} files, {}); wisch-fleet compact deletes it\n",
+        place.url(),
+        retained.since,
+        retained.files,
+        bytes(retained.bytes)
+    );
+    print(&if args.json { json(&retained) } else { said })
+}
+
+/// Looks for what is broken.
+pub async fn verify(args: &VerifyArgs) -> Result<Outcome, FleetError> {
+    let place = Place::open(&args.url)?;
+    let bar = bar("reading");
+    let verified = moves::verify(&place, &mut |done, of| step(&bar, done, of)).await;
+    bar.finish_and_clear();
+    let verified = verified?;
+    let mut said: String = verified
+        .faults
+        .iter()
+        .map(|fault| format!("{fault}\n"))
+        .collect();
+    let found = match verified.faults.len() {
+        0 => "all well".to_owned(),
+        count => format!("{count} faults"),
+    };
+    said += &format!(
+        "{} files, {} episodes: {found}\n",
+        verified.files, verified.episodes
+    );
+    print(&if args.json { json(&verified) } else { said })?;
+    Ok(match verified.faults.is_empty() {
+        true => Outcome::Done,
+        false => Outcome::NotAsHoped,
+    })
+}
+
+fn bar(what: &'static str) -> ProgressBar {
+    if !io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{msg} {bar:40} {pos} of {len}, {eta} left");
+    let bar = ProgressBar::new(0).with_message(what);
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    bar
+}
+
+fn step(bar: &ProgressBar, done: usize, of: usize) {
+    bar.set_length(of as u64);
+    bar.set_position(done as u64);
+}
+
+fn bytes(count: u64) -> String {
+    indicatif::DecimalBytes(count).to_string()
+}
+
+fn json(value: &impl Serialize) -> String {
+    // Texts, finite numbers and lists of them always have a form in JSON.
+    serde_json::to_string(value).unwrap_or_default() + "\n"
+}
+
+fn print(text: &str) -> Result<Outcome, FleetError> {
+    match io::stdout().write_all(text.as_bytes()) {
+        // Who reads has seen enough.
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(Outcome::Done),
+        Err(error) => Err(at("standard output")(error)),
+        Ok(()) => Ok(Outcome::Done),
+    }
+}
+
+fn at(name: &str) -> impl FnOnce(io::Error) -> FleetError {
+    let path = PathBuf::from(name);
+    |error| FleetError::File { path, error }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn statements_are_told_apart() {
+        let text = "SELECT ';' -- a; b\n; ; SELECT 2;\n-- the end\n";
+        let found: Vec<&str> = statements(text).into_iter().map(str::trim).collect();
+        assert_eq!(found, ["SELECT ';' -- a; b", "SELECT 2"]);
+    }
+}

@@ -1,0 +1,177 @@
+//! A memory that was never pushed, as a source: its rows are kept beside its catalogue, in `.catalogue/fleet/`, a fleet without
+//! archives that is brought up to date before it is asked and may go at any time.
+
+use super::batch::{Grouping, Incoming, write, write_telemetry};
+use super::known::Known;
+use crate::ask::Source;
+use crate::store::{Commit, Committed, FleetError, Place, Snapshot};
+use std::collections::HashSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use wisch_memory::Memory;
+
+/// So many episodes come into one file.
+const BATCH: usize = 10_000;
+
+/// What of a memory is asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// Everything but telemetry.
+    Facts,
+    /// Telemetry as well.
+    Telemetry,
+}
+
+/// Rows of a memory, and the folder that goes with them where the memory may not be written.
+pub struct Local {
+    /// What is asked.
+    pub sources: Vec<Source>,
+    /// Episodes that cannot be read, with the reason.
+    pub left_out: Vec<String>,
+    _elsewhere: Option<tempfile::TempDir>,
+}
+
+/// The rows of a memory as it is now.
+///
+/// # Errors
+/// A memory that cannot be read, or what the system says.
+pub async fn local(memory: &Memory, part: Part) -> Result<Local, FleetError> {
+    let beside = memory.folder().join(".catalogue");
+    let (folder, elsewhere) = match is_writable(&beside) {
+        true => (beside, None),
+        false => {
+            let elsewhere = tempfile::tempdir().map_err(|error| FleetError::File {
+                path: std::env::temp_dir(),
+                error,
+            })?;
+            (elsewhere.path().to_path_buf(), Some(elsewhere))
+        }
+    };
+    let mut left_out = Vec::new();
+    let facts = up_to_date(memory, &folder.join("fleet"), Part::Facts, &mut left_out).await?;
+    let mut facts = Source::open(facts).await?;
+    if part == Part::Telemetry {
+        let mut again = Vec::new();
+        let place = folder.join("fleet").join("telemetry");
+        let place = up_to_date(memory, &place, Part::Telemetry, &mut again).await?;
+        // A fleet within the fleet, so that one store holds both.
+        let telemetry = Snapshot::read(&place).await?;
+        let only = telemetry
+            .files
+            .into_values()
+            .filter(|file| file.table == "telemetry");
+        for mut file in only {
+            file.path = format!("telemetry/{}", file.path);
+            facts.snapshot.files.insert(file.path.clone(), file);
+        }
+    }
+    Ok(Local {
+        sources: vec![facts],
+        left_out,
+        _elsewhere: elsewhere,
+    })
+}
+
+fn is_writable(folder: &Path) -> bool {
+    fs::create_dir_all(folder).is_ok() && tempfile::tempfile_in(folder).is_ok()
+}
+
+/// Brings the rows of what is new in, and begins anew where something was forgotten or replaced.
+async fn up_to_date(
+    memory: &Memory,
+    folder: &Path,
+    part: Part,
+    left_out: &mut Vec<String>,
+) -> Result<Place, FleetError> {
+    let place = Place::open(&folder.display().to_string())?;
+    let (mut snapshot, mut known) = match read(&place).await {
+        Ok(found) => found,
+        // Whatever is wrong with it, it can be made anew.
+        Err(_) => empty(folder, &place).await?,
+    };
+    let ids = memory.episodes()?;
+    let there: HashSet<&str> = ids.iter().map(String::as_str).collect();
+    let mut stale = known.names().any(|id| !there.contains(id));
+    for id in &ids {
+        stale = stale
+            || known
+                .identity(id)
+                .is_some_and(|then| then != stamp(memory, id));
+    }
+    if stale {
+        (snapshot, known) = empty(folder, &place).await?;
+    }
+    let mut new: Vec<&String> = ids
+        .iter()
+        .filter(|id| known.identity(id).is_none())
+        .collect();
+    // Beside others that do the same, each batch is brought in by one.
+    while !new.is_empty() {
+        let batch: Vec<&String> = new.drain(..new.len().min(BATCH)).collect();
+        let mut incoming = Vec::new();
+        for id in batch {
+            let episode = memory.episode(id)?;
+            match episode.record() {
+                Ok(record) => {
+                    let mut one = Incoming::new(record, None);
+                    one.keep.identity = Some(stamp(memory, id));
+                    one.telemetry = (part == Part::Telemetry).then_some(episode);
+                    incoming.push(one);
+                }
+                Err(error) => left_out.push(format!("episode {id}: {error}")),
+            }
+        }
+        if incoming.is_empty() {
+            continue;
+        }
+        let mut commit = Commit::new("project");
+        if part == Part::Telemetry {
+            let rows = incoming.iter().map(Incoming::again).collect();
+            commit.add = write_telemetry(&place, rows).await?;
+            incoming.iter_mut().for_each(|one| one.telemetry = None);
+        }
+        commit
+            .add
+            .extend(write(&place, incoming, Grouping::Together).await?);
+        if let Committed::Lost(_) = snapshot.commit(&place, &commit).await? {
+            // Another process has brought something in: what is new is looked for again.
+            let (now, known) = read(&place).await?;
+            snapshot = now;
+            new = ids
+                .iter()
+                .filter(|id| known.identity(id).is_none())
+                .collect();
+        }
+    }
+    Ok(place)
+}
+
+async fn read(place: &Place) -> Result<(Snapshot, Known), FleetError> {
+    let snapshot = Snapshot::read(place).await?;
+    let mut known = Known::new();
+    known
+        .read(place, &snapshot, [i32::MIN / 2, i32::MAX / 2])
+        .await?;
+    Ok((snapshot, known))
+}
+
+async fn empty(folder: &Path, place: &Place) -> Result<(Snapshot, Known), FleetError> {
+    match fs::remove_dir_all(folder) {
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(FleetError::File {
+            path: PathBuf::from(folder),
+            error,
+        }),
+        _ => read(place).await,
+    }
+}
+
+/// What changes when an episode is forgotten and another of its name comes: when its check sums were written, and how long they are.
+fn stamp(memory: &Memory, id: &str) -> String {
+    let path = memory.folder().join(id).join("checksums.json");
+    let Ok(meta) = fs::metadata(path) else {
+        return String::new();
+    };
+    let time = meta.modified().ok();
+    let time = time.and_then(|time| time.duration_since(std::time::UNIX_EPOCH).ok());
+    format!("{:x}-{:x}", time.unwrap_or_default().as_nanos(), meta.len())
+}

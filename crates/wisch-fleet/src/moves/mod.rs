@@ -1,0 +1,15 @@
+//! Episodes into a fleet and out of it, and what keeps it in order.
+
+pub mod batch;
+mod known;
+mod local;
+mod pull;
+mod push;
+mod upkeep;
+mod verify;
+
+pub use local::{Local, Part, local};
+pub use pull::{Filter, Pulled, pull};
+pub use push::{PushOptions, Pushed, push};
+pub use upkeep::{Compacted, Retained, compact, purge, retain};
+pub use verify::{Verified, verify};

@@ -1,0 +1,259 @@
+//! Episodes out of a fleet into a memory: those that the filters select, byte for byte.
+
+use super::push::{archive_name, telemetry_name};
+use crate::ask::{Session, Source};
+use crate::store::{Archive, FleetError, Place, Snapshot, identity_of, is_telemetry};
+use datafusion::arrow::array::{Array, ArrayRef, AsArray, RecordBatch};
+use datafusion::arrow::compute::cast;
+use datafusion::arrow::datatypes::{DataType, Int64Type};
+use datafusion::error::DataFusionError;
+use wisch_memory::Memory;
+
+/// Which episodes.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Filter {
+    /// Those that ended then or later [s since 1970].
+    pub since: Option<f64>,
+    /// Those that began then or earlier [s since 1970].
+    pub until: Option<f64>,
+    /// Those of these robots; of all, if there are none.
+    pub robots: Vec<String>,
+    /// Those with something of one of these classes in them; all, if there are none.
+    pub classes: Vec<String>,
+    /// Those of these names; all, if there are none.
+    pub episodes: Vec<String>,
+    /// A condition over the table of episodes, in SQL.
+    pub condition: Option<String>,
+}
+
+/// What was pulled.
+#[derive(Debug, Clone, PartialEq, Default, serde::Serialize)]
+pub struct Pulled {
+    /// The episodes that the filters select, by name.
+    pub ids: Vec<String>,
+    /// Episodes of the fleet.
+    pub of: usize,
+    /// Episodes that came.
+    pub episodes: usize,
+    /// Episodes that were there already.
+    pub there: usize,
+    /// Episodes that came without their telemetry, as it is not kept any more.
+    pub thinned: usize,
+    /// Of archives that came [bytes].
+    pub bytes: u64,
+}
+
+/// An episode as the fleet's table has it.
+struct Kept {
+    id: String,
+    day: String,
+    identity: String,
+    archive: Option<String>,
+    telemetry: Option<String>,
+    bytes: u64,
+}
+
+impl Filter {
+    /// The selected episodes, in SQL.
+    fn statement(&self) -> String {
+        let quoted = |names: &[String]| {
+            let quoted = names
+                .iter()
+                .map(|name| format!("'{}'", name.replace('\'', "''")));
+            quoted.collect::<Vec<_>>().join(", ")
+        };
+        let mut all = Vec::new();
+        all.extend(self.since.map(|time| format!("end_s >= {time:?}")));
+        all.extend(self.until.map(|time| format!("start_s <= {time:?}")));
+        if !self.robots.is_empty() {
+            all.push(format!("robot IN ({})", quoted(&self.robots)));
+        }
+        if !self.episodes.is_empty() {
+            all.push(format!("episode IN ({})", quoted(&self.episodes)));
+        }
+        if !self.classes.is_empty() {
+            let names = quoted(&self.classes);
+            all.push(format!(
+                "episode IN (SELECT episode FROM events WHERE class IN ({names}) UNION ALL \
+                 SELECT episode FROM motions WHERE class IN ({names}))"
+            ));
+        }
+        all.extend(self.condition.as_ref().map(|sql| format!("({sql})")));
+        let wanted = if all.is_empty() {
+            "TRUE".to_owned()
+        } else {
+            all.join(" AND ")
+        };
+        format!(
+            "SELECT episode, CAST(day AS VARCHAR) AS day, identity, archive_sha256, telemetry_sha256, \
+             coalesce(archive_bytes, 0) + coalesce(telemetry_bytes, 0) AS bytes \
+             FROM episodes WHERE {wanted} ORDER BY episode"
+        )
+    }
+}
+
+/// Pulls what the memory has not yet. `report` hears how many episodes of how many are done.
+///
+/// # Errors
+/// An object that is damaged, an episode of the name of another one, or what the store or the system says. What came before stays.
+pub async fn pull(
+    place: &Place,
+    memory: &Memory,
+    filter: &Filter,
+    report: &mut dyn FnMut(usize, usize),
+) -> Result<Pulled, FleetError> {
+    let source = Source::open(place.clone()).await?;
+    let snapshot = source.snapshot.clone();
+    let of = snapshot
+        .files_of("episodes")
+        .map(|file| file.rows)
+        .sum::<u64>();
+    let session = Session::new(&[source]).await?;
+    let mut selected = Vec::new();
+    for batch in session.rows(&filter.statement()).await? {
+        selected.extend(kept(&batch)?);
+    }
+    let mut pulled = Pulled {
+        ids: selected.iter().map(|one| one.id.clone()).collect(),
+        of: usize::try_from(of).unwrap_or(usize::MAX),
+        ..Pulled::default()
+    };
+    for (done, one) in selected.iter().enumerate() {
+        report(done, selected.len());
+        if let Ok(episode) = memory.episode(&one.id) {
+            let identity = identity_of(&episode)?;
+            // One that came without its telemetry is not the same bytes, but the same episode.
+            if identity != one.identity && !is_thinned(&snapshot, one) {
+                return Err(FleetError::Conflict {
+                    id: one.id.clone(),
+                    here: place.shown(&archive_name(&one.id)),
+                    here_identity: one.identity.clone(),
+                    there: episode.folder().display().to_string(),
+                    there_identity: identity,
+                });
+            }
+            pulled.there += 1;
+            continue;
+        }
+        let came = fetch(place, memory, &snapshot, one).await?;
+        pulled.thinned += usize::from(came == Came::WithoutTelemetry);
+        pulled.episodes += 1;
+        pulled.bytes += one.bytes;
+    }
+    report(selected.len(), selected.len());
+    Ok(pulled)
+}
+
+fn kept(batch: &RecordBatch) -> Result<Vec<Kept>, FleetError> {
+    let texts: Result<Vec<_>, _> = (batch.columns()[..5].iter())
+        .map(|column| cast(column, &DataType::Utf8))
+        .collect();
+    let texts = texts.map_err(DataFusionError::from)?;
+    let bytes = batch.column(5).as_primitive::<Int64Type>();
+    let rows = (0..batch.num_rows()).map(|row| {
+        let text = |column: usize| {
+            let column = texts[column].as_string::<i32>();
+            column.is_valid(row).then(|| column.value(row).to_owned())
+        };
+        Kept {
+            id: text(0).unwrap_or_default(),
+            day: text(1).unwrap_or_default(),
+            identity: text(2).unwrap_or_default(),
+            archive: text(3),
+            telemetry: text(4),
+            bytes: u64::try_from(bytes.value(row)).unwrap_or_default(),
+        }
+    });
+    Ok(rows.collect())
+}
+
+/// The texts of a column; empty ones where there is none.
+pub(super) fn texts(column: &ArrayRef) -> Result<Vec<String>, FleetError> {
+    let texts = cast(column, &DataType::Utf8).map_err(DataFusionError::from)?;
+    let texts = texts.as_string::<i32>().iter();
+    Ok(texts
+        .map(|text| text.unwrap_or_default().to_owned())
+        .collect())
+}
+
+/// Whether an episode's telemetry is not kept any more.
+fn is_thinned(snapshot: &Snapshot, one: &Kept) -> bool {
+    let since = snapshot.telemetry_since.as_ref();
+    one.telemetry.is_some() && since.is_some_and(|since| one.day < *since)
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Came {
+    Whole,
+    WithoutTelemetry,
+}
+
+/// Brings one episode into the memory.
+async fn fetch(
+    place: &Place,
+    memory: &Memory,
+    snapshot: &Snapshot,
+    one: &Kept,
+) -> Result<Came, FleetError> {
+    let name = archive_name(&one.id);
+    let Some(sum) = &one.archive else {
+        return Err(FleetError::Damaged {
+            object: place.shown(&name),
+            what: "the fleet keeps rows of this episode, but not the episode".to_owned(),
+        });
+    };
+    let mut files = checked(place, &name, sum).await?;
+    let mut came = Came::Whole;
+    if let Some(sum) = &one.telemetry {
+        let name = telemetry_name(&one.id);
+        if is_thinned(snapshot, one) {
+            came = Came::WithoutTelemetry;
+            forget_telemetry(&mut files, &place.shown(&archive_name(&one.id)))?;
+        } else {
+            files.extend(checked(place, &name, sum).await?);
+        }
+    }
+    let writer = memory.begin(&one.id)?;
+    for (name, contents) in &files {
+        writer.restore(name, contents)?;
+    }
+    writer.commit_restored()?;
+    Ok(came)
+}
+
+/// The files of an archive that is what was written.
+pub(super) async fn checked(
+    place: &Place,
+    name: &str,
+    sum: &str,
+) -> Result<Vec<(String, Vec<u8>)>, FleetError> {
+    let archive = Archive::from_bytes(place.get(name).await?);
+    if archive.sha256 != sum {
+        return Err(FleetError::Damaged {
+            object: place.shown(name),
+            what: format!(
+                "its SHA-256 is {}, but {sum} was written ({} bytes are there)",
+                archive.sha256,
+                archive.bytes.len()
+            ),
+        });
+    }
+    archive.files(&place.shown(name))
+}
+
+/// Takes telemetry out of the check sums, so that what is left is an episode that lacks nothing it names.
+fn forget_telemetry(files: &mut [(String, Vec<u8>)], object: &str) -> Result<(), FleetError> {
+    for (_, contents) in files
+        .iter_mut()
+        .filter(|(name, _)| name == "checksums.json")
+    {
+        let sums = serde_json::from_slice::<serde_json::Map<_, _>>(contents);
+        let mut sums = sums.map_err(|error| FleetError::Damaged {
+            object: object.to_owned(),
+            what: format!("checksums.json: {error}"),
+        })?;
+        sums.retain(|name, _| !is_telemetry(name));
+        *contents = serde_json::to_vec(&sums).unwrap_or_default();
+    }
+    Ok(())
+}

@@ -1,0 +1,315 @@
+//! What keeps a fleet in order: few large files, no telemetry beyond its time, and nothing left of what has not counted for long.
+//! What somebody may be reading is never deleted: first it leaves the log, and objects go when they have not counted for long.
+
+use super::batch::{Extent, day_text, write_file};
+use crate::ask::{Session, Source};
+use crate::store::{Commit, Committed, FileEntry, FleetError, Place, Snapshot};
+use crate::tables::{TABLES, Table, day_of, table};
+use datafusion::arrow::array::RecordBatch;
+use std::collections::HashSet;
+use std::sync::Arc;
+
+/// Files shorter than this are put together [bytes].
+const SMALL: u64 = 32 << 20;
+/// As much of them comes into one [bytes]; what is packed well takes ten times as much memory.
+const TOGETHER: u64 = 64 << 20;
+/// Others may be faster so often.
+const TRIES: usize = 100;
+
+/// What compaction did.
+#[derive(Debug, Clone, PartialEq, Default, serde::Serialize)]
+pub struct Compacted {
+    /// Files that were put together.
+    pub before: usize,
+    /// What they became.
+    pub after: usize,
+    /// Objects deleted that had not counted for long.
+    pub deleted: usize,
+}
+
+/// What retention took out.
+#[derive(Debug, Clone, PartialEq, Default, serde::Serialize)]
+pub struct Retained {
+    /// The first day of which telemetry is kept.
+    pub since: String,
+    /// Files of rows that do not count any more.
+    pub files: usize,
+    /// Their length [bytes].
+    pub bytes: u64,
+}
+
+/// Puts small files together: telemetry of a robot and day, all else across robots and days, sorted by them.
+///
+/// # Errors
+/// What the store says.
+pub async fn compact(place: &Place) -> Result<Compacted, FleetError> {
+    let mut compacted = Compacted::default();
+    let mut snapshot = Snapshot::read(place).await?;
+    for table in &TABLES {
+        for group in groups(&snapshot, table) {
+            let Some(file) = merged(place, &snapshot, table, &group).await? else {
+                continue;
+            };
+            let mut commit = Commit::new("compact");
+            commit.remove = group.iter().map(|file| file.path.clone()).collect();
+            // Sorted already, one file becomes itself.
+            if commit.remove.contains(&file.path) {
+                continue;
+            }
+            commit.add = vec![file];
+            if replace(place, &mut snapshot, &commit).await? {
+                compacted.before += group.len();
+                compacted.after += 1;
+            }
+        }
+    }
+    Ok(compacted)
+}
+
+/// Commits, unless a file that is to go has gone already: whether it did.
+async fn replace(
+    place: &Place,
+    snapshot: &mut Snapshot,
+    commit: &Commit,
+) -> Result<bool, FleetError> {
+    for _ in 0..TRIES {
+        if !commit
+            .remove
+            .iter()
+            .all(|path| snapshot.files.contains_key(path))
+        {
+            return Ok(false);
+        }
+        if snapshot.commit(place, commit).await? == Committed::Done {
+            return Ok(true);
+        }
+    }
+    Err(FleetError::Contended {
+        url: place.url().to_owned(),
+        tries: TRIES,
+    })
+}
+
+/// Small files of a table that go together, in the order of robot and day.
+fn groups(snapshot: &Snapshot, table: &Table) -> Vec<Vec<FileEntry>> {
+    let mut small: Vec<FileEntry> = (snapshot.files_of(table.name))
+        .filter(|file| file.bytes < SMALL)
+        .cloned()
+        .collect();
+    small.sort_by(|a, b| (&a.robots, &a.days, &a.path).cmp(&(&b.robots, &b.days, &b.path)));
+    let mut groups: Vec<Vec<FileEntry>> = Vec::new();
+    let mut length = 0;
+    for file in small {
+        let fits = groups
+            .last()
+            .and_then(|group| group.last())
+            .is_some_and(|last| {
+                let is_of_one_day = last.robots == file.robots && last.days == file.days;
+                length + file.bytes <= TOGETHER && (table.name != "telemetry" || is_of_one_day)
+            });
+        if !fits {
+            groups.push(Vec::new());
+            length = 0;
+        }
+        length += file.bytes;
+        groups.last_mut().expect("there is one now").push(file);
+    }
+    groups.retain(|group| group.len() > 1);
+    groups
+}
+
+/// Writes what some files hold as one.
+async fn merged(
+    place: &Place,
+    snapshot: &Snapshot,
+    table: &Table,
+    group: &[FileEntry],
+) -> Result<Option<FileEntry>, FleetError> {
+    let files = group.iter().map(|file| (file.path.clone(), file.clone()));
+    let only = Snapshot {
+        files: files.collect(),
+        ..snapshot.clone()
+    };
+    let source = Source {
+        place: place.clone(),
+        snapshot: only,
+    };
+    let session = Session::new(&[source]).await?;
+    let within = if table.place("place").is_some() {
+        "place"
+    } else if table.name == "telemetry" {
+        "time_s"
+    } else {
+        "start_s"
+    };
+    let sorted = format!(
+        "SELECT * FROM {} ORDER BY robot, day, episode, {within}",
+        table.name
+    );
+    let batches = session.rows(&sorted).await?;
+    let rows: u64 = batches.iter().map(|batch| batch.num_rows() as u64).sum();
+    if batches.is_empty() {
+        return Ok(None);
+    }
+    let expected: u64 = group.iter().map(|file| file.rows).sum();
+    if rows != expected {
+        return Err(FleetError::Damaged {
+            object: place.shown(&format!("tables/{}", table.name)),
+            what: format!(
+                "{} files have {rows} rows, but {expected} were written",
+                group.len()
+            ),
+        });
+    }
+    let schema = table.schema();
+    let plain: Result<Vec<RecordBatch>, _> = (batches.iter())
+        .map(|batch| {
+            let columns = batch.columns().iter().zip(schema.fields());
+            let columns: Result<Vec<_>, _> = columns
+                .map(|(column, field)| datafusion::arrow::compute::cast(column, field.data_type()))
+                .collect();
+            RecordBatch::try_new(Arc::clone(&schema), columns?)
+        })
+        .collect();
+    let plain = plain.map_err(datafusion::error::DataFusionError::from)?;
+    let file = write_file(place, table, schema, &plain, extent(group)).await?;
+    Ok(Some(file))
+}
+
+/// What the files of a group have in common.
+fn extent(group: &[FileEntry]) -> Extent {
+    let least =
+        |of: fn(&FileEntry) -> &String| group.iter().map(of).min().cloned().unwrap_or_default();
+    let greatest =
+        |of: fn(&FileEntry) -> &String| group.iter().map(of).max().cloned().unwrap_or_default();
+    let day = |text: String| {
+        let date: Option<jiff::civil::Date> = text.parse().ok();
+        let zoned = date.and_then(|date| date.to_zoned(jiff::tz::TimeZone::UTC).ok());
+        zoned.map_or(0, |zoned| day_of(zoned.timestamp().as_second() as f64))
+    };
+    Extent {
+        robots: [
+            least(|file| &file.robots[0]),
+            greatest(|file| &file.robots[1]),
+        ],
+        days: [
+            day(least(|file| &file.days[0])),
+            day(greatest(|file| &file.days[1])),
+        ],
+        times: [
+            group
+                .iter()
+                .map(|file| file.times[0])
+                .fold(f64::INFINITY, f64::min),
+            group
+                .iter()
+                .map(|file| file.times[1])
+                .fold(f64::NEG_INFINITY, f64::max),
+        ],
+        episodes: None,
+    }
+}
+
+/// Telemetry of the days before this time [s since 1970] does not count any more: its rows, and its archives.
+///
+/// # Errors
+/// What the store says.
+pub async fn retain(place: &Place, before: f64) -> Result<Retained, FleetError> {
+    let since = day_text(day_of(before));
+    let mut snapshot = Snapshot::read(place).await?;
+    for _ in 0..TRIES {
+        let old = snapshot
+            .files_of("telemetry")
+            .filter(|file| file.days[1] < since);
+        let old: Vec<FileEntry> = old.cloned().collect();
+        let mut commit = Commit::new("retain");
+        commit.remove = old.iter().map(|file| file.path.clone()).collect();
+        commit.telemetry_since = Some(since.clone());
+        if snapshot.commit(place, &commit).await? == Committed::Done {
+            return Ok(Retained {
+                since,
+                files: old.len(),
+                bytes: old.iter().map(|file| file.bytes).sum(),
+            });
+        }
+    }
+    Err(FleetError::Contended {
+        url: place.url().to_owned(),
+        tries: TRIES,
+    })
+}
+
+/// Deletes objects that have not counted since this time [s since 1970]: how many. Archives of telemetry go by the day of retention;
+/// what a killed writer has left and nobody ever committed goes by its age.
+///
+/// # Errors
+/// What the store says.
+pub async fn purge(place: &Place, before: f64) -> Result<usize, FleetError> {
+    let mut snapshot = Snapshot::read(place).await?;
+    let removed = snapshot
+        .removed
+        .iter()
+        .filter(|removed| removed.time <= before);
+    let removed: Vec<String> = removed.map(|removed| removed.path.clone()).collect();
+    let mut doomed: HashSet<String> = removed.iter().cloned().collect();
+    let still: HashSet<&String> = snapshot
+        .removed
+        .iter()
+        .map(|removed| &removed.path)
+        .collect();
+    for (name, _, time) in place.list("tables").await? {
+        if time <= before && !snapshot.files.contains_key(&name) && !still.contains(&name) {
+            doomed.insert(name);
+        }
+    }
+    if snapshot.telemetry_since.is_some() {
+        doomed.extend(telemetry_before(place, &snapshot, before).await?);
+    }
+    for name in &doomed {
+        place.delete(name).await?;
+    }
+    if !removed.is_empty() {
+        let mut commit = Commit::new("purge");
+        commit.remove = removed;
+        for _ in 0..TRIES {
+            if snapshot.commit(place, &commit).await? == Committed::Done {
+                break;
+            }
+        }
+    }
+    Ok(doomed.len())
+}
+
+/// Archives of telemetry that is not kept any more and were written before this time.
+async fn telemetry_before(
+    place: &Place,
+    snapshot: &Snapshot,
+    before: f64,
+) -> Result<Vec<String>, FleetError> {
+    let since = snapshot.telemetry_since.clone().unwrap_or_default();
+    let source = Source {
+        place: place.clone(),
+        snapshot: snapshot.clone(),
+    };
+    let session = Session::new(&[source]).await?;
+    let old = format!(
+        "SELECT episode FROM episodes WHERE day < '{since}' AND telemetry_sha256 IS NOT NULL"
+    );
+    let mut ids = HashSet::new();
+    for batch in session.rows(&old).await? {
+        ids.extend(super::pull::texts(batch.column(0))?);
+    }
+    let listed = place.list("episodes").await?.into_iter();
+    let old = listed.filter(|(name, _, time)| {
+        let id = name
+            .strip_prefix("episodes/")
+            .and_then(|name| name.strip_suffix(".telemetry.tar.zst"));
+        *time <= before && id.is_some_and(|id| ids.contains(id))
+    });
+    Ok(old.map(|(name, ..)| name).collect())
+}
+
+/// The table that a file is of, as far as this program knows it.
+pub(super) fn table_of(file: &FileEntry) -> Option<&'static Table> {
+    table(&file.table)
+}

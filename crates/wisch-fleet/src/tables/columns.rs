@@ -1,0 +1,499 @@
+//! The columns of all tables, in one place: docs/fleet.md is held against it, and `wisch-fleet columns` prints it.
+
+use datafusion::arrow::datatypes::{DataType, Field, Schema, SchemaRef};
+use std::sync::Arc;
+
+/// What a column holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A text.
+    Text,
+    /// A number of double precision.
+    Number,
+    /// A number of single precision, as telemetry has them.
+    Single,
+    /// A whole number of 32 bits.
+    Whole,
+    /// A whole number of 64 bits.
+    Long,
+    /// Yes or no.
+    Truth,
+    /// A day (UTC).
+    Day,
+}
+
+impl Kind {
+    /// As SQL calls it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Text => "text",
+            Self::Number => "double",
+            Self::Single => "float",
+            Self::Whole => "int",
+            Self::Long => "bigint",
+            Self::Truth => "boolean",
+            Self::Day => "date",
+        }
+    }
+
+    /// As Arrow calls it in files.
+    pub const fn data_type(self) -> DataType {
+        match self {
+            Self::Text => DataType::Utf8,
+            Self::Number => DataType::Float64,
+            Self::Single => DataType::Float32,
+            Self::Whole => DataType::Int32,
+            Self::Long => DataType::Int64,
+            Self::Truth => DataType::Boolean,
+            Self::Day => DataType::Date32,
+        }
+    }
+}
+
+/// A column.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Column {
+    /// Its name, with the unit where it has one.
+    pub name: &'static str,
+    /// What it holds.
+    pub kind: Kind,
+    /// Its unit; `–` where there is none.
+    pub unit: &'static str,
+    /// What it means, and in which frame.
+    pub about: &'static str,
+}
+
+/// A table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Table {
+    /// Its name.
+    pub name: &'static str,
+    /// What a row of it is.
+    pub about: &'static str,
+    /// Its columns, in the order in which files have them.
+    pub columns: &'static [Column],
+}
+
+impl Table {
+    /// Its schema in files. Every column may lack: an older file has no values of a newer column.
+    pub fn schema(&self) -> SchemaRef {
+        let fields = self.columns.iter();
+        let fields = fields.map(|column| Field::new(column.name, column.kind.data_type(), true));
+        Arc::new(Schema::new(fields.collect::<Vec<_>>()))
+    }
+
+    /// The place of a column.
+    pub fn place(&self, name: &str) -> Option<usize> {
+        self.columns.iter().position(|column| column.name == name)
+    }
+}
+
+/// The table of this name.
+pub fn table(name: &str) -> Option<&'static Table> {
+    TABLES.iter().find(|table| table.name == name)
+}
+
+const fn column(name: &'static str, kind: Kind, unit: &'static str, about: &'static str) -> Column {
+    Column {
+        name,
+        kind,
+        unit,
+        about,
+    }
+}
+
+const ROBOT: Column = column(
+    "robot",
+    Kind::Text,
+    "–",
+    "who did it; `unknown` in logs that do not say",
+);
+const DAY: Column = column("day", Kind::Day, "–", "day on which the episode began, UTC");
+const EPISODE: Column = column("episode", Kind::Text, "–", "name of the episode");
+const ROUND: Column = column("round", Kind::Whole, "–", "number of the round, from 1");
+const PLACE: Column = column(
+    "place",
+    Kind::Whole,
+    "–",
+    "place in the episode's record: `CLASS_EPISODE-PLACE` is its name in `wisch ask`",
+);
+const CLASS: Column = column(
+    "class",
+    Kind::Text,
+    "–",
+    "class in the ontology, without prefix",
+);
+const START: Column = column(
+    "start_s",
+    Kind::Number,
+    "s",
+    "when it began, since 1970 UTC",
+);
+const END: Column = column("end_s", Kind::Number, "s", "when it ended, since 1970 UTC");
+const TOOL: Column = column("tool", Kind::Text, "–", "tool it was done with");
+const MEDIUM: Column = column(
+    "medium",
+    Kind::Text,
+    "–",
+    "what was to be wiped away or put on",
+);
+const SURFACE: Column = column("surface", Kind::Text, "–", "surface that was wiped");
+const PREDICTED: Column = column(
+    "predicted_performance",
+    Kind::Number,
+    "1",
+    "performance that the plan promised, 0 to 1",
+);
+const PERFORMANCE: Column = column(
+    "performance",
+    Kind::Number,
+    "1",
+    "performance as it was estimated, 0 to 1",
+);
+const PERFORMANCE_LOW: Column = column(
+    "performance_low",
+    Kind::Number,
+    "1",
+    "lower end of the estimate's interval",
+);
+const PERFORMANCE_HIGH: Column = column(
+    "performance_high",
+    Kind::Number,
+    "1",
+    "upper end of the estimate's interval",
+);
+const TRUE_PERFORMANCE: Column = column(
+    "true_performance",
+    Kind::Number,
+    "1",
+    "performance as a simulated world knows it; null of a real one",
+);
+const SUCCEEDED: Column = column(
+    "succeeded",
+    Kind::Truth,
+    "–",
+    "whether the goal counted as met",
+);
+const CONTACT_SHARE: Column = column(
+    "contact_share",
+    Kind::Number,
+    "1",
+    "share of the wiping time in contact",
+);
+const MEAN_FORCE: Column = column(
+    "mean_normal_force_n",
+    Kind::Number,
+    "N",
+    "mean force of the surroundings on the tool along the surface's normal, over contact",
+);
+const PEAK_FORCE: Column = column(
+    "peak_force_n",
+    Kind::Number,
+    "N",
+    "largest size of the outer force on the tool",
+);
+
+/// All tables. Columns are added at the end only; what a column means never changes without a new major version.
+pub const TABLES: [Table; 7] = [
+    Table {
+        name: "episodes",
+        about: "an episode: one task, from its first round to its last",
+        columns: &[
+            ROBOT,
+            DAY,
+            EPISODE,
+            START,
+            END,
+            column("task", Kind::Text, "–", "name of the task"),
+            column(
+                "origin",
+                Kind::Text,
+                "–",
+                "`simulated`, or the log that it was read from",
+            ),
+            column(
+                "program",
+                Kind::Text,
+                "–",
+                "program and version that wrote it",
+            ),
+            column("seed", Kind::Long, "–", "seed of the run"),
+            column(
+                "action",
+                Kind::Text,
+                "–",
+                "class of what was to be done, such as `Absorbing`",
+            ),
+            TOOL,
+            MEDIUM,
+            SURFACE,
+            column(
+                "strategy",
+                Kind::Text,
+                "–",
+                "coverage strategy of the first plan",
+            ),
+            column("goal", Kind::Text, "–", "the goal in PDDL"),
+            column(
+                "target",
+                Kind::Number,
+                "1",
+                "performance at which the goal counted as met",
+            ),
+            column("rounds", Kind::Whole, "–", "how many rounds there were"),
+            column(
+                "collisions",
+                Kind::Whole,
+                "–",
+                "how many times somebody ran into the robot",
+            ),
+            PREDICTED,
+            PERFORMANCE,
+            PERFORMANCE_LOW,
+            PERFORMANCE_HIGH,
+            TRUE_PERFORMANCE,
+            SUCCEEDED,
+            column(
+                "identity",
+                Kind::Text,
+                "–",
+                "SHA-256 of the episode's `checksums.json`",
+            ),
+            column(
+                "archive_sha256",
+                Kind::Text,
+                "–",
+                "SHA-256 of the archive; null of a local memory",
+            ),
+            column("archive_bytes", Kind::Long, "byte", "length of the archive"),
+            column(
+                "telemetry_sha256",
+                Kind::Text,
+                "–",
+                "SHA-256 of the archive of its telemetry, if it has any",
+            ),
+            column(
+                "telemetry_bytes",
+                Kind::Long,
+                "byte",
+                "length of that archive",
+            ),
+        ],
+    },
+    Table {
+        name: "rounds",
+        about: "a round: planned, executed, interpreted",
+        columns: &[
+            ROBOT,
+            DAY,
+            EPISODE,
+            ROUND,
+            PLACE,
+            START,
+            END,
+            TOOL,
+            MEDIUM,
+            SURFACE,
+            column(
+                "strokes",
+                Kind::Whole,
+                "–",
+                "how many strokes were to be made",
+            ),
+            PREDICTED,
+            PERFORMANCE,
+            PERFORMANCE_LOW,
+            PERFORMANCE_HIGH,
+            TRUE_PERFORMANCE,
+            CONTACT_SHARE,
+            MEAN_FORCE,
+            column(
+                "force_bias_n",
+                Kind::Number,
+                "N",
+                "bias found in the sensor's normal force",
+            ),
+            column(
+                "plane_tilt_rad",
+                Kind::Number,
+                "rad",
+                "angle between the plane found and the one believed",
+            ),
+            column(
+                "plane_offset_m",
+                Kind::Number,
+                "m",
+                "where the plane found lies above the one believed, along its normal",
+            ),
+            column(
+                "verdict",
+                Kind::Text,
+                "–",
+                "what followed from it, such as `goal met`",
+            ),
+            column(
+                "diagnosis",
+                Kind::Text,
+                "–",
+                "what touch said of the surface, such as `localized`",
+            ),
+            column("ending", Kind::Text, "–", "how its execution ended"),
+            SUCCEEDED,
+        ],
+    },
+    Table {
+        name: "strokes",
+        about: "a stroke of the tool along the surface",
+        columns: &[
+            ROBOT,
+            DAY,
+            EPISODE,
+            ROUND,
+            PLACE,
+            column(
+                "stroke",
+                Kind::Whole,
+                "–",
+                "number of the stroke in its round, from 0",
+            ),
+            START,
+            END,
+            TOOL,
+            SURFACE,
+            CONTACT_SHARE,
+            MEAN_FORCE,
+            PEAK_FORCE,
+        ],
+    },
+    Table {
+        name: "motions",
+        about: "a motion of a round: strokes, and what lies between them",
+        columns: &[ROBOT, DAY, EPISODE, ROUND, PLACE, CLASS, START, END],
+    },
+    Table {
+        name: "events",
+        about: "something felt: contact, its loss, collisions, overload, a protective stop",
+        columns: &[
+            ROBOT,
+            DAY,
+            EPISODE,
+            ROUND,
+            PLACE,
+            CLASS,
+            START,
+            END,
+            column(
+                "during",
+                Kind::Whole,
+                "–",
+                "place of the motion during which it was; null between motions",
+            ),
+            column("during_class", Kind::Text, "–", "class of that motion"),
+            TOOL,
+            column("samples", Kind::Whole, "–", "samples that it lasted"),
+            MEAN_FORCE,
+            PEAK_FORCE,
+            column(
+                "peak_height_m",
+                Kind::Number,
+                "m",
+                "height of the tool above the surface at the peak",
+            ),
+            column(
+                "edge_distance_m",
+                Kind::Number,
+                "m",
+                "distance from the surface's edge where it began",
+            ),
+        ],
+    },
+    Table {
+        name: "participants",
+        about: "who or what took part in an action, a round or an event",
+        columns: &[
+            ROBOT,
+            DAY,
+            EPISODE,
+            PLACE,
+            CLASS,
+            column(
+                "role",
+                Kind::Text,
+                "–",
+                "relation in the ontology, such as `usesTool`",
+            ),
+            column(
+                "participant",
+                Kind::Text,
+                "–",
+                "who or what, without prefix",
+            ),
+        ],
+    },
+    Table {
+        name: "telemetry",
+        about: "a sample of a round; joints are kept in the episode, not here",
+        columns: &[
+            ROBOT,
+            DAY,
+            EPISODE,
+            ROUND,
+            column("time_s", Kind::Number, "s", "time since 1970 UTC"),
+            column(
+                "round_time_s",
+                Kind::Number,
+                "s",
+                "time since the round began",
+            ),
+            column("motion", Kind::Whole, "–", "number of the motion"),
+            column("stroke", Kind::Whole, "–", "number of the stroke, or −1"),
+            column(
+                "phase",
+                Kind::Text,
+                "–",
+                "what the motion is for, such as `wipe`",
+            ),
+            column(
+                "commanded_x_m",
+                Kind::Single,
+                "m",
+                "where the tool was told to be, in the world",
+            ),
+            column("commanded_y_m", Kind::Single, "m", "likewise"),
+            column("commanded_z_m", Kind::Single, "m", "likewise"),
+            column(
+                "measured_x_m",
+                Kind::Single,
+                "m",
+                "where the tool is by the joints' positions, in the world",
+            ),
+            column("measured_y_m", Kind::Single, "m", "likewise"),
+            column("measured_z_m", Kind::Single, "m", "likewise"),
+            column(
+                "measured_qx",
+                Kind::Single,
+                "1",
+                "how the tool is turned, as a quaternion x, y, z, w",
+            ),
+            column("measured_qy", Kind::Single, "1", "likewise"),
+            column("measured_qz", Kind::Single, "1", "likewise"),
+            column("measured_qw", Kind::Single, "1", "likewise"),
+            column(
+                "external_fx_n",
+                Kind::Single,
+                "N",
+                "force of the surroundings on the tool, in the world's axes",
+            ),
+            column("external_fy_n", Kind::Single, "N", "likewise"),
+            column("external_fz_n", Kind::Single, "N", "likewise"),
+            column(
+                "external_mx_nm",
+                Kind::Single,
+                "Nm",
+                "moment about the tool centre point, in the world's axes",
+            ),
+            column("external_my_nm", Kind::Single, "Nm", "likewise"),
+            column("external_mz_nm", Kind::Single, "Nm", "likewise"),
+        ],
+    },
+];

@@ -1,0 +1,10 @@
+//! Episodes as tables: which columns there are, the rows of a record, and the files that hold them.
+
+pub mod columns;
+pub mod file;
+mod project;
+pub mod rows;
+mod telemetry;
+
+pub use columns::{Column, Kind, TABLES, Table, table};
+pub use project::{Keep, Projection, day_of, robot_of};

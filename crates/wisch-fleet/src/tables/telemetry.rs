@@ -1,0 +1,78 @@
+//! From the telemetry of a round to rows.
+
+use super::rows::{Cell, Rows};
+use wisch_memory::telemetry::PHASES;
+use wisch_memory::{Telemetry, TelemetryError};
+
+/// Rows that are decoded at a time.
+const PIECE: usize = 65_536;
+
+/// The columns of an episode's file that are taken over, in the order of the table's.
+const TAKEN: [&str; 16] = [
+    "commanded/x",
+    "commanded/y",
+    "commanded/z",
+    "measured/x",
+    "measured/y",
+    "measured/z",
+    "measured/qx",
+    "measured/qy",
+    "measured/qz",
+    "measured/qw",
+    "external/fx",
+    "external/fy",
+    "external/fz",
+    "external/mx",
+    "external/my",
+    "external/mz",
+];
+
+/// What all rows of a round say.
+pub(super) struct Of<'a> {
+    pub robot: &'a str,
+    pub day: i32,
+    pub episode: &'a str,
+    pub round: i32,
+    /// When the round began [s since 1970].
+    pub start: f64,
+}
+
+/// Takes the telemetry of a round in. Columns that a log has not are null.
+pub(super) fn add(rows: &mut Rows, of: &Of<'_>, log: &Telemetry) -> Result<(), TelemetryError> {
+    let known = log.columns();
+    for begin in (0..log.rows()).step_by(PIECE) {
+        let piece = begin..(begin + PIECE).min(log.rows());
+        let read = |name: &str| -> Result<Option<Vec<f64>>, TelemetryError> {
+            let is_known = known.binary_search(&name).is_ok();
+            is_known
+                .then(|| log.values(name, piece.clone()))
+                .transpose()
+        };
+        let times = log.times(piece.clone())?;
+        let [motions, strokes, phases] = ["motion", "stroke", "phase"].map(read);
+        let [motions, strokes, phases] = [motions?, strokes?, phases?];
+        let taken = TAKEN.iter().map(|name| read(name));
+        let taken: Vec<Option<Vec<f64>>> = taken.collect::<Result<_, _>>()?;
+        for (row, time) in times.iter().enumerate() {
+            let code = |column: &Option<Vec<f64>>| column.as_ref().map(|v| v[row] as i32);
+            let phase = code(&phases).and_then(|code| PHASES.get(usize::try_from(code).ok()?));
+            let mut cells = vec![
+                Cell::Text(Some(of.robot)),
+                Cell::Day(of.day),
+                Cell::Text(Some(of.episode)),
+                Cell::Whole(Some(of.round)),
+                Cell::Number(Some(of.start + time)),
+                Cell::Number(Some(*time)),
+                Cell::Whole(code(&motions)),
+                Cell::Whole(code(&strokes)),
+                Cell::Text(phase.copied()),
+            ];
+            let values = taken
+                .iter()
+                .map(|column| column.as_ref().map(|v| v[row] as f32));
+            cells.extend(values.map(Cell::Single));
+            rows.push(&cells);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,75 @@
+-- The questions about wiping that come up again and again. wisch-fleet has them as views; other engines over Parquet files take them too.
+
+-- Episodes whose performance was 80 % or less, as estimated in the end.
+CREATE VIEW low_performance AS
+SELECT robot, day, episode, task, tool, medium, surface, performance, performance_low, performance_high
+FROM episodes
+WHERE performance <= 0.8;
+
+-- The same of rounds: also those that a later round made good.
+CREATE VIEW low_performance_rounds AS
+SELECT robot, day, episode, round, tool, medium, surface, performance
+FROM rounds
+WHERE performance <= 0.8;
+
+-- How many times somebody ran into the robot, by tool and hour of the day (UTC).
+CREATE VIEW collisions_by_tool_and_hour AS
+SELECT tool, CAST(floor(start_s / 3600.0) AS BIGINT) % 24 AS hour, count(*) AS collisions
+FROM events
+WHERE class IN ('Collision', 'HumanCollision')
+GROUP BY tool, CAST(floor(start_s / 3600.0) AS BIGINT) % 24;
+
+-- The peak force [N] of each collision, and when it was.
+CREATE VIEW peak_force_per_collision AS
+SELECT robot, day, episode, round, place, tool, start_s, end_s, peak_force_n
+FROM events
+WHERE class IN ('Collision', 'HumanCollision') AND peak_force_n IS NOT NULL;
+
+-- Strokes that touched nothing: in contact for 1 % of their time at most.
+CREATE VIEW strokes_without_contact AS
+SELECT robot, day, episode, round, place, stroke, tool, surface, contact_share
+FROM strokes
+WHERE contact_share <= 0.01;
+
+-- Each round whose true performance is known, and whether the estimate's interval held it.
+CREATE VIEW estimates AS
+SELECT robot, day, episode, round, tool, medium, surface, performance, performance_low, performance_high, true_performance,
+       true_performance BETWEEN performance_low AND performance_high AS held
+FROM rounds
+WHERE true_performance IS NOT NULL AND performance IS NOT NULL;
+
+-- How well estimates hold, by tool and surface: rounds, share whose interval held the truth, mean error and mean width.
+CREATE VIEW calibration AS
+SELECT tool, surface, count(*) AS rounds, avg(CASE WHEN held THEN 1.0 ELSE 0.0 END) AS held_share,
+       avg(performance - true_performance) AS mean_error, avg(performance_high - performance_low) AS mean_width
+FROM estimates
+GROUP BY tool, surface;
+
+-- Surfaces on which the mean force of contact in first rounds [N] falls noticeably over at least five episodes: by how much per
+-- episode, and where the fitted line begins and ends.
+CREATE VIEW contact_force_drift AS
+SELECT surface, episodes, slope_n, first_n, last_n
+FROM (
+    SELECT surface, episodes, slope_n, intercept_n AS first_n, intercept_n + slope_n * (episodes - 1) AS last_n
+    FROM (
+        SELECT surface, count(*) AS episodes, regr_slope(force_n, number) AS slope_n, regr_intercept(force_n, number) AS intercept_n
+        FROM (
+            SELECT surface, abs(mean_normal_force_n) AS force_n,
+                   CAST(row_number() OVER (PARTITION BY surface ORDER BY start_s, episode) - 1 AS DOUBLE) AS number
+            FROM rounds
+            WHERE round = 1 AND mean_normal_force_n IS NOT NULL
+        ) AS series
+        GROUP BY surface
+    ) AS fitted
+    WHERE episodes >= 5
+) AS lines
+WHERE last_n < 0.95 * first_n;
+
+-- Each collision with each stroke that it overlaps in time.
+CREATE VIEW collisions_in_strokes AS
+SELECT c.robot, c.day, c.episode, c.round, c.place AS collision, s.place AS stroke_place, s.stroke, c.tool, c.peak_force_n,
+       s.mean_normal_force_n AS stroke_mean_normal_force_n,
+       least(c.end_s, s.end_s) - greatest(c.start_s, s.start_s) AS overlap_s
+FROM events AS c
+JOIN strokes AS s ON c.robot = s.robot AND c.day = s.day AND c.episode = s.episode AND c.start_s < s.end_s AND s.start_s < c.end_s
+WHERE c.class IN ('Collision', 'HumanCollision');

@@ -1,0 +1,12 @@
+//! Everything that must hold of a fleet, against memories of synthetic episodes.
+
+mod documentation;
+mod memories;
+mod moves;
+mod program;
+mod queries;
+#[path = "../../wisch-memory/examples/synthetic/records.rs"]
+#[allow(dead_code)]
+mod records;
+mod s3_server;
+mod upkeep;

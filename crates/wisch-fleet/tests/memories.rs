@@ -1,0 +1,61 @@
+//! Memories to push, pull and ask.
+
+use crate::records;
+use std::collections::BTreeMap;
+use std::path::Path;
+use wisch_fleet::ask::{Session, Source};
+use wisch_fleet::store::Place;
+use wisch_memory::{EpisodeRecord, Memory, TelemetryHead};
+
+pub const SEED: u64 = 7;
+
+/// Synthetic records of these numbers, one an hour apart from what the next day holds.
+pub fn some(count: usize) -> Vec<EpisodeRecord> {
+    (0..count)
+        .map(|number| records::record(SEED, number))
+        .collect()
+}
+
+/// A memory of these; the first has telemetry of its first round.
+pub fn memory(folder: &Path, records: &[EpisodeRecord]) -> Memory {
+    let memory = Memory::create(folder).unwrap();
+    for (number, record) in records.iter().enumerate() {
+        let writer = memory.begin(&record.id).unwrap();
+        writer
+            .attach("task.toml", format!("name = {:?}\n", record.task))
+            .unwrap();
+        writer.attach("round-1/plan.json", "{}").unwrap();
+        if number == 0 {
+            let columns = ["external/fz", "measured/x"].map(str::to_owned);
+            let head = TelemetryHead::default();
+            let log = writer.telemetry_with_columns(1, head, &columns).unwrap();
+            log.finish().unwrap();
+        }
+        writer.commit(record).unwrap();
+    }
+    memory
+}
+
+/// All files of a memory's episodes, by name.
+pub fn contents(memory: &Memory) -> BTreeMap<String, Vec<u8>> {
+    let mut all = BTreeMap::new();
+    for id in memory.episodes().unwrap() {
+        let folder = memory.folder().join(&id);
+        for name in memory.episode(&id).unwrap().files().unwrap() {
+            all.insert(
+                format!("{id}/{name}"),
+                std::fs::read(folder.join(&name)).unwrap(),
+            );
+        }
+    }
+    all
+}
+
+pub fn place(folder: &Path) -> Place {
+    Place::open(folder.to_str().unwrap()).unwrap()
+}
+
+pub async fn session(place: &Place) -> Session {
+    let source = Source::open(place.clone()).await.unwrap();
+    Session::new(&[source]).await.unwrap()
+}

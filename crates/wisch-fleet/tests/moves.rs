@@ -1,0 +1,189 @@
+//! Episodes into a fleet and out of it.
+
+use crate::memories::{contents, memory, place, session, some};
+use std::fs;
+use wisch_fleet::moves::{Filter, PushOptions, pull, push, verify};
+use wisch_fleet::store::FleetError;
+use wisch_memory::Memory;
+
+fn quiet() -> impl FnMut(usize, usize) {
+    |_, _| {}
+}
+
+#[tokio::test]
+async fn what_is_pushed_comes_back_byte_for_byte() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = memory(&folder.path().join("here"), &some(30));
+    let fleet = place(&folder.path().join("fleet"));
+    let options = PushOptions::default();
+    let pushed = push(&memory, &fleet, &options, &mut quiet()).await.unwrap();
+    assert_eq!((pushed.episodes, pushed.there), (30, 0));
+    let again = push(&memory, &fleet, &options, &mut quiet()).await.unwrap();
+    assert_eq!((again.episodes, again.there, again.commits), (0, 30, 0));
+    let there = Memory::create(&folder.path().join("there")).unwrap();
+    let pulled = pull(&fleet, &there, &Filter::default(), &mut quiet())
+        .await
+        .unwrap();
+    assert_eq!((pulled.episodes, pulled.of), (30, 30));
+    assert_eq!(contents(&memory), contents(&there));
+    assert!(there.verify().unwrap().is_empty());
+    let again = pull(&fleet, &there, &Filter::default(), &mut quiet())
+        .await
+        .unwrap();
+    assert_eq!((again.episodes, again.there), (0, 30));
+    assert_eq!(verify(&fleet, &mut quiet()).await.unwrap().faults, [""; 0]);
+}
+
+#[tokio::test]
+async fn filters_select() {
+    let folder = tempfile::tempdir().unwrap();
+    let records = some(80);
+    let memory = memory(&folder.path().join("here"), &records);
+    let fleet = place(&folder.path().join("fleet"));
+    push(&memory, &fleet, &PushOptions::default(), &mut quiet())
+        .await
+        .unwrap();
+    let selected = async |filter: Filter| {
+        let there = tempfile::tempdir().unwrap();
+        let there = Memory::create(there.path()).unwrap();
+        pull(&fleet, &there, &filter, &mut quiet())
+            .await
+            .unwrap()
+            .episodes
+    };
+    let middle = records[40].interval[0];
+    let since = Filter {
+        since: Some(middle),
+        ..Filter::default()
+    };
+    assert_eq!(selected(since).await, 40);
+    let until = Filter {
+        until: Some(middle - 1.0),
+        ..Filter::default()
+    };
+    assert_eq!(selected(until).await, 40);
+    let none = Filter {
+        robots: vec!["arm".into()],
+        ..Filter::default()
+    };
+    assert_eq!(selected(none).await, 0);
+    let all = Filter {
+        robots: vec!["humanoid".into()],
+        ..Filter::default()
+    };
+    assert_eq!(selected(all).await, 80);
+    let has = |record: &&wisch_memory::EpisodeRecord| {
+        record
+            .individuals
+            .iter()
+            .any(|one| one.class == "semco:HumanCollision")
+    };
+    let collided = Filter {
+        classes: vec!["HumanCollision".into()],
+        ..Filter::default()
+    };
+    assert_eq!(selected(collided).await, records.iter().filter(has).count());
+    let one = Filter {
+        episodes: vec![records[3].id.clone()],
+        ..Filter::default()
+    };
+    assert_eq!(selected(one).await, 1);
+    let bound = Filter {
+        condition: Some("performance <= 0.8".into()),
+        ..Filter::default()
+    };
+    assert!((1..80).contains(&selected(bound).await));
+}
+
+#[tokio::test]
+async fn two_episodes_of_one_name_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let records = some(3);
+    let mut others = records.clone();
+    others[1].task = "another".into();
+    let one = memory(&folder.path().join("one"), &records);
+    let other = memory(&folder.path().join("other"), &others);
+    let fleet = place(&folder.path().join("fleet"));
+    let options = PushOptions::default();
+    push(&one, &fleet, &options, &mut quiet()).await.unwrap();
+    let error = push(&other, &fleet, &options, &mut quiet())
+        .await
+        .unwrap_err();
+    assert!(matches!(error, FleetError::Conflict { .. }), "{error}");
+    let text = error.to_string();
+    assert!(
+        text.contains("other") && text.contains("fleet/episodes/"),
+        "{text}"
+    );
+    let error = pull(&fleet, &other, &Filter::default(), &mut quiet())
+        .await
+        .unwrap_err();
+    assert!(matches!(error, FleetError::Conflict { .. }), "{error}");
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn two_pushers_at_once_double_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let records = some(60);
+    let one = memory(&folder.path().join("one"), &records[..40]);
+    let other = memory(&folder.path().join("other"), &records[20..]);
+    let fleet = place(&folder.path().join("fleet"));
+    let task = |memory: Memory| {
+        let fleet = fleet.clone();
+        tokio::spawn(
+            async move { push(&memory, &fleet, &PushOptions::default(), &mut quiet()).await },
+        )
+    };
+    let (one, other) = (task(one), task(other));
+    let pushed = [one.await.unwrap().unwrap(), other.await.unwrap().unwrap()];
+    assert_eq!(pushed[0].episodes + pushed[1].episodes, 60);
+    let verified = verify(&fleet, &mut quiet()).await.unwrap();
+    assert_eq!((verified.episodes, verified.faults), (60, vec![]));
+    let rows = session(&fleet)
+        .await
+        .rows("SELECT count(*) AS n FROM rounds HAVING count(*) > 0")
+        .await
+        .unwrap();
+    let rounds: usize = records.iter().map(|record| record.rounds.len()).sum();
+    let found = datafusion::arrow::util::pretty::pretty_format_batches(&rows).unwrap();
+    assert!(found.to_string().contains(&rounds.to_string()), "{found}");
+}
+
+#[tokio::test]
+async fn what_is_cut_off_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let records = some(2);
+    let memory = memory(&folder.path().join("here"), &records);
+    let fleet_folder = folder.path().join("fleet");
+    let fleet = place(&fleet_folder);
+    push(&memory, &fleet, &PushOptions::default(), &mut quiet())
+        .await
+        .unwrap();
+    let archive = fleet_folder.join(format!("episodes/{}.tar.zst", records[1].id));
+    let bytes = fs::read(&archive).unwrap();
+    fs::write(&archive, &bytes[..bytes.len() / 2]).unwrap();
+    let there = Memory::create(&folder.path().join("there")).unwrap();
+    let error = pull(&fleet, &there, &Filter::default(), &mut quiet())
+        .await
+        .unwrap_err();
+    assert!(error.to_string().contains(&records[1].id), "{error}");
+    assert_eq!(
+        there.episodes().unwrap(),
+        [records[0].id.clone()],
+        "none half"
+    );
+    let faults = verify(&fleet, &mut quiet()).await.unwrap().faults;
+    assert_eq!(faults.len(), 1);
+    assert!(faults[0].contains("SHA-256"), "{}", faults[0]);
+}
+
+#[test]
+fn credentials_in_a_url_are_refused_and_not_repeated() {
+    let error = wisch_fleet::store::Place::open("s3://key:secret@bucket/x").unwrap_err();
+    let text = error.to_string();
+    assert!(
+        text.contains("AWS_ACCESS_KEY_ID") && !text.contains("secret@"),
+        "{text}"
+    );
+    assert!(!text.contains("key:"), "{text}");
+}

@@ -1,0 +1,185 @@
+//! The program itself, against a real S3 server, and killed at any moment.
+
+use crate::memories::{contents, memory, some};
+use crate::s3_server::{KEY_ID, SECRET, Server};
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+use wisch_memory::Memory;
+
+const FLEET: &str = "s3://fleet/robots";
+
+fn run(command: &mut Command) -> Output {
+    command.stdin(Stdio::null()).output().unwrap()
+}
+
+fn stdout(output: &Output) -> String {
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{}: {errors}", output.status);
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+#[test]
+fn killed_at_any_moment_a_push_loses_doubles_and_halves_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let server = Server::start(&folder.path().join("s3"));
+    let records = some(600);
+    let here = memory(&folder.path().join("here"), &records);
+    let push = || {
+        let mut command = server.program(SECRET);
+        command
+            .arg("push")
+            .arg(here.folder())
+            .args([FLEET, "--json"]);
+        command
+    };
+    let verify = || {
+        stdout(&run(server
+            .program(SECRET)
+            .args(["verify", FLEET, "--json"])))
+    };
+    let mut killed = 0;
+    // Moments spread over the length of a push by the golden ratio, as random ones would be.
+    for moment in 0..20_u32 {
+        let wait = 0.05 + 1.2 * (f64::from(moment) * 0.618_034).fract();
+        let mut child = push()
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let begun = Instant::now();
+        while begun.elapsed() < Duration::from_secs_f64(wait) && child.try_wait().unwrap().is_none()
+        {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        // SIGKILL; one that has ended already is counted as it is.
+        killed += u32::from(child.try_wait().unwrap().is_none());
+        let _ = child.kill();
+        child.wait().unwrap();
+        assert!(verify().contains("\"faults\":[]"), "after kill {moment}");
+    }
+    assert!(killed > 0, "none was killed amid its work");
+    stdout(&run(&mut push()));
+    let found = verify();
+    assert!(
+        found.contains("\"episodes\":600") && found.contains("\"faults\":[]"),
+        "{found}"
+    );
+    let mut pull = server.program(SECRET);
+    pull.arg("pull").arg(FLEET).arg(folder.path().join("there"));
+    stdout(&run(&mut pull));
+    let there = Memory::open(&folder.path().join("there")).unwrap();
+    assert_eq!(contents(&here), contents(&there));
+    let rounds: usize = records.iter().map(|record| record.rounds.len()).sum();
+    let mut sql = server.program(SECRET);
+    sql.args([
+        "sql",
+        "SELECT count(*) AS n FROM rounds",
+        "--fleet",
+        FLEET,
+        "--csv",
+    ]);
+    assert_eq!(stdout(&run(&mut sql)), format!("n\n{rounds}\n"));
+}
+
+#[test]
+fn two_programs_at_once_push_each_episode_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let server = Server::start(&folder.path().join("s3"));
+    let records = some(120);
+    let one = memory(&folder.path().join("one"), &records[..80]);
+    let other = memory(&folder.path().join("other"), &records[40..]);
+    let children: Vec<_> = [&one, &other]
+        .map(|memory| {
+            let mut command = server.program(SECRET);
+            command.arg("push").arg(memory.folder()).arg(FLEET);
+            command.stdout(Stdio::null()).spawn().unwrap()
+        })
+        .into();
+    for mut child in children {
+        assert!(child.wait().unwrap().success());
+    }
+    let found = stdout(&run(server
+        .program(SECRET)
+        .args(["verify", FLEET, "--json"])));
+    assert!(
+        found.contains("\"episodes\":120") && found.contains("\"faults\":[]"),
+        "{found}"
+    );
+}
+
+#[test]
+fn wrong_credentials_are_told_and_not_shown() {
+    let folder = tempfile::tempdir().unwrap();
+    let server = Server::start(&folder.path().join("s3"));
+    let output = run(server.program("another-secret").args(["verify", FLEET]));
+    assert_eq!(output.status.code(), Some(2));
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        said.contains("s3://fleet/robots") && said.contains("AWS_SECRET_ACCESS_KEY"),
+        "{said}"
+    );
+    assert!(
+        !said.contains(KEY_ID) && !said.contains("another-secret"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_full_disk_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = Memory::create(&folder.path().join("here")).unwrap();
+    let record = some(1).remove(0);
+    let writer = here.begin(&record.id).unwrap();
+    // What does not pack: 64 KiB that a generator drew.
+    let mut state = 1_u64;
+    let noise: Vec<u8> = (0..65_536)
+        .map(|_| {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            (state >> 56) as u8
+        })
+        .collect();
+    writer.attach("noise.bin", &noise).unwrap();
+    writer.commit(&record).unwrap();
+    let fleet = folder.path().join("fleet");
+    // No file may grow beyond 16 KiB: a disk that is full says it in the same way.
+    let output = Command::new("sh")
+        .arg("-c")
+        .arg("trap '' XFSZ; ulimit -f 32; exec \"$@\"")
+        .arg("sh")
+        .arg(env!("CARGO_BIN_EXE_wisch-fleet"))
+        .arg("push")
+        .args([here.folder(), &fleet])
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        said.contains(&record.id) && said.contains("File too large"),
+        "{said}"
+    );
+    let output = run(Command::new(env!("CARGO_BIN_EXE_wisch-fleet"))
+        .arg("verify")
+        .arg(&fleet));
+    assert!(stdout(&output).contains("0 episodes: all well"));
+}
+
+#[test]
+fn answers_come_as_asked() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = memory(&folder.path().join("here"), &some(5));
+    let asked = |more: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_wisch-fleet"));
+        command.args(["sql", "SELECT count(*) AS n FROM episodes", "--memory"]);
+        run(command.arg(here.folder()).args(more))
+    };
+    assert_eq!(stdout(&asked(&["--csv"])), "n\n5\n");
+    assert_eq!(stdout(&asked(&["--json"])), "{\"n\":5}\n");
+    assert!(stdout(&asked(&[])).contains("1 row"));
+    let file = folder.path().join("n.parquet");
+    stdout(&asked(&["--parquet", file.to_str().unwrap()]));
+    assert!(std::fs::read(file).unwrap().starts_with(b"PAR1"));
+    let wrong = run(Command::new(env!("CARGO_BIN_EXE_wisch-fleet")).args(["sql", "SELECT 1"]));
+    assert_eq!(wrong.status.code(), Some(2));
+}

@@ -1,0 +1,169 @@
+//! Compaction, retention, older and newer files.
+
+use crate::memories::{contents, memory, place, session, some};
+use datafusion::arrow::util::pretty::pretty_format_batches;
+use std::fs;
+use std::path::Path;
+use wisch_fleet::ask::Session;
+use wisch_fleet::moves::{Filter, PushOptions, compact, pull, purge, push, retain, verify};
+use wisch_fleet::store::{Place, Snapshot, now};
+use wisch_memory::Memory;
+
+fn quiet() -> impl FnMut(usize, usize) {
+    |_, _| {}
+}
+
+async fn all_rows(session: &Session) -> String {
+    let mut text = String::new();
+    for table in [
+        "episodes",
+        "rounds",
+        "strokes",
+        "motions",
+        "events",
+        "participants",
+    ] {
+        let mut sort = "robot, day, episode".to_owned();
+        if table != "episodes" {
+            sort += ", place";
+        }
+        if table == "participants" {
+            sort += ", role, participant";
+        }
+        let rows = session
+            .rows(&format!("SELECT * FROM {table} ORDER BY {sort}"))
+            .await
+            .unwrap();
+        text += &pretty_format_batches(&rows).unwrap().to_string();
+    }
+    text
+}
+
+#[tokio::test]
+async fn compaction_changes_no_answer_and_takes_nothing_from_who_reads() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = memory(&folder.path().join("here"), &some(200));
+    let fleet = place(&folder.path().join("fleet"));
+    push(&memory, &fleet, &PushOptions::default(), &mut quiet())
+        .await
+        .unwrap();
+    let reader = session(&fleet).await;
+    let before = all_rows(&reader).await;
+    let done = compact(&fleet).await.unwrap();
+    assert!(done.before > done.after && done.after > 0, "{done:?}");
+    assert_eq!(all_rows(&session(&fleet).await).await, before);
+    assert_eq!(all_rows(&reader).await, before, "who began before reads on");
+    assert_eq!(
+        purge(&fleet, now() - 3600.0).await.unwrap(),
+        0,
+        "nothing is old enough"
+    );
+    assert_eq!(purge(&fleet, now() + 1.0).await.unwrap(), done.before);
+    assert_eq!(all_rows(&session(&fleet).await).await, before);
+    assert!(Snapshot::read(&fleet).await.unwrap().removed.is_empty());
+    assert_eq!(verify(&fleet, &mut quiet()).await.unwrap().faults, [""; 0]);
+    let again = push(&memory, &fleet, &PushOptions::default(), &mut quiet())
+        .await
+        .unwrap();
+    assert_eq!((again.episodes, again.there), (0, 200));
+}
+
+#[tokio::test]
+async fn telemetry_that_is_not_kept_is_gone_and_nothing_else() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = memory(&folder.path().join("here"), &some(5));
+    let fleet = place(&folder.path().join("fleet"));
+    push(&memory, &fleet, &PushOptions::default(), &mut quiet())
+        .await
+        .unwrap();
+    retain(&fleet, now()).await.unwrap();
+    assert_eq!(
+        purge(&fleet, now() + 1.0).await.unwrap(),
+        1,
+        "one episode has telemetry"
+    );
+    assert_eq!(verify(&fleet, &mut quiet()).await.unwrap().faults, [""; 0]);
+    let there = Memory::create(&folder.path().join("there")).unwrap();
+    let pulled = pull(&fleet, &there, &Filter::default(), &mut quiet())
+        .await
+        .unwrap();
+    assert_eq!((pulled.episodes, pulled.thinned), (5, 1));
+    assert!(there.verify().unwrap().is_empty());
+    let (here, there) = (contents(&memory), contents(&there));
+    let lacking: Vec<&String> = here
+        .keys()
+        .filter(|name| !there.contains_key(*name))
+        .collect();
+    assert_eq!(lacking.len(), 1);
+    assert!(lacking[0].ends_with("round-1.parquet"));
+}
+
+/// Each log says which version wrote it; rows of another are made of what is there.
+fn rewrite(fleet: &Path, from: &str, to: &str) {
+    for entry in fs::read_dir(fleet.join("log")).unwrap() {
+        let path = entry.unwrap().path();
+        let text = fs::read_to_string(&path).unwrap();
+        assert!(text.contains(from), "{text}");
+        fs::write(&path, text.replace(from, to)).unwrap();
+    }
+}
+
+#[tokio::test]
+async fn what_a_newer_program_wrote_is_refused() {
+    for (from, to) in [
+        ("\"version\":[1,0]", "\"version\":[2,0]"),
+        ("\"schema\":[1,0]", "\"schema\":[2,0]"),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let memory = memory(&folder.path().join("here"), &some(1));
+        let fleet = place(&folder.path().join("fleet"));
+        push(&memory, &fleet, &PushOptions::default(), &mut quiet())
+            .await
+            .unwrap();
+        rewrite(&folder.path().join("fleet"), from, to);
+        let source = wisch_fleet::ask::Source::open(fleet).await;
+        let error = match source {
+            Ok(source) => Session::new(&[source]).await.err().unwrap(),
+            Err(error) => error,
+        };
+        assert!(
+            error.to_string().contains("version 2.0 is not supported"),
+            "{error}"
+        );
+    }
+}
+
+#[tokio::test]
+async fn every_version_that_ever_was_is_read() {
+    let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures");
+    // "lacking" is as a version before `plane_tilt_rad` would have written it.
+    for (name, tilts) in [
+        ("version-1.0", "| 3      |"),
+        ("version-1.0-lacking", "| 0      |"),
+    ] {
+        let fleet = Place::open(fixtures.join(name).to_str().unwrap()).unwrap();
+        let session = session(&fleet).await;
+        let rows = session
+            .rows("SELECT count(plane_tilt_rad) AS tilted FROM rounds")
+            .await
+            .unwrap();
+        let found = pretty_format_batches(&rows).unwrap().to_string();
+        assert!(found.contains(tilts), "{name}: {found}");
+        let rows = session
+            .rows("SELECT count(performance) AS n FROM rounds")
+            .await
+            .unwrap();
+        assert!(
+            pretty_format_batches(&rows)
+                .unwrap()
+                .to_string()
+                .contains("| 3 |"),
+            "{name}"
+        );
+        assert_eq!(
+            verify(&fleet, &mut quiet()).await.unwrap().faults,
+            [""; 0],
+            "{name}"
+        );
+    }
+}
