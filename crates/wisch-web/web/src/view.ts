@@ -1,11 +1,13 @@
 // One view of a recording: scene, words, clock and timeline.
 import { Clock } from "./clock.ts";
 import { clockText, el } from "./dom.ts";
+import { calmly, frames } from "./frames.ts";
 import { listenKeys } from "./keys.ts";
 import { colour } from "./theme.ts";
 import { ScenePanel } from "./scene/panel.ts";
 import { safeColour } from "./scene/path.ts";
 import type { Trajectory } from "./scene/path.ts";
+import { drawnBySoftware } from "./software.ts";
 import { Timeline } from "./timeline.ts";
 import type { Interval } from "./timeline.ts";
 import { transport } from "./transport.ts";
@@ -13,6 +15,9 @@ import { Words } from "./words.ts";
 import type { Recording } from "./store.ts";
 
 export type { Interval, Trajectory };
+
+/** Without a graphics card every word that changes costs; numbers that run change so often [ms]. */
+const TOLD_MS = 150;
 
 export interface ViewOptions {
   /** Little room: no words, fewer lanes. */
@@ -51,14 +56,15 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
     el("div", { class: "w-grid" }, panel.element, words?.element, el("div", { class: "w-below" }, bar.element, timeline.element)));
   root.append(element);
 
-  let asked = 0;
-  const show = () => {
-    asked = 0;
-    panel.show(clock.time);
+  const told = calmly(drawnBySoftware() ? TOLD_MS : 0, () => {
     words?.show();
     bar.show();
+  });
+  const show = () => {
+    panel.show(clock.time);
+    told.ask();
   };
-  const ask = () => { if (!asked) asked = requestAnimationFrame(show); };
+  const ask = () => frames.draw(show);
   const stops = [
     leave,
     clock.subscribe(ask),
@@ -107,7 +113,8 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
     },
     get frames() { return panel.stage?.drawn ?? 0; },
     destroy: () => {
-      cancelAnimationFrame(asked);
+      frames.drop(show);
+      told.stop();
       for (const stop of stops) stop();
       panel.destroy();
       timeline.destroy();

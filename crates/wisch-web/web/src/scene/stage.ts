@@ -3,6 +3,7 @@ import {
   AmbientLight, Box3, Color, DirectionalLight, GridHelper, Group, HemisphereLight, Material, Mesh, MeshLambertMaterial,
   MeshStandardMaterial, Object3D, PlaneGeometry, Scene, ShadowMaterial, Sphere, Vector3,
 } from "three";
+import { frames } from "../frames.ts";
 import { colour, theme } from "../theme.ts";
 import type { BufferGeometry } from "three";
 import { Camera } from "./camera.ts";
@@ -60,7 +61,7 @@ export class Stage {
   private readonly marks = new Marks();
   private home: { all: Vector3[]; surface: Vector3[]; from: Vector3 } | null = null;
   private sized = false;
-  private frame = 0;
+  private readonly moved = () => this.draw();
   private time = 0;
   /** Frames that were drawn, and when the first was, for who measures. */
   drawn = 0;
@@ -83,7 +84,7 @@ export class Stage {
   }
 
   ask(): void {
-    if (!this.frame) this.frame = requestAnimationFrame(() => { this.frame = 0; this.draw(); });
+    frames.draw(this.moved);
   }
 
   /** Its size, and how much of it at the left is covered. */
@@ -179,7 +180,7 @@ export class Stage {
   }
 
   destroy(): void {
-    cancelAnimationFrame(this.frame);
+    frames.drop(this.moved);
     this.camera.controls.dispose();
     for (const { still, path } of this.entered.values()) {
       still.dispose();
