@@ -6,6 +6,8 @@ import { colour, isPrinting, onTheme } from "./theme.ts";
 import { Frame, PLOTS, fitted, font } from "./timeline/frame.ts";
 import type { LaneName, Pen } from "./timeline/frame.ts";
 import { drawAxis, drawContact, drawEvents, drawPhases, drawRounds } from "./timeline/lanes.ts";
+import { drawHighlights } from "./timeline/highlights.ts";
+import type { Interval } from "./timeline/highlights.ts";
 import { drawMeasured, drawPerformance } from "./timeline/plots.ts";
 import { listen } from "./timeline/input.ts";
 import type { Clock } from "./clock.ts";
@@ -23,12 +25,6 @@ const TIGHT_PX = 700;
 const EVERY_MS = { card: 60, software: 250 };
 /** Less than this is not zoomed into [s]. */
 const NEAREST_S = 0.2;
-
-export interface Interval {
-  start: number;
-  end: number;
-  label: string;
-}
 
 export class Timeline {
   readonly element: HTMLElement;
@@ -205,28 +201,8 @@ export class Timeline {
       if (!frame.narrow) fitted(pen, lane.label, 2, lane.top + (plot ? 8 : lane.height / 2), frame.left - (plot ? 26 : 6));
       else if (plot) pen.fillText(lane.label, 2, lane.top - 8);
     }
-    this.drawHighlights(pen);
+    drawHighlights(pen, frame, this.highlights);
     this.drawVeil();
-  }
-
-  private drawHighlights(pen: Pen): void {
-    const { frame } = this;
-    const top = frame.lane("rounds")?.top ?? 0;
-    for (const { start, end, label } of this.highlights) {
-      if (end < frame.from || start > frame.to) continue;
-      const from = Math.max(frame.left, frame.x(start));
-      const to = Math.max(from + 2, Math.min(frame.width - frame.right, frame.x(end)));
-      pen.fillStyle = colour("highlight");
-      pen.globalAlpha = 0.28;
-      pen.fillRect(from, top, to - from, frame.height - top);
-      pen.globalAlpha = 1;
-      pen.fillRect(from, top - 3, to - from, 3);
-      font(pen, 10, 600);
-      pen.fillStyle = colour("ink");
-      pen.textAlign = "left";
-      pen.textBaseline = "bottom";
-      fitted(pen, label, from + 3, frame.height - 4, Math.max(to - from - 4, 170));
-    }
   }
 
   /** Moves what lies over the drawing: that costs less than to draw it again. */
@@ -270,6 +246,7 @@ export class Timeline {
     const { round, normal, height, performance, phase } = instant;
     const near = 4 * ((this.frame.to - this.frame.from) / this.frame.span);
     const events = this.recording.happenings.filter(({ start, end }) => t >= start - near && t <= end + near);
+    const shown = this.highlights.filter(({ start, end, label }) => label && t >= start - near && t <= end + near).map(({ label }) => label);
     const judged = Math.abs(t - round.end) < 3 * near ? round.judged : null;
     return [
       `${clockText(t, 2)} \u00b7 round ${round.number}`,
@@ -279,6 +256,7 @@ export class Timeline {
       performance === null ? "" : `predicted ${percent(performance)}`,
       judged ? `estimated ${percent(judged.estimate.mean)} (${percent(judged.estimate.low)} to ${percent(judged.estimate.high)})` : "",
       judged && typeof round.truth?.performance === "number" ? `true ${percent(round.truth.performance)}` : "",
+      ...new Set(shown),
       ...events.map(({ kind, words }) => `${kind}: ${words}`),
     ].filter((text) => text !== "");
   }

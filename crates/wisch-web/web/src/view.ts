@@ -4,17 +4,19 @@ import { clockText, el } from "./dom.ts";
 import { calmly, frames } from "./frames.ts";
 import { listenKeys } from "./keys.ts";
 import { colour } from "./theme.ts";
+import { askedColour } from "./scene/asked.ts";
+import type { ShownParticles } from "./scene/asked.ts";
 import { ScenePanel } from "./scene/panel.ts";
 import { safeColour } from "./scene/path.ts";
 import type { Trajectory } from "./scene/path.ts";
 import { drawnBySoftware } from "./software.ts";
 import { Timeline } from "./timeline.ts";
-import type { Interval } from "./timeline.ts";
+import type { Interval } from "./timeline/highlights.ts";
 import { transport } from "./transport.ts";
 import { Words } from "./words.ts";
 import type { Recording } from "./store.ts";
 
-export type { Interval, Trajectory };
+export type { Interval, ShownParticles, Trajectory };
 
 /** Without a graphics card every word that changes costs; numbers that run change so often [ms]. */
 const TOLD_MS = 150;
@@ -35,7 +37,9 @@ export interface View {
   showTrajectories(list: Trajectory[]): void;
   /** The robot as it was at these times, see-through. */
   showRobotAt(times: number[]): void;
-  /** Takes away what the three above showed. */
+  /** Particles beside the recording's own. */
+  showParticles(list: ShownParticles[]): void;
+  /** Takes away what the four above showed. */
   clearShown(): void;
   /** Frames of the scene that were drawn so far. */
   readonly frames: number;
@@ -84,10 +88,11 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
   if (recording.live) clock.follow();
   show();
 
-  const named = { trajectories: [] as Trajectory[], ghosts: [] as number[] };
+  const named = { trajectories: [] as Trajectory[], ghosts: [] as number[], particles: [] as ShownParticles[] };
   const name = () => panel.name([
     ...named.trajectories.map(({ name, color }, i) => ({ name, colour: safeColour(color, i) })),
     ...named.ghosts.map((time) => ({ name: `robot at ${clockText(time)}`, colour: colour("ghost") })),
+    ...named.particles.map(({ name, color, state }) => ({ name, colour: askedColour(color), form: state })),
   ]);
   const showTrajectories = (list: Trajectory[]) => {
     named.trajectories = list;
@@ -99,16 +104,22 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
     panel.stage?.showGhosts(times);
     name();
   };
+  const showParticles = (list: ShownParticles[]) => {
+    named.particles = list;
+    panel.stage?.showParticles(list);
+    name();
+  };
   const highlight = (intervals: Interval[]) => {
     timeline.highlight(intervals);
     panel.stage?.highlight(intervals);
   };
   return {
-    element, clock, showTrajectories, showRobotAt, highlight,
+    element, clock, showTrajectories, showRobotAt, showParticles, highlight,
     seek: (time) => clock.seek(time),
     clearShown: () => {
       showTrajectories([]);
       showRobotAt([]);
+      showParticles([]);
       highlight([]);
     },
     get frames() { return panel.stage?.drawn ?? 0; },
