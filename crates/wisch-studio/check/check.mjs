@@ -144,6 +144,13 @@ try {
   await page.waitForSelector(".s-plot svg");
   await shoot(page, "09-chart");
 
+  step("particles are shown where they lay");
+  await page.fill(".s-query", "show([particles(semco:'breadcrumbs')])");
+  await page.press(".s-query", "Enter");
+  await page.waitForFunction(() => [...document.querySelectorAll(".w-named li")].some((li) => /^dirt as estimated after round/.test(li.textContent)), null, { timeout: 60_000 });
+  await page.waitForTimeout(1000);
+  await shoot(page, "09-particles");
+
   step("a deep link is followed");
   const link = await open(`#episode=${second}&t=12.5&q=${encodeURIComponent("human_collision(Motion, C, [S, E])")}`);
   await link.waitForSelector(".s-table tbody tr");

@@ -1,8 +1,11 @@
 // One clock for all that is shown: play, pause, speed, seek, and following a run that goes on.
+import { frames } from "./frames.ts";
 
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10];
-/** How fast the clock catches up with a run that goes on: the gap shrinks to a third in this time [s]. */
-const CATCH_UP_S = 0.12;
+/** A run that goes on comes in pieces. The clock takes this share more than the time between two of them for what came
+ * last, so that it is still on its way when the next one comes, within these bounds [s]. */
+const MARGIN = 1.15;
+const CATCH_UP_S = { least: 0.12, most: 0.8 };
 
 /** What the clock runs over: a recording. */
 export interface Span {
@@ -12,15 +15,13 @@ export interface Span {
   live: boolean;
 }
 
-interface Frames {
+/** Who says when the next picture is made. */
+interface Pictures {
   request(callback: (now: number) => void): number;
   cancel(id: number): void;
+  /** [ms] */
+  now(): number;
 }
-
-const browser: Frames = {
-  request: (callback) => requestAnimationFrame(callback),
-  cancel: (id) => cancelAnimationFrame(id),
-};
 
 export class Clock {
   /** The time that is shown [s]. */
@@ -33,8 +34,10 @@ export class Clock {
   private readonly callbacks = new Set<(clock: Clock) => void>();
   private frame: number | null = null;
   private before: number | null = null;
+  /** While following: up to where the run was known, since when, how often that moves [s], and how fast the clock goes. */
+  private known = { edge: 0, since: 0, every: CATCH_UP_S.least, pace: 0 };
 
-  constructor(private readonly frames: Frames = browser) {}
+  constructor(private readonly pictures: Pictures = frames) {}
 
   /** Runs over a recording as well; returns how to stop that. */
   join(span: Span): () => void {
@@ -72,7 +75,10 @@ export class Clock {
       this.following = false;
       this.time = this.end;
     }
-    if (this.following) this.run();
+    if (this.following) {
+      this.keepPace();
+      this.run();
+    }
     this.tell();
   }
 
@@ -108,6 +114,8 @@ export class Clock {
   follow(): void {
     this.following = true;
     this.playing = false;
+    this.known = { edge: -1, since: this.pictures.now(), every: CATCH_UP_S.least, pace: 0 };
+    this.keepPace();
     this.run();
     this.tell();
   }
@@ -124,7 +132,7 @@ export class Clock {
   }
 
   destroy(): void {
-    if (this.frame !== null) this.frames.cancel(this.frame);
+    if (this.frame !== null) this.pictures.cancel(this.frame);
     this.frame = null;
     this.callbacks.clear();
   }
@@ -132,7 +140,7 @@ export class Clock {
   private run(): void {
     if (this.frame !== null) return;
     this.before = null;
-    this.frame = this.frames.request((now) => this.step(now));
+    this.frame = this.pictures.request((now) => this.step(now));
   }
 
   private step(now: number): void {
@@ -141,18 +149,31 @@ export class Clock {
     const passed = this.before === null ? 0 : Math.min(0.25, (now - this.before) / 1000);
     this.before = now;
     if (this.following) {
-      const gap = this.edge - this.time;
-      this.time = Math.abs(gap) < 1e-3 ? this.edge : this.time + gap * (1 - Math.exp(-passed / CATCH_UP_S));
+      const { edge } = this;
+      const gap = edge - this.time;
+      const step = passed * this.known.pace;
+      this.time = Math.abs(gap) <= Math.max(1e-3, step) ? edge : this.time + Math.sign(gap) * step;
     } else if (this.playing) {
       this.time = Math.min(this.end, this.time + passed * this.speed);
       if (this.time >= this.end) {
         this.playing = false;
-        if (this.live) this.following = true;
+        if (this.live) this.follow();
       }
     }
     const again = this.playing || (this.following && this.edge !== this.time);
-    if (again) this.frame = this.frames.request((later) => this.step(later));
+    if (again) this.frame = this.pictures.request((later) => this.step(later));
     this.tell();
+  }
+
+  /** So fast that what is known now lasts until more is. */
+  private keepPace(): void {
+    const { edge, known } = this;
+    if (edge === known.edge) return;
+    const now = this.pictures.now();
+    const { least, most } = CATCH_UP_S;
+    const took = Math.min(most, Math.max(least, (now - known.since) / 1000));
+    const every = known.edge < 0 ? least : known.every + 0.3 * (took - known.every);
+    this.known = { edge, since: now, every, pace: Math.abs(edge - this.time) / (MARGIN * every) };
   }
 
   private tell(): void {

@@ -31,3 +31,8 @@ const MARKS: Record<string, () => SVGElement> = {
 /** The mark of a layer, as it looks in the scene. */
 export const mark = (name: string): SVGSVGElement =>
   svg("svg", { viewBox: "0 0 16 16", width: 15, height: 15, "aria-hidden": "true" }, MARKS[name]?.());
+
+/** The mark of particles that were asked for. */
+export const diamond = (colour: string, hollow: boolean): SVGSVGElement =>
+  svg("svg", { viewBox: "0 0 16 16", width: 15, height: 15, "aria-hidden": "true" },
+    svg("path", { d: `M8 1l7 7-7 7-7-7z${hollow ? "M8 5l3 3-3 3-3-3z" : ""}`, "fill-rule": "evenodd", fill: colour, stroke: "#000", "stroke-width": 1.4 }));

@@ -6,6 +6,8 @@ export type Theme = "light" | "dark";
 const root = (): HTMLElement => document.documentElement;
 const callbacks = new Set<() => void>();
 let printing = false;
+/** What somebody asked for, whatever the system prefers. */
+let chosen: Theme | null = null;
 
 const kept = (): Theme | null => {
   try {
@@ -16,15 +18,14 @@ const kept = (): Theme | null => {
   }
 };
 
+/** What is shown now. */
 export function theme(): Theme {
   if (printing) return "light";
-  const chosen = root().dataset.theme;
-  if (chosen === "light" || chosen === "dark") return chosen;
-  return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+  return chosen ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
 }
 
 export function setTheme(wanted: Theme): void {
-  root().dataset.theme = wanted;
+  chosen = wanted;
   try {
     localStorage.setItem(KEY, wanted);
   } catch {
@@ -40,24 +41,24 @@ export function onTheme(callback: () => void): () => void {
 }
 
 function tell(): void {
+  root().dataset.theme = theme();
   colours = null;
   for (const callback of callbacks) callback();
 }
 
 /** To be called once, before anything is drawn. */
 export function startTheme(): void {
-  const theme = kept();
-  if (theme) root().dataset.theme = theme;
+  chosen = kept();
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", tell);
   const print = (now: boolean) => {
     if (printing === now) return;
     printing = now;
-    root().classList.toggle("w-printing", now);
     tell();
   };
   matchMedia("print").addEventListener("change", ({ matches }) => print(matches));
   addEventListener("beforeprint", () => print(true));
   addEventListener("afterprint", () => print(false));
+  tell();
 }
 
 export const isPrinting = (): boolean => printing;

@@ -1,9 +1,13 @@
 // One timeline for all rounds, below the scene. Its cursor is the clock.
 import { clockText, el, fixed, percent, say } from "./dom.ts";
+import { frames } from "./frames.ts";
+import { drawnBySoftware } from "./software.ts";
 import { colour, isPrinting, onTheme } from "./theme.ts";
 import { Frame, PLOTS, fitted, font } from "./timeline/frame.ts";
 import type { LaneName, Pen } from "./timeline/frame.ts";
 import { drawAxis, drawContact, drawEvents, drawPhases, drawRounds } from "./timeline/lanes.ts";
+import { drawHighlights } from "./timeline/highlights.ts";
+import type { Interval } from "./timeline/highlights.ts";
 import { drawMeasured, drawPerformance } from "./timeline/plots.ts";
 import { listen } from "./timeline/input.ts";
 import type { Clock } from "./clock.ts";
@@ -17,14 +21,10 @@ const HEIGHTS_MM: [number, number] = [-20, 80];
 const PAPER_PX = 900;
 /** A view that is less high has lower plots [pixels]. */
 const TIGHT_PX = 700;
+/** While a run goes on, what is new is added so often [ms]: with a graphics card, and without one. */
+const EVERY_MS = { card: 60, software: 250 };
 /** Less than this is not zoomed into [s]. */
 const NEAREST_S = 0.2;
-
-export interface Interval {
-  start: number;
-  end: number;
-  label: string;
-}
 
 export class Timeline {
   readonly element: HTMLElement;
@@ -38,8 +38,9 @@ export class Timeline {
   private readonly stop: (() => void)[] = [];
   private highlights: Interval[] = [];
   private zoomed = false;
-  private drawn = { version: -1, duration: -1 };
-  private asked = 0;
+  private drawn = { version: -1, duration: -1, at: -Infinity };
+  private later: ReturnType<typeof setTimeout> | undefined;
+  private readonly moved = () => this.draw();
   private stale = true;
   private hovered: number | null = null;
 
@@ -83,12 +84,13 @@ export class Timeline {
   }
 
   destroy(): void {
-    cancelAnimationFrame(this.asked);
+    frames.drop(this.moved);
+    clearTimeout(this.later);
     for (const stop of this.stop) stop();
   }
 
   private ask(): void {
-    if (!this.asked) this.asked = requestAnimationFrame(() => { this.asked = 0; this.draw(); });
+    frames.draw(this.moved);
   }
 
   private resize(): void {
@@ -102,8 +104,7 @@ export class Timeline {
     this.base.style.height = `${this.frame.height}px`;
     this.element.style.height = `${this.frame.height}px`;
     this.stale = true;
-    cancelAnimationFrame(this.asked);
-    this.asked = 0;
+    frames.drop(this.moved);
     this.draw();
   }
 
@@ -126,7 +127,8 @@ export class Timeline {
   }
 
   private pen(): Pen {
-    const pen = this.base.getContext("2d")!;
+    // Without a graphics card a canvas that is one's own costs less than one that is drawn as if there were one.
+    const pen = this.base.getContext("2d", { willReadFrequently: drawnBySoftware() })!;
     const ratio = this.base.width / (parseFloat(this.base.style.width) || 1);
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, this.frame.width, this.frame.height);
@@ -138,10 +140,12 @@ export class Timeline {
     const { duration } = clock;
     if (!this.zoomed) [frame.from, frame.to] = [0, Math.max(duration, 1e-3)];
     else if (clock.playing || clock.following) this.keepInSight();
-    if (this.stale || this.drawn.version !== recording.version || this.drawn.duration !== duration) this.drawBase();
-    this.drawn = { version: recording.version, duration };
+    if (this.isDue()) {
+      this.drawBase();
+      this.drawn = { version: recording.version, duration, at: performance.now() };
+      this.stale = false;
+    }
     this.whole.hidden = !this.zoomed;
-    this.stale = false;
     this.drawOver();
     const { element } = this;
     element.setAttribute("aria-valuemax", duration.toFixed(1));
@@ -149,6 +153,19 @@ export class Timeline {
     const instant = recording.at(clock.time);
     const phase = instant?.round.plan.phases[instant.phase]?.name;
     element.setAttribute("aria-valuetext", `${clockText(clock.time)}${instant ? `, round ${instant.round.number}` : ""}${phase ? `, ${phase}` : ""}`);
+  }
+
+  /** Whether the drawing is to be made again. What a run that goes on adds waits for more of it. */
+  private isDue(): boolean {
+    const { recording, clock, drawn } = this;
+    if (this.stale || drawn.duration !== clock.duration) return true;
+    if (drawn.version === recording.version) return false;
+    const every = drawnBySoftware() ? EVERY_MS.software : EVERY_MS.card;
+    const left = recording.live ? drawn.at + every - performance.now() : 0;
+    if (left <= 0) return true;
+    clearTimeout(this.later);
+    this.later = setTimeout(() => this.ask(), left);
+    return false;
   }
 
   /** Follows the cursor where it leaves what is zoomed into. */
@@ -184,27 +201,8 @@ export class Timeline {
       if (!frame.narrow) fitted(pen, lane.label, 2, lane.top + (plot ? 8 : lane.height / 2), frame.left - (plot ? 26 : 6));
       else if (plot) pen.fillText(lane.label, 2, lane.top - 8);
     }
-    this.drawHighlights(pen);
-  }
-
-  private drawHighlights(pen: Pen): void {
-    const { frame } = this;
-    const top = frame.lane("rounds")?.top ?? 0;
-    for (const { start, end, label } of this.highlights) {
-      if (end < frame.from || start > frame.to) continue;
-      const from = Math.max(frame.left, frame.x(start));
-      const to = Math.max(from + 2, Math.min(frame.width - frame.right, frame.x(end)));
-      pen.fillStyle = colour("highlight");
-      pen.globalAlpha = 0.28;
-      pen.fillRect(from, top, to - from, frame.height - top);
-      pen.globalAlpha = 1;
-      pen.fillRect(from, top - 3, to - from, 3);
-      font(pen, 10, 600);
-      pen.fillStyle = colour("ink");
-      pen.textAlign = "left";
-      pen.textBaseline = "bottom";
-      fitted(pen, label, from + 3, frame.height - 4, Math.max(to - from - 4, 170));
-    }
+    drawHighlights(pen, frame, this.highlights);
+    this.drawVeil();
   }
 
   /** Moves what lies over the drawing: that costs less than to draw it again. */
@@ -216,9 +214,14 @@ export class Timeline {
     this.cursor.style.transform = `translateX(${x.toFixed(1)}px)`;
     this.hair.hidden = this.hovered === null;
     if (this.hovered !== null) this.hair.style.transform = `translateX(${this.hovered}px)`;
-    // What is still to come.
-    const come = Math.min(right, Math.max(frame.left, frame.x(this.recording.now)));
-    this.veil.hidden = !this.recording.live || come >= right;
+  }
+
+  /** Covers what is still to come. */
+  private drawVeil(): void {
+    const { frame, recording } = this;
+    const right = frame.width - frame.right;
+    const come = Math.min(right, Math.max(frame.left, frame.x(recording.now)));
+    this.veil.hidden = !recording.live || come >= right;
     Object.assign(this.veil.style, { left: `${come}px`, width: `${right - come}px` });
   }
 
@@ -243,6 +246,7 @@ export class Timeline {
     const { round, normal, height, performance, phase } = instant;
     const near = 4 * ((this.frame.to - this.frame.from) / this.frame.span);
     const events = this.recording.happenings.filter(({ start, end }) => t >= start - near && t <= end + near);
+    const shown = this.highlights.filter(({ start, end, label }) => label && t >= start - near && t <= end + near).map(({ label }) => label);
     const judged = Math.abs(t - round.end) < 3 * near ? round.judged : null;
     return [
       `${clockText(t, 2)} \u00b7 round ${round.number}`,
@@ -252,6 +256,7 @@ export class Timeline {
       performance === null ? "" : `predicted ${percent(performance)}`,
       judged ? `estimated ${percent(judged.estimate.mean)} (${percent(judged.estimate.low)} to ${percent(judged.estimate.high)})` : "",
       judged && typeof round.truth?.performance === "number" ? `true ${percent(round.truth.performance)}` : "",
+      ...new Set(shown),
       ...events.map(({ kind, words }) => `${kind}: ${words}`),
     ].filter((text) => text !== "");
   }

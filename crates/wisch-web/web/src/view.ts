@@ -1,18 +1,25 @@
 // One view of a recording: scene, words, clock and timeline.
 import { Clock } from "./clock.ts";
 import { clockText, el } from "./dom.ts";
+import { calmly, frames } from "./frames.ts";
 import { listenKeys } from "./keys.ts";
 import { colour } from "./theme.ts";
+import { askedColour } from "./scene/asked.ts";
+import type { ShownParticles } from "./scene/asked.ts";
 import { ScenePanel } from "./scene/panel.ts";
 import { safeColour } from "./scene/path.ts";
 import type { Trajectory } from "./scene/path.ts";
+import { drawnBySoftware } from "./software.ts";
 import { Timeline } from "./timeline.ts";
-import type { Interval } from "./timeline.ts";
+import type { Interval } from "./timeline/highlights.ts";
 import { transport } from "./transport.ts";
 import { Words } from "./words.ts";
 import type { Recording } from "./store.ts";
 
-export type { Interval, Trajectory };
+export type { Interval, ShownParticles, Trajectory };
+
+/** Without a graphics card every word that changes costs; numbers that run change so often [ms]. */
+const TOLD_MS = 150;
 
 export interface ViewOptions {
   /** Little room: no words, fewer lanes. */
@@ -30,7 +37,9 @@ export interface View {
   showTrajectories(list: Trajectory[]): void;
   /** The robot as it was at these times, see-through. */
   showRobotAt(times: number[]): void;
-  /** Takes away what the three above showed. */
+  /** Particles beside the recording's own. */
+  showParticles(list: ShownParticles[]): void;
+  /** Takes away what the four above showed. */
   clearShown(): void;
   /** Frames of the scene that were drawn so far. */
   readonly frames: number;
@@ -51,14 +60,15 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
     el("div", { class: "w-grid" }, panel.element, words?.element, el("div", { class: "w-below" }, bar.element, timeline.element)));
   root.append(element);
 
-  let asked = 0;
-  const show = () => {
-    asked = 0;
-    panel.show(clock.time);
+  const told = calmly(drawnBySoftware() ? TOLD_MS : 0, () => {
     words?.show();
     bar.show();
+  });
+  const show = () => {
+    panel.show(clock.time);
+    told.ask();
   };
-  const ask = () => { if (!asked) asked = requestAnimationFrame(show); };
+  const ask = () => frames.draw(show);
   const stops = [
     leave,
     clock.subscribe(ask),
@@ -78,10 +88,11 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
   if (recording.live) clock.follow();
   show();
 
-  const named = { trajectories: [] as Trajectory[], ghosts: [] as number[] };
+  const named = { trajectories: [] as Trajectory[], ghosts: [] as number[], particles: [] as ShownParticles[] };
   const name = () => panel.name([
     ...named.trajectories.map(({ name, color }, i) => ({ name, colour: safeColour(color, i) })),
     ...named.ghosts.map((time) => ({ name: `robot at ${clockText(time)}`, colour: colour("ghost") })),
+    ...named.particles.map(({ name, color, state }) => ({ name, colour: askedColour(color), form: state })),
   ]);
   const showTrajectories = (list: Trajectory[]) => {
     named.trajectories = list;
@@ -93,21 +104,28 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
     panel.stage?.showGhosts(times);
     name();
   };
+  const showParticles = (list: ShownParticles[]) => {
+    named.particles = list;
+    panel.stage?.showParticles(list);
+    name();
+  };
   const highlight = (intervals: Interval[]) => {
     timeline.highlight(intervals);
     panel.stage?.highlight(intervals);
   };
   return {
-    element, clock, showTrajectories, showRobotAt, highlight,
+    element, clock, showTrajectories, showRobotAt, showParticles, highlight,
     seek: (time) => clock.seek(time),
     clearShown: () => {
       showTrajectories([]);
       showRobotAt([]);
+      showParticles([]);
       highlight([]);
     },
     get frames() { return panel.stage?.drawn ?? 0; },
     destroy: () => {
-      cancelAnimationFrame(asked);
+      frames.drop(show);
+      told.stop();
       for (const stop of stops) stop();
       panel.destroy();
       timeline.destroy();

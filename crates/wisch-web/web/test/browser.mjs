@@ -182,6 +182,7 @@ const cases = {
   async "paper gets the story, a still and the timeline"() {
     const { page, complaints, picture } = await show("print", whole, { width: 720, height: 1000, colorScheme: "dark", hash: "#t=9.5" });
     await page.waitForTimeout(500);
+    assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(18, 22, 27)", "dark, as the system is");
     await page.emulateMedia({ media: "print" });
     await page.waitForTimeout(400);
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(255, 255, 255)");
@@ -265,6 +266,53 @@ const cases = {
     await picture("compare");
     await page.evaluate(() => { window.b.destroy(); window.a.clearShown(); window.a.destroy(); });
     assert.equal(await page.locator(".w-view").count(), 0);
+    assert.deepEqual(complaints, []);
+    await page.close();
+  },
+
+  async "what somebody asked for is drawn, named and taken away"() {
+    const { page, complaints, picture } = await show("asked", whole, { hash: "#t=9.5" });
+    await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
+    await page.waitForTimeout(1000);
+    /** Pixels of the scene that are of a colour which nothing else has. */
+    const green = async () => {
+      const url = `data:image/png;base64,${(await page.locator(".w-canvas").screenshot()).toString("base64")}`;
+      return page.evaluate(async (url) => {
+        const image = await createImageBitmap(await (await fetch(url)).blob());
+        const pen = new OffscreenCanvas(image.width, image.height).getContext("2d");
+        pen.drawImage(image, 0, 0);
+        const { data } = pen.getImageData(0, 0, image.width, image.height);
+        let count = 0;
+        for (let i = 0; i < data.length; i += 4) if (data[i] < 90 && data[i + 1] > 200 && data[i + 2] < 90) count++;
+        return count;
+      }, url);
+    };
+    assert.equal(await green(), 0);
+    await page.evaluate(() => {
+      const { pose } = wisch.recording.rounds[0].plan.surface;
+      const row = (y) => Array.from({ length: 9 }, (_, i) => [-0.08 + 0.02 * i, y]);
+      wisch.view.showParticles([
+        { name: "dirt before round 1, as asked", state: "before", pose, places: row(-0.03), color: "#00ff00" },
+        { name: "dirt as estimated after round 1, as asked", state: "estimated", pose, places: row(0.03) },
+      ]);
+      wisch.view.highlight([1, 1.4, 1.8, 2.1, 9, 9.2].map((start, i) => ({ start, end: start + 0.3, label: ["HumanCollision", "UnreachedNode"][i % 2] })));
+    });
+    await page.waitForTimeout(1000);
+    assert.ok((await green()) > 100, "the particles are not seen");
+    assert.deepEqual(await page.locator(".w-named li").allInnerTexts(), ["dirt before round 1, as asked", "dirt as estimated after round 1, as asked"]);
+    const box = await page.locator(".w-timeline").boundingBox();
+    const duration = await page.evaluate(() => wisch.view.clock.duration);
+    await page.mouse.move(box.x + 112 + (1.1 / duration) * (box.width - 112 - 22), box.y + 100);
+    await drawn(page);
+    assert.match(await page.locator(".w-tip").innerText(), /HumanCollision/);
+    await picture("asked");
+    await page.getByRole("button", { name: "Dark" }).click();
+    await page.waitForTimeout(1000);
+    await picture("asked-dark");
+    await page.evaluate(() => wisch.view.clearShown());
+    await page.waitForTimeout(1000);
+    assert.equal(await green(), 0);
+    assert.equal(await page.locator(".w-named li").count(), 0);
     assert.deepEqual(complaints, []);
     await page.close();
   },

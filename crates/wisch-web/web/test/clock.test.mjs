@@ -8,10 +8,11 @@ function hand() {
   let wanted = null;
   let now = 0;
   return {
-    frames: { request: (callback) => { wanted = callback; return 1; }, cancel: () => { wanted = null; } },
+    frames: { request: (callback) => { wanted = callback; return 1; }, cancel: () => { wanted = null; }, now: () => now },
     pass: (seconds, step = 0.02) => {
-      for (let left = seconds; left > 1e-9 && wanted; left -= step) {
+      for (let left = seconds; left > 1e-9; left -= step) {
         now += 1000 * step;
+        if (!wanted) continue;
         const callback = wanted;
         wanted = null;
         callback(now);
@@ -85,6 +86,29 @@ test("follows a run that goes on, until somebody looks elsewhere", () => {
   Object.assign(run, { now: 6, live: false, duration: 6 });
   clock.grown();
   assert.deepEqual([clock.following, clock.time], [false, 6]);
+});
+
+test("what comes in pieces moves evenly", () => {
+  for (const [every, piece] of [[0.4, 0.4], [0.1, 0.8], [0.6, 0.3]]) {
+    const h = hand();
+    const clock = new Clock(h.frames);
+    const run = { duration: 1000, now: 0, live: true };
+    clock.join(run);
+    clock.follow();
+    const steps = [];
+    clock.subscribe(() => steps.push(clock.time));
+    for (let k = 0; k < 40; k++) {
+      run.now += piece;
+      clock.grown();
+      if (k === 20) steps.length = 0;
+      h.pass(every);
+    }
+    const moved = steps.slice(1).map((time, i) => time - steps[i]).filter((by) => by > 0);
+    const even = piece * (0.02 / every);
+    assert.ok(Math.max(...moved) < 1.3 * even && Math.min(...moved) > 0.7 * even, `${every}: ${Math.min(...moved)} to ${Math.max(...moved)}, even is ${even}`);
+    assert.ok(moved.length > 0.95 * 19 * (every / 0.02), `stands still: ${moved.length}`);
+    assert.ok(run.now - clock.time < 2 * piece, "lags behind");
+  }
 });
 
 test("two recordings share one clock, which runs over the longer", () => {

@@ -3,7 +3,9 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
 const css = readFileSync("src/style/page.css", "utf8");
-const blocks = [...css.matchAll(/\{([^{}]*--paper:[^{}]*)\}/g)].map(([, block]) => Object.fromEntries([...block.matchAll(/--([\w-]+):\s*(#[0-9a-f]{6})\b/g)].map(([, name, value]) => [name, value])));
+const blocks = [...css.matchAll(/\{([^{}]*--paper:[^{}]*)\}/g)].map(([, block]) => Object.fromEntries([...block.matchAll(/--([\w-]+):\s*(#[0-9a-f]{6})\b/g)].map(([, name, value]) => [name, value])))
+  // What the system chooses has no numbers.
+  .filter(({ paper }) => paper);
 
 const luminance = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255)
   .map((v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)).reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
@@ -16,9 +18,8 @@ const contrast = (a, b) => {
 const TEXT = [["ink", "paper"], ["ink", "card"], ["ink", "lane"], ["ink", "round"], ["ink", "wiping"], ["ink", "hover"], ["quiet", "paper"], ["quiet", "card"], ["quiet", "hover"], ["quiet", "lane"], ["paper", "accent"], ["paper", "bad"], ["good", "good-ground"], ["bad", "bad-ground"], ["target", "paper"]];
 const MARKS = ["believed", "estimated", "actual", "seen", "felt", "contact", "force", "height", "cursor", "collision", "hand", "event", "push", "found"];
 
-test("the dark colours are the same wherever they stand", () => {
-  assert.equal(blocks.length, 3);
-  assert.deepEqual(blocks[1], blocks[2]);
+test("each colour stands once in light and once in dark", () => {
+  assert.equal(blocks.length, 2);
   assert.deepEqual(Object.keys(blocks[0]).sort(), Object.keys(blocks[1]).sort());
 });
 

@@ -1,24 +1,18 @@
 // What draws: with all it can on a graphics card, sparingly where the processor has to do it.
 import { Color, PCFShadowMap, WebGLRenderer } from "three";
 import type { Camera, Scene } from "three";
+import { drawnBySoftware } from "../software.ts";
 import { colour } from "../theme.ts";
 
 /** More pixels than this cost more than they show. */
 const MOST_PIXELS = 2.6e6;
-/** Without a graphics card: resolution while things move and once they rest, and when that is. */
-const MOVING_RATIO = 0.75;
+/** Without a graphics card: resolutions while things move, finest first, and once they rest, and when that is. */
+const MOVING_RATIOS = [0.75, 0.6, 0.5];
 const RESTING_RATIO = 1.5;
 const REST_MS = 700;
-
-/** Whether the processor draws. */
-function drawnBySoftware(): boolean {
-  const gl = document.createElement("canvas").getContext("webgl2");
-  if (!gl) throw new Error("no WebGL");
-  const name = gl.getExtension("WEBGL_debug_renderer_info");
-  const software = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name ? String(gl.getParameter(name.UNMASKED_RENDERER_WEBGL)) : "");
-  gl.getExtension("WEBGL_lose_context")?.loseContext();
-  return software;
-}
+/** Pictures that come more slowly are drawn more coarsely [ms]; that is decided once so many have come. */
+const SLOW_MS = 70;
+const PICTURES_TO_TELL = 12;
 
 export class Painter {
   readonly software = drawnBySoftware();
@@ -27,6 +21,9 @@ export class Painter {
   private height = 0;
   private ratio = 0;
   private rested = false;
+  private coarse = 0;
+  /** When the last moving picture was drawn, and the time between pictures since the last decision. */
+  private moved = { last: 0, took: 0, pictures: 0 };
   private rest: ReturnType<typeof setTimeout> | undefined;
 
   constructor(canvas: HTMLCanvasElement) {
@@ -59,6 +56,7 @@ export class Painter {
   /** Draws; what moves is drawn coarsely, and asked for again once it rests. */
   draw(scene: Scene, camera: Camera, resting: boolean, again: () => void): void {
     clearTimeout(this.rest);
+    if (this.software && !resting) this.keepUp(performance.now());
     this.sharpen(resting);
     this.renderer.shadowMap.needsUpdate = resting || this.renderer.info.render.frame % 3 === 0;
     this.renderer.render(scene, camera);
@@ -74,10 +72,23 @@ export class Painter {
     this.renderer.forceContextLoss();
   }
 
+  /** Draws more coarsely where pictures come too slowly. */
+  private keepUp(now: number): void {
+    const { moved } = this;
+    const took = now - moved.last;
+    moved.last = now;
+    // After a rest, or while programs are made, it tells nothing.
+    if (took > 500) return;
+    moved.took += took;
+    if (++moved.pictures < PICTURES_TO_TELL) return;
+    if (moved.took / moved.pictures > SLOW_MS && this.coarse + 1 < MOVING_RATIOS.length) this.coarse++;
+    moved.took = moved.pictures = 0;
+  }
+
   private sharpen(resting: boolean): void {
     const most = Math.sqrt(MOST_PIXELS / (this.width * this.height));
     const screen = Math.min(devicePixelRatio || 1, 2, Math.max(1, most));
-    const ratio = !this.software ? screen : resting ? Math.min(Math.max(RESTING_RATIO, screen), most) : MOVING_RATIO;
+    const ratio = !this.software ? screen : resting ? Math.min(Math.max(RESTING_RATIO, screen), most) : MOVING_RATIOS[this.coarse]!;
     if (ratio === this.ratio) return;
     this.ratio = ratio;
     this.renderer.setPixelRatio(ratio);

@@ -1,6 +1,6 @@
 // The scene with what stands over it: legend with toggles, views.
 import { el, fresh } from "../dom.ts";
-import { mark } from "../icons.ts";
+import { diamond, mark } from "../icons.ts";
 import { onTheme, isPrinting } from "../theme.ts";
 import { LAYERS, Stage } from "./stage.ts";
 import type { Layers } from "./stage.ts";
@@ -10,6 +10,13 @@ const NAMES: Record<keyof Layers, string> = {
   believed: "Dirt as believed, predicted", estimated: "Dirt as estimated after", actual: "Dirt as it truly is", seen: "Dirt as seen",
   path: "Tool path", strokes: "Strokes as planned", force: "Force", events: "Events", found: "Surface as found", actualSurface: "Surface as it truly is",
 };
+
+/** What was asked to be seen: a line, or particles by their state. */
+export interface Named {
+  name: string;
+  colour: string;
+  form?: "before" | "estimated";
+}
 
 export class ScenePanel {
   readonly element: HTMLElement;
@@ -98,8 +105,9 @@ export class ScenePanel {
   }
 
   /** Names what was asked to be seen. */
-  name(list: { name: string; colour: string }[]): void {
-    this.extra.replaceChildren(...list.map(({ name, colour }) => {
+  name(list: Named[]): void {
+    this.extra.replaceChildren(...list.map(({ name, colour, form }) => {
+      if (form) return el("li", {}, diamond(colour, form === "estimated"), name);
       const line = el("i", { "aria-hidden": "true" });
       line.style.background = colour;
       return el("li", {}, line, name);

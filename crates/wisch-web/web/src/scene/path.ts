@@ -135,6 +135,8 @@ export class Trajectories {
   }
 }
 
-/** A colour as it may stand in a style; else one of the list. */
-export const safeColour = (color: string | undefined, i: number): string =>
-  color && /^#[0-9a-f]{3,8}$/i.test(color) ? color : TRAJECTORY_COLOURS[i % TRAJECTORY_COLOURS.length]!;
+/** A colour as it may stand in a style; else another. */
+export const hexOr = (color: string | undefined, other: string): string => (color && /^#[0-9a-f]{3,8}$/i.test(color) ? color : other);
+
+/** The same, else one of the list. */
+export const safeColour = (color: string | undefined, i: number): string => hexOr(color, TRAJECTORY_COLOURS[i % TRAJECTORY_COLOURS.length]!);

@@ -3,8 +3,11 @@ import {
   AmbientLight, Box3, Color, DirectionalLight, GridHelper, Group, HemisphereLight, Material, Mesh, MeshLambertMaterial,
   MeshStandardMaterial, Object3D, PlaneGeometry, Scene, ShadowMaterial, Sphere, Vector3,
 } from "three";
+import { frames } from "../frames.ts";
 import { colour, theme } from "../theme.ts";
 import type { BufferGeometry } from "three";
+import { Asked } from "./asked.ts";
+import type { ShownParticles } from "./asked.ts";
 import { Camera } from "./camera.ts";
 import type { Look } from "./camera.ts";
 import { Dirt } from "./dirt.ts";
@@ -56,11 +59,12 @@ export class Stage {
   private readonly highlightLook = new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75 });
   private readonly trajectories = new Trajectories();
   private readonly dirt = new Dirt();
+  private readonly asked = new Asked();
   private readonly force = new Force();
   private readonly marks = new Marks();
   private home: { all: Vector3[]; surface: Vector3[]; from: Vector3 } | null = null;
   private sized = false;
-  private frame = 0;
+  private readonly moved = () => this.draw();
   private time = 0;
   /** Frames that were drawn, and when the first was, for who measures. */
   drawn = 0;
@@ -70,7 +74,7 @@ export class Stage {
     const matte = (roughness: number) => (this.painter.software ? new MeshLambertMaterial() : new MeshStandardMaterial({ roughness, metalness: 0.05 }));
     const hand = Object.assign(matte(0.5), { transparent: true, opacity: 0.45, depthWrite: false });
     this.materials = { body: [matte(0.6), matte(0.6)], arm: [matte(0.5), matte(0.5)], hand, tool: new MeshLambertMaterial() };
-    this.scene.add(this.dirt.group, this.force.group, this.marks.points, this.trajectories.group, this.highlights, this.ghosts);
+    this.scene.add(this.dirt.group, this.asked.group, this.force.group, this.marks.points, this.trajectories.group, this.highlights, this.ghosts);
     this.camera = new Camera(canvas, () => this.ask());
     canvas.addEventListener("webglcontextrestored", () => this.ask());
     this.paint();
@@ -83,7 +87,7 @@ export class Stage {
   }
 
   ask(): void {
-    if (!this.frame) this.frame = requestAnimationFrame(() => { this.frame = 0; this.draw(); });
+    frames.draw(this.moved);
   }
 
   /** Its size, and how much of it at the left is covered. */
@@ -138,6 +142,11 @@ export class Stage {
     this.ask();
   }
 
+  showParticles(list: ShownParticles[]): void {
+    this.asked.show(list);
+    this.ask();
+  }
+
   showGhosts(times: number[]): void {
     this.ghostTimes = times;
     this.ghosts.clear();
@@ -164,6 +173,7 @@ export class Stage {
     this.highlightLook.color.set(colour("highlight"));
     if (this.grid) (this.grid.material as Material & { color: Color }).color.set(colour("rule"));
     this.dirt.paint();
+    this.asked.paint();
     this.force.paint();
     for (const { still, path } of this.entered.values()) {
       still.paint();
@@ -179,7 +189,7 @@ export class Stage {
   }
 
   destroy(): void {
-    cancelAnimationFrame(this.frame);
+    frames.drop(this.moved);
     this.camera.controls.dispose();
     for (const { still, path } of this.entered.values()) {
       still.dispose();

@@ -94,7 +94,7 @@ export class Ask {
   }
 
   private hasView({ view, about }: Answers): boolean {
-    return !!view && (view.tracks.length > 0 || view.bodies.length > 0 || about.some((mentions) => mentions.some(({ interval }) => interval)));
+    return !!view && (view.tracks.length > 0 || view.bodies.length > 0 || view.particles.length > 0 || about.some((mentions) => mentions.some(({ interval }) => interval)));
   }
 
   private complain({ message, offset, length, line, column }: Fault): void {

@@ -100,6 +100,15 @@ export interface ShownBody {
   colour: string | null;
 }
 
+/** Particles of a round, in the frame of its surface [m]. */
+export interface ShownDirt {
+  episode: string;
+  round: number;
+  state: "before" | "estimated";
+  positions: [number, number][];
+  colour: string | null;
+}
+
 export interface ShownEpisode {
   id: string;
   task: string;
@@ -113,6 +122,7 @@ export interface Seen {
   episodes: ShownEpisode[];
   tracks: Track[];
   bodies: ShownBody[];
+  particles: ShownDirt[];
   plots: Plot[];
   left_out: number;
 }

@@ -1,6 +1,6 @@
 // What an answer shows, in times of the common clock of a recording.
 import { clockText } from "../dom.ts";
-import type { Interval, Trajectory, View } from "../view.ts";
+import type { Interval, ShownParticles, Trajectory, View } from "../view.ts";
 import type { Recording } from "../store.ts";
 import type { Answers, Mention } from "./server.ts";
 
@@ -13,6 +13,9 @@ export interface Shown {
   trajectories: Trajectory[];
   times: number[];
   intervals: Interval[];
+  particles: ShownParticles[];
+  /** When what is shown was so, where nothing else says when. */
+  since: number[];
 }
 
 const meets = ([from, to]: [number, number], [start, end]: [number, number]): boolean => from <= end + SAME_S && to >= start - SAME_S;
@@ -23,7 +26,7 @@ export function episodesOf({ about, view }: Answers, row: number | null): string
   const count = (id: string) => counts.set(id, (counts.get(id) ?? 0) + 1);
   const rows = row === null ? about : [about[row] ?? []];
   for (const mentions of rows) for (const id of new Set(mentions.map(({ episode }) => episode))) count(id);
-  if (row === null && view) for (const { episode } of [...view.tracks, ...view.bodies]) count(episode);
+  if (row === null && view) for (const { episode } of [...view.tracks, ...view.bodies, ...view.particles]) count(episode);
   return [...counts].sort((a, b) => b[1] - a[1]).map(([id]) => id);
 }
 
@@ -31,7 +34,7 @@ export function episodesOf({ about, view }: Answers, row: number | null): string
 export function shownOf(answers: Answers, row: number | null, id: string, recording: Recording): Shown {
   const view = answers.view;
   const begins = view?.episodes.find((episode) => episode.id === id);
-  const shown: Shown = { trajectories: [], times: [], intervals: [] };
+  const shown: Shown = { trajectories: [], times: [], intervals: [], particles: [], since: [] };
   if (!view || !begins) return shown;
   const at = (time: number) => clockTime(recording, begins.rounds ?? [begins.interval[0]], time);
   const mentions = mentioned(row === null ? answers.about.flat() : answers.about[row] ?? [], id, begins.interval);
@@ -48,6 +51,16 @@ export function shownOf(answers: Answers, row: number | null, id: string, record
   }
   for (const { episode, kind, time } of view.bodies) {
     if (episode === id && (kind === "robot" || kind === "tool") && belongs([time, time])) shown.times.push(at(time));
+  }
+  for (const { episode, round: number, state, positions, colour } of view.particles) {
+    const round = recording.rounds.find((one) => one.number === number);
+    const begin = begins.rounds?.[number - 1] ?? begins.interval[0];
+    if (episode !== id || !round || !belongs([begin, begin + round.length])) continue;
+    const before = state === "before";
+    const name = `dirt ${before ? "before" : "as estimated after"} round ${number}, as asked`;
+    const pose = (before ? null : round.judged?.found) ?? round.plan.surface.pose;
+    shown.particles.push({ name, state, pose, places: positions, ...(colour ? { color: colour } : {}) });
+    shown.since.push(before ? round.start : round.end);
   }
   shown.times = [...new Set(shown.times)].sort((a, b) => a - b);
   if (!shown.intervals.length) {
@@ -78,12 +91,14 @@ export function clockTime(recording: Recording, begins: number[], time: number):
 }
 
 /** Shows it, and goes to where it begins. */
-export function apply(view: View, { trajectories, times, intervals }: Shown): void {
+export function apply(view: View, { trajectories, times, intervals, particles, since }: Shown): void {
   view.clearShown();
   view.showTrajectories(trajectories);
   view.showRobotAt(times);
+  view.showParticles(particles);
   view.highlight(intervals);
-  const starts = [...intervals.map(({ start }) => start), ...times];
+  const named = [...intervals.map(({ start }) => start), ...times];
+  const starts = named.length ? named : since;
   if (starts.length) view.seek(Math.min(...starts));
 }
 

@@ -1,0 +1,86 @@
+// Particles that somebody asked to see: diamonds with a dark rim, full as they lay before a round, hollow as they were
+// estimated after it. The recording's own marks have other forms, so that both are told apart without their colours.
+import { BufferGeometry, CanvasTexture, Float32BufferAttribute, Group, Points, PointsMaterial } from "three";
+import { colour } from "../theme.ts";
+import { hexOr } from "./path.ts";
+import { matrix, shifted } from "./solids.ts";
+import { ABOVE } from "./surface.ts";
+import type { Pose } from "../recording.ts";
+
+export interface ShownParticles {
+  name: string;
+  color?: string;
+  /** Of the surface on which they lie. */
+  pose: Pose;
+  /** In its frame [m]. */
+  places: [number, number][];
+  /** As believed before a round, or as estimated after it. */
+  state: "before" | "estimated";
+}
+
+const SIZE_PX = 13;
+
+/** A diamond on a square of size 64. */
+function texture(hollow: boolean): CanvasTexture {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = 64;
+  const pen = canvas.getContext("2d")!;
+  const diamond = (half: number) => {
+    pen.beginPath();
+    pen.moveTo(32, 32 - half);
+    pen.lineTo(32 + half, 32);
+    pen.lineTo(32, 32 + half);
+    pen.lineTo(32 - half, 32);
+    pen.closePath();
+  };
+  pen.fillStyle = "#000";
+  diamond(31);
+  pen.fill();
+  pen.fillStyle = "#fff";
+  diamond(24);
+  pen.fill();
+  if (hollow) {
+    pen.globalCompositeOperation = "destination-out";
+    diamond(13);
+    pen.fill();
+  }
+  return new CanvasTexture(canvas);
+}
+
+/** Their colour, as far as a query says one. */
+export const askedColour = (color: string | undefined): string => hexOr(color, colour("highlight"));
+
+export class Asked {
+  readonly group = new Group();
+  private readonly textures = { before: texture(false), estimated: texture(true) };
+  private list: ShownParticles[] = [];
+
+  show(list: ShownParticles[]): void {
+    this.list = list;
+    for (const points of this.points) {
+      points.geometry.dispose();
+      points.material.dispose();
+    }
+    this.group.clear();
+    list.forEach(({ color, pose, places, state }, i) => {
+      const geometry = new BufferGeometry();
+      geometry.setAttribute("position", new Float32BufferAttribute(places.flatMap(([x, y]) => [x, y, 2 * ABOVE]), 3));
+      const look = new PointsMaterial({ size: SIZE_PX, sizeAttenuation: false, map: this.textures[state], alphaTest: 0.3, transparent: true });
+      look.color.set(askedColour(color));
+      const points = new Points(geometry, shifted(look, 0.98));
+      points.matrixAutoUpdate = false;
+      matrix(pose, points.matrix);
+      points.frustumCulled = false;
+      points.renderOrder = 7 + i / (list.length + 1);
+      this.group.add(points);
+    });
+  }
+
+  paint(): void {
+    this.points.forEach(({ material }, i) => material.color.set(askedColour(this.list[i]!.color)));
+  }
+
+  private get points(): Points<BufferGeometry, PointsMaterial>[] {
+    return this.group.children as Points<BufferGeometry, PointsMaterial>[];
+  }
+}

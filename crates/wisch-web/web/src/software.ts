@@ -1,0 +1,16 @@
+// Whether the processor has to draw, for want of a graphics card.
+
+let known: boolean | null = null;
+
+export function drawnBySoftware(): boolean {
+  return (known ??= look());
+}
+
+function look(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  if (!gl) return true;
+  const name = gl.getExtension("WEBGL_debug_renderer_info");
+  const software = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name ? String(gl.getParameter(name.UNMASKED_RENDERER_WEBGL)) : "");
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return software;
+}
