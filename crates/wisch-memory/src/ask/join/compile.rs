@@ -384,7 +384,6 @@ impl<'a> Compiler<'a> {
         Some(match operator {
             "=" => {
                 let object = self.pattern(bound)?;
-                // Of what is known as a number only numbers are looked at, of others also texts.
                 let source = |property| Source::Values {
                     property,
                     is_lenient: true,
@@ -440,29 +439,21 @@ impl<'a> Compiler<'a> {
         }
     }
 
+    /// Alternatives. What is bound in one is the same variable in another, and bound afterwards if it is in all.
     fn either(&mut self, branches: &[Term]) -> Option<Goal> {
         let may_alias = std::mem::replace(&mut self.may_alias, false);
-        let (numbers, bound) = (self.numbers.clone(), self.bound.clone());
-        let mut blocks = Vec::new();
-        let mut in_all: Option<Vec<bool>> = None;
+        let before = self.bound.clone();
+        let was_bound = |place: usize| before.get(place).copied().unwrap_or_default();
+        let (mut blocks, mut bound) = (Vec::new(), Vec::new());
         for branch in branches {
-            // The names stay: what is bound in one branch is the same variable in another.
             blocks.push(self.block(branch)?);
-            let now = self.bound.clone();
-            let both = |all: Vec<bool>| {
-                let pairs = now.iter().enumerate();
-                pairs
-                    .map(|(place, is)| *is && all.get(place) == Some(&true))
-                    .collect()
-            };
-            in_all = Some(in_all.map_or_else(|| now.clone(), both));
+            bound.push(self.bound.clone());
             for (place, now) in self.bound.iter_mut().enumerate() {
-                *now = bound.get(place).copied().unwrap_or_default();
+                *now = was_bound(place);
             }
         }
-        drop(numbers);
-        for (place, is_bound) in in_all?.into_iter().enumerate() {
-            self.bound[place] |= is_bound;
+        for (place, now) in self.bound.iter_mut().enumerate() {
+            *now |= bound.iter().all(|branch| branch.get(place) == Some(&true));
         }
         self.may_alias = may_alias;
         Some(Goal::Either(blocks))

@@ -52,7 +52,7 @@ pub enum Goal {
         /// The second.
         second: Side,
     },
-    /// A part of a known whole, at any depth, below nothing of its kind.
+    /// A part of a known whole, at any depth.
     PartBelow {
         /// The whole.
         whole: Pattern,
@@ -215,10 +215,10 @@ impl Goal {
             Self::Class { thing, .. } => thing.variables(found),
             Self::Statement {
                 subject, object, ..
-            } => [subject, object]
-                .map(|p| p.variables(found))
-                .into_iter()
-                .collect(),
+            } => {
+                subject.variables(found);
+                object.variables(found);
+            }
             Self::Compared { thing, bound, .. } => {
                 thing.variables(found);
                 bound.variables(found);
