@@ -33,7 +33,7 @@ class Studio {
   constructor(private readonly root: HTMLElement) {
     this.side = new Side({
       find: () => void this.refresh(),
-      start: () => this.dialog.open(this.known?.scenarios ?? []),
+      start: () => this.dialog.open(),
       pick: (id) => this.compare(id),
     });
     this.ask = new Ask({
@@ -101,6 +101,7 @@ class Studio {
     try {
       this.known = await overview(this.side.words);
       this.side.show(this.known);
+      this.dialog.know(this.known.scenarios);
       this.stage.connectionChanged();
     } catch (error) {
       if (!this.known) this.stage.say("fault", (error as Error).message);
@@ -158,7 +159,7 @@ class Studio {
     if (this.isNarrow && place.kind !== "home") this.open(null);
     if (place.kind === "home") {
       this.stage.say("note", "Nothing has been wiped yet in this memory.",
-        el("button", { class: "w-button s-primary", type: "button", click: () => this.dialog.open(this.known?.scenarios ?? []) }, "Start a task"));
+        el("button", { class: "w-button s-primary", type: "button", click: () => this.dialog.open() }, "Start a task"));
       return;
     }
     this.stage.say("wait", "Loading \u2026");

@@ -14,6 +14,7 @@ export class StartDialog {
   private readonly path = el("input", { type: "text", placeholder: "/path/to/task.toml", "aria-label": "Task file on this machine", autocomplete: "off", spellcheck: "false" });
   private readonly fault = el("p", { class: "w-complaint", role: "alert", hidden: true });
   private busy = false;
+  private known = "";
 
   constructor(private readonly begun: (id: string) => void) {
     const own = el("form", {
@@ -28,17 +29,25 @@ export class StartDialog {
         el("button", { class: "w-button", type: "button", "aria-label": "Close", click: () => this.element.close() }, "\u00d7")),
       this.fault, this.list, own,
       el("div", { class: "s-options" }, el("label", {}, "Seed", this.seed), el("label", {}, "Strategy", this.strategy)));
+    this.list.append(el("li", {}, "Loading \u2026"));
     // A click beside it closes it.
     this.element.addEventListener("click", (event) => { if (event.target === this.element) this.element.close(); });
   }
 
-  open(scenarios: Scenario[]): void {
+  open(): void {
     this.fault.hidden = true;
+    this.element.showModal();
+  }
+
+  /** Lists what there is to start. */
+  know(scenarios: Scenario[]): void {
+    const key = JSON.stringify(scenarios);
+    if (key === this.known) return;
+    this.known = key;
     this.list.replaceChildren(...scenarios.map(({ name, about }) => el("li", {},
       el("div", {}, el("b", {}, name), el("p", {}, about)),
       el("button", { class: "w-button s-primary", type: "button", "data-task": name, "aria-label": `Start ${name}`, click: () => void this.start(name) }, "Start"))));
     if (!scenarios.length) this.list.append(el("li", {}, "The program lists no shipped tasks."));
-    this.element.showModal();
   }
 
   private async start(task: string): Promise<void> {
