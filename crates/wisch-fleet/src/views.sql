@@ -71,5 +71,5 @@ SELECT c.robot, c.day, c.episode, c.round, c.place AS collision, s.place AS stro
        s.mean_normal_force_n AS stroke_mean_normal_force_n,
        least(c.end_s, s.end_s) - greatest(c.start_s, s.start_s) AS overlap_s
 FROM events AS c
-JOIN strokes AS s ON c.robot = s.robot AND c.day = s.day AND c.episode = s.episode AND c.start_s < s.end_s AND s.start_s < c.end_s
+JOIN strokes AS s ON c.episode = s.episode AND c.start_s < s.end_s AND s.start_s < c.end_s
 WHERE c.class IN ('Collision', 'HumanCollision');

@@ -9,6 +9,9 @@ use datafusion::error::DataFusionError;
 use std::collections::BTreeMap;
 use wisch_memory::{Episode, EpisodeRecord};
 
+/// A commit names its episodes up to this many: more than a push brings in at once.
+const MOST_NAMED: usize = 1000;
+
 /// An episode that is to come in.
 pub struct Incoming {
     /// What it says.
@@ -209,8 +212,9 @@ pub async fn write_file(
         sha256: sum,
         schema: VERSION,
         times: extent.times,
-        // Only those of episodes' own table are looked up.
-        episodes: extent.episodes.filter(|_| table.name == TABLES[0].name),
+        // Only those of episodes' own table are looked up, by who pushes at the same time.
+        episodes: (extent.episodes)
+            .filter(|ids| table.name == TABLES[0].name && ids.len() <= MOST_NAMED),
     })
 }
 

@@ -177,7 +177,10 @@ impl Snapshot {
         for file in &commit.add {
             // A file of the same bytes may come back.
             self.removed.retain(|removed| removed.path != file.path);
-            self.files.insert(file.path.clone(), file.clone());
+            let mut file = file.clone();
+            // Whose commit lost the race looks them up in the winner's commit.
+            file.episodes = None;
+            self.files.insert(file.path.clone(), file);
         }
         if commit.what == "purge" {
             // What a purge names was deleted after it.
