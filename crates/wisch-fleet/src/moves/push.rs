@@ -41,7 +41,7 @@ pub async fn push(
     memory: &Memory,
     place: &Place,
     options: &PushOptions,
-    report: &mut dyn FnMut(usize, usize),
+    report: &mut (dyn FnMut(usize, usize) + Send),
 ) -> Result<Pushed, FleetError> {
     let catalogue = memory.catalogue()?;
     if let Some(why) = catalogue.left_out().first() {
