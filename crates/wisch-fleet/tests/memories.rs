@@ -9,23 +9,23 @@ use wisch_memory::{EpisodeRecord, Memory, TelemetryHead};
 
 pub const SEED: u64 = 7;
 
-/// Synthetic records of these numbers, one an hour apart from what the next day holds.
+/// Synthetic records of these numbers.
 pub fn some(count: usize) -> Vec<EpisodeRecord> {
     (0..count)
         .map(|number| records::record(SEED, number))
         .collect()
 }
 
-/// A memory of these; the first has telemetry of its first round.
+/// A memory of these; the first of all has telemetry of its first round.
 pub fn memory(folder: &Path, records: &[EpisodeRecord]) -> Memory {
     let memory = Memory::create(folder).unwrap();
-    for (number, record) in records.iter().enumerate() {
+    for record in records {
         let writer = memory.begin(&record.id).unwrap();
         writer
             .attach("task.toml", format!("name = {:?}\n", record.task))
             .unwrap();
         writer.attach("round-1/plan.json", "{}").unwrap();
-        if number == 0 {
+        if record.seed == 0 {
             let columns = ["external/fz", "measured/x"].map(str::to_owned);
             let head = TelemetryHead::default();
             let log = writer.telemetry_with_columns(1, head, &columns).unwrap();

@@ -1,7 +1,7 @@
 //! Which episodes a fleet has: read from the files of the days in question.
 
 use super::batch::day_text;
-use crate::store::{FleetError, Place, Snapshot};
+use crate::store::{FileEntry, FleetError, Place, Snapshot};
 use datafusion::arrow::array::{Array, AsArray};
 use datafusion::arrow::compute::cast;
 use datafusion::arrow::datatypes::DataType;
@@ -29,7 +29,7 @@ impl Known {
         self.0.keys().map(String::as_str)
     }
 
-    /// Reads the episodes of these days, first and last.
+    /// Reads the episodes of these days, first and last, or of all.
     ///
     /// # Errors
     /// What the store says, or a file that cannot be read.
@@ -37,11 +37,14 @@ impl Known {
         &mut self,
         place: &Place,
         snapshot: &Snapshot,
-        days: [i32; 2],
+        days: Option<[i32; 2]>,
     ) -> Result<(), FleetError> {
-        let [first, last] = days.map(day_text);
-        let files = snapshot.files_of("episodes");
-        for file in files.filter(|file| file.days[0] <= last && file.days[1] >= first) {
+        let days = days.map(|days| days.map(day_text));
+        let is_asked = |file: &&FileEntry| match &days {
+            Some([first, last]) => file.days[0] <= *last && file.days[1] >= *first,
+            None => true,
+        };
+        for file in snapshot.files_of("episodes").filter(is_asked) {
             let bytes = place.get(&file.path).await?;
             if bytes.len() as u64 != file.bytes {
                 let (now, then) = (bytes.len(), file.bytes);

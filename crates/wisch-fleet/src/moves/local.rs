@@ -149,9 +149,7 @@ async fn up_to_date(
 async fn read(place: &Place) -> Result<(Snapshot, Known), FleetError> {
     let snapshot = Snapshot::read(place).await?;
     let mut known = Known::new();
-    known
-        .read(place, &snapshot, [i32::MIN / 2, i32::MAX / 2])
-        .await?;
+    known.read(place, &snapshot, None).await?;
     Ok((snapshot, known))
 }
 

@@ -100,7 +100,7 @@ pub async fn pull(
     place: &Place,
     memory: &Memory,
     filter: &Filter,
-    report: &mut dyn FnMut(usize, usize),
+    report: &mut (dyn FnMut(usize, usize) + Send),
 ) -> Result<Pulled, FleetError> {
     let source = Source::open(place.clone()).await?;
     let snapshot = source.snapshot.clone();

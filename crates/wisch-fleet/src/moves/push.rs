@@ -41,7 +41,7 @@ pub async fn push(
     memory: &Memory,
     place: &Place,
     options: &PushOptions,
-    report: &mut dyn FnMut(usize, usize),
+    report: &mut (dyn FnMut(usize, usize) + Send),
 ) -> Result<Pushed, FleetError> {
     let catalogue = memory.catalogue()?;
     if let Some(why) = catalogue.left_out().first() {
@@ -52,7 +52,7 @@ pub async fn push(
     }
     let mut snapshot = Snapshot::read(place).await?;
     let mut known = Known::new();
-    known.read(place, &snapshot, days(&catalogue)).await?;
+    known.read(place, &snapshot, Some(days(&catalogue))).await?;
     let mut rows: Vec<_> = catalogue.episodes().iter().collect();
     rows.sort_by(|a, b| {
         a.interval[0]

@@ -24,7 +24,7 @@ pub struct Verified {
 /// If the log or the table of episodes cannot be read.
 pub async fn verify(
     place: &Place,
-    report: &mut dyn FnMut(usize, usize),
+    report: &mut (dyn FnMut(usize, usize) + Send),
 ) -> Result<Verified, FleetError> {
     let source = Source::open(place.clone()).await?;
     let files: Vec<_> = source.snapshot.files.values().cloned().collect();
