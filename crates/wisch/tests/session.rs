@@ -71,6 +71,7 @@ fn robot(loaded: &LoadedTask) -> Robot {
 fn kind(event: &RunEvent<'_>) -> &'static str {
     match event {
         RunEvent::Planning { .. } => "planning",
+        RunEvent::Considered { .. } => "considered",
         RunEvent::Planned { .. } => "planned",
         RunEvent::Following { .. } => "following",
         RunEvent::Predicting { .. } => "predicting",
@@ -442,9 +443,18 @@ fn the_best_of_all_plans_is_worth_most_with_the_robot() {
         );
     }
     assert!(as_planned >= 3);
+    let mut told = Vec::new();
+    let mut listen = |event: &RunEvent<'_>| {
+        if let RunEvent::Considered { round, considered } = event {
+            told.push((*round, considered.iter().map(|one| one.strategy).collect()));
+        }
+        ControlFlow::Continue(())
+    };
     session
-        .run_until(Stage::Planned, &mut NoExecutor, &mut unobserved)
+        .run_until(Stage::Planned, &mut NoExecutor, &mut listen)
         .expect("a plan");
+    let strategies: Vec<Strategy> = considered.iter().map(|one| one.strategy).collect();
+    assert_eq!(told, [(1, strategies)], "who looks on is told once");
     let worth = |one: &Considered| one.candidate.as_ref().expect("a plan").worth;
     let best = (considered.iter()).max_by(|a, b| worth(a).total_cmp(&worth(b)));
     let best = best.and_then(|best| best.candidate.as_ref().ok());

@@ -83,7 +83,8 @@ impl<'a> Watch<'a> {
             RunEvent::Judged(round) => {
                 self.take(round.motion.number, |times| &mut times.interpreting_s);
             }
-            RunEvent::Sample(_)
+            RunEvent::Considered { .. }
+            | RunEvent::Sample(_)
             | RunEvent::Executing(_)
             | RunEvent::Observed { .. }
             | RunEvent::Ended(_) => {}

@@ -3,6 +3,7 @@
 //! The same lines are a run while it goes on, an episode that is kept and the data of a report in one file. What each piece
 //! holds, `crates/wisch-web/web/src/recording.ts` says.
 
+mod considered;
 mod head;
 mod judged;
 mod particles;
@@ -18,6 +19,7 @@ pub use story::Outcome;
 
 use crate::prediction::frames::EffectFrames;
 use crate::scene::Meshes;
+use considered::ConsideredRecord;
 use head::Head;
 use judged::{Judged, Truth};
 use round::RoundPiece;
@@ -107,6 +109,8 @@ pub struct RecordingWriter<W> {
     written: usize,
     /// What the round is predicted to do, before it is executed.
     frames: Option<EffectFrames>,
+    /// Among which plans its plan was chosen.
+    considered: Vec<ConsideredRecord>,
     /// What the check of its motion says.
     audited: Option<String>,
     batch: Batch,
@@ -121,6 +125,7 @@ impl<W: Write> RecordingWriter<W> {
             meshes: Meshes::new(robot::MAX_TRIANGLES),
             written: 0,
             frames: None,
+            considered: Vec::new(),
             audited: None,
             batch: Batch::default(),
             target: 0.0,
@@ -156,7 +161,12 @@ impl<W: Write> RecordingWriter<W> {
         match *event {
             RunEvent::Planning { round } => {
                 self.frames = None;
+                self.considered.clear();
                 self.stage(round, "planning", "planning".to_owned())
+            }
+            RunEvent::Considered { considered, .. } => {
+                self.considered = considered.iter().map(ConsideredRecord::new).collect();
+                Ok(())
             }
             RunEvent::Planned { round, plan } => self.stage(round, "planned", words::planned(plan)),
             RunEvent::Following {
@@ -218,7 +228,8 @@ impl<W: Write> RecordingWriter<W> {
     /// What the system says.
     pub fn planned_only(&mut self, planned: &PlannedOnly<'_>) -> io::Result<()> {
         let audited = planned.followed.map(|(_, _, audit)| words::audited(audit));
-        let piece = RoundPiece::planned(planned, audited, &mut self.meshes, self.written);
+        let piece = RoundPiece::planned(planned, audited, &mut self.meshes, self.written)
+            .chosen_among(std::mem::take(&mut self.considered), planned.plan.strategy);
         self.written = self.meshes.len();
         write(&mut self.output, &piece)?;
         for batch in samples::planned(planned) {
@@ -252,7 +263,8 @@ impl<W: Write> RecordingWriter<W> {
             audited,
             &mut self.meshes,
             self.written,
-        );
+        )
+        .chosen_among(std::mem::take(&mut self.considered), planned.plan.strategy);
         self.written = self.meshes.len();
         self.batch = Batch::of(planned);
         write(&mut self.output, &piece)?;

@@ -1,5 +1,6 @@
 //! A round before it is executed, or a plan that nobody executes.
 
+use super::considered::ConsideredRecord;
 use super::particles::{Moment, ParticleStep, line, steps};
 use super::samples::{NOMINAL_SPEED, rounded, seconds_at};
 use super::{PlannedOnly, words};
@@ -7,7 +8,7 @@ use crate::prediction::frames::EffectFrames;
 use crate::scene::{MeshRecord, Meshes, Solid, seven};
 use serde::Serialize;
 use wisch::follow::{Followed, Phase};
-use wisch::plan::Plan;
+use wisch::plan::{Plan, Strategy};
 use wisch::represent::{GoalState, ScenePart, Task};
 use wisch::run::PlannedRound;
 
@@ -28,6 +29,8 @@ pub(super) struct RoundPiece {
     growth: Vec<[f64; 2]>,
     particles: Vec<ParticleStep>,
     why: Vec<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    considered: Vec<ConsideredRecord>,
 }
 
 #[derive(Serialize)]
@@ -120,6 +123,19 @@ impl RoundPiece {
         }
         .piece(meshes, written)
     }
+
+    /// Its plan is the one of a strategy among those that were considered.
+    pub(super) fn chosen_among(
+        mut self,
+        considered: Vec<ConsideredRecord>,
+        chosen: Strategy,
+    ) -> Self {
+        self.considered = considered;
+        for one in &mut self.considered {
+            one.chosen = one.strategy == chosen.as_str();
+        }
+        self
+    }
 }
 
 /// What a piece is made of.
@@ -202,6 +218,7 @@ impl Shown<'_> {
             growth: growth.collect(),
             particles: steps(&moments.iter().map(of_frame).collect::<Vec<_>>()),
             why: self.why,
+            considered: Vec::new(),
             meshes: meshes.since(written),
         }
     }

@@ -2,8 +2,9 @@ use super::*;
 use serde_json::Value;
 use wisch::follow::{FollowConfig, follow};
 use wisch::geometry::Point2;
-use wisch::plan::predict;
+use wisch::plan::{Candidate, PlanError, predict};
 use wisch::represent::Action;
+use wisch::run::Considered;
 use wisch_testkit as kit;
 
 /// The pieces of a recording.
@@ -145,6 +146,74 @@ fn what_is_large_is_thinned() {
         steps.last().map(|step| step.0),
         Some(79.0),
         "the end is there"
+    );
+}
+
+#[test]
+fn a_round_says_among_which_plans_its_own_was_chosen() {
+    let task = kit::board(Action::Absorb, [0.6, 0.0, 0.2]);
+    let plan = kit::planned(&task);
+    let prediction = predict(&task, &plan, |_| ());
+    let frames = EffectFrames::new(&task, &plan);
+    let other = (Strategy::ALL.into_iter())
+        .find(|&strategy| strategy != plan.strategy && strategy != Strategy::Best)
+        .expect("there are several");
+    let found = Candidate {
+        plan: plan.clone(),
+        worth: 0.751_23,
+    };
+    let considered = [
+        Considered {
+            strategy: other,
+            candidate: Err(PlanError::NoFreeNode {
+                surface: "board".to_owned(),
+                diameter: 0.2,
+            }
+            .into()),
+            prediction: None,
+            motion: None,
+        },
+        Considered {
+            strategy: plan.strategy,
+            candidate: Ok(found),
+            prediction: Some(prediction.clone()),
+            motion: None,
+        },
+    ];
+    let mut recording = RecordingWriter::new(Vec::new());
+    let weighed = RunEvent::Considered {
+        round: 1,
+        considered: &considered,
+    };
+    recording.see(&weighed).expect("memory takes it");
+    let planned = PlannedOnly {
+        task: &task,
+        plan: &plan,
+        prediction: &prediction,
+        frames: &frames,
+        followed: None,
+    };
+    recording.planned_only(&planned).expect("memory takes it");
+    recording.planned_only(&planned).expect("memory takes it");
+    let pieces = pieces(&recording.into_inner());
+    let rounds: Vec<&Value> = pieces.iter().filter(|p| p["piece"] == "round").collect();
+    let [none, chosen] = rounds[0]["considered"]
+        .as_array()
+        .expect("plans")
+        .as_slice()
+    else {
+        panic!("{}", rounds[0]["considered"]);
+    };
+    assert_eq!(none["chosen"], false);
+    assert!(none["worth"].is_null() && none["error"].is_string());
+    assert_eq!(chosen["chosen"], true);
+    assert_eq!(chosen["strategy"], plan.strategy.as_str());
+    assert_eq!(chosen["worth"], 0.7512);
+    assert_eq!(chosen["strokes"], plan.strokes.len());
+    assert!(chosen["error"].is_null() && chosen["duration"].is_null());
+    assert!(
+        rounds[1].get("considered").is_none(),
+        "another plan was not weighed"
     );
 }
 

@@ -83,6 +83,24 @@ export interface StagePiece {
 /** Time; indices in the frame before of particles that are gone; places of those that are new. */
 export type ParticleStep = [time: number, gone: number[], added: Places];
 
+/** A plan that was weighed against others; what nobody knows of it is null. */
+export interface Considered {
+  strategy: string;
+  /** Whether it became the plan. */
+  chosen: boolean;
+  /** The share of the dirt that it brings where it belongs, less three times what it loses, less way and time. */
+  worth: number | null;
+  /** Performance, and what is lost, in [0, 1]. */
+  predicted: number | null;
+  lost: number | null;
+  strokes: number | null;
+  /** Way in contact [m]. */
+  in_contact: number | null;
+  duration: number | null;
+  /** Why there is no plan. */
+  error: string | null;
+}
+
 /** A round that is about to be executed, or was only planned. */
 export interface RoundPiece {
   piece: "round";
@@ -110,6 +128,8 @@ export interface RoundPiece {
   particles: ParticleStep[];
   /** Why this plan: sentences. */
   why: string[];
+  /** Among which plans it was chosen, where several were weighed. */
+  considered?: Considered[];
 }
 
 /** What was measured, some instants in a row. */

@@ -30,11 +30,16 @@ const head = has({
   })),
 });
 
+const considered = has({
+  strategy: text, chosen: (value) => typeof value === "boolean", error: maybe(text),
+  worth: maybe(finite), predicted: maybe(finite), lost: maybe(finite), strokes: maybe(finite), in_contact: maybe(finite), duration: maybe(finite),
+});
+
 const round = has({
   round: finite, duration: finite, root: maybe(pose), surface: has({ pose, rings: list(list(finite)) }), scene: list(solid), meshes: list(mesh),
   goal: (value) => has({ kind: text })(value) && ((value as { kind: string }).kind !== "collected" || has({ place: exactly(2), radius: finite })(value)),
   strokes: list(list(finite)), phases: list(has({ name: text, start: finite, end: finite })), predicted: finite, growth: list(interval),
-  particles: list((step) => Array.isArray(step) && step.length === 3 && finite(step[0]) && some(step[1]) && some(step[2])), why: list(text),
+  particles: list((step) => Array.isArray(step) && step.length === 3 && finite(step[0]) && some(step[1]) && some(step[2])), why: list(text), considered: maybe(list(considered)),
 });
 
 const judged = has({

@@ -1,7 +1,7 @@
 // In words, beside the scene: what is going on, why, what came out, numbers, and what the program was at.
 import { clockText, el, fixed, percent, say } from "./dom.ts";
 import type { Clock } from "./clock.ts";
-import type { Estimate } from "./recording.ts";
+import type { Considered, Estimate } from "./recording.ts";
 import type { Round } from "./round.ts";
 import type { Instant, Recording } from "./store.ts";
 
@@ -15,6 +15,24 @@ export const estimateText = ({ mean, low, high }: Estimate): string => `${percen
 const row = (label: string, value: string) => [el("dt", {}, label), el("dd", {}, value)];
 
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
+const known = (value: number | null, text: (value: number) => string): string => (value === null ? "\u2013" : text(value));
+
+/** The plans among which one was chosen, that of most worth first. */
+function choice(considered: readonly Considered[]): HTMLElement {
+  const list = [...considered].sort((a, b) => (b.worth ?? -Infinity) - (a.worth ?? -Infinity));
+  const names = ["Plan by", "Worth", "Done", "Lost", "Wiped", "Time"];
+  const cells = (one: Considered): string[] => [
+    known(one.worth, (worth) => fixed(worth, 2)), known(one.predicted, percent), known(one.lost, percent), known(one.in_contact, (way) => `${fixed(way, 2)} m`), known(one.duration, (time) => `${fixed(time, 0)} s`),
+  ];
+  return el("div", { class: "w-choice", tabindex: 0, role: "group", "aria-label": "Plans that were weighed" },
+    el("table", {},
+      el("caption", {}, "Weighed against each other: the dirt that a plan brings where it belongs, less three times what it loses, less way and time."),
+      el("thead", {}, el("tr", {}, ...names.map((name) => el("th", { scope: "col" }, name)))),
+      el("tbody", {}, ...list.map((one) => el("tr", { "data-chosen": one.chosen, title: one.strokes === null ? null : `${one.strokes} strokes` },
+        el("th", { scope: "row" }, `${one.chosen ? "\u2713 " : ""}${one.strategy}`, one.chosen && el("span", { class: "w-hidden" }, " (chosen)")),
+        ...(one.error === null || one.error === undefined ? cells(one).map((text) => el("td", {}, text)) : [el("td", { class: "w-none-found", colspan: names.length - 1 }, `none: ${one.error}`)]))))));
+}
 
 /** Of more events than this, the first are listed. */
 const MOST_EVENTS = 300;
@@ -98,7 +116,8 @@ export class Words {
 
   private sayRound(round: Round | null): void {
     const why = round?.plan.why ?? [];
-    this.why.replaceChildren(why.length ? sentences(why) : el("p", { class: "w-quiet" }, round ? "The recording gives no reasons." : "No plan yet."));
+    const weighed = round?.plan.considered ?? [];
+    this.why.replaceChildren(why.length ? sentences(why) : el("p", { class: "w-quiet" }, round ? "The recording gives no reasons." : "No plan yet."), ...(weighed.length ? [choice(weighed)] : []));
     if (!round?.judged) {
       const text = !round ? "No round yet." : round.plan.kind === "planned" ? "This plan was not executed." : this.recording.live ? "The round is not over." : "The round was never judged: the run broke off.";
       this.after.replaceChildren(el("p", { class: "w-quiet" }, text));

@@ -97,6 +97,13 @@ function pushed(particles, track, share, random) {
 
 const estimate = (mean, half) => ({ mean: rounded(mean, 4), low: rounded(Math.max(0, mean - half), 4), high: rounded(Math.min(1, mean + half * 0.8), 4) });
 
+/** Plans of the first round. */
+const CONSIDERED = [
+  { strategy: "kde", chosen: false, worth: -1.6402, predicted: 0.66, lost: 0.48, strokes: 7, in_contact: 11.31, duration: 124.2, error: null },
+  { strategy: "rrt", chosen: false, worth: null, predicted: null, lost: null, strokes: null, in_contact: null, duration: null, error: "no way leads to the goal" },
+  { strategy: "adaptive", chosen: true, worth: 0.7613, predicted: 1, lost: 0, strokes: 5, in_contact: 0.94, duration: 17.3, error: null },
+];
+
 /** All pieces of a run of two rounds, in the order in which they would come. */
 export function sample({ title = "Breadcrumbs on a chopping board", count = 300 } = {}) {
   const random = numbers(7);
@@ -132,6 +139,7 @@ export function sample({ title = "Breadcrumbs on a chopping board", count = 300 
       ],
       meshes: [], goal: { kind: "collected", place: GOAL, radius: GOAL_RADIUS },
       strokes: strokes.map(flat), phases, predicted: predicted.growth.at(-1)[1], growth: predicted.growth, particles: predicted.steps,
+      ...(round === 1 ? { considered: CONSIDERED } : {}),
       why: round === 1
         ? ["Five strokes reach 96 % of the dirt that is believed to lie outside the goal.", "The longest stroke begins at the far edge, where most of the dirt is.", "A sixth stroke would gain 1 % and cost 4.1 s: left out."]
         : ["Touch told that the second and third strokes met less dirt than predicted.", "Two strokes sweep what is believed to be left there."],

@@ -1,6 +1,6 @@
 //! What a session says while it goes on.
 
-use super::{PlannedRound, Round, TelemetrySample};
+use super::{Considered, PlannedRound, Round, TelemetrySample};
 use crate::follow::Audit;
 use crate::plan::{Plan, Progress};
 use crate::recover::Verdict;
@@ -14,6 +14,13 @@ pub enum RunEvent<'a> {
     Planning {
         /// The round, from 1.
         round: usize,
+    },
+    /// Plans of several strategies were weighed against each other; that which is worth most becomes the round's plan.
+    Considered {
+        /// The round, from 1.
+        round: usize,
+        /// One of each strategy.
+        considered: &'a [Considered],
     },
     /// A round is planned.
     Planned {

@@ -287,7 +287,7 @@ impl<'a> Session<'a> {
         if self.config.sight.is_some() && self.first_look.is_none() {
             self.look_first(executor, observer)?;
         }
-        let plan = match self.next_plan() {
+        let plan = match self.next_plan(observer) {
             Ok(None) => {
                 let last = self.rounds.last();
                 let verdict = last.map(|round| self.judge.without_gain(&round.interpretation));
@@ -334,11 +334,11 @@ impl<'a> Session<'a> {
     }
 
     /// A plan for what is not yet done; in later rounds none where none is predicted to bring anything.
-    fn next_plan(&mut self) -> Result<Option<Plan>, RunError> {
+    fn next_plan(&mut self, observer: &mut Observer<'_>) -> Result<Option<Plan>, RunError> {
         let (task, config) = (&self.task, &self.config);
         let whole = match (self.given.take(), self.goal.as_ref()) {
             (Some(plan), _) => plan,
-            (None, None) if config.plan.strategy.is_searched() => self.searched_plan()?,
+            (None, None) if config.plan.strategy.is_searched() => self.searched_plan(observer)?,
             (None, None) => {
                 let variants = if self.first_observation().is_some() {
                     // A prediction for dirt that was seen is worth choosing by, as one for what is left over is.
@@ -362,7 +362,9 @@ impl<'a> Session<'a> {
                 };
                 let count = recovery_candidates(&task.tool.footprint);
                 let plan = match config.pace {
-                    Pace::Whole if config.plan.strategy.is_searched() => self.searched_plan()?,
+                    Pace::Whole if config.plan.strategy.is_searched() => {
+                        self.searched_plan(observer)?
+                    }
                     Pace::Whole => best_plan(task, &open, &left, count)?,
                     Pace::Greedy => best_subplan_of_candidates(task, &open, &left, count)?,
                 };
@@ -397,11 +399,15 @@ impl<'a> Session<'a> {
     }
 
     /// A plan for all that the belief holds possible; with the best of several, that which is worth most with the robot.
-    fn searched_plan(&self) -> Result<Plan, RunError> {
+    fn searched_plan(&self, observer: &mut Observer<'_>) -> Result<Plan, RunError> {
         let (task, dirt, config) = (&self.task, self.dirt(), &self.config.plan);
         if config.strategy == Strategy::Best {
-            let considered = self.considered()?.into_iter();
-            return most_worth(considered.map(|one| one.candidate));
+            let considered = self.considered()?;
+            let _ = observer(&RunEvent::Considered {
+                round: self.number(),
+                considered: &considered,
+            });
+            return most_worth(considered.into_iter().map(|one| one.candidate));
         }
         let plan = plan_for_any(task, &dirt, config)?;
         if self.performer.is_none() {

@@ -72,8 +72,10 @@ export class Stage {
   constructor(private readonly canvas: HTMLCanvasElement, private readonly recording: Recording) {
     this.painter = new Painter(canvas);
     const matte = (roughness: number) => (this.painter.software ? new MeshLambertMaterial() : new MeshStandardMaterial({ roughness, metalness: 0.05 }));
+    // Links that meet share round ends: the one shade lies over the other, or both would flicker.
+    const under = (roughness: number) => Object.assign(matte(roughness), { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 });
     const hand = Object.assign(matte(0.5), { transparent: true, opacity: 0.45, depthWrite: false });
-    this.materials = { body: [matte(0.6), matte(0.6)], arm: [matte(0.5), matte(0.5)], hand, tool: new MeshLambertMaterial() };
+    this.materials = { body: [matte(0.6), under(0.6)], arm: [matte(0.5), under(0.5)], hand, tool: new MeshLambertMaterial() };
     this.scene.add(this.dirt.group, this.asked.group, this.force.group, this.marks.points, this.trajectories.group, this.highlights, this.ghosts);
     this.camera = new Camera(canvas, () => this.ask());
     canvas.addEventListener("webglcontextrestored", () => this.ask());

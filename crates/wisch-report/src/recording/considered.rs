@@ -1,0 +1,46 @@
+//! The plans among which a round's plan was chosen.
+
+use super::samples::rounded;
+use serde::Serialize;
+use wisch::plan::Plan;
+use wisch::run::Considered;
+
+/// One of them; figures that there are none of are null.
+#[derive(Debug, Serialize)]
+pub(super) struct ConsideredRecord {
+    pub(super) strategy: &'static str,
+    /// Whether it became the plan.
+    pub(super) chosen: bool,
+    worth: Option<f64>,
+    predicted: Option<f64>,
+    /// The share of the dirt that would be lost [1].
+    lost: Option<f64>,
+    strokes: Option<usize>,
+    /// [m]
+    in_contact: Option<f64>,
+    /// Of the robot's motion [s].
+    duration: Option<f64>,
+    /// Why there is no plan.
+    error: Option<String>,
+}
+
+impl ConsideredRecord {
+    /// One that is not the plan yet.
+    pub(super) fn new(one: &Considered) -> Self {
+        let found = one.candidate.as_ref();
+        let plan = found.ok().map(|found| &found.plan);
+        let performance = one.prediction.as_ref().map(|found| found.performance);
+        Self {
+            strategy: one.strategy.as_str(),
+            chosen: false,
+            worth: found.ok().map(|found| rounded(found.worth, 1e4)),
+            predicted: performance.map(|found| rounded(found.ratio(), 1e4)),
+            lost: performance
+                .map(|found| rounded(found.lost as f64 / found.initial.max(1) as f64, 1e4)),
+            strokes: plan.map(|plan| plan.strokes.len()),
+            in_contact: plan.map(|plan| rounded(Plan::contact_distance(plan), 1e3)),
+            duration: one.motion.map(|motion| rounded(motion.duration, 1e2)),
+            error: found.err().map(ToString::to_string),
+        }
+    }
+}
