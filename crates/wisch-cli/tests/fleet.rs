@@ -109,7 +109,7 @@ fn a_fleet_is_asked_for_what_is_selected() {
     ];
     let (_, _, err) = ended(program.args(args));
     assert!(
-        err.contains("2 of 9 episodes of f are asked; 1 of them were pulled now (2.5 MB)"),
+        err.contains("2 of 9 episodes of f are selected; 1 of them were pulled now (2.5 MB)"),
         "{err}"
     );
     let said = fs::read_to_string(folder.path().join("asked")).unwrap();

@@ -346,7 +346,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn statements_are_told_apart() {
+    fn statements_end_at_semicolons_outside_quotes() {
         let text = "SELECT ';' -- a; b\n; ; SELECT 2;\n-- the end\n";
         let found: Vec<&str> = statements(text).into_iter().map(str::trim).collect();
         assert_eq!(found, ["SELECT ';' -- a; b", "SELECT 2"]);

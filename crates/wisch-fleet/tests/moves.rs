@@ -96,7 +96,7 @@ async fn filters_select() {
 }
 
 #[tokio::test]
-async fn two_episodes_of_one_name_are_told() {
+async fn two_episodes_of_one_name_are_a_conflict() {
     let folder = tempfile::tempdir().unwrap();
     let records = some(3);
     let mut others = records.clone();
@@ -150,7 +150,7 @@ async fn two_pushers_at_once_double_nothing() {
 }
 
 #[tokio::test]
-async fn what_is_cut_off_is_told() {
+async fn a_truncated_archive_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
     let records = some(2);
     let memory = memory(&folder.path().join("here"), &records);

@@ -108,7 +108,7 @@ fn two_programs_at_once_push_each_episode_once() {
 }
 
 #[test]
-fn wrong_credentials_are_told_and_not_shown() {
+fn wrong_credentials_are_an_error_that_does_not_show_them() {
     let folder = tempfile::tempdir().unwrap();
     let server = Server::start(&folder.path().join("s3"));
     let output = run(server.program("another-secret").args(["verify", FLEET]));
@@ -125,7 +125,7 @@ fn wrong_credentials_are_told_and_not_shown() {
 }
 
 #[test]
-fn a_full_disk_is_told() {
+fn a_full_disk_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
     let here = Memory::create(&folder.path().join("here")).unwrap();
     let record = some(1).remove(0);

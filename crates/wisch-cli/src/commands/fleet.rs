@@ -55,7 +55,7 @@ pub fn fetch(
     if !global.quiet {
         let number = |name: &str| said[name].as_u64().unwrap_or_default();
         remark(&format!(
-            "{} of {} episodes of {url} are asked; {} of them were pulled now ({:.1} MB)",
+            "{} of {} episodes of {url} are selected; {} of them were pulled now ({:.1} MB)",
             number("selected"),
             number("of"),
             number("episodes"),

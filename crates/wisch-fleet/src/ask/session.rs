@@ -20,6 +20,10 @@ use std::thread;
 const MEMORY: usize = 4 << 30;
 const MEMORY_FRACTION: f64 = 0.9;
 
+/// A side of a join that is estimated smaller than this is kept in one piece [bytes, rows].
+const BUILT_AT_ONCE: usize = 512 << 20;
+const BUILT_ROWS_AT_ONCE: usize = 10_000_000;
+
 /// Where episodes are.
 #[derive(Debug, Clone)]
 pub struct Source {
@@ -57,9 +61,11 @@ impl Session {
             .with_information_schema(true)
             .with_target_partitions(thread::available_parallelism().map_or(1, usize::from));
         let options = config.options_mut();
-        options.execution.parquet.pushdown_filters = true;
-        options.execution.parquet.reorder_filters = true;
-        options.sql_parser.enable_ident_normalization = true;
+        // What filters keep of our tables is much: to decode whole columns is faster than row by row.
+        options.execution.parquet.pushdown_filters = false;
+        // Collisions are few beside the strokes that they are joined with: those are not to be moved about for them.
+        options.optimizer.hash_join_single_partition_threshold = BUILT_AT_ONCE;
+        options.optimizer.hash_join_single_partition_threshold_rows = BUILT_ROWS_AT_ONCE;
         let runtime = RuntimeEnvBuilder::new()
             .with_memory_limit(MEMORY, MEMORY_FRACTION)
             .build_arc()?;

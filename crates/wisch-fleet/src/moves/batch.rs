@@ -112,11 +112,7 @@ pub async fn write(
                 projection.add_telemetry(&one.robot, &one.record, episode)?;
             }
         }
-        for mut rows in projection.into_tables() {
-            let batch = rows.take();
-            let schema = batch.schema();
-            files.push(write_file(place, rows.table(), schema, &[batch], extent.clone()).await?);
-        }
+        files.extend(write_tables(place, projection, &extent).await?);
     }
     Ok(files)
 }
@@ -136,11 +132,22 @@ pub async fn write_telemetry(
         if let Some(episode) = &one.telemetry {
             projection.add_telemetry(&one.robot, &one.record, episode)?;
         }
-        for mut rows in projection.into_tables() {
-            let batch = rows.take();
-            let schema = batch.schema();
-            files.push(write_file(place, rows.table(), schema, &[batch], extent.clone()).await?);
-        }
+        files.extend(write_tables(place, projection, &extent).await?);
+    }
+    Ok(files)
+}
+
+/// Writes a file for each table that has rows.
+async fn write_tables(
+    place: &Place,
+    projection: Projection,
+    extent: &Extent,
+) -> Result<Vec<FileEntry>, FleetError> {
+    let mut files = Vec::new();
+    for mut rows in projection.into_tables() {
+        let batch = rows.take();
+        let schema = batch.schema();
+        files.push(write_file(place, rows.table(), schema, &[batch], extent.clone()).await?);
     }
     Ok(files)
 }

@@ -65,11 +65,10 @@ pub async fn verify(
     let all = "SELECT episode, CAST(day AS VARCHAR), archive_sha256, telemetry_sha256 FROM episodes ORDER BY episode";
     let mut seen = HashSet::new();
     for batch in session.rows(all).await? {
-        let columns: Result<Vec<Vec<String>>, FleetError> =
-            batch.columns().iter().map(texts).collect();
-        let columns = columns?;
-        for row in 0..batch.num_rows() {
-            let [id, day, archive, telemetry] = [0, 1, 2, 3].map(|column| &columns[column][row]);
+        let [ids, days, archives, telemetry] =
+            [0, 1, 2, 3].map(|column| texts(batch.column(column)));
+        let kept = archives?.into_iter().zip(telemetry?);
+        for ((id, day), (archive, telemetry)) in ids?.into_iter().zip(days?).zip(kept) {
             if !seen.insert(id.clone()) {
                 verified
                     .faults
@@ -79,12 +78,12 @@ pub async fn verify(
             if archive.is_empty() {
                 continue;
             }
-            let mut wanted = vec![(archive_name(id), archive)];
-            if !telemetry.is_empty() && *day >= since {
-                wanted.push((telemetry_name(id), telemetry));
+            let mut wanted = vec![(archive_name(&id), archive)];
+            if !telemetry.is_empty() && day >= since {
+                wanted.push((telemetry_name(&id), telemetry));
             }
             for (name, sum) in wanted {
-                let read = checked(place, &name, sum).await;
+                let read = checked(place, &name, &sum).await;
                 verified
                     .faults
                     .extend(read.err().map(|error| error.to_string()));
