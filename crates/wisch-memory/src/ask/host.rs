@@ -40,6 +40,7 @@ pub struct Host {
     indices: Indices,
     /// Whether goals that ask for facts alone are solved here.
     joins_facts: bool,
+    joined: u64,
     telemetry: TelemetryPredicates,
     sent: SentFacts,
     cursors: HashMap<i64, Cursor>,
@@ -66,6 +67,7 @@ impl Host {
             },
             indices: Indices::default(),
             joins_facts: true,
+            joined: 0,
             telemetry,
             sent: SentFacts::default(),
             cursors: HashMap::new(),
@@ -134,7 +136,14 @@ impl Host {
             indices: &mut self.indices,
             telemetry: &mut self.telemetry,
         };
-        joins.solve(goals, wanted, most, budget)
+        let solved = joins.solve(goals, wanted, most, budget)?;
+        self.joined += u64::from(solved.is_some());
+        Ok(solved)
+    }
+
+    /// How many conjunctions were solved here.
+    pub fn joined_so_far(&self) -> u64 {
+        self.joined
     }
 
     /// The solutions of goals that stand before others in a query, all of them.

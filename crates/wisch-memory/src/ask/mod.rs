@@ -110,6 +110,11 @@ impl Asker {
         self.host.join_facts(does);
     }
 
+    /// How many conjunctions the program has joined so far.
+    pub fn joined_so_far(&self) -> u64 {
+        self.host.joined_so_far()
+    }
+
     /// What, set to true, ends the query that is being answered; the memory can be asked on.
     pub fn interrupt(&self) -> Arc<AtomicBool> {
         Arc::clone(&self.interrupt)

@@ -35,6 +35,8 @@ fn joined_or_not_random_queries_have_the_same_answers() {
             answered += usize::from(!answers.is_empty());
         }
         assert!(answered > 60, "only {answered} of 200 queries have answers");
+        let [joins, none] = [&joined, &plain].map(Asker::joined_so_far);
+        assert!(joins > 150 && none == 0, "{joins} and {none} joins");
     }
 }
 
@@ -48,6 +50,26 @@ fn joined_or_not_listed_queries_have_the_same_answers() {
                 in_order(&mut plain, query),
                 "{query}"
             );
+        }
+    }
+}
+
+#[test]
+fn whole_queries_beginnings_and_what_is_inside_are_joined() {
+    let queries = [
+        "has_type(A, 'Stroke'), occurs(A, I)",
+        "has_type(A, 'Stroke'), occurs(A, [S, _]), atom(A)",
+        "X = [1], findall(A, (has_type(A, 'Stroke'), occurs(A, _)), L), atom(a)",
+        "low_performance_round(R, P)",
+        "human_collision(M, C, I), atom(C)",
+        "tool_performance(T, M, P, N)",
+    ];
+    for engine in engines() {
+        let mut asker = asker(engine);
+        for query in queries {
+            let before = asker.joined_so_far();
+            asker.ask(query).unwrap();
+            assert!(asker.joined_so_far() > before, "{query}");
         }
     }
 }
@@ -71,7 +93,7 @@ fn what_is_wrong_is_said_by_the_engine_whoever_joins() {
 }
 
 #[test]
-fn what_people_told_is_joined_too() {
+fn asserted_statements_are_joined_too() {
     for engine in engines() {
         let mut asker = asker(engine);
         let query = "has_data_value(A, peakForce > 50), has_type(A, 'Stroke')";

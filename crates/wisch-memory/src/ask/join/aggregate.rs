@@ -7,7 +7,7 @@ use super::value::{Pattern, Value, standard_order};
 use crate::ask::term::Term;
 use std::cmp::Ordering;
 
-/// Most terms that a list gets here; for longer ones the engine's limits hold.
+/// Most terms that are kept for a list or for means; for more, the engine's limits hold.
 const MOST_TERMS: usize = 2_000_000;
 
 impl Solver<'_> {
@@ -87,6 +87,9 @@ impl Solver<'_> {
     ) -> Result<Vec<[Value; 3]>, Stop> {
         let mut all: Vec<(Term, Value)> = Vec::new();
         self.solve(block, &mut |solver| {
+            if all.len() == MOST_TERMS {
+                return Err(Stop::Declined);
+            }
             let number = solver.instance(number).ok_or(Stop::Declined)?;
             all.push((solver.term(key)?, number));
             Ok(Flow::Continue)

@@ -173,7 +173,7 @@ impl<'a> Compiler<'a> {
             ("value", [thing, Term::Atom(property), value]) => Goal::Statement {
                 subject: self.thing(thing)?,
                 object: self.pattern(value)?,
-                sources: self.with_nothing_told(Source::Values {
+                sources: self.without_assertions(Source::Values {
                     property: property.clone(),
                     is_lenient: false,
                 })?,
@@ -181,7 +181,7 @@ impl<'a> Compiler<'a> {
             ("relation", [subject, Term::Atom(property), object]) => Goal::Statement {
                 subject: self.thing(subject)?,
                 object: self.thing(object)?,
-                sources: self.with_nothing_told(Source::Relations(property.clone()))?,
+                sources: self.without_assertions(Source::Relations(property.clone()))?,
             },
             ("part", [whole, part]) => Goal::Statement {
                 subject: self.thing(whole)?,
@@ -340,7 +340,7 @@ impl<'a> Compiler<'a> {
                 sources.push(Source::Parts);
                 continue;
             }
-            sources.extend(self.with_nothing_told(Source::Relations(exact.clone()))?);
+            sources.extend(self.without_assertions(Source::Relations(exact.clone()))?);
             sources.push(Source::Values {
                 property: exact,
                 is_lenient: true,
@@ -354,7 +354,7 @@ impl<'a> Compiler<'a> {
     }
 
     /// A source in a list of its own, unless people have added statements to it, which the catalogue does not hold.
-    fn with_nothing_told(&self, source: Source) -> Option<Vec<Source>> {
+    fn without_assertions(&self, source: Source) -> Option<Vec<Source>> {
         let of = match &source {
             Source::Parts => return Some(vec![source]),
             Source::Relations(property) | Source::Values { property, .. } => property,

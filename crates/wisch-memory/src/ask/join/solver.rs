@@ -13,6 +13,8 @@ use crate::catalogue::IndividualId;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
+/// Most solutions that are put back into their order; for more, the engine's limits hold.
+const MOST_SORTED: usize = 1_000_000;
 /// Candidates between two looks at the clock.
 const LOOK_UP: u64 = 4096;
 
@@ -100,6 +102,9 @@ impl<'s> Solver<'s> {
         let mut found: Vec<(Vec<u64>, Vec<Option<Value>>)> = Vec::new();
         self.goals(&block.goals, &mut |solver| {
             solver.tick()?;
+            if found.len() == MOST_SORTED {
+                return Err(Stop::Declined);
+            }
             let last = &solver.keys[solver.keys.len() - len..];
             let mut keys = vec![0; len];
             for (place, key) in block.stood.iter().zip(last) {

@@ -60,11 +60,7 @@ impl Value {
     /// The value of a number.
     pub fn as_number(&self) -> Option<f64> {
         match self {
-            #[allow(
-                clippy::cast_precision_loss,
-                reason = "times and counts are far below 2^53"
-            )]
-            Self::Integer(value) => Some(*value as f64),
+            Self::Integer(value) => Term::Integer(*value).as_number(),
             Self::Float(value) => Some(*value),
             _ => None,
         }
