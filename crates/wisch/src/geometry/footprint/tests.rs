@@ -251,7 +251,8 @@ proptest! {
         prop_assert_eq!(before.polygons().len(), after.polygons().len());
     }
 
-    /// What makes the projected surface enough for a closed mesh.
+    /// What makes the projected surface enough for a closed mesh. A tip that hardly reaches below
+    /// the section leaves a piece that is too small to be kept.
     #[test]
     fn the_section_lies_within_the_footprint(mesh in solids(), depth in 0.001..0.03f64) {
         let region = footprint(&mesh, depth).expect("a footprint");
@@ -259,7 +260,11 @@ proptest! {
         let section = section(&mesh, (min.z + depth).min(max.z));
         prop_assert_eq!(section.gaps, 0);
         for ring in section.loops {
-            for point in ring.into_iter().map(Point2::from) {
+            let ring: Vec<_> = ring.into_iter().map(Point2::from).collect();
+            if Polygon::new(ring.clone(), Vec::new()).area().abs() < MIN_AREA {
+                continue;
+            }
+            for point in ring {
                 prop_assert!(region.contains(point) || region.boundary_distance(point) < 1e-8);
             }
         }
