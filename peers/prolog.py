@@ -20,6 +20,7 @@ QUERIES = [
     "last_episode(Episode, _), human_collision_in(Episode, M, C, I)",
     "findall(B, (has_data_value(B, peakForce > 30), has_type(B, 'Collision')), L), length(L, N)",
     "contact_force_drift(Surface, Slope, First, Last)",
+    "has_type(C, 'Collision'), has_type(S, 'Stroke'), interval_during(C, S)",
 ]
 
 
