@@ -226,6 +226,33 @@ fn a_tool_is_checked_but_not_against_its_hand() {
     );
 }
 
+/// A gripper as real robots have it: the tool centre point is a frame without shapes, fixed to the palm.
+#[test]
+fn fingers_may_touch_the_tool_that_they_hold() {
+    let robot = parsed(
+        r#"<robot name="gripper">
+  <link name="arm"><collision><origin xyz="0 0 -0.3"/><geometry><sphere radius="0.05"/></geometry></collision></link>
+  <link name="palm"><collision><geometry><sphere radius="0.05"/></geometry></collision></link>
+  <link name="finger"><collision><origin xyz="0 0 0.1"/><geometry><sphere radius="0.02"/></geometry></collision></link>
+  <link name="tcp"/>
+  <joint name="wrist" type="prismatic"><parent link="arm"/><child link="palm"/><axis xyz="0 0 1"/><limit lower="0" upper="0.3" velocity="1" effort="1"/></joint>
+  <joint name="grip" type="prismatic"><parent link="palm"/><child link="finger"/><axis xyz="1 0 0"/><limit lower="0" upper="0.04" velocity="1" effort="1"/></joint>
+  <joint name="at" type="fixed"><parent link="palm"/><child link="tcp"/><origin xyz="0 0 0.1"/></joint>
+</robot>"#,
+    );
+    let mut model = CollisionModel::new(&robot, None).unwrap();
+    let tcp = robot.link("tcp").unwrap();
+    model
+        .attach("sponge", tcp, Pose::identity(), &ball(0.04))
+        .unwrap();
+    assert_eq!(model.collision(&[0.0, 0.0], 0.0).unwrap(), None);
+    let checked: Vec<_> = model
+        .checked_pairs()
+        .filter(|(a, b)| *a == "sponge" || *b == "sponge")
+        .collect();
+    assert_eq!(checked, [("arm", "sponge")]);
+}
+
 #[test]
 fn names_poses_and_arrays_that_are_wrong_are_refused() {
     let robot = parsed(CROWDED);
@@ -646,6 +673,34 @@ fn groups_that_are_no_chains_are_listed_as_not_read() {
         message,
         "unknown group that is a chain \"arm\"; no group that is a chain is known"
     );
+}
+
+#[test]
+fn joints_one_behind_the_other_are_a_chain() {
+    let robot = robot("arm7");
+    let parse = |joints: &[usize]| {
+        let members: String = (joints.iter())
+            .map(|i| format!("<joint name=\"joint_{i}\"/>"))
+            .collect();
+        let text = ARM.replace(
+            "  <disable",
+            &format!("<group name=\"listed\">{members}</group>  <disable"),
+        );
+        Srdf::parse("arm.srdf", &text, &robot).unwrap()
+    };
+    let whole = parse(&[1, 2, 3, 4, 5, 6, 7]);
+    // The first group wipes where none is named: a chain that is called one.
+    assert_eq!(whole.groups[0].name, "arm");
+    let listed = whole.group("listed").unwrap();
+    let chain = robot.chain(listed.base, listed.tip).unwrap();
+    assert_eq!(chain.variables().len(), 7);
+    assert_eq!(robot.links()[listed.tip.index()].name, "link_7");
+    // With a gap, in another order, or a single joint, such as that of a gripper.
+    for joints in [&[1, 2, 4, 5][..], &[2, 1, 3], &[7]] {
+        let srdf = parse(joints);
+        assert_eq!(srdf.groups.len(), 1, "{joints:?}");
+        assert_eq!(srdf.ignored.len(), 1, "{joints:?}");
+    }
 }
 
 proptest! {

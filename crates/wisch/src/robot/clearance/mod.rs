@@ -240,7 +240,8 @@ impl CollisionModel {
     }
 
     /// Fixes a body to a link, such as a tool. It becomes its convex hull, and is checked neither
-    /// against the link nor the links with shapes next to it along the tree.
+    /// against the link nor the links with shapes next to it along the tree, nor against links that are fixed to the
+    /// link, directly or not, and what those hold: the fingers of a hand hold the tool.
     ///
     /// # Errors
     /// If the name is taken, the pose is not finite, or the link is one of another, larger robot.
@@ -262,7 +263,14 @@ impl CollisionModel {
             frame_from_link: frame_from_link * link_from_body,
         };
         let body = self.push(name, mount, std::iter::once(mesh::hull(mesh)));
-        for neighbour in self.neighbours[link.0].clone() {
+        let mut near = self.neighbours[link.0].clone();
+        // A frame is that of all links that are fixed to each other; the root's stands still, as obstacles do.
+        let fixed = (0..self.mounts.len()).filter(|&i| frame > 0 && self.mounts[i].frame == frame);
+        for part in fixed.map(BodyId) {
+            // Links come after those that hold them.
+            near.extend((self.neighbours[part.0].iter()).filter(|&&held| held >= part));
+        }
+        for neighbour in near {
             self.permit(neighbour, body, Reason::Neighbours);
         }
         self.list_pairs();

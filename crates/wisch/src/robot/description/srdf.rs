@@ -2,7 +2,9 @@
 
 use super::diagnostics::{Diagnostics, words};
 use super::urdf::{Reader, elements};
-use crate::robot::{Diagnostic, DiagnosticKind, LinkId, RobotError, RobotModel, Severity, Subject};
+use crate::robot::{
+    Diagnostic, DiagnosticKind, Joint, JointKind, LinkId, RobotError, RobotModel, Severity, Subject,
+};
 use crate::source_location::{Place, UnknownName};
 use roxmltree::Node;
 use std::collections::BTreeSet;
@@ -33,14 +35,15 @@ const MAX_GROUPS: usize = 1000;
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Srdf {
-    /// The groups that are chains, in the order of the text.
+    /// The groups that are chains, in the order of the text: those of a `<chain>`, and after them those whose joints
+    /// lie one behind the other and of which at least two move by themselves.
     pub groups: Vec<Group>,
     /// Named postures of groups.
     pub states: Vec<GroupState>,
     /// Pairs of links that are not checked against each other.
     pub disabled: Vec<DisabledPair>,
-    /// Groups that are not read: those of joints, links or other groups. Virtual and passive joints
-    /// and end effectors are passed over.
+    /// Groups that are not read: those of links, of other groups, or of joints that are no chain. Virtual and passive
+    /// joints and end effectors are passed over.
     pub ignored: Vec<Ignored>,
     /// The robot that the text says it is of, if that is not this one, and where it says so [byte].
     other_robot: Option<(usize, String)>,
@@ -195,14 +198,18 @@ impl Srdf {
         };
         let mut faults = Vec::new();
         let mut groups = BTreeSet::new();
+        let mut of_joints = Vec::new();
         // Postures may come before their groups.
         for node in elements(root, "group") {
-            let read = srdf.read_group(&reader, node, &mut groups, robot);
-            faults.extend(read.err());
+            match srdf.read_group(&reader, node, &mut groups, robot) {
+                Ok(group) => of_joints.extend(group),
+                Err(fault) => faults.push(fault),
+            }
             if groups.len() > MAX_GROUPS {
                 return Err(reader.too_large("groups", groups.len(), MAX_GROUPS));
             }
         }
+        srdf.groups.append(&mut of_joints);
         let mut states = BTreeSet::new();
         for node in elements(root, "group_state") {
             match reader.state(node, &groups, robot) {
@@ -255,21 +262,25 @@ impl Srdf {
         self.ignored.push(Ignored { at, what });
     }
 
+    /// Puts a chain among the groups, and returns a group of joints that is one.
     fn read_group(
         &mut self,
         reader: &Reader,
         node: Node,
         names: &mut BTreeSet<String>,
         robot: &RobotModel,
-    ) -> Result<(), RobotError> {
+    ) -> Result<Option<Group>, RobotError> {
         let name = reader.name(node, "name")?;
         if !names.insert(name.clone()) {
             return Err(reader.fault(node, format!("group {name:?} is there twice")));
         }
+        if let Some((base, tip)) = joints_in_line(node, robot) {
+            return Ok(Some(Group { name, base, tip }));
+        }
         let mut members = node.children().filter(Node::is_element);
         let (Some(chain), None) = (members.next(), members.next()) else {
             self.ignore(reader, node, format!("group {name:?}: not one chain"));
-            return Ok(());
+            return Ok(None);
         };
         if !chain.has_tag_name("chain") {
             let what = chain.tag_name().name();
@@ -278,7 +289,7 @@ impl Srdf {
                 node,
                 format!("group {name:?} of a {what}, not a chain"),
             );
-            return Ok(());
+            return Ok(None);
         }
         let base = reader.link_of(chain, "base_link", robot)?;
         let tip = reader.link_of(chain, "tip_link", robot)?;
@@ -288,8 +299,34 @@ impl Srdf {
             return Err(reader.fault(chain, problem));
         }
         self.groups.push(Group { name, base, tip });
-        Ok(())
+        Ok(None)
     }
+}
+
+/// The ends of a group that lists joints one behind the other, as most SRDFs of arms do; fixed joints may be left out.
+fn joints_in_line(group: Node, robot: &RobotModel) -> Option<(LinkId, LinkId)> {
+    let mut line: Option<(LinkId, LinkId)> = None;
+    let mut moving = 0;
+    for member in group.children().filter(Node::is_element) {
+        let name = member.attribute("name")?.trim();
+        let id = robot.joint(name).ok()?;
+        if !member.has_tag_name("joint") {
+            return None;
+        }
+        let joint = &robot.joints()[id.index()];
+        moving += usize::from(robot.variables().contains(&id));
+        let base = match line {
+            None => joint.parent,
+            Some((base, tip)) => {
+                let fixed = |joint: &&Joint| joint.kind == JointKind::Fixed;
+                let mut held = robot.joints_above(joint.parent).take_while(fixed);
+                let follows = joint.parent == tip || held.any(|joint| joint.parent == tip);
+                follows.then_some(base)?
+            }
+        };
+        line = Some((base, joint.child));
+    }
+    line.filter(|_| moving >= 2)
 }
 
 /// What keeps an SRDF from being read, as a diagnostic.
