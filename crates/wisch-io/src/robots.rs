@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::task_file::RobotDescription;
 use include_dir::{Dir, include_dir};
 use std::path::{Path, PathBuf};
-use wisch::robot::{CapabilityMap, RobotHash, RobotModel, Srdf};
+use wisch::robot::{Appearance, CapabilityMap, RobotHash, RobotModel, Srdf};
 use wisch::run::Performer;
 use wisch::source_location::UnknownName;
 
@@ -26,7 +26,12 @@ pub struct Robot {
     pub map: Option<CapabilityMap>,
     /// What it was read from.
     pub files: RobotFiles,
+    /// Where its URDF lies, and the packages that it may name; `None` for one that is shipped.
+    source: Option<(PathBuf, Packages)>,
 }
+
+/// Names of ROS packages, and the folders in which they lie.
+type Packages = Vec<(String, PathBuf)>;
 
 /// The files of a robot, so that it can be read again when they have changed.
 #[derive(Debug, Clone, Default)]
@@ -60,6 +65,30 @@ impl Robot {
             robot: &self.model,
             srdf: self.srdf.as_ref(),
             map: self.map.as_ref(),
+        }
+    }
+
+    /// Reads what it looks like: of its files as they are now.
+    ///
+    /// # Errors
+    /// A `<visual>` that is none.
+    pub fn appearance(&self) -> Result<Appearance, Error> {
+        let urdf = &self.files.urdf;
+        match &self.source {
+            None => {
+                let name = format!("built-in {}", self.model.name());
+                Appearance::from_urdf(&name, urdf, &self.model, &mut no_meshes).map_err(Error::from)
+            }
+            Some((path, packages)) => {
+                let name = path.display().to_string();
+                let mut meshes = robot_meshes(path, packages);
+                Appearance::from_urdf(&name, urdf, &self.model, &mut meshes).map_err(|error| {
+                    Error::Urdf {
+                        file: name.clone(),
+                        error: Box::new(error),
+                    }
+                })
+            }
         }
     }
 
@@ -165,9 +194,12 @@ fn built_in(name: &str) -> Result<Robot, Error> {
     };
     let (urdf_name, urdf) = text("urdf")
         .ok_or_else(|| Error::UnknownRobot(UnknownName::new("robot", name, shipped_robots())))?;
-    let mut no_meshes = |file: &str| Err(format!("{file}: built-in robots have no meshes"));
     let model = RobotModel::from_urdf(&urdf_name, &urdf, &mut no_meshes)?;
-    robot(model, urdf, text("srdf"), Vec::new())
+    robot(model, urdf, text("srdf"), Vec::new(), None)
+}
+
+fn no_meshes(file: &str) -> Result<Vec<u8>, String> {
+    Err(format!("{file}: built-in robots have no meshes"))
 }
 
 fn files(urdf: &Path, srdf: Option<&Path>, packages: &[(String, PathBuf)]) -> Result<Robot, Error> {
@@ -190,7 +222,8 @@ fn files(urdf: &Path, srdf: Option<&Path>, packages: &[(String, PathBuf)]) -> Re
         None => beside_urdf.is_file().then_some(beside_urdf.as_path()),
     };
     let srdf = srdf.map(|path| Ok::<_, Error>((path.display().to_string(), read_text(path)?)));
-    robot(model, text, srdf.transpose()?, found)
+    let source = Some((urdf.to_owned(), packages.to_vec()));
+    robot(model, text, srdf.transpose()?, found, source)
 }
 
 /// A robot without a map; `srdf` is the name and the text of its SRDF.
@@ -199,6 +232,7 @@ fn robot(
     urdf: String,
     srdf: Option<(String, String)>,
     meshes: Vec<(String, Vec<u8>)>,
+    source: Option<(PathBuf, Packages)>,
 ) -> Result<Robot, Error> {
     let parsed = (srdf.as_ref()).map(|(name, text)| Srdf::parse(name, text, &model));
     Ok(Robot {
@@ -211,6 +245,7 @@ fn robot(
             meshes,
             map: None,
         },
+        source,
     })
 }
 

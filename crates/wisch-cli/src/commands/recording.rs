@@ -5,11 +5,14 @@ use super::job::{Job, Results};
 use super::prepare::Prepared;
 use super::results::{facts_of, title};
 use crate::failure::Failure;
+use crate::terminal::remark;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use wisch::follow::Workcell;
+use wisch::robot::Appearance;
 use wisch::run::RunEvent;
+use wisch_io::Robot;
 use wisch_memory::live_place;
 use wisch_report::{Outcome, PlannedOnly, RecordingHead, RecordingWriter, RoundTruth};
 
@@ -58,6 +61,24 @@ impl Drop for Live {
     }
 }
 
+/// What a robot looks like. It is shown and nothing else, so that what cannot be read is told and no more.
+fn appearance(robot: &Robot) -> Option<Appearance> {
+    match robot.appearance() {
+        Ok(looks) => {
+            for told in looks.diagnostics() {
+                remark(&told.to_string());
+            }
+            Some(looks)
+        }
+        Err(error) => {
+            remark(&format!(
+                "the robot is shown by its collision geometry: {error}"
+            ));
+            None
+        }
+    }
+}
+
 impl RunRecording {
     /// Begins one of a run that nobody looks at while it goes on.
     pub fn begin(job: &Job<'_>) -> Result<Self, Failure> {
@@ -102,6 +123,7 @@ impl RunRecording {
             )
             .ok()
         });
+        let appearance = (job.robot.as_ref()).and_then(|(_, robot)| appearance(robot));
         let head = RecordingHead {
             title: &title(prepared),
             program: PROGRAM,
@@ -109,6 +131,7 @@ impl RunRecording {
             strategy: prepared.config.strategy,
             target: prepared.file.target_performance(),
             cell: cell.as_ref(),
+            appearance: appearance.as_ref(),
         };
         writer.begin(&head).map_err(no_recording)?;
         Ok(Self { writer })

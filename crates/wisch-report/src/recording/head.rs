@@ -40,7 +40,9 @@ struct ToolRecord {
 impl<'a> Head<'a> {
     pub(super) fn new(head: &RecordingHead<'a>, meshes: &mut Meshes) -> Self {
         let task = head.task;
-        let robot = head.cell.map(|cell| RobotRecord::new(cell, meshes));
+        let robot = head
+            .cell
+            .map(|cell| RobotRecord::new(cell, head.appearance, meshes));
         let (link, pose) = match head.cell {
             Some(cell) => (Some(cell.tip().index()), *cell.tip_from_tool()),
             None => (None, Pose::identity()),

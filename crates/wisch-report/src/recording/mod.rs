@@ -31,6 +31,7 @@ use wisch::follow::{Audit, Workcell};
 use wisch::geometry::Pose;
 use wisch::plan::{Plan, Prediction, Strategy};
 use wisch::represent::{ParticleDistribution, Task};
+use wisch::robot::Appearance;
 use wisch::run::{PlannedRound, RunEvent};
 
 /// The version of what a recording is made of.
@@ -51,6 +52,8 @@ pub struct RecordingHead<'a> {
     pub target: f64,
     /// Who is to do it; `None` for nobody.
     pub cell: Option<&'a Workcell>,
+    /// What the robot looks like; `None` shows its collision geometry.
+    pub appearance: Option<&'a Appearance>,
 }
 
 /// What nobody executed.
@@ -96,6 +99,7 @@ pub struct RoundTruth<'a> {
 ///     strategy: wisch::plan::Strategy::Adaptive,
 ///     target: 0.9,
 ///     cell: None,
+///     appearance: None,
 /// })?;
 /// let text = String::from_utf8(recording.into_inner())?;
 /// assert!(text.starts_with("{\"piece\":\"head\",\"schema\":1,"));

@@ -3,10 +3,13 @@
 use crate::scene::{Meshes, Solid, seven, vector};
 use serde::Serialize;
 use wisch::follow::Workcell;
-use wisch::robot::{Joint, JointKind, LinkId, RobotModel};
+use wisch::robot::{Appearance, Joint, JointKind, Link, LinkId, RobotModel, Shape, Visual};
 
 /// Most triangles of a mesh.
 pub(super) const MAX_TRIANGLES: usize = 2_000;
+/// Most triangles of all that a robot looks like, which its meshes share, and of one of them.
+const MAX_SHOWN_TRIANGLES: usize = 40_000;
+const MAX_SHOWN_TRIANGLES_OF_ONE: usize = 5_000;
 
 #[derive(Serialize)]
 pub(super) struct RobotRecord<'a> {
@@ -32,19 +35,40 @@ struct LinkRecord<'a> {
     name: &'a str,
     /// Whether it is of the arm that holds the tool.
     arm: bool,
+    /// Whether the shapes are what it looks like, and not those that collisions are checked with.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    visual: bool,
     shapes: Vec<Solid>,
 }
 
 impl<'a> RobotRecord<'a> {
-    pub(super) fn new(cell: &'a Workcell, meshes: &mut Meshes) -> Self {
+    pub(super) fn new(
+        cell: &'a Workcell,
+        appearance: Option<&Appearance>,
+        meshes: &mut Meshes,
+    ) -> Self {
         let robot = cell.robot();
         let arm = arm(robot, cell.tip());
-        let links = (robot.links().iter().enumerate()).map(|(i, link)| LinkRecord {
-            name: &link.name,
-            arm: arm.contains(&i),
-            shapes: (link.collision.iter())
-                .map(|c| meshes.shape(&c.link_from_shape, &c.shape))
-                .collect(),
+        let appearance = appearance.filter(|looks| !looks.is_empty());
+        let looks = |link: &Link| appearance?.of(robot.link(&link.name).ok()?);
+        let shown = robot.links().iter().filter_map(looks).flatten();
+        let shown = shown.filter(|part| matches!(part.shape, Shape::Mesh(_)));
+        let most = (MAX_SHOWN_TRIANGLES / shown.count().max(1)).min(MAX_SHOWN_TRIANGLES_OF_ONE);
+        let links = (robot.links().iter().enumerate()).map(|(i, link)| {
+            let looks = looks(link);
+            LinkRecord {
+                name: &link.name,
+                arm: arm.contains(&i),
+                visual: looks.is_some(),
+                shapes: match looks {
+                    Some(visuals) => (visuals.iter())
+                        .map(|visual| coloured(visual, most, meshes))
+                        .collect(),
+                    None => (link.collision.iter())
+                        .map(|c| meshes.shape(&c.link_from_shape, &c.shape))
+                        .collect(),
+                },
+            }
         });
         Self {
             name: robot.name(),
@@ -54,6 +78,14 @@ impl<'a> RobotRecord<'a> {
             links: links.collect(),
             joints: robot.joints().iter().map(JointRecord::new).collect(),
         }
+    }
+}
+
+fn coloured(visual: &Visual, most: usize, meshes: &mut Meshes) -> Solid {
+    let solid = meshes.shape_within(&visual.link_from_shape, &visual.shape, most);
+    match visual.color {
+        Some(rgba) => solid.coloured(rgba),
+        None => solid,
     }
 }
 
@@ -75,7 +107,7 @@ impl<'a> JointRecord<'a> {
 }
 
 /// The links of the arm: what hangs on the last fork before the tool, tool side. A fork is a link
-/// that also carries something else that moves by itself.
+/// that also carries something else that moves by itself; a hand with fingers is none.
 fn arm(robot: &RobotModel, tool_link: LinkId) -> Vec<usize> {
     let holder = |link: usize| {
         robot.links()[link]
@@ -95,9 +127,11 @@ fn arm(robot: &RobotModel, tool_link: LinkId) -> Vec<usize> {
         moving.next().is_some()
     };
     let mut root = tool_link.index();
+    let mut is_beyond_hand = false;
     while let Some(joint) = holder(root) {
         let parent = joint.parent.index();
-        if is_fork(parent, root) || holder(parent).is_none() {
+        is_beyond_hand |= joint.kind != JointKind::Fixed;
+        if (is_beyond_hand && is_fork(parent, root)) || holder(parent).is_none() {
             break;
         }
         root = parent;

@@ -42,6 +42,7 @@ fn followed(task: &Task) -> Vec<u8> {
         strategy: wiped.strategy,
         target: 0.9,
         cell: Some(&cell),
+        appearance: None,
     };
     recording.begin(&head).expect("memory takes it");
     let planned = PlannedOnly {
@@ -228,10 +229,71 @@ fn a_task_that_nobody_can_do_has_a_head() {
         strategy: Strategy::Adaptive,
         target: 0.9,
         cell: None,
+        appearance: None,
     };
     recording.begin(&head).expect("memory takes it");
     let piece = &pieces(&recording.into_inner())[0];
     assert!(piece["robot"].is_null() && piece["tool"]["link"].is_null());
     let asked = piece["task"]["asked"].as_str().expect("words");
     assert!(asked.contains("90.0 %"), "{asked}");
+}
+
+#[test]
+fn a_robot_is_shown_as_it_looks() {
+    let task = kit::board(Action::Absorb, [0.6, 0.0, 0.2]);
+    let cell = kit::cell(&task);
+    let head = |appearance: Option<&Appearance>| {
+        let mut recording = RecordingWriter::new(Vec::new());
+        let head = RecordingHead {
+            title: "board",
+            program: "test 1",
+            task: &task,
+            strategy: Strategy::Adaptive,
+            target: 0.9,
+            cell: Some(&cell),
+            appearance,
+        };
+        recording.begin(&head).expect("memory takes it");
+        pieces(&recording.into_inner()).remove(0)
+    };
+    let robot = cell.robot();
+    let [first, second] = [0, 1].map(|i| robot.links()[i].name.as_str());
+    let urdf = format!(
+        r#"<robot name="r"><material name="orange"><color rgba="1 0.5 0 1"/></material>
+  <link name="{first}"><visual><geometry><mesh filename="ball.obj"/></geometry><material name="orange"/></visual></link>
+  <link name="{second}"><visual><geometry><mesh filename="none.obj"/></geometry></visual></link>
+</robot>"#
+    );
+    let ball = wisch::geometry::Mesh::sphere(0.1, 300).expect("a ball");
+    let vertices = ball.vertices().iter();
+    let vertices = vertices.map(|v| format!("v {} {} {}\n", v.x, v.y, v.z));
+    let faces = ball.triangles().iter();
+    let faces = faces.map(|[a, b, c]| format!("f {} {} {}\n", a + 1, b + 1, c + 1));
+    let ball: String = vertices.chain(faces).collect();
+    let mut meshes = |file: &str| match file {
+        "ball.obj" => Ok(ball.clone().into_bytes()),
+        _ => Err("no such file".to_owned()),
+    };
+    let looks = Appearance::from_urdf("r.urdf", &urdf, robot, &mut meshes).expect("a URDF");
+    let shown = head(Some(&looks));
+    let links = shown["robot"]["links"].as_array().expect("links");
+    let solid = &links[0]["shapes"][0];
+    assert_eq!(
+        (&links[0]["visual"], &solid["kind"]),
+        (&true.into(), &"mesh".into())
+    );
+    assert_eq!(solid["color"], serde_json::json!([1.0, 0.5, 0.0, 1.0]));
+    let mesh = &shown["meshes"][solid["mesh"].as_u64().expect("a number") as usize];
+    let triangles = mesh["triangles"].as_array().expect("triangles").len() / 3;
+    assert!((2000..=5000).contains(&triangles), "{triangles}");
+    // Beside it are those of which nothing can be shown, and those that show nothing.
+    let plain = head(None);
+    let plain_links = plain["robot"]["links"].as_array().expect("links");
+    assert_eq!(links[1], plain_links[1], "by its collision geometry");
+    assert!(links[1].get("visual").is_none());
+    assert_eq!(links[2]["shapes"], serde_json::json!([]));
+    // A robot without any visual geometry is shown as it collides.
+    let bare = format!(r#"<robot name="r"><link name="{first}"/></robot>"#);
+    let bare = Appearance::from_urdf("r.urdf", &bare, robot, &mut meshes).expect("a URDF");
+    assert_eq!(head(Some(&bare)), plain);
 }

@@ -1,10 +1,15 @@
 //! Meshes for a page: fewer triangles where there are too many.
 
+use nalgebra::Matrix3;
 use std::collections::BTreeMap;
-use wisch::geometry::{Mesh, Point3};
+use wisch::geometry::{Mesh, Point3, Vector3};
 
 /// Cells along the longest side with which thinning begins.
 const FINEST: f64 = 256.0;
+/// Cells of the next grid as a share of those of the last.
+const COARSER: f64 = 0.88;
+/// How strongly a vertex is held at the mean of its cell, beside what holds it to the planes.
+const PULL: f64 = 1e-3;
 
 /// A mesh as it is embedded.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,38 +18,107 @@ pub(crate) struct Thinned {
     pub(crate) triangles: Vec<[u32; 3]>,
 }
 
-/// At most `most` triangles (at least 12) of about the same shape: vertices that share a cell of a
-/// grid become their mean, and the grid is coarsened until it suffices (Rossignac and Borrel, 1993).
+/// At most `most` triangles (at least 12) of about the same shape: vertices that share a cell of a grid become one, which
+/// lies where the planes of their triangles are nearest, and the grid is coarsened until it suffices (Lindstrom, 2000).
 pub(crate) fn thinned(mesh: &Mesh, most: usize) -> Thinned {
     let mut thinned = Thinned {
         vertices: mesh.vertices().to_vec(),
         triangles: mesh.triangles().to_vec(),
     };
+    if thinned.triangles.len() <= most.max(12) {
+        return thinned;
+    }
+    let planes = vertex_planes(mesh);
     let mut cells = FINEST;
     while thinned.triangles.len() > most.max(12) && cells >= 1.0 {
-        thinned = clustered(mesh, mesh.extent() / cells);
-        cells *= 0.7;
+        thinned = clustered(mesh, &planes, mesh.extent() / cells);
+        cells *= COARSER;
     }
     thinned
 }
 
-fn clustered(mesh: &Mesh, cell: f64) -> Thinned {
+/// How far a point is from the planes of triangles, as a function of the point x: the sum of area (n·x - offset)².
+#[derive(Debug, Clone, Copy, Default)]
+struct Planes {
+    /// Sum of area n nᵀ.
+    normals: Matrix3<f64>,
+    /// Sum of area offset n.
+    offsets: Vector3,
+}
+
+impl Planes {
+    fn add(&mut self, other: &Self) {
+        self.normals += other.normals;
+        self.offsets += other.offsets;
+    }
+
+    /// Where the planes are nearest, pulled a little to `mean` so that along what is flat it stays there.
+    fn nearest(&self, mean: Point3) -> Option<Point3> {
+        let pull = PULL * self.normals.trace();
+        let matrix = self.normals + Matrix3::from_diagonal_element(pull);
+        let solution = matrix
+            .cholesky()?
+            .solve(&(self.offsets + mean.coords * pull));
+        Some(Point3::from(solution))
+    }
+}
+
+/// Of each vertex, the planes of the triangles that meet there.
+fn vertex_planes(mesh: &Mesh) -> Vec<Planes> {
+    let mut planes = vec![Planes::default(); mesh.vertices().len()];
+    for (corners, [a, b, c]) in mesh.triangles().iter().zip(mesh.corners()) {
+        let across = (b - a).cross(&(c - a));
+        let area = across.norm();
+        if area == 0.0 {
+            continue;
+        }
+        let normal = across / area;
+        let plane = Planes {
+            normals: normal * normal.transpose() * area,
+            offsets: normal * (normal.dot(&a.coords) * area),
+        };
+        for &corner in corners {
+            planes[corner as usize].add(&plane);
+        }
+    }
+    planes
+}
+
+/// Vertices of a cell.
+#[derive(Default)]
+struct Cluster {
+    index: u32,
+    sum: Vector3,
+    count: f64,
+    planes: Planes,
+}
+
+fn clustered(mesh: &Mesh, planes: &[Planes], cell: f64) -> Thinned {
     let low = mesh.bounds().0;
-    let mut clusters: BTreeMap<[i64; 3], (u32, Point3, f64)> = BTreeMap::new();
+    let mut clusters: BTreeMap<[i64; 3], Cluster> = BTreeMap::new();
     let mut cluster_of = Vec::with_capacity(mesh.vertices().len());
-    for vertex in mesh.vertices() {
+    for (vertex, planes) in mesh.vertices().iter().zip(planes) {
         let key = [0, 1, 2].map(|i| ((vertex[i] - low[i]) / cell).floor() as i64);
         let index = clusters.len() as u32;
-        let (index, sum, count) = clusters
-            .entry(key)
-            .or_insert((index, Point3::origin(), 0.0));
-        sum.coords += vertex.coords;
-        *count += 1.0;
-        cluster_of.push(*index);
+        let cluster = clusters.entry(key).or_insert_with(|| Cluster {
+            index,
+            ..Cluster::default()
+        });
+        cluster.sum += vertex.coords;
+        cluster.count += 1.0;
+        cluster.planes.add(planes);
+        cluster_of.push(cluster.index);
     }
     let mut vertices = vec![Point3::origin(); clusters.len()];
-    for (index, sum, count) in clusters.into_values() {
-        vertices[index as usize] = sum / count;
+    for (key, cluster) in clusters {
+        let mean = Point3::from(cluster.sum / cluster.count);
+        let near = cluster.planes.nearest(mean).unwrap_or(mean);
+        // Never out of its cell, so that no two change places.
+        let kept = [0, 1, 2].map(|i| {
+            let from = low[i] + key[i] as f64 * cell;
+            near[i].clamp(from, from + cell)
+        });
+        vertices[cluster.index as usize] = Point3::from(kept);
     }
     let moved = |corners: &[u32; 3]| corners.map(|corner| cluster_of[corner as usize]);
     let mut triangles: Vec<[u32; 3]> = mesh
@@ -65,7 +139,6 @@ fn clustered(mesh: &Mesh, cell: f64) -> Thinned {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use wisch::geometry::Vector3;
 
     #[test]
     fn a_thinned_mesh_keeps_its_size() {
@@ -73,10 +146,37 @@ mod tests {
         let thin = thinned(&ball, 900);
         assert!(thin.triangles.len() <= 900 && thin.triangles.len() > 300);
         for vertex in &thin.vertices {
-            // A cell's mean lies within the ball, by no more than the height of a cap as wide as a cell.
-            assert!(vertex.coords.norm() < 0.2 + 1e-9 && vertex.coords.norm() > 0.19);
+            assert!((vertex.coords.norm() - 0.2).abs() < 0.002, "{vertex}");
         }
+        // Corners stay where they are, however coarse the grid.
+        let mut fine = Mesh::cuboid(Vector3::new(0.1, 0.2, 0.3)).expect("a box");
+        for _ in 0..4 {
+            fine = subdivided(&fine);
+        }
+        let thin = thinned(&fine, 300);
+        assert!(thin.triangles.len() <= 300, "{}", thin.triangles.len());
+        let far = thin
+            .vertices
+            .iter()
+            .map(|v| v.coords.norm())
+            .fold(0.0, f64::max);
+        let corner = Vector3::new(0.05, 0.1, 0.15).norm();
+        assert!((far - corner).abs() < 0.003, "{far} {corner}");
         let cuboid = Mesh::cuboid(Vector3::new(0.1, 0.2, 0.3)).expect("a box");
         assert_eq!(thinned(&cuboid, 900).triangles, cuboid.triangles());
+    }
+
+    /// Each triangle in four.
+    fn subdivided(mesh: &Mesh) -> Mesh {
+        let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+        for [a, b, c] in mesh.corners() {
+            let first = vertices.len() as u32;
+            let middle = |p: Point3, q: Point3| nalgebra::center(&p, &q);
+            vertices.extend([a, b, c, middle(a, b), middle(b, c), middle(c, a)]);
+            for corners in [[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]] {
+                triangles.push(corners.map(|corner| first + corner));
+            }
+        }
+        Mesh::new(vertices, triangles).expect("a mesh")
     }
 }

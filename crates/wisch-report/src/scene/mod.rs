@@ -19,8 +19,6 @@ pub(crate) struct Meshes {
     /// Most triangles of each.
     #[serde(skip)]
     most: usize,
-    #[serde(skip)]
-    coarsened: usize,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -37,6 +35,8 @@ pub(crate) struct Solid {
     pose: [f64; 7],
     #[serde(flatten)]
     form: Form,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    color: Option<[f64; 4]>,
 }
 
 #[derive(Debug, Serialize)]
@@ -68,7 +68,6 @@ impl Meshes {
         Self {
             records: Vec::new(),
             most,
-            coarsened: 0,
         }
     }
 
@@ -82,52 +81,64 @@ impl Meshes {
         self.records[first..].to_vec()
     }
 
-    /// A collision shape; `pose` is its pose in the frame that it is shown in.
+    /// A shape of a link; `pose` is its pose in the frame that it is shown in.
     pub(crate) fn shape(&mut self, pose: &Pose, shape: &Shape) -> Solid {
+        self.shape_within(pose, shape, self.most)
+    }
+
+    /// The same; a mesh may have at most `most` triangles.
+    pub(crate) fn shape_within(&mut self, pose: &Pose, shape: &Shape, most: usize) -> Solid {
         let form = match shape {
             Shape::Box { size } => Form::Box { size: vector(size) },
             &Shape::Cylinder { radius, length } => Form::Cylinder { radius, length },
             &Shape::Capsule { radius, length } => Form::Capsule { radius, length },
             &Shape::Sphere { radius } => Form::Sphere { radius },
-            Shape::Mesh(mesh) => return self.solid(pose, mesh),
+            Shape::Mesh(mesh) => return self.solid_within(pose, mesh, most),
         };
-        Solid {
-            pose: seven(pose),
-            form,
-        }
+        Solid::new(pose, form)
     }
 
     /// A mesh at its pose.
     pub(crate) fn solid(&mut self, pose: &Pose, mesh: &Mesh) -> Solid {
+        self.solid_within(pose, mesh, self.most)
+    }
+
+    fn solid_within(&mut self, pose: &Pose, mesh: &Mesh, most: usize) -> Solid {
         let Thinned {
             vertices,
             triangles,
-        } = thinned(mesh, self.most);
-        let is_coarsened = triangles.len() < mesh.triangles().len();
+        } = thinned(mesh, most);
         let record = MeshRecord {
             vertices: tenths(vertices),
             triangles: triangles.into_flattened(),
         };
         let known = self.records.iter().position(|other| *other == record);
         let mesh = known.unwrap_or_else(|| {
-            self.coarsened += usize::from(is_coarsened);
             self.records.push(record);
             self.records.len() - 1
         });
-        Solid {
-            pose: seven(pose),
-            form: Form::Mesh { mesh },
-        }
+        Solid::new(pose, Form::Mesh { mesh })
     }
 }
 
 impl Solid {
     /// A ball round the origin of a frame.
     pub(crate) fn ball(pose: &Pose, radius: f64) -> Self {
+        Self::new(pose, Form::Sphere { radius })
+    }
+
+    fn new(pose: &Pose, form: Form) -> Self {
         Self {
             pose: seven(pose),
-            form: Form::Sphere { radius },
+            form,
+            color: None,
         }
+    }
+
+    /// The same in a colour: red, green, blue and opacity, in [0, 1].
+    pub(crate) fn coloured(self, rgba: [f64; 4]) -> Self {
+        let color = Some(rgba.map(|part| (part * 1e3).round() / 1e3));
+        Self { color, ..self }
     }
 }
 

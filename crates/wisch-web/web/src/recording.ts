@@ -17,8 +17,11 @@ export interface MeshRecord {
   triangles: number[];
 }
 
+/** Red, green, blue and opacity, in [0, 1], sRGB. */
+export type Rgba = [red: number, green: number, blue: number, opacity: number];
+
 /** A shape at its pose. Cylinders and capsules lie along z; `length` of a capsule is without its caps. */
-export type Solid = { pose: Pose } & (
+export type Solid = { pose: Pose; color?: Rgba } & (
   | { kind: "box"; size: [number, number, number] }
   | { kind: "cylinder" | "capsule"; radius: number; length: number }
   | { kind: "sphere"; radius: number }
@@ -41,7 +44,8 @@ export interface RobotRecord {
   /** Names of the variables. */
   variables: string[];
   joints: JointRecord[];
-  links: { name: string; arm: boolean; shapes: Solid[] }[];
+  /** Where `visual` is true, the shapes are what the link looks like, else what collisions are checked with. */
+  links: { name: string; arm: boolean; visual?: boolean; shapes: Solid[] }[];
 }
 
 /** The first piece. */

@@ -218,7 +218,7 @@ pub struct RobotModel {
 
 impl RobotModel {
     /// Reads a URDF. `name` is used in messages; `meshes` returns the bytes of a collision mesh by the
-    /// file name that the URDF gives it, or says why it cannot. Visual geometry is not read.
+    /// file name that the URDF gives it, or says why it cannot. Visual geometry is not read: [`Appearance`](super::Appearance) has it.
     ///
     /// # Errors
     /// If the text is no URDF or larger than is read, or if [`check`](super::check) finds errors:

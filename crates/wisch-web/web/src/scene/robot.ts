@@ -2,7 +2,7 @@
 import { Group, Matrix4, Mesh, MeshLambertMaterial, Vector3 } from "three";
 import type { BufferGeometry, Material, Object3D } from "three";
 import { geometryOf, matrix } from "./solids.ts";
-import type { Head, JointRecord, Pose } from "../recording.ts";
+import type { Head, JointRecord, Pose, Rgba } from "../recording.ts";
 import type { MeshRecord } from "../recording.ts";
 
 /** Where the links are: world_from_parent * parent_from_joint * motion(axis, position), from root to tips. */
@@ -35,11 +35,13 @@ export interface RobotMaterials {
   arm: [Material, Material];
   hand: Material;
   tool: Material;
+  /** Of what has a colour of its own. */
+  coloured(color: Rgba): Material;
 }
 
 export const ghostMaterial = (): MeshLambertMaterial => new MeshLambertMaterial({ transparent: true, opacity: 0.22, depthWrite: false, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 });
 
-interface Part { geometry: BufferGeometry; pose: Pose }
+interface Part { geometry: BufferGeometry; pose: Pose; color: Rgba | undefined }
 
 export class Robot {
   readonly group = new Group();
@@ -54,14 +56,16 @@ export class Robot {
     const { robot, tool } = head;
     this.tree = robot ? new Tree(robot.joints) : null;
     this.parts = shared?.parts ?? (robot?.links ?? []).map(({ shapes }) =>
-      shapes.map((shape) => ({ geometry: geometryOf(shape, meshes), pose: shape.pose })));
+      shapes.map((shape) => ({ geometry: geometryOf(shape, meshes), pose: shape.pose, color: shape.color })));
     this.parts.forEach((parts, i) => {
       const link = new Group();
       link.matrixAutoUpdate = false;
       const shade = i % 2;
-      const material = i === tool.link ? materials.hand : robot!.links[i]!.arm ? materials.arm[shade]! : materials.body[shade]!;
-      for (const { geometry, pose } of parts) {
-        const mesh = new Mesh(geometry, material);
+      const { arm, visual } = robot!.links[i]!;
+      // What collisions of the last link are checked with lies round the tool.
+      const material = i === tool.link && !visual ? materials.hand : arm ? materials.arm[shade]! : materials.body[shade]!;
+      for (const { geometry, pose, color } of parts) {
+        const mesh = new Mesh(geometry, color ? materials.coloured(color) : material);
         mesh.matrixAutoUpdate = false;
         matrix(pose, mesh.matrix);
         mesh.castShadow = mesh.receiveShadow = !shared;

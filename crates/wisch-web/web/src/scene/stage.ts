@@ -1,7 +1,7 @@
 // All that is seen in 3-D at a time of the clock, drawn only when something changes.
 import {
   AmbientLight, Box3, Color, DirectionalLight, GridHelper, Group, HemisphereLight, Material, Mesh, MeshLambertMaterial,
-  MeshStandardMaterial, Object3D, PlaneGeometry, Scene, ShadowMaterial, Sphere, Vector3,
+  MeshStandardMaterial, Object3D, PlaneGeometry, SRGBColorSpace, Scene, ShadowMaterial, Sphere, Vector3,
 } from "three";
 import { frames } from "../frames.ts";
 import { colour, theme } from "../theme.ts";
@@ -22,6 +22,7 @@ import { Robot, ghostMaterial } from "./robot.ts";
 import type { RobotMaterials } from "./robot.ts";
 import { Still } from "./surface.ts";
 import type { Round } from "../round.ts";
+import type { Rgba } from "../recording.ts";
 import type { Instant, Recording } from "../store.ts";
 
 export type Layers = Record<Mark | "path" | "strokes" | "force" | "events" | "found" | "actualSurface", boolean>;
@@ -75,7 +76,17 @@ export class Stage {
     // Links that meet share round ends: the one shade lies over the other, or both would flicker.
     const under = (roughness: number) => Object.assign(matte(roughness), { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 });
     const hand = Object.assign(matte(0.5), { transparent: true, opacity: 0.45, depthWrite: false });
-    this.materials = { body: [matte(0.6), under(0.6)], arm: [matte(0.5), under(0.5)], hand, tool: new MeshLambertMaterial() };
+    const own = new Map<string, Material>();
+    const coloured = (rgba: Rgba): Material => {
+      const [red, green, blue, opacity] = rgba;
+      const known = own.get(rgba.join());
+      if (known) return known;
+      const material = Object.assign(matte(0.5), opacity < 1 ? { transparent: true, opacity, depthWrite: false } : {});
+      material.color.setRGB(red, green, blue, SRGBColorSpace);
+      own.set(rgba.join(), material);
+      return material;
+    };
+    this.materials = { body: [matte(0.6), under(0.6)], arm: [matte(0.5), under(0.5)], hand, tool: new MeshLambertMaterial(), coloured };
     this.scene.add(this.dirt.group, this.asked.group, this.force.group, this.marks.points, this.trajectories.group, this.highlights, this.ghosts);
     this.camera = new Camera(canvas, () => this.ask());
     canvas.addEventListener("webglcontextrestored", () => this.ask());
@@ -158,7 +169,7 @@ export class Stage {
       for (const time of times) {
         const instant = this.recording.at(time);
         if (!instant) continue;
-        const ghost = new Robot(head, meshes, { body: [look, look], arm: [look, look], hand: look, tool: look }, this.robot);
+        const ghost = new Robot(head, meshes, { body: [look, look], arm: [look, look], hand: look, tool: look, coloured: () => look }, this.robot);
         ghost.show(instant.round.plan.root, instant.q, instant.tool);
         this.ghosts.add(ghost.group);
       }

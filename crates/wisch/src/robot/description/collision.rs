@@ -102,7 +102,7 @@ pub(in crate::robot) fn load_shapes(
     all
 }
 
-fn load(
+pub(super) fn load(
     link: &str,
     shape: &UrdfShape,
     meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,

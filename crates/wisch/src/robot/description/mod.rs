@@ -1,5 +1,6 @@
-//! What describes a robot: URDF and SRDF as typed, their check, and the shapes of links.
+//! What describes a robot: URDF and SRDF as typed, their check, the shapes of links, and what they look like.
 
+mod appearance;
 pub(super) mod check;
 mod collision;
 mod diagnostics;
@@ -9,6 +10,7 @@ mod srdf;
 mod transforms;
 pub(super) mod urdf;
 
+pub use appearance::{Appearance, Visual};
 pub use check::{MAX_DEPTH, check};
 pub use collision::{Collision, MAX_MESH_EXTENT, Shape};
 pub use diagnostics::{Diagnostic, DiagnosticKind, Severity, Subject};

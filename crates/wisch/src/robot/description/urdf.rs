@@ -109,7 +109,10 @@ pub(in crate::robot) fn elements<'a, 'i>(
         .filter(move |child| child.has_tag_name(name))
 }
 
-fn element<'a, 'i>(node: Node<'a, 'i>, name: &'static str) -> Option<Node<'a, 'i>> {
+pub(in crate::robot) fn element<'a, 'i>(
+    node: Node<'a, 'i>,
+    name: &'static str,
+) -> Option<Node<'a, 'i>> {
     elements(node, name).next()
 }
 
@@ -197,7 +200,7 @@ impl<'a> Reader<'a> {
     }
 
     /// As many numbers as asked for; `None` if there is no such attribute.
-    fn numbers<const N: usize>(
+    pub fn numbers<const N: usize>(
         &self,
         node: Node,
         attribute: &'static str,
@@ -299,10 +302,14 @@ impl<'a> Reader<'a> {
         })
     }
 
-    fn shape(&self, node: Node) -> Result<UrdfShape, RobotError> {
+    /// Of a `<collision>` or a `<visual>`.
+    pub fn shape(&self, node: Node) -> Result<UrdfShape, RobotError> {
         let geometry = element(node, "geometry")
             .and_then(|geometry| geometry.children().find(Node::is_element))
-            .ok_or_else(|| self.fault(node, "<collision> has no <geometry>".to_owned()))?;
+            .ok_or_else(|| {
+                let element = node.tag_name().name();
+                self.fault(node, format!("<{element}> has no <geometry>"))
+            })?;
         let shape = match geometry.tag_name().name() {
             "box" => {
                 let [x, y, z] = self
@@ -403,6 +410,7 @@ impl<'a> Reader<'a> {
 const fn expected(count: usize) -> &'static str {
     match count {
         1 => "a number within 1e9",
-        _ => "three numbers within 1e9, with spaces between them",
+        3 => "three numbers within 1e9, with spaces between them",
+        _ => "four numbers within 1e9, with spaces between them",
     }
 }
