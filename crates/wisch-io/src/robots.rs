@@ -71,7 +71,7 @@ impl Robot {
     /// Reads what it looks like: of its files as they are now.
     ///
     /// # Errors
-    /// A `<visual>` that is none.
+    /// A URDF that is none, as only one that was changed is.
     pub fn appearance(&self) -> Result<Appearance, Error> {
         let urdf = &self.files.urdf;
         match &self.source {

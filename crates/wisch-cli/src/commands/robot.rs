@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
 use serde::Serialize;
 use std::path::PathBuf;
-use wisch::robot::{Diagnostic, RobotModel, Severity, Srdf, Subject, check};
+use wisch::robot::{Appearance, Diagnostic, RobotModel, Severity, Srdf, Subject, check};
 use wisch_io::{read_text, robot_meshes};
 
 /// The schema of the object that `--json` prints.
@@ -68,6 +68,11 @@ pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome
     } else {
         None
     };
+    if let Some(robot) = &robot {
+        let looks = Appearance::from_urdf(&name, &text, robot, &mut meshes);
+        findings.extend_from_slice(looks.map_err(Failure::new)?.diagnostics());
+        findings.sort_by_key(|found| (found.at.line, found.at.column));
+    }
     let srdf = match (&robot, srdf_of(args)) {
         (Some(robot), Some(path)) => {
             let text = read_text(&path)?;

@@ -168,6 +168,28 @@ pub enum RobotError {
     },
 }
 
+impl RobotError {
+    /// Where it is, what was found there, and what was expected, for a diagnostic; `whole` is what the whole should be.
+    pub(super) fn parts(&self, whole: &str) -> (Option<&Place>, String, String) {
+        match self {
+            Self::Syntax { at, problem } => (Some(at), problem.clone(), whole.to_owned()),
+            Self::UnknownAt { at, unknown } => (Some(at), unknown.to_string(), whole.to_owned()),
+            Self::Attribute {
+                at,
+                element,
+                attribute,
+                text,
+                expected,
+            } => (
+                Some(at),
+                format!("<{element} {attribute}={text:?}>"),
+                (*expected).to_owned(),
+            ),
+            other => (None, other.to_string(), whole.to_owned()),
+        }
+    }
+}
+
 fn first_of(diagnostics: &[Diagnostic]) -> String {
     let first = diagnostics
         .first()

@@ -4,7 +4,8 @@ use super::collision::{MAX_MESH_EXTENT, Shape, load};
 use super::diagnostics::Diagnostics;
 use super::urdf::{MAX_SHAPES, Reader, element, elements};
 use crate::geometry::Pose;
-use crate::robot::{Diagnostic, DiagnosticKind, LinkId, RobotError, RobotModel, Severity};
+use crate::robot::{Diagnostic, DiagnosticKind, LinkId, RobotError, RobotModel, Severity, Subject};
+use crate::source_location::Place;
 use roxmltree::Node;
 use std::collections::BTreeMap;
 
@@ -28,11 +29,11 @@ pub struct Appearance {
 
 impl Appearance {
     /// Reads the visual geometry of a URDF. `name` is used in messages; `meshes` returns the bytes of a mesh by the file
-    /// name that the URDF gives it, or says why it cannot. A link of which a mesh cannot be read, or is longer than
-    /// [`MAX_MESH_EXTENT`], has none, and a diagnostic says so.
+    /// name that the URDF gives it, or says why it cannot. A link with a `<visual>` that is none, or with a mesh that cannot
+    /// be read or is longer than [`MAX_MESH_EXTENT`], has none, and a diagnostic says so.
     ///
     /// # Errors
-    /// If the text is no URDF, larger than is read, or has a `<visual>` that is none.
+    /// If the text is no URDF or larger than is read.
     ///
     /// ```
     /// use wisch::robot::{Appearance, RobotModel, Shape};
@@ -61,7 +62,7 @@ impl Appearance {
             text,
             diagnostics: Vec::new(),
         };
-        let materials = materials(&reader, root)?;
+        let materials = materials(&reader, root, &mut report);
         let mut of_name = BTreeMap::new();
         let mut count = 0;
         for link in elements(root, "link") {
@@ -70,7 +71,7 @@ impl Appearance {
                 return Err(reader.too_large("visual shapes", count, MAX_SHAPES));
             }
             let name = reader.name(link, "name")?;
-            let visuals = visuals(&reader, &name, link, &materials, meshes, &mut report)?;
+            let visuals = visuals(&reader, &name, link, &materials, meshes, &mut report);
             of_name.insert(name, visuals);
         }
         let links = robot.links().iter();
@@ -100,16 +101,42 @@ impl Appearance {
     }
 }
 
-/// The colours of the robot's `<material>` elements, by name.
-fn materials(
-    reader: &Reader<'_>,
-    root: Node<'_, '_>,
-) -> Result<BTreeMap<String, Option<[f64; 4]>>, RobotError> {
+/// Takes note of a fault in what is only looked at.
+fn note(report: &mut Diagnostics<'_>, subject: Subject, fault: &RobotError) {
+    let (at, value, limit) = fault.parts("visual geometry");
+    report.diagnostics.push(Diagnostic {
+        severity: Severity::Note,
+        at: at
+            .cloned()
+            .unwrap_or_else(|| Place::at_offset(report.file, "", 0)),
+        subject,
+        kind: DiagnosticKind::Visual,
+        value,
+        limit,
+        advice: ADVICE.to_owned(),
+    });
+}
+
+const ADVICE: &str = "until it is corrected, collision geometry is shown instead";
+
+/// Colours by the name of their material.
+type Colors = BTreeMap<String, Option<[f64; 4]>>;
+
+/// Those of the robot's `<material>` elements.
+fn materials(reader: &Reader<'_>, root: Node<'_, '_>, report: &mut Diagnostics<'_>) -> Colors {
     let mut colors = BTreeMap::new();
     for material in elements(root, "material") {
-        colors.insert(reader.name(material, "name")?, color(reader, material)?);
+        let read = reader
+            .name(material, "name")
+            .and_then(|name| Ok((name, color(reader, material)?)));
+        match read {
+            Ok((name, color)) => {
+                colors.insert(name, color);
+            }
+            Err(fault) => note(report, Subject::Robot, &fault),
+        }
     }
-    Ok(colors)
+    colors
 }
 
 fn color(reader: &Reader<'_>, material: Node<'_, '_>) -> Result<Option<[f64; 4]>, RobotError> {
@@ -128,46 +155,57 @@ fn visuals(
     reader: &Reader<'_>,
     link: &str,
     node: Node<'_, '_>,
-    materials: &BTreeMap<String, Option<[f64; 4]>>,
+    materials: &Colors,
     meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
     report: &mut Diagnostics<'_>,
-) -> Result<Option<Vec<Visual>>, RobotError> {
-    let mut visuals = Some(Vec::new());
-    for element_of_visual in elements(node, "visual") {
-        let shape = reader.shape(element_of_visual)?;
-        let color = match element(element_of_visual, "material") {
-            Some(material) => {
-                let own = color(reader, material)?;
-                let named = material
-                    .attribute("name")
-                    .and_then(|name| materials.get(name.trim()));
-                own.or(named.copied().flatten())
+) -> Option<Vec<Visual>> {
+    let elements: Vec<_> = elements(node, "visual").collect();
+    let visuals = elements.into_iter().map(|element| {
+        let read = reader.shape(element).and_then(|shape| {
+            let color = color_of(reader, element, materials)?;
+            Ok((shape, color))
+        });
+        let (shape, color) = match read {
+            Ok(read) => read,
+            Err(fault) => {
+                note(report, Subject::Link(link.to_owned()), &fault);
+                return None;
             }
-            None => None,
         };
         let known = report.diagnostics.len();
         let loaded = load(link, &shape, meshes, report);
-        // Nothing is computed from it, so that none of it is an error.
+        // Nothing is computed from it, so that none of it is more than a note.
         for diagnostic in &mut report.diagnostics[known..] {
-            diagnostic.severity = Severity::Warning;
-            if diagnostic.kind == DiagnosticKind::Mesh {
-                diagnostic.advice += "; until then the link is shown by its collision geometry";
-            }
+            diagnostic.severity = Severity::Note;
+            diagnostic.advice += "; ";
+            diagnostic.advice += ADVICE;
         }
         let loaded = loaded.filter(
             |part| !matches!(&part.shape, Shape::Mesh(mesh) if mesh.extent() > MAX_MESH_EXTENT),
-        );
-        match (loaded, &mut visuals) {
-            (Some(part), Some(visuals)) => visuals.push(Visual {
-                link_from_shape: part.link_from_shape,
-                shape: part.shape,
-                color,
-            }),
-            (Some(_), None) => {}
-            (None, visuals) => *visuals = None,
-        }
-    }
-    Ok(visuals)
+        )?;
+        Some(Visual {
+            link_from_shape: loaded.link_from_shape,
+            shape: loaded.shape,
+            color,
+        })
+    });
+    // All of them are read, so that all that cannot be is told.
+    let visuals: Vec<Option<Visual>> = visuals.collect();
+    visuals.into_iter().collect()
+}
+
+/// The colour of a `<visual>`: its own, or that of the material that it names.
+fn color_of(
+    reader: &Reader<'_>,
+    visual: Node<'_, '_>,
+    materials: &Colors,
+) -> Result<Option<[f64; 4]>, RobotError> {
+    let Some(material) = element(visual, "material") else {
+        return Ok(None);
+    };
+    let named = material.attribute("name").map(str::trim);
+    let named = named.and_then(|name| materials.get(name));
+    Ok(color(reader, material)?.or(named.copied().flatten()))
 }
 
 #[cfg(test)]
@@ -230,7 +268,7 @@ mod tests {
             panic!("{:?}", looks.diagnostics());
         };
         let told = (told.severity, told.at.line, told.to_string());
-        assert_eq!((told.0, told.1), (Severity::Warning, 5));
+        assert_eq!((told.0, told.1), (Severity::Note, 5));
         assert!(
             told.2.contains("no such file") && told.2.contains("collision geometry"),
             "{}",
@@ -248,20 +286,26 @@ mod tests {
 
     #[test]
     fn faults_name_their_place() {
-        let (_, none) = looks(
-            &ARM.replace("<geometry><box size=\"0.2 0.2 0.2\"/></geometry>", ""),
-            Some(1.0),
-        );
-        let error = none.unwrap_err().to_string();
+        let told = |from: &str, to: &str| {
+            let (robot, looks) = looks(&ARM.replace(from, to), Some(1.0));
+            let looks = looks.unwrap();
+            let [told] = looks.diagnostics() else {
+                panic!("{:?}", looks.diagnostics());
+            };
+            (told.to_string(), looks.of(robot.root()).is_some())
+        };
+        let (text, _) = told("<geometry><box size=\"0.2 0.2 0.2\"/></geometry>", "");
         assert!(
-            error.contains("arm.urdf:4") && error.contains("<visual>"),
-            "{error}"
+            text.starts_with("arm.urdf:4:") && text.contains("<visual> has no <geometry>"),
+            "{text}"
         );
-        let (_, none) = looks(&ARM.replace("1 0.5 0 1", "1 50 0 1"), Some(1.0));
-        let error = none.unwrap_err().to_string();
+        let (text, is_shown) = told("1 0.5 0 1", "1 50 0 1");
         assert!(
-            error.contains("rgba") && error.contains("1 50 0 1"),
-            "{error}"
+            text.starts_with("arm.urdf:2:") && text.contains("1 50 0 1"),
+            "{text}"
         );
+        assert!(is_shown, "without that colour");
+        let (text, is_shown) = told("0.001 0.001 0.001", "1 NaN 1");
+        assert!(text.starts_with("arm.urdf:5:") && !is_shown, "{text}");
     }
 }

@@ -90,6 +90,8 @@ pub enum DiagnosticKind {
     Mesh,
     /// A mesh that was most likely drawn in other units.
     MeshScale,
+    /// Visual geometry that cannot be read.
+    Visual,
     /// An SRDF that is none of this robot's, or says what cannot be.
     Srdf,
 }
@@ -115,6 +117,7 @@ impl DiagnosticKind {
             Self::CollisionMissing => "collision-missing",
             Self::Mesh => "mesh",
             Self::MeshScale => "mesh-scale",
+            Self::Visual => "visual",
             Self::Srdf => "srdf",
         }
     }

@@ -331,29 +331,12 @@ fn joints_in_line(group: Node, robot: &RobotModel) -> Option<(LinkId, LinkId)> {
 
 /// What keeps an SRDF from being read, as a diagnostic.
 fn diagnostic(fault: &RobotError, file: &str, robot: &RobotModel) -> Diagnostic {
-    let (at, value, limit) = match fault {
-        RobotError::Syntax { at, problem } => (
-            Some(at),
-            problem.clone(),
-            "an SRDF of this robot".to_owned(),
-        ),
-        RobotError::UnknownAt { at, unknown } => (
-            Some(at),
-            unknown.to_string(),
-            format!("a {} of robot {:?}", unknown.kind, robot.name()),
-        ),
-        RobotError::Attribute {
-            at,
-            element,
-            attribute,
-            text,
-            expected,
-        } => (
-            Some(at),
-            format!("<{element} {attribute}={text:?}>"),
-            (*expected).to_owned(),
-        ),
-        other => (None, other.to_string(), "an SRDF of this robot".to_owned()),
+    let (at, value, limit) = fault.parts("an SRDF of this robot");
+    let limit = match fault {
+        RobotError::UnknownAt { unknown, .. } => {
+            format!("a {} of robot {:?}", unknown.kind, robot.name())
+        }
+        _ => limit,
     };
     let start = || Place::at_offset(file, "", 0);
     Diagnostic {
