@@ -173,6 +173,8 @@ fn others_look_on_and_may_end_it_in_order() {
         (&last["piece"], &last["episode"]),
         (&"ended".into(), &name.into())
     );
+    let happened = last["story"]["happened"].as_str().expect("a story");
+    assert!(happened.ends_with("it was stopped."), "{happened}");
     let judged = pieces.iter().find(|piece| piece["piece"] == "judged");
     assert_eq!(judged.expect("it is interpreted")["ending"], "stopped");
 }

@@ -183,7 +183,9 @@ try {
   await page.waitForFunction(() => window.wisch.stage.shown[0]?.recording.rounds[0]?.count > 20, null, { timeout: RUN_MS });
   await page.click(".s-stop");
   await page.waitForFunction(() => window.wisch.stage.shown[0]?.recording.live === false, null, { timeout: 60_000 });
-  await page.waitForSelector("text=not kept as an episode");
+  // What was executed until then is interpreted and kept.
+  await page.waitForSelector("text='kept as an episode'");
+  assert.match(await page.textContent("body"), /it was stopped/);
   await shoot(page, "12-stopped");
 
   step("dark");

@@ -6,7 +6,7 @@ use crate::rounds::words::interval;
 use serde::Serialize;
 use wisch::recover::Verdict;
 use wisch::represent::Task;
-use wisch::run::Round;
+use wisch::run::{Ending, Round};
 
 /// How a run ended.
 #[derive(Debug, Clone, Copy)]
@@ -81,9 +81,10 @@ fn executed(outcome: &Outcome<'_>, asked: String, last: &Round, rounds: usize) -
         happened: format!(
             "After {rounds} {} is where it belongs, the robot believes: {}.",
             percent(found.performance.mean),
-            match last.verdict {
-                Verdict::Again => "no more rounds were allowed",
-                verdict => verdict.as_str(),
+            match (last.verdict, &last.execution.ending) {
+                (Verdict::Again, Ending::Stopped) => "it was stopped",
+                (Verdict::Again, _) => "no more rounds were allowed",
+                (verdict, _) => verdict.as_str(),
             }
         ),
         sure: format!("By {senses}: {}.{truth}", interval(found.performance)),
