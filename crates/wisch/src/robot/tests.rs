@@ -474,6 +474,8 @@ proptest! {
             text.replace_range(start..end, with);
         }
         let _ = use_all(&text);
+        // Visual geometry is written as collision geometry is.
+        let _ = use_all(&text.replace("collision", "visual"));
     }
 
     #[test]
@@ -491,6 +493,7 @@ proptest! {
 /// Reads a robot and computes what there is to compute.
 fn use_all(text: &str) -> Result<(), RobotError> {
     let robot = RobotModel::from_urdf("test.urdf", text, &mut no_meshes)?;
+    Appearance::from_urdf("test.urdf", text, &robot, &mut no_meshes)?;
     let q = vec![0.5; robot.dof()];
     robot.limit_faults(&q)?;
     let kinematics = robot.forward_kinematics(&q)?;
