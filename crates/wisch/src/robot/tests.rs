@@ -365,6 +365,16 @@ fn small_turn(rotation: UnitQuaternion<f64>) -> Vector3 {
     2.0 * rotation.imag() * rotation.w.signum()
 }
 
+#[test]
+fn a_fixed_joint_may_keep_its_mimic() {
+    let text = r#"<robot name="r"><link name="a"/><link name="b"/>
+<joint name="j" type="fixed"><parent link="a"/><child link="b"/><mimic joint="gone"/></joint></robot>"#;
+    let robot = RobotModel::from_urdf("r.urdf", text, &mut no_meshes).unwrap();
+    assert_eq!(robot.dof(), 0);
+    let told = (robot.diagnostics().iter()).find(|found| found.kind == DiagnosticKind::Mimic);
+    assert_eq!(told.expect("it is told").severity, Severity::Note);
+}
+
 proptest! {
     #[test]
     fn the_jacobian_is_the_derivative_of_the_pose(q in positions(22), point in [-0.5..0.5, -0.5..0.5, -0.5..0.5]) {

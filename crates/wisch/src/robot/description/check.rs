@@ -55,7 +55,7 @@ impl Checked {
         text: &str,
         meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
     ) -> Result<Self, RobotError> {
-        let urdf = Urdf::read(name, text)?;
+        let mut urdf = Urdf::read(name, text)?;
         let mut report = Diagnostics {
             file: name,
             text,
@@ -66,6 +66,7 @@ impl Checked {
         for joint in &urdf.joints {
             joint_alone(joint, &urdf, &mut report);
         }
+        drop_mimics_of_fixed(&mut urdf, &mut report);
         mimics(&urdf, &mut report);
         inertias(&urdf, &mut report);
         let collision = load_shapes(&urdf, meshes, &mut report);
@@ -345,6 +346,33 @@ fn limits(j: &UrdfJoint, follows: bool, report: &mut Diagnostics) {
             Some(_) => {}
         }
     }
+}
+
+/// Robots that were made stiff for some purpose keep the `<mimic>` of joints that are fixed now: it says nothing.
+fn drop_mimics_of_fixed(urdf: &mut Urdf, report: &mut Diagnostics) {
+    let kinds = urdf.joints.iter().map(|j| (&j.name, &j.kind));
+    let fixed: BTreeSet<&String> = kinds
+        .filter(|(_, kind)| *kind == "fixed")
+        .map(|(name, _)| name)
+        .collect();
+    urdf.mimics.retain(|m| {
+        let is_fixed = fixed.contains(&m.joint);
+        if is_fixed {
+            let w = words(
+                "it is fixed and has a <mimic>, which is passed over",
+                "a joint that moves",
+                "remove the mimic",
+            );
+            report.add(
+                Severity::Note,
+                DiagnosticKind::Mimic,
+                joint(&m.joint),
+                m.at,
+                w,
+            );
+        }
+        !is_fixed
+    });
 }
 
 /// Joints that follow others: the others exist, can move, and do not follow back.
