@@ -1,6 +1,7 @@
 //! What runs in a loop, or for every particle, allocates nothing once its scratch space has its size.
 //!
-//! The allocator counts for the whole process, so one test after the other is watched, and apart from all others.
+//! The allocator counts for the whole process, so one test after the other is watched, apart from all others and from the
+//! test harness, which allocates on a thread of its own while a test begins.
 
 mod clearance;
 mod control;
@@ -13,8 +14,11 @@ use std::alloc::System;
 #[global_allocator]
 static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
-#[test]
-fn loops_allocate_nothing() {
+fn main() {
+    // Runners that ask for a list of tests find none.
+    if std::env::args().any(|argument| argument == "--list") {
+        return;
+    }
     stroke::a_stroke_allocates_nothing();
     clearance::a_query_allocates_nothing();
     ik::solving_and_self_motion_allocate_nothing();
