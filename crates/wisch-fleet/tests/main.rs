@@ -1,5 +1,7 @@
 //! Everything that must hold of a fleet, against memories of synthetic episodes.
 
+#[cfg(feature = "cluster")]
+mod cluster;
 mod documentation;
 mod memories;
 mod moves;

@@ -1,0 +1,408 @@
+//! The same answers from a scheduler and its executors, which are processes of the program on loopback.
+
+use crate::memories::{memory, some};
+use crate::queries::records;
+use crate::s3_server::{KEY_ID, SECRET, Server};
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
+use wisch_fleet::ask::views;
+
+/// No statement of these tests takes nearly as long: one that does hangs.
+const HANGS: Duration = Duration::from_secs(240);
+
+fn program() -> Command {
+    Command::new(env!("CARGO_BIN_EXE_wisch-fleet"))
+}
+
+/// A process that does not outlive the test, and its first line.
+struct Process {
+    child: Child,
+    first_line: String,
+}
+
+impl Process {
+    /// Begins, and waits until it says that it has; errors go to a file.
+    fn begin(command: &mut Command, errors: &Path) -> Self {
+        let errors = File::options()
+            .create(true)
+            .append(true)
+            .open(errors)
+            .unwrap();
+        let command = command.stdin(Stdio::null()).stderr(errors);
+        let mut child = command.stdout(Stdio::piped()).spawn().unwrap();
+        let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
+        let mut begun = Self {
+            child,
+            first_line: String::new(),
+        };
+        begun.first_line = lines.next().expect("it ended before it began").unwrap();
+        begun
+    }
+
+    fn kill(&mut self) {
+        // SIGKILL; one that has ended already is as dead.
+        let _ = self.child.kill();
+        self.child.wait().unwrap();
+    }
+}
+
+impl Drop for Process {
+    fn drop(&mut self) {
+        self.kill();
+    }
+}
+
+struct Cluster {
+    folder: PathBuf,
+    scheduler: Process,
+    executors: Vec<Process>,
+    url: String,
+}
+
+impl Cluster {
+    fn begin(folder: &Path, executors: usize, program: impl Fn() -> Command) -> Self {
+        let errors = folder.join("errors.txt");
+        let mut command = program();
+        command.args(["scheduler", "--bind", "127.0.0.1:0"]);
+        let scheduler = Process::begin(&mut command, &errors);
+        let url = scheduler.first_line.rsplit(' ').next().unwrap().to_owned();
+        assert!(url.starts_with("df://127.0.0.1:"), "{url}");
+        let mut cluster = Self {
+            folder: folder.to_path_buf(),
+            scheduler,
+            executors: Vec::new(),
+            url,
+        };
+        for _ in 0..executors {
+            cluster.add(program());
+        }
+        cluster
+    }
+
+    fn add(&mut self, mut program: Command) {
+        let address = self.url.trim_start_matches("df://");
+        program.args(["executor", "--scheduler", address, "--slots", "1"]);
+        let executor = Process::begin(&mut program, &self.folder.join("errors.txt"));
+        self.executors.push(executor);
+    }
+
+    /// What the scheduler and the executors have said.
+    fn errors(&self) -> String {
+        std::fs::read_to_string(self.folder.join("errors.txt")).unwrap()
+    }
+
+    /// A statement asked here and there.
+    fn ask(&self, mut program: Command, sources: &[&str], sql: &str) -> Output {
+        program.args(["sql", sql, "--csv", "--cluster", &self.url]);
+        in_time(program.args(sources), sql)
+    }
+}
+
+/// What a program says, if it ends.
+fn in_time(command: &mut Command, what: &str) -> Output {
+    let command = command.stdin(Stdio::null()).stdout(Stdio::piped());
+    let child = command.stderr(Stdio::piped()).spawn().unwrap();
+    let mut guard = Guard(Some(child.id()));
+    let waiting = std::thread::spawn(move || child.wait_with_output().unwrap());
+    let begun = Instant::now();
+    while !waiting.is_finished() {
+        assert!(begun.elapsed() < HANGS, "it hangs: {what}");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    guard.0 = None;
+    waiting.join().unwrap()
+}
+
+/// Ends a process that hangs.
+struct Guard(Option<u32>);
+
+impl Drop for Guard {
+    fn drop(&mut self) {
+        if let Some(id) = self.0 {
+            let _ = Command::new("kill").args(["-9", &id.to_string()]).status();
+        }
+    }
+}
+
+/// The lines of an answer, sorted, but the names stay first.
+fn sorted(output: &Output, what: &str) -> Vec<String> {
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{what}: {errors}");
+    let text = String::from_utf8(output.stdout.clone()).unwrap();
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    lines[1..].sort();
+    lines
+}
+
+/// The same here and there, byte for byte; how many lines.
+fn same(
+    cluster: &Cluster,
+    program: &dyn Fn() -> Command,
+    sources: &[&str],
+    sql: &str,
+) -> Vec<String> {
+    let mut here = program();
+    let here = in_time(here.args(["sql", sql, "--csv"]).args(sources), sql);
+    let here = sorted(&here, sql);
+    let there = sorted(&cluster.ask(program(), sources, sql), sql);
+    assert_eq!(here, there, "{sql}");
+    here
+}
+
+/// Sources of every kind: a fleet, a memory that shares episodes with it, a fleet of which there is nothing yet.
+struct Sources {
+    folder: tempfile::TempDir,
+}
+
+impl Sources {
+    fn write() -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let all = records();
+        let here = memory(&folder.path().join("pushed"), &all[..220]);
+        memory(&folder.path().join("memory"), &all[180..]);
+        let fleet = folder.path().join("fleet");
+        let output = in_time(program().arg("push").args([here.folder(), &fleet]), "push");
+        assert!(output.status.success());
+        Self { folder }
+    }
+
+    fn path(&self, name: &str) -> String {
+        self.folder.path().join(name).display().to_string()
+    }
+}
+
+/// Whatever DataFusion does otherwise when others do it.
+const STATEMENTS: [&str; 14] = [
+    "SELECT count(*) AS n FROM strokes",
+    "SELECT tool, surface, count(*) AS n, min(performance) AS low, max(performance) AS high FROM rounds GROUP BY tool, surface",
+    "SELECT e.task, r.round, count(*) AS n FROM episodes AS e JOIN rounds AS r ON e.episode = r.episode GROUP BY e.task, r.round",
+    "SELECT day, count(DISTINCT episode) AS n FROM events GROUP BY day",
+    "SELECT episode, performance FROM episodes ORDER BY performance DESC, episode LIMIT 7",
+    "SELECT class, count(*) AS n FROM motions WHERE day = DATE '2026-01-01' GROUP BY class",
+    "SELECT count(*) AS n FROM episodes WHERE episode NOT IN (SELECT episode FROM events WHERE class = 'HumanCollision')",
+    "SELECT episode FROM episodes WHERE performance = (SELECT max(performance) FROM episodes)",
+    "SELECT * FROM episodes WHERE performance > 2",
+    "SELECT * FROM episodes WHERE false",
+    "SELECT episode, row_number() OVER (PARTITION BY tool ORDER BY start_s, episode) AS nth FROM episodes",
+    "SELECT tool FROM episodes UNION ALL SELECT tool FROM rounds",
+    "WITH lows AS (SELECT tool FROM low_performance) SELECT tool, count(*) AS n FROM lows GROUP BY tool HAVING count(*) > 1",
+    "SELECT 1 AS one, 'a' || 'b' AS two",
+];
+
+#[test]
+fn answers_are_those_of_one_machine() {
+    let sources = Sources::write();
+    let folder = tempfile::tempdir().unwrap();
+    let cluster = Cluster::begin(folder.path(), 2, program);
+    let [fleet, memory, none] = ["fleet", "memory", "none"].map(|name| sources.path(name));
+    let kinds: [&[&str]; 4] = [
+        &["--fleet", &fleet],
+        &["--memory", &memory],
+        &["--fleet", &none],
+        &["--fleet", &fleet, "--memory", &memory, "--fleet", &none],
+    ];
+    for sources in kinds {
+        for view in views::all() {
+            same(
+                &cluster,
+                &program,
+                sources,
+                &format!("SELECT * FROM {}", view.name),
+            );
+        }
+        for sql in STATEMENTS {
+            same(&cluster, &program, sources, sql);
+        }
+    }
+}
+
+#[test]
+fn a_bucket_is_read_with_the_executors_own_credentials() {
+    let folder = tempfile::tempdir().unwrap();
+    let server = Server::start(&folder.path().join("s3"));
+    let here = memory(&folder.path().join("here"), &some(40));
+    let asking = || server.program(SECRET);
+    let mut push = asking();
+    push.arg("push").arg(here.folder()).arg("s3://fleet/robots");
+    assert!(in_time(&mut push, "push").status.success());
+    let sources = ["--fleet", "s3://fleet/robots"];
+    // The scheduler has no credentials: it reads nothing.
+    let mut cluster = Cluster::begin(folder.path(), 0, program);
+    cluster.add(asking());
+    for sql in STATEMENTS {
+        same(&cluster, &asking, &sources, sql);
+    }
+    for view in views::all() {
+        same(
+            &cluster,
+            &asking,
+            &sources,
+            &format!("SELECT * FROM {}", view.name),
+        );
+    }
+    // Nobody has a password from another.
+    cluster.executors.clear();
+    cluster.add(server.program("another-secret"));
+    let output = cluster.ask(
+        asking(),
+        &sources,
+        "SELECT count(DISTINCT episode) FROM events",
+    );
+    let said = failed(&output);
+    assert!(
+        said.contains("AWS_SECRET_ACCESS_KEY") && said.contains(&cluster.url),
+        "{said}"
+    );
+    let errors = cluster.errors();
+    for text in [&said, &errors] {
+        for secret in [KEY_ID, SECRET, "another-secret"] {
+            assert!(!text.contains(secret), "{text}");
+        }
+    }
+}
+
+/// What a program that failed says; it is one line.
+fn failed(output: &Output) -> String {
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert_eq!(said.trim_end().lines().count(), 1, "{said}");
+    assert!(
+        output.stdout.is_empty() || said.starts_with("error: "),
+        "{said}"
+    );
+    said
+}
+
+#[test]
+fn no_scheduler_and_no_executor_are_errors() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = memory(&folder.path().join("here"), &some(3));
+    let memory = here.folder().display().to_string();
+    let ask = |url: &str| {
+        let mut command = program();
+        command.args(["sql", "SELECT count(*) FROM episodes", "--memory", &memory]);
+        failed(&in_time(command.args(["--cluster", url]), url))
+    };
+    for wrong in [
+        "127.0.0.1:50050",
+        "http://127.0.0.1:50050",
+        "df://127.0.0.1",
+    ] {
+        let said = ask(wrong);
+        assert!(
+            said.contains("df://HOST:PORT") && said.contains(wrong),
+            "{said}"
+        );
+    }
+    // A port that was free a moment ago.
+    let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+    let silent = format!("df://{}", listener.local_addr().unwrap());
+    let said = ask(&silent);
+    assert!(
+        said.contains(&silent),
+        "who listens but is no scheduler: {said}"
+    );
+    drop(listener);
+    let said = ask(&silent);
+    assert!(
+        said.contains(&silent) && said.contains("no scheduler"),
+        "{said}"
+    );
+    let cluster = Cluster::begin(folder.path(), 0, program);
+    let said = ask(&cluster.url);
+    assert!(
+        said.contains(&cluster.url) && said.contains("no executor"),
+        "{said}"
+    );
+}
+
+/// Long enough to die meanwhile: 10 to 60 s, by the machine.
+const LONG: &str = "SELECT count(*) AS n FROM motions AS a JOIN motions AS b ON a.start_s < b.end_s + 1e-9 * length(a.class)";
+
+#[test]
+fn an_executor_that_dies_is_survived_and_the_last_one_is_told() {
+    let sources = Sources::write();
+    let folder = tempfile::tempdir().unwrap();
+    let mut cluster = Cluster::begin(folder.path(), 2, program);
+    let fleet = sources.path("fleet");
+    let from: [&str; 2] = ["--fleet", &fleet];
+    let expected = {
+        let mut here = program();
+        sorted(
+            &in_time(here.args(["sql", LONG, "--csv"]).args(from), LONG),
+            LONG,
+        )
+    };
+    let found = std::thread::scope(|scope| {
+        let asked = scope.spawn(|| {
+            let mut there = program();
+            there.args(["sql", LONG, "--csv", "--cluster", &cluster.url]);
+            in_time(there.args(from), LONG)
+        });
+        std::thread::sleep(Duration::from_millis(800));
+        let _ = Command::new("kill")
+            .args(["-9", &cluster.executors[0].child.id().to_string()])
+            .status();
+        asked.join().unwrap()
+    });
+    assert_eq!(sorted(&found, LONG), expected);
+    cluster.executors.remove(0);
+    same(&cluster, &program, &from, STATEMENTS[1]);
+    cluster.executors.clear();
+    let said = failed(&cluster.ask(program(), &from, STATEMENTS[1]));
+    assert!(
+        said.contains("executor") && said.contains(&cluster.url),
+        "{said}"
+    );
+    cluster.scheduler.kill();
+    let said = failed(&cluster.ask(program(), &from, STATEMENTS[1]));
+    assert!(said.contains("no scheduler"), "{said}");
+}
+
+#[test]
+fn a_scheduler_that_dies_while_it_is_asked_is_told() {
+    let sources = Sources::write();
+    let folder = tempfile::tempdir().unwrap();
+    let cluster = Cluster::begin(folder.path(), 1, program);
+    let fleet = sources.path("fleet");
+    let found = std::thread::scope(|scope| {
+        let asked = scope.spawn(|| cluster.ask(program(), &["--fleet", &fleet], LONG));
+        std::thread::sleep(Duration::from_millis(800));
+        let _ = Command::new("kill")
+            .args(["-9", &cluster.scheduler.child.id().to_string()])
+            .status();
+        asked.join().unwrap()
+    });
+    let said = failed(&found);
+    assert!(said.contains(&cluster.url), "{said}");
+}
+
+#[test]
+fn what_is_said_of_tables_and_plans_is_said_here() {
+    let sources = Sources::write();
+    let folder = tempfile::tempdir().unwrap();
+    let cluster = Cluster::begin(folder.path(), 1, program);
+    let fleet = sources.path("fleet");
+    let from: [&str; 2] = ["--fleet", &fleet];
+    for sql in [
+        "SHOW TABLES",
+        "SELECT table_name, column_name, data_type FROM information_schema.columns WHERE table_name = 'low_performance'",
+        "DESCRIBE rounds",
+    ] {
+        let output = cluster.ask(program(), &from, sql);
+        assert!(sorted(&output, sql).len() > 3, "{sql}");
+    }
+    for sql in [
+        "EXPLAIN SELECT count(*) FROM rounds",
+        "EXPLAIN ANALYZE SELECT count(*) FROM rounds",
+    ] {
+        let output = cluster.ask(program(), &from, sql);
+        assert!(sorted(&output, sql).len() > 1, "{sql}");
+    }
+    let mixed = "SELECT count(*) FROM episodes, information_schema.tables";
+    let said = failed(&cluster.ask(program(), &from, mixed));
+    assert!(said.contains("information_schema"), "{said}");
+}
