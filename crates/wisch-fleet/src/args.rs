@@ -202,7 +202,7 @@ pub struct ExecutorArgs {
     /// The scheduler.
     #[arg(long, value_name = "HOST:PORT")]
     pub scheduler: String,
-    /// Where others fetch from it; tasks come to the next port. Port 0 is any two that are free. There is no authentication.
+    /// Where others fetch from it; port 0 is any that is free. There is no authentication.
     #[arg(long, value_name = "HOST:PORT", default_value = "127.0.0.1:0")]
     pub bind: SocketAddr,
     /// How others reach this machine, where it is not by the address it listens at.

@@ -5,6 +5,8 @@ mod cluster;
 mod documentation;
 mod memories;
 mod moves;
+#[cfg(feature = "cluster")]
+mod processes;
 mod program;
 mod queries;
 #[path = "../../wisch-memory/examples/synthetic/records.rs"]

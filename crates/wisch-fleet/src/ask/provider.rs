@@ -146,7 +146,8 @@ impl FleetTable {
 
     /// The files that may hold rows for which all this is true.
     fn needed(&self, state: &dyn Session, filters: &[Expr]) -> Result<Vec<&(Path, FileEntry)>> {
-        let Some(filter) = conjunction(filters.to_vec()) else {
+        let filter = conjunction(filters.to_vec()).filter(|_| !self.files.is_empty());
+        let Some(filter) = filter else {
             return Ok(self.files.iter().collect());
         };
         let schema = Arc::clone(&self.schema).to_dfschema()?;

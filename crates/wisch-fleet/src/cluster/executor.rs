@@ -3,6 +3,7 @@
 
 use super::address::Address;
 use super::codec::TableCodec;
+use super::engine::Engine;
 use super::stores::Stores;
 use super::{MESSAGE, journal};
 use crate::store::FleetError;
@@ -17,8 +18,6 @@ use std::thread;
 use std::time::Duration;
 use tokio::time::sleep;
 
-/// How often an executor says that it is alive [s].
-const HEARTBEAT: u64 = 3;
 /// What all its slots together may take of the memory [bytes].
 const MEMORY: u64 = 4 << 30;
 /// What was made for a statement is deleted after this, if the scheduler has not said so before, and looked for this often [s].
@@ -32,7 +31,7 @@ const TRIES: u32 = 30;
 pub struct ExecutorOptions {
     /// Its scheduler.
     pub scheduler: Address,
-    /// Where others fetch what it has made; tasks come to the next port. Port 0 is any two that are free.
+    /// Where others fetch what it has made; port 0 is any that is free.
     pub bind: SocketAddr,
     /// How others reach it, if not as `bind` says.
     pub host: Option<String>,
@@ -63,7 +62,7 @@ pub async fn execute(
         None => temporary.path().to_path_buf(),
     };
     std::fs::create_dir_all(&work_dir).map_err(at(work_dir.clone()))?;
-    let [port, grpc_port] = ports(options.bind)?;
+    let port = free(options.bind)?;
     let slots = (options.slots)
         .unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from))
         .max(1);
@@ -83,19 +82,20 @@ pub async fn execute(
         },
         external_host: host,
         port,
-        grpc_port,
+        // Nobody sends tasks here.
+        grpc_port: port,
         scheduler_host: options.scheduler.host().to_owned(),
         scheduler_port: options.scheduler.port(),
         vcores: slots,
-        task_scheduling_policy: TaskSchedulingPolicy::PushStaged,
+        task_scheduling_policy: TaskSchedulingPolicy::PullStaged,
         work_dir: Some(work_dir.display().to_string()),
         job_data_ttl_seconds: KEPT,
         job_data_clean_up_interval_seconds: TIDIED_AFTER,
         grpc_max_decoding_message_size: MESSAGE,
         grpc_max_encoding_message_size: MESSAGE,
-        executor_heartbeat_interval_seconds: HEARTBEAT,
         memory_pool_size: Some(MEMORY),
         override_runtime_producer: Some(Arc::new(move |_| Ok(Arc::clone(&runtime)))),
+        override_execution_engine: Some(Arc::new(Engine::default())),
         override_logical_codec: Some(Arc::new(TableCodec::default())),
         health: health.clone(),
         ..ExecutorProcessConfig::default()
@@ -126,17 +126,13 @@ async fn reach(scheduler: &Address) -> Result<(), FleetError> {
     }
 }
 
-/// The two ports, of which nobody else has one.
-fn ports(bind: SocketAddr) -> Result<[u16; 2], FleetError> {
-    let free = |port: u16| -> Result<TcpListener, FleetError> {
-        let address = SocketAddr::new(bind.ip(), port);
-        TcpListener::bind(address).map_err(|error| FleetError::Cluster {
-            address: Address::from(address).to_string(),
-            what: error.to_string(),
-        })
-    };
-    let next = |port: u16| if port == 0 { 0 } else { port.saturating_add(1) };
-    let both = [free(bind.port())?, free(next(bind.port()))?];
-    let of = |listener: &TcpListener| listener.local_addr().map_or(0, |address| address.port());
-    Ok([of(&both[0]), of(&both[1])])
+/// The port, which nobody else has.
+fn free(bind: SocketAddr) -> Result<u16, FleetError> {
+    let listener = TcpListener::bind(bind);
+    let address = listener.and_then(|listener| listener.local_addr());
+    let address = address.map_err(|error| FleetError::Cluster {
+        address: Address::from(bind).to_string(),
+        what: error.to_string(),
+    })?;
+    Ok(address.port())
 }

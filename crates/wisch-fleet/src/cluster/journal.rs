@@ -1,11 +1,13 @@
 //! What a scheduler and executors say while they run: warnings and errors, on standard error, without credentials.
 
 use log::{LevelFilter, Log, Metadata, Record};
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 struct Journal {
     /// What must not be printed, whoever repeats it.
     secrets: Vec<String>,
+    /// What was printed last: an executor whose scheduler is away says so twenty times a second.
+    last: Mutex<String>,
 }
 
 static JOURNAL: OnceLock<Journal> = OnceLock::new();
@@ -14,6 +16,7 @@ static JOURNAL: OnceLock<Journal> = OnceLock::new();
 pub(super) fn begin() {
     let journal = JOURNAL.get_or_init(|| Journal {
         secrets: crate::store::secrets(),
+        last: Mutex::default(),
     });
     // Another may print already, in a program that this is a part of.
     if log::set_logger(journal).is_ok() {
@@ -29,7 +32,12 @@ impl Log for Journal {
     fn log(&self, record: &Record<'_>) {
         if self.enabled(record.metadata()) {
             let text = without(&record.args().to_string(), &self.secrets);
-            eprintln!("{}: {text}", record.level().as_str().to_lowercase());
+            let text = format!("{}: {text}", record.level().as_str().to_lowercase());
+            let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
+            if *last != text {
+                eprintln!("{text}");
+                *last = text;
+            }
         }
     }
 

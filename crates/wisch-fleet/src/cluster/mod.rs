@@ -5,6 +5,7 @@
 
 mod address;
 mod codec;
+mod engine;
 mod executor;
 mod journal;
 mod scheduler;

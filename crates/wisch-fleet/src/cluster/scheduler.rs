@@ -60,7 +60,9 @@ pub async fn schedule(
         bind_host: address.host().to_owned(),
         bind_port: address.port(),
         external_host: options.host.clone().unwrap_or(address.host().to_owned()),
-        scheduling_policy: TaskSchedulingPolicy::PushStaged,
+        // Executors ask for tasks, and say themselves how many slots are free: where the scheduler counts, a slot whose statement has
+        // failed is lost.
+        scheduling_policy: TaskSchedulingPolicy::PullStaged,
         task_distribution: TaskDistributionPolicy::RoundRobin,
         grpc_server_max_decoding_message_size: MESSAGE,
         grpc_server_max_encoding_message_size: MESSAGE,

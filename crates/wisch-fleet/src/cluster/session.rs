@@ -4,16 +4,22 @@ use super::MESSAGE;
 use super::address::Address;
 use super::codec::TableCodec;
 use crate::store::{FleetError, without_echo};
+use async_trait::async_trait;
 use ballista_core::extension::{SessionConfigExt, SessionStateExt};
+use ballista_core::planner::BallistaQueryPlanner;
+use datafusion::catalog::Session;
+use datafusion::common::Result;
 use datafusion::execution::SessionStateBuilder;
+use datafusion::execution::context::QueryPlanner;
+use datafusion::logical_expr::LogicalPlan;
+use datafusion::physical_plan::ExecutionPlan;
+use datafusion::physical_planner::{DefaultPhysicalPlanner, PhysicalPlanner};
 use datafusion::prelude::SessionContext;
+use datafusion_proto::protobuf::LogicalPlanNode;
 use std::sync::Arc;
 
 /// The same tables and views, asked there.
-pub(crate) fn on_cluster(
-    here: &SessionContext,
-    address: &Address,
-) -> Result<SessionContext, FleetError> {
+pub(crate) fn on_cluster(here: &SessionContext, address: &Address) -> Result<SessionContext> {
     let config = here
         .copied_config()
         .upgrade_for_ballista()
@@ -21,20 +27,52 @@ pub(crate) fn on_cluster(
         .with_create_default_catalog_and_schema(false)
         .with_ballista_logical_extension_codec(Arc::new(TableCodec::default()))
         .with_ballista_grpc_client_max_message_size(MESSAGE as usize);
+    let planner = Planner(BallistaQueryPlanner::with_extension(
+        address.endpoint(),
+        config.ballista_config(),
+        config.ballista_logical_extension_codec(),
+    ));
     let state = SessionStateBuilder::new_from_existing(here.state())
-        .with_config(config)
+        .with_config(config.with_ballista_query_planner(Arc::new(planner)))
         .build();
     let state = state.upgrade_for_ballista(address.endpoint())?;
     Ok(SessionContext::new_with_state(state))
 }
 
+/// Sends plans to the scheduler, but those that only say what a table is like.
+#[derive(Debug)]
+struct Planner(BallistaQueryPlanner<LogicalPlanNode>);
+
+#[async_trait]
+impl QueryPlanner for Planner {
+    async fn create_physical_plan(
+        &self,
+        plan: &LogicalPlan,
+        session: &dyn Session,
+    ) -> Result<Arc<dyn ExecutionPlan>> {
+        match plan {
+            LogicalPlan::DescribeTable(_) => {
+                DefaultPhysicalPlanner::default()
+                    .create_physical_plan(plan, session)
+                    .await
+            }
+            _ => self.0.create_physical_plan(plan, session).await,
+        }
+    }
+}
+
 /// What went wrong there, and where that is.
 pub(crate) fn told(address: &Address, error: FleetError) -> FleetError {
     match error {
-        FleetError::Sql(error) => FleetError::Cluster {
-            address: address.to_string(),
-            what: without_echo(&error.strip_backtrace()),
-        },
+        FleetError::Sql(error) => {
+            let text = without_echo(&error.strip_backtrace());
+            // DataFusion asks to be told of what it calls its own faults.
+            let what = text.split("\nThis issue was likely").next();
+            FleetError::Cluster {
+                address: address.to_string(),
+                what: what.unwrap_or_default().trim_end().to_owned(),
+            }
+        }
         other => other,
     }
 }
