@@ -20,13 +20,23 @@ use std::sync::Arc;
 
 /// The same tables and views, asked there.
 pub(crate) fn on_cluster(here: &SessionContext, address: &Address) -> Result<SessionContext> {
-    let config = here
+    let asked = here.copied_config();
+    let optimizer = &asked.options().optimizer;
+    let built_at_once = optimizer.hash_join_single_partition_threshold;
+    let built_rows_at_once = optimizer.hash_join_single_partition_threshold_rows;
+    let mut config = here
         .copied_config()
         .upgrade_for_ballista()
+        .with_ballista_broadcast_join_threshold_bytes(built_at_once)
+        .with_ballista_broadcast_join_threshold_rows(built_rows_at_once)
         // The catalog is there already.
         .with_create_default_catalog_and_schema(false)
         .with_ballista_logical_extension_codec(Arc::new(TableCodec::default()))
         .with_ballista_grpc_client_max_message_size(MESSAGE as usize);
+    // As on one machine: the small side of a join goes to all, so that what is large is not moved about.
+    let optimizer = &mut config.options_mut().optimizer;
+    optimizer.hash_join_single_partition_threshold = built_at_once;
+    optimizer.hash_join_single_partition_threshold_rows = built_rows_at_once;
     let planner = Planner(BallistaQueryPlanner::with_extension(
         address.endpoint(),
         config.ballista_config(),
@@ -68,9 +78,13 @@ pub(crate) fn told(address: &Address, error: FleetError) -> FleetError {
             let text = without_echo(&error.strip_backtrace());
             // DataFusion asks to be told of what it calls its own faults.
             let what = text.split("\nThis issue was likely").next();
+            let mut what = what.unwrap_or_default().trim_end().to_owned();
+            if what.ends_with("failed: Cancelled") {
+                what += ", as an executor was lost while it ran: ask again";
+            }
             FleetError::Cluster {
                 address: address.to_string(),
-                what: what.unwrap_or_default().trim_end().to_owned(),
+                what,
             }
         }
         other => other,
