@@ -67,7 +67,7 @@ impl Sources {
 }
 
 /// Whatever DataFusion does otherwise when others do it.
-const STATEMENTS: [&str; 17] = [
+const STATEMENTS: [&str; 18] = [
     "SELECT count(*) AS n FROM strokes",
     "SELECT tool, surface, count(*) AS n, min(performance) AS low, max(performance) AS high FROM rounds GROUP BY tool, surface",
     "SELECT e.task, r.round, count(*) AS n FROM episodes AS e JOIN rounds AS r ON e.episode = r.episode GROUP BY e.task, r.round",
@@ -84,7 +84,8 @@ const STATEMENTS: [&str; 17] = [
     "SELECT 1 AS one, 'a' || 'b' AS two",
     "SELECT count(*) AS n FROM (SELECT unnest(range(0, 3)) AS k) AS c JOIN rounds AS r ON r.round + c.k > 2",
     "SELECT count(*) AS n FROM rounds AS a JOIN events AS b ON a.start_s < b.end_s AND a.round > b.round",
-    "SELECT a.episode, b.episode AS other FROM episodes AS a LEFT JOIN episodes AS b ON a.start_s > b.end_s + 9000 AND a.tool <> b.tool",
+    "SELECT episode, performance - (SELECT max(performance) FROM rounds) AS below FROM episodes",
+    "SELECT count(*) AS n FROM episodes AS a WHERE EXISTS (SELECT 1 FROM events AS b WHERE b.episode = a.episode AND b.start_s > a.start_s)",
 ];
 
 /// Sums and means of doubles. They also differ between machines with more cores and fewer.
@@ -92,6 +93,9 @@ const SUMS: [&str; 2] = [
     "SELECT tool, sum(performance) AS s, avg(performance_high) AS m FROM rounds GROUP BY tool",
     "SELECT class, stddev(end_s - start_s) AS d FROM motions GROUP BY class",
 ];
+
+/// What Ballista would answer with too many rows.
+const REFUSED: &str = "SELECT a.episode, b.episode AS other FROM episodes AS a LEFT JOIN episodes AS b ON a.start_s > b.end_s + 9000 AND a.tool <> b.tool";
 
 #[test]
 fn answers_are_those_of_one_machine() {
@@ -121,6 +125,8 @@ fn answers_are_those_of_one_machine() {
             close(&cluster, sources, sql);
         }
     }
+    let said = failed(&cluster.ask(program(), &["--fleet", &fleet], REFUSED));
+    assert!(said.contains("ask without a cluster"), "{said}");
 }
 
 #[test]

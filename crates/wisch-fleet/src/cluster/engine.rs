@@ -1,8 +1,11 @@
-//! How tasks are run: as Ballista does it, but that stages with a union are not measured.
+//! How tasks are run: as Ballista does it, but that stages with a union are not measured, and that joins whose rows would be wrong are refused.
 //!
-//! Ballista 55.0 gives the tasks of such a stage plans of different shapes: what is empty is another operator where a task has no part of
+//! Unions: Ballista 55.0 gives the tasks of such a stage plans of different shapes: what is empty is another operator where a task has no part of
 //! it, with measurements that the first has not. The scheduler refuses the whole report of a task whose measurements are another number
 //! than those of the task before, so that the statement would never end.
+//!
+//! Joins: a join that keeps one side in memory, and afterwards gives out those rows of it that met none (or any) of the other side, has to
+//! see all of the other side. Ballista 55.0 shares that out among tasks where the join has no equation, and each gives out rows of its own.
 
 use ballista_core::JobId;
 use ballista_core::serde::protobuf::{
@@ -11,10 +14,11 @@ use ballista_core::serde::protobuf::{
 use ballista_executor::execution_engine::{
     DefaultExecutionEngine, ExecutionEngine, QueryStageExecutor,
 };
-use datafusion::common::Result;
 use datafusion::common::tree_node::TreeNode;
+use datafusion::common::{JoinType, Result, not_impl_err};
 use datafusion::execution::TaskContext;
 use datafusion::physical_plan::ExecutionPlan;
+use datafusion::physical_plan::joins::{HashJoinExec, NestedLoopJoinExec, PartitionMode};
 use datafusion::physical_plan::metrics::MetricsSet;
 use datafusion::physical_plan::union::UnionExec;
 use datafusion::prelude::SessionConfig;
@@ -38,6 +42,12 @@ impl ExecutionEngine for Engine {
         work_dir: &str,
         config: &SessionConfig,
     ) -> Result<Arc<dyn QueryStageExecutor>> {
+        // One task of several is not the first; where there is one task alone, it is.
+        if !global_output_partition_ids.contains(&0) && plan.exists(|node| Ok(keeps_count(node)))? {
+            return not_impl_err!(
+                "an outer, semi or anti join without an equation cannot be answered by several tasks: ask without a cluster"
+            );
+        }
         let has_union = plan.exists(|node| Ok(node.is::<UnionExec>()))?;
         let stage = self.ballista.create_query_stage_exec(
             job_id,
@@ -53,6 +63,25 @@ impl ExecutionEngine for Engine {
             false => stage,
         })
     }
+}
+
+/// Whether it gives out rows of the side that it keeps in memory in the end.
+fn keeps_count(node: &Arc<dyn ExecutionPlan>) -> bool {
+    let kind = match node.downcast_ref::<NestedLoopJoinExec>() {
+        Some(join) => join.join_type(),
+        None => match node.downcast_ref::<HashJoinExec>() {
+            Some(join) if *join.partition_mode() == PartitionMode::CollectLeft => join.join_type(),
+            _ => return false,
+        },
+    };
+    matches!(
+        kind,
+        JoinType::Left
+            | JoinType::Full
+            | JoinType::LeftSemi
+            | JoinType::LeftAnti
+            | JoinType::LeftMark
+    )
 }
 
 /// A task of a stage that is not measured.
