@@ -94,8 +94,11 @@ const SUMS: [&str; 2] = [
     "SELECT class, stddev(end_s - start_s) AS d FROM motions GROUP BY class",
 ];
 
-/// What Ballista would answer with too many rows.
-const REFUSED: &str = "SELECT a.episode, b.episode AS other FROM episodes AS a LEFT JOIN episodes AS b ON a.start_s > b.end_s + 9000 AND a.tool <> b.tool";
+/// What Ballista would answer with too many rows, where there is more than one source.
+const REFUSED: [&str; 2] = [
+    "SELECT a.episode, b.episode AS other FROM episodes AS a LEFT JOIN episodes AS b ON a.start_s > b.end_s + 9000 AND a.tool <> b.tool",
+    "SELECT episode, rank() OVER (ORDER BY performance DESC, episode) AS nth FROM episodes",
+];
 
 #[test]
 fn answers_are_those_of_one_machine() {
@@ -125,8 +128,10 @@ fn answers_are_those_of_one_machine() {
             close(&cluster, sources, sql);
         }
     }
-    let said = failed(&cluster.ask(program(), &["--fleet", &fleet], REFUSED));
-    assert!(said.contains("ask without a cluster"), "{said}");
+    for sql in REFUSED {
+        let said = failed(&cluster.ask(program(), kinds[3], sql));
+        assert!(said.contains("ask without a cluster"), "{sql}: {said}");
+    }
 }
 
 #[test]

@@ -5,9 +5,11 @@
 //! than those of the task before, so that the statement would never end.
 //!
 //! Joins: a join that keeps one side in memory, and afterwards gives out those rows of it that met none (or any) of the other side, has to
-//! see all of the other side. Ballista 55.0 shares that out among tasks where the join has no equation, and each gives out rows of its own.
+//! see all of the other side. Ballista 55.0 shares that out among tasks where the join has no equation, and each gives out rows of its own. The same of unions of which a part is of
+//! all rows at once, such as a sum without groups or a sorted part: each task would make that part.
 
 use ballista_core::JobId;
+use ballista_core::execution_plans::ShuffleReaderExec;
 use ballista_core::serde::protobuf::{
     RuntimeStatsReport, ShuffleWritePartition, TaskColumnStats, WindowStateReport,
 };
@@ -17,9 +19,14 @@ use ballista_executor::execution_engine::{
 use datafusion::common::tree_node::TreeNode;
 use datafusion::common::{JoinType, Result, not_impl_err};
 use datafusion::execution::TaskContext;
+use datafusion::physical_expr::Distribution;
 use datafusion::physical_plan::ExecutionPlan;
-use datafusion::physical_plan::joins::{HashJoinExec, NestedLoopJoinExec, PartitionMode};
+use datafusion::physical_plan::coalesce_partitions::CoalescePartitionsExec;
+use datafusion::physical_plan::joins::{
+    CrossJoinExec, HashJoinExec, NestedLoopJoinExec, PartitionMode,
+};
 use datafusion::physical_plan::metrics::MetricsSet;
+use datafusion::physical_plan::sorts::sort_preserving_merge::SortPreservingMergeExec;
 use datafusion::physical_plan::union::UnionExec;
 use datafusion::prelude::SessionConfig;
 use std::fmt;
@@ -49,6 +56,11 @@ impl ExecutionEngine for Engine {
             );
         }
         let has_union = plan.exists(|node| Ok(node.is::<UnionExec>()))?;
+        if plan.exists(|node| Ok(node.is::<UnionExec>() && is_whole(node)))? {
+            return not_impl_err!(
+                "rows of several sources, or of UNION ALL, of which some are of a sum, an order or a limit, cannot be put together by several tasks: ask without a cluster"
+            );
+        }
         let stage = self.ballista.create_query_stage_exec(
             job_id,
             stage_id,
@@ -63,6 +75,30 @@ impl ExecutionEngine for Engine {
             false => stage,
         })
     }
+}
+
+/// Whether a part of it is of all rows at once, which each task would make, and none but for a join should.
+fn is_whole(node: &Arc<dyn ExecutionPlan>) -> bool {
+    if let Some(reader) = node.downcast_ref::<ShuffleReaderExec>() {
+        return reader.broadcast;
+    }
+    let sides = node.children().into_iter();
+    if has_side_in_memory(node) {
+        return sides.skip(1).any(is_whole);
+    }
+    let required = node.input_distribution_requirements();
+    node.is::<CoalescePartitionsExec>()
+        || node.is::<SortPreservingMergeExec>()
+        || (required.per_child_distributions())
+            .any(|one| matches!(one, Distribution::SinglePartition))
+        || sides.into_iter().any(is_whole)
+}
+
+fn has_side_in_memory(node: &Arc<dyn ExecutionPlan>) -> bool {
+    let hash_join = node.downcast_ref::<HashJoinExec>();
+    node.is::<NestedLoopJoinExec>()
+        || node.is::<CrossJoinExec>()
+        || hash_join.is_some_and(|join| *join.partition_mode() == PartitionMode::CollectLeft)
 }
 
 /// Whether it gives out rows of the side that it keeps in memory in the end.
