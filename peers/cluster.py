@@ -54,9 +54,9 @@ class Cluster:
         return self
 
     def __exit__(self, *_):
+        # The scheduler last: executors say good-bye to it.
         for process in reversed(self.processes):
             process.terminate()
-        for process in self.processes:
             process.wait()
 
 
