@@ -5,8 +5,8 @@
 //! than those of the task before, so that the statement would never end.
 //!
 //! Joins: a join that keeps one side in memory, and afterwards gives out those rows of it that met none (or any) of the other side, has to
-//! see all of the other side. Ballista 55.0 shares that out among tasks where the join has no equation, and each gives out rows of its own. The same of unions of which a part is of
-//! all rows at once, such as a sum without groups or a sorted part: each task would make that part.
+//! see all of the other side. Ballista 55.0 shares that out among tasks where the join has no equation, and each gives out rows of its own. The same of
+//! unions of which a part is of all rows at once, such as a sum without groups or a sorted part: each task would make that part.
 
 use ballista_core::JobId;
 use ballista_core::execution_plans::ShuffleReaderExec;
@@ -22,10 +22,12 @@ use datafusion::execution::TaskContext;
 use datafusion::physical_expr::Distribution;
 use datafusion::physical_plan::ExecutionPlan;
 use datafusion::physical_plan::coalesce_partitions::CoalescePartitionsExec;
+use datafusion::physical_plan::empty::EmptyExec;
 use datafusion::physical_plan::joins::{
     CrossJoinExec, HashJoinExec, NestedLoopJoinExec, PartitionMode,
 };
 use datafusion::physical_plan::metrics::MetricsSet;
+use datafusion::physical_plan::placeholder_row::PlaceholderRowExec;
 use datafusion::physical_plan::sorts::sort_preserving_merge::SortPreservingMergeExec;
 use datafusion::physical_plan::union::UnionExec;
 use datafusion::prelude::SessionConfig;
@@ -49,8 +51,7 @@ impl ExecutionEngine for Engine {
         work_dir: &str,
         config: &SessionConfig,
     ) -> Result<Arc<dyn QueryStageExecutor>> {
-        // One task of several is not the first; where there is one task alone, it is.
-        if !global_output_partition_ids.contains(&0) && plan.exists(|node| Ok(keeps_count(node)))? {
+        if plan.exists(|node| Ok(keeps_count(node)))? {
             return not_impl_err!(
                 "an outer, semi or anti join without an equation cannot be answered by several tasks: ask without a cluster"
             );
@@ -94,6 +95,14 @@ fn is_whole(node: &Arc<dyn ExecutionPlan>) -> bool {
         || sides.into_iter().any(is_whole)
 }
 
+/// Whether it reads nothing, so that one task makes it.
+fn is_constant(node: &Arc<dyn ExecutionPlan>) -> bool {
+    let parts = node.children();
+    node.is::<PlaceholderRowExec>()
+        || node.is::<EmptyExec>()
+        || (!parts.is_empty() && parts.into_iter().all(is_constant))
+}
+
 fn has_side_in_memory(node: &Arc<dyn ExecutionPlan>) -> bool {
     let hash_join = node.downcast_ref::<HashJoinExec>();
     node.is::<NestedLoopJoinExec>()
@@ -101,7 +110,7 @@ fn has_side_in_memory(node: &Arc<dyn ExecutionPlan>) -> bool {
         || hash_join.is_some_and(|join| *join.partition_mode() == PartitionMode::CollectLeft)
 }
 
-/// Whether it gives out rows of the side that it keeps in memory in the end.
+/// Whether it gives out rows of the side that it keeps in memory in the end, but may not have seen all of the other.
 fn keeps_count(node: &Arc<dyn ExecutionPlan>) -> bool {
     let kind = match node.downcast_ref::<NestedLoopJoinExec>() {
         Some(join) => join.join_type(),
@@ -110,14 +119,16 @@ fn keeps_count(node: &Arc<dyn ExecutionPlan>) -> bool {
             _ => return false,
         },
     };
-    matches!(
+    let gives_out = matches!(
         kind,
         JoinType::Left
             | JoinType::Full
             | JoinType::LeftSemi
             | JoinType::LeftAnti
             | JoinType::LeftMark
-    )
+    );
+    let sees_all = |other: &&Arc<dyn ExecutionPlan>| is_whole(other) || is_constant(other);
+    gives_out && !node.children().get(1).is_some_and(sees_all)
 }
 
 /// A task of a stage that is not measured.

@@ -18,14 +18,19 @@ use datafusion::execution::SessionState;
 use datafusion::prelude::SessionConfig;
 use datafusion_proto::protobuf::{LogicalPlanNode, PhysicalPlanNode};
 use futures::{FutureExt, StreamExt};
+use std::collections::HashSet;
 use std::net::SocketAddr;
 use std::sync::Arc;
+use std::time::Duration;
 use tokio::net::TcpListener;
+use tokio::time::sleep;
 
 /// An executor that has been silent for so long is lost [s]; one that is busy asks every 5 s.
 const LOST_AFTER: u64 = 20;
-/// How often that is looked at [s].
+/// How often what goes on is looked at [s].
 const LOOKED_AFTER: u64 = 2;
+
+type Server = SchedulerServer<LogicalPlanNode, PhysicalPlanNode>;
 
 /// How a scheduler runs.
 #[derive(Debug, Clone)]
@@ -87,6 +92,7 @@ pub async fn schedule(
     let removals = scheduler.cluster_state_events().await;
     let removals = removals.map_err(|error| failed(error.to_string()))?;
     tokio::spawn(give_up(scheduler.clone(), removals));
+    tokio::spawn(give_up_idle(scheduler.clone()));
     begun(&address);
     let served = start_grpc_service_with_listener(listener, scheduler).await;
     served.map_err(|error| failed(error.to_string()))
@@ -94,10 +100,7 @@ pub async fn schedule(
 
 /// Ends what runs whenever an executor is lost. Ballista 55.0 would begin anew, but where it plans between stages it does not come to an
 /// end then; where it does not, joins without an equation come out wrong.
-async fn give_up(
-    scheduler: SchedulerServer<LogicalPlanNode, PhysicalPlanNode>,
-    mut events: ClusterStateEventStream,
-) {
+async fn give_up(scheduler: Server, mut events: ClusterStateEventStream) {
     while let Some(event) = events.next().await {
         if let ClusterStateEvent::RemovedExecutor { .. } = event {
             for job in scheduler.state.task_manager.get_running_job_cache().keys() {
@@ -105,6 +108,26 @@ async fn give_up(
                 let _ = scheduler.cancel_job(job.clone()).await;
             }
         }
+    }
+}
+
+/// Ends what has tasks neither running nor waiting at two looks: its planning has lost its way, and nothing would ever come of it.
+async fn give_up_idle(scheduler: Server) {
+    let mut idle = HashSet::new();
+    loop {
+        sleep(Duration::from_secs(LOOKED_AFTER)).await;
+        let mut now = HashSet::new();
+        for (job, running) in &*scheduler.state.task_manager.get_running_job_cache() {
+            let graph = running.execution_graph.read().await;
+            if graph.running_tasks().is_empty() && graph.available_tasks() == 0 {
+                now.insert(job.clone());
+            }
+        }
+        for job in now.intersection(&idle) {
+            // It fails where the scheduler itself ends.
+            let _ = scheduler.cancel_job(job.clone()).await;
+        }
+        idle = now;
     }
 }
 

@@ -80,7 +80,7 @@ pub(crate) fn told(address: &Address, error: FleetError) -> FleetError {
             let what = text.split("\nThis issue was likely").next();
             let mut what = what.unwrap_or_default().trim_end().to_owned();
             if what.ends_with("failed: Cancelled") {
-                what += ", as an executor was lost while it ran: ask again";
+                what += ", as an executor was lost, or as the scheduler's plan came to no end: ask again, or without a cluster";
             }
             FleetError::Cluster {
                 address: address.to_string(),
