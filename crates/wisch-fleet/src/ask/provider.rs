@@ -24,6 +24,7 @@ use datafusion::physical_plan::ExecutionPlan;
 use datafusion::physical_plan::empty::EmptyExec;
 use object_store::ObjectMeta;
 use object_store::path::Path;
+#[cfg(feature = "cluster")]
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -36,11 +37,13 @@ pub(crate) struct FleetTable {
     schema: SchemaRef,
     store: ObjectStoreUrl,
     /// The store as others find it, if they can.
+    #[cfg(feature = "cluster")]
     root: Option<String>,
     files: Vec<(Path, FileEntry)>,
 }
 
 /// A table as it is sent to others: they read the same files.
+#[cfg(feature = "cluster")]
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Carried {
     root: String,
@@ -82,6 +85,7 @@ impl FleetTable {
         Ok(Self {
             schema,
             store,
+            #[cfg(feature = "cluster")]
             root: place.root(),
             files: files.collect::<Result<_>>()?,
         })
