@@ -1,6 +1,7 @@
 //! The command line.
 
 use clap::{Args, Parser, Subcommand};
+use std::net::SocketAddr;
 use std::path::PathBuf;
 
 /// SQL over the episodes of many robots, and the way of episodes between memories and a shared store.
@@ -57,6 +58,12 @@ Example:
     Retain(RetainArgs),
     /// Look for what is broken: every file and every episode is read.
     Verify(VerifyArgs),
+    /// Run the scheduler of a cluster, which answers `sql --cluster` with the help of executors.
+    #[command(after_help = "Example:\n  wisch-fleet scheduler --bind 127.0.0.1:50050")]
+    Scheduler(SchedulerArgs),
+    /// Run an executor of a cluster. Stores are read with the credentials of its own environment.
+    #[command(after_help = "Example:\n  wisch-fleet executor --scheduler 127.0.0.1:50050")]
+    Executor(ExecutorArgs),
 }
 
 /// Of `sql`.
@@ -70,6 +77,9 @@ pub struct SqlArgs {
     /// A memory of episodes on this machine; nothing has to be pushed. Repeatable.
     #[arg(long, value_name = "FOLDER")]
     pub memory: Vec<PathBuf>,
+    /// A cluster that answers: the scheduler's address, df://HOST:PORT. Its executors have to reach the same files.
+    #[arg(long, value_name = "URL")]
+    pub cluster: Option<String>,
     /// Print the answer as CSV.
     #[arg(long, group = "form")]
     pub csv: bool,
@@ -171,6 +181,39 @@ pub struct VerifyArgs {
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
+}
+
+/// Of `scheduler`.
+#[derive(Debug, Args)]
+#[cfg_attr(not(feature = "cluster"), allow(dead_code))]
+pub struct SchedulerArgs {
+    /// Where it listens. There is no authentication: another address than this machine's own is for a network that is trusted.
+    #[arg(long, value_name = "HOST:PORT", default_value = "127.0.0.1:50050")]
+    pub bind: SocketAddr,
+    /// How executors reach this machine, where it is not by the address it listens at.
+    #[arg(long, value_name = "HOST")]
+    pub host: Option<String>,
+}
+
+/// Of `executor`.
+#[derive(Debug, Args)]
+#[cfg_attr(not(feature = "cluster"), allow(dead_code))]
+pub struct ExecutorArgs {
+    /// The scheduler.
+    #[arg(long, value_name = "HOST:PORT")]
+    pub scheduler: String,
+    /// Where others fetch from it; port 0 is any that is free. There is no authentication.
+    #[arg(long, value_name = "HOST:PORT", default_value = "127.0.0.1:0")]
+    pub bind: SocketAddr,
+    /// How others reach this machine, where it is not by the address it listens at.
+    #[arg(long, value_name = "HOST")]
+    pub host: Option<String>,
+    /// How many tasks it runs at once; without it one for each core.
+    #[arg(long, value_name = "N")]
+    pub slots: Option<usize>,
+    /// Where it keeps what it has made; without it a folder that is gone afterwards.
+    #[arg(long, value_name = "DIR")]
+    pub work_dir: Option<PathBuf>,
 }
 
 const DAY: f64 = 86_400.0;

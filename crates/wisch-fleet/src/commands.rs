@@ -2,6 +2,7 @@
 
 use crate::Outcome;
 use crate::args::{CompactArgs, ListArgs, PullArgs, PushArgs, RetainArgs, SqlArgs, VerifyArgs};
+use crate::clusters;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use std::io::{self, IsTerminal, Read, Write};
@@ -19,6 +20,9 @@ pub async fn sql(args: &SqlArgs) -> Result<Outcome, FleetError> {
         return Err(FleetError::Asked(
             "nothing to ask: --fleet URL or --memory FOLDER says where episodes are".to_owned(),
         ));
+    }
+    if let Some(url) = &args.cluster {
+        clusters::check(url)?;
     }
     let form = match (&args.parquet, args.csv, args.json) {
         (Some(file), ..) => Form::Parquet(file.clone()),
@@ -56,7 +60,10 @@ pub async fn sql(args: &SqlArgs) -> Result<Outcome, FleetError> {
         sources.append(&mut local.sources);
         locals.push(local);
     }
-    let session = Session::new(&sources).await?;
+    let session = match &args.cluster {
+        Some(url) => clusters::session(&sources, url).await?,
+        None => Session::new(&sources).await?,
+    };
     if session.shared() > 0 {
         let count = session.shared();
         eprintln!("{count} episodes are in several of the sources; each counts once");
@@ -104,7 +111,8 @@ fn statements(text: &str) -> Vec<&str> {
 
 async fn answer(session: &Session, statement: &str, form: &Form) -> Result<(), FleetError> {
     let answer = session.plan(statement).await?;
-    let rows = write(answer, form, &mut io::stdout()).await?;
+    let written = write(answer, form, &mut io::stdout()).await;
+    let rows = written.map_err(|error| session.told(error))?;
     if let Form::Parquet(file) = form {
         eprintln!("{}: {rows} rows", file.display());
     }

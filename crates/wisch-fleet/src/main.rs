@@ -1,6 +1,7 @@
 //! The program `wisch-fleet`.
 
 mod args;
+mod clusters;
 mod commands;
 
 use args::{Cli, Command};
@@ -39,5 +40,7 @@ async fn run(command: &Command) -> Result<Outcome, FleetError> {
         Command::Compact(args) => commands::compact(args).await,
         Command::Retain(args) => commands::retain(args).await,
         Command::Verify(args) => commands::verify(args).await,
+        Command::Scheduler(args) => clusters::scheduler(args).await,
+        Command::Executor(args) => clusters::executor(args).await,
     }
 }

@@ -1,4 +1,5 @@
 -- The questions about wiping that come up again and again. wisch-fleet has them as views; other engines over Parquet files take them too.
+-- Means are taken of decimals: their sums do not depend on the order, so that an answer is the same from any number of threads and machines.
 
 -- Episodes whose performance was 80 % or less, as estimated in the end.
 CREATE VIEW low_performance AS
@@ -41,7 +42,8 @@ WHERE true_performance IS NOT NULL AND performance IS NOT NULL;
 -- How well estimates hold, by tool and surface: rounds, share whose interval held the truth, mean error and mean width.
 CREATE VIEW calibration AS
 SELECT tool, surface, count(*) AS rounds, avg(CASE WHEN held THEN 1.0 ELSE 0.0 END) AS held_share,
-       avg(performance - true_performance) AS mean_error, avg(performance_high - performance_low) AS mean_width
+       CAST(avg(CAST(performance - true_performance AS DECIMAL(38, 15))) AS DOUBLE) AS mean_error,
+       CAST(avg(CAST(performance_high - performance_low AS DECIMAL(38, 15))) AS DOUBLE) AS mean_width
 FROM estimates
 GROUP BY tool, surface;
 

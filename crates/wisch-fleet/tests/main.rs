@@ -1,8 +1,12 @@
 //! Everything that must hold of a fleet, against memories of synthetic episodes.
 
+#[cfg(feature = "cluster")]
+mod cluster;
 mod documentation;
 mod memories;
 mod moves;
+#[cfg(feature = "cluster")]
+mod processes;
 mod program;
 mod queries;
 #[path = "../../wisch-memory/examples/synthetic/records.rs"]

@@ -183,3 +183,25 @@ fn answers_come_as_asked() {
     let wrong = run(Command::new(env!("CARGO_BIN_EXE_wisch-fleet")).args(["sql", "SELECT 1"]));
     assert_eq!(wrong.status.code(), Some(2));
 }
+
+#[cfg(not(feature = "cluster"))]
+#[test]
+fn without_clusters_the_program_says_how_to_get_them() {
+    for args in [
+        &[
+            "sql",
+            "SELECT 1",
+            "--memory",
+            "none",
+            "--cluster",
+            "df://h:1",
+        ][..],
+        &["scheduler"],
+        &["executor", "--scheduler", "h:1"],
+    ] {
+        let output = run(Command::new(env!("CARGO_BIN_EXE_wisch-fleet")).args(args));
+        assert_eq!(output.status.code(), Some(2), "{args:?}");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(said.contains("--features cluster"), "{said}");
+    }
+}

@@ -70,7 +70,7 @@ fn round_of(catalogue: &Catalogue, id: IndividualId) -> IndividualId {
 }
 
 /// Rounds of some episodes know the truth, and one stroke touched nothing.
-fn records() -> Vec<EpisodeRecord> {
+pub fn records() -> Vec<EpisodeRecord> {
     let mut all = some(300);
     for (number, record) in all.iter_mut().enumerate() {
         for (place, one) in record.individuals.iter_mut().enumerate() {

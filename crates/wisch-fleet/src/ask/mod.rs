@@ -1,7 +1,7 @@
 //! SQL over one or many sources of episodes.
 
 mod output;
-mod provider;
+pub(crate) mod provider;
 mod session;
 pub mod views;
 

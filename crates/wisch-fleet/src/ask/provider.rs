@@ -24,6 +24,8 @@ use datafusion::physical_plan::ExecutionPlan;
 use datafusion::physical_plan::empty::EmptyExec;
 use object_store::ObjectMeta;
 use object_store::path::Path;
+#[cfg(feature = "cluster")]
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// So much of a file's end is read at once [bytes]: most footers are shorter.
@@ -31,10 +33,21 @@ const FOOTER: usize = 64 << 10;
 
 /// A table.
 #[derive(Debug)]
-pub(super) struct FleetTable {
+pub(crate) struct FleetTable {
     schema: SchemaRef,
     store: ObjectStoreUrl,
+    /// The store as others find it, if they can.
+    #[cfg(feature = "cluster")]
+    root: Option<String>,
     files: Vec<(Path, FileEntry)>,
+}
+
+/// A table as it is sent to others: they read the same files.
+#[cfg(feature = "cluster")]
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct Carried {
+    root: String,
+    files: Vec<(String, FileEntry)>,
 }
 
 /// What is held in views in memory: texts of up to twelve bytes without a pointer.
@@ -53,7 +66,7 @@ impl FleetTable {
     /// # Errors
     /// A file that a newer program wrote.
     pub(super) fn new<'a>(
-        table: &Table,
+        schema: SchemaRef,
         place: &Place,
         store: ObjectStoreUrl,
         files: impl Iterator<Item = &'a FileEntry>,
@@ -70,9 +83,45 @@ impl FleetTable {
             Ok((place.path(&file.path), file.clone()))
         });
         Ok(Self {
-            schema: schema_in_memory(table),
+            schema,
             store,
+            #[cfg(feature = "cluster")]
+            root: place.root(),
             files: files.collect::<Result<_>>()?,
+        })
+    }
+
+    /// As it is sent.
+    ///
+    /// # Errors
+    /// If its files are where nobody else can read them.
+    #[cfg(feature = "cluster")]
+    pub(crate) fn carried(&self) -> Result<Carried> {
+        let root = self.root.clone().ok_or_else(|| {
+            DataFusionError::Plan(
+                "what is in the memory of one process cannot be asked by others".to_owned(),
+            )
+        })?;
+        let files = self.files.iter();
+        let files = files.map(|(path, file)| (path.to_string(), file.clone()));
+        Ok(Carried {
+            root,
+            files: files.collect(),
+        })
+    }
+
+    /// Of what was sent.
+    ///
+    /// # Errors
+    /// A store that has no name.
+    #[cfg(feature = "cluster")]
+    pub(crate) fn of_carried(schema: SchemaRef, carried: Carried) -> Result<Self> {
+        let files = carried.files.into_iter();
+        Ok(Self {
+            schema,
+            store: ObjectStoreUrl::parse(&carried.root)?,
+            root: Some(carried.root),
+            files: files.map(|(path, file)| (Path::from(path), file)).collect(),
         })
     }
 
@@ -101,7 +150,8 @@ impl FleetTable {
 
     /// The files that may hold rows for which all this is true.
     fn needed(&self, state: &dyn Session, filters: &[Expr]) -> Result<Vec<&(Path, FileEntry)>> {
-        let Some(filter) = conjunction(filters.to_vec()) else {
+        let filter = conjunction(filters.to_vec()).filter(|_| !self.files.is_empty());
+        let Some(filter) = filter else {
             return Ok(self.files.iter().collect());
         };
         let schema = Arc::clone(&self.schema).to_dfschema()?;
@@ -167,16 +217,16 @@ impl TableProvider for FleetTable {
             global: state.config_options().execution.parquet.clone(),
             ..TableParquetOptions::default()
         };
-        // Footers are read once in a session: no file ever changes.
-        let runtime = state.runtime_env();
-        let footers = CachedParquetFileReaderFactory::new(
-            runtime.object_store(&self.store)?,
-            runtime.cache_manager.get_file_metadata_cache(),
-        );
         let mut source = ParquetSource::new(Arc::clone(&self.schema))
-            .with_parquet_file_reader_factory(Arc::new(footers))
             .with_table_parquet_options(options)
             .with_metadata_size_hint(FOOTER);
+        // Footers are read once in a session: no file ever changes. A scheduler, which only plans, has no store.
+        let runtime = state.runtime_env();
+        if let Ok(store) = runtime.object_store(&self.store) {
+            let cache = runtime.cache_manager.get_file_metadata_cache();
+            let footers = CachedParquetFileReaderFactory::new(store, cache);
+            source = source.with_parquet_file_reader_factory(Arc::new(footers));
+        }
         if let Some(filter) = conjunction(filters.to_vec()) {
             let schema = Arc::clone(&self.schema).to_dfschema()?;
             source = source.with_predicate(state.create_physical_expr(filter, &schema)?);

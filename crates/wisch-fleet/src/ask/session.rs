@@ -2,11 +2,13 @@
 
 use super::provider::{FleetTable, schema_in_memory};
 use super::views;
+#[cfg(feature = "cluster")]
+use crate::cluster::{Address, on_cluster};
 use crate::store::{FleetError, Place, Snapshot};
-use crate::tables::TABLES;
+use crate::tables::{TABLES, Table};
 use datafusion::arrow::array::{RecordBatch, StringArray};
 use datafusion::arrow::compute::cast;
-use datafusion::arrow::datatypes::{DataType, Field, Schema};
+use datafusion::arrow::datatypes::{DataType, Field, Schema, SchemaRef};
 use datafusion::common::TableReference;
 use datafusion::dataframe::DataFrame;
 use datafusion::datasource::MemTable;
@@ -47,8 +49,31 @@ impl Source {
 /// Tables and views that can be asked.
 pub struct Session {
     context: SessionContext,
+    texts: Texts,
     /// Episodes that more than one source has; those of the first count.
     shared: usize,
+    #[cfg(feature = "cluster")]
+    cluster: Option<Address>,
+}
+
+/// How texts are held in memory.
+#[derive(Debug, Clone, Copy)]
+enum Texts {
+    /// Up to twelve bytes without a pointer, which is fast.
+    Views,
+    /// One after the other: views that are sent bring along all that they were cut from.
+    #[cfg(feature = "cluster")]
+    Plain,
+}
+
+impl Texts {
+    fn schema(self, table: &Table) -> SchemaRef {
+        match self {
+            Self::Views => schema_in_memory(table),
+            #[cfg(feature = "cluster")]
+            Self::Plain => table.schema(),
+        }
+    }
 }
 
 impl Session {
@@ -57,6 +82,23 @@ impl Session {
     /// # Errors
     /// A source that cannot be read.
     pub async fn new(sources: &[Source]) -> Result<Self, FleetError> {
+        Self::over(sources, Texts::Views).await
+    }
+
+    /// The same, but statements are answered by a cluster.
+    ///
+    /// # Errors
+    /// A source that cannot be read, or no scheduler.
+    #[cfg(feature = "cluster")]
+    pub async fn on_cluster(sources: &[Source], cluster: &Address) -> Result<Self, FleetError> {
+        cluster.reach().await?;
+        let mut session = Self::over(sources, Texts::Plain).await?;
+        session.context = on_cluster(&session.context, cluster)?;
+        session.cluster = Some(cluster.clone());
+        Ok(session)
+    }
+
+    async fn over(sources: &[Source], texts: Texts) -> Result<Self, FleetError> {
         let mut config = SessionConfig::new()
             .with_information_schema(true)
             .with_target_partitions(thread::available_parallelism().map_or(1, usize::from));
@@ -70,7 +112,13 @@ impl Session {
             .with_memory_limit(MEMORY, MEMORY_FRACTION)
             .build_arc()?;
         let context = SessionContext::new_with_config_rt(config, runtime);
-        let mut session = Self { context, shared: 0 };
+        let mut session = Self {
+            context,
+            texts,
+            shared: 0,
+            #[cfg(feature = "cluster")]
+            cluster: None,
+        };
         for (number, source) in sources.iter().enumerate() {
             session.add(number, source)?;
         }
@@ -91,7 +139,8 @@ impl Session {
             .register_object_store(&base, source.place.store());
         for table in &TABLES {
             let files = source.snapshot.files_of(table.name);
-            let table_of = FleetTable::new(table, &source.place, store.clone(), files)?;
+            let schema = self.texts.schema(table);
+            let table_of = FleetTable::new(schema, &source.place, store.clone(), files)?;
             self.context
                 .register_table(name_in(table.name, number), Arc::new(table_of))?;
         }
@@ -137,7 +186,7 @@ impl Session {
             }
             let united = match all {
                 Some(all) => all.into_view(),
-                None => Arc::new(MemTable::try_new(schema_in_memory(table), vec![vec![]])?),
+                None => Arc::new(MemTable::try_new(self.texts.schema(table), vec![vec![]])?),
             };
             let name = TableReference::bare(table.name);
             match sources {
@@ -161,6 +210,15 @@ impl Session {
     /// How many episodes more than one source has.
     pub fn shared(&self) -> usize {
         self.shared
+    }
+
+    /// An error of a statement, with where it was to be answered.
+    pub fn told(&self, error: FleetError) -> FleetError {
+        #[cfg(feature = "cluster")]
+        if let Some(cluster) = &self.cluster {
+            return crate::cluster::told(cluster, error);
+        }
+        error
     }
 
     /// What a statement means; it only reads.

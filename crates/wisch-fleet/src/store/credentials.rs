@@ -12,7 +12,6 @@ pub(super) struct Credentials {
 /// From `~/.aws/credentials` (or `AWS_SHARED_CREDENTIALS_FILE`), the profile `AWS_PROFILE` or `default`; `None` where the environment
 /// has its own, or there is no such file or profile.
 pub(super) fn from_file() -> Option<Credentials> {
-    let variable = |name: &str| std::env::var(name).ok().filter(|value| !value.is_empty());
     if variable("AWS_ACCESS_KEY_ID").is_some() {
         return None;
     }
@@ -22,6 +21,26 @@ pub(super) fn from_file() -> Option<Credentials> {
     let text = std::fs::read_to_string(place).ok()?;
     let profile = variable("AWS_PROFILE").unwrap_or_else(|| "default".to_owned());
     in_profile(&text, &profile)
+}
+
+fn variable(name: &str) -> Option<String> {
+    std::env::var(name).ok().filter(|value| !value.is_empty())
+}
+
+/// All that must not be printed.
+#[cfg(feature = "cluster")]
+pub(crate) fn secrets() -> Vec<String> {
+    let names = [
+        "AWS_ACCESS_KEY_ID",
+        "AWS_SECRET_ACCESS_KEY",
+        "AWS_SESSION_TOKEN",
+    ];
+    let mut all: Vec<String> = names.into_iter().filter_map(variable).collect();
+    if let Some(found) = from_file() {
+        all.extend([found.key_id, found.secret]);
+        all.extend(found.token);
+    }
+    all
 }
 
 fn in_profile(text: &str, profile: &str) -> Option<Credentials> {

@@ -16,7 +16,7 @@ pub enum FleetError {
         what: String,
     },
     /// What the store says of an object.
-    #[error("{object}: {}", said(error))]
+    #[error("{object}: {}", without_echo(&error.to_string()))]
     Store {
         /// The object.
         object: String,
@@ -91,6 +91,14 @@ pub enum FleetError {
     /// A statement that is none, or that cannot be answered.
     #[error("{}", in_short(.0))]
     Sql(#[from] DataFusionError),
+    /// What a scheduler says, or that none does.
+    #[error("{address}: {what}")]
+    Cluster {
+        /// The scheduler.
+        address: String,
+        /// What is wrong.
+        what: String,
+    },
     /// What is asked for cannot be.
     #[error("{0}")]
     Asked(String),
@@ -103,10 +111,9 @@ impl From<TelemetryError> for FleetError {
 }
 
 /// A store's error without what a server echoes: an S3 server's answer to a wrong signature holds the access key.
-fn said(error: &object_store::Error) -> String {
-    let text = error.to_string();
+pub(crate) fn without_echo(text: &str) -> String {
     let Some(begin) = text.find("<?xml").or_else(|| text.find("<Error")) else {
-        return text;
+        return text.to_owned();
     };
     let part = |name: &str| {
         let (open, close) = (format!("<{name}>"), format!("</{name}>"));
@@ -127,7 +134,7 @@ fn said(error: &object_store::Error) -> String {
 
 /// DataFusion's message in the first line, without a back trace.
 fn in_short(error: &DataFusionError) -> String {
-    error.strip_backtrace()
+    without_echo(&error.strip_backtrace())
 }
 
 #[cfg(test)]

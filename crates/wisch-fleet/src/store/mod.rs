@@ -20,6 +20,10 @@ mod place;
 
 pub use archive::{Archive, identity_of};
 pub(crate) use archive::{is_telemetry, sha256};
+#[cfg(feature = "cluster")]
+pub(crate) use credentials::secrets;
 pub use error::FleetError;
+#[cfg(feature = "cluster")]
+pub(crate) use error::without_echo;
 pub use log::{Commit, Committed, FileEntry, Removed, Snapshot, now};
 pub use place::{Created, Place};

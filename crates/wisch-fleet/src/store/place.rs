@@ -139,6 +139,18 @@ impl Place {
         &self.url
     }
 
+    /// The whole store that the place is in, as others find it: `s3://BUCKET` or `file:///`; `None` if it is in the memory of this process.
+    pub fn root(&self) -> Option<String> {
+        match self.url.split_once("://") {
+            Some(("s3", rest)) => {
+                let bucket = rest.split('/').next().unwrap_or_default();
+                Some(format!("s3://{bucket}"))
+            }
+            Some(("memory", _)) => None,
+            _ => Some("file:///".to_owned()),
+        }
+    }
+
     /// What DataFusion reads from.
     pub fn store(&self) -> Arc<dyn ObjectStore> {
         Arc::clone(&self.store)

@@ -1,0 +1,169 @@
+//! How tasks are run: as Ballista does it, but that stages with a union are not measured, and that joins whose rows would be wrong are refused.
+//!
+//! Unions: Ballista 55.0 gives the tasks of such a stage plans of different shapes: what is empty is another operator where a task has no part of
+//! it, with measurements that the first has not. The scheduler refuses the whole report of a task whose measurements are another number
+//! than those of the task before, so that the statement would never end.
+//!
+//! Joins: a join that keeps one side in memory, and afterwards gives out those rows of it that met none (or any) of the other side, has to
+//! see all of the other side. Ballista 55.0 shares that out among tasks where the join has no equation, and each gives out rows of its own. The same of
+//! unions of which a part is of all rows at once, such as a sum without groups or a sorted part: each task would make that part.
+
+use ballista_core::JobId;
+use ballista_core::execution_plans::ShuffleReaderExec;
+use ballista_core::serde::protobuf::{
+    RuntimeStatsReport, ShuffleWritePartition, TaskColumnStats, WindowStateReport,
+};
+use ballista_executor::execution_engine::{
+    DefaultExecutionEngine, ExecutionEngine, QueryStageExecutor,
+};
+use datafusion::common::tree_node::TreeNode;
+use datafusion::common::{JoinType, Result, not_impl_err};
+use datafusion::execution::TaskContext;
+use datafusion::physical_expr::Distribution;
+use datafusion::physical_plan::ExecutionPlan;
+use datafusion::physical_plan::coalesce_partitions::CoalescePartitionsExec;
+use datafusion::physical_plan::empty::EmptyExec;
+use datafusion::physical_plan::joins::{
+    CrossJoinExec, HashJoinExec, NestedLoopJoinExec, PartitionMode,
+};
+use datafusion::physical_plan::metrics::MetricsSet;
+use datafusion::physical_plan::placeholder_row::PlaceholderRowExec;
+use datafusion::physical_plan::sorts::sort_preserving_merge::SortPreservingMergeExec;
+use datafusion::physical_plan::union::UnionExec;
+use datafusion::prelude::SessionConfig;
+use std::fmt;
+use std::sync::Arc;
+
+/// Makes what runs a task.
+#[derive(Default)]
+pub(super) struct Engine {
+    ballista: DefaultExecutionEngine,
+}
+
+impl ExecutionEngine for Engine {
+    fn create_query_stage_exec(
+        &self,
+        job_id: JobId,
+        stage_id: usize,
+        task_id: usize,
+        global_output_partition_ids: Vec<usize>,
+        plan: Arc<dyn ExecutionPlan>,
+        work_dir: &str,
+        config: &SessionConfig,
+    ) -> Result<Arc<dyn QueryStageExecutor>> {
+        if plan.exists(|node| Ok(keeps_count(node)))? {
+            return not_impl_err!(
+                "an outer, semi or anti join without an equation cannot be answered by several tasks: ask without a cluster"
+            );
+        }
+        let has_union = plan.exists(|node| Ok(node.is::<UnionExec>()))?;
+        if plan.exists(|node| Ok(node.is::<UnionExec>() && is_whole(node)))? {
+            return not_impl_err!(
+                "rows of several sources, or of UNION ALL, of which some are of a sum, an order or a limit, cannot be put together by several tasks: ask without a cluster"
+            );
+        }
+        let stage = self.ballista.create_query_stage_exec(
+            job_id,
+            stage_id,
+            task_id,
+            global_output_partition_ids,
+            plan,
+            work_dir,
+            config,
+        )?;
+        Ok(match has_union {
+            true => Arc::new(Unmeasured(stage)),
+            false => stage,
+        })
+    }
+}
+
+/// Whether a part of it is of all rows at once, which each task would make, and none but for a join should.
+fn is_whole(node: &Arc<dyn ExecutionPlan>) -> bool {
+    if let Some(reader) = node.downcast_ref::<ShuffleReaderExec>() {
+        return reader.broadcast;
+    }
+    let sides = node.children().into_iter();
+    if has_side_in_memory(node) {
+        return sides.skip(1).any(is_whole);
+    }
+    let required = node.input_distribution_requirements();
+    node.is::<CoalescePartitionsExec>()
+        || node.is::<SortPreservingMergeExec>()
+        || (required.per_child_distributions())
+            .any(|one| matches!(one, Distribution::SinglePartition))
+        || sides.into_iter().any(is_whole)
+}
+
+/// Whether it reads nothing, so that one task makes it.
+fn is_constant(node: &Arc<dyn ExecutionPlan>) -> bool {
+    let parts = node.children();
+    node.is::<PlaceholderRowExec>()
+        || node.is::<EmptyExec>()
+        || (!parts.is_empty() && parts.into_iter().all(is_constant))
+}
+
+fn has_side_in_memory(node: &Arc<dyn ExecutionPlan>) -> bool {
+    let hash_join = node.downcast_ref::<HashJoinExec>();
+    node.is::<NestedLoopJoinExec>()
+        || node.is::<CrossJoinExec>()
+        || hash_join.is_some_and(|join| *join.partition_mode() == PartitionMode::CollectLeft)
+}
+
+/// Whether it gives out rows of the side that it keeps in memory in the end, but may not have seen all of the other.
+fn keeps_count(node: &Arc<dyn ExecutionPlan>) -> bool {
+    let kind = match node.downcast_ref::<NestedLoopJoinExec>() {
+        Some(join) => join.join_type(),
+        None => match node.downcast_ref::<HashJoinExec>() {
+            Some(join) if *join.partition_mode() == PartitionMode::CollectLeft => join.join_type(),
+            _ => return false,
+        },
+    };
+    let gives_out = matches!(
+        kind,
+        JoinType::Left
+            | JoinType::Full
+            | JoinType::LeftSemi
+            | JoinType::LeftAnti
+            | JoinType::LeftMark
+    );
+    let sees_all = |other: &&Arc<dyn ExecutionPlan>| is_whole(other) || is_constant(other);
+    gives_out && !node.children().get(1).is_some_and(sees_all)
+}
+
+/// A task of a stage that is not measured.
+#[derive(Debug)]
+struct Unmeasured(Arc<dyn QueryStageExecutor>);
+
+impl fmt::Display for Unmeasured {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.0, f)
+    }
+}
+
+#[async_trait::async_trait]
+impl QueryStageExecutor for Unmeasured {
+    async fn execute_query_stage(
+        &self,
+        task_id: usize,
+        context: Arc<TaskContext>,
+    ) -> Result<Vec<ShuffleWritePartition>> {
+        self.0.execute_query_stage(task_id, context).await
+    }
+
+    fn collect_plan_metrics(&self) -> Vec<MetricsSet> {
+        Vec::new()
+    }
+
+    fn collect_runtime_stats_reports(&self) -> Vec<RuntimeStatsReport> {
+        self.0.collect_runtime_stats_reports()
+    }
+
+    fn collect_window_state_reports(&self) -> Result<Vec<WindowStateReport>> {
+        self.0.collect_window_state_reports()
+    }
+
+    fn collect_column_stats(&self) -> Vec<TaskColumnStats> {
+        self.0.collect_column_stats()
+    }
+}

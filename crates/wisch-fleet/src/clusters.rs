@@ -1,0 +1,95 @@
+//! What the commands do that have to do with a cluster; without the feature, they say how to get it.
+
+#[cfg(feature = "cluster")]
+pub use with::{check, executor, scheduler, session};
+#[cfg(not(feature = "cluster"))]
+pub use without::{check, executor, scheduler, session};
+
+#[cfg(feature = "cluster")]
+mod with {
+    use crate::Outcome;
+    use crate::args::{ExecutorArgs, SchedulerArgs};
+    use std::io::{self, Write};
+    use wisch_fleet::ask::{Session, Source};
+    use wisch_fleet::cluster::{self, Address, ExecutorOptions, SchedulerOptions};
+    use wisch_fleet::store::FleetError;
+
+    /// Whether it can be a scheduler's address.
+    pub fn check(url: &str) -> Result<(), FleetError> {
+        Address::parse(url).map(|_| ())
+    }
+
+    /// A session whose statements are answered there.
+    pub async fn session(sources: &[Source], url: &str) -> Result<Session, FleetError> {
+        Session::on_cluster(sources, &Address::parse(url)?).await
+    }
+
+    /// Runs a scheduler.
+    pub async fn scheduler(args: &SchedulerArgs) -> Result<Outcome, FleetError> {
+        let options = SchedulerOptions {
+            bind: args.bind,
+            host: args.host.clone(),
+        };
+        cluster::schedule(&options, |address| say(&format!("scheduling at {address}"))).await?;
+        Ok(Outcome::Done)
+    }
+
+    /// Runs an executor.
+    pub async fn executor(args: &ExecutorArgs) -> Result<Outcome, FleetError> {
+        let scheduler = match args.scheduler.contains("://") {
+            true => Address::parse(&args.scheduler)?,
+            false => Address::parse(&format!("df://{}", args.scheduler))?,
+        };
+        let options = ExecutorOptions {
+            scheduler: scheduler.clone(),
+            bind: args.bind,
+            host: args.host.clone(),
+            slots: args.slots,
+            work_dir: args.work_dir.clone(),
+        };
+        let begun = |slots| say(&format!("executing for {scheduler}, {slots} tasks at once"));
+        cluster::execute(&options, begun).await?;
+        Ok(Outcome::Done)
+    }
+
+    /// Says it at once, also to a pipe.
+    fn say(text: &str) {
+        let mut out = io::stdout();
+        // Nobody may listen.
+        let _ = writeln!(out, "{text}").and_then(|()| out.flush());
+    }
+}
+
+#[cfg(not(feature = "cluster"))]
+mod without {
+    use crate::Outcome;
+    use crate::args::{ExecutorArgs, SchedulerArgs};
+    use wisch_fleet::ask::{Session, Source};
+    use wisch_fleet::store::FleetError;
+
+    fn missing<T>() -> Result<T, FleetError> {
+        Err(FleetError::Asked(
+            "this program was built without clusters: cargo install --path crates/wisch-fleet --locked --features cluster".to_owned(),
+        ))
+    }
+
+    /// None can.
+    pub fn check(_url: &str) -> Result<(), FleetError> {
+        missing()
+    }
+
+    /// None.
+    pub async fn session(_sources: &[Source], _url: &str) -> Result<Session, FleetError> {
+        missing()
+    }
+
+    /// None.
+    pub async fn scheduler(_args: &SchedulerArgs) -> Result<Outcome, FleetError> {
+        missing()
+    }
+
+    /// None.
+    pub async fn executor(_args: &ExecutorArgs) -> Result<Outcome, FleetError> {
+        missing()
+    }
+}
