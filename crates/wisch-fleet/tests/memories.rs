@@ -3,11 +3,14 @@
 use crate::records;
 use std::collections::BTreeMap;
 use std::path::Path;
+use wisch::follow::Phase;
 use wisch_fleet::ask::{Session, Source};
 use wisch_fleet::store::Place;
-use wisch_memory::{EpisodeRecord, Memory, TelemetryHead};
+use wisch_memory::{EpisodeRecord, Mark, Memory, TelemetryHead};
 
 pub const SEED: u64 = 7;
+/// Of the telemetry that there is.
+pub const SAMPLES: usize = 1000;
 
 /// Synthetic records of these numbers.
 pub fn some(count: usize) -> Vec<EpisodeRecord> {
@@ -28,7 +31,15 @@ pub fn memory(folder: &Path, records: &[EpisodeRecord]) -> Memory {
         if record.seed == 0 {
             let columns = ["external/fz", "measured/x"].map(str::to_owned);
             let head = TelemetryHead::default();
-            let log = writer.telemetry_with_columns(1, head, &columns).unwrap();
+            let mut log = writer.telemetry_with_columns(1, head, &columns).unwrap();
+            let mark = Mark {
+                motion: 0,
+                phase: Phase::FreeMotion,
+            };
+            for i in 0..SAMPLES {
+                let time = 0.001 * i as f64;
+                log.push(time, mark, [5.0 + time, time]).unwrap();
+            }
             log.finish().unwrap();
         }
         writer.commit(record).unwrap();

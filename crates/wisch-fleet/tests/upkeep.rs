@@ -1,6 +1,7 @@
 //! Compaction, retention, older and newer files.
 
-use crate::memories::{contents, memory, place, session, some};
+use crate::memories::{SAMPLES, contents, memory, place, session, some};
+use datafusion::arrow::util::display::array_value_to_string;
 use datafusion::arrow::util::pretty::pretty_format_batches;
 use std::fs;
 use std::path::Path;
@@ -68,6 +69,15 @@ async fn compaction_changes_no_answer_and_takes_nothing_from_who_reads() {
     assert_eq!((again.episodes, again.there), (0, 200));
 }
 
+async fn samples(fleet: &Place) -> String {
+    let rows = session(fleet)
+        .await
+        .rows("SELECT count(*) AS n FROM telemetry")
+        .await
+        .unwrap();
+    array_value_to_string(rows[0].column(0), 0).unwrap()
+}
+
 #[tokio::test]
 async fn telemetry_that_is_not_kept_is_gone_and_nothing_else() {
     let folder = tempfile::tempdir().unwrap();
@@ -76,11 +86,14 @@ async fn telemetry_that_is_not_kept_is_gone_and_nothing_else() {
     push(&memory, &fleet, &PushOptions::default(), &mut quiet())
         .await
         .unwrap();
-    retain(&fleet, now()).await.unwrap();
+    assert_eq!(samples(&fleet).await, SAMPLES.to_string());
+    let retained = retain(&fleet, now()).await.unwrap();
+    assert_eq!(retained.files, 1);
+    assert_eq!(samples(&fleet).await, "0");
     assert_eq!(
         purge(&fleet, now() + 1.0).await.unwrap(),
-        1,
-        "one episode has telemetry"
+        2,
+        "one episode has telemetry: its rows and its archive"
     );
     assert_eq!(verify(&fleet, &mut quiet()).await.unwrap().faults, [""; 0]);
     let there = Memory::create(&folder.path().join("there")).unwrap();
