@@ -112,7 +112,7 @@ fn statements(text: &str) -> Vec<&str> {
 async fn answer(session: &Session, statement: &str, form: &Form) -> Result<(), FleetError> {
     let answer = session.plan(statement).await?;
     let written = write(answer, form, &mut io::stdout()).await;
-    let rows = written.map_err(|error| session.told(error))?;
+    let rows = written.map_err(|error| session.cluster_error(error))?;
     if let Form::Parquet(file) = form {
         eprintln!("{}: {rows} rows", file.display());
     }

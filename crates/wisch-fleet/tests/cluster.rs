@@ -241,7 +241,7 @@ const LONG: &str = "SELECT count(*) AS n FROM (SELECT unnest(range(0, 12)) AS k)
      JOIN motions AS b ON a.start_s < b.end_s + sin(a.start_s * b.start_s)";
 
 #[test]
-fn an_executor_that_dies_is_told_and_the_others_go_on() {
+fn when_an_executor_dies_its_statement_fails_and_others_answer() {
     let sources = Sources::write();
     let folder = tempfile::tempdir().unwrap();
     let mut cluster = Cluster::begin(folder.path(), 2, program);
@@ -282,7 +282,7 @@ fn an_executor_that_dies_is_told_and_the_others_go_on() {
 }
 
 #[test]
-fn a_scheduler_that_dies_while_it_is_asked_is_told() {
+fn a_statement_fails_when_its_scheduler_dies() {
     let sources = Sources::write();
     let folder = tempfile::tempdir().unwrap();
     let cluster = Cluster::begin(folder.path(), 1, program);

@@ -15,6 +15,7 @@ mod plan;
 mod robot;
 mod scenarios;
 mod session;
+mod srdf;
 mod timing;
 mod tool_meshes;
 mod tour;

@@ -45,7 +45,7 @@ pub(crate) struct FleetTable {
 /// A table as it is sent to others: they read the same files.
 #[cfg(feature = "cluster")]
 #[derive(Debug, Serialize, Deserialize)]
-pub(crate) struct Carried {
+pub(crate) struct SerializedTable {
     root: String,
     files: Vec<(String, FileEntry)>,
 }
@@ -96,7 +96,7 @@ impl FleetTable {
     /// # Errors
     /// If its files are where nobody else can read them.
     #[cfg(feature = "cluster")]
-    pub(crate) fn carried(&self) -> Result<Carried> {
+    pub(crate) fn serialized(&self) -> Result<SerializedTable> {
         let root = self.root.clone().ok_or_else(|| {
             DataFusionError::Plan(
                 "what is in the memory of one process cannot be asked by others".to_owned(),
@@ -104,7 +104,7 @@ impl FleetTable {
         })?;
         let files = self.files.iter();
         let files = files.map(|(path, file)| (path.to_string(), file.clone()));
-        Ok(Carried {
+        Ok(SerializedTable {
             root,
             files: files.collect(),
         })
@@ -115,12 +115,12 @@ impl FleetTable {
     /// # Errors
     /// A store that has no name.
     #[cfg(feature = "cluster")]
-    pub(crate) fn of_carried(schema: SchemaRef, carried: Carried) -> Result<Self> {
-        let files = carried.files.into_iter();
+    pub(crate) fn deserialize(schema: SchemaRef, table: SerializedTable) -> Result<Self> {
+        let files = table.files.into_iter();
         Ok(Self {
             schema,
-            store: ObjectStoreUrl::parse(&carried.root)?,
-            root: Some(carried.root),
+            store: ObjectStoreUrl::parse(&table.root)?,
+            root: Some(table.root),
             files: files.map(|(path, file)| (Path::from(path), file)).collect(),
         })
     }

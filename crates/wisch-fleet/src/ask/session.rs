@@ -213,10 +213,10 @@ impl Session {
     }
 
     /// An error of a statement, with where it was to be answered.
-    pub fn told(&self, error: FleetError) -> FleetError {
+    pub fn cluster_error(&self, error: FleetError) -> FleetError {
         #[cfg(feature = "cluster")]
         if let Some(cluster) = &self.cluster {
-            return crate::cluster::told(cluster, error);
+            return crate::cluster::cluster_error(cluster, error);
         }
         error
     }

@@ -1,6 +1,6 @@
 //! How the tables of a plan travel to the scheduler: files by name with their bounds, rows in memory as Arrow IPC.
 
-use crate::ask::provider::{Carried, FleetTable};
+use crate::ask::provider::{FleetTable, SerializedTable};
 use ballista_core::serde::BallistaLogicalExtensionCodec;
 use datafusion::arrow::datatypes::SchemaRef;
 use datafusion::arrow::ipc::reader::StreamReader;
@@ -53,8 +53,8 @@ impl LogicalExtensionCodec for TableCodec {
     ) -> Result<Arc<dyn TableProvider>> {
         match buf.split_first() {
             Some((&FILES, rest)) => {
-                let carried: Carried = serde_json::from_slice(rest).map_err(broken)?;
-                Ok(Arc::new(FleetTable::of_carried(schema, carried)?))
+                let table: SerializedTable = serde_json::from_slice(rest).map_err(broken)?;
+                Ok(Arc::new(FleetTable::deserialize(schema, table)?))
             }
             Some((&ROWS, rest)) => {
                 let batches = StreamReader::try_new(rest, None)?.collect::<Result<_, _>>()?;
@@ -72,7 +72,7 @@ impl LogicalExtensionCodec for TableCodec {
     ) -> Result<()> {
         if let Some(files) = provider.downcast_ref::<FleetTable>() {
             buf.push(FILES);
-            return serde_json::to_writer(buf, &files.carried()?).map_err(broken);
+            return serde_json::to_writer(buf, &files.serialized()?).map_err(broken);
         }
         if let Some(rows) = provider.downcast_ref::<MemTable>() {
             buf.push(ROWS);

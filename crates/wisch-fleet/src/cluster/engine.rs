@@ -51,13 +51,13 @@ impl ExecutionEngine for Engine {
         work_dir: &str,
         config: &SessionConfig,
     ) -> Result<Arc<dyn QueryStageExecutor>> {
-        if plan.exists(|node| Ok(keeps_count(node)))? {
+        if plan.exists(|node| Ok(emits_build_side(node)))? {
             return not_impl_err!(
                 "an outer, semi or anti join without an equation cannot be answered by several tasks: ask without a cluster"
             );
         }
         let has_union = plan.exists(|node| Ok(node.is::<UnionExec>()))?;
-        if plan.exists(|node| Ok(node.is::<UnionExec>() && is_whole(node)))? {
+        if plan.exists(|node| Ok(node.is::<UnionExec>() && needs_all_rows(node)))? {
             return not_impl_err!(
                 "rows of several sources, or of UNION ALL, of which some are of a sum, an order or a limit, cannot be put together by several tasks: ask without a cluster"
             );
@@ -79,20 +79,20 @@ impl ExecutionEngine for Engine {
 }
 
 /// Whether a part of it is of all rows at once, which each task would make, and none but for a join should.
-fn is_whole(node: &Arc<dyn ExecutionPlan>) -> bool {
+fn needs_all_rows(node: &Arc<dyn ExecutionPlan>) -> bool {
     if let Some(reader) = node.downcast_ref::<ShuffleReaderExec>() {
         return reader.broadcast;
     }
     let sides = node.children().into_iter();
-    if has_side_in_memory(node) {
-        return sides.skip(1).any(is_whole);
+    if collects_build_side(node) {
+        return sides.skip(1).any(needs_all_rows);
     }
     let required = node.input_distribution_requirements();
     node.is::<CoalescePartitionsExec>()
         || node.is::<SortPreservingMergeExec>()
         || (required.per_child_distributions())
             .any(|one| matches!(one, Distribution::SinglePartition))
-        || sides.into_iter().any(is_whole)
+        || sides.into_iter().any(needs_all_rows)
 }
 
 /// Whether it reads nothing, so that one task makes it.
@@ -103,7 +103,7 @@ fn is_constant(node: &Arc<dyn ExecutionPlan>) -> bool {
         || (!parts.is_empty() && parts.into_iter().all(is_constant))
 }
 
-fn has_side_in_memory(node: &Arc<dyn ExecutionPlan>) -> bool {
+fn collects_build_side(node: &Arc<dyn ExecutionPlan>) -> bool {
     let hash_join = node.downcast_ref::<HashJoinExec>();
     node.is::<NestedLoopJoinExec>()
         || node.is::<CrossJoinExec>()
@@ -111,7 +111,7 @@ fn has_side_in_memory(node: &Arc<dyn ExecutionPlan>) -> bool {
 }
 
 /// Whether it gives out rows of the side that it keeps in memory in the end, but may not have seen all of the other.
-fn keeps_count(node: &Arc<dyn ExecutionPlan>) -> bool {
+fn emits_build_side(node: &Arc<dyn ExecutionPlan>) -> bool {
     let kind = match node.downcast_ref::<NestedLoopJoinExec>() {
         Some(join) => join.join_type(),
         None => match node.downcast_ref::<HashJoinExec>() {
@@ -127,7 +127,7 @@ fn keeps_count(node: &Arc<dyn ExecutionPlan>) -> bool {
             | JoinType::LeftAnti
             | JoinType::LeftMark
     );
-    let sees_all = |other: &&Arc<dyn ExecutionPlan>| is_whole(other) || is_constant(other);
+    let sees_all = |other: &&Arc<dyn ExecutionPlan>| needs_all_rows(other) || is_constant(other);
     gives_out && !node.children().get(1).is_some_and(sees_all)
 }
 

@@ -15,7 +15,7 @@ mod stores;
 pub use address::Address;
 pub use executor::{ExecutorOptions, execute};
 pub use scheduler::{SchedulerOptions, schedule};
-pub(crate) use session::{on_cluster, told};
+pub(crate) use session::{cluster_error, on_cluster};
 
 /// A message is this long at most [bytes]: the files of a table are named in one, 300 bytes each.
 const MESSAGE: u32 = 256 << 20;

@@ -72,7 +72,7 @@ impl QueryPlanner for Planner {
 }
 
 /// What went wrong there, and where that is.
-pub(crate) fn told(address: &Address, error: FleetError) -> FleetError {
+pub(crate) fn cluster_error(address: &Address, error: FleetError) -> FleetError {
     match error {
         FleetError::Sql(error) => {
             let text = without_echo(&error.strip_backtrace());

@@ -218,21 +218,25 @@ fn a_round_says_among_which_plans_its_own_was_chosen() {
     );
 }
 
-#[test]
-fn a_task_that_nobody_can_do_has_a_head() {
-    let task = kit::board(Action::Collect, [0.6, 0.0, 0.2]);
+/// The head of a recording in which nothing happens.
+fn head(task: &Task, cell: Option<&Workcell>, appearance: Option<&Appearance>) -> Value {
     let mut recording = RecordingWriter::new(Vec::new());
     let head = RecordingHead {
         title: "board",
         program: "test 1",
-        task: &task,
+        task,
         strategy: Strategy::Adaptive,
         target: 0.9,
-        cell: None,
-        appearance: None,
+        cell,
+        appearance,
     };
     recording.begin(&head).expect("memory takes it");
-    let piece = &pieces(&recording.into_inner())[0];
+    pieces(&recording.into_inner()).remove(0)
+}
+
+#[test]
+fn a_task_that_nobody_can_do_has_a_head() {
+    let piece = head(&kit::board(Action::Collect, [0.6, 0.0, 0.2]), None, None);
     assert!(piece["robot"].is_null() && piece["tool"]["link"].is_null());
     let asked = piece["task"]["asked"].as_str().expect("words");
     assert!(asked.contains("90.0 %"), "{asked}");
@@ -242,20 +246,7 @@ fn a_task_that_nobody_can_do_has_a_head() {
 fn a_robot_is_shown_as_it_looks() {
     let task = kit::board(Action::Absorb, [0.6, 0.0, 0.2]);
     let cell = kit::cell(&task);
-    let head = |appearance: Option<&Appearance>| {
-        let mut recording = RecordingWriter::new(Vec::new());
-        let head = RecordingHead {
-            title: "board",
-            program: "test 1",
-            task: &task,
-            strategy: Strategy::Adaptive,
-            target: 0.9,
-            cell: Some(&cell),
-            appearance,
-        };
-        recording.begin(&head).expect("memory takes it");
-        pieces(&recording.into_inner()).remove(0)
-    };
+    let head = |appearance: Option<&Appearance>| head(&task, Some(&cell), appearance);
     let robot = cell.robot();
     let [first, second] = [0, 1].map(|i| robot.links()[i].name.as_str());
     let urdf = format!(
