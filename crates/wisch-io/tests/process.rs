@@ -119,7 +119,7 @@ fn the_documented_robot_wipes_until_touch_tells_no_more() {
     session.run(&mut child, &mut unobserved).expect("it ends");
     let last = session.rounds().last().expect("a round");
     // It only feels.
-    let gave_up = [Verdict::NoWay, Verdict::NoContact, Verdict::UnsafeMotion];
+    let gave_up = [Verdict::NoWay, Verdict::CannotBeTold, Verdict::UnsafeMotion];
     assert!(!gave_up.contains(&last.verdict), "{:?}", last.verdict);
     assert_eq!(last.execution.ending, Ending::Complete);
     assert!(last.interpretation.plane.is_some());

@@ -87,7 +87,7 @@ pub fn remember(header: &EpisodeHeader, rounds: &[EpisodeRound<'_>]) -> EpisodeR
         individual.values = action_values(header, first, last, rounds.len());
         individual.relations = participants(first);
         individual.relate("dul:executesTask", "#2".to_owned());
-        individual.relate("soma:hasExecutionState", state(last.verdict));
+        individual.relate_all("soma:hasExecutionState", state(last.verdict));
     }
     let interval = [header.start, record.time];
     let episode = &mut record.individuals[0];
@@ -205,7 +205,7 @@ fn describe(individual: &mut Individual, round: &EpisodeRound<'_>) {
     individual.set_text("semco:verdict", round.verdict.as_str());
     individual.set_text("semco:ending", round.ending.as_str());
     individual.relations = participants(round);
-    individual.relate("soma:hasExecutionState", state(round.verdict));
+    individual.relate_all("soma:hasExecutionState", state(round.verdict));
 }
 
 /// What the touch of a round tells.
@@ -407,12 +407,14 @@ fn shared(name: &str) -> String {
     format!("semco:{}", name.chars().map(plain).collect::<String>())
 }
 
-fn state(verdict: Verdict) -> String {
+/// Whether the execution succeeded or failed; nothing where that cannot be told.
+fn state(verdict: Verdict) -> Option<String> {
     let name = match verdict {
         Verdict::GoalMet => "Succeeded",
+        Verdict::CannotBeTold | Verdict::UnknowableByTouch => return None,
         _ => "Failed",
     };
-    format!("soma:ExecutionState_{name}")
+    Some(format!("soma:ExecutionState_{name}"))
 }
 
 impl Individual {
@@ -442,6 +444,13 @@ impl Individual {
     fn relate(&mut self, property: &str, object: String) {
         let objects = self.relations.entry(property.to_owned()).or_default();
         objects.push(object);
+    }
+
+    /// Relates to each of these, if there are any.
+    fn relate_all(&mut self, property: &str, objects: impl IntoIterator<Item = String>) {
+        for object in objects {
+            self.relate(property, object);
+        }
     }
 
     fn estimate(&mut self, interpretation: &Interpretation) {

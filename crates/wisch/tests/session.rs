@@ -257,7 +257,7 @@ fn a_toy_that_feels_nothing_ends_without_contact() {
     let mut toy = Toy::new(0.0);
     session.run(&mut toy, &mut unobserved).expect("it ends");
     assert_eq!(toy.executed, 1);
-    assert_eq!(session.rounds()[0].verdict, Verdict::NoContact);
+    assert_eq!(session.rounds()[0].verdict, Verdict::CannotBeTold);
 }
 
 #[test]

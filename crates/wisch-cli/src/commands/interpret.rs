@@ -128,15 +128,9 @@ fn remarks(log: &Log, prepared: &Prepared, interpretation: &Interpretation) -> V
             ));
         }
     }
-    // Where no plane was found, the surface's line says why.
-    if interpretation.plane.is_some() && !interpretation.doubts.is_empty() {
-        let doubts = interpretation.doubts.iter().map(ToString::to_string);
-        let doubts: Vec<String> = doubts.collect();
-        let doubts = doubts.join("; ");
-        remarks.push(format!(
-            "this does not look like wiping of this surface: {doubts}"
-        ));
-    }
+    // The others say why nothing can be told, beside the performance.
+    let assumed = (interpretation.doubts.iter()).filter(|doubt| !doubt.is_decisive());
+    remarks.extend(assumed.map(ToString::to_string));
     remarks
 }
 
@@ -370,9 +364,11 @@ fn in_words(record: &InterpretationRecord, out: &Path) -> String {
         ),
         ("surface", surface_in_words(record)),
         (
-            "force bias",
+            "force",
             format!(
-                "{:+.2} N on the tool along the normal, taken off",
+                "{}bias {:+.2} N on the tool along the normal, taken off",
+                (record.pressed_force_n)
+                    .map_or_else(String::new, |force| format!("pressed with {force:.1} N; ")),
                 record.force_bias_n
             ),
         ),
@@ -412,18 +408,27 @@ fn in_words(record: &InterpretationRecord, out: &Path) -> String {
 }
 
 fn performance_in_words(record: &InterpretationRecord) -> String {
-    let is_open = record.estimated_high >= record.target_performance;
-    let verdict = match (record.goal_met, record.seen) {
-        (true, _) => "met",
-        (false, None) if is_open => "cannot be told by touch alone: --seen takes what a camera saw",
-        (false, _) => "not met",
+    let [low, high, target] = [
+        record.estimated_low,
+        record.estimated_high,
+        record.target_performance,
+    ]
+    .map(percent);
+    if !record.can_be_told {
+        return format!(
+            "cannot be told: {} ({low} to {high} is possible, target {target})",
+            record.reason
+        );
+    }
+    let advice = match record.verdict {
+        "cannot be told" => "; --seen takes what a camera saw",
+        _ => "",
     };
     format!(
-        "{} estimated, {} to {} with 90 % probability (target {}: {verdict})",
+        "{} estimated, {low} to {high} with 90 % probability (target {target}: {}; {}{advice})",
         percent(record.estimated),
-        percent(record.estimated_low),
-        percent(record.estimated_high),
-        percent(record.target_performance),
+        record.verdict,
+        record.reason,
     )
 }
 
@@ -431,13 +436,8 @@ fn surface_in_words(record: &InterpretationRecord) -> String {
     let (Some(plane), Some(tilt), Some(offset)) =
         (&record.plane, record.plane_tilt_rad, record.plane_offset_m)
     else {
-        if record.doubts.is_empty() {
-            let advice = "did the tool press? then see --wrench-frame and --wrench-sign";
-            return format!("not found: too few confident contacts ({advice})");
-        }
-        let doubts = record.doubts.join("; ");
-        let advice = "are surface.position_m and --world-from-log right?";
-        return format!("not found: too few confident contacts ({doubts}; {advice})");
+        let advice = "see --wrench-frame, --wrench-sign, surface.position_m and --world-from-log";
+        return format!("not found: no contact ({advice})");
     };
     let tilt = match plane.tilt_directions {
         0 => "tilt unknown, as the contacts lie in one place".to_owned(),

@@ -4,7 +4,7 @@ use super::job::Done;
 use super::prepare::Prepared;
 use super::words::{counted, percent};
 use wisch::interpret::EventKind;
-use wisch::recover::Verdict;
+use wisch::recover::{Claim, Verdict};
 use wisch::run::Ending;
 use wisch_io::RoundSummary;
 use wisch_report::{RoundView, RoundsInput};
@@ -45,18 +45,18 @@ pub fn input<'a>(
 }
 
 /// The rounds, one line each, for people.
-pub fn rounds_in_words(done: &[Done]) -> Vec<(&'static str, String)> {
+pub fn rounds_in_words(done: &[Done], target: f64) -> Vec<(&'static str, String)> {
     done.iter()
         .map(|done| {
             let round = &done.round;
             let interpretation = &round.interpretation;
             let estimate = &interpretation.performance;
-            let mut text = format!(
-                "estimated {} ({} to {})",
-                percent(estimate.mean),
-                percent(estimate.low),
-                percent(estimate.high)
-            );
+            let interval = format!("{} to {}", percent(estimate.low), percent(estimate.high));
+            let mut text = if interpretation.can_be_told() {
+                format!("estimated {} ({interval})", percent(estimate.mean))
+            } else {
+                format!("what was wiped cannot be told ({interval} is possible)")
+            };
             if let Some(truth) = done.true_performance {
                 text += &format!(", true {}", percent(truth));
             }
@@ -88,12 +88,8 @@ pub fn rounds_in_words(done: &[Done]) -> Vec<(&'static str, String)> {
             }
             text += &format!(": {}", round.verdict.as_str());
             if round.verdict == Verdict::UnknowableByTouch {
-                let estimate = &round.interpretation.performance;
-                text += &format!(
-                    " (look, or accept {} to {})",
-                    percent(estimate.low),
-                    percent(estimate.high)
-                );
+                let claim = Claim::of(&round.interpretation.distribution, target);
+                text += &format!(" ({claim}; a camera would tell)");
             }
             let number = round.motion.number;
             (

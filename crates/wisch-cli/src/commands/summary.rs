@@ -86,13 +86,11 @@ fn treatment(prepared: &Prepared, results: &Results) -> Option<TreatmentSummary>
 pub(super) fn in_words(summary: &Summary, rounds: &[Done], out: &Path) -> String {
     let mut lines = vec![];
     if let Some(prediction) = &summary.prediction {
-        let is_open = rounds
-            .last()
-            .is_some_and(|done| done.round.verdict == Verdict::UnknowableByTouch);
-        let verdict = match prediction.goal_met {
-            true => "met",
-            false if is_open => "cannot be told by touch alone",
-            false => "not met",
+        let verdict = match rounds.last().map(|done| done.round.verdict) {
+            _ if prediction.goal_met => "met",
+            Some(Verdict::UnknowableByTouch) => "cannot be told by touch alone",
+            Some(Verdict::CannotBeTold) => "cannot be told",
+            _ => "not met",
         };
         let (word, performance) = match &summary.execution {
             Some(execution) => ("estimated", execution.final_estimated),
@@ -112,7 +110,7 @@ pub(super) fn in_words(summary: &Summary, rounds: &[Done], out: &Path) -> String
                 percent(prediction.target_performance),
             ),
         ));
-        lines.extend(rounds_in_words(rounds));
+        lines.extend(rounds_in_words(rounds, prediction.target_performance));
         if summary.execution.is_some() {
             let predicted = percent(prediction.predicted_performance);
             lines.push(("predicted", format!("{predicted} for the first round")));

@@ -2,8 +2,8 @@
 
 use super::plan::PoseRecord;
 use serde::Serialize;
-use wisch::interpret::{Diagnosis, Event, EventKind, FittedPlane, Interpretation};
-use wisch::recover::is_claimable;
+use wisch::interpret::{Diagnosis, Doubt, Event, EventKind, FittedPlane, Interpretation};
+use wisch::recover::{Claim, Verdict, judge_log};
 
 /// The format's name.
 pub const INTERPRETATION_FORMAT: &str = "wisch-interpretation";
@@ -25,13 +25,20 @@ pub struct InterpretationRecord {
     pub estimated: f64,
     /// Its 5th percentile.
     pub estimated_low: f64,
-    /// Its 95th percentile.
+    /// Its 95th percentile; 1 where the log begins or ends while the tool presses, as more may have been wiped.
     pub estimated_high: f64,
     /// Share from which on the goal is met.
     pub target_performance: f64,
     /// Whether the goal may be claimed: the mean reaches the target, and that less than ten points below it are reached is
     /// improbable (0.2 % at most).
     pub goal_met: bool,
+    /// "met", "not met", or "cannot be told": the log does not say what was wiped, or touch alone cannot tell whether the
+    /// target is reached. Where the log does not say it, the interval is that of not knowing.
+    pub verdict: &'static str,
+    /// Whether the log, or what was seen afterwards, says what was wiped.
+    pub can_be_told: bool,
+    /// The rule that decides, with its numbers, or why nothing can be told.
+    pub reason: String,
     /// How many detections there were where dirt was looked for after the log; null where nothing looked.
     pub seen: Option<usize>,
     /// How many replays were made.
@@ -54,6 +61,8 @@ pub struct InterpretationRecord {
     pub world_from_surface: Option<PoseRecord>,
     /// What the sensor adds to the force on the tool along the surface's outward normal, which was taken off.
     pub force_bias_n: f64,
+    /// Force with which the tool mostly pressed while it slid over one plane; null where no such plane was found.
+    pub pressed_force_n: Option<f64>,
     /// What is believed of the tool's stiffness by now; null of a tool that does not give way.
     pub tool_stiffness: Option<ToolStiffnessRecord>,
     /// What happened, by start.
@@ -151,6 +160,9 @@ impl InterpretationRecord {
     ) -> Self {
         let performance = interpretation.performance;
         let is_collision = |event: &&Event| event.kind == EventKind::Collision;
+        let is_cut = interpretation.observation.is_none()
+            && interpretation.doubts.iter().any(Doubt::is_cut);
+        let (verdict, reason) = verdict(interpretation, target_performance);
         Self {
             format: INTERPRETATION_FORMAT,
             schema: SCHEMA,
@@ -158,9 +170,12 @@ impl InterpretationRecord {
             action: task.action.to_string(),
             estimated: performance.mean,
             estimated_low: performance.low,
-            estimated_high: performance.high,
+            estimated_high: if is_cut { 1.0 } else { performance.high },
             target_performance,
-            goal_met: is_claimable(&interpretation.distribution, target_performance),
+            goal_met: verdict == "met",
+            verdict,
+            can_be_told: interpretation.can_be_told(),
+            reason,
             seen: interpretation
                 .observation
                 .as_ref()
@@ -181,6 +196,7 @@ impl InterpretationRecord {
             },
             // No bias is 0, not -0.
             force_bias_n: interpretation.force_bias + 0.0,
+            pressed_force_n: interpretation.pressed_force,
             tool_stiffness: interpretation
                 .tool_stiffness
                 .map(|stiffness| ToolStiffnessRecord {
@@ -217,6 +233,22 @@ impl EventRecord {
             peak_force_n: event.peak_force,
             peak_height_m: event.peak_height,
         }
+    }
+}
+
+/// Whether the target is reached, and why.
+fn verdict(interpretation: &Interpretation, target: f64) -> (&'static str, String) {
+    let claim = Claim::of(&interpretation.distribution, target).to_string();
+    match judge_log(interpretation, target) {
+        Verdict::GoalMet => ("met", claim),
+        Verdict::CannotBeTold => {
+            let decisive =
+                (interpretation.doubts.iter()).filter(|doubt| doubt.is_decisive() || doubt.is_cut());
+            let causes: Vec<String> = decisive.map(ToString::to_string).collect();
+            ("cannot be told", causes.join("; "))
+        }
+        Verdict::UnknowableByTouch => ("cannot be told", claim),
+        _ => ("not met", claim),
     }
 }
 

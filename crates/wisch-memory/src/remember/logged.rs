@@ -4,7 +4,7 @@ use super::log::Span;
 use super::{EpisodeHeader, RoundContext, class_of, describe_touch, goal_of, state, things_of};
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin};
 use wisch::interpret::Interpretation;
-use wisch::recover::Verdict;
+use wisch::recover::judge_log;
 use wisch::represent::{GoalState, Task};
 
 /// Place of the one round in the record.
@@ -22,12 +22,7 @@ pub fn remember_log(
     interpretation: &Interpretation,
 ) -> EpisodeRecord {
     let during = [header.start, header.start + duration];
-    let is_met = interpretation.plane.is_some() && interpretation.performance.mean >= header.target;
-    let verdict = if is_met {
-        Verdict::GoalMet
-    } else {
-        Verdict::Again
-    };
+    let verdict = judge_log(interpretation, header.target);
     let mut episode = Individual::new("semco:WipingEpisode", None);
     episode.set_text("semco:taskName", &task.name);
     episode.set_number("semco:seed", header.seed as f64);
@@ -38,12 +33,12 @@ pub fn remember_log(
     action.set_text("semco:goal", &goal_of(task, goal));
     action.relations = things_of(task);
     action.relate("dul:executesTask", "#2".to_owned());
-    action.relate("soma:hasExecutionState", state(verdict));
+    action.relate_all("soma:hasExecutionState", state(verdict));
     let mut round = Individual::new("semco:WipingRound", Some(1));
     describe_touch(&mut round, interpretation);
     round.set_number("semco:round", 1.0);
     round.relations = things_of(task);
-    round.relate("soma:hasExecutionState", state(verdict));
+    round.relate_all("soma:hasExecutionState", state(verdict));
     let mut individuals = vec![
         episode,
         action,

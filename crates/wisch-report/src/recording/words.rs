@@ -5,7 +5,7 @@ use crate::rounds::words::{diagnosis, interval, tally};
 use wisch::follow::{Audit, Followed};
 use wisch::interpret::{Doubt, EventKind};
 use wisch::plan::Plan;
-use wisch::recover::Verdict;
+use wisch::recover::{Claim, Verdict};
 use wisch::represent::{Action, Task};
 use wisch::run::{Ending, Round};
 
@@ -122,36 +122,38 @@ pub(super) fn judged(round: &Round, target: f64) -> Vec<String> {
         ));
     } else {
         let felt = interval(found.performance);
-        sentences.push(format!("By touch, {felt} is where it belongs."));
+        sentences.push(if found.can_be_told() {
+            format!("By touch, {felt} is where it belongs.")
+        } else {
+            format!("What was wiped cannot be told from this log: {felt} is possible.")
+        });
     }
-    sentences.push(follows(round.verdict, target));
+    sentences.push(follows(round, target));
     sentences
 }
 
 /// What follows, and why.
-fn follows(verdict: Verdict, target: f64) -> String {
-    let wanted = percent(target);
-    match verdict {
-        Verdict::GoalMet => {
-            format!("That meets the {wanted} that were wanted, and hardly can be far less.")
+fn follows(round: &Round, target: f64) -> String {
+    let claim = Claim::of(&round.interpretation.distribution, target);
+    match round.verdict {
+        Verdict::GoalMet => format!("The goal is met: {claim}."),
+        Verdict::Again => format!("The goal is not met yet: {claim}."),
+        Verdict::NoProgress => {
+            format!("The goal is not met ({claim}), and this round has not raised the estimate.")
         }
-        Verdict::Again => format!("{wanted} were wanted, and wiping again is expected to help."),
-        Verdict::NoProgress => "Wiping again no longer helps: the estimate stays.".to_owned(),
-        Verdict::NothingToGain => {
-            "No plan is expected to do any better: what is missing has left the surface, or would."
-                .to_owned()
-        }
+        Verdict::NothingToGain => format!(
+            "The goal is not met ({claim}), and no plan is expected to do any better: what is missing has left the surface, or would."
+        ),
         Verdict::NoWay => "The robot finds no plan or motion to wipe again.".to_owned(),
         Verdict::UnsafeMotion => {
             "The motion that would wipe again fails its check, and is not executed.".to_owned()
         }
-        Verdict::NoContact => {
-            "The surface was not felt, so nothing is known of the effect.".to_owned()
+        Verdict::CannotBeTold => {
+            "Whether the goal is met cannot be told: the log does not say what was wiped.".to_owned()
         }
-        Verdict::UnknowableByTouch => {
-            "Whether the goal is met, touch cannot tell, and wiping again would not change that."
-                .to_owned()
-        }
+        Verdict::UnknowableByTouch => format!(
+            "Whether the goal is met, touch cannot tell ({claim}), and wiping again would not change that."
+        ),
     }
 }
 

@@ -320,6 +320,7 @@ fn interpretation(
         },
         events: events(path),
         force_bias: 0.12,
+        pressed_force: Some(10.0),
         tool_stiffness: None,
         contact_share: contact as f64 / near.max(1) as f64,
         belief,

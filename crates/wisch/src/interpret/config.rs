@@ -276,6 +276,34 @@ impl InterpretConfig {
         Ok(())
     }
 
+    /// The same for a log in which this force counts as the nominal one [N]: the tool gives way under it as far as it does
+    /// under the declared one.
+    #[must_use]
+    pub(super) fn with_reference_force(&self, reference: f64) -> Self {
+        let ratio = reference / self.nominal_force();
+        let mut config = self.clone();
+        if ratio == 1.0 {
+            return config;
+        }
+        config.min_normal_force_n = -reference;
+        if let ToolCompliance::Spring {
+            stiffness_n_per_m, ..
+        } = &mut config.compliance
+        {
+            *stiffness_n_per_m *= ratio;
+        }
+        // Whatever makes forces larger makes noise and friction larger too.
+        let larger = ratio.max(1.0);
+        config.force_noise_n *= larger;
+        for force in [
+            &mut config.events.tangential_margin_n,
+            &mut config.events.free_force_n,
+        ] {
+            *force = force.map(|newtons| newtons * larger);
+        }
+        config
+    }
+
     /// Force with which the tool is to press [N].
     pub(super) fn nominal_force(&self) -> f64 {
         -self.min_normal_force_n

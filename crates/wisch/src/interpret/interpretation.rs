@@ -39,6 +39,9 @@ pub struct Interpretation {
     /// What the sensor adds to the force on the tool along the surface's outward normal, as found in free motion and
     /// taken off [N]; 0 where the log shows no free motion.
     pub force_bias: f64,
+    /// Force with which the tool mostly pressed while it slid over one plane [N], by the log itself; nothing where no such
+    /// plane was found.
+    pub pressed_force: Option<f64>,
     /// What is believed of the tool's stiffness after this log and those before it; nothing of a tool that does not give way.
     pub tool_stiffness: Option<ToolStiffness>,
     /// Time in contact over the time that the tool was on or near the surface.
@@ -56,6 +59,14 @@ pub struct Interpretation {
 }
 
 impl Interpretation {
+    /// Whether the log, or what was seen afterwards, says what was wiped. If not, the belief holds what is possible, and
+    /// the doubts say why, the most likely cause first.
+    pub fn can_be_told(&self) -> bool {
+        let is_felt = self.diagnosis != Diagnosis::NoContact
+            && !self.doubts.iter().any(Doubt::is_decisive);
+        is_felt || self.observation.is_some()
+    }
+
     /// Takes in a look at the surface after the log.
     pub fn look(&mut self, look: &Look<'_>) {
         self.belief = self.belief.seen(look);

@@ -3,10 +3,10 @@
 use super::belief::{Belief, ContactEvidence, Exposure, Replay};
 use super::config::InterpretConfig;
 use super::contact::{
-    ClassifiedPath, ContactClassifier, Downsampler, FittedPlane, MeasuredStiffness, PlaneFit,
-    StiffnessBelief, TouchSample, middle,
+    ClassifiedPath, ContactClassifier, Downsampler, FittedPlane, ForceReading,
+    MeasuredStiffness, PlaneFit, StiffnessBelief, TouchSample, middle,
 };
-use super::doubt::{Doubt, doubts};
+use super::doubt::{Doubt, LogEvidence};
 use super::error::InterpretError;
 use super::events::{Event, EventDetector};
 use super::interpretation::{Diagnosis, Interpretation};
@@ -144,7 +144,7 @@ impl Interpreter {
         let evidence = understood.evidence(self);
         let prior = StiffnessBelief::prior(self.config.uncertainty.stiffness_share);
         let stiffness = (believed.stiffness().unwrap_or(prior)).updated(understood.stiffness);
-        let replay = self.replay(goal.action().effect(), stiffness);
+        let replay = self.replay(goal.action().effect(), stiffness, &understood);
         let belief = replay.run(believed, &evidence);
         // Without a touch, what was certain stays certain.
         let is_untouched = evidence.is_untouched() && believed.is_certain();
@@ -153,21 +153,32 @@ impl Interpreter {
         } else {
             self.config.uncertainty.model_share
         };
-        let distribution = belief.performance(goal, &self.surface, deviation);
+        let mut distribution = belief.performance(goal, &self.surface, deviation);
+        let mut understood = understood;
+        for doubt in &mut understood.doubts {
+            if let Doubt::PressedOtherwise { matters, .. } = doubt {
+                *matters = replay.difference_by_scale(&belief, goal);
+            }
+        }
+        let is_unscaled = |doubt: &Doubt| !matches!(doubt, Doubt::PressedOtherwise { .. });
+        if understood.doubts.iter().any(|doubt| doubt.is_decisive() && is_unscaled(doubt)) {
+            distribution = distribution.or_unknown(self.config.uncertainty.misread_share);
+        }
         let Understood {
             classified,
             believed_from_real,
             events,
             contact_share,
             doubts,
-            stiffness: _,
+            ..
         } = understood;
         Ok(Interpretation {
             diagnosis: self.diagnosis(&classified, &believed_from_real),
             events,
             contact_share,
             doubts,
-            force_bias: classified.bias.z,
+            force_bias: understood.force_bias,
+            pressed_force: understood.pressed,
             tool_stiffness: self
                 .config
                 .stiffness()
@@ -199,16 +210,20 @@ impl Interpreter {
         let understood = self.understood();
         let evidence = understood.evidence(self);
         let prior = StiffnessBelief::prior(self.config.uncertainty.stiffness_share);
-        let replay = self.replay(effect, prior.updated(understood.stiffness));
+        let replay = self.replay(effect, prior.updated(understood.stiffness), &understood);
         Ok(replay.exposures(&particles, &evidence, deviation, guesses))
     }
 
     fn understood(&self) -> Understood {
-        let pieces = self.downsampler.pieces();
+        let measured = self.downsampler.pieces();
+        let reading = ForceReading::of(measured, &self.config);
+        let pieces = &reading.applied(measured, &self.config);
+        let reference = reading.reference_force(self.config.nominal_force());
+        let config = self.config.with_reference_force(reference);
         let classifier = ContactClassifier {
             surface: &self.surface,
             reach: self.reach(),
-            config: &self.config,
+            config: &config,
         };
         let classified = classifier.classify(pieces);
         let believed_from_real = classified
@@ -222,32 +237,48 @@ impl Interpreter {
             &classified,
             &self.surface,
             &self.footprint,
-            &self.config,
+            reading.noise,
+            &config,
         );
         let (mut events, contact_share) = (detector.events(), detector.contact_share());
-        let doubts = doubts(
-            &classified,
-            &events,
+        let evidence = LogEvidence {
+            pieces,
+            reading: &reading,
+            classified: &classified,
+            events: &events,
             contact_share,
-            &self.surface,
-            &self.config,
-        );
-        if (doubts.iter()).any(|doubt| matches!(doubt, Doubt::PressedFarOff { .. })) {
-            // What is felt up there is a surface, and no hand.
+            surface: &self.surface,
+            declared: &self.config,
+            config: &config,
+        };
+        let doubts = evidence.doubts();
+        let is_low = (classified.plane.is_none() && config.gap_m == 0.0)
+            .then(|| evidence.is_low())
+            .unwrap_or_default();
+        let is_other_surface = |doubt: &Doubt| {
+            matches!(doubt, Doubt::PressedFarOff { .. } | Doubt::Curved { .. })
+        };
+        if doubts.iter().any(is_other_surface) {
+            // What is felt off the plane is a surface, and no hand.
             events.retain(|event| !event.kind.is_by_hand());
         }
         if self.config.gap_m > 0.0 {
             // What hovers has no contact to begin or to lose.
             events.retain(|event| event.kind.is_by_hand());
         }
-        let stiffness = self.stiffness(&classified, &events);
+        let stiffness = self.stiffness(&classified, &events, &config);
         Understood {
+            force_bias: reading.normal_bias(measured),
+            pressed: reading.pressed,
+            force_ratio: reference / self.config.nominal_force(),
+            config,
             classified,
             believed_from_real,
             events,
             contact_share,
             doubts,
             stiffness,
+            is_low,
         }
     }
 
@@ -256,6 +287,7 @@ impl Interpreter {
         &self,
         classified: &ClassifiedPath,
         events: &[Event],
+        config: &InterpretConfig,
     ) -> Option<MeasuredStiffness> {
         classified.plane.as_ref()?;
         let path = &classified.path;
@@ -271,14 +303,20 @@ impl Interpreter {
         };
         MeasuredStiffness::of(
             path,
-            self.config.nominal_force(),
-            self.config.nominal_compression(),
+            config.nominal_force(),
+            config.nominal_compression(),
             |i| is_carried(i) && !is_pushed(i),
         )
     }
 
-    fn replay(&self, effect: Effect, stiffness: StiffnessBelief) -> Replay<'_> {
+    fn replay(
+        &self,
+        effect: Effect,
+        stiffness: StiffnessBelief,
+        understood: &Understood,
+    ) -> Replay<'_> {
         Replay {
+            force_ratio: understood.force_ratio,
             footprint: &self.footprint,
             effect,
             surface: &self.surface,
@@ -311,12 +349,22 @@ impl Interpreter {
 
 /// What the samples tell before it is asked what they did.
 struct Understood {
+    /// What the sensor adds along the normal [N].
+    force_bias: f64,
+    /// With which force the tool mostly pressed [N].
+    pressed: Option<f64>,
+    /// The force that counts as nominal in this log over the declared one [1].
+    force_ratio: f64,
+    /// The settings with the log's own nominal force.
+    config: InterpretConfig,
     classified: ClassifiedPath,
     believed_from_real: Pose,
     events: Vec<Event>,
     contact_share: f64,
     doubts: Vec<Doubt>,
     stiffness: Option<MeasuredStiffness>,
+    /// Where the tool was so low that it may have touched, if no contact was found; empty otherwise.
+    is_low: Vec<bool>,
 }
 
 impl Understood {
@@ -332,8 +380,9 @@ impl Understood {
             trusted,
             interpreter.footprint.bounds(),
             self.believed_from_real.inverse(),
-            &interpreter.config,
+            &self.config,
         )
+        .or_low(&self.is_low)
     }
 }
 

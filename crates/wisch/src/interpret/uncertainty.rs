@@ -45,6 +45,12 @@ pub struct Uncertainty {
     pub kept_share: f64,
     /// ℓ, as the standard deviation of its logarithm [1].
     pub redraw_share: f64,
+    /// Share of the members in which a tool that pressed with another force than the declared one pressed as it should, and
+    /// the sensor or the declaration has another scale [1]; the others take the force for what it is.
+    pub rescaled_share: f64,
+    /// Share of the members in which a log is misread that shows no contact although the tool was near the surface [1]: in
+    /// these it touched wherever it was low.
+    pub misread_share: f64,
     /// What all this leaves out, as the standard deviation of a performance [1].
     pub model_share: f64,
 }
@@ -68,6 +74,8 @@ impl Uncertainty {
         law_outlier_share: 0.0,
         kept_share: 0.0,
         redraw_share: 0.0,
+        rescaled_share: 0.0,
+        misread_share: 0.0,
         model_share: 0.0,
     };
 
@@ -104,7 +112,7 @@ impl Uncertainty {
         fields.try_for_each(|field| within((field.path, *field.value, field.range)))
     }
 
-    fn fields(&mut self) -> [Field<'_>; 17] {
+    fn fields(&mut self) -> [Field<'_>; 19] {
         let share = (0.0, 1.0, "0 to 1");
         let metre = (0.0, 1.0, "0 to 1 m");
         let turn = (0.0, 1.0, "0 to 1 rad");
@@ -151,6 +159,8 @@ impl Uncertainty {
             ),
             ("uncertainty.kept_share", &mut self.kept_share, share),
             ("uncertainty.redraw_share", &mut self.redraw_share, depth),
+            ("uncertainty.rescaled_share", &mut self.rescaled_share, share),
+            ("uncertainty.misread_share", &mut self.misread_share, share),
             ("uncertainty.model_share", &mut self.model_share, share),
         ]
         .map(|(path, value, range)| Field { path, value, range })
@@ -211,6 +221,8 @@ impl Default for Uncertainty {
             law_outlier_share: 0.0,
             kept_share: 0.5,
             redraw_share: 0.5,
+            rescaled_share: 0.3,
+            misread_share: 0.5,
             model_share: 0.015,
         }
     }

@@ -8,5 +8,5 @@ pub use next_task::{
     unfinished,
 };
 pub use verdict::{
-    FALSE_BY, FALSE_CLAIMS, LEAST_PROGRESS, Pace, RoundJudge, RoundOutcome, Verdict, is_claimable,
+    Claim, FALSE_BY, FALSE_CLAIMS, LEAST_PROGRESS, Pace, RoundJudge, RoundOutcome, Verdict, is_claimable, judge_log,
 };

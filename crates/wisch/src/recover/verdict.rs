@@ -1,6 +1,7 @@
 //! Whether the goal is met, and what follows if it is not.
 
-use crate::interpret::{Diagnosis, Interpretation, PerformanceDistribution};
+use crate::interpret::{Diagnosis, Doubt, Interpretation, PerformanceDistribution};
+use std::fmt;
 
 /// An estimate that rises by less than this is no progress [1].
 pub const LEAST_PROGRESS: f64 = 0.005;
@@ -37,8 +38,9 @@ pub enum Verdict {
     NoWay,
     /// The motion that was found for the next round fails its audit, and is not executed.
     UnsafeMotion,
-    /// The surface was not felt in the first round, and nobody was in the way: nothing is known of the effect.
-    NoContact,
+    /// The log does not say what was wiped: no contact was found in it, or its doubts speak against what was found. It is
+    /// neither success nor failure.
+    CannotBeTold,
     /// The goal may be met or not: wiping again is expected to change nothing, and touch cannot tell. Of a tool that hovers it
     /// never can.
     UnknowableByTouch,
@@ -54,7 +56,7 @@ impl Verdict {
             Self::NoWay => "no way to wipe again",
             Self::NothingToGain => "nothing to gain",
             Self::UnsafeMotion => "unsafe motion",
-            Self::NoContact => "no contact",
+            Self::CannotBeTold => "cannot be told",
             Self::UnknowableByTouch => "unknowable by touch",
         }
     }
@@ -63,7 +65,89 @@ impl Verdict {
 /// Whether the goal may be claimed: it is expected to be met, and the performance is hardly farther than [`FALSE_BY`] below
 /// the target.
 pub fn is_claimable(believed: &PerformanceDistribution, target: f64) -> bool {
-    believed.mean() >= target && believed.probability_below(target - FALSE_BY) <= FALSE_CLAIMS
+    Claim::of(believed, target).holds()
+}
+
+/// The rule by which a goal is claimed, with the numbers that decide.
+///
+/// ```
+/// use wisch::interpret::PerformanceDistribution;
+/// use wisch::recover::Claim;
+/// let believed = PerformanceDistribution::of_shares([(0.7, 1.0), (0.98, 19.0)], 0.0);
+/// let claim = Claim::of(&believed, 0.95);
+/// assert!(!claim.holds());
+/// assert_eq!(
+///     claim.to_string(),
+///     "96.6 % expected reaches the target of 95.0 %, but less than 85.0 % has a probability of 5.0 %, and a claim allows 0.2 %"
+/// );
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Claim {
+    expected: f64,
+    target: f64,
+    /// Probability that the performance is farther than [`FALSE_BY`] below the target [1].
+    far_below: f64,
+}
+
+impl Claim {
+    /// Of a belief about the performance and a target [1].
+    pub fn of(believed: &PerformanceDistribution, target: f64) -> Self {
+        Self {
+            expected: believed.mean(),
+            target,
+            far_below: believed.probability_below(target - FALSE_BY),
+        }
+    }
+
+    /// Whether the goal may be claimed.
+    pub fn holds(&self) -> bool {
+        self.expected >= self.target && self.far_below <= FALSE_CLAIMS
+    }
+}
+
+impl fmt::Display for Claim {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let percent = |share: f64| format!("{:.1} %", 100.0 * share);
+        let [expected, target] = [self.expected, self.target].map(percent);
+        if self.expected < self.target {
+            return write!(f, "{expected} expected is below the target of {target}");
+        }
+        let tail = percent((self.target - FALSE_BY).max(0.0));
+        let allowed = percent(FALSE_CLAIMS);
+        if self.holds() {
+            return write!(
+                f,
+                "{expected} expected reaches the target of {target}, and less than {tail} has a probability of at most {allowed}"
+            );
+        }
+        // Never as little as is allowed, which it is more than.
+        let found = (1e3 * self.far_below).ceil().max(1e3 * FALSE_CLAIMS + 1.0) / 10.0;
+        write!(
+            f,
+            "{expected} expected reaches the target of {target}, but less than {tail} has a probability of {found:.1} %, and a claim allows {allowed}"
+        )
+    }
+}
+
+/// Judges a log by itself, of which no round came before: [`Verdict::GoalMet`], [`Verdict::CannotBeTold`],
+/// [`Verdict::UnknowableByTouch`], or [`Verdict::Again`] where the goal is not met.
+pub fn judge_log(interpretation: &Interpretation, target: f64) -> Verdict {
+    let is_seen = interpretation.observation.is_some();
+    // What was wiped before a log begins, or after it ends, may be what is missing.
+    let is_cut = !is_seen && interpretation.doubts.iter().any(Doubt::is_cut);
+    if !interpretation.can_be_told() {
+        Verdict::CannotBeTold
+    } else if is_claimable(&interpretation.distribution, target)
+        && (is_seen || interpretation.diagnosis != Diagnosis::Hovering)
+    {
+        Verdict::GoalMet
+    } else if is_cut {
+        Verdict::CannotBeTold
+    } else if !is_seen && interpretation.performance.high >= target {
+        Verdict::UnknowableByTouch
+    } else {
+        Verdict::Again
+    }
 }
 
 /// What is known of a round when it is judged.
@@ -128,17 +212,18 @@ impl RoundJudge {
         let is_elsewhere = matches!(interpretation.diagnosis, Diagnosis::Relocalize { .. });
         self.low_before = estimate.low;
         let is_hovering = interpretation.diagnosis == Diagnosis::Hovering;
-        let is_felt = interpretation.plane.is_some() || is_hovering;
-        if !is_felt && !is_seen && (is_disturbed || self.is_first) {
+        let is_told = interpretation.can_be_told();
+        let is_felt = is_seen || interpretation.diagnosis != Diagnosis::NoContact;
+        if !is_felt && (is_disturbed || self.is_first) {
             self.is_first = false;
             return if is_disturbed {
                 Verdict::Again
             } else {
-                Verdict::NoContact
+                Verdict::CannotBeTold
             };
         }
         self.is_first = false;
-        let is_shown = is_seen || !is_disturbed;
+        let is_shown = is_seen || (is_told && !is_disturbed);
         if is_shown && is_claimable(&interpretation.distribution, self.target) {
             return if is_seen || !is_hovering {
                 Verdict::GoalMet
@@ -167,7 +252,9 @@ impl RoundJudge {
     /// How it ends where wiping again brings nothing: touch may not tell whether the goal is met. A camera would.
     fn known(&self, interpretation: &Interpretation, ended: Verdict) -> Verdict {
         let is_seen = interpretation.observation.is_some();
-        if !is_seen && interpretation.performance.high >= self.target {
+        if !interpretation.can_be_told() {
+            Verdict::CannotBeTold
+        } else if !is_seen && interpretation.performance.high >= self.target {
             Verdict::UnknowableByTouch
         } else {
             ended
@@ -204,6 +291,7 @@ mod tests {
             doubts: vec![],
             events: vec![],
             force_bias: 0.0,
+            pressed_force: None,
             tool_stiffness: None,
             contact_share: 1.0,
             belief: Belief::certain(ParticleDistribution::default()),
@@ -274,20 +362,21 @@ mod tests {
 
     #[test]
     fn what_is_felt_while_somebody_pushes_shows_nothing_and_what_is_seen_does() {
-        use Verdict::{Again, GoalMet, NoContact};
+        use Verdict::{Again, CannotBeTold, GoalMet};
         let done = [0.95; 8];
         assert_eq!(of_one(pushed(&done)), Again);
         assert_eq!(of_one(seen(pushed(&done))), GoalMet);
         let untouched = |interpretation| Interpretation {
             plane: None,
+            diagnosis: Diagnosis::NoContact,
             ..interpretation
         };
-        assert_eq!(of_one(untouched(felt(&done))), NoContact);
+        assert_eq!(of_one(untouched(felt(&done))), CannotBeTold);
         assert_eq!(of_one(untouched(pushed(&done))), Again);
-        // A later round that finds nothing to touch is one without progress.
+        // Neither does a later round that finds nothing to touch.
         let rounds = [felt(&[0.6; 8]), untouched(felt(&[0.6; 8]))];
         let verdicts = verdicts(Pace::Whole, false, &rounds);
-        assert_eq!(verdicts, [Again, Verdict::NoProgress]);
+        assert_eq!(verdicts, [Again, CannotBeTold]);
         assert_eq!(of_one(untouched(seen(felt(&done)))), GoalMet);
         let mut judge = RoundJudge::new(TARGET, Pace::Whole);
         let stopped = RoundOutcome {

@@ -104,7 +104,7 @@ impl Replay<'_> {
             let bounds = footprint.bounds();
             let mut clock = TravelClock::default();
             for contact in evidence.motions(guess as u64, compression).iter() {
-                let contact = parameters.applied(contact);
+                let contact = parameters.applied(contact, self.force_ratio);
                 let travel = clock.advance(&contact);
                 let pressure = PressureDistribution::of(&contact, bounds, compression);
                 let mean = contact.force.value();

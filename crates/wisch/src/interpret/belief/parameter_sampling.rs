@@ -3,7 +3,7 @@
 use crate::geometry::{PlanarPose, Point2};
 use crate::interpret::config::InterpretConfig;
 use crate::interpret::contact::{ContactMotion, StiffnessBelief};
-use crate::random::{normal, normal_pair};
+use crate::random::{keyed_uniform, normal, normal_pair};
 use crate::represent::{Fate, LogNormal, ParticleDistribution, Surface, ToolMotion};
 use rand::{Rng, RngExt};
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
@@ -12,6 +12,9 @@ use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 const STREAMS: u64 = 0x7661_7279_0000_0000;
 /// Streams for where known particles lie.
 const PLACES: u64 = 0x706c_6163_0000_0000;
+
+/// Keys of what a member makes of the scale of the force, and of a log without contact.
+const SCALES: u64 = 0x7363_616c_6573;
 
 /// By how much more a law is off that is just wrong [1].
 const OUTLIER: f64 = 3.0;
@@ -76,8 +79,8 @@ impl MemberParameters {
         config.nominal_compression() / believed.scale(self.stiffness)
     }
 
-    /// The motion that the tool makes if it sits so in the hand.
-    pub(super) fn applied(&self, contact: &ContactMotion) -> ContactMotion {
+    /// The motion that the tool makes if it sits so in the hand, with a force that is by this factor another.
+    pub(super) fn applied(&self, contact: &ContactMotion, force_factor: f64) -> ContactMotion {
         let moved = |tool: &PlanarPose| {
             let position = tool.transform(self.grasp.position);
             PlanarPose::new(position, tool.heading + self.grasp.heading)
@@ -87,7 +90,7 @@ impl MemberParameters {
                 from: moved(&contact.motion.from),
                 to: moved(&contact.motion.to),
             },
-            force: contact.force.scaled(self.force_scale),
+            force: contact.force.scaled(self.force_scale * force_factor),
             ..*contact
         }
     }
@@ -114,6 +117,14 @@ pub(super) fn scattered(
         .collect();
     // Finite positions stay finite.
     ParticleDistribution::with_fates(&places).unwrap_or_else(|_| particles.clone())
+}
+
+/// By which factor the f′ of a log is another in a member, if the tool pressed with this ratio of the declared force [1].
+/// The log alone does not say which of two things is so: that the tool really pressed so much, or that the sensor or the
+/// task has another scale and the force was the one meant.
+pub(super) fn force_factor(config: &InterpretConfig, ratio: f64, member: u64) -> f64 {
+    let is_rescaled = keyed_uniform(config.seed ^ SCALES, member, 0) < config.uncertainty.rescaled_share;
+    if is_rescaled { 1.0 } else { ratio }
 }
 
 /// Share of what is pushed that slips past the tool in a log, per drawing [1]: how a heap leaks depends on the strokes, so a

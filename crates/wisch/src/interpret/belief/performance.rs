@@ -4,6 +4,8 @@ use crate::represent::{GoalState, ParticleDistribution, Performance, Surface};
 
 /// Steps of the grid on [0, 1] over which a score is integrated.
 const SCORE_STEPS: usize = 2000;
+/// Steps on [0, 1] by which a performance of which nothing is known is spread.
+const UNKNOWN_STEPS: u32 = 100;
 /// Halvings until a quantile is as exact as is of use.
 const HALVINGS: usize = 40;
 
@@ -60,6 +62,18 @@ impl PerformanceDistribution {
             shares,
             deviation,
         }
+    }
+
+    /// The same if with this probability [1] nothing is known of it: any performance is as likely then.
+    #[must_use]
+    pub(in crate::interpret) fn or_unknown(&self, probability: f64) -> Self {
+        if probability <= 0.0 {
+            return self.clone();
+        }
+        let step = probability / f64::from(UNKNOWN_STEPS + 1);
+        let unknown = (0..=UNKNOWN_STEPS).map(|i| (f64::from(i) / f64::from(UNKNOWN_STEPS), step));
+        let known = self.shares.iter().map(|(share, weight)| (*share, weight * (1.0 - probability)));
+        Self::of_shares(known.chain(unknown), self.deviation)
     }
 
     pub(super) fn of(

@@ -12,7 +12,7 @@ use crate::interpret::contact::{
     ContactMotion, NormalizedForce, PathPiece, Touch, contact_motions,
 };
 use crate::interpret::events::Event;
-use crate::random::normal;
+use crate::random::{keyed_uniform, normal};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use std::borrow::Cow;
@@ -24,6 +24,8 @@ const BEFORE: f64 = 0.05;
 const AFTER: f64 = 2.0;
 /// Stream of random numbers: apart from those of activation and parameters.
 const STREAM: u64 = 0x646f_7562_0000_0000;
+/// Key of which replays take a log without contact for misread.
+const MISREAD: u64 = 0x6d69_7372_6561_6421;
 
 /// What speaks for contact, and when somebody pushed meanwhile.
 #[derive(Debug)]
@@ -39,6 +41,8 @@ pub(in crate::interpret) struct ContactEvidence<'a> {
     stretches: Vec<Range<usize>>,
     /// The motions where nobody pushed.
     certain: Vec<ContactMotion>,
+    /// The motions of a tool that touched wherever it was low, if the log shows no contact: it may be misread.
+    low: Vec<ContactMotion>,
 }
 
 /// How one replay detects contact in a stretch: by the force again as soon as the hand has let go.
@@ -76,14 +80,31 @@ impl<'a> ContactEvidence<'a> {
             is_pushed: is_pushed(path, events),
             stretches: stretches(path, events),
             certain: contact_motions(path, &real_from_believed, |i| by_force(&path[i])),
+            low: Vec::new(),
             real_from_believed,
             config,
         }
     }
 
+    /// The same for a log that shows no contact, of a tool that may have touched at these pieces.
+    #[must_use]
+    pub(in crate::interpret) fn or_low(mut self, is_low: &[bool]) -> Self {
+        if !is_low.is_empty() {
+            let force = |i: usize| {
+                if is_low[i] {
+                    NormalizedForce::Mean(1.0)
+                } else {
+                    NormalizedForce::NoContact
+                }
+            };
+            self.low = contact_motions(self.path, &self.real_from_believed, force);
+        }
+        self
+    }
+
     /// Whether nothing was touched, and nobody pushed.
     pub(in crate::interpret) fn is_untouched(&self) -> bool {
-        self.certain.is_empty() && self.stretches.is_empty()
+        self.certain.is_empty() && self.stretches.is_empty() && self.low.is_empty()
     }
 
     /// The motions in contact that a replay believes, in which the tool is compressed so far at nominal force [m].
@@ -92,6 +113,12 @@ impl<'a> ContactEvidence<'a> {
         replay: u64,
         compression: f64,
     ) -> Cow<'_, [ContactMotion]> {
+        if !self.low.is_empty() {
+            let is_misread = keyed_uniform(self.config.seed ^ MISREAD, replay, 0);
+            if is_misread < self.config.uncertainty.misread_share {
+                return Cow::Borrowed(&self.low);
+            }
+        }
         if self.stretches.is_empty() {
             return Cow::Borrowed(&self.certain);
         }

@@ -7,12 +7,14 @@
 
 use super::activation::Activation;
 use super::ensemble::{Belief, MemberState};
-use super::parameter_sampling::{MemberParameters, scattered, slip};
+use super::parameter_sampling::{MemberParameters, force_factor, scattered, slip};
 use super::push_hypotheses::ContactEvidence;
 use crate::geometry::Region;
 use crate::interpret::config::InterpretConfig;
 use crate::interpret::contact::{ContactMotion, PressureDistribution, StiffnessBelief};
-use crate::represent::{Effect, EffectModel, ParticleDistribution, ParticleField, Surface};
+use crate::represent::{
+    Effect, EffectModel, GoalState, ParticleDistribution, ParticleField, Performance, Surface,
+};
 use rayon::prelude::*;
 
 /// Everything a replay needs but the particles.
@@ -23,6 +25,8 @@ pub(in crate::interpret) struct Replay<'a> {
     pub(in crate::interpret) surface: &'a Surface,
     pub(in crate::interpret) config: &'a InterpretConfig,
     pub(in crate::interpret) stiffness: StiffnessBelief,
+    /// The force that counts as nominal in the log over the declared one [1].
+    pub(in crate::interpret) force_ratio: f64,
 }
 
 impl Replay<'_> {
@@ -67,10 +71,29 @@ impl Replay<'_> {
                 Effect::Absorb | Effect::Treat => 0.0,
             };
             state.activation.begin_log(slip);
-            let after = self.once(scattered.as_ref().unwrap_or(dirt), motions, &mut state);
+            let factor = force_factor(self.config, self.force_ratio, member as u64);
+            let after = self.once(scattered.as_ref().unwrap_or(dirt), motions, factor, &mut state);
             (after, state)
         });
         Belief::continued(members.collect(), weights, self.stiffness)
+    }
+
+    /// Mean performance of the members that take the force of the log for another scale less that of the others, without
+    /// its sign [1].
+    pub(in crate::interpret) fn difference_by_scale(&self, belief: &Belief, goal: &GoalState) -> f64 {
+        // Weight and weighted performance of either kind.
+        let mut sums = [[0.0; 2]; 2];
+        for (member, (dirt, weight)) in belief.replays().iter().zip(belief.weights()).enumerate() {
+            let factor = force_factor(self.config, self.force_ratio, member as u64);
+            let of_kind = &mut sums[usize::from(factor == self.force_ratio)];
+            of_kind[0] += weight;
+            of_kind[1] += weight * Performance::of(dirt, goal, self.surface).ratio();
+        }
+        if sums.iter().any(|[weight, _]| *weight <= 0.0) {
+            return 0.0;
+        }
+        let [rescaled, as_measured] = sums.map(|[weight, sum]| sum / weight);
+        (rescaled - as_measured).abs()
     }
 
     fn first_state(&self, particles: usize, member: u64) -> MemberState {
@@ -86,6 +109,7 @@ impl Replay<'_> {
         &self,
         particles: &ParticleDistribution,
         motions: &[ContactMotion],
+        force_factor: f64,
         state: &mut MemberState,
     ) -> ParticleDistribution {
         let MemberState {
@@ -103,7 +127,7 @@ impl Replay<'_> {
         let bounds = footprint.bounds();
         let likelihood = &parameters.likelihood;
         for contact in motions {
-            let contact = parameters.applied(contact);
+            let contact = parameters.applied(contact, force_factor);
             if !contact.continues {
                 model.lift_off(&mut field, self.surface);
             }

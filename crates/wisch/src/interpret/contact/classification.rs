@@ -1,4 +1,4 @@
-//! Which pieces of a path are contact: bias, normalised force (9), and the fitted plane (10), (11).
+//! Which pieces of a path are contact: normalised force (9), and the fitted plane (10), (11).
 
 use super::downsampling::MeasuredPiece;
 use super::path::{FittedPlane, PathPiece, Touch};
@@ -7,15 +7,6 @@ use crate::geometry::{Bounds2, Point2, Point3, Vector2, Vector3};
 use crate::interpret::config::{InterpretConfig, ToolCompliance};
 use crate::represent::Surface;
 
-/// Pieces on either side over which the speed is compared, about 50 ms: inertia of the hand is not bias.
-const CALM_REACH: usize = 5;
-/// Acceleration below which the tool moves calmly [m/s²]; half a newton for a hand of half a kilogram.
-const CALM_ACCELERATION: f64 = 1.0;
-/// Fewest pieces of free motion that show a bias.
-const MIN_CALM: usize = 5;
-/// The size of a force with normal noise in three directions has its median at 1.54 standard deviations, and
-/// hardly passes 4 of them.
-const NOISE_BY_MEDIAN: f64 = 2.6;
 /// A confident contact counts for the plane once the tool has moved this far from the last that did [m] ...
 const POINT_TRAVEL: f64 = 5e-4;
 /// ... or this long afterwards [s], so that a tool held still does not outvote one that wipes.
@@ -41,10 +32,6 @@ pub(in crate::interpret) struct ClassifiedPath {
     /// The same of a tool that gives way just as far as its spring does under the force, never less [m].
     pub(in crate::interpret) off_spring: Vec<f64>,
     pub(in crate::interpret) plane: Option<(PlaneFit, FittedPlane)>,
-    /// Mean of what is felt in free motion, in the axes of the believed surface [N].
-    pub(in crate::interpret) bias: Vector3,
-    /// Size of a force that noise in calm free motion makes believe [N]; infinite where there is none.
-    pub(in crate::interpret) noise: f64,
 }
 
 /// Classifies measured pieces.
@@ -57,14 +44,13 @@ pub(in crate::interpret) struct ContactClassifier<'a> {
 }
 
 impl ContactClassifier<'_> {
-    /// Takes the bias off, fits the plane, and tells contact from what is none.
+    /// Fits the plane, and tells contact from what is none. The pieces have their forces as they are to be read.
     pub(in crate::interpret) fn classify(&self, pieces: &[MeasuredPiece]) -> ClassifiedPath {
         let config = self.config;
-        let (bias, noise) = bias_and_noise(pieces, config);
-        let confident = touching_points(pieces, bias.z, config.confident_share, config);
+        let confident = touching_points(pieces, config.confident_share, config);
         let fit = fit_plane(&confident, &config.plane, config.seed);
         let plane = fit.filter(|_| config.gap_m == 0.0).map(|fit| {
-            let touching = touching_points(pieces, bias.z, TOUCHING_SHARE, config);
+            let touching = touching_points(pieces, TOUCHING_SHARE, config);
             let fit = widened(fit, &confident, &touching, config);
             let described = describe(&fit, &confident, self.surface, config);
             (fit, described)
@@ -73,7 +59,7 @@ impl ContactClassifier<'_> {
         let mut path = Vec::with_capacity(pieces.len());
         let (mut off, mut off_spring) = (Vec::new(), Vec::new());
         for piece in pieces {
-            let (classified, [least, by_spring]) = self.classify_piece(piece, bias, fit);
+            let (classified, [least, by_spring]) = self.classify_piece(piece, fit);
             path.push(classified);
             off.push(least);
             off_spring.push(by_spring);
@@ -83,18 +69,15 @@ impl ContactClassifier<'_> {
             off,
             off_spring,
             plane,
-            bias,
-            noise,
         }
     }
 
     fn classify_piece(
         &self,
         piece: &MeasuredPiece,
-        bias: Vector3,
         plane: Option<&PlaneFit>,
     ) -> (PathPiece, [f64; 2]) {
-        let force = piece.force - bias;
+        let force = piece.force;
         let normal_force = -force.z;
         let center = Point3::new(piece.position.x, piece.position.y, piece.mean_height);
         let height = plane.map_or(center.z, |plane| plane.distance(center));
@@ -180,58 +163,6 @@ fn nearness(height: f64, gap: f64) -> f64 {
     gap / (gap + height).max(gap)
 }
 
-/// Median force over the time of calm free motion, by component, zero where there is none; and the size that
-/// what is left then hardly passes.
-fn bias_and_noise(pieces: &[MeasuredPiece], config: &InterpretConfig) -> (Vector3, f64) {
-    // Half the nominal force is no bias: that is a surface far above the believed one.
-    let is_free = |piece: &MeasuredPiece| {
-        piece.mean_height > config.free_height_m
-            && piece.force.z.abs() < 0.5 * config.nominal_force()
-    };
-    let calm: Vec<&MeasuredPiece> = (0..pieces.len())
-        .filter(|&i| is_free(&pieces[i]) && is_calm(pieces, i))
-        .map(|i| &pieces[i])
-        .collect();
-    if calm.len() < MIN_CALM {
-        return (Vector3::zeros(), f64::INFINITY);
-    }
-    let bias = Vector3::from_fn(|row, _| {
-        let weighed = calm.iter().map(|piece| (piece.force[row], piece.samples));
-        median(weighed.collect())
-    });
-    let sizes = calm
-        .iter()
-        .map(|piece| ((piece.force - bias).norm(), piece.samples));
-    (bias, NOISE_BY_MEDIAN * median(sizes.collect()))
-}
-
-/// The median of values with weights: by time, not by pieces, of which a tool that is flung
-/// away makes the most.
-fn median(mut weighed: Vec<(f64, u32)>) -> f64 {
-    weighed.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-    let all: u64 = weighed.iter().map(|&(_, count)| u64::from(count)).sum();
-    let mut passed = 0;
-    let middle = weighed.iter().find(|&&(_, count)| {
-        passed += 2 * u64::from(count);
-        passed > all
-    });
-    middle.map_or(0.0, |&(value, _)| value)
-}
-
-/// Whether the velocity is about the same before and after a piece.
-fn is_calm(pieces: &[MeasuredPiece], i: usize) -> bool {
-    let (Some(before), Some(after)) = (i.checked_sub(CALM_REACH), pieces.get(i + CALM_REACH))
-    else {
-        return false;
-    };
-    let (before, here) = (&pieces[before], &pieces[i]);
-    let first = here.time[1] - before.time[1];
-    let second = after.time[1] - here.time[1];
-    let change =
-        (after.position - here.position) / second - (here.position - before.position) / first;
-    change.norm() / (0.5 * (first + second)) < CALM_ACCELERATION
-}
-
 /// By how much the tool's underside is above its tool centre point at a normal force [m].
 fn spring_back(normal_force: f64, config: &InterpretConfig) -> f64 {
     match config.compliance {
@@ -269,14 +200,13 @@ fn is_on(plane: &PlaneFit, point: &Point3, config: &InterpretConfig) -> bool {
 /// Where the underside touches with at least this f′ (10), in the frame of the believed surface.
 fn touching_points(
     pieces: &[MeasuredPiece],
-    bias: f64,
     least_share: f64,
     config: &InterpretConfig,
 ) -> Vec<Point3> {
     let mut points = Vec::new();
     let mut last: Option<(f64, Point3)> = None;
     for piece in pieces {
-        let normal_force = -(piece.force.z - bias);
+        let normal_force = -piece.force.z;
         let share = config.normalized(normal_force);
         if !(least_share..=config.confident_limit()).contains(&share) {
             continue;

@@ -1,7 +1,9 @@
 //! Where the tool touched the surface, how hard, and which plane the contacts lie on; (9) to (11).
 
 mod classification;
+mod curvature;
 mod downsampling;
+mod force_reading;
 mod motions;
 mod path;
 mod plane;
@@ -9,7 +11,9 @@ mod pressure_distribution;
 mod stiffness;
 
 pub(super) use classification::{ClassifiedPath, ContactClassifier, middle};
+pub(super) use curvature::Curvature;
 pub(super) use downsampling::{Downsampler, MeasuredPiece};
+pub(super) use force_reading::{ForceReading, PressDirection};
 pub(super) use motions::{ContactMotion, MAX_LENGTH, NormalizedForce, contact_motions};
 pub use path::{FittedPlane, PathPiece, Touch, TouchSample};
 pub use plane::{PlaneFit, fit_plane};

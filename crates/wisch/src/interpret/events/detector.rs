@@ -20,7 +20,6 @@ const BORDER: f64 = 5e-3;
 #[derive(Debug)]
 pub(in crate::interpret) struct EventDetector<'a> {
     pieces: &'a [MeasuredPiece],
-    bias: Vector3,
     pub(super) path: &'a [PathPiece],
     pub(super) off: &'a [f64],
     pub(super) off_spring: &'a [f64],
@@ -56,12 +55,12 @@ impl<'a> EventDetector<'a> {
         classified: &'a ClassifiedPath,
         surface: &'a Surface,
         footprint: &'a Region,
+        noise: f64,
         config: &'a InterpretConfig,
     ) -> Self {
         let path = &classified.path;
         Self {
             pieces,
-            bias: classified.bias,
             path,
             off: &classified.off,
             off_spring: &classified.off_spring,
@@ -69,7 +68,7 @@ impl<'a> EventDetector<'a> {
             footprint,
             has_plane: classified.plane.is_some(),
             friction: friction(path, config),
-            noise: classified.noise.min(2.0 * config.force_noise_n),
+            noise: noise.min(2.0 * config.force_noise_n),
             config,
         }
     }
@@ -82,9 +81,9 @@ impl<'a> EventDetector<'a> {
         [0.5 * (before + first), 0.5 * (last + after)]
     }
 
-    /// What is felt at a piece, the bias taken off, in the axes of the believed surface [N].
+    /// What is felt at a piece, in the axes of the believed surface [N].
     pub(super) fn force(&self, i: usize) -> Vector3 {
-        self.pieces[i].force - self.bias
+        self.pieces[i].force
     }
 
     pub(super) fn is_on_plane(&self, i: usize) -> bool {

@@ -1,0 +1,615 @@
+//! How the forces of a log are to be read: bias, axis, scale and clock, inferred from the log itself.
+//!
+//! The band of (10) is relative to the nominal force, so a log whose sensor was not zeroed, whose wrench stands in
+//! another frame or that was pressed with another force has no sample in it. None of that changes what was wiped. A
+//! wiping tool gives itself away by geometry: it slides at one height over a plane, and what it feels there differs from
+//! what it feels in the air above. That difference is the force of contact, whatever its size and direction.
+
+use super::downsampling::MeasuredPiece;
+use super::plane::{PlaneFit, fit_plane};
+use crate::geometry::{Point3, Vector3};
+use crate::interpret::config::{InterpretConfig, PlaneConfig};
+use nalgebra::UnitQuaternion;
+
+/// Time on either side over which velocities are compared [s]: inertia of the hand is not bias.
+const CALM_REACH: f64 = 0.05;
+/// Acceleration below which the tool moves calmly [m/s²]; half a newton for a hand of half a kilogram.
+const CALM_ACCELERATION: f64 = 1.0;
+/// Fewest pieces of free motion that show a bias.
+const MIN_CALM: usize = 5;
+/// The size of a force with normal noise in three directions has its median at 1.54 standard deviations, and
+/// hardly passes 4 of them.
+const NOISE_BY_MEDIAN: f64 = 2.6;
+/// Slowest sliding along a surface [m/s], and its steepest rise [1].
+const SLIDING: [f64; 2] = [0.01, 0.25];
+/// Planes at different heights over which a tool may slide: the surface, and those over which it travels in the air.
+const MOST_PLANES: usize = 5;
+/// Least share of the sliding points that a plane of them holds [1].
+const LEAST_ON_PLANE: f64 = 0.05;
+/// How far a tool that slides may be from its plane [m]: it gives way more or less as the force changes.
+const SLIDING_DISTANCE: f64 = 2e-3;
+/// Least distance above a plane at which the tool is free of it [m].
+const FREE_DISTANCE: f64 = 8e-3;
+/// The force of contact over the spread of what is felt in the air, at least [1].
+const LEAST_SIGNIFICANCE: f64 = 2.0;
+/// The force of contact over the nominal one, at least [1], and in newtons.
+const LEAST_FORCE: [f64; 2] = [0.1, 0.3];
+/// Spread of the force on the plane over its middle, at most [1]: what varies more is a hand rather than a surface.
+const MOST_VARIATION: f64 = 0.6;
+/// Cosine of the angle between the force of contact and the normal below which the wrench stands in another frame [1];
+/// friction of rubber leans it by 40° at most.
+const LEAST_ALIGNED: f64 = 0.5;
+/// How much less the force varies in one frame than in the other for the bias to be constant in that one [1].
+const FRAME_PREFERENCE: f64 = 0.5;
+/// Forces over the nominal one between which the tool pressed as it should [1]: within what a force controller keeps to.
+const AS_DECLARED: [f64; 2] = [0.85, 1.2];
+/// Noise of single pieces over the nominal force above which forces are averaged [1], and the longest time over which
+/// they are [s].
+const NOISE_SHARE: f64 = 0.06;
+const LONGEST_MEAN: f64 = 0.3;
+/// Farthest that the clocks of force and position are apart [s], the step of the search, and the least offset that is
+/// taken off.
+const CLOCKS: [f64; 3] = [3.0, 0.02, 0.08];
+/// By which factor the force of contact stands out more once the clocks are aligned [1].
+const CLOCK_GAIN: f64 = 1.1;
+
+/// Axes in which the force of a log is constant in free motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum SensorAxes {
+    Surface,
+    Tool,
+}
+
+impl SensorAxes {
+    /// The measured force in these axes [N].
+    fn of(self, piece: &MeasuredPiece, force: Vector3) -> Vector3 {
+        match self {
+            Self::Surface => force,
+            Self::Tool => piece.surface_from_tool.inverse() * force,
+        }
+    }
+
+    /// A force in these axes in those of the believed surface [N].
+    fn to_surface(self, piece: &MeasuredPiece, force: Vector3) -> Vector3 {
+        match self {
+            Self::Surface => force,
+            Self::Tool => piece.surface_from_tool * force,
+        }
+    }
+}
+
+/// How the contact force of a log lies to the surface's normal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::interpret) enum PressDirection {
+    /// Along the normal, as it should.
+    Outward,
+    /// Against the normal: the log has the force of the tool on the surface.
+    Inward,
+    /// Along this unit direction in the axes of the tool, or of the surface, as logged.
+    Turned {
+        /// Unit vector.
+        direction: Vector3,
+        /// Whether it is constant in the axes of the tool rather than of the surface.
+        in_tool: bool,
+    },
+}
+
+/// How the forces of a log are to be read.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::interpret) struct ForceReading {
+    axes: SensorAxes,
+    /// What is felt in free motion, in the sensor's axes [N].
+    bias: Vector3,
+    /// Turns a force without bias so that contact presses along the normal; in the sensor's axes.
+    turn: UnitQuaternion<f64>,
+    /// Size of a force that noise in calm free motion makes believe [N]; infinite where there is none.
+    pub(in crate::interpret) noise: f64,
+    /// How the force of contact lies to the normal.
+    pub(in crate::interpret) direction: PressDirection,
+    /// Force with which the tool mostly pressed while it slid [N]; nothing where no contact was found by geometry.
+    pub(in crate::interpret) pressed: Option<f64>,
+    /// By how long the force's clock is behind the position's [s]; 0 where they agree.
+    pub(in crate::interpret) clock_offset: f64,
+    /// Whether the log shows free motion, so that its bias is known.
+    pub(in crate::interpret) has_free_motion: bool,
+    /// Lowest plane near the believed surface over which the tool slid, whatever it felt.
+    pub(in crate::interpret) lowest: Option<PlaneFit>,
+}
+
+impl ForceReading {
+    /// Reads the forces of these pieces.
+    pub(in crate::interpret) fn of(pieces: &[MeasuredPiece], config: &InterpretConfig) -> Self {
+        let smooth = smoothed(pieces, config);
+        let calm: Vec<bool> = (0..pieces.len()).map(|i| is_calm(pieces, i)).collect();
+        let by_height = Self::by_height(&smooth, &calm, config);
+        if config.gap_m > 0.0 {
+            return by_height;
+        }
+        let slides: Vec<bool> = (0..pieces.len()).map(|i| is_sliding(pieces, i, config)).collect();
+        let planes = sliding_planes(pieces, &slides, config);
+        let near = |plane: &&PlaneFit| plane.height.abs() <= config.search_height_m;
+        let lowest = (planes.iter().filter(near)).min_by(|a, b| a.height.total_cmp(&b.height));
+        let scene = Scene {
+            pieces: &smooth,
+            calm: &calm,
+            slides: &slides,
+            config,
+        };
+        let contact = (planes.iter())
+            .filter_map(|plane| scene.contact(plane))
+            .max_by(|a, b| a.weight.total_cmp(&b.weight));
+        let reading = match contact {
+            Some(contact) => Self::by_contact(&contact, &scene),
+            None => by_height,
+        };
+        Self {
+            lowest: lowest.copied(),
+            ..reading
+        }
+    }
+
+    /// Where no contact shows by geometry: the bias is that of calm motion well above the believed surface.
+    fn by_height(pieces: &[MeasuredPiece], calm: &[bool], config: &InterpretConfig) -> Self {
+        // Half the nominal force at one height only is no bias: that is a surface far above the believed one.
+        let is_free = |i: usize| {
+            calm[i]
+                && pieces[i].mean_height > config.free_height_m
+                && pieces[i].force.z.abs() < 0.5 * config.nominal_force()
+        };
+        let free: Vec<usize> = (0..pieces.len()).filter(|&i| is_free(i)).collect();
+        let axes = SensorAxes::Surface;
+        let known = (free.len() >= MIN_CALM).then(|| bias_and_noise(pieces, &free, axes));
+        let (bias, noise) = known.unwrap_or((Vector3::zeros(), f64::INFINITY));
+        Self {
+            axes,
+            bias,
+            turn: UnitQuaternion::identity(),
+            noise,
+            direction: PressDirection::Outward,
+            pressed: None,
+            clock_offset: 0.0,
+            has_free_motion: known.is_some(),
+            lowest: None,
+        }
+    }
+
+    fn by_contact(contact: &SlidingContact, scene: &Scene<'_>) -> Self {
+        let pieces = shifted(scene.pieces, contact.clock_offset);
+        let (bias, noise) = bias_and_noise(&pieces, &contact.free, contact.axes);
+        let normal = match contact.axes {
+            SensorAxes::Surface => Vector3::z(),
+            SensorAxes::Tool => contact.normal_in_tool,
+        };
+        let outward = contact.step.normalize();
+        let aligned = outward.dot(&normal);
+        // Of a force that lies along the normal, friction is what leans it: it is not turned away.
+        let (direction, turn) = if aligned >= LEAST_ALIGNED {
+            (PressDirection::Outward, UnitQuaternion::identity())
+        } else if aligned <= -LEAST_ALIGNED {
+            (PressDirection::Inward, half_turn(&normal))
+        } else {
+            let direction = PressDirection::Turned {
+                direction: outward,
+                in_tool: contact.axes == SensorAxes::Tool,
+            };
+            let turn = UnitQuaternion::rotation_between(&outward, &normal);
+            (direction, turn.unwrap_or_else(UnitQuaternion::identity))
+        };
+        let mut reading = Self {
+            axes: contact.axes,
+            bias,
+            turn,
+            noise,
+            direction,
+            pressed: None,
+            clock_offset: contact.clock_offset,
+            has_free_motion: true,
+            lowest: None,
+        };
+        let pressing = contact.on.iter().map(|&i| {
+            let piece = &pieces[i];
+            (reading.force(piece, piece.force).z, f64::from(piece.samples))
+        });
+        let least = LEAST_FORCE[0] * contact.step.norm();
+        reading.pressed = mode(pressing.filter(|(force, _)| *force > least).collect());
+        reading
+    }
+
+    /// A measured force with everything taken off that does not act on the tool, in the axes of the believed surface [N].
+    fn force(&self, piece: &MeasuredPiece, measured: Vector3) -> Vector3 {
+        let force = self.axes.of(piece, measured) - self.bias;
+        let read = if self.direction == PressDirection::Inward {
+            -force
+        } else {
+            self.turn * force
+        };
+        self.axes.to_surface(piece, read)
+    }
+
+    /// The pieces with their forces as read.
+    pub(in crate::interpret) fn applied(
+        &self,
+        pieces: &[MeasuredPiece],
+        config: &InterpretConfig,
+    ) -> Vec<MeasuredPiece> {
+        let bias = self.bias.norm();
+        let is_small = bias <= config.force_noise_n;
+        let pieces = shifted(&smoothed(pieces, config), self.clock_offset);
+        let read = pieces.iter().map(|piece| {
+            let force = self.force(piece, piece.force);
+            let peak_force = if is_small {
+                piece.peak_force
+            } else {
+                force.norm()
+            };
+            MeasuredPiece {
+                force,
+                peak_force,
+                ..*piece
+            }
+        });
+        read.collect()
+    }
+
+    /// What the sensor adds along the surface's normal, as measured at the first piece [N].
+    pub(in crate::interpret) fn normal_bias(&self, pieces: &[MeasuredPiece]) -> f64 {
+        (pieces.first()).map_or(0.0, |first| self.axes.to_surface(first, self.bias).z)
+    }
+
+    /// Force that counts as the nominal one of this log [N]: the declared one, unless the tool pressed with another.
+    pub(in crate::interpret) fn reference_force(&self, declared: f64) -> f64 {
+        let [least, most] = AS_DECLARED.map(|share| share * declared);
+        match self.pressed {
+            Some(pressed) if !(least..=most).contains(&pressed) => pressed,
+            _ => declared,
+        }
+    }
+}
+
+/// The pieces of a log, with what is told of them without any force.
+struct Scene<'a> {
+    pieces: &'a [MeasuredPiece],
+    calm: &'a [bool],
+    slides: &'a [bool],
+    config: &'a InterpretConfig,
+}
+
+/// A plane over which the tool slid with another force than it feels above it.
+struct SlidingContact {
+    axes: SensorAxes,
+    /// Pieces that slide on the plane, and calm ones above it.
+    on: Vec<usize>,
+    free: Vec<usize>,
+    /// Mean force on the plane less that above it, in the sensor's axes [N].
+    step: Vector3,
+    /// The surface's normal in the axes of the tool, as a mean over the contact.
+    normal_in_tool: Vector3,
+    clock_offset: f64,
+    /// How much it speaks for contact: force times time [N s].
+    weight: f64,
+}
+
+impl Scene<'_> {
+    fn contact(&self, plane: &PlaneFit) -> Option<SlidingContact> {
+        let distances: Vec<f64> = (self.pieces.iter())
+            .map(|piece| {
+                let place = piece.position;
+                plane.distance(Point3::new(place.x, place.y, piece.mean_height))
+            })
+            .collect();
+        let clear = FREE_DISTANCE.max(2.0 * self.config.nominal_compression());
+        let indices = || 0..self.pieces.len();
+        let on: Vec<usize> = indices()
+            .filter(|&i| self.slides[i] && distances[i].abs() <= SLIDING_DISTANCE)
+            .collect();
+        let free: Vec<usize> = (indices())
+            .filter(|&i| self.calm[i] && distances[i] > clear)
+            .collect();
+        if on.len() < self.config.plane.min_points || free.len() < MIN_CALM {
+            return None;
+        }
+        let clock_offset = clock_offset(self.pieces, &on, &free);
+        let pieces = shifted(self.pieces, clock_offset);
+        let axes = sensor_axes(&pieces, &on, &free);
+        let (bias, _) = bias_and_noise(&pieces, &free, axes);
+        let forces = on.iter().map(|&i| axes.of(&pieces[i], pieces[i].force) - bias);
+        let forces: Vec<Vector3> = forces.collect();
+        let step = forces.iter().sum::<Vector3>() / forces.len() as f64;
+        let size = step.norm();
+        let [share, newtons] = LEAST_FORCE;
+        if size < (share * self.config.nominal_force()).max(newtons) {
+            return None;
+        }
+        let along = step / size;
+        let pressing: Vec<(f64, f64)> = (on.iter().zip(&forces))
+            .map(|(&i, force)| (force.dot(&along), f64::from(pieces[i].samples)))
+            .collect();
+        let resting: Vec<(f64, f64)> = (free.iter())
+            .map(|&i| {
+                let force = axes.of(&pieces[i], pieces[i].force) - bias;
+                (force.dot(&along), f64::from(pieces[i].samples))
+            })
+            .collect();
+        let pressed = median(pressing.clone());
+        let is_steady = spread(pressing, pressed) <= MOST_VARIATION * pressed;
+        let is_clear = pressed >= LEAST_SIGNIFICANCE * spread(resting, 0.0);
+        let normal: Vector3 = (on.iter())
+            .map(|&i| pieces[i].surface_from_tool.inverse() * Vector3::z())
+            .sum();
+        (is_steady && is_clear).then(|| SlidingContact {
+            axes,
+            step,
+            normal_in_tool: normal.normalize(),
+            clock_offset,
+            weight: pressed * on.iter().map(|&i| lasts(&pieces, i)).sum::<f64>(),
+            on,
+            free,
+        })
+    }
+}
+
+/// In which axes the force of free motion and of contact is constant: those of the surface, unless the log shows that a
+/// bias turns with the tool.
+fn sensor_axes(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> SensorAxes {
+    let variation = |axes: SensorAxes| {
+        let (bias, _) = bias_and_noise(pieces, free, axes);
+        let of = |some: &[usize]| {
+            let forces = some.iter().map(|&i| axes.of(&pieces[i], pieces[i].force) - bias);
+            let forces: Vec<Vector3> = forces.collect();
+            let mean = forces.iter().sum::<Vector3>() / forces.len() as f64;
+            let squares = forces.iter().map(|force| (force - mean).norm_squared());
+            squares.sum::<f64>() / forces.len() as f64
+        };
+        (of(on) + of(free)).sqrt()
+    };
+    if variation(SensorAxes::Tool) < FRAME_PREFERENCE * variation(SensorAxes::Surface) {
+        SensorAxes::Tool
+    } else {
+        SensorAxes::Surface
+    }
+}
+
+/// By how long the clock of the forces is behind that of the positions [s]: the offset at which what is felt on the plane
+/// differs most from what is felt above it.
+fn clock_offset(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> f64 {
+    let [farthest, step, least] = CLOCKS;
+    let time = |i: usize| 0.5 * (pieces[i].time[0] + pieces[i].time[1]);
+    // Integral of the force over time, at the middle of each piece.
+    let mut integral = vec![Vector3::zeros(); pieces.len()];
+    for i in 1..pieces.len() {
+        let lasts = time(i) - time(i - 1);
+        integral[i] = integral[i - 1] + (pieces[i].force + pieces[i - 1].force) * (0.5 * lasts);
+    }
+    let at = |when: f64| {
+        let next = pieces.partition_point(|piece| 0.5 * (piece.time[0] + piece.time[1]) < when);
+        let next = next.clamp(1, pieces.len() - 1);
+        let [begin, end] = [time(next - 1), time(next)];
+        let share = ((when - begin) / (end - begin)).clamp(0.0, 1.0);
+        integral[next - 1] + (integral[next] - integral[next - 1]) * share
+    };
+    let [first, last] = [time(0), time(pieces.len() - 1)];
+    let [on, free] = [runs(pieces, on), runs(pieces, free)];
+    let mean = |runs: &[[f64; 2]], offset: f64| {
+        let (mut sum, mut lasts) = (Vector3::zeros(), 0.0);
+        for &[start, end] in runs {
+            let [start, end] = [start + offset, end + offset].map(|when| when.clamp(first, last));
+            sum += at(end) - at(start);
+            lasts += end - start;
+        }
+        (lasts > 0.0).then(|| sum / lasts)
+    };
+    let contrast = |offset: f64| {
+        let [on, free] = [mean(&on, offset), mean(&free, offset)];
+        on.zip(free).map_or(0.0, |(on, free)| (on - free).norm())
+    };
+    let aligned = contrast(0.0);
+    let steps = (farthest / step) as i32;
+    let offsets = (-steps..=steps).map(|i| f64::from(i) * step);
+    let best = offsets.map(|offset| (contrast(offset), offset));
+    let best = best.max_by(|a, b| (a.0.total_cmp(&b.0)).then(b.1.abs().total_cmp(&a.1.abs())));
+    match best {
+        Some((most, offset)) if offset.abs() >= least && most > CLOCK_GAIN * aligned => offset,
+        _ => 0.0,
+    }
+}
+
+/// Times over which these pieces follow each other [s].
+fn runs(pieces: &[MeasuredPiece], chosen: &[usize]) -> Vec<[f64; 2]> {
+    let mut runs: Vec<([f64; 2], usize)> = Vec::new();
+    for &i in chosen {
+        match runs.last_mut() {
+            Some((run, last)) if *last + 1 == i => {
+                run[1] = pieces[i].time[1];
+                *last = i;
+            }
+            _ => runs.push((pieces[i].time, i)),
+        }
+    }
+    runs.into_iter().map(|(run, _)| run).collect()
+}
+
+/// The pieces with the forces that were measured this much later [s].
+fn shifted(pieces: &[MeasuredPiece], offset: f64) -> Vec<MeasuredPiece> {
+    if offset == 0.0 {
+        return pieces.to_vec();
+    }
+    let middle = |piece: &MeasuredPiece| 0.5 * (piece.time[0] + piece.time[1]);
+    let force_at = |when: f64| {
+        let next = pieces.partition_point(|piece| middle(piece) < when);
+        let next = next.min(pieces.len() - 1);
+        let before = next.saturating_sub(1);
+        let lasts = middle(&pieces[next]) - middle(&pieces[before]);
+        let share = if lasts > 0.0 {
+            ((when - middle(&pieces[before])) / lasts).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        pieces[before].force + (pieces[next].force - pieces[before].force) * share
+    };
+    (pieces.iter())
+        .map(|piece| MeasuredPiece {
+            force: force_at(middle(piece) + offset),
+            ..*piece
+        })
+        .collect()
+}
+
+/// The pieces with forces averaged over so many neighbours as their noise asks for; as they are where it is small.
+fn smoothed(pieces: &[MeasuredPiece], config: &InterpretConfig) -> Vec<MeasuredPiece> {
+    let allowed = NOISE_SHARE * config.nominal_force();
+    let steps = pieces.windows(2).map(|pair| {
+        let step = pair[1].force.z - pair[0].force.z;
+        (step.abs(), 1.0)
+    });
+    // Of a difference of two, the median size is 0.954 standard deviations of one.
+    let noise = median(steps.collect()) / 0.954;
+    if noise <= allowed {
+        return pieces.to_vec();
+    }
+    let reach = ((noise / allowed).powi(2) / 2.0).ceil() as usize;
+    let mean = |i: usize| {
+        let time = pieces[i].time;
+        let range = i.saturating_sub(reach)..(i + reach + 1).min(pieces.len());
+        let near = range.filter(|&j| {
+            let other = pieces[j].time;
+            other[0] - time[1] <= LONGEST_MEAN / 2.0 && time[0] - other[1] <= LONGEST_MEAN / 2.0
+        });
+        let (sum, count) = near.fold((Vector3::zeros(), 0.0), |(sum, count), j| {
+            let samples = f64::from(pieces[j].samples);
+            (sum + pieces[j].force * samples, count + samples)
+        });
+        sum / count
+    };
+    (0..pieces.len())
+        .map(|i| MeasuredPiece {
+            force: mean(i),
+            ..pieces[i]
+        })
+        .collect()
+}
+
+/// The planes at different heights over which the tool slides, those with most of it first.
+fn sliding_planes(
+    pieces: &[MeasuredPiece],
+    slides: &[bool],
+    config: &InterpretConfig,
+) -> Vec<PlaneFit> {
+    let settings = PlaneConfig {
+        inlier_distance_m: SLIDING_DISTANCE,
+        min_share: 0.0,
+        ..config.plane.clone()
+    };
+    let mut points: Vec<Point3> = (pieces.iter().zip(slides))
+        .filter(|(_, slides)| **slides)
+        .map(|(piece, _)| Point3::new(piece.position.x, piece.position.y, piece.mean_height))
+        .collect();
+    let least = (LEAST_ON_PLANE * points.len() as f64) as usize;
+    let mut planes = Vec::new();
+    while planes.len() < MOST_PLANES
+        && let Some(plane) = fit_plane(&points, &settings, config.seed)
+        && plane.inliers >= least
+    {
+        points.retain(|point| plane.distance(*point).abs() > SLIDING_DISTANCE);
+        planes.push(plane);
+    }
+    planes
+}
+
+/// Whether the tool moves along the surface rather than towards it, within the height at which the surface is looked for.
+fn is_sliding(pieces: &[MeasuredPiece], i: usize, config: &InterpretConfig) -> bool {
+    let Some([before, after]) = neighbours(pieces, i) else {
+        return false;
+    };
+    let [before, after] = [&pieces[before], &pieces[after]];
+    let way = after.position - before.position;
+    let along = way.xy().norm();
+    let [slowest, steepest] = SLIDING;
+    pieces[i].mean_height.abs() <= config.search_height_m
+        && along >= slowest * (after.time[1] - before.time[1])
+        && way.z.abs() <= steepest * along
+}
+
+/// Whether the velocity is about the same before and after a piece.
+fn is_calm(pieces: &[MeasuredPiece], i: usize) -> bool {
+    let Some([before, after]) = neighbours(pieces, i) else {
+        return false;
+    };
+    let [before, here, after] = [&pieces[before], &pieces[i], &pieces[after]];
+    let first = here.time[1] - before.time[1];
+    let second = after.time[1] - here.time[1];
+    let change =
+        (after.position - here.position) / second - (here.position - before.position) / first;
+    change.norm() / (0.5 * (first + second)) < CALM_ACCELERATION
+}
+
+/// The nearest pieces that are far enough away in time before and after one.
+fn neighbours(pieces: &[MeasuredPiece], i: usize) -> Option<[usize; 2]> {
+    let time = pieces[i].time[1];
+    // A little less, for times that are multiples of a period and not exact in binary.
+    let reach = 0.99 * CALM_REACH;
+    let before = (0..i).rev().find(|&j| time - pieces[j].time[1] >= reach)?;
+    let after = (i + 1..pieces.len()).find(|&j| pieces[j].time[1] - time >= reach)?;
+    Some([before, after])
+}
+
+/// Median force over these pieces, by component in these axes, and the size that what is left then hardly passes.
+fn bias_and_noise(pieces: &[MeasuredPiece], free: &[usize], axes: SensorAxes) -> (Vector3, f64) {
+    let of = |i: usize| axes.of(&pieces[i], pieces[i].force);
+    let weight = |i: usize| f64::from(pieces[i].samples);
+    let bias = Vector3::from_fn(|row, _| {
+        median(free.iter().map(|&i| (of(i)[row], weight(i))).collect())
+    });
+    let sizes = free.iter().map(|&i| ((of(i) - bias).norm(), weight(i)));
+    (bias, NOISE_BY_MEDIAN * median(sizes.collect()))
+}
+
+/// How long a piece lasts, up to the next [s].
+fn lasts(pieces: &[MeasuredPiece], i: usize) -> f64 {
+    let end = pieces.get(i + 1).map_or(pieces[i].time[1], |next| next.time[0]);
+    (end - pieces[i].time[0]).min(LONGEST_MEAN)
+}
+
+/// A turn by half about an axis across this one.
+fn half_turn(normal: &Vector3) -> UnitQuaternion<f64> {
+    UnitQuaternion::rotation_between(&Vector3::x(), normal).map_or_else(
+        UnitQuaternion::identity,
+        |turn| {
+            let across = nalgebra::Unit::new_normalize(turn * Vector3::y());
+            UnitQuaternion::from_axis_angle(&across, std::f64::consts::PI)
+        },
+    )
+}
+
+/// The median of values with weights: by time, not by pieces, of which a tool that is flung away makes the most. 0 of none.
+fn median(mut weighed: Vec<(f64, f64)>) -> f64 {
+    weighed.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+    let all: f64 = weighed.iter().map(|&(_, weight)| weight).sum();
+    let mut passed = 0.0;
+    let middle = weighed.iter().find(|&&(_, weight)| {
+        passed += 2.0 * weight;
+        passed > all
+    });
+    middle.or(weighed.last()).map_or(0.0, |&(value, _)| value)
+}
+
+/// Standard deviation of values with weights about a middle, by the median of their distances from it.
+fn spread(weighed: Vec<(f64, f64)>, middle: f64) -> f64 {
+    let distances = weighed.into_iter().map(|(value, weight)| ((value - middle).abs(), weight));
+    1.4826 * median(distances.collect())
+}
+
+/// The value about which most of the weight lies: halves of the sample with the least width, one in the other (Robertson and
+/// Cryer, 1974). Nothing of no values.
+fn mode(weighed: Vec<(f64, f64)>) -> Option<f64> {
+    let mut values: Vec<f64> = weighed.into_iter().map(|(value, _)| value).collect();
+    values.sort_unstable_by(f64::total_cmp);
+    let mut part = &values[..];
+    // Below a tenth of a newton or of the sample, which half is the narrower is chance.
+    while part.len() > 8.max(values.len() / 8) {
+        let half = part.len().div_ceil(2);
+        let width = |first: usize| part[first + half - 1] - part[first];
+        let first = (0..=part.len() - half).min_by(|&a, &b| width(a).total_cmp(&width(b)))?;
+        part = &part[first..first + half];
+    }
+    part.get(part.len() / 2).copied()
+}

@@ -1,0 +1,231 @@
+//! Logs of other robots: another force, bias, sign, frame or clock, and surfaces that are no plane.
+
+use super::log::{DEPTH, PRESS, STEEP, Script, task};
+use super::{events, interpreted, interpreted_with};
+use wisch::geometry::{Point2, Vector3};
+use wisch::interpret::{
+    Diagnosis, Doubt, EventKind, InterpretConfig, Interpretation, TouchSample,
+};
+use wisch::represent::Task;
+
+/// What the script's log says if its forces are others, each given in the axes of the surface [N] with its time [s].
+fn read(script: &Script, force: impl Fn(f64, Vector3) -> Vector3) -> Interpretation {
+    let task = task(80, STEEP);
+    let samples: Vec<TouchSample> = (script.samples(&task).into_iter())
+        .map(|sample| changed(&task, sample, &force))
+        .collect();
+    interpreted_with(&samples, &task, &InterpretConfig::of(&task))
+}
+
+fn changed(
+    task: &Task,
+    sample: TouchSample,
+    force: &impl Fn(f64, Vector3) -> Vector3,
+) -> TouchSample {
+    let turn = task.surface.world_from_surface.rotation;
+    TouchSample {
+        force: turn * force(sample.time, turn.inverse() * sample.force),
+        ..sample
+    }
+}
+
+fn assert_holds(interpretation: &Interpretation, truth: f64, what: &str) {
+    let estimate = interpretation.performance;
+    assert!(interpretation.can_be_told(), "{what}: {:?}", interpretation.doubts);
+    assert!(
+        (estimate.low - 0.01..=estimate.high + 0.01).contains(&truth),
+        "{what}: {truth} of {estimate:?}, {:?}",
+        interpretation.doubts
+    );
+}
+
+#[test]
+fn contact_is_found_at_any_force_and_the_force_is_said() {
+    let truth = interpreted(&Script::default()).performance.mean;
+    for scale in [0.3, 0.5, 0.75, 0.85, 1.25, 1.45, 3.0] {
+        let found = read(&Script::default(), |_, force| force * scale);
+        let is_open = scale < 0.5;
+        assert_eq!(found.can_be_told(), !is_open, "{scale}: {:?}", found.doubts);
+        let estimate = found.performance;
+        assert!(estimate.low < truth && truth < estimate.high + 0.01, "{scale}: {estimate:?}");
+        // Pressed so softly, it matters whether the force is what it says.
+        assert!(!is_open || estimate.low < 0.3, "{scale}: {estimate:?}");
+        let pressed = found.pressed_force.unwrap();
+        assert!((pressed / (scale * PRESS) - 1.0).abs() < 0.05, "{scale}: {pressed}");
+        assert_eq!(events(&found, EventKind::Contact).len(), 3, "{scale}");
+        let others = found.events.iter().filter(|event| event.kind != EventKind::Contact);
+        assert_eq!(others.filter(|event| !event.kind.is_phase()).count(), 0, "{scale}");
+        let is_said = (found.doubts.iter())
+            .any(|doubt| matches!(doubt, Doubt::PressedOtherwise { .. }));
+        assert_eq!(is_said, !(0.84..1.2).contains(&scale), "{scale}: {:?}", found.doubts);
+    }
+}
+
+#[test]
+fn a_bias_of_any_size_changes_nothing() {
+    let plain = interpreted(&Script::default());
+    for bias in [
+        Vector3::new(0.0, 0.0, -8.0),
+        Vector3::new(0.0, 0.0, 20.0),
+        Vector3::new(0.0, 0.0, -35.0),
+        Vector3::new(40.0, -40.0, 40.0),
+    ] {
+        let found = read(&Script::default(), |_, force| force + bias);
+        assert!((found.force_bias - bias.z).abs() < 0.2, "{bias}: {}", found.force_bias);
+        assert!((found.performance.mean - plain.performance.mean).abs() < 0.01, "{bias}");
+        assert_eq!(found.events.len(), plain.events.len(), "{bias}");
+        assert_eq!(found.doubts, [], "{bias}");
+    }
+}
+
+#[test]
+fn a_wrench_of_the_other_sign_or_of_another_frame_is_read_and_said() {
+    let truth = interpreted(&Script::default()).performance.mean;
+    let turned = read(&Script::default(), |_, force| -force + Vector3::new(3.0, 0.0, 5.0));
+    assert_holds(&turned, truth, "sign");
+    assert_eq!(turned.doubts, [Doubt::SignTurned]);
+    let side = read(&Script::default(), |_, force| {
+        Vector3::new(force.z, force.y, -force.x)
+    });
+    assert_holds(&side, truth, "frame");
+    assert!(
+        matches!(side.doubts[..], [Doubt::FrameTurned { direction: [x, _, _], .. }] if x > 0.8),
+        "{:?}",
+        side.doubts
+    );
+}
+
+#[test]
+fn forces_with_another_clock_are_aligned() {
+    let truth = interpreted(&Script::default()).performance.mean;
+    let script = Script {
+        rate: 100.0,
+        ..Script::default()
+    };
+    let task = task(80, STEEP);
+    let mut samples = script.samples(&task);
+    let late = 40;
+    let forces: Vec<Vector3> = samples.iter().map(|sample| sample.force).collect();
+    for (i, sample) in samples.iter_mut().enumerate() {
+        sample.force = forces[i.saturating_sub(late)];
+    }
+    let found = interpreted_with(&samples, &task, &InterpretConfig::of(&task));
+    assert_holds(&found, truth, "clock");
+    assert!(
+        matches!(found.doubts[..], [Doubt::ClocksApart { offset }] if (offset - 0.4).abs() < 0.1),
+        "{:?}",
+        found.doubts
+    );
+    assert_eq!(events(&found, EventKind::Collision), []);
+}
+
+#[test]
+fn a_noisy_force_at_a_low_rate_is_averaged() {
+    let truth = interpreted(&Script::default()).performance.mean;
+    for (rate, force_noise) in [(1000.0, 2.0), (100.0, 2.0), (25.0, 2.0), (10.0, 1.0)] {
+        let found = interpreted(&Script {
+            rate,
+            force_noise,
+            ..Script::default()
+        });
+        assert_holds(&found, truth, &format!("{rate} Hz, {force_noise} N"));
+    }
+}
+
+#[test]
+fn near_the_surface_without_contact_nothing_can_be_told() {
+    // The tool follows its way, but nothing is felt: the sensor is not connected, or the surface lies lower.
+    let found = read(&Script::default(), |_, _| Vector3::zeros());
+    assert_eq!(found.diagnosis, Diagnosis::NoContact);
+    assert!(!found.can_be_told());
+    assert!(matches!(found.doubts[..], [Doubt::NothingFelt { closest, .. }] if closest < 1e-3));
+    let wiped = interpreted(&Script::default()).performance.mean;
+    let estimate = found.performance;
+    assert!(estimate.low < 0.05 && estimate.high > wiped - 0.05, "{estimate:?}");
+}
+
+#[test]
+fn a_log_without_free_motion_tells_nothing() {
+    let task = task(80, STEEP);
+    let script = Script::default();
+    let [start, end] = script.contacts()[0];
+    let samples: Vec<TouchSample> = (script.samples(&task).into_iter())
+        .filter(|sample| (start..end).contains(&sample.time))
+        .collect();
+    let found = interpreted_with(&samples, &task, &InterpretConfig::of(&task));
+    assert!(found.doubts.contains(&Doubt::NoFreeMotion), "{:?}", found.doubts);
+    assert!(!found.can_be_told());
+    let estimate = found.performance;
+    assert!(estimate.high - estimate.low > 0.5, "{estimate:?}");
+}
+
+#[test]
+fn a_log_that_begins_in_contact_says_that_it_may_be_cut() {
+    let task = task(80, STEEP);
+    let script = Script::default();
+    let [start, end] = script.contacts()[1];
+    let cut = 0.5 * (start + end);
+    let parts = [(cut, 1e9, [true, false]), (0.0, cut, [false, true])];
+    for (from, to, cuts) in parts {
+        let samples: Vec<TouchSample> = (script.samples(&task).into_iter())
+            .filter(|sample| (from..to).contains(&sample.time))
+            .collect();
+        let found = interpreted_with(&samples, &task, &InterpretConfig::of(&task));
+        assert!(
+            matches!(found.doubts[..], [Doubt::Incomplete { begins, ends, .. }] if [begins, ends] == cuts),
+            "{:?}",
+            found.doubts
+        );
+    }
+}
+
+/// A convex cylinder about the surface's y with its crest at x = 0.
+fn crest(place: Point2, radius: f64) -> f64 {
+    (radius * radius - place.x * place.x).sqrt() - radius
+}
+
+#[test]
+fn contacts_on_a_cylinder_are_told_with_radius_and_axis() {
+    let surfaces: [(f64, fn(Point2) -> f64); 4] = [
+        (0.5, |place| crest(place, 0.5)),
+        (1.0, |place| crest(place, 1.0)),
+        (2.5, |place| crest(place, 2.5)),
+        (6.0, |place| crest(place, 6.0)),
+    ];
+    for (radius, surface) in surfaces {
+        let found = interpreted(&Script {
+            surface,
+            ..Script::default()
+        });
+        let told = found.doubts.iter().find_map(|doubt| match doubt {
+            Doubt::Curved {
+                radius,
+                axis,
+                is_convex,
+            } => Some((*radius, axis.to_degrees(), *is_convex)),
+            _ => None,
+        });
+        let Some((told, axis, is_convex)) = told else {
+            panic!("{radius}: {:?}", found.doubts);
+        };
+        assert!((told / radius - 1.0).abs() < 0.2, "{radius}: {told}");
+        assert!((axis - 90.0).abs() < 10.0 && is_convex, "{radius}: {axis}");
+        assert!(!found.can_be_told());
+        assert!(!found.events.iter().any(|event| event.kind.is_by_hand()), "{radius}");
+    }
+    let concave = interpreted(&Script {
+        surface: |place| -crest(Point2::new(place.y + 0.3 * place.x, 0.0), 1.0),
+        ..Script::default()
+    });
+    assert!(
+        matches!(concave.doubts[0], Doubt::Curved { is_convex: false, .. }),
+        "{:?}",
+        concave.doubts
+    );
+    // What gives way unevenly under a changing force is a plane.
+    let weak = interpreted(&Script {
+        press: |place| PRESS * (1.0 - 0.4 * (place.x / 0.16).powi(2)),
+        ..Script::default()
+    });
+    assert_eq!(weak.doubts, [], "compressed by {DEPTH} m at most");
+}
