@@ -18,5 +18,7 @@ mod program;
 mod recording;
 mod robot;
 mod rounds;
+#[cfg(unix)]
+mod studio;
 mod wipings;
 mod wrong_inputs;
