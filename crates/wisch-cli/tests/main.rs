@@ -12,6 +12,7 @@ mod interpret;
 #[cfg(target_os = "linux")]
 mod kills;
 mod learn;
+mod lock_files;
 mod memory;
 mod plans;
 mod program;
