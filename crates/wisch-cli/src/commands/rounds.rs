@@ -43,7 +43,7 @@ pub fn execute(
         ..
     } = *job;
     let (_, robot) = job.robot.ok_or_else(|| internal("there is no robot"))?;
-    let mut episode = EpisodeRecorder::begin(&args.memory)?;
+    let mut episode = EpisodeRecorder::begin(args, &folder.state())?;
     let mut recording = match (args.live, episode.id()) {
         (true, Some(id)) => RunRecording::begin_live(job, &args.memory.memory, id)?,
         _ => RunRecording::begin(job)?,
@@ -69,6 +69,9 @@ pub fn execute(
     } else {
         Vec::new()
     };
+    if kept.is_empty() {
+        episode.resume_nothing();
+    }
     if args.resume && folder.found().is_taken_over {
         let rounds = counted(kept.len(), "round");
         progress.aside(|| remark(&format!("{rounds} of the killed run taken over")));
