@@ -19,7 +19,7 @@ limited(since(Statement, Time), Ls) :- !, limited(Statement, [since(Time)|Ls]).
 limited(until(Statement, Time), Ls) :- !, limited(Statement, [until(Time)|Ls]).
 limited((A, B), Ls) :- !, known_limits(Ls), limited_part(A, Ls), limited_part(B, Ls).
 limited((A -> B ; C), Ls) :- !, known_limits(Ls), ( limited_part(A, Ls) -> limited_part(B, Ls) ; limited_part(C, Ls) ).
-limited((A ; B), Ls) :- !, known_limits(Ls), ( limited(A, Ls) ; limited(B, Ls) ).
+limited((A ; B), Ls) :- !, known_limits(Ls), ( limited_part(A, Ls) ; limited_part(B, Ls) ).
 limited((A -> B), Ls) :- !, known_limits(Ls), ( limited_part(A, Ls) -> limited_part(B, Ls) ).
 limited(\+ A, Ls) :- !, known_limits(Ls), \+ limited(A, Ls).
 limited(not(A), Ls) :- !, known_limits(Ls), \+ limited(A, Ls).

@@ -493,16 +493,17 @@ impl<'a> Frames<'a> {
                 Ok((Carrier::Link(robot.tip), scene.tip_from_tool.into()))
             }
             ("tool" | "tcp", None) => Ok((Carrier::Logged, Pose::identity())),
-            ("surface", _) if scene.surface == NO_SURFACE => Err(FrameError::Scene {
-                path: self.telemetry.path().to_path_buf(),
-                what: "the episode does not say where the surface was: import its log again"
-                    .to_owned(),
-            }),
-            ("surface", _) => Ok((Carrier::World, scene.world_from_surface.into())),
+            ("surface", _) if scene.surface != NO_SURFACE => {
+                Ok((Carrier::World, scene.world_from_surface.into()))
+            }
             ("robot" | "base", Some(robot)) => at(robot.base),
             (name, _) if name == scene.tool => self.carrier("tcp"),
             (name, _) if name == scene.surface => self.carrier("surface"),
             (name, Some(_)) if name == scene.robot => self.carrier("robot"),
+            (name, _) if scene.surface == NO_SURFACE => Err(FrameError::Scene {
+                path: self.telemetry.path().to_path_buf(),
+                what: format!("the episode does not say where {name} was: import its log again"),
+            }),
             (name, _) => Err(self.unknown(name)),
         }
     }

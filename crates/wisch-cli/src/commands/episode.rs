@@ -103,6 +103,18 @@ fn dated_ahead(memory: &Memory, now: f64) -> Option<String> {
     })
 }
 
+/// Says that this machine's clock was set during the run, by so many seconds.
+fn clock_was_set(by: f64) -> Option<String> {
+    let way = if by > 0.0 { "forward" } else { "back" };
+    (by.abs() > CLOCKS_APART).then(|| {
+        format!(
+            "this machine's clock was set {way} by {} during the run; the episode is dated by the clock as it was at the \
+             beginning",
+            lasting(by)
+        )
+    })
+}
+
 /// A length of time for people.
 fn lasting(seconds: f64) -> String {
     match seconds.abs() {
@@ -327,14 +339,7 @@ impl Kept {
     fn start(&mut self, duration: f64) -> f64 {
         let clock_duration = self.since.elapsed().as_secs_f64();
         let set_by = now() - self.clock_begin - clock_duration;
-        if set_by.abs() > CLOCKS_APART {
-            let way = if set_by > 0.0 { "forward" } else { "back" };
-            self.clock_remarks.push(format!(
-                "this machine's clock was set {way} by {} during the run; the episode is dated by the clock as it was at \
-                 the beginning",
-                lasting(set_by)
-            ));
-        }
+        self.clock_remarks.extend(clock_was_set(set_by));
         self.clock_begin + (clock_duration - duration).min(0.0)
     }
 
@@ -452,4 +457,48 @@ pub(super) fn now() -> f64 {
 
 pub(super) fn cannot_keep(error: &MemoryError) -> Failure {
     Failure::new(error).with_help("--memory DIR keeps the episode elsewhere, --no-memory nowhere")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use wisch_memory::{EPISODE_SCHEMA, Origin};
+
+    const YEAR: f64 = 31_557_600.0;
+
+    #[test]
+    fn a_clock_that_is_set_by_a_year_either_way_is_told() {
+        for (by, way) in [(YEAR, "forward by 365 days"), (-YEAR, "back by 365 days")] {
+            let told = clock_was_set(by).expect("it is told");
+            assert!(told.contains(way), "{told}");
+        }
+        for by in [0.0, 0.4, -30.0] {
+            assert_eq!(clock_was_set(by), None);
+        }
+    }
+
+    #[test]
+    fn an_episode_that_is_dated_ahead_is_told() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let memory = Memory::create(folder.path()).expect("a memory");
+        assert_eq!(dated_ahead(&memory, 2e9), None);
+        let id = episode_id(2e9, 1);
+        let record = EpisodeRecord {
+            schema: EPISODE_SCHEMA,
+            id: id.clone(),
+            task: "board".to_owned(),
+            // Whatever its duration is, it dates no other episode.
+            interval: [2e9, 9e9],
+            origin: Origin::Simulated,
+            program: "by hand".to_owned(),
+            seed: 1,
+            rounds: Vec::new(),
+            individuals: Vec::new(),
+        };
+        let writer = memory.begin(&id).expect("a writer");
+        writer.commit(&record).expect("an episode");
+        let told = dated_ahead(&memory, 2e9 - YEAR).expect("it is told");
+        assert!(told.contains(&id) && told.contains("365 days"), "{told}");
+        assert_eq!(dated_ahead(&memory, 2e9 + YEAR), None);
+    }
 }
