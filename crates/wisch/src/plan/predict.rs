@@ -1,6 +1,7 @@
 //! Prediction: the plan's strokes played through the effect model; paper §3.4, Fig. 7.
 
 use super::Plan;
+use super::objective::LOSS;
 use crate::geometry::PlanarPose;
 use crate::represent::{EffectModel, ParticleDistribution, ParticleField, Performance, Task};
 
@@ -11,6 +12,19 @@ pub struct Prediction {
     pub particles: ParticleDistribution,
     /// Measured against the plan's goal.
     pub performance: Performance,
+}
+
+impl Prediction {
+    /// The share of the dirt that the plan brings where it belongs, less three times the share that it loses [1]: from 1 down to
+    /// −3.
+    pub fn score(&self) -> f64 {
+        let Performance {
+            initial,
+            achieved,
+            lost,
+        } = self.performance;
+        (achieved as f64 - LOSS as f64 * lost as f64) / initial.max(1) as f64
+    }
 }
 
 /// The state after one motion of a prediction.
