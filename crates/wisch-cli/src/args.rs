@@ -414,7 +414,7 @@ pub struct StudioArgs {
     /// Port to listen at; 0 takes any that is free
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub port: u16,
-    /// Address to listen at; any other than this machine's own is reached by others
+    /// Address to listen at; 0.0.0.0 listens at all addresses of this machine, where other machines reach it, and prints them
     #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1")]
     pub host: String,
 }

@@ -12,11 +12,14 @@ mod interpret;
 #[cfg(target_os = "linux")]
 mod kills;
 mod learn;
+mod lock_files;
 mod memory;
 mod plans;
 mod program;
 mod recording;
 mod robot;
 mod rounds;
+#[cfg(unix)]
+mod studio;
 mod wipings;
 mod wrong_inputs;

@@ -6,7 +6,8 @@ use super::sums::{FileSum, SUMS_FILE, Sums};
 use crate::observations::RoundObservations;
 use crate::record::EpisodeRecord;
 use crate::telemetry::Telemetry;
-use std::fs;
+use std::fs::{self, File};
+use std::io::Seek;
 use std::path::{Component, Path, PathBuf};
 
 /// An episode of a memory; what is asked of it is read then.
@@ -126,19 +127,21 @@ impl Episode {
         fs::read(&path).map_err(at(&path))
     }
 
-    /// The same, held against its check sum.
+    /// Opens a file after holding it against its check sum; nothing of it is kept in memory.
     ///
     /// # Errors
     /// The same, or a file that is not what was written.
-    pub fn checked_attachment(&self, name: &str) -> Result<Vec<u8>, MemoryError> {
-        let bytes = self.attachment(name)?;
+    pub fn open_checked(&self, name: &str) -> Result<File, MemoryError> {
+        check_name(&self.id, name)?;
         let path = self.folder.join(name);
+        let mut file = File::open(&path).map_err(at(&path))?;
         if let Some(written) = self.sums()?.get(name)
-            && let Some(what) = written.difference(&FileSum::of(&path)?)
+            && let Some(what) = written.difference(&FileSum::of_opened(&mut file, &path)?)
         {
             return Err(MemoryError::Changed { path, what });
         }
-        Ok(bytes)
+        file.rewind().map_err(at(&path))?;
+        Ok(file)
     }
 
     /// The names of all its files, sorted, with `/` between folder and file.
