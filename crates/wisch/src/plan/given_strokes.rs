@@ -204,6 +204,11 @@ pub fn plan_of_strokes(
     })
 }
 
+/// A coordinate to the nanometre: what rounding leaves of zero is zero [m].
+fn shown(coordinate: f64) -> f64 {
+    (coordinate * 1e9).round() / 1e9 + 0.0
+}
+
 /// An object above the surface, by its triangles and the area on which it stands.
 struct Obstacle {
     name: String,
@@ -307,8 +312,8 @@ impl Check<'_> {
                             stroke,
                             pose,
                             length,
-                            x: middle.x,
-                            y: middle.y,
+                            x: shown(middle.x),
+                            y: shown(middle.y),
                         });
                     }
                 }
@@ -330,8 +335,8 @@ impl Check<'_> {
                             pose,
                             distance,
                             limit,
-                            x: place.x,
-                            y: place.y,
+                            x: shown(place.x),
+                            y: shown(place.y),
                         });
                     }
                     let is_farther = farthest.is_none_or(|known| known.distance < distance);
@@ -400,8 +405,8 @@ impl Check<'_> {
                     stroke,
                     pose,
                     object: object.to_owned(),
-                    x: place.x,
-                    y: place.y,
+                    x: shown(place.x),
+                    y: shown(place.y),
                 });
             }
         }

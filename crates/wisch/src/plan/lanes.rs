@@ -17,6 +17,8 @@ use std::f64::consts::FRAC_PI_2;
 const OVERHANG: f64 = 0.25;
 /// Nodes of a lane are no farther apart than this, over the radius of the collision sphere [1].
 const NODE_PITCH: f64 = 2.0;
+/// How far before the border of a hole a lane ends [m].
+const HOLE_MARGIN: f64 = 1e-5;
 /// Halvings until the end of a lane is as exact as is of use: to a micrometre.
 const HALVINGS: usize = 20;
 
@@ -233,6 +235,9 @@ impl<'a> Lanes<'a> {
                     most = middle;
                 }
             }
+        }
+        if !surface.holes().is_empty() {
+            least = (least - HOLE_MARGIN).max(0.0);
         }
         LaneEnd {
             place: last + side * least,
