@@ -196,7 +196,7 @@ fn strokes_of_an_edited_plan_over_a_hole_or_off_the_surface_are_refused() {
     assert_eq!(wisch(folder.path(), &args).0, 0);
     let file = folder.path().join("planned/plan.json");
     let plan: serde_json::Value = serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap();
-    let mut refused = |stroke: [[f64; 2]; 2]| {
+    let refused = |stroke: [[f64; 2]; 2]| {
         let mut plan = plan.clone();
         plan["strategy"] = "own".into();
         plan["nodes"] = serde_json::json!(

@@ -236,7 +236,7 @@ fn obstacles(task: &Task, meshes: &[Mesh]) -> Result<Vec<Obstacle>, PlanError> {
 /// What of the tool is near the surface: the hull of its footprint, as high as the tool, from the surface's skin on.
 fn tool_body(task: &Task) -> Option<ConvexPolyhedron> {
     let (_, high) = task.tool.mesh.bounds();
-    let top = high.z.min(HEIGHT).max(2.0 * SURFACE_SKIN);
+    let top = high.z.clamp(2.0 * SURFACE_SKIN, HEIGHT);
     let corners = task.tool.footprint.edges().map(|edge| edge.start);
     let points: Vec<Vector> = corners
         .flat_map(|p| [SURFACE_SKIN, top].map(|z| Vector::new(p.x, p.y, z)))

@@ -1,9 +1,12 @@
 //! Prediction: the plan's strokes played through the effect model; paper §3.4, Fig. 7.
 
 use super::Plan;
-use super::objective::LOSS;
 use crate::geometry::PlanarPose;
 use crate::represent::{EffectModel, ParticleDistribution, ParticleField, Performance, Task};
+
+/// How many particles that might still be brought to the goal one is worth that never will: whatever is
+/// left on the surface can be wiped again.
+pub(super) const LOSS: i64 = 3;
 
 /// What a plan is expected to achieve.
 #[derive(Debug, Clone, PartialEq)]

@@ -192,7 +192,7 @@ mod tests {
         for (place, fate) in slid.iter().filter(|(_, fate)| *fate == Fate::OnSurface) {
             assert!((0.01..0.0125).contains(&place.x.abs()), "{place} {fate:?}");
         }
-        for slope in [1.5708, 2.0, std::f64::consts::PI] {
+        for slope in [1.6, 2.0, std::f64::consts::PI] {
             let (_, steep) = slide_down(&dirt(), &leaning(slope), &[], 5.0).unwrap();
             assert_eq!(steep.left, 3, "{slope}");
         }

@@ -24,7 +24,7 @@ use crate::represent::Task;
 use crate::robot::{Joint, LimitFault, RobotError, RobotModel};
 use dynamics::joint_efforts;
 use line::{Line, off_grip, world_from_tool};
-use surface::SurfaceCheck;
+use surface::{SurfaceCheck, SurfaceFault};
 
 /// Period at which limits and clearance are looked at [s].
 const PERIOD: f64 = 0.01;
@@ -226,9 +226,10 @@ pub fn audit(
         efforts(motion, &samples, cell, &mut audit.faults);
         clearance(motion, &samples, cell, &mut audit)?;
         base(number, motion.phase, &samples, cell, &mut audit.faults);
-        if let Some(surface) = &surface {
-            surface.faults(motion, &samples, &mut audit.faults);
-        }
+        let surface_faults = surface
+            .iter()
+            .flat_map(|check| check.faults(motion, &samples));
+        (audit.faults).extend(surface_faults.map(|fault| before_surface(fault, motion, task)));
         let samples = self::samples(&motion.trajectory, LINE_PERIOD);
         grip(motion, &samples, cell, &mut audit);
         on_line(number, motion, &samples, cell, task, config, &mut audit);
@@ -502,6 +503,30 @@ fn on_line(
             position,
             rotation,
         });
+    }
+}
+
+/// A fault before the target surface, in the time of all motions.
+fn before_surface(fault: SurfaceFault, motion: &Motion, task: &Task) -> MotionFault {
+    let surface = task.surface.name.clone();
+    match fault {
+        SurfaceFault::Through {
+            time,
+            body,
+            depth,
+            place,
+        } => MotionFault::ThroughSurface {
+            time: motion.start + time,
+            body,
+            surface,
+            depth,
+            place: place.into(),
+        },
+        SurfaceFault::OverHole { time, place } => MotionFault::OverHole {
+            time: motion.start + time,
+            surface,
+            place: place.into(),
+        },
     }
 }
 

@@ -1,7 +1,6 @@
 //! Whether robot, hand and tool stay on their side of the target surface, and the tool is pressed on nothing but it: by the
 //! audit's own kinematics and geometry, not by the collision model.
 
-use super::MotionFault;
 use super::kinematics::{Frame, moved_by};
 use crate::follow::{FollowConfig, Motion, Phase, TrajectorySample, Workcell};
 use crate::geometry::{Bounds2, Edge, Mesh, Point2, Point3, Vector3, encloses};
@@ -41,6 +40,20 @@ pub(super) struct SurfaceCheck<'a> {
     pressed_depth: f64,
     /// Whether the tool waits behind the surface, so that it has to come out of there.
     waits_behind: bool,
+}
+
+/// What is wrong before the surface; times are those of the motion [s], places in the surface frame.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum SurfaceFault {
+    /// A body is in the surface, has passed through it, or is the tool behind it.
+    Through {
+        time: f64,
+        body: String,
+        depth: f64,
+        place: Point2,
+    },
+    /// The tool is pressed over a hole.
+    OverHole { time: f64, place: Point2 },
 }
 
 /// The deepest place at which a body is in the surface.
@@ -152,13 +165,8 @@ impl<'a> SurfaceCheck<'a> {
         frames
     }
 
-    /// Adds the faults of a motion, the deepest of each body.
-    pub fn faults(
-        &self,
-        motion: &Motion,
-        samples: &[TrajectorySample],
-        faults: &mut Vec<MotionFault>,
-    ) {
+    /// The faults of a motion, the deepest of each body.
+    pub fn faults(&self, motion: &Motion, samples: &[TrajectorySample]) -> Vec<SurfaceFault> {
         let touches = matches!(motion.phase, Phase::Wipe(_) | Phase::Lower | Phase::Lift);
         let (tool, tool_depth) = match touches {
             true => (&self.pressed, self.pressed_depth),
@@ -189,25 +197,17 @@ impl<'a> SurfaceCheck<'a> {
             }
             before = Some(frames);
         }
-        for ((body, _), worst) in bodies.iter().zip(worst) {
-            let Some((time, Penetration { depth, place })) = worst else {
-                continue;
-            };
-            faults.push(MotionFault::ThroughSurface {
-                time: motion.start + time,
+        let through = bodies.iter().zip(worst).filter_map(|((body, _), worst)| {
+            let (time, Penetration { depth, place }) = worst?;
+            Some(SurfaceFault::Through {
+                time,
                 body: body.name.clone(),
-                surface: self.task.surface.name.clone(),
                 depth,
-                place: [place.x, place.y],
-            });
-        }
-        if let Some((time, place)) = over_hole {
-            faults.push(MotionFault::OverHole {
-                time: motion.start + time,
-                surface: self.task.surface.name.clone(),
-                place: [place.x, place.y],
-            });
-        }
+                place,
+            })
+        });
+        let over_hole = over_hole.map(|(time, place)| SurfaceFault::OverHole { time, place });
+        through.chain(over_hole).collect()
     }
 
     /// Where a body is deeper in the surface than it may be, or has passed through it since the sample before.
