@@ -331,6 +331,10 @@ pub struct PlanArgs {
     /// List the plan of every strategy: its predicted effect, its way, and how long the task's robot takes
     #[arg(long)]
     pub explain: bool,
+    /// Plan for the task's particles as if they were known to lie just there, as `wisch eval table1` does. Without, as `wisch run`
+    /// does, the plan is for all places where the dirt may lie: it is longer, and predicted to do less for the one draw
+    #[arg(long)]
+    pub known_dirt: bool,
     /// The results.
     #[command(flatten)]
     pub results: ResultArgs,

@@ -18,7 +18,8 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, remark};
 use std::path::Path;
-use wisch::plan::{Plan, Strategy, predict};
+use wisch::interpret::Belief;
+use wisch::plan::{Plan, Strategy, check_strokes, describe_over_border, predict};
 use wisch::run::{NoExecutor, RunEvent, Stage};
 use wisch_io::OutputFolder;
 use wisch_io::{Found, Leftover, Replaceable};
@@ -31,6 +32,8 @@ enum Extent<'a> {
     /// With all plans that there are to choose from, if somebody wants to see them, which takes the task's robot.
     Plan {
         explain: bool,
+        /// As if it were known where the dirt lies.
+        known_dirt: bool,
     },
     Predict,
     /// With the robot of the task, if there is one, round by round.
@@ -68,14 +71,16 @@ pub fn follow_only(args: &FollowArgs, global: &GlobalArgs) -> Result<Outcome, Fa
 
 /// `wisch plan`.
 pub fn plan_only(args: &PlanArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    let explain = args.explain;
-    work(
-        &args.task,
-        &args.results,
-        None,
-        Extent::Plan { explain },
-        global,
-    )
+    let PlanArgs {
+        explain,
+        known_dirt,
+        ..
+    } = *args;
+    let extent = Extent::Plan {
+        explain,
+        known_dirt,
+    };
+    work(&args.task, &args.results, None, extent, global)
 }
 
 /// `wisch predict`: plan only where no plan is given.
@@ -101,7 +106,7 @@ fn work(
     let mut prepared = Prepared::read(task_args)?;
     let any_robot = RobotArgs::default();
     // Which plan is the best is a question of how long the robot takes.
-    let is_weighed = matches!(extent, Extent::Plan { explain: true })
+    let is_weighed = matches!(extent, Extent::Plan { explain: true, .. })
         || prepared.config.strategy == Strategy::Best;
     let chosen = match extent {
         Extent::Plan { .. } if is_weighed => Chosen::new(&any_robot, &prepared)?,
@@ -224,8 +229,14 @@ fn simulate_effect(
 ) -> Result<Results, Failure> {
     let is_given = given.is_some();
     let mut session = job.session(job.config(None), given);
+    if let Extent::Plan {
+        known_dirt: true, ..
+    } = extent
+    {
+        session = session.with_belief(Belief::certain(job.prepared.task.particles.clone()));
+    }
     let considered = match extent {
-        Extent::Plan { explain: true } => {
+        Extent::Plan { explain: true, .. } => {
             job.progress.say("planning by every strategy");
             let considered = session.considered();
             Some(considered.map_err(|error| job.failed(error))?)
@@ -282,6 +293,10 @@ pub(super) fn given_plan(path: &Path, prepared: &mut Prepared) -> Result<Plan, F
     let in_file = |error| Failure::new(format!("{}: {error}", path.display()));
     let record = PlanRecord::parse(&text).map_err(in_file)?;
     let plan = record.to_plan(&prepared.task).map_err(in_file)?;
+    let over_border = check_strokes(&prepared.task, &plan.strokes);
+    for sentence in describe_over_border(&over_border.map_err(internal)?) {
+        remark(&format!("{}: {sentence}", path.display()));
+    }
     prepared.config.strategy = plan.strategy;
     Ok(plan)
 }

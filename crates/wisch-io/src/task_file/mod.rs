@@ -129,6 +129,7 @@ pub struct TaskFile {
     max_distance: Option<f64>,
     contact_speed: f64,
     variants: usize,
+    min_score: f64,
     definitions: Definitions,
 }
 
@@ -307,6 +308,11 @@ impl TaskFile {
     /// How many plans the prediction chooses from.
     pub fn plan_variants(&self) -> usize {
         self.variants
+    }
+
+    /// Least score of a plan that is executed [1].
+    pub fn min_score(&self) -> f64 {
+        self.min_score
     }
 
     /// The performance at which the task counts as done, in [0, 1].

@@ -144,6 +144,8 @@ ranges! { f64, NumberWithin;
     VolumePerMetre = (1e-12, 0.01);
     /// Errors of places in images [m].
     PositionErrorM = (0.0, 0.1);
+    /// Scores of plans, from all lost to all where it belongs [1].
+    Score = (-3.0, 1.0);
 }
 
 ranges! { u64, IntegerWithin;

@@ -85,6 +85,25 @@ pub enum FollowError {
         /// What keeps it.
         why: super::Obstruction,
     },
+    /// The hand is below the surface wherever the tool touches it.
+    #[error(
+        "{link:?} would be {depth:.3} m below the surface {surface:?} wherever {tool:?} touches it: the tool is taken to be held at the end of {tip:?}; name the link that holds it, as the tip of the SRDF's group, or give the tool a grip"
+    )]
+    HandBelowSurface {
+        /// The link of the hand.
+        link: String,
+        /// How far it reaches below the tool's contact plane [m].
+        depth: f64,
+        /// The surface.
+        surface: String,
+        /// The tool.
+        tool: String,
+        /// The link that the tool is taken to be held by.
+        tip: String,
+    },
+    /// The target surface cannot be used as an obstacle.
+    #[error("surface: {0}")]
+    Surface(#[source] MeshError),
     /// The tool's mesh cannot be used.
     #[error("tool: {0}")]
     Tool(#[source] MeshError),

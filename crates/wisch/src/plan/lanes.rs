@@ -1,14 +1,15 @@
 //! Lanes: a surface is treated in parallel strips as wide as the tool, gone over to and fro; the policy of actions that treat.
 //!
 //! The tool keeps its heading: its broad side stays across the lanes. Where a lane ends at the surface's border, the tool
-//! goes on over it as far as it stays carried.
+//! goes on over it as far as it stays carried. Before a hole it stops with its centre on the border: nothing is pressed over a
+//! hole.
 
 use super::objective::objective;
 use super::{
     FreeSpace, Node, NodeRole, Plan, PlanConfig, PlanError, SemanticDirectedGraph, Strategy, Stroke,
 };
 use crate::geometry::{PlanarPose, Point2, Vector2};
-use crate::represent::{Action, GoalState, Task};
+use crate::represent::{Action, GoalState, Ground, Task};
 use std::f64::consts::FRAC_PI_2;
 
 /// How far beyond the border the tool centre point may go, over the tool's length along the lane [1]: a quarter of the tool
@@ -16,6 +17,8 @@ use std::f64::consts::FRAC_PI_2;
 const OVERHANG: f64 = 0.25;
 /// Nodes of a lane are no farther apart than this, over the radius of the collision sphere [1].
 const NODE_PITCH: f64 = 2.0;
+/// How far before the border of a hole a lane ends [m].
+const HOLE_MARGIN: f64 = 1e-5;
 /// Halvings until the end of a lane is as exact as is of use: to a micrometre.
 const HALVINGS: usize = 20;
 
@@ -147,7 +150,12 @@ impl<'a> Lanes<'a> {
                     })
             };
             let mut of_lane: Vec<Open> = self.open.iter().filter(nearest).copied().collect();
-            of_lane.retain(|open| self.space.is_clear(self.in_surface(open.along, across)));
+            let surface = self.space.surface();
+            let is_carried = |at| !matches!(surface.ground(at), Ground::Hole(_));
+            of_lane.retain(|open| {
+                let at = self.in_surface(open.along, across);
+                self.space.is_clear(at) && is_carried(at)
+            });
             of_lane.sort_by(|a, b| a.along.total_cmp(&b.along));
             let mut runs: Vec<&[Open]> = of_lane
                 .chunk_by(|a, b| self.goes_on(a.along, b.along, across))
@@ -227,6 +235,9 @@ impl<'a> Lanes<'a> {
                     most = middle;
                 }
             }
+        }
+        if !surface.holes().is_empty() {
+            least = (least - HOLE_MARGIN).max(0.0);
         }
         LaneEnd {
             place: last + side * least,

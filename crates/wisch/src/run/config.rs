@@ -18,6 +18,10 @@ pub struct Performer<'a> {
     pub map: Option<&'a CapabilityMap>,
 }
 
+/// Least score of a plan that is executed unless the task says otherwise [1]: a plan that loses half of the dirt has less,
+/// whatever it brings where it belongs.
+pub const MIN_SCORE: f64 = -1.0;
+
 /// How each stage works, and when to stop. Seeds are those of the task.
 ///
 /// ```
@@ -37,6 +41,8 @@ pub struct RunConfig {
     pub follow: FollowConfig,
     /// Estimated performance at which the goal is met [1].
     pub target: f64,
+    /// Least score of a plan that is executed in the first round, see [`Prediction::score`](crate::plan::Prediction::score) [1].
+    pub min_score: f64,
     /// Most rounds.
     pub max_rounds: usize,
     /// How far a round goes.
@@ -57,6 +63,7 @@ impl Default for RunConfig {
             workcell: WorkcellConfig::default(),
             follow: FollowConfig::default(),
             target: 0.95,
+            min_score: MIN_SCORE,
             max_rounds: 4,
             pace: Pace::Whole,
             end_strokes_early: false,

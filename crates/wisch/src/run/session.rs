@@ -3,8 +3,8 @@
 use super::considered::{followed, unfollowed, within_reach};
 use super::stroke_watch::StrokeWatch;
 use super::{
-    Considered, Ending, Execution, Executor, MotionOrder, Observer, Performer, PlannedRound, Round,
-    RunConfig, RunError, RunEvent, unobserved,
+    Considered, Ending, Execution, Executor, MotionOrder, Observer, OwnStrategy, Performer,
+    PlannedRound, Round, RunConfig, RunError, RunEvent, check_score, unobserved,
 };
 use crate::follow::{Audit, Workcell, WorkcellConfig, audit, follow};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
@@ -59,6 +59,7 @@ pub struct Session<'a> {
     belief: Belief,
     workcell: WorkcellConfig,
     given: Option<Plan>,
+    own: Option<OwnStrategy<'a>>,
     goal: Option<GoalState>,
     judge: RoundJudge,
     state: State,
@@ -94,6 +95,7 @@ impl<'a> Session<'a> {
             task: task.clone(),
             workcell: config.workcell.clone(),
             given: None,
+            own: None,
             goal: None,
             judge: RoundJudge::new(config.target, config.pace),
             state: State::Begin,
@@ -127,6 +129,15 @@ impl<'a> Session<'a> {
     #[must_use]
     pub fn with_plan(self, given: Option<Plan>) -> Self {
         Self { given, ..self }
+    }
+
+    /// The same session with a strategy of the user's own, by which every round is planned that has no plan given.
+    #[must_use]
+    pub fn with_strategy(self, own: OwnStrategy<'a>) -> Self {
+        Self {
+            own: Some(own),
+            ..self
+        }
     }
 
     /// The plan of the round at hand, or of the last one.
@@ -336,6 +347,10 @@ impl<'a> Session<'a> {
     /// A plan for what is not yet done; in later rounds none where none is predicted to bring anything.
     fn next_plan(&mut self, observer: &mut Observer<'_>) -> Result<Option<Plan>, RunError> {
         let (task, config) = (&self.task, &self.config);
+        if let (Some(own), None) = (&self.own, &self.given) {
+            let plan = own.plan(task, config.plan.lift_height)?;
+            return Ok(Some(plan).filter(|plan| self.goal.is_none() || is_gainful(task, plan)));
+        }
         let whole = match (self.given.take(), self.goal.as_ref()) {
             (Some(plan), _) => plan,
             (None, None) if config.plan.strategy.is_searched() => self.searched_plan(observer)?,
@@ -511,6 +526,14 @@ impl<'a> Session<'a> {
         executor: &mut dyn Executor,
         observer: &mut Observer<'_>,
     ) -> Result<Stage, RunError> {
+        if planned.number == 1 {
+            // Later ones are gainful.
+            check_score(
+                &planned.prediction,
+                planned.task.action,
+                self.config.min_score,
+            )?;
+        }
         if observer(&RunEvent::Executing(&planned)).is_break() {
             self.state = State::Audited(planned, audit);
             return Ok(Stage::Audited);

@@ -77,7 +77,7 @@ impl<'a> Arm<'a> {
     /// The same arm for a plan, which may turn the tool on purpose even where it does not push.
     pub fn following(self, plan: &Plan) -> Self {
         Self {
-            keeps_heading: self.keeps_heading || plan.strategy.is_searched(),
+            keeps_heading: self.keeps_heading || plan.strategy.turns_tool(),
             ..self
         }
     }
