@@ -182,7 +182,7 @@ fn a_run_that_is_resumed_after_its_episode_was_kept_has_one_episode() {
         .spawn()
         .unwrap();
     let since = Instant::now();
-    while memory.episodes().unwrap().is_empty() && since.elapsed() < Duration::from_secs(300) {
+    while memory.episodes().unwrap().is_empty() && since.elapsed() < Duration::from_secs(1800) {
         std::thread::sleep(Duration::from_millis(1));
     }
     child.kill().unwrap();
