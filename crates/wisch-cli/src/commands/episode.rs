@@ -261,7 +261,7 @@ impl EpisodeRecorder {
             .collect();
         let mut record = remember(&header, &rounds);
         kept.annotate(&mut record);
-        kept.note_name()?;
+        kept.note_name();
         (kept.writer.commit(&record)).map_err(|error| cannot_keep(&error))?;
         for id in &kept.earlier {
             // The killed run had come as far as this; its episode holds less, or the same.
@@ -359,18 +359,15 @@ impl Kept {
     }
 
     /// Notes the episode's name where a resumed run finds it. Killed after this and before the commit, there is no episode of
-    /// this name, which is no harm.
-    fn note_name(&self) -> Result<(), Failure> {
+    /// this name, which is no harm. An episode does not depend on where the results go: where the name cannot be written, as
+    /// on a full disk, there is nothing to resume from either.
+    fn note_name(&self) {
         let mut options = OpenOptions::new();
         let file = options.create(true).append(true).open(&self.names);
-        let written = file.and_then(|mut file| {
+        let _ = file.and_then(|mut file| {
             file.write_all(format!("{}\n", self.writer.id()).as_bytes())?;
             file.sync_all()
         });
-        written.map_err(|error| {
-            Failure::new(format!("{}: {error}", self.names.display()))
-                .with_help("choose another folder with --out")
-        })
     }
 }
 
