@@ -12,6 +12,8 @@ pub const EPISODE_SCHEMA: u32 = 1;
 pub enum Origin {
     /// Run by this program in its simulated world.
     Simulated,
+    /// Executed by a program of this name, which is no world that this program simulates: a robot, or another simulator.
+    Executor(String),
     /// Read from a log of this name.
     Imported(String),
 }
