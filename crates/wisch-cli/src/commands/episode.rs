@@ -15,8 +15,8 @@ use wisch::run::{PlannedRound, RunEvent};
 use wisch_io::{PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE};
 use wisch_io::{PlanRecord, RobotFiles, particles_to_csv};
 use wisch_memory::{
-    EpisodeHeader, EpisodeRound, EpisodeWriter, Memory, MemoryError, RECORDING_FILE, RobotText,
-    RoundLog, RoundObservations, RoundScene, TelemetryWriter, episode_id, remember,
+    EpisodeHeader, EpisodeRound, EpisodeWriter, Memory, MemoryError, Origin, RECORDING_FILE,
+    RobotText, RoundLog, RoundObservations, RoundScene, TelemetryWriter, episode_id, remember,
 };
 
 /// What wrote an episode.
@@ -32,6 +32,8 @@ pub(super) type Attach<'a> = dyn Fn(&str, &[u8]) -> Result<(), Failure> + 'a;
 /// An episode that is being written, or none.
 pub struct EpisodeRecorder {
     kept: Option<Kept>,
+    /// The program that executes, where that is not the simulated world.
+    executor: Option<String>,
 }
 
 struct Kept {
@@ -77,9 +79,14 @@ fn after_the_last(memory: &Memory) -> f64 {
 
 impl EpisodeRecorder {
     /// Begins an episode, unless none is wanted.
-    pub fn begin(args: &KeepArgs) -> Result<Self, Failure> {
+    ///
+    /// `executor`: the program that executes, where that is not the simulated world.
+    pub fn begin(args: &KeepArgs, executor: Option<String>) -> Result<Self, Failure> {
         if args.no_memory {
-            return Ok(Self { kept: None });
+            return Ok(Self {
+                kept: None,
+                executor,
+            });
         }
         let memory = Memory::create(&args.memory).map_err(|error| cannot_keep(&error))?;
         let start = now().max(after_the_last(&memory));
@@ -93,7 +100,10 @@ impl EpisodeRecorder {
             round: 0,
             lost: Vec::new(),
         };
-        Ok(Self { kept: Some(kept) })
+        Ok(Self {
+            kept: Some(kept),
+            executor,
+        })
     }
 
     /// Its name, if there is one.
@@ -184,7 +194,10 @@ impl EpisodeRecorder {
                 }
             })
             .collect();
-        let record = remember(&header, &rounds);
+        let mut record = remember(&header, &rounds);
+        if let Some(program) = self.executor {
+            record.origin = Origin::Executor(program);
+        }
         (kept.writer.commit(&record)).map_err(|error| cannot_keep(&error))?;
         let lost = kept.lost.iter();
         let without = lost.map(|(round, error)| format!("the telemetry of round {round}: {error}"));
