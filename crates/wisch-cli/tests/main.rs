@@ -14,6 +14,8 @@ mod kills;
 mod learn;
 mod lock_files;
 mod memory;
+mod memory_faults;
+mod memory_import;
 mod plans;
 mod program;
 mod recording;

@@ -24,7 +24,7 @@ pub fn views(done: &[Done]) -> Vec<RoundView<'_>> {
     (done.iter())
         .map(|done| RoundView {
             number: done.round.motion.number,
-            plan: &done.round.motion.plan,
+            plan: Some(&done.round.motion.plan),
             believed: &done.round.motion.task.particles,
             predicted: done.round.motion.prediction.performance.ratio(),
             interpretation: &done.round.interpretation,

@@ -51,8 +51,7 @@ pub fn execute(
         ..
     } = *job;
     let (_, robot) = job.robot.ok_or_else(|| internal("there is no robot"))?;
-    let mut episode =
-        EpisodeRecorder::begin(&args.memory, args.executor.as_deref().map(program_of))?;
+    let mut episode = EpisodeRecorder::begin(args, &folder.state())?;
     let mut recording = match (args.live, episode.id()) {
         (true, Some(id)) => RunRecording::begin_live(job, &args.memory.memory, id)?,
         _ => RunRecording::begin(job)?,
@@ -74,6 +73,9 @@ pub fn execute(
     } else {
         Vec::new()
     };
+    if kept.is_empty() {
+        episode.resume_nothing();
+    }
     if args.resume && folder.found().is_taken_over {
         let rounds = counted(kept.len(), "round");
         progress.aside(|| remark(&format!("{rounds} of the killed run taken over")));
@@ -318,7 +320,7 @@ impl Executing {
 }
 
 /// The name of the program of `--executor`, without its folder.
-fn program_of(command: &str) -> String {
+pub fn program_of(command: &str) -> String {
     let program = shlex::split(command).and_then(|words| words.into_iter().next());
     let name = program.as_deref().map(Path::new).and_then(Path::file_name);
     name.map_or_else(

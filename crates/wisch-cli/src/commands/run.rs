@@ -150,6 +150,13 @@ fn work(
     if !global.quiet {
         progress.aside(|| say_what_was_found(folder.found(), leftover));
     }
+    if leftover == Leftover::TakeOver && folder.found().is_finished {
+        return Err(Failure::new(format!(
+            "{}: there is nothing to resume: the killed run was complete, and its results stand there",
+            out.display()
+        ))
+        .with_help("without --resume, wisch run begins anew"));
+    }
 
     let robot = (chosen.as_ref())
         .map(|chosen| {
@@ -206,8 +213,18 @@ fn work(
         }
     }
     // The results are there by now, whatever became of the episode.
-    for what in episode?.iter().flat_map(|kept| &kept.without) {
-        remark(&format!("the episode is kept without {what}"));
+    if let Some(kept) = episode? {
+        for what in &kept.remarks {
+            remark(what);
+        }
+        if !kept.without.is_empty() {
+            return Err(Failure::new(format!(
+                "{}: the episode is kept without {}",
+                kept.place.display(),
+                kept.without.join(", nor ")
+            ))
+            .with_help("queries of telemetry leave it out; wisch memory forget ID removes it"));
+        }
     }
     let is_interrupted = stop.is_some_and(|stop| stop.load(Ordering::SeqCst));
     if waits_for_the_operator(&results_of) && !is_interrupted {

@@ -1,5 +1,6 @@
 //! The folder with the results: written beside its place and moved there whole.
 
+mod replacement;
 mod staging_dir;
 
 pub use staging_dir::{Found, Leftover};
@@ -166,7 +167,7 @@ pub enum Replaceable {
 /// A folder of results in the making. Dropped unfinished, it leaves nothing behind.
 pub struct OutputFolder {
     target: PathBuf,
-    /// Holds `new`, `old` while folders change places, and `state`, which is of use only if this run dies.
+    /// Holds `new`, what [`replacement`] needs, and `state`, which is of use only if this run dies.
     staging: StagingDir,
     found: Found,
     /// Dropped after `staging`, which stands in them.
@@ -207,15 +208,17 @@ impl OutputFolder {
             ));
         };
         let made = MadeFolders::make(parent).map_err(|error| cannot_write(parent, &error))?;
-        let (staging, found) = StagingDir::begin(parent, &name.to_string_lossy(), leftover)
-            .map_err(|error| match error.kind() {
-                ErrorKind::ResourceBusy => refused(
-                    &target,
-                    "another wisch is making results there",
-                    "wait for it, or choose another folder with --out",
-                ),
-                _ => cannot_write(parent, &error),
-            })?;
+        let (staging, found) =
+            StagingDir::begin(parent, &name.to_string_lossy(), leftover, &target).map_err(
+                |error| match error.kind() {
+                    ErrorKind::ResourceBusy => refused(
+                        &target,
+                        "another wisch is making results there",
+                        "wait for it, or choose another folder with --out",
+                    ),
+                    _ => cannot_write(parent, &error),
+                },
+            )?;
         let folder = Self {
             target,
             staging,
@@ -276,25 +279,14 @@ impl OutputFolder {
             // Those that hold something stay.
             let _ = fs::remove_dir(self.new_path().join(room));
         }
-        let old = self.staging.path().join("old");
         // Someone may have put something there while we were planning.
         check_replaceable(&self.target)?;
-        let replaced = match fs::rename(&self.target, &old) {
-            Ok(()) => true,
-            Err(error) if error.kind() == ErrorKind::NotFound => false,
-            Err(error) => return Err(cannot_write(&self.target, &error)),
-        };
-        fs::rename(self.new_path(), &self.target).map_err(|error| {
-            if replaced {
-                // If even this fails, the first error is the one to tell.
-                let _ = fs::rename(&old, &self.target);
-            }
-            cannot_write(&self.target, &error)
-        })
+        replacement::put_in_place(self.staging.path(), &self.target)
+            .map_err(|error| cannot_write(&self.target, &error))
     }
 
     fn new_path(&self) -> PathBuf {
-        self.staging.path().join("new")
+        self.staging.path().join(replacement::NEW)
     }
 }
 
