@@ -374,10 +374,10 @@ pub struct LoopArgs {
     /// Command that starts an executor (docs/executor-protocol.md), in place of the built-in simulator
     #[arg(long, value_name = "COMMAND", conflicts_with = "resume")]
     pub executor: Option<String>,
-    /// Give an executor up that hands on nothing for so long [s], or goes on for so long after it was told to stop
+    /// Seconds after which an executor is given up that says nothing, makes no progress, or goes on after its end or a stop
     #[arg(long, value_name = "SECONDS", requires = "executor", default_value_t = 60.0, value_parser = seconds)]
     pub timeout: f64,
-    /// Let others look on while it runs, as `wisch studio` does; needs a memory. SIGTERM ends it in order
+    /// Let others look on while it runs, as `wisch studio` does; needs a memory. Ctrl-C and SIGTERM end it in order
     #[arg(long, conflicts_with = "no_memory")]
     pub live: bool,
     /// Write progress events as JSON lines to a file, or with "-" to standard output

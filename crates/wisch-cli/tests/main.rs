@@ -21,6 +21,8 @@ mod program;
 mod recording;
 mod robot;
 mod rounds;
+#[cfg(target_os = "linux")]
+mod signals;
 #[cfg(unix)]
 mod studio;
 mod wipings;

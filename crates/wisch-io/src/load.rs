@@ -83,6 +83,8 @@ impl LoadedTask {
             max_rounds: self.file.max_rounds(),
             end_strokes_early: self.file.end_strokes_early(),
             pace: self.file.pace(),
+            after_stop: self.file.after_stop(),
+            start_tolerance: self.file.start_rad(),
             sight: self
                 .file
                 .perception()

@@ -15,6 +15,8 @@ pub(crate) const TELEMETRY_LOST: &str = "semco:telemetryLost";
 pub enum Origin {
     /// Run by this program in its simulated world.
     Simulated,
+    /// Executed by a program of this name, which is no world that this program simulates: a robot, or another simulator.
+    Executor(String),
     /// Read from a log of this name.
     Imported(String),
 }

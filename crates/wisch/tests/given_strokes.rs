@@ -198,6 +198,7 @@ fn a_surface_is_polished_round_its_holes() {
     task.scene.clear();
     task.treatment = Some(Treatment::Polish {
         passes: 2,
+        max_passes: 3,
         preston: None,
     });
     let places: Vec<Point2> = (0..60 * 40)

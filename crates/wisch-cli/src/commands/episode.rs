@@ -2,6 +2,7 @@
 
 use super::job::Done;
 use super::prepare::Prepared;
+use super::rounds::program_of;
 use super::watch::Seen;
 use super::words::{internal, json};
 use crate::args::{LoopArgs, TaskArgs};
@@ -17,9 +18,9 @@ use wisch::run::{PlannedRound, RunEvent};
 use wisch_io::{PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE};
 use wisch_io::{PlanRecord, RobotFiles, particles_to_csv};
 use wisch_memory::{
-    EpisodeHeader, EpisodeRecord, EpisodeRound, EpisodeWriter, Memory, MemoryError, RECORDING_FILE,
-    RobotText, RoundLog, RoundObservations, RoundScene, TelemetryWriter, Value, episode_id,
-    local_date_and_time, remember,
+    EpisodeHeader, EpisodeRecord, EpisodeRound, EpisodeWriter, Memory, MemoryError, Origin,
+    RECORDING_FILE, RobotText, RoundLog, RoundObservations, RoundScene, TelemetryWriter, Value,
+    episode_id, local_date_and_time, remember,
 };
 
 /// What wrote an episode.
@@ -39,6 +40,8 @@ pub(super) type Attach<'a> = dyn Fn(&str, &[u8]) -> Result<(), Failure> + 'a;
 /// An episode that is being written, or none.
 pub struct EpisodeRecorder {
     kept: Option<Kept>,
+    /// The program that executes, where that is not the simulated world.
+    executor: Option<String>,
 }
 
 struct Kept {
@@ -134,8 +137,12 @@ impl EpisodeRecorder {
     /// Begins an episode, unless none is wanted. Its name, which is the time by the clock, is noted in the run's state:
     /// a run that is resumed keeps one episode.
     pub fn begin(args: &LoopArgs, state: &Path) -> Result<Self, Failure> {
+        let executor = args.executor.as_deref().map(program_of);
         if args.memory.no_memory {
-            return Ok(Self { kept: None });
+            return Ok(Self {
+                kept: None,
+                executor,
+            });
         }
         let folder = &args.memory.memory;
         let memory = Memory::create(folder).map_err(|error| cannot_keep(&error))?;
@@ -160,7 +167,10 @@ impl EpisodeRecorder {
             round: 0,
             lost: Vec::new(),
         };
-        Ok(Self { kept: Some(kept) })
+        Ok(Self {
+            kept: Some(kept),
+            executor,
+        })
     }
 
     /// The run goes on with no round of a killed one: the episodes of that one stay.
@@ -260,6 +270,9 @@ impl EpisodeRecorder {
             })
             .collect();
         let mut record = remember(&header, &rounds);
+        if let Some(program) = self.executor {
+            record.origin = Origin::Executor(program);
+        }
         kept.annotate(&mut record);
         kept.note_name();
         (kept.writer.commit(&record)).map_err(|error| cannot_keep(&error))?;

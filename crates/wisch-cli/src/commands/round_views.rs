@@ -11,7 +11,12 @@ use wisch_report::{RoundView, RoundsInput};
 
 /// What `--json` says of a round.
 pub fn summary(done: &Done) -> RoundSummary {
-    RoundSummary::new(&done.round, &done.times, done.true_performance)
+    RoundSummary::new(
+        &done.round,
+        &done.times,
+        done.executed_by,
+        done.true_performance,
+    )
 }
 
 /// What figures show of the rounds.

@@ -2,11 +2,12 @@
 
 use super::budget::in_evaluations;
 use super::follow::{Chosen, Following, performer};
+use super::interrupt::end_in_order;
 use super::job::{Job, Results};
 use super::prepare::Prepared;
 use super::recording::RunRecording;
 use super::results::{out_folder, write};
-use super::rounds::{execute, say_where};
+use super::rounds::{Executed, execute, say_where};
 use super::summary::{in_words, summary};
 use super::watch::Watch;
 use super::words::{counted, internal};
@@ -18,9 +19,11 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, remark};
 use std::path::Path;
+use std::sync::atomic::Ordering;
 use wisch::interpret::Belief;
 use wisch::plan::{Plan, Strategy, check_strokes, describe_over_border, predict};
-use wisch::run::{NoExecutor, RunEvent, Stage};
+use wisch::recover::Verdict;
+use wisch::run::{Ending, NoExecutor, RunEvent, Stage};
 use wisch_io::OutputFolder;
 use wisch_io::{Found, Leftover, Replaceable};
 use wisch_io::{PlanRecord, read_text};
@@ -128,6 +131,11 @@ fn work(
         (Extent::Plan { .. }, _) => "-planned",
     };
     let out = out_folder(results, &prepared, done);
+    // From before there is anything on the disk that an end would leave there.
+    let stop = match extent {
+        Extent::Run(_, rounds) if rounds.executor.is_some() || rounds.live => Some(end_in_order()?),
+        _ => None,
+    };
     // Before the long part: nobody likes to wait for "permission denied".
     let leftover = match extent {
         Extent::Run(_, rounds) if rounds.resume => Leftover::TakeOver,
@@ -163,18 +171,34 @@ fn work(
         folder: &folder,
         progress: &progress,
     };
-    let (results_of, episode) = match (extent, &robot) {
-        (Extent::Run(_, rounds), Some(_)) => execute(&job, rounds, given)?,
-        _ => (simulate_effect(&job, extent, given)?, Ok(None)),
+    let Executed {
+        results: results_of,
+        kept: episode,
+        broken,
+    } = match (extent, &robot) {
+        (Extent::Run(_, rounds), Some(_)) => execute(&job, rounds, given, stop.as_ref())?,
+        _ => Executed {
+            results: simulate_effect(&job, extent, given)?,
+            kept: Ok(None),
+            broken: None,
+        },
     };
     progress.say("writing the results");
     let written = write(&folder, &prepared, &results_of);
     let written = written.and_then(|()| Ok(folder.finish()?));
     drop(progress);
-    if written.is_err() {
+    if written.is_err() || broken.is_some() {
         say_where(&episode);
     }
     written?;
+    if let Some(failure) = broken {
+        let rounds = counted(results_of.rounds.len(), "round");
+        remark(&format!(
+            "{rounds} kept, as far as executed, in {}",
+            out.display()
+        ));
+        return Err(failure);
+    }
 
     let summary = summary(&prepared, &results_of, &out);
     if results.json {
@@ -202,11 +226,26 @@ fn work(
             .with_help("queries of telemetry leave it out; wisch memory forget ID removes it"));
         }
     }
+    let is_interrupted = stop.is_some_and(|stop| stop.load(Ordering::SeqCst));
+    if waits_for_the_operator(&results_of) && !is_interrupted {
+        remark(
+            "the robot was stopped, and waits for its operator; with execution.after_stop = \"retreat\" the task goes on by itself",
+        );
+    }
     let is_met = results_of.is_goal_met(prepared.file.target_performance());
     Ok(if is_met {
         Outcome::Done
     } else {
         Outcome::GoalNotMet
+    })
+}
+
+/// Whether a person or a safety system ended the last round, and nothing followed.
+fn waits_for_the_operator(results: &Results) -> bool {
+    results.rounds.last().is_some_and(|done| {
+        let ending = &done.round.execution.ending;
+        matches!(ending, Ending::ProtectiveStop { .. } | Ending::Stopped)
+            && done.round.verdict == Verdict::Again
     })
 }
 

@@ -55,12 +55,31 @@ fn room(name: &str) -> &'static str {
         TRAJECTORY_YAML_FILE,
         TCP_PATH_FILE,
     ]
-    .contains(&name)
+    .contains(&of_first_round(name).as_str())
     {
         "trajectories"
     } else {
         ""
     }
+}
+
+/// The name of a round's file: that of the first round is the file's own, that of another has its number, as in
+/// `plan-round-2.json`.
+pub fn of_round(name: &str, round: usize) -> String {
+    match name.rsplit_once('.') {
+        Some((stem, ending)) if round > 1 => format!("{stem}-round-{round}.{ending}"),
+        _ => name.to_owned(),
+    }
+}
+
+/// The name of the same file of the first round.
+fn of_first_round(name: &str) -> String {
+    let parts = name.rsplit_once('.').and_then(|(stem, ending)| {
+        let (stem, round) = stem.rsplit_once("-round-")?;
+        let is_number = round.bytes().all(|byte| byte.is_ascii_digit());
+        is_number.then(|| format!("{stem}.{ending}"))
+    });
+    parts.unwrap_or_else(|| name.to_owned())
 }
 
 /// All rooms but the top.

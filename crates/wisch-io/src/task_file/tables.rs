@@ -323,6 +323,8 @@ pub(super) struct CollectTable {
 pub(super) struct PolishTable {
     /// How often the tool is to slide over every place, each time by its own length.
     pub(super) passes: Passes,
+    /// Most over any place, of all rounds together; default: one more than `passes`.
+    pub(super) max_passes: Option<At<Passes>>,
     /// Coefficient of Preston's law, by which a pass removes so much: depth over pressure and way slid [1/Pa]; default: nothing
     /// is said of that.
     pub(super) preston_per_pa: Option<PrestonPerPa>,

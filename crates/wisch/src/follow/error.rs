@@ -55,6 +55,15 @@ pub enum FollowError {
     /// The robot's ready posture is outside its limits.
     #[error("the robot cannot start: {0}")]
     StartOutOfLimits(crate::robot::LimitFault),
+    /// There is no way from where the robot was stopped to its ready posture.
+    #[error(
+        "no way back from where the robot was stopped to its ready posture{}",
+        because(why)
+    )]
+    NoRetreat {
+        /// What is in the way of lifting the tool off the surface; `None` where it is the way after that.
+        why: Option<super::Obstruction>,
+    },
     /// A second hand is to hold a tool that has no grip for it.
     #[error("tool {tool:?} has no second_grip that the group {group:?} could hold")]
     NoSecondGrip {
@@ -117,4 +126,9 @@ pub enum FollowError {
         /// What it may be.
         expected: &'static str,
     },
+}
+
+fn because(why: &Option<super::Obstruction>) -> String {
+    why.as_ref()
+        .map_or_else(String::new, |why| format!(": {why}"))
 }

@@ -67,6 +67,30 @@ pub enum RunError {
         /// Variables of the robot.
         expected: usize,
     },
+    /// The robot does not stand where its motion begins.
+    #[error(
+        "round {round}: joint {joint:?} stands {distance:.3} {unit} from where the motion begins, more than the limit of {limit} {unit} (start_rad): the motion is not executed"
+    )]
+    Start {
+        /// The round, from 1.
+        round: usize,
+        /// The joint that is farthest away.
+        joint: String,
+        /// How far [rad or m].
+        distance: f64,
+        /// The limit [rad or m].
+        limit: f64,
+        /// "rad" or "m".
+        unit: &'static str,
+    },
+    /// Nobody knows where the robot was stopped.
+    #[error(
+        "round {round}: the executor did not report where the robot was stopped, so no motion can begin there"
+    )]
+    UnknownState {
+        /// The round that cannot begin, from 1.
+        round: usize,
+    },
     /// No interpretation.
     #[error(transparent)]
     Interpret(#[from] InterpretError),

@@ -15,8 +15,9 @@ mod round;
 mod session;
 mod stroke_watch;
 mod telemetry;
+mod trajectory_clock;
 
-pub use config::{MIN_SCORE, Pace, Performer, RunConfig};
+pub use config::{AfterStop, MIN_SCORE, Pace, Performer, RunConfig};
 pub use considered::{Considered, ConsideredMotion};
 pub use error::{RunError, check_score};
 pub use event::{Observer, RunEvent, unobserved};
@@ -24,9 +25,10 @@ pub use execution::{Ending, Execution, StopCause};
 pub use executor::{Executor, ExecutorError, NoExecutor, RecordedRound, Recording, SampleSink};
 pub use order::{MotionOrder, Setpoint};
 pub use own_strategy::OwnStrategy;
-pub use round::{PlannedRound, Round};
+pub use round::{ExecutedMotion, PlannedRound, Round};
 pub use session::{Session, Stage};
 pub use stroke_watch::StrokeEnd;
 pub use telemetry::{RecordedSample, TelemetrySample};
+pub use trajectory_clock::{TrajectoryClock, TrajectoryTimeError};
 
 pub use crate::control::Wrench;
