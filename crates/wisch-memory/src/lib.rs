@@ -17,6 +17,7 @@ mod remember;
 mod robot;
 pub mod store;
 pub mod telemetry;
+mod told;
 pub mod view;
 
 pub use catalogue::{Catalogue, IndividualId, Node};

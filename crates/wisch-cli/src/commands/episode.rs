@@ -2,7 +2,6 @@
 
 use super::job::Done;
 use super::prepare::Prepared;
-use super::rounds::program_of;
 use super::watch::Seen;
 use super::words::{internal, json};
 use crate::args::{LoopArgs, TaskArgs};
@@ -382,6 +381,16 @@ impl Kept {
             file.sync_all()
         });
     }
+}
+
+/// The name of the program of `--executor`, without its folder.
+fn program_of(command: &str) -> String {
+    let program = shlex::split(command).and_then(|words| words.into_iter().next());
+    let name = program.as_deref().map(Path::new).and_then(Path::file_name);
+    name.map_or_else(
+        || "executor".to_owned(),
+        |name| name.to_string_lossy().into_owned(),
+    )
 }
 
 /// Attaches the task file, and what the command line said of it.

@@ -2,7 +2,6 @@
 
 use super::episode::{PROGRAM, attach_task, begin_from, cannot_keep};
 use super::interpret::{Interpreted, interpret_log, task_args};
-use super::log_report::page;
 use super::prepare::Prepared;
 use super::words::{counted, json, percent};
 use crate::args::{GlobalArgs, ImportArgs};
@@ -86,7 +85,7 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     attach(&name, particles_to_csv(&estimated).as_bytes())?;
     let name = format!("round-1/{INTERPRETATION_FILE}");
     attach(&name, json(interpreted_record)?.as_bytes())?;
-    attach(REPORT_FILE, page(&prepared, &interpreted)?.as_bytes())?;
+    attach(REPORT_FILE, interpreted.page(&prepared).as_bytes())?;
     let header = EpisodeHeader {
         id: writer.id().to_owned(),
         start,

@@ -46,7 +46,7 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
     let particles = interpreted.estimated(&prepared)?;
     folder.write(INTERPRETATION_FILE, json(record)?)?;
     folder.write(PARTICLES_ESTIMATED_FILE, particles_to_csv(&particles))?;
-    folder.write(REPORT_FILE, page(&prepared, &interpreted)?)?;
+    folder.write(REPORT_FILE, interpreted.page(&prepared))?;
     folder.finish()?;
     drop(progress);
 
@@ -73,6 +73,17 @@ pub(super) struct Interpreted {
 }
 
 impl Interpreted {
+    /// Its page.
+    pub fn page(&self, prepared: &Prepared) -> String {
+        let lines = summary_lines(&self.record).into_iter();
+        let facts: Vec<(String, String)> = lines
+            .filter(|(name, _)| !name.is_empty())
+            .map(|(name, value)| (name.to_owned(), value))
+            .collect();
+        let notes = &self.record.log.remarks;
+        page(prepared, &self.goal, &self.interpretation, &facts, notes)
+    }
+
     /// Where the dirt is estimated to lie.
     pub fn estimated(&self, prepared: &Prepared) -> Result<ParticleDistribution, Failure> {
         let belief = &self.interpretation.belief;

@@ -1,7 +1,6 @@
 //! `wisch report`: an episode, a folder of results or a log as one page.
 
 use super::interpret::{interpret_log, task_args};
-use super::log_report::page;
 use super::packed::read_packed;
 use super::prepare::Prepared;
 use crate::args::{GlobalArgs, LoggedArgs, ReportArgs};
@@ -112,7 +111,7 @@ fn page_of_log(source: &LoggedArgs, global: &GlobalArgs) -> Result<String, Failu
     let task_args = task_args(source);
     let mut prepared = Prepared::read(&task_args)?;
     let interpreted = interpret_log(source, &task_args, &mut prepared, None, &progress)?;
-    page(&prepared, &interpreted)
+    Ok(interpreted.page(&prepared))
 }
 
 /// What the recording calls itself.

@@ -319,16 +319,6 @@ impl Executing {
     }
 }
 
-/// The name of the program of `--executor`, without its folder.
-pub fn program_of(command: &str) -> String {
-    let program = shlex::split(command).and_then(|words| words.into_iter().next());
-    let name = program.as_deref().map(Path::new).and_then(Path::file_name);
-    name.map_or_else(
-        || "executor".to_owned(),
-        |name| name.to_string_lossy().into_owned(),
-    )
-}
-
 /// Starts the program of `--executor`.
 fn start(
     command: &str,

@@ -23,7 +23,6 @@ mod term;
 mod trends;
 
 pub use assertions::Assertions;
-pub(crate) use assertions::forget_episode;
 pub use engine::{EngineCommand, Limits};
 pub use error::{AskError, QueryFault};
 pub use listing::{Predicate, builtins, predicates};

@@ -32,7 +32,7 @@ pub use error::MemoryError;
 pub use verify::Fault;
 pub use writer::EpisodeWriter;
 
-use crate::ask::forget_episode;
+use crate::told::forget_episode;
 use error::at;
 use std::fs::{self, File, TryLockError};
 use std::io;
