@@ -325,7 +325,8 @@ impl Kept {
 }
 
 impl Kept {
-    /// How long each round lasted [s]: as its executor says, unless that is longer than it can have been.
+    /// How long each round lasted, in the time of its samples [s]; says where that is not what the clock says, as of a
+    /// simulator that is faster than it.
     fn durations(&mut self, done: &[Done]) -> Vec<f64> {
         let mut durations = Vec::with_capacity(done.len());
         for done in done {
@@ -337,9 +338,10 @@ impl Kept {
                 Some(&clock) if !(0.0..=clock * (1.0 + share) + slack).contains(&said) => {
                     self.clock_remarks.push(format!(
                         "round {number} lasted {said} s by its executor and {clock:.1} s by this machine's clock; \
-                         the episode is dated by the clock: are the executor's times in seconds?"
+                         the episode keeps the executor's time: is it in seconds?"
                     ));
-                    clock
+                    // What happened in the round has the time of its samples.
+                    if said.is_finite() { said } else { clock }
                 }
                 _ => said,
             });

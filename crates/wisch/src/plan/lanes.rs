@@ -223,11 +223,11 @@ impl<'a> Lanes<'a> {
             let mended = needy.clone().count();
             let Some(first) = needy.next() else { break };
             let last = needy.next_back().unwrap_or(first);
+            let across = self.shifted(run, across, pass, most);
             let mut ends = [
                 self.end(first.along, across, -1.0),
                 self.end(last.along, across, 1.0),
             ];
-            let across = across + self.shift(pass, most);
             if !self.passes_over([ends[0].place, ends[1].place], across, mended) {
                 break;
             }
@@ -246,6 +246,15 @@ impl<'a> Lanes<'a> {
         whole.dedup();
         ways.extend((!whole.is_empty()).then_some(whole));
         ways
+    }
+
+    /// Where a pass goes across [m]: shifted, unless it would then meet what the lane itself keeps clear of.
+    fn shifted(&self, run: &[Open], across: f64, pass: u32, passes: u32) -> f64 {
+        let shifted = across + self.shift(pass, passes);
+        let at = |open: &Open| self.in_surface(open.along, shifted);
+        let is_clear = run.iter().all(|open| self.space.is_clear(at(open)))
+            && (run.windows(2)).all(|pair| self.space.is_clear_between(at(&pair[0]), at(&pair[1])));
+        if is_clear { shifted } else { across }
     }
 
     /// Counts a pass over what lies under the tool, unless it mends little for what would have more than it may; whether it
