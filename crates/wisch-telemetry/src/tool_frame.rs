@@ -117,6 +117,6 @@ impl Frames {
                 .find_map(|tool| group.iter().find(|name| is_called(name, tool)));
             (*called.unwrap_or(frame)).to_owned()
         };
-        last.map(|frame| end(frame)).collect()
+        last.map(end).collect()
     }
 }

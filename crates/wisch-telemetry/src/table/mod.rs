@@ -1,6 +1,7 @@
 //! Logs as tables: text with a line of names, or columns with names in a binary file.
 
 mod delimited;
+mod known;
 mod layout;
 mod names;
 mod orientation;
@@ -39,6 +40,9 @@ pub(crate) fn read(bytes: &[u8], options: &LogOptions) -> Result<RawLog, ReadFau
     let times = table.survey()?;
     table.collect(&times)
 }
+
+/// Takes a row of numbers: its number and its cells.
+type TakeNumbers<'a> = dyn FnMut(usize, &[Cell<'_>]) -> Result<(), ReadFault> + 'a;
 
 /// A table with what its columns mean.
 struct Table<'a> {
@@ -118,11 +122,7 @@ impl Table<'_> {
     }
 
     /// Calls `take` with the number of each row of numbers and its cells of some of the columns that are read.
-    fn each(
-        &self,
-        columns: &[usize],
-        take: &mut dyn FnMut(usize, &[Cell<'_>]) -> Result<(), ReadFault>,
-    ) -> Result<(), ReadFault> {
+    fn each(&self, columns: &[usize], take: &mut TakeNumbers<'_>) -> Result<(), ReadFault> {
         let indices: Vec<usize> = (columns.iter())
             .map(|&column| self.layout.columns[column].index)
             .collect();
