@@ -480,12 +480,8 @@ fn wrong_inputs_are_told_with_what_to_do() {
         ),
         (
             "log.mcap",
-            &["--pose-topic", "/tf"],
-            &[
-                "2 topics hold a pose",
-                "/tf:tool, /tf:surface",
-                "--pose-topic",
-            ],
+            &["--pose-topic", "/tf:tol"],
+            &["unknown frame \"tol\"", "nearest: tool"],
         ),
         (
             "log.mcap",

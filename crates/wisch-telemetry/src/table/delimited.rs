@@ -1,6 +1,6 @@
 //! Tables as text: comments, a line of names, and values between separators.
 
-use super::source::{Cell, TakeRow};
+use super::cell::{Cell, TakeRow};
 use crate::error::ReadFault;
 use std::borrow::Cow;
 use std::cell::Cell as Shared;

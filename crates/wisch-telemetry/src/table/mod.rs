@@ -1,5 +1,6 @@
 //! Logs as tables: text with a line of names, or columns with names in a binary file.
 
+mod cell;
 mod delimited;
 mod known;
 mod layout;
@@ -8,9 +9,10 @@ mod orientation;
 mod source;
 mod times;
 
+use self::cell::Cell;
 use self::layout::Layout;
 use self::names::UnitKind;
-use self::source::{Cell, Source};
+use self::source::Source;
 use self::times::Instant;
 use super::error::ReadFault;
 use super::frames::Frames;

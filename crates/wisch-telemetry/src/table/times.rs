@@ -1,6 +1,6 @@
 //! Times of a table: counts of some unit, dates, or a rate.
 
-use super::source::Cell;
+use super::cell::Cell;
 use crate::error::ReadFault;
 use crate::ros2::NANOSECONDS_PER_SECOND;
 use jiff::civil::DateTime;
