@@ -412,12 +412,12 @@ fn wrong_inputs_are_told_with_what_to_do() {
         (
             "column.csv",
             &["--csv-columns", "force=force_z"],
-            &["unknown column \"force\"", "known: fx"],
+            &["unknown column \"force\"", "nearest: "],
         ),
         (
             "short.csv",
             &[],
-            &["short.csv: line 3: it has 3 values, and column \"z\" is number 4"],
+            &["short.csv: line 3: it has 3 values, but there are 11 names"],
         ),
         (
             "text.csv",
@@ -432,7 +432,10 @@ fn wrong_inputs_are_told_with_what_to_do() {
         (
             "back.csv",
             &[],
-            &["back.csv: line 3: its time of 0 s is before that of the one before, 10 s"],
+            &[
+                "back.csv: line 3: its time of 0 s is 10 s before the latest one before it, 10 s; the limit is 5 s",
+                "--reorder-s",
+            ],
         ),
         (
             "late.csv",
@@ -477,12 +480,8 @@ fn wrong_inputs_are_told_with_what_to_do() {
         ),
         (
             "log.mcap",
-            &["--pose-topic", "/tf"],
-            &[
-                "2 topics hold a pose",
-                "/tf:tool, /tf:surface",
-                "--pose-topic",
-            ],
+            &["--pose-topic", "/tf:tol"],
+            &["unknown frame \"tol\"", "nearest: tool"],
         ),
         (
             "log.mcap",

@@ -21,7 +21,7 @@ use wisch_io::{
 };
 use wisch_io::{InterpretationRecord, LogRecord, particles_to_csv};
 use wisch_telemetry::{
-    AxesChoice, AxesSource, Log, LogOptions, ReadFault, RecordingKind, TopicChoice, UnitsLine, read,
+    AxesChoice, AxesSource, Log, LogOptions, ReadFault, RecordingKind, TopicChoice, read,
 };
 
 /// Reads the log, interprets it, and writes what it says.
@@ -157,7 +157,7 @@ fn log_record(file: &Path, log: &Log, remarks: Vec<String>) -> LogRecord {
 /// What is odd about a log, in words.
 fn remarks(log: &Log, prepared: &Prepared, interpretation: &Interpretation) -> Vec<String> {
     let mut remarks = log.frames_used.clone();
-    remarks.extend(log.units.iter().flat_map(units_in_words));
+    remarks.extend(log.remarks.iter().cloned());
     let skipped = log.skipped.iter().map(|skipped| {
         let count = counted(skipped.count, "sample");
         format!("left out: {count}, the first of them {}", skipped.first)
@@ -194,26 +194,6 @@ fn remarks(log: &Log, prepared: &Prepared, interpretation: &Interpretation) -> V
 /// How far a log's surface may be from the task's to be the same [m] and [rad].
 const ELSEWHERE_M: f64 = 0.05;
 const ELSEWHERE_RAD: f64 = 0.18;
-
-fn units_in_words(line: &UnitsLine) -> Vec<String> {
-    let listed = |units: &[(String, String)]| {
-        let units: Vec<String> = (units.iter())
-            .map(|(column, unit)| format!("{column} in {unit}"))
-            .collect();
-        units.join(", ")
-    };
-    let mut words = Vec::new();
-    if !line.units.is_empty() {
-        words.push(format!("by its line of units: {}", listed(&line.units)));
-    }
-    if !line.unknown.is_empty() {
-        words.push(format!(
-            "its line of units names what is not known and was taken for SI units: {}",
-            listed(&line.unknown)
-        ));
-    }
-    words
-}
 
 fn gaps_in_words(gaps: &[[f64; 2]]) -> Option<String> {
     let shown: Vec<String> = (gaps.iter().take(GAPS_SHOWN))
@@ -321,6 +301,10 @@ fn log_options(args: &LogArgs, prepared: &Prepared) -> Result<LogOptions, Failur
         columns: args.csv_columns.clone(),
         axes: (args.wrench_frame).map_or(AxesChoice::AsLogged, AxesChoice::Given),
         sign: args.wrench_sign,
+        orientation: args.orientation,
+        clock: args.time,
+        reorder_window: args.reorder_s,
+        rate: args.rate,
         force_unit: args.force_unit_n,
         length_unit: args.length_unit_m,
         time_unit: args.time_unit_s,
@@ -353,8 +337,11 @@ fn pose(numbers: &[f64]) -> Option<Pose> {
 fn advice(fault: &ReadFault, log: &Path) -> Option<String> {
     Some(match fault {
         ReadFault::Several { what, .. } => format!("choose one with --{what}-topic"),
-        ReadFault::Nothing { what, .. } => {
-            format!("--{what}-topic TOPIC:FIELD names a part of a larger message")
+        ReadFault::Nothing { what, unread, .. } if unread.is_empty() => {
+            format!("--{what}-topic TOPIC:FIELD names a part of a larger message; --urdf takes the pose from /joint_states")
+        }
+        ReadFault::Nothing { .. } | ReadFault::Encoding { .. } => {
+            "only messages of ROS 2 (cdr with ros2msg schemas) are read: record the topics with ros2 bag record -s mcap, or export poses and forces as a table (CSV), as PlotJuggler and Foxglove do".to_owned()
         }
         ReadFault::Truncated { .. } => {
             "with .active appended to its name, it is read as far as it goes".to_owned()
@@ -374,6 +361,25 @@ fn advice(fault: &ReadFault, log: &Path) -> Option<String> {
         ReadFault::Unknown(error) if error.kind == "column" => {
             "say with --csv-columns what the columns are called".to_owned()
         }
+        ReadFault::NoTime { .. } => {
+            "--rate HZ gives the samples per second, --csv-columns t=NAME a column of times".to_owned()
+        }
+        ReadFault::SeveralColumns { .. } | ReadFault::DuplicateColumn { .. } => {
+            "choose with --csv-columns OURS=THEIRS".to_owned()
+        }
+        ReadFault::ValueCount { count, names, .. } if count > names => {
+            "a value with separators in it stands in quotes (\"[1, 2]\")".to_owned()
+        }
+        ReadFault::Backwards { .. } => {
+            "--reorder-s SECONDS allows later ones; two logs in one file are read one by one; --time log takes a bag's times of recording".to_owned()
+        }
+        ReadFault::Time { .. } => {
+            "--time-unit-s states the unit: 1e-9 for nanoseconds".to_owned()
+        }
+        ReadFault::StillFrame { .. } => {
+            "--pose-topic /tf:FRAME names another frame".to_owned()
+        }
+        ReadFault::NoFile { .. } => "write it to a file first".to_owned(),
         _ => return None,
     })
 }
