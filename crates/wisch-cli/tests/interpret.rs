@@ -44,7 +44,7 @@ file = "crumbs.csv"
 
 const CRUMBS: &str = "0.0,0.05\n0.05,0.05\n-0.05,-0.05\n0.0,-0.05\n-0.18,0.12\n";
 
-fn believed() -> Pose {
+pub fn believed() -> Pose {
     Pose::translation(0.6, 0.1, 0.75)
 }
 
@@ -72,7 +72,7 @@ fn write_bag(path: &Path, wipe: &Wiping) {
 }
 
 /// A folder with the task and a bag of the tool wiping where the surface really is.
-fn folder(world_from_real: Pose) -> TempDir {
+pub fn folder(world_from_real: Pose) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("task.toml"), TASK).unwrap();
     fs::write(folder.path().join("crumbs.csv"), CRUMBS).unwrap();

@@ -14,11 +14,15 @@ mod kills;
 mod learn;
 mod lock_files;
 mod memory;
+mod memory_faults;
+mod memory_import;
 mod plans;
 mod program;
 mod recording;
 mod robot;
 mod rounds;
+#[cfg(target_os = "linux")]
+mod signals;
 #[cfg(unix)]
 mod studio;
 mod wipings;

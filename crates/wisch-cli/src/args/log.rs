@@ -57,7 +57,7 @@ pub struct LoggedArgs {
 }
 
 /// How a log is to be understood.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Log format")]
 pub struct LogArgs {
     /// Topic of the tool's pose, and after a colon the field or child frame [default: the only one]

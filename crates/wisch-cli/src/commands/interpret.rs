@@ -1,5 +1,6 @@
 //! `wisch interpret`: what a log of poses and forces says about the dirt and the surface.
 
+use super::log_report::page;
 use super::prepare::Prepared;
 use super::results::folder_name;
 use super::run::given_plan;
@@ -12,10 +13,12 @@ use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
 use wisch::interpret::{EventKind, InterpretConfig, Interpretation, Look, interpret as conclude};
-use wisch::represent::GoalState;
+use wisch::represent::{GoalState, ParticleDistribution};
 use wisch::robot::joint_transforms;
 use wisch_io::Leftover;
-use wisch_io::{INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE, Replaceable};
+use wisch_io::{
+    INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE, REPORT_FILE, Replaceable,
+};
 use wisch_io::{InterpretationRecord, LogRecord, particles_to_csv};
 use wisch_telemetry::{
     AxesChoice, AxesSource, Log, LogOptions, ReadFault, RecordingKind, TopicChoice, UnitsLine, read,
@@ -27,7 +30,6 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
     progress.say("reading the task");
     let task_args = task_args(&args.source);
     let mut prepared = Prepared::read(&task_args)?;
-    let goal = goal(&args.source, &task_args, &mut prepared)?;
     let out = (args.out.clone()).unwrap_or_else(|| default_out(&prepared));
     check_apart(&args.source.log, &out)?;
     // Before the long part: nobody likes to wait for "permission denied".
@@ -38,14 +40,63 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
     };
     let folder = OutputFolder::begin(&out, Leftover::Remove, replaceable)?;
 
+    let seen = args.seen.as_deref();
+    let interpreted = interpret_log(&args.source, &task_args, &mut prepared, seen, &progress)?;
+    let record = &interpreted.record;
+    let particles = interpreted.estimated(&prepared)?;
+    folder.write(INTERPRETATION_FILE, json(record)?)?;
+    folder.write(PARTICLES_ESTIMATED_FILE, particles_to_csv(&particles))?;
+    folder.write(REPORT_FILE, page(&prepared, &interpreted)?)?;
+    folder.finish()?;
+    drop(progress);
+
+    if args.json {
+        let line = serde_json::to_string(record).map_err(internal)?;
+        print(&(line + "\n"))?;
+    } else if !global.quiet {
+        print(&in_words(record, &out))?;
+    }
+    Ok(if record.goal_met {
+        Outcome::Done
+    } else {
+        Outcome::GoalNotMet
+    })
+}
+
+/// A log, and what it says.
+pub(super) struct Interpreted {
+    pub log: Log,
+    pub goal: GoalState,
+    pub interpretation: Interpretation,
+    /// The same as it is written.
+    pub record: InterpretationRecord,
+}
+
+impl Interpreted {
+    /// Where the dirt is estimated to lie.
+    pub fn estimated(&self, prepared: &Prepared) -> Result<ParticleDistribution, Failure> {
+        let belief = &self.interpretation.belief;
+        belief.sample(prepared.task.seed).map_err(internal)
+    }
+}
+
+/// Reads a log and interprets it, with what was seen of the dirt afterwards in a file, if anything.
+pub(super) fn interpret_log(
+    source: &LoggedArgs,
+    task_args: &TaskArgs,
+    prepared: &mut Prepared,
+    seen: Option<&Path>,
+    progress: &Progress,
+) -> Result<Interpreted, Failure> {
+    let goal = goal(source, task_args, prepared)?;
     progress.say("reading the log");
-    let log = read_log(&args.source, &prepared)?;
+    let log = read_log(source, prepared)?;
     progress.say(format!(
         "interpreting {}",
         counted(log.samples.len(), "sample")
     ));
-    let mut interpretation = interpreted(&args.source, &prepared, &log, &goal)?;
-    if let Some(seen) = &args.seen {
+    let mut interpretation = interpreted(source, prepared, &log, &goal)?;
+    if let Some(seen) = seen {
         let sensor = prepared.file.perception().sight.unwrap_or_default();
         interpretation.look(&Look {
             observation: &prepared.observation(seen)?,
@@ -55,29 +106,18 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
             seed: prepared.task.seed,
         });
     }
-    let remarks = remarks(&log, &prepared, &interpretation);
+    let remarks = remarks(&log, prepared, &interpretation);
     let record = InterpretationRecord::new(
         &prepared.task,
         &interpretation,
         prepared.file.target_performance(),
-        log_record(&args.source.log, &log, remarks),
+        log_record(&source.log, &log, remarks),
     );
-    let particles = (interpretation.belief.sample(prepared.task.seed)).map_err(internal)?;
-    folder.write(INTERPRETATION_FILE, json(&record)?)?;
-    folder.write(PARTICLES_ESTIMATED_FILE, particles_to_csv(&particles))?;
-    folder.finish()?;
-    drop(progress);
-
-    if args.json {
-        let line = serde_json::to_string(&record).map_err(internal)?;
-        print(&(line + "\n"))?;
-    } else if !global.quiet {
-        print(&in_words(&record, &out))?;
-    }
-    Ok(if record.goal_met {
-        Outcome::Done
-    } else {
-        Outcome::GoalNotMet
+    Ok(Interpreted {
+        log,
+        goal,
+        interpretation,
+        record,
     })
 }
 
@@ -197,7 +237,7 @@ pub(super) fn task_args(args: &LoggedArgs) -> TaskArgs {
 }
 
 /// What the particles are measured against. Where to collect, the planner may have chosen: then only its plan knows.
-pub(super) fn goal(
+fn goal(
     args: &LoggedArgs,
     task_args: &TaskArgs,
     prepared: &mut Prepared,
@@ -239,7 +279,7 @@ fn check_apart(log: &Path, out: &Path) -> Result<(), Failure> {
 }
 
 /// Reads the log, as the arguments and the task say.
-pub(super) fn read_log(args: &LoggedArgs, prepared: &Prepared) -> Result<Log, Failure> {
+fn read_log(args: &LoggedArgs, prepared: &Prepared) -> Result<Log, Failure> {
     let options = log_options(&args.reading, prepared)?;
     read(&args.log, &options).map_err(|error| {
         let advice = advice(&error.fault, &args.log);
@@ -327,7 +367,7 @@ fn advice(fault: &ReadFault, log: &Path) -> Option<String> {
     })
 }
 
-pub(super) fn interpreted(
+fn interpreted(
     args: &LoggedArgs,
     prepared: &Prepared,
     log: &Log,
@@ -342,6 +382,19 @@ pub(super) fn interpreted(
 
 /// The summary for people.
 fn in_words(record: &InterpretationRecord, out: &Path) -> String {
+    let mut lines = summary_lines(record);
+    let results = out.join(INTERPRETATION_FILE).display().to_string();
+    lines.push(("results", results));
+    lines.push(("report", out.join(REPORT_FILE).display().to_string()));
+    let mut text = format!("{}: {}\n", record.task, record.action);
+    for (name, value) in lines {
+        text += &format!("  {name:<18} {value}\n");
+    }
+    text
+}
+
+/// What a log says, line by line: a name, or none where the line goes on from the one before, and a value.
+pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str, String)> {
     let log = &record.log;
     let assumed = if log.wrench_frame_assumed {
         ", assumed"
@@ -400,15 +453,7 @@ fn in_words(record: &InterpretationRecord, out: &Path) -> String {
         );
         lines.insert(1, ("", line));
     }
-    lines.push((
-        "results",
-        out.join(INTERPRETATION_FILE).display().to_string(),
-    ));
-    let mut text = format!("{}: {}\n", record.task, record.action);
-    for (name, value) in lines {
-        text += &format!("  {name:<18} {value}\n");
-    }
-    text
+    lines
 }
 
 fn performance_in_words(record: &InterpretationRecord) -> String {

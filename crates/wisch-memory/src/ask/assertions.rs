@@ -2,6 +2,7 @@
 
 use super::error::{AskError, QueryFault};
 use super::term::Term;
+use crate::catalogue::Catalogue;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -37,8 +38,7 @@ impl Assertions {
             .lines()
             .enumerate()
             .map(|(number, line)| {
-                serde_json::from_str(line)
-                    .map_err(|error| failed(&file, format!("line {}: {error}", number + 1)))
+                parse(line).map_err(|what| failed(&file, format!("line {}: {what}", number + 1)))
             });
         let statements: Vec<Statement> = statements.collect::<Result<_, _>>()?;
         Ok(Self {
@@ -46,6 +46,20 @@ impl Assertions {
             statements,
             file: Some(file),
         })
+    }
+
+    /// Drops what was said of individuals of episodes that are no more.
+    pub(super) fn retain_known(&mut self, catalogue: &Catalogue) {
+        let is_known = |name: &str| match individual_of(name) {
+            Some(local) => {
+                catalogue.find(local).is_some() || catalogue.shared().iter().any(|s| s == name)
+            }
+            None => true,
+        };
+        self.statements.retain(|(subject, _, object)| {
+            is_known(subject) && object.as_str().is_none_or(is_known)
+        });
+        self.committed = self.statements.len();
     }
 
     /// Adds a statement for the query that is being answered, and gives it as a fact.
@@ -66,10 +80,14 @@ impl Assertions {
             });
         }
         let value = match object {
+            // As engines write numbers that are not finite.
+            Term::Atom(name) if is_not_finite(name) => return Err(not_finite(name)),
             Term::Atom(name) => serde_json::Value::from(name.as_str()),
-            other => (other.as_number().filter(|number| number.is_finite()))
-                .ok_or_else(|| QueryFault::no_name(other))?
-                .into(),
+            other => match other.as_number() {
+                Some(number) if number.is_finite() => number.into(),
+                Some(number) => return Err(not_finite(number)),
+                None => return Err(QueryFault::no_name(other)),
+            },
         };
         let statement = (subject.to_owned(), property.to_owned(), value);
         let fact = fact(&statement);
@@ -145,6 +163,82 @@ impl Assertions {
     }
 }
 
+/// Removes what was told of an episode from its memory; the file in which that is done stands aside.
+///
+/// # Errors
+/// What the system says; then nothing is removed.
+pub(crate) fn forget_episode(memory: &Path, id: &str, aside: &Path) -> io::Result<()> {
+    let path = memory.join(FILE);
+    if !path.exists() {
+        return Ok(());
+    }
+    let held = locked(&path)?;
+    let text = fs::read_to_string(&path)?;
+    let is_of_it = |name: &str| {
+        let episode = individual_of(name).and_then(|local| {
+            let (_, rest) = local.split_once('_')?;
+            Some(rest.rsplit_once('-')?.0)
+        });
+        episode == Some(id)
+    };
+    let whole = &text[..whole_lines(text.as_bytes())];
+    let stays = |line: &&str| match parse(line) {
+        Ok((subject, _, object)) => !is_of_it(&subject) && !object.as_str().is_some_and(is_of_it),
+        // What cannot be read is told when it is read.
+        Err(_) => true,
+    };
+    let left: String = whole
+        .lines()
+        .filter(stays)
+        .map(|line| format!("{line}\n"))
+        .collect();
+    if left.len() == whole.len() {
+        return Ok(());
+    }
+    // The new file takes the place of the old one at once; who waits for the old one's lock opens the new one.
+    let mut new = File::create(aside)?;
+    new.write_all(left.as_bytes())?;
+    new.set_permissions(held.metadata()?.permissions())?;
+    new.sync_all()?;
+    fs::rename(aside, &path)
+}
+
+/// The local name of what may be an individual of an episode: `Class_episode-place`.
+fn individual_of(name: &str) -> Option<&str> {
+    let local = name.strip_prefix("semco:")?;
+    let (class, rest) = local.split_once('_')?;
+    let (episode, place) = rest.rsplit_once('-')?;
+    let is_one = class.starts_with(|c: char| c.is_ascii_uppercase())
+        && !episode.is_empty()
+        && !place.is_empty()
+        && place.chars().all(|c| c.is_ascii_digit());
+    is_one.then_some(local)
+}
+
+fn parse(line: &str) -> Result<Statement, String> {
+    let statement: Statement = serde_json::from_str(line).map_err(|error| error.to_string())?;
+    let (subject, property, object) = &statement;
+    match object {
+        serde_json::Value::String(_) | serde_json::Value::Number(_) => Ok(statement),
+        other => Err(format!(
+            "{property} of {subject} is {other}; expected a name, a text or a finite number"
+        )),
+    }
+}
+
+/// Whether a text is how a number that is not finite is written, as `inf`, `nan` or `1.5NaN`.
+fn is_not_finite(text: &str) -> bool {
+    let plain = text.trim_start_matches(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+    let plain = plain.to_ascii_lowercase();
+    ["inf", "infinite", "infinity", "nan"].contains(&plain.as_str())
+}
+
+fn not_finite(number: impl std::fmt::Display) -> QueryFault {
+    QueryFault::Prolog {
+        what: format!("{number} cannot be told: a number that is told must be finite"),
+    }
+}
+
 fn failed(file: &Path, what: impl ToString) -> AskError {
     AskError::Assertions {
         file: file.display().to_string(),
@@ -161,15 +255,7 @@ fn whole_lines(text: &[u8]) -> usize {
 
 /// Adds lines to a file, all or none.
 fn append(file: &Path, lines: &str) -> io::Result<()> {
-    let mut options = OpenOptions::new();
-    let mut open: File = options
-        .create(true)
-        .truncate(false)
-        .read(true)
-        .write(true)
-        .open(file)?;
-    // Others may tell something to the same memory; the lock ends with the file.
-    open.lock()?;
+    let mut open = locked(file)?;
     let mut before = Vec::new();
     open.read_to_end(&mut before)?;
     let whole = whole_lines(&before) as u64;
@@ -182,6 +268,40 @@ fn append(file: &Path, lines: &str) -> io::Result<()> {
         // A part of a line would be passed over by the next who reads; part of the lines would not.
         let _ = open.set_len(whole);
     })
+}
+
+/// The file, made if it is not there, under a lock that ends with it: others may tell something to the same memory.
+fn locked(file: &Path) -> io::Result<File> {
+    loop {
+        let mut options = OpenOptions::new();
+        let open: File = options
+            .create(true)
+            .truncate(false)
+            .read(true)
+            .write(true)
+            .open(file)?;
+        open.lock()?;
+        // Another file may have taken its place meanwhile.
+        if is_still(&open, file)? {
+            return Ok(open);
+        }
+    }
+}
+
+#[cfg(unix)]
+fn is_still(open: &File, file: &Path) -> io::Result<bool> {
+    use std::os::unix::fs::MetadataExt;
+    let identity = |meta: &fs::Metadata| (meta.dev(), meta.ino());
+    match fs::metadata(file) {
+        Ok(now) => Ok(identity(&now) == identity(&open.metadata()?)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(false),
+        Err(error) => Err(error),
+    }
+}
+
+#[cfg(not(unix))]
+fn is_still(_: &File, _: &Path) -> io::Result<bool> {
+    Ok(true)
 }
 
 fn is_relation(fact: &Term) -> bool {

@@ -1,10 +1,11 @@
 //! From the log of some other robot to the record of an episode.
 
 use super::log::Span;
-use super::{EpisodeHeader, RoundContext, class_of, describe_touch, goal_of, state, things_of};
+use super::{
+    EpisodeHeader, FAILED, RoundContext, SUCCEEDED, class_of, describe_touch, goal_of, things_of,
+};
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin};
 use wisch::interpret::Interpretation;
-use wisch::recover::Verdict;
 use wisch::represent::{GoalState, Task};
 
 /// Place of the one round in the record.
@@ -22,28 +23,32 @@ pub fn remember_log(
     interpretation: &Interpretation,
 ) -> EpisodeRecord {
     let during = [header.start, header.start + duration];
-    let is_met = interpretation.plane.is_some() && interpretation.performance.mean >= header.target;
-    let verdict = if is_met {
-        Verdict::GoalMet
-    } else {
-        Verdict::Again
-    };
+    let (verdict, state) = verdict(header.target, interpretation);
+    let is_told = interpretation.plane.is_some() && interpretation.doubts.is_empty();
     let mut episode = Individual::new("semco:WipingEpisode", None);
     episode.set_text("semco:taskName", &task.name);
     episode.set_number("semco:seed", header.seed as f64);
     let mut action = Individual::new("semco:WipingAction", Some(0));
     action.estimate(interpretation);
+    action.set_text("semco:verdict", verdict);
     action.set_number("semco:target", header.target);
     action.set_number("semco:rounds", 1.0);
     action.set_text("semco:goal", &goal_of(task, goal));
     action.relations = things_of(task);
     action.relate("dul:executesTask", "#2".to_owned());
-    action.relate("soma:hasExecutionState", state(verdict));
+    action.end_in(state);
     let mut round = Individual::new("semco:WipingRound", Some(1));
     describe_touch(&mut round, interpretation);
     round.set_number("semco:round", 1.0);
     round.relations = things_of(task);
-    round.relate("soma:hasExecutionState", state(verdict));
+    round.set_text("semco:verdict", verdict);
+    round.end_in(state);
+    if !is_told {
+        // A mean that rests on a misread log would answer queries as if it were known; the interval stays.
+        for individual in [&mut action, &mut round] {
+            individual.values.remove("semco:performance");
+        }
+    }
     let mut individuals = vec![
         episode,
         action,
@@ -71,6 +76,20 @@ pub fn remember_log(
         seed: header.seed,
         rounds: vec![header.start],
         individuals,
+    }
+}
+
+/// What a log says of the goal, and the state in which the wiping ended, if that can be told.
+fn verdict(target: f64, interpretation: &Interpretation) -> (&'static str, Option<&'static str>) {
+    let estimate = &interpretation.performance;
+    if interpretation.plane.is_none() || !interpretation.doubts.is_empty() {
+        ("cannot be told", None)
+    } else if estimate.mean >= target {
+        ("goal met", Some(SUCCEEDED))
+    } else if estimate.high >= target {
+        ("cannot be told by touch alone", None)
+    } else {
+        ("goal not met", Some(FAILED))
     }
 }
 

@@ -5,6 +5,7 @@ use super::error::{MemoryError, at};
 use super::sums::{FileSum, SUMS_FILE, Sums};
 use crate::observations::RoundObservations;
 use crate::record::EpisodeRecord;
+use crate::robot::URDF_FILE;
 use crate::telemetry::Telemetry;
 use std::fs::{self, File};
 use std::io::Seek;
@@ -83,6 +84,22 @@ impl Episode {
     /// An episode whose check sums cannot be read.
     pub fn has_telemetry(&self, round: usize) -> Result<bool, MemoryError> {
         Ok(self.sums()?.contains_key(&telemetry_file(round)))
+    }
+
+    /// Whether it holds the robot that wiped; a log does not.
+    pub fn has_robot(&self) -> bool {
+        self.folder.join(URDF_FILE).is_file()
+    }
+
+    /// Says that the telemetry of a round, from 1, was not kept, and why where that is known.
+    pub fn without_telemetry(&self, round: usize) -> MemoryError {
+        let record = self.record().ok();
+        let why = record.and_then(|record| record.telemetry_lost(round));
+        MemoryError::NoTelemetry {
+            id: self.id.clone(),
+            round,
+            why: why.unwrap_or_default(),
+        }
     }
 
     /// What was seen of the dirt before and after a round, from 1; `None` where nothing looked, and in episodes that were

@@ -352,7 +352,7 @@ class Sink:
     def __call__(self, sample: Mapping[str, Any] | None = None, /, **keys: Any) -> bool:
         """Hand one sample on: ``time_s`` [s], ``world_from_tool`` (7), ``force_n`` (3) and, where measured, ``positions``,
         ``velocities``, ``efforts`` (n), ``moment_nm`` (3), ``world_from_commanded`` (7), ``controller_force_n`` (3),
-        ``controller_moment_nm`` (3). Raises WischError that names the sample and the value."""
+        ``controller_moment_nm`` (3), ``trajectory_time_s`` [s] (of the setpoint that the controller is at). Raises WischError that names the sample and the value."""
     def many(self, samples: Mapping[str, ArrayLike] | None = None, /, **keys: ArrayLike) -> bool:
         """Hand many on: the same keys, with a row per sample."""
 
