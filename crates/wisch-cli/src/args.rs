@@ -151,14 +151,17 @@ Examples:
 Prints the page's address, which holds a random token; only this machine reaches it, unless --host says otherwise.
 Ends with Ctrl-C, and the runs that were begun on it with it.")]
     Studio(StudioArgs),
-    /// Write an episode, or a folder of results, as one page that needs nothing but itself
+    /// Write an episode, a folder of results, or a log as one page that needs nothing but itself
     #[command(after_help = "\
 Examples:
   wisch report out/chopping-board
   wisch report 20261122-005612-3f2a --out wiping.html
+  wisch report wipe.mcap --task board.toml
 
-The page shows robot, dirt, forces and estimates on one clock, as `wisch studio` does; it opens from a file.")]
-    Report(ReportArgs),
+The page of a run shows robot, dirt, forces and estimates on one clock, as `wisch studio` does. The page of a log, and of
+what `wisch interpret` and `wisch memory import` made of one, shows path, force, plane and what was wiped. Both open from
+a file.")]
+    Report(Box<ReportArgs>),
     /// Query the episodic memory in Prolog
     #[command(after_help = "\
 Examples:
@@ -328,6 +331,10 @@ pub struct PlanArgs {
     /// List the plan of every strategy: its predicted effect, its way, and how long the task's robot takes
     #[arg(long)]
     pub explain: bool,
+    /// Plan for the task's particles as if they were known to lie just there, as `wisch eval table1` does. Without, as `wisch run`
+    /// does, the plan is for all places where the dirt may lie: it is longer, and predicted to do less for the one draw
+    #[arg(long)]
+    pub known_dirt: bool,
     /// The results.
     #[command(flatten)]
     pub results: ResultArgs,
@@ -367,10 +374,10 @@ pub struct LoopArgs {
     /// Command that starts an executor (docs/executor-protocol.md), in place of the built-in simulator
     #[arg(long, value_name = "COMMAND", conflicts_with = "resume")]
     pub executor: Option<String>,
-    /// Give an executor up that hands on nothing for so long [s], or goes on for so long after it was told to stop
+    /// Seconds after which an executor is given up that says nothing, makes no progress, or goes on after its end or a stop
     #[arg(long, value_name = "SECONDS", requires = "executor", default_value_t = 60.0, value_parser = seconds)]
     pub timeout: f64,
-    /// Let others look on while it runs, as `wisch studio` does; needs a memory. SIGTERM ends it in order
+    /// Let others look on while it runs, as `wisch studio` does; needs a memory. Ctrl-C and SIGTERM end it in order
     #[arg(long, conflicts_with = "no_memory")]
     pub live: bool,
     /// Write progress events as JSON lines to a file, or with "-" to standard output
@@ -410,7 +417,7 @@ pub struct StudioArgs {
     /// Port to listen at; 0 takes any that is free
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub port: u16,
-    /// Address to listen at; any other than this machine's own is reached by others
+    /// Address to listen at; 0.0.0.0 listens at all addresses of this machine, where other machines reach it, and prints them
     #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1")]
     pub host: String,
 }
@@ -418,15 +425,36 @@ pub struct StudioArgs {
 /// Arguments of `report`.
 #[derive(Debug, Args)]
 pub struct ReportArgs {
-    /// An episode of the memory, or a folder of results
-    #[arg(value_name = "EPISODE|FOLDER", value_hint = ValueHint::AnyPath)]
+    /// An episode of the memory, a folder of results, or a log (a bag, a folder with one, or a table; with --task)
+    #[arg(value_name = "EPISODE|FOLDER|LOG", value_hint = ValueHint::AnyPath)]
     pub what: String,
-    /// The page [default: the name of the episode or folder, with .html]
+    /// The page [default: the name of the episode, folder or log, with .html]
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub out: Option<PathBuf>,
     /// The memory.
     #[command(flatten)]
     pub memory: MemoryArgs,
+    /// Task file of what was executed, for a log
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub task: Option<PathBuf>,
+    /// Plan that was executed; its goal is used if the task names none
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, requires = "task")]
+    pub plan: Option<PathBuf>,
+    /// Wiping action that was executed [default: the task's]
+    #[arg(long, value_name = "ACTION", value_parser = action_parser(), requires = "task")]
+    pub action: Option<Action>,
+    /// Random seed [default: the task's]
+    #[arg(long, value_name = "N", requires = "task")]
+    pub seed: Option<u64>,
+    /// Override a value of the task file; repeatable
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = setting, requires = "task")]
+    pub settings: Vec<(String, String)>,
+    /// Knowledge base: folder with tools, media, surfaces, interactions and PDDL domain [default: built in]
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath, requires = "task")]
+    pub knowledge: Option<PathBuf>,
+    /// How a log is to be understood.
+    #[command(flatten)]
+    pub reading: LogArgs,
 }
 
 /// Which robot, and what is known of it.

@@ -235,7 +235,12 @@ fn a_plan_can_be_predicted_later_with_the_same_result() {
             ]
             .concat(),
         );
-        assert_eq!(err, "");
+        // Strokes of a plan from a file are checked, and a skim leaves the surface as it may.
+        let told = "leave the surface by at most 0.055 m over a skim edge, as a skim does\n";
+        assert!(
+            err.is_empty() || err.ends_with(told) && err.lines().count() == 1,
+            "{err}"
+        );
         let (direct, later) = (json(&direct), json(&later));
         assert_eq!(
             direct["predicted_performance"],

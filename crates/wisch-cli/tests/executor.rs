@@ -40,7 +40,7 @@ const ROUND: [&str; 9] = [
 ];
 
 /// Whether there is Python; where CI runs there has to be.
-fn has_python() -> bool {
+pub fn has_python() -> bool {
     let is_there = Command::new("python3").arg("--version").output().is_ok();
     let is_ci = std::env::var("CI").is_ok_and(|ci| ci == "true");
     assert!(is_there || !is_ci, "there is no python3");

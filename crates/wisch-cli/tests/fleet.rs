@@ -10,7 +10,7 @@ use std::path::Path;
 const SCRIPT: &str = r#"#!/bin/sh
 echo "$@" >>asked
 [ "$1" = pull ] && mkdir -p "$3"
-echo '{"selected": 2, "of": 9, "episodes": 1, "bytes": 2500000}'
+echo '{"selected": 2, "of": 9, "episodes": 1, "bytes": 2500000, "left_out": ["episode x: cut off"]}'
 exit "${CODE:-0}"
 "#;
 
@@ -107,11 +107,17 @@ fn a_fleet_is_asked_for_what_is_selected() {
     let args = [
         "ask", "--fleet", "f", "--robot", "arm", "--memory", "mine", "--engine", "swi", "true",
     ];
-    let (_, _, err) = ended(program.args(args));
+    // An episode that is left out is no reason to answer nothing.
+    let (_, _, err) = ended(program.env("CODE", "1").args(args));
     assert!(
         err.contains("2 of 9 episodes of f are selected; 1 of them were pulled now (2.5 MB)"),
         "{err}"
     );
+    assert!(
+        err.contains("1 of them cannot be read: the answers lack them"),
+        "{err}"
+    );
+    assert!(!err.contains("wisch-fleet ended"), "{err}");
     let said = fs::read_to_string(folder.path().join("asked")).unwrap();
     assert_eq!(said, "pull f mine --robot arm --json\n");
 }

@@ -44,7 +44,7 @@ file = "crumbs.csv"
 
 const CRUMBS: &str = "0.0,0.05\n0.05,0.05\n-0.05,-0.05\n0.0,-0.05\n-0.18,0.12\n";
 
-fn believed() -> Pose {
+pub fn believed() -> Pose {
     Pose::translation(0.6, 0.1, 0.75)
 }
 
@@ -72,7 +72,7 @@ fn write_bag(path: &Path, wipe: &Wiping) {
 }
 
 /// A folder with the task and a bag of the tool wiping where the surface really is.
-fn folder(world_from_real: Pose) -> TempDir {
+pub fn folder(world_from_real: Pose) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("task.toml"), TASK).unwrap();
     fs::write(folder.path().join("crumbs.csv"), CRUMBS).unwrap();
@@ -412,12 +412,12 @@ fn wrong_inputs_are_told_with_what_to_do() {
         (
             "column.csv",
             &["--csv-columns", "force=force_z"],
-            &["unknown column \"force\"", "known: fx"],
+            &["unknown column \"force\"", "nearest: "],
         ),
         (
             "short.csv",
             &[],
-            &["short.csv: line 3: it has 3 values, and column \"z\" is number 4"],
+            &["short.csv: line 3: it has 3 values, but there are 11 names"],
         ),
         (
             "text.csv",
@@ -432,7 +432,10 @@ fn wrong_inputs_are_told_with_what_to_do() {
         (
             "back.csv",
             &[],
-            &["back.csv: line 3: its time of 0 s is before that of the one before, 10 s"],
+            &[
+                "back.csv: line 3: its time of 0 s is 10 s before the latest one before it, 10 s; the limit is 5 s",
+                "--reorder-s",
+            ],
         ),
         (
             "late.csv",
@@ -477,12 +480,8 @@ fn wrong_inputs_are_told_with_what_to_do() {
         ),
         (
             "log.mcap",
-            &["--pose-topic", "/tf"],
-            &[
-                "2 topics hold a pose",
-                "/tf:tool, /tf:surface",
-                "--pose-topic",
-            ],
+            &["--pose-topic", "/tf:tol"],
+            &["unknown frame \"tol\"", "nearest: tool"],
         ),
         (
             "log.mcap",

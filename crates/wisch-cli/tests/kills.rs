@@ -27,7 +27,7 @@ const INTERRUPTED: i32 = 130;
 /// How often a killed run is resumed to its end.
 const RESUMED: f64 = 0.1;
 /// Set for all processes of one kill, which inherit it.
-const MARK: &str = "WISCH_KILL";
+pub const MARK: &str = "WISCH_KILL";
 
 /// All that end a program which does nothing about them, but for SIGPIPE, which it ignores.
 const SIGNALS: [Signal; 9] = [
@@ -50,7 +50,7 @@ const QUERIES: [&str; 5] = [
 ];
 
 /// The processes of a kill that are still there, by number and command line.
-fn alive(mark: &str) -> Vec<String> {
+pub fn alive(mark: &str) -> Vec<String> {
     let mark = format!("{MARK}={mark}\0");
     let processes = fs::read_dir("/proc").expect("processes");
     let marked = processes.filter_map(|entry| {

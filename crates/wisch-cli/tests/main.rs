@@ -12,11 +12,18 @@ mod interpret;
 #[cfg(target_os = "linux")]
 mod kills;
 mod learn;
+mod lock_files;
 mod memory;
+mod memory_faults;
+mod memory_import;
 mod plans;
 mod program;
 mod recording;
 mod robot;
 mod rounds;
+#[cfg(target_os = "linux")]
+mod signals;
+#[cfg(unix)]
+mod studio;
 mod wipings;
 mod wrong_inputs;

@@ -1,6 +1,6 @@
 //! Every command that plans makes the same plan, whatever it does with it.
 
-use crate::program::{command, root};
+use crate::program::{command, root, wisch};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -110,4 +110,141 @@ fn a_search_tries_as_many_plans_as_its_budget_says() {
             "{said}"
         );
     }
+}
+
+/// A board of 0.6 x 0.4 m with a hole in its middle that leans by an angle [rad], and 60 particles on it.
+fn leaning_board(folder: &Path, slope: f64, kind: &str) {
+    let text = format!(
+        r#"
+schema = 1
+name = "leaning"
+seed = 1
+action = "absorb"
+
+[tool]
+name = "eraser"
+footprint_m = [0.06, 0.12]
+
+[medium]
+name = "chalk"
+kind = "{kind}"
+
+[surface]
+name = "whiteboard"
+friction = 0.3
+size_m = [0.60, 0.40]
+holes_m = [[[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]]]
+position_m = [0.5, 0.0, 0.3]
+rpy_rad = [0.0, -{slope}, 0.0]
+
+[robot]
+name = "arm7"
+
+[particles]
+source = "uniform"
+count = 60
+"#
+    );
+    fs::write(folder.join("task.toml"), text).unwrap();
+}
+
+#[test]
+fn powder_that_slides_off_a_slope_is_told_before_anything_is_wiped() {
+    let folder = tempfile::tempdir().unwrap();
+    // tan(0.7) = 0.84 exceeds the 0.8 up to which grains are taken to hold.
+    leaning_board(folder.path(), 0.7, "powder");
+    let (code, out, err) = wisch(folder.path(), &["check", "task.toml"]);
+    assert_eq!(code, 1, "{err}");
+    let slides = "tan(40.1°) = 0.84 exceeds the friction of the dirt on it, 0.8; 60 of 60 particles leave the surface";
+    assert!(
+        out.contains(slides) && out.contains("a score of -3.00"),
+        "{out}"
+    );
+    assert!(!out.contains("is sound"), "{out}");
+    let (code, out, _) = wisch(
+        folder.path(),
+        &["predict", "task.toml", "--json", "--out", "p"],
+    );
+    let summary: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(
+        (code, &summary["predicted_performance"]),
+        (1, &0.0.into()),
+        "{out}"
+    );
+    let (code, _, err) = wisch(folder.path(), &["run", "task.toml", "--out", "r"]);
+    assert_eq!(code, 2, "{err}");
+    assert!(
+        err.contains("to lose 100.0 %, a score of -3.00") && err.contains("min_score"),
+        "{err}"
+    );
+
+    // What is wet holds up to 1.5, and grains to 0.8.
+    for (slope, kind) in [(0.7, "liquid"), (0.6, "powder")] {
+        leaning_board(folder.path(), slope, kind);
+        let (code, out, err) = wisch(folder.path(), &["check", "task.toml", "--robot", "none"]);
+        assert_eq!(code, 0, "{out}{err}");
+        let holds = "exceeds the surface's friction of 0.3; chalk is assumed to lie still up to";
+        assert!(out.contains(holds) && out.contains("is sound"), "{out}");
+    }
+}
+
+#[test]
+fn strokes_of_an_edited_plan_over_a_hole_or_off_the_surface_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    leaning_board(folder.path(), 0.2, "liquid");
+    let args = ["plan", "task.toml", "--out", "planned", "--quiet"];
+    assert_eq!(wisch(folder.path(), &args).0, 0);
+    let file = folder.path().join("planned/plan.json");
+    let plan: serde_json::Value = serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap();
+    let refused = |stroke: [[f64; 2]; 2]| {
+        let mut plan = plan.clone();
+        plan["strategy"] = "own".into();
+        plan["nodes"] = serde_json::json!(
+            stroke.map(|at| serde_json::json!({"role": "coverage", "in_surface_m": at}))
+        );
+        plan["edges"] = serde_json::json!([[0, 1]]);
+        let poses =
+            stroke.map(|[x, y]| serde_json::json!({"x_m": x, "y_m": y, "heading_rad": 0.0}));
+        plan["strokes"] = serde_json::json!([{"nodes": [0, 1], "surface_from_tool": poses}]);
+        fs::write(folder.path().join("own.json"), plan.to_string()).unwrap();
+        wisch(
+            folder.path(),
+            &[
+                "predict",
+                "task.toml",
+                "--plan",
+                "own.json",
+                "--out",
+                "predicted",
+            ],
+        )
+    };
+    let (code, _, err) = refused([[-0.25, 0.0], [0.25, 0.0]]);
+    assert_eq!(code, 2, "{err}");
+    assert!(
+        err.contains("own.json: strokes[0] presses the tool over a hole"),
+        "{err}"
+    );
+    assert!(err.contains("for 0.200 m about (0.000, 0.000) m"), "{err}");
+    let (code, _, err) = refused([[-0.25, 0.15], [0.45, 0.15]]);
+    assert_eq!(code, 2, "{err}");
+    assert!(err.contains("leaves the surface by 0.150 m"), "{err}");
+    let (code, _, err) = refused([[-0.25, 0.15], [0.25, 0.15]]);
+    assert_eq!(code, 1, "{err}");
+}
+
+#[test]
+fn a_plan_for_known_dirt_is_another_than_one_for_all_that_is_believed() {
+    let folder = tempfile::tempdir().unwrap();
+    let settings = ["--strategy", "adaptive", "--set", "plan.evaluations=3000"];
+    let scenario = root().join("scenarios/arm-board.toml");
+    let out = |name: &str| folder.path().join(name);
+    let believed = plan(
+        &[&["plan"], &settings[..]].concat(),
+        &scenario,
+        &out("believed"),
+    );
+    let known = [&["plan", "--known-dirt"], &settings[..]].concat();
+    let known = plan(&known, &scenario, &out("known"));
+    assert_ne!(believed, known);
 }

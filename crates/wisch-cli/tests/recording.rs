@@ -101,7 +101,10 @@ fn what_has_no_recording_is_no_page() {
     fs::write(at("broken/recording.jsonl.gz"), "no gzip").expect("written");
     fs::create_dir_all(at("episodes")).expect("a folder");
     for (what, says) in [
-        ("old", "there is no recording.jsonl.gz in it"),
+        (
+            "old",
+            "there is neither recording.jsonl.gz nor report.html in it",
+        ),
         (
             "broken",
             "broken/recording.jsonl.gz: cannot read the recording",

@@ -12,7 +12,7 @@ use std::time::Instant;
 use wisch::interpret::{EventKind, PerformanceDistribution, TouchSample};
 use wisch::recover::Verdict;
 use wisch::represent::{GoalState, Observation};
-use wisch::run::{RunEvent, Session};
+use wisch::run::{AfterStop, RunConfig, RunEvent, Session};
 use wisch_io::{LoadOptions, load_task};
 use wisch_sim::{SimulationSettings, Site, World};
 
@@ -147,7 +147,11 @@ impl WorldCase {
         let robot = robot_of(&loaded)?;
         let calm = SimulationSettings::of(&loaded).map_err(words)?;
         let settings = self.settings(&calm, &loaded.task);
-        let config = loaded.run_config();
+        let config = RunConfig {
+            // Whoever pushes lets go, and the robot goes on without an operator.
+            after_stop: AfterStop::Retreat,
+            ..loaded.run_config()
+        };
         let (target, sight) = (config.target, config.sight);
         let site = Site::of(&loaded.task);
         let mut world = World::new(&site, settings, self.seed).map_err(words)?;

@@ -9,7 +9,7 @@ use wisch::follow::Audit;
 use wisch::plan::{Plan, plan, predict};
 use wisch::recover::Verdict;
 use wisch::represent::{ParticleDistribution, Performance, Task};
-use wisch::run::{NoExecutor, PlannedRound, Session, Stage, unobserved};
+use wisch::run::{NoExecutor, PlannedRound, RunConfig, Session, Stage, unobserved};
 use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_sim::GroundTruth;
 
@@ -291,10 +291,16 @@ fn first_round(first: &PlannedRound, audit: &Audit, computation_s: f64) -> Wipin
 
 /// A session that has not planned yet, without a robot.
 fn session(loaded: &LoadedTask, is_certain: bool) -> Session<'static> {
+    let config = RunConfig {
+        // What bad plans do is part of what is evaluated.
+        min_score: f64::NEG_INFINITY,
+        ..loaded.run_config()
+    };
+    let session = Session::new(&loaded.task, config);
     if is_certain {
-        Session::new(&loaded.task, loaded.run_config())
+        session
     } else {
-        loaded.session()
+        session.with_belief(loaded.belief())
     }
 }
 

@@ -18,7 +18,7 @@ Examples:
   wisch-fleet pull s3://robots/fleet kitchen --since 2026-11-01 --class HumanCollision
 
 Credentials come from the environment (AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY, AWS_ENDPOINT, AWS_REGION, …) or from
-~/.aws/credentials. Exit codes: 0 done, 1 done but not as hoped (faults found), 2 error."
+~/.aws/credentials. Exit codes: 0 done, 1 done but not as hoped (faults found, episodes left out), 2 error."
 )]
 pub struct Cli {
     /// What to do.
@@ -92,6 +92,12 @@ pub struct SqlArgs {
     /// Say on standard error how long each statement took.
     #[arg(long)]
     pub timing: bool,
+    /// Time limit of a statement [s].
+    #[arg(long, value_name = "SECONDS", default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..=86_400))]
+    pub timeout: u32,
+    /// Memory limit of the program [MB]; sorting and grouping put on disk what is more than half of it.
+    #[arg(long, value_name = "MB", default_value_t = 4096, value_parser = clap::value_parser!(u32).range(256..=1_048_576))]
+    pub memory_limit: u32,
 }
 
 /// Of what lists something.

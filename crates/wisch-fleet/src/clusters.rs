@@ -10,7 +10,7 @@ mod with {
     use crate::Outcome;
     use crate::args::{ExecutorArgs, SchedulerArgs};
     use std::io::{self, Write};
-    use wisch_fleet::ask::{Session, Source};
+    use wisch_fleet::ask::{Limits, Session, Source};
     use wisch_fleet::cluster::{self, Address, ExecutorOptions, SchedulerOptions};
     use wisch_fleet::store::FleetError;
 
@@ -20,8 +20,12 @@ mod with {
     }
 
     /// A session whose statements are answered there.
-    pub async fn session(sources: &[Source], url: &str) -> Result<Session, FleetError> {
-        Session::on_cluster(sources, &Address::parse(url)?).await
+    pub async fn session(
+        sources: &[Source],
+        url: &str,
+        limits: Limits,
+    ) -> Result<Session, FleetError> {
+        Session::on_cluster(sources, &Address::parse(url)?, limits).await
     }
 
     /// Runs a scheduler.
@@ -64,7 +68,7 @@ mod with {
 mod without {
     use crate::Outcome;
     use crate::args::{ExecutorArgs, SchedulerArgs};
-    use wisch_fleet::ask::{Session, Source};
+    use wisch_fleet::ask::{Limits, Session, Source};
     use wisch_fleet::store::FleetError;
 
     fn missing<T>() -> Result<T, FleetError> {
@@ -79,7 +83,11 @@ mod without {
     }
 
     /// None.
-    pub async fn session(_sources: &[Source], _url: &str) -> Result<Session, FleetError> {
+    pub async fn session(
+        _sources: &[Source],
+        _url: &str,
+        _limits: Limits,
+    ) -> Result<Session, FleetError> {
         missing()
     }
 

@@ -7,8 +7,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use std::io::{self, IsTerminal, Read, Write};
 use std::path::PathBuf;
-use std::time::Instant;
-use wisch_fleet::ask::{Form, Session, Source, views, write};
+use std::time::{Duration, Instant};
+use wisch_fleet::ask::{Form, Limits, Session, Source, Watch, views, write};
 use wisch_fleet::moves::{self, Filter, Local, Part, PushOptions};
 use wisch_fleet::store::{FleetError, Place, now};
 use wisch_fleet::tables::TABLES;
@@ -60,20 +60,26 @@ pub async fn sql(args: &SqlArgs) -> Result<Outcome, FleetError> {
         sources.append(&mut local.sources);
         locals.push(local);
     }
-    let session = match &args.cluster {
-        Some(url) => clusters::session(&sources, url).await?,
-        None => Session::new(&sources).await?,
+    let limits = Limits {
+        time: Duration::from_secs(args.timeout.into()),
+        memory: (args.memory_limit as usize) << 20,
     };
+    let session = match &args.cluster {
+        Some(url) => clusters::session(&sources, url, limits).await?,
+        None => Session::with_limits(&sources, limits).await?,
+    };
+    let watch = Watch::begin(limits);
+    watch.remove_at_end(session.spill().to_path_buf());
     if session.shared() > 0 {
         let count = session.shared();
         eprintln!("{count} episodes are in several of the sources; each counts once");
     }
     if at_prompt {
-        return prompt(&session, &form).await;
+        return prompt(&session, &watch, &form).await;
     }
     for statement in statements(&text) {
         let begun = Instant::now();
-        answer(&session, statement, &form).await?;
+        answer(&session, &watch, statement, &form).await?;
         if args.timing {
             eprintln!("{:.4} s", begun.elapsed().as_secs_f64());
         }
@@ -109,17 +115,25 @@ fn statements(text: &str) -> Vec<&str> {
     found
 }
 
-async fn answer(session: &Session, statement: &str, form: &Form) -> Result<(), FleetError> {
-    let answer = session.plan(statement).await?;
-    let written = write(answer, form, &mut io::stdout()).await;
-    let rows = written.map_err(|error| session.cluster_error(error))?;
+async fn answer(
+    session: &Session,
+    watch: &Watch,
+    statement: &str,
+    form: &Form,
+) -> Result<(), FleetError> {
+    let written = watch.within(async {
+        let answer = session.plan(statement).await?;
+        let written = write(answer, form, &mut io::stdout()).await;
+        written.map_err(|error| session.cluster_error(error))
+    });
+    let rows = written.await?;
     if let Form::Parquet(file) = form {
         eprintln!("{}: {rows} rows", file.display());
     }
     Ok(())
 }
 
-async fn prompt(session: &Session, form: &Form) -> Result<Outcome, FleetError> {
+async fn prompt(session: &Session, watch: &Watch, form: &Form) -> Result<Outcome, FleetError> {
     let broken = |error: rustyline::error::ReadlineError| {
         at("terminal")(io::Error::other(error.to_string()))
     };
@@ -141,7 +155,7 @@ async fn prompt(session: &Session, form: &Form) -> Result<Outcome, FleetError> {
                 }
                 let _ = editor.add_history_entry(text.trim());
                 for statement in statements(&text) {
-                    if let Err(error) = answer(session, statement, form).await {
+                    if let Err(error) = answer(session, watch, statement, form).await {
                         eprintln!("error: {error}");
                     }
                 }
@@ -251,7 +265,18 @@ pub async fn pull(args: &PullArgs) -> Result<Outcome, FleetError> {
             pulled.thinned
         );
     }
-    print(&if args.json { json(&pulled) } else { said })
+    for why in &pulled.left_out {
+        eprintln!("{why}: left out");
+    }
+    if !pulled.left_out.is_empty() {
+        let count = pulled.left_out.len();
+        said += &format!("{count} of them left out; wisch-fleet verify says what is broken\n");
+    }
+    print(&if args.json { json(&pulled) } else { said })?;
+    Ok(match pulled.left_out.is_empty() {
+        true => Outcome::Done,
+        false => Outcome::NotAsHoped,
+    })
 }
 
 /// Compacts.

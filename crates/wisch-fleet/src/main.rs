@@ -6,7 +6,10 @@ mod commands;
 
 use args::{Cli, Command};
 use clap::Parser;
+use std::io;
 use std::process::ExitCode;
+use std::thread;
+use wisch_fleet::ask::STACK;
 use wisch_fleet::store::FleetError;
 
 /// How a command ended.
@@ -17,10 +20,20 @@ enum Outcome {
     NotAsHoped,
 }
 
-#[tokio::main]
-async fn main() -> ExitCode {
+fn main() -> ExitCode {
     let cli = Cli::parse();
-    match run(&cli.command).await {
+    // Statements are trees, which DataFusion walks by recursion.
+    let worked = thread::scope(|scope| {
+        let main = thread::Builder::new().stack_size(STACK);
+        let working = main
+            .spawn_scoped(scope, || begin(&cli.command))
+            .map_err(system)?;
+        // A panic has said what it is.
+        working
+            .join()
+            .unwrap_or_else(|_| Err(system(io::Error::other("this was not expected"))))
+    });
+    match worked {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::NotAsHoped) => ExitCode::from(1),
         Err(error) => {
@@ -28,6 +41,16 @@ async fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
+}
+
+fn begin(command: &Command) -> Result<Outcome, FleetError> {
+    let mut runtime = tokio::runtime::Builder::new_multi_thread();
+    let runtime = runtime.thread_stack_size(STACK).enable_all().build();
+    runtime.map_err(system)?.block_on(run(command))
+}
+
+fn system(error: io::Error) -> FleetError {
+    FleetError::Asked(format!("this program cannot run: {error}"))
 }
 
 async fn run(command: &Command) -> Result<Outcome, FleetError> {

@@ -115,10 +115,17 @@ async fn two_episodes_of_one_name_are_a_conflict() {
         text.contains("other") && text.contains("fleet/episodes/"),
         "{text}"
     );
-    let error = pull(&fleet, &other, &Filter::default(), &mut quiet())
+    let pulled = pull(&fleet, &other, &Filter::default(), &mut quiet())
         .await
-        .unwrap_err();
-    assert!(matches!(error, FleetError::Conflict { .. }), "{error}");
+        .unwrap();
+    assert_eq!((pulled.episodes, pulled.there), (0, 2));
+    let [why] = &pulled.left_out[..] else {
+        panic!("{:?}", pulled.left_out)
+    };
+    assert!(
+        why.contains(&records[1].id) && why.contains("two episodes of one name"),
+        "{why}"
+    );
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -150,9 +157,9 @@ async fn two_pushers_at_once_double_nothing() {
 }
 
 #[tokio::test]
-async fn a_truncated_archive_is_an_error() {
+async fn a_damaged_archive_is_named_and_the_others_come() {
     let folder = tempfile::tempdir().unwrap();
-    let records = some(2);
+    let records = some(3);
     let memory = memory(&folder.path().join("here"), &records);
     let fleet_folder = folder.path().join("fleet");
     let fleet = place(&fleet_folder);
@@ -161,20 +168,29 @@ async fn a_truncated_archive_is_an_error() {
         .unwrap();
     let archive = fleet_folder.join(format!("episodes/{}.tar.zst", records[1].id));
     let bytes = fs::read(&archive).unwrap();
-    fs::write(&archive, &bytes[..bytes.len() / 2]).unwrap();
-    let there = Memory::create(&folder.path().join("there")).unwrap();
-    let error = pull(&fleet, &there, &Filter::default(), &mut quiet())
-        .await
-        .unwrap_err();
-    assert!(error.to_string().contains(&records[1].id), "{error}");
-    assert_eq!(
-        there.episodes().unwrap(),
-        [records[0].id.clone()],
-        "none half"
-    );
-    let faults = verify(&fleet, &mut quiet()).await.unwrap().faults;
-    assert_eq!(faults.len(), 1);
-    assert!(faults[0].contains("SHA-256"), "{}", faults[0]);
+    for damage in [Some(bytes.len() / 2), None] {
+        match damage {
+            Some(length) => fs::write(&archive, &bytes[..length]).unwrap(),
+            None => fs::remove_file(&archive).unwrap(),
+        }
+        let there = folder.path().join(format!("there-{}", damage.is_some()));
+        let there = Memory::create(&there).unwrap();
+        let pulled = pull(&fleet, &there, &Filter::default(), &mut quiet())
+            .await
+            .unwrap();
+        assert_eq!((pulled.selected, pulled.episodes), (3, 2));
+        let [why] = &pulled.left_out[..] else {
+            panic!("{:?}", pulled.left_out)
+        };
+        assert!(why.contains(&format!("episode {}", records[1].id)), "{why}");
+        assert_eq!(
+            there.episodes().unwrap(),
+            [records[0].id.clone(), records[2].id.clone()],
+            "none half"
+        );
+        let faults = verify(&fleet, &mut quiet()).await.unwrap().faults;
+        assert_eq!(faults.len(), 1, "{faults:?}");
+    }
 }
 
 #[test]

@@ -184,6 +184,74 @@ fn answers_come_as_asked() {
     assert_eq!(wrong.status.code(), Some(2));
 }
 
+#[test]
+fn a_statement_that_takes_too_much_is_an_error_with_its_limit() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = memory(&folder.path().join("here"), &some(5));
+    let deep = format!("SELECT 1{}", "+1".repeat(50_000));
+    let endless = "SELECT count(*) FROM generate_series(1, 1000000000) a CROSS JOIN generate_series(1, 1000000) b";
+    let rows = [
+        (deep.as_str(), &[][..], "at most 1000"),
+        (endless, &["--timeout", "2"], "longer than 2 s"),
+        ("SELECT * FROM generate_series(1, 100000000)", &[], "256 MB"),
+        (
+            "SELECT repeat('x', 1000000000)",
+            &["--memory-limit", "256", "--csv"],
+            "256 MB",
+        ),
+    ];
+    for (statement, more, words) in rows {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_wisch-fleet"));
+        command
+            .args(["sql", statement, "--memory"])
+            .arg(here.folder())
+            .args(more);
+        let output = run(&mut command);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{words}: {said}");
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    // What is deep, but not too deep, is answered.
+    let chain = format!("SELECT 1{} AS n", "+1".repeat(900));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_wisch-fleet"));
+    command
+        .args(["sql", &chain, "--csv", "--memory"])
+        .arg(here.folder());
+    assert_eq!(stdout(&run(&mut command)), "n\n901\n");
+}
+
+#[test]
+fn a_pull_that_leaves_an_episode_out_says_so_by_its_exit_code() {
+    let folder = tempfile::tempdir().unwrap();
+    let records = some(2);
+    let here = memory(&folder.path().join("here"), &records);
+    let fleet = folder.path().join("fleet");
+    let program = || Command::new(env!("CARGO_BIN_EXE_wisch-fleet"));
+    stdout(&run(program().arg("push").arg(here.folder()).arg(&fleet)));
+    std::fs::write(
+        fleet.join(format!("episodes/{}.tar.zst", records[0].id)),
+        "no archive",
+    )
+    .unwrap();
+    let there = folder.path().join("there");
+    let output = run(program().arg("pull").arg(&fleet).arg(&there).arg("--json"));
+    assert_eq!(output.status.code(), Some(1));
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        said.contains(&records[0].id) && said.contains("left out"),
+        "{said}"
+    );
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert!(
+        said.contains("\"selected\":2") && said.contains("\"episodes\":1"),
+        "{said}"
+    );
+    assert_eq!(
+        Memory::open(&there).unwrap().episodes().unwrap(),
+        [records[1].id.clone()]
+    );
+}
+
 #[cfg(not(feature = "cluster"))]
 #[test]
 fn without_clusters_the_program_says_how_to_get_them() {

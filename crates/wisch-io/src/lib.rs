@@ -25,7 +25,7 @@ pub use output::{
     FOLLOWING_FILE, Found, INTERPRETATION_FILE, Leftover, OutputFile, OutputFolder,
     PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE,
     PLAN_FILE, RECORDING_FILE, REPORT_FILE, ROUNDS_FILE, Replaceable, TCP_PATH_FILE,
-    TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE, path_in_results,
+    TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE, of_round, path_in_results,
 };
 pub use particles::{
     MaskSource, ParticleSource, ParticleSourceError, csv_particles, mask_particles,
@@ -33,16 +33,16 @@ pub use particles::{
 };
 pub use process::{
     DoneRecord, EXECUTOR_PROTOCOL, EndingRecord, Intake, ObservationRecord, ProcessExecutor,
-    SampleRecord,
+    SampleRecord, kill_executors,
 };
 pub use records::{
     AbandonedRecord, AttemptRecord, CandidateSummary, EVENT_SCHEMA, EventRecord, EventWriter,
-    FollowedRecord, FollowingSummary, GoalRecord, INTERPRETATION_FORMAT, InterpretationRecord,
-    LogRecord, LoopSummary, MotionRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA, PlacementRecord,
-    PlanRecord, PlanRecordError, PlanarPoseRecord, PlaneRecord, PoseRecord, PredictionSummary,
-    RobotTrajectory, RoleRecord, RoundSummary, RoundTimes, RunEventRecord, SUMMARY_SCHEMA,
-    StrokeRecord, Summary, TreatmentSummary, WaypointRecord, WipedRecord, planned_path_csv,
-    tcp_path_csv,
+    ExecutedBy, FollowedRecord, FollowingSummary, GoalRecord, INTERPRETATION_FORMAT,
+    InterpretationRecord, LogRecord, LoopSummary, MotionRecord, NodeRecord, PLAN_FORMAT,
+    PLAN_SCHEMA, PlacementRecord, PlanRecord, PlanRecordError, PlanarPoseRecord, PlaneRecord,
+    PoseRecord, PredictionSummary, RobotTrajectory, RoleRecord, RoundSummary, RoundTimes,
+    RunEventRecord, SUMMARY_SCHEMA, StrokeRecord, Summary, TreatmentSummary, WaypointRecord,
+    WipedRecord, planned_path_csv, tcp_path_csv,
 };
 pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, shipped_robots};
 pub use task_file::{

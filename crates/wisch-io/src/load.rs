@@ -13,9 +13,12 @@ use wisch::geometry::Mesh;
 use wisch::geometry::Point2;
 use wisch::goal::{GoalLiteral, resolve_goal};
 use wisch::interpret::{Belief, DirtPrior, members};
-use wisch::plan::{CoverageStrategy, HeadingRule, PlanConfig, SearchConfig, Strategy};
+use wisch::plan::{
+    CoverageStrategy, HeadingRule, Plan, PlanConfig, PlanError, SearchConfig, Strategy, plan,
+};
 use wisch::represent::{
-    Action, DirtArea, KnowledgeBase, Observation, OccupiedArea, SensorModel, Sight, Task,
+    Action, DirtArea, KnowledgeBase, Observation, OccupiedArea, SensorModel, Sight, SteepSurface,
+    Task, dirt_friction, slide_down,
 };
 use wisch::run::{RunConfig, Session};
 use wisch::source_location::UnknownName;
@@ -60,6 +63,8 @@ pub struct LoadedTask {
     /// Where the dirt of a simulated world really lies, in the frame of the real surface [m], where `[execution]` names a
     /// file that lists it.
     pub real_places: Option<Vec<Point2>>,
+    /// Where the surface is too steep for the medium, so that the task's particles have slid down already.
+    pub steep: Option<SteepSurface>,
     /// Of all that was read for it, and of the options.
     pub inputs: InputDigest,
 }
@@ -74,9 +79,12 @@ impl LoadedTask {
             workcell: robot
                 .map_or_else(Default::default, |robot| robot.workcell_config(&self.task)),
             target: self.file.target_performance(),
+            min_score: self.file.min_score(),
             max_rounds: self.file.max_rounds(),
             end_strokes_early: self.file.end_strokes_early(),
             pace: self.file.pace(),
+            after_stop: self.file.after_stop(),
+            start_tolerance: self.file.start_rad(),
             sight: self
                 .file
                 .perception()
@@ -96,9 +104,19 @@ impl LoadedTask {
         }
     }
 
-    /// A session that has not planned yet, and has no robot.
+    /// A session that has not planned yet, and has no robot. It plans for all places where the dirt may lie, see
+    /// [`Self::plan_for_known_dirt`].
     pub fn session(&self) -> Session<'static> {
         Session::new(&self.task, self.run_config()).with_belief(self.belief())
+    }
+
+    /// A plan for the task's particles as if they were known to lie just there; [`Self::session`] plans for all places where the
+    /// belief holds that they may lie, which takes a longer way and is predicted to do less for this one draw.
+    ///
+    /// # Errors
+    /// Those of [`wisch::plan::plan`].
+    pub fn plan_for_known_dirt(&self) -> Result<Plan, PlanError> {
+        plan(&self.task, &self.config)
     }
 
     /// What is believed of the dirt before anything is felt or seen.
@@ -108,8 +126,8 @@ impl LoadedTask {
 
     /// What the source of the particles says of where dirt may lie.
     pub fn dirt_prior(&self) -> DirtPrior {
-        if self.task.action.treats() {
-            // Places of the surface are where they are.
+        if self.task.action.treats() || self.steep.is_some() {
+            // Places of the surface are where they are, and what slides ends below wherever it lay.
             return DirtPrior::Known;
         }
         match self.file.particle_source() {
@@ -242,7 +260,7 @@ pub fn task_of_text(
     let file = TaskFile::parse(&shown, &text, &options.settings)?;
     let source = KnowledgeSource::new(options.knowledge.as_deref());
     let mut knowledge = source.base()?;
-    let assumptions = file.extend(&mut knowledge)?;
+    let mut assumptions = file.extend(&mut knowledge)?;
     let chosen = choose(&file, &shown, options.action, &knowledge, &source)?;
     let seed = options.seed.unwrap_or(file.seed());
     let mut inputs = InputDigest::default();
@@ -258,7 +276,7 @@ pub fn task_of_text(
         inputs.borrow_mut().add(path, &bytes);
         Ok(bytes)
     };
-    let task = file.resolve(
+    let mut task = file.resolve(
         chosen.action,
         &chosen.tool,
         &chosen.medium,
@@ -267,6 +285,8 @@ pub fn task_of_text(
         &mut |path| taken_in(path, files(path)),
         &mut |path| taken_in(path, source.asset(path)),
     )?;
+    let steep = let_slide(&mut task, &knowledge);
+    assumptions.extend(steep.map(|steep| steep.to_string()));
     let real_places = file.real_places(&task, &mut |path| taken_in(path, files(path)))?;
     let mut inputs = inputs.into_inner();
     inputs.add("action", chosen.action.as_str());
@@ -298,9 +318,24 @@ pub fn task_of_text(
         config,
         inputs,
         real_places,
+        steep,
         derived: chosen.derived,
         knowledge,
     })
+}
+
+/// Lets the dirt slide that cannot rest on the surface's slope.
+fn let_slide(task: &mut Task, knowledge: &KnowledgeBase) -> Option<SteepSurface> {
+    let kind = knowledge.medium(&task.medium).ok()?.kind;
+    if task.action.treats() {
+        return None;
+    }
+    let of_surface = knowledge.surface(&task.surface.name).ok()?.friction;
+    let friction = dirt_friction(kind, of_surface);
+    let obstacles: Vec<Mesh> = task.obstacles_in_surface().collect();
+    let (slid, steep) = slide_down(&task.particles, &task.surface, &obstacles, friction)?;
+    task.particles = slid;
+    Some(steep)
 }
 
 fn strategy_named(name: &str, shown: &str) -> Result<Strategy, Error> {

@@ -29,8 +29,12 @@ def sample(time, **more):
     pose = points[0]["world_from_tool"]
     at = {"world_from_tool": pose, "positions": points[0]["positions"]}
     say(sample={"time_s": time, "force_n": [0, 0, 0], **at, **more})
-def done(ending, positions=points[-1]["positions"]):
-    say(done={"duration_s": 1, "ending": ending, "positions": positions})
+def follow(speed=1):
+    for point in points:
+        place = {"world_from_tool": point["world_from_tool"], "positions": point["positions"]}
+        sample(point["time_s"] / speed, **place)
+def done(ending, positions=points[-1]["positions"], duration=1):
+    say(done={"duration_s": duration, "ending": ending, "positions": positions})
 "#;
 
 /// Whether there is Python; where CI runs there has to be.
@@ -166,7 +170,10 @@ fn a_child_that_goes_wrong_ends_in_an_error_that_says_how() {
             "sample(0, world_from_tool=[0] * 7)",
             "a quaternion has norm 0",
         ),
-        ("sample(0); sys.exit(3)", "it ended before it was done"),
+        (
+            "sample(0); sys.exit(3)",
+            "it ended before it was done (exit status: 3)",
+        ),
         (
             "print('x' * (1 << 20) + 'y', flush=True)",
             "a line exceeds the limit of 1048576 bytes",
@@ -176,6 +183,55 @@ fn a_child_that_goes_wrong_ends_in_an_error_that_says_how() {
             "not UTF-8",
         ),
         ("say(error='the arm is locked')", "the arm is locked"),
+        ("say(error='hot \\x1b[31m\\nred')", "hot \\u{1b}[31m\\nred"),
+        (
+            "print('\\x1b]0;title\\x07', flush=True)",
+            "in \"\\u{1b}]0;title\\u{7}\"",
+        ),
+        (
+            "sample(0, force_n=[1e308, 0, 0])",
+            "at 0 s force_n[0] is 1e308, beyond the limit of 1e6",
+        ),
+        (
+            "sample(0, world_from_tool=[1e300, 0, 0, 0, 0, 0, 1])",
+            "world_from_tool[0] is 1e300, beyond the limit of 1e5",
+        ),
+        (
+            "sample(0, trajectory_time_s=2); sample(1, trajectory_time_s=1)",
+            "at 1 s: trajectory time 1 s follows 2 s",
+        ),
+        (
+            "sample(-5)",
+            "the sample of -5 s is from before the motion, which began at 0 s",
+        ),
+        (
+            "sample(0); done('stopped', duration=-5)",
+            "at the end duration_s is -5e0 s; expected 0 to",
+        ),
+        (
+            "follow(); done('complete', duration=1e300)",
+            "at the end duration_s is 1e300 s; expected 0 to",
+        ),
+        (
+            "sample(0); done({'protective_stop': {'time_s': -1e308, 'reason': 'x'}})",
+            "protective_stop.time_s is -1e308 s; expected 0 to",
+        ),
+        (
+            "k = 0\nwhile True:\n    k += 1\n    sample(k * 1e-5)",
+            "are more than 10000 a second",
+        ),
+        (
+            "sample(0); sample(1e-12)",
+            "follows that of 0 s by less than 1e-6 s",
+        ),
+        (
+            "k = time.sleep(0) or 0\nwhile True:\n    k += 1\n    sample(k * 1e-3)",
+            "it made no progress for 0.7 s: it is at 0.0 s of a motion of",
+        ),
+        (
+            "k = time.sleep(0) or points[-1]['time_s']\nfollow()\npoints = points[-1:]\nwhile True:\n    k += 1e-3\n    sample(k)",
+            "it goes on 0.7 s after the end of its motion without \"done\"",
+        ),
         ("done('exploded')", "unknown variant `exploded`"),
         (
             "sample(0); done('complete')",
@@ -230,11 +286,11 @@ fn a_child_is_stopped_when_enough_was_felt() {
         return;
     }
     let planned = motion();
-    let endless = "\nk = 0\nwhile not select.select([sys.stdin], [], [], 0.001)[0]:\n    k += 1\n    sample(k)\nheard = hear()\ndone('stopped' if heard == 'stop' else 'complete')";
+    let endless = "\nk = 0\nwhile not select.select([sys.stdin], [], [], 0.001)[0]:\n    k += 1\n    sample(k * 1e-3)\nheard = hear()\ndone('stopped' if heard == 'stop' else 'complete')";
     let (execution, taken) = executed(&planned, endless, 5).expect("it stops");
     assert_eq!((execution.ending, taken), (Ending::Stopped, 5));
 
-    let deaf = "\nk = 0\nwhile True:\n    k += 1\n    sample(k)\n    time.sleep(0.001)";
+    let deaf = "\nk = 0\nwhile True:\n    k += 1\n    sample(k * 1e-3)\n    time.sleep(0.001)";
     let error = executed(&planned, deaf, 5)
         .expect_err("it goes on")
         .to_string();
@@ -290,4 +346,128 @@ fn what_was_felt_before_a_child_went_wrong_is_kept() {
     let mut session = loaded.session().with_robot(robot.performer());
     assert!(session.run(&mut child, &mut unobserved).is_err());
     assert!(session.rounds().is_empty());
+}
+
+#[test]
+fn what_a_child_sees_is_limited_and_said() {
+    if !has_python() {
+        return;
+    }
+    let (loaded, _) = loaded();
+    let looking = |seen: &str| {
+        let script = format!(
+            "import json\ninput()\nprint('{{\"ready\": {{\"version\": 1}}}}', flush=True)\ninput()\nprint(json.dumps({{'observation': {seen}}}), flush=True)\ninput()"
+        );
+        start(&script).expect("it greets").observe(&loaded.task)
+    };
+    let seen = looking("{'detections': [[0.1, 0]], 'hidden': [[[0, 0], [1, 0], [0, 1]]]}");
+    assert_eq!(seen.expect("a look").expect("it sees").detections.len(), 1);
+    for (seen, expected) in [
+        ("{'detections': [[1e300, 0]]}", "is farther than 1000 m"),
+        (
+            "{'detections': [], 'hidden': [[[0, 0]]]}",
+            "hidden[0] has 1 corners; a polygon has 3 or more",
+        ),
+        (
+            "{'detections': [], 'hidden': [[[k, k * k % 7] for k in range(999)]] * 2}",
+            "1998 corners of hidden polygons exceed the limit of 1000",
+        ),
+        ("{'detections': [[0]]}", "invalid length 1"),
+    ] {
+        let error = looking(seen).expect_err(seen).to_string();
+        assert!(error.contains(expected), "{seen}: {error}");
+    }
+}
+
+#[test]
+fn phases_follow_the_trajectory_at_any_speed() {
+    if !has_python() {
+        return;
+    }
+    let planned = motion();
+    let order = MotionOrder {
+        round: 1,
+        seed: 1,
+        task: &planned.task,
+        cell: &planned.cell,
+        followed: &planned.followed,
+    };
+    for speed in [1.0, 0.5, 0.2] {
+        let script = format!(
+            "{CHILD}follow({speed})\ndone('complete', duration=points[-1]['time_s'] / {speed})\n"
+        );
+        let mut child = start(&script).expect("it greets");
+        let (mut wrong, mut count) = (0, 0);
+        let execution = child.execute(&order, &mut |sample| {
+            let meant = order.motion_at(sample.time * speed).expect("it moves");
+            wrong += usize::from(meant != (sample.motion, sample.phase));
+            count += 1;
+            ControlFlow::Continue(())
+        });
+        let execution = execution.expect("it ends");
+        assert_eq!(execution.ending, Ending::Complete);
+        assert!(
+            count > 100 && wrong * 100 <= count,
+            "{speed}: {wrong} of {count}"
+        );
+    }
+}
+
+#[test]
+fn positions_need_not_be_measured_and_a_state_may_be_asked_for() {
+    if !has_python() {
+        return;
+    }
+    let planned = motion();
+    let lines = "follow_ = [sample(p['time_s'], world_from_tool=p['world_from_tool'], positions=[]) for p in points]\ndone('complete', positions=[], duration=points[-1]['time_s'])";
+    let (execution, _) = executed(&planned, lines, usize::MAX).expect("it ends");
+    let end = planned.followed.sample(planned.followed.duration());
+    assert_eq!(execution.positions, end.expect("a motion").q);
+    let (execution, _) = executed(
+        &planned,
+        "sample(0, positions=[])\ndone('stopped', positions=[])",
+        usize::MAX,
+    )
+    .expect("it ends");
+    assert_eq!(execution.positions, Vec::<f64>::new());
+
+    let script = r#"
+import json
+for line in open(0):
+    message = json.loads(line)
+    answer = {"state": {"positions": [1, 2]}} if message == "state" else {"ready": {"version": 1, "reports_state": True}}
+    print(json.dumps(answer), flush=True)
+"#;
+    assert_eq!(
+        start(script).expect("it greets").state(),
+        Ok(Some(vec![1.0, 2.0]))
+    );
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn all_that_a_child_started_ends_with_it() {
+    if !has_python() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let note = folder.path().join("pid");
+    let script = format!(
+        "import json, signal, subprocess, sys\nignore = lambda: signal.signal(signal.SIGTERM, signal.SIG_IGN)\nchild = subprocess.Popen(['sleep', '600'], preexec_fn=ignore)\nopen({note:?}, 'w').write(str(child.pid))\ninput()\nprint('{{\"ready\": {{\"version\": 1}}}}', flush=True)\ninput()"
+    );
+    let is_running = |pid: &str| {
+        let state = std::fs::read_to_string(format!("/proc/{pid}/stat")).unwrap_or_default();
+        let after = state.rsplit(')').next().unwrap_or_default();
+        // One that nobody has asked after yet is gone as well.
+        !after.is_empty() && !after.trim_start().starts_with('Z')
+    };
+    let child = start(&script).expect("it greets");
+    let pid = std::fs::read_to_string(&note).expect("a number");
+    assert!(is_running(&pid));
+    drop(child);
+    let since = Instant::now();
+    while is_running(&pid) {
+        assert!(since.elapsed() < Duration::from_secs(5), "{pid} goes on");
+        std::thread::sleep(Duration::from_millis(10));
+    }
 }

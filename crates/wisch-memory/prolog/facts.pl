@@ -19,7 +19,11 @@ known(Kind, Term, Name) :-
       assertz(resolved(Kind-Term, Found)),
       Name = Found
     ).
-known(Kind, Term, _) :- throw(error(instantiation_error, known(Kind, Term))).
+known(Kind, _, _) :- what_kind(Kind, What), unknown_yet(What).
+
+what_kind(class, 'the class').
+what_kind(property, 'the property').
+what_kind(thing, 'the thing that this is about').
 
 % thing(?Term, -Name): as known/3, and a variable stays one.
 thing(Term, Name) :- var(Term), !, Name = Term.

@@ -1,48 +1,119 @@
 % What a query may call: the predicates listed here, and nothing else.
 
 % guarded(+Goal, -Guarded): the same goal, with a check before every goal that is not known yet.
-guarded(Goal, Guarded) :- var(Goal), !, Guarded = run(Goal).
-guarded((A, B), (A1, B1)) :- !, guarded(A, A1), guarded(B, B1).
-guarded((A ; B), (A1 ; B1)) :- !, guarded(A, A1), guarded(B, B1).
-guarded((A -> B), (A1 -> B1)) :- !, guarded(A, A1), guarded(B, B1).
-guarded(\+ A, \+ A1) :- !, guarded(A, A1).
-guarded(!, !) :- !.
-guarded(_^A, A1) :- !, guarded(A, A1).
-guarded(Goal, _) :- \+ callable(Goal), !, throw(error(type_error(callable, Goal), query)).
-guarded(Goal, Guarded) :-
+guarded(Goal, Guarded) :- guarded(Goal, after([], []), Guarded).
+
+% guarded(+Goal, +After, -Guarded): After holds the goals that follow, and the names of variables. A goal of which the
+% answers would be others with a variable that only a later goal binds is an error that names the variable.
+guarded(Goal, _, Guarded) :- var(Goal), !, Guarded = run(Goal).
+guarded((A, B), F, (A1, B1)) :- !, followed_by(B, F, F1), guarded(A, F1, A1), guarded(B, F, B1).
+guarded((A ; B), F, (A1 ; B1)) :- !, guarded(A, F, A1), guarded(B, F, B1).
+guarded((A -> B), F, (A1 -> B1)) :- !, followed_by(B, F, F1), guarded(A, F1, A1), guarded(B, F, B1).
+guarded(\+ A, F, Guarded) :- !, guarded(A, F, A1), bound_before(\+ A, A, none, F, \+ A1, Guarded).
+guarded(!, _, !) :- !.
+guarded(_^A, F, A1) :- !, guarded(A, F, A1).
+guarded(Goal, _, _) :- \+ callable(Goal), !, throw(error(type_error(callable, Goal), query)).
+guarded(A = B, _, same(A, B)) :- !.
+guarded(A \= B, F, Guarded) :- !, bound_before(A \= B, A-B, none, F, \+ same(A, B), Guarded).
+guarded(A == B, F, Guarded) :- !, bound_before(A == B, A-B, none, F, alike(A, B), Guarded).
+guarded(A \== B, F, Guarded) :- !, bound_before(A \== B, A-B, none, F, \+ alike(A, B), Guarded).
+guarded(Goal, F, Guarded) :-
     functor(Goal, Name, Arity),
     ( meta(Name, Arity, Kinds) ->
         Goal =.. [_|Arguments],
-        guarded_arguments(Kinds, Arguments, Safe),
-        Guarded =.. [Name|Safe]
+        guarded_arguments(Kinds, Arguments, F, Safe),
+        Guarded0 =.. [Name|Safe],
+        ( depends(Goal, Of, Own) -> bound_before(Goal, Of, Own, F, Guarded0, Guarded) ; Guarded = Guarded0 )
     ; printing(Goal, Format, Arguments) ->
         Guarded = printed(Format, Arguments)
     ; formatting(Goal, Sink, Format, Arguments) ->
         Guarded = formatted(Sink, Format, Arguments)
     ; listed(Name, Arity) ->
-        Guarded = Goal
+        ( depends(Goal, Of, Own) -> bound_before(Goal, Of, Own, F, Goal, Guarded) ; Guarded = Goal )
     ; throw(unknown_predicate(Name, Arity))
     ).
 
-guarded_arguments([], [], []).
-guarded_arguments([Kind|Kinds], [A|As], [B|Bs]) :-
-    guarded_argument(Kind, A, B),
-    guarded_arguments(Kinds, As, Bs).
+guarded_arguments([], [], _, []).
+guarded_arguments([Kind|Kinds], [A|As], F, [B|Bs]) :-
+    guarded_argument(Kind, A, F, B),
+    guarded_arguments(Kinds, As, F, Bs).
 
-guarded_argument(value, A, A).
-guarded_argument(goal, A, B) :- guarded(A, A1), with_joins(A, A1, B).
+guarded_argument(value, A, _, A).
+guarded_argument(goal, A, F, B) :- guarded(A, F, A1), with_joins(A, A1, B).
 % What is said of times is looked into before it is called.
-guarded_argument(statement, A, B) :- guarded(A, B).
-guarded_argument(solutions, A, B) :- guarded_solutions(A, B).
+guarded_argument(statement, A, F, B) :- guarded(A, F, B).
+guarded_argument(solutions, A, F, B) :- guarded_solutions(A, F, B).
 % Closures are checked when they are called: their arguments are known only then.
-guarded_argument(closure, A, run(A)).
+guarded_argument(closure, A, _, run(A)).
 
-guarded_solutions(A, B) :- var(A), !, B = run(A).
-guarded_solutions(V^A, V^B) :- !, guarded_solutions(A, B).
-guarded_solutions(A, B) :- guarded(A, B).
+guarded_solutions(A, _, B) :- var(A), !, B = run(A).
+guarded_solutions(V^A, F, V^B) :- !, guarded_solutions(A, F, B).
+guarded_solutions(A, F, B) :- guarded(A, F, B).
+
+followed_by(Goal, after(Goals, Names), after([Goal|Goals], Names)).
+
+% depends(+Goal, -Of, -Own): the answers of these are others where variables of Of are bound, but for variables of Own.
+depends(not(A), A, none).
+depends(forall(A, B), A-B, none).
+depends(findall(T, A, _), A, T).
+depends(findall(T, A, _, _), A, T).
+depends(aggregate_all(Spec, A, _), A, Spec).
+depends(A @< B, A-B, none).
+depends(A @> B, A-B, none).
+depends(A @=< B, A-B, none).
+depends(A @>= B, A-B, none).
+depends(atom(A), A, none).
+depends(number(A), A, none).
+depends(integer(A), A, none).
+depends(float(A), A, none).
+depends(atomic(A), A, none).
+depends(compound(A), A, none).
+depends(callable(A), A, none).
+depends(ground(A), A, none).
+depends(is_list(A), A, none).
+
+% bound_before(+Goal, +Of, +Own, +After, +Guarded0, -Guarded): variables of Of that later goals have as well are bound when
+% Goal is called, or that is an error.
+bound_before(Goal, Of, Own, after(Goals, Names), Guarded0, Guarded) :-
+    ( Names = [_|_], Goals = [_|_], shared_names(Names, Of, Own, Goals, [Shared|More]) ->
+        functor(Goal, Name, _),
+        Guarded = (bound_first([Shared|More], Name), Guarded0)
+    ; Guarded = Guarded0
+    ).
+
+shared_names(Names, Of, Own, Goals, Shared) :-
+    term_variables(Of, Vs),
+    Vs = [_|_],
+    term_variables(Own, Owns),
+    term_variables(Goals, Later),
+    findall_shared(Names, Vs, Owns, Later, Shared).
+
+findall_shared([], _, _, _, []).
+findall_shared([Name=V|Rest], Vs, Owns, Later, Shared) :-
+    ( is_among(V, Vs), \+ is_among(V, Owns), is_among(V, Later) -> Shared = [Name=V|Shared1] ; Shared = Shared1 ),
+    findall_shared(Rest, Vs, Owns, Later, Shared1).
+
+is_among(V, [W|Ws]) :- ( V == W -> true ; is_among(V, Ws) ).
+
+bound_first([], _).
+bound_first([Name=V|Rest], Of) :- ( var(V) -> throw(error(instantiation_error, unbound(Name, Of))) ; bound_first(Rest, Of) ).
+
+% same(?A, ?B): they unify, are the same number, or are names of the same thing.
+same(A, B) :- A = B, !.
+same(A, B) :- number(A), number(B), !, A =:= B.
+same(A, B) :- may_name(A), may_name(B), ( has_prefix(A) -> true ; has_prefix(B) ), thing_named(A, Name), thing_named(B, Name).
+
+alike(A, B) :- A == B, !.
+alike(A, B) :- nonvar(A), nonvar(B), \+ number(A), same(A, B).
+
+may_name(Term) :- ( atom(Term) -> true ; nonvar(Term), Term = Prefix:Local, atom(Prefix), atom(Local) ).
+
+has_prefix(Term) :- ( atom(Term) -> sub_atom(Term, _, 1, _, ':') ; true ), !.
+
+thing_named(Term, Name) :- catch(known(thing, Term, Name), Error, ( Error = unknown(_, _, _) -> fail ; throw(Error) )).
 
 run(Goal) :-
-    ( var(Goal) -> throw(error(instantiation_error, query)) ; true ),
+    ( var(Goal) -> unknown_yet('a goal that is called') ; true ),
     guarded(Goal, Guarded),
     call(Guarded).
 run(G, A) :- extended(G, [A], H), run(H).
@@ -52,7 +123,7 @@ run(G, A, B, C, D) :- extended(G, [A, B, C, D], H), run(H).
 run(G, A, B, C, D, E) :- extended(G, [A, B, C, D, E], H), run(H).
 run(G, A, B, C, D, E, F) :- extended(G, [A, B, C, D, E, F], H), run(H).
 
-extended(Goal, _, _) :- var(Goal), !, throw(error(instantiation_error, query)).
+extended(Goal, _, _) :- var(Goal), !, unknown_yet('a goal that is called').
 extended(Goal, More, Extended) :-
     ( callable(Goal) -> true ; throw(error(type_error(callable, Goal), query)) ),
     Goal =.. [Name|Arguments],

@@ -33,14 +33,19 @@ obey(ask(Query, Limit)) :-
 
 % Engines say where an error happened in ways of their own.
 plain(Error, cyclic) :- catch(( finite(Error), fail ), cyclic, true), !.
+plain(error(instantiation_error, Context), Context) :- nonvar(Context), names_unbound(Context), !.
 plain(error(Formal, _), error(Formal, none)) :- !.
 plain(Error, Error).
 
+names_unbound(unbound(_)).
+names_unbound(unbound(_, _)).
+
 answer(Query, Limit, End) :-
-    parse_query(Query, Goal, Names),
+    parse_query(Query, Parsed, Names),
+    full_names(Parsed, Goal),
     names_and_values(Names, Atoms, Values),
     say(names(Atoms)),
-    guarded(Goal, Guarded),
+    guarded(Goal, after([], Names), Guarded),
     ( solved(Goal, Values, End) -> true ; gone_through(Goal, Guarded, Values, Limit, End) ).
 
 gone_through(Goal, Guarded, Values, Limit, End) :-
@@ -52,6 +57,22 @@ gone_through(Goal, Guarded, Values, Limit, End) :-
     say_rows(Rows),
     counter_get(Count),
     ( Count >= Limit -> End = done(limit) ; End = done(all) ).
+
+% full_names(+Term, -Full): what is written with a prefix, and individuals of episodes, stand under their full names, so that
+% they unify with what is found. What is not known stays: whoever needs it says what is wrong.
+full_names(Term, Full) :- var(Term), !, Full = Term.
+full_names((A, B), (A1, B1)) :- !, full_names(A, A1), full_names(B, B1).
+full_names(true, true) :- !.
+full_names(Term, Full) :- atom(Term), !, ( is_individual_like(Term), thing_named(Term, Name) -> Full = Name ; Full = Term ).
+full_names(Term, Full) :- atomic(Term), !, Full = Term.
+full_names(Prefix:Local, Full) :- atom(Prefix), atom(Local), !, ( thing_named(Prefix:Local, Name) -> Full = Name ; Full = Prefix:Local ).
+full_names(Term, Full) :- Term =.. [F|As], full_names_of(As, Bs), Full =.. [F|Bs].
+
+full_names_of([], []).
+full_names_of([A|As], [B|Bs]) :- full_names(A, B), full_names_of(As, Bs).
+
+% Class_episode-place
+is_individual_like(Atom) :- once(( sub_atom(Atom, B, 1, _, '_'), sub_atom(Atom, A, 1, _, -), A > B )).
 
 % groups(+Values, -Groups): values in terms of not too many arguments, of which systems take only so many.
 groups([], []) :- !.

@@ -2,43 +2,18 @@
 
 event_interval(Event, Start, End) :- thing(Event, E), timed(E, Start, End).
 
-timed(E, Start, End) :- nonvar(E), !, individual(E, _, Start, End, _, _), Start \== none.
+timed(E, Start, End) :- nonvar(E), !, individual(E, _, S, T, _, _), S \== none, same_time(Start, S), same_time(End, T).
 timed(E, Start, End) :- nonvar(Start), nonvar(End), !, number(Start), number(End), stream(at(Start, End), E).
-timed(E, Start, End) :- stream(individuals, i(E, _, Start, End, _, _)), Start \== none.
+timed(E, Start, End) :- stream(individuals, i(E, _, S, T, _, _)), S \== none, same_time(Start, S), same_time(End, T).
+
+% A time that is asked for need not be written as it is stored: 1 is 1.0.
+same_time(Time, T) :- ( number(Time) -> Time =:= T ; Time = T ).
 
 % occurs(?Event, [?Start, ?End])
 occurs(Event, [Start, End]) :- event_interval(Event, Start, End).
 occurs(Event) :- event_interval(Event, _, _).
 
 has_time_interval(Event, [Start, End]) :- event_interval(Event, Start, End).
-
-% during(:Statement, ?[Start, End]): of an event, that it happens within these times, which are its own where
-% they are not given; of a pose, that it is so from the first to the last; of others, that they hold.
-during(Statement, Interval) :- event_of(Statement, Event), !, when(Event, Interval, S, E), thing(Event, X), within(X, S, E).
-during(is_at(O, P), Interval) :- !, times(Interval, S, E), is_at_time(O, S, P), is_at_time(O, E, Q), near(P, Q).
-during(run(Goal), Interval) :- !, ( var(Goal) -> throw(error(instantiation_error, during)) ; during(Goal, Interval) ).
-during(Goal, Interval) :- times(Interval, _, _), run(Goal).
-
-since(Statement, Time) :- event_of(Statement, Event), !, event_interval(Event, S, _), ( var(Time) -> Time = S ; number(Time), S >= Time ).
-since(is_at(O, P), Time) :- !, is_at_time(O, Time, P).
-since(Goal, Time) :- number(Time), run(Goal).
-
-until(Statement, Time) :- event_of(Statement, Event), !, event_interval(Event, _, E), ( var(Time) -> Time = E ; number(Time), E =< Time ).
-until(is_at(O, P), Time) :- !, is_at_time(O, Time, P).
-until(Goal, Time) :- number(Time), run(Goal).
-
-event_of(occurs(E), E).
-event_of(is_event(E), E).
-
-times([S, E], S, E) :- number(S), number(E).
-
-when(_, Interval, S, E) :- var(Interval), !, Interval = [S, E].
-when(_, [S, E], S, E).
-
-within(X, S, E) :- number(S), number(E), !, ( nonvar(X) -> timed(X, S0, E0), S0 >= S, E0 =< E ; stream(relation(during_or_equal, S, E), j(X, _, _)) ).
-within(X, S, E) :- timed(X, S, E).
-
-near([F, [X1, Y1, Z1], _], [F, [X2, Y2, Z2], _]) :- (X1-X2)*(X1-X2) + (Y1-Y2)*(Y1-Y2) + (Z1-Z2)*(Z1-Z2) =< 1.0e-6.
 
 % The relations of Allen. Either side is an event, or [Start, End]; where one is not known, the program finds it.
 interval_before(A, B) :- related(before, A, B).
@@ -69,6 +44,7 @@ related(Relation, A, B) :-
 
 side(X, unknown) :- var(X), !.
 side([S, E], at(S, E)) :- number(S), number(E), !.
+side([S, E], _) :- ( var(S) ; var(E) ), !, unknown_yet('each of the two times of an interval').
 side(X, at(S, E)) :- thing(X, Name), timed(Name, S, E).
 
 not_same(A, B) :- ( A == B -> fail ; true ).

@@ -8,7 +8,7 @@
 
 instance_of(I, Class) :- nonvar(Class), !, known(class, Class, Name), thing(I, Thing), of_class(Thing, Name).
 instance_of(I, Class) :- nonvar(I), !, thing(I, Thing), individual(Thing, Exact, _, _, _, _), in_closure(superclasses, Exact, Class).
-instance_of(I, Class) :- individual(I, Class, _, _, _, _).
+instance_of(I, Class) :- individual(I, Exact, _, _, _, _), in_closure(superclasses, Exact, Class).
 
 of_class(I, Class) :- nonvar(I), !, individual(I, Exact, _, _, _, _), once(in_closure(subclasses, Class, Exact)).
 of_class(I, Class) :- in_closure(subclasses, Class, Exact), member_of(Exact, I).
@@ -39,9 +39,17 @@ is_task(I) :- is_a(I, 'dul:Task').
 % Statements ----------------------------------------------------------------------------------------------
 
 % triple(?Subject, ?Property, ?Object); Property may be transitive(P) or reflexive(P).
-triple(S, P, O) :- var(P), !, thing(S, S1), object(O, O1), statement(S1, P, O1).
+triple(S, P, O) :- var(P), !, thing(S, S1), object(O, O1), entailed(S1, P, O1).
 triple(S, transitive(P), O) :- !, property(P, Name), thing(S, S1), object(O, O1), reached(Name, S1, O1).
-triple(S, reflexive(P), O) :- !, property(P, Name), thing(S, S1), object(O, O1), ( nonvar(S1), O1 = S1 ; var(S1), nonvar(O1), S1 = O1 ; stated(S1, Name, O1) ).
+triple(S, reflexive(P), O) :- !,
+    property(P, Name),
+    thing(S, S1),
+    object(O, O1),
+    ( var(S1), var(O1) -> unknown_yet('the subject or the object of a reflexive property')
+    ; nonvar(S1), O1 = S1
+    ; var(S1), S1 = O1
+    ; stated(S1, Name, O1)
+    ).
 triple(S, P, O) :- property(P, Name), stated_terms(S, Name, O).
 
 stated_terms(S, 'rdf:type', C) :- !, instance_of(S, C).
@@ -55,7 +63,7 @@ rdf_has(S, P, O) :- triple(S, P, O).
 % holds(+Property(S, O)), as in holds(hasParticipant(C, X))
 holds(Statement) :- nonvar(Statement), Statement =.. [P, S, O], triple(S, P, O).
 
-property(P, _) :- var(P), !, throw(error(instantiation_error, property(P))).
+property(P, _) :- var(P), !, unknown_yet('the property').
 property(P, Name) :- known(property, P, Name).
 
 % An object may be a value as well as a thing.
@@ -64,9 +72,7 @@ object(O, O) :- number(O), !.
 object(O, Name) :- catch(known(thing, O, Name), unknown(_, _, _), Name = O).
 
 stated(S, Name, O) :- in_closure(subproperties, Name, Exact), exactly(S, Exact, O).
-stated(S, Name, O) :- inverse_of(Name, Inverse), nonvar_one(S, O), in_closure(subproperties, Inverse, Exact), exactly(O, Exact, S).
-
-nonvar_one(S, O) :- ( nonvar(S) -> true ; nonvar(O) ).
+stated(S, Name, O) :- inverse_of(Name, Inverse), in_closure(subproperties, Inverse, Exact), exactly(O, Exact, S).
 
 inverse_of('dul:isConstituentOf', 'dul:hasConstituent').
 inverse_of('dul:isParticipantIn', 'dul:hasParticipant').
@@ -81,14 +87,27 @@ exactly(S, Exact, O) :- ( var(O) -> true ; number(O) -> true ; atom(O) ), same_v
 same_value(S, Exact, O) :- number(O), !, value(S, Exact, V), number(V), V =:= O.
 same_value(S, Exact, O) :- value(S, Exact, O).
 
-statement(S, 'rdf:type', C) :- individual(S, C, _, _, _, _).
-statement(S, 'dul:hasConstituent', O) :- part(S, O).
-statement(S, P, O) :- relation(S, P, O).
-statement(S, P, O) :- value(S, P, O).
+% entailed(?S, -P, ?O): what is stated with any property, and what follows from the properties above it.
+entailed(S, 'rdf:type', C) :- ( var(C) -> true ; is_class(C) ), instance_of(S, C).
+entailed(S, P, O) :- statement(S, Exact, O), in_closure(superproperties, Exact, P).
+entailed(S, P, O) :- linked(O, Exact, S), in_closure(superproperties, Exact, Above), inverse_of(P, Above).
+
+statement(S, P, O) :- linked(S, P, O).
+statement(S, P, O) :- ( var(S) -> true ; is_name(S) ), value(S, P, V), ( number(O) -> number(V), V =:= O ; O = V ).
+
+% linked(?S, -P, ?O): both are things. Values are subjects of nothing, and no relation leads to them.
+linked(S, P, O) :- ( var(S) -> true ; is_name(S) ), ( var(O) -> true ; is_name(O) ), linked_things(S, P, O).
+
+linked_things(S, 'dul:hasConstituent', O) :- part(S, O).
+linked_things(S, P, O) :- relation(S, P, O).
+
+is_class(C) :- is_name(C), catch(known(class, C, _), unknown(_, _, _), fail).
+
+is_name(Term) :- atom(Term), sub_atom(Term, _, 1, _, ':').
 
 reached(Name, S, O) :- nonvar(S), !, reach(Name, [S], [], O).
 reached(Name, S, O) :- nonvar(O), !, reach_back(Name, [O], [], S).
-reached(Name, S, O) :- stated(S, Name, _), reach(Name, [S], [], O).
+reached(Name, S, O) :- findall(S0, stated(S0, Name, _), Ss0), sort(Ss0, Ss), member(S, Ss), reach(Name, [S], [], O).
 
 reach(Name, [S|Rest], Seen, O) :-
     findall(X, (stated(S, Name, X), \+ member(X, Seen)), Xs0),
@@ -113,6 +132,7 @@ has_data_value(I, Condition) :-
     thing(I, Thing),
     in_closure(subproperties, Name, Exact),
     matching(Thing, Exact, Operator, Bound).
+has_data_value(_, Condition) :- var(Condition), !, unknown_yet('the condition of has_data_value').
 has_data_value(_, Condition) :- throw(error(domain_error(condition, Condition), has_data_value)).
 
 condition(P =< X, P, =<, X).
@@ -150,7 +170,7 @@ action_succeeded(Action) :- triple(Action, soma:hasExecutionState, soma:'Executi
 action_failed(Action) :- triple(Action, soma:hasExecutionState, soma:'ExecutionState_Failed').
 
 % tell(+Statement): keeps it in this memory when the query has ended well, as holds(S, P, O) or a list of these.
-tell(Statement) :- \+ ground(Statement), !, throw(error(instantiation_error, tell)).
+tell(Statement) :- \+ ground(Statement), !, unknown_yet('every part of a statement that is told').
 tell([]) :- !.
 tell([S|Ss]) :- !, tell(S), tell(Ss).
 tell(holds(S, P, O)) :- !, known(thing, S, S1), known(property, P, P1), tellable(P1), object(O, O1), told(S1, P1, O1).

@@ -64,6 +64,8 @@ predicate(highlight, 2, 'highlight(What, Color): in a colour').
 predicate(highlight_trajectory, 4, 'highlight_trajectory(O, S, E, Color): the part of a trajectory').
 predicate(marker_highlight, 2, 'marker_highlight(What, Color): the same as highlight/2').
 predicate(data_vis, 2, 'data_vis(barchart(Id), [data: [Xs, Ys], title: T]): a piechart, barchart, timeline, linechart or scatter').
+predicate(wear_chart, 1, 'wear_chart(Tool): draws the stiffness [N/m] of a tool over its episodes').
+predicate(local_time, 2, 'local_time(T, Text): a time [s since 1970] as date and time where this machine stands').
 predicate(low_performance, 2, 'low_performance(A, P): actions and rounds with an estimated performance of 80 % or less').
 predicate(low_performance_round, 2, 'low_performance_round(R, P): rounds with an estimated performance of 80 % or less').
 predicate(final_performance, 2, 'final_performance(Episode, P): the estimated performance in the end').
@@ -103,7 +105,10 @@ predicate(round_without_progress, 1, 'round_without_progress(Round): a further r
 predicate(relocalized, 3, 'relocalized(Round, Tilt, Offset): the surface was found elsewhere [rad, m]').
 predicate(tilted_surface, 2, 'tilted_surface(Round, Tilt): found tilted by over 1 degree [rad]').
 predicate(contact_force_drift, 4, 'contact_force_drift(Surface, Slope, First, Last): force [N] that is lost slowly over episodes').
-predicate(localization_drift, 4, 'localization_drift(Surface, Slope, First, Last): a surface [m] that creeps away over episodes').
+predicate(localization_drift, 4, 'localization_drift(Surface, Slope, First, Last): a surface [m] that creeps away over episodes, since it last changed at once').
+predicate(localization_change, 4, 'localization_change(Surface, T, Before, After): a surface [m] that is found elsewhere at once').
+predicate(drift_cause, 3, 'drift_cause(Surface, Change, Cause): how far [m] a surface is found from where it was at first, and why: worn_tool, stiffer_tool, lowered_surface, raised_surface, tool_and_surface or cannot_be_told, by force against depth').
+predicate(tool_wear, 4, 'tool_wear(Tool, Slope, First, Last): a tool that grows softer over episodes [N/m]').
 predicate(tool_performance, 4, 'tool_performance(Tool, Medium, Mean, N): which tool is good for what').
 predicate(strategy_performance, 3, 'strategy_performance(Strategy, Mean, N): which strategy is good').
 predicate(surface_performance, 3, 'surface_performance(Surface, Mean, N): which surface is difficult').
@@ -114,6 +119,6 @@ predicate(episode_of, 2, 'episode_of(Thing, Episode): the episode that something
 predicate(sure_failure, 2, 'sure_failure(Action, High): even the upper end of the interval is below the target').
 predicate(kb_call, 1, 'kb_call(Goal): calls it').
 predicate(ask, 1, 'ask(Goal): calls it').
-predicate(during, 2, 'Statement during [S, E]: within these times').
-predicate(since, 2, 'Statement since T: from then on').
-predicate(until, 2, 'Statement until T: up to then').
+predicate(during, 2, 'Statement during [S, E]: what the statement is about lies within these times; an error where that has no time').
+predicate(since, 2, 'Statement since T: what the statement is about begins then or later').
+predicate(until, 2, 'Statement until T: what the statement is about ends then or earlier').

@@ -20,15 +20,16 @@ with_joins(Goal, Guarded, Joining) :-
 leading(_, Goal, _, _, _, _) :- var(Goal), !, fail.
 leading(N, (A, B), (A1, B1), Some, SomeGuarded, Rest) :- !,
     N > 0,
-    may_join(A),
+    may_join(A, A1),
     M is N - 1,
     ( leading(M, B, B1, Bs, Bs1, Rest) ->
         Some = (A, Bs), SomeGuarded = (A1, Bs1)
     ; Some = A, SomeGuarded = A1, Rest = B1
     ).
-leading(_, A, A1, A, A1, true) :- may_join(A).
+leading(_, A, A1, A, A1, true) :- may_join(A, A1).
 
-may_join(Goal) :- \+ \+ planned(Goal, _).
+% A goal that waits for a variable of a later one is left to the engine, which says so.
+may_join(Goal, Guarded) :- Guarded \= (bound_first(_, _), _), \+ \+ planned(Goal, _).
 
 % joined(+Goal, +Guarded): Goal, by the program where that is worth a conversation, or else as it is guarded.
 joined(Goal, Guarded) :-
@@ -69,6 +70,7 @@ planned(forall(A, B), Depth, [forall(As, Bs)|Rest], Rest) :- !, planned(A, Depth
 planned(findall(T, A, L), Depth, [findall(T, As, L)|Rest], Rest) :- !, planned(A, Depth, As, []).
 planned(aggregate_all(K, A, R), Depth, [aggregate_all(K, As, R)|Rest], Rest) :- !, nonvar(K), planned(A, Depth, As, []).
 planned(mean_by(K, N, A, K1, M, C), Depth, [mean_by(K, N, As, K1, M, C)|Rest], Rest) :- !, planned(A, Depth, As, []).
+planned(same(A, B), _, [A = B|Rest], Rest) :- !.
 planned(Goal, _, [Goal|Rest], Rest) :- joined_goal(Goal), !.
 planned(Goal, Depth, Goals, Rest) :-
     Depth > 0,

@@ -1,15 +1,15 @@
 % Where things were: poses are [Frame, [X, Y, Z], [Qx, Qy, Qz, Qw]], computed from the joints that are stored. What is
 % asked of a time is answered by episode: runs at once overlap.
 
-is_at_time(O, Time, Pose) :- number(Time), known(thing, O, Name), need(pose(Name, Time), Found), member(_-Pose, Found).
+is_at_time(O, Time, Pose) :- given(Time, 'the time of a pose'), known(thing, O, Name), need(pose(Name, Time), Found), member(_-Pose, Found).
 
 % Without a time, the last that is known.
 is_at(O, Pose) :- known(thing, O, Name), need(last_pose(Name), [Found]), Pose = Found.
 
-mng_lookup_position(O, Frame, Time, [P, Q]) :- number(Time), is_at_time(O, Time, [Frame, P, Q]).
+mng_lookup_position(O, Frame, Time, [P, Q]) :- is_at_time(O, Time, [Frame, P, Q]).
 
 tf(O, Pose) :- is_at(O, Pose).
-tf(O, Time, P, Q) :- number(Time), is_at_time(O, Time, [_, P, Q]).
+tf(O, Time, P, Q) :- is_at_time(O, Time, [_, P, Q]).
 
 % object_trajectory(+O, +When, +dt(D), -Trajectory): a list of Time-Pose; or num_samples(N).
 object_trajectory(O, When, Sampling, Trajectory) :- object_trajectory_in(_, O, When, Sampling, Trajectory).
@@ -33,8 +33,9 @@ telemetry_in(Episode, Channel, When, Statistic, Value) :-
 
 % during_what(?Episode, +When, -S, -E, -Of): When is [S, E] or an event; Of is something of the only episode that is
 % meant, or any.
-during_what(Episode, [S, E], S, E, Of) :- !, number(S), number(E), ( var(Episode) -> Of = any ; known(thing, Episode, Of) ).
-during_what(_, Event, S, E, Name) :- known(thing, Event, Name), timed(Name, S, E).
+during_what(_, When, _, _, _) :- var(When), !, unknown_yet('when: an event or [S, E]').
+during_what(Episode, [S, E], S, E, Of) :- !, given(S, 'the start of [S, E]'), given(E, 'the end of [S, E]'), ( var(Episode) -> Of = any ; known(thing, Episode, Of) ).
+during_what(_, Event, S, E, Name) :- known(thing, Event, Name), lasts(event(Name), S, E).
 
 episode_and(Episode, Answer, Found) :-
     thing(Episode, Name),

@@ -184,22 +184,56 @@ tilted_surface(Round, Tilt) :-
 % Over many episodes ---------------------------------------------------------------------------------------
 
 % contact_force_drift(-Surface, -Slope, -First, -Last): newtons by which the mean force of contact falls per
-% episode on this surface, fitted over at least five episodes; only where it falls noticeably.
-contact_force_drift(Surface, Slope, First, Last) :-
-    trend(Surface, 'semco:meanNormalForce', abs, Slope, First, Last),
-    Last < 0.95 * First.
+% episode on this surface, fitted over at least five episodes since it last changed at once; only where it falls noticeably.
+contact_force_drift(Surface, Slope, First, Last) :- drift_at_any_time(contact_force, Surface, d(Slope, First, Last)).
 
 % localization_drift(-Surface, -Slope, -First, -Last): metres by which the found plane moves per episode.
-localization_drift(Surface, Slope, First, Last) :-
-    trend(Surface, 'semco:planeOffset', plain, Slope, First, Last),
-    abs(Last - First) > 0.002.
+localization_drift(Surface, Slope, First, Last) :- drift_at_any_time(localization, Surface, d(Slope, First, Last)).
 
-% trend(?Surface, +Property, +How, -Slope, -First, -Last): of the values of first rounds, or with abs of their amounts: the
-% least squares line over the episodes on a surface, at least five, and where it begins and ends.
-trend(Surface, Property, How, Slope, First, Last) :-
+% tool_wear(-Tool, -Slope, -First, -Last): by how much of itself a tool grows softer per episode, and its stiffness [N/m].
+tool_wear(Tool, Slope, First, Last) :- drift_at_any_time(wear, Tool, d(Slope, First, Last)).
+
+% localization_change(-Surface, -Time, -Before, -After): the found plane was elsewhere at once, from the episode that began then.
+localization_change(Surface, Time, Before, After) :-
     thing(Surface, Name),
-    need(trends(Property, How), Found),
-    member(t(Name, Slope, First, Last), Found).
+    all_times(From, To),
+    need(changes(localization, From, To), Found),
+    member(c(Name, T, B, A), Found),
+    same_time(Time, T),
+    same_time(Before, B),
+    same_time(After, A).
+
+% drift_cause(-Surface, -Change, -Cause): how far the surface is found from where it was at first [m], and why: a softer tool
+% sinks in by the force over its stiffness.
+drift_cause(Surface, Change, Cause) :- all_times(From, To), drift_cause_within(From, To, Surface, Change, Cause).
+
+drift_cause_within(From, To, Surface, Change, Cause) :-
+    thing(Surface, Name),
+    need(causes(From, To), Found),
+    member(s(Name, C, Cause), Found),
+    same_time(Change, C).
+
+% drift(?Statement, -Kind, -Thing, -D): statements about what changes over episodes, which times limit.
+drift(contact_force_drift(S, Slope, First, Last), contact_force, S, d(Slope, First, Last)).
+drift(localization_drift(S, Slope, First, Last), localization, S, d(Slope, First, Last)).
+drift(tool_wear(T, Slope, First, Last), wear, T, d(Slope, First, Last)).
+
+drift_at_any_time(Kind, Thing, D) :- all_times(From, To), drift_within(Kind, From, To, Thing, D).
+
+drift_within(Kind, From, To, Thing, d(Slope, First, Last)) :-
+    thing(Thing, Name),
+    need(drifts(Kind, From, To), Found),
+    member(t(Name, S, F, L), Found),
+    noticeable(Kind, F, L),
+    same_time(Slope, S),
+    same_time(First, F),
+    same_time(Last, L).
+
+noticeable(contact_force, First, Last) :- Last < 0.95 * First.
+noticeable(localization, First, Last) :- abs(Last - First) > 0.002.
+noticeable(wear, First, Last) :- Last < 0.9 * First.
+
+all_times(-1.0e15, 1.0e15).
 
 tool_performance(Tool, Medium, Mean, Count) :-
     thing(Tool, Tool1),
@@ -237,7 +271,9 @@ taking_part(Episode, Thing) :-
     part(Episode, Action).
 
 last_episode(Episode, Time) :-
-    need(last_episode, [Episode-Time]).
+    thing(Episode, Name),
+    need(last_episode, [Name-T]),
+    same_time(Time, T).
 
 episode_of(Thing, Episode) :-
     known(thing, Thing, Name),
@@ -251,7 +287,7 @@ sure_failure(Action, High) :-
 
 % What they stand on ---------------------------------------------------------------------------------------
 
-value_of(I, Property, Number) :- value(I, Property, Number), number(Number).
+value_of(I, Property, Number) :- value(I, Property, Value), number(Value), same(Number, Value).
 
 wiping_of(Episode, Action) :- of_class(Action, 'semco:WipingAction'), part(Episode, Action).
 

@@ -10,7 +10,7 @@ how(interval(S, E)) :- number(S), number(E).
 how(interval(S, E, dt(D))) :- number(S), number(E), number(D), D > 0.
 how([S, E]) :- number(S), number(E).
 
-shown(What, _) :- var(What), !, throw(error(instantiation_error, show)).
+shown(What, _) :- var(What), !, unknown_yet('what is shown').
 shown(trajectory(O), trajectory(Name)) :- !, known(thing, O, Name).
 shown(particles(O), particles(Name)) :- !, known(thing, O, Name).
 shown([], []) :- !.
@@ -19,7 +19,7 @@ shown(O, Name) :- known(thing, O, Name).
 
 highlight(What) :- shown(What, Shown), view(highlight(Shown)).
 highlight(What, Color) :- shown(What, Shown), view(highlight(Shown, Color)).
-highlight_trajectory(O, S, E, Color) :- number(S), number(E), shown(O, Shown), view(highlight(trajectory(Shown), interval(S, E), Color)).
+highlight_trajectory(O, S, E, Color) :- given(S, 'the start of the trajectory'), given(E, 'the end of the trajectory'), shown(O, Shown), view(highlight(trajectory(Shown), interval(S, E), Color)).
 marker_highlight(O, Color) :- highlight(O, Color).
 
 % data_vis(+Diagram(Id), +Properties): Properties is a list of data: [Xs, Ys], title: T, xlabel: X, ylabel: Y.
@@ -29,5 +29,19 @@ data_vis(Diagram, Properties) :-
     ),
     ( is_list(Properties) -> true ; throw(error(type_error(list, Properties), data_vis)) ),
     view(data_vis(Diagram, Properties)).
+
+% wear_chart(+Tool): how stiff a tool was, episode by episode.
+wear_chart(Tool) :-
+    known(thing, Tool, Name),
+    need(series(wear, Name), Points),
+    ( Points == [] -> throw(telemetry('no episode with this tool says how stiff it was')) ; true ),
+    numbered(Points, 1, Episodes, Values),
+    data_vis(linechart(wear), [data: [Episodes, Values], title: Name, xlabel: episode, ylabel: 'stiffness [N/m]']).
+
+numbered([], _, [], []).
+numbered([_-Value|Points], N, [N|Ns], [Value|Values]) :- M is N + 1, numbered(Points, M, Ns, Values).
+
+% local_time(+Time, -Text)
+local_time(Time, Text) :- given(Time, 'the time of local_time'), need(local_time(Time), [Text]).
 
 view(Command) :- finite(Command), ( ground(Command) -> say(view(Command)) ; throw(error(instantiation_error, Command)) ).

@@ -15,6 +15,20 @@ pub const SCENE_SCHEMA: u32 = 1;
 const SCENE_NOTE: &str = "scene";
 /// Frames that every episode has besides the robot's links.
 const OWN_FRAMES: [&str; 6] = ["tool", "tcp", "robot", "base", "surface", "world"];
+/// Columns of the logged pose of the tool: position [m], then quaternion.
+const LOGGED_POSE: [&str; 7] = [
+    "measured/x",
+    "measured/y",
+    "measured/z",
+    "measured/qx",
+    "measured/qy",
+    "measured/qz",
+    "measured/qw",
+];
+/// What the surface is called where nothing says where it was.
+const NO_SURFACE: &str = "";
+/// Longest time between a pose that is asked for and the sample that stands for it [s].
+const LONGEST_GAP: f64 = 0.5;
 /// Most poses of one trajectory: an hour at 1 kHz.
 const MAX_SAMPLES: usize = 4_000_000;
 
@@ -109,6 +123,14 @@ impl RoundScene {
         }
     }
 
+    /// The scene of a log that tells where the tool was, and nothing of the robot.
+    pub fn of_log(tool: &str, surface: &str, world_from_surface: &Pose) -> Self {
+        Self {
+            world_from_surface: world_from_surface.into(),
+            ..Self::upright("", "", tool, surface)
+        }
+    }
+
     /// The head of a round's telemetry, with this scene in it.
     pub fn head(&self, joints: Vec<String>) -> TelemetryHead {
         // Finite numbers and texts always have a form in JSON.
@@ -150,6 +172,14 @@ pub enum FrameError {
         found: String,
         /// What the robot has; empty if it has no more.
         expected: String,
+    },
+    /// A time at which nothing was recorded.
+    #[error("time: nothing was recorded within {limit} s of {time} s")]
+    Gap {
+        /// The time [s].
+        time: f64,
+        /// The longest time to the nearest sample [s].
+        limit: f64,
     },
     /// A time outside the telemetry.
     #[error("time: {time} s is not between {first} and {last} s")]
@@ -208,6 +238,8 @@ pub struct PoseAt {
 enum Carrier {
     World,
     Link(LinkId),
+    /// The tool, by its logged poses.
+    Logged,
 }
 
 /// The frames of one round.
@@ -217,12 +249,26 @@ enum Carrier {
 /// surface's name, and `world`.
 #[derive(Debug)]
 pub struct Frames<'a> {
-    robot: &'a RobotModel,
+    /// The robot whose joints were recorded; none of a log of poses.
+    robot: Option<JointFrames<'a>>,
     telemetry: &'a Telemetry,
     scene: RoundScene,
+}
+
+/// The robot of a round.
+#[derive(Debug)]
+struct JointFrames<'a> {
+    model: &'a RobotModel,
     tip: LinkId,
     base: LinkId,
     columns: Vec<String>,
+}
+
+impl JointFrames<'_> {
+    fn positions(&self, telemetry: &Telemetry, row: usize) -> Result<Vec<f64>, TelemetryError> {
+        let columns: Vec<&str> = self.columns.iter().map(String::as_str).collect();
+        telemetry.row(&columns, row)
+    }
 }
 
 impl<'a> Frames<'a> {
@@ -232,24 +278,10 @@ impl<'a> Frames<'a> {
     /// Telemetry of another robot, or without a scene.
     pub fn new(robot: &'a RobotModel, telemetry: &'a Telemetry) -> Result<Self, FrameError> {
         let path = || telemetry.path().to_path_buf();
-        let said = telemetry.notes().get(SCENE_NOTE);
-        let said = said.ok_or_else(|| FrameError::Scene {
+        let scene = scene_of(telemetry)?.ok_or_else(|| FrameError::Scene {
             path: path(),
             what: "there is none".to_owned(),
         })?;
-        let scene: RoundScene = serde_json::from_str(said).map_err(|error| FrameError::Scene {
-            path: path(),
-            what: error.to_string(),
-        })?;
-        if scene.schema != SCENE_SCHEMA {
-            return Err(FrameError::Scene {
-                path: path(),
-                what: format!(
-                    "schema {} is not supported, this program reads {SCENE_SCHEMA}",
-                    scene.schema
-                ),
-            });
-        }
         let joints = telemetry.joints();
         for index in 0..joints.len().max(robot.dof()) {
             let found = joints.get(index).map_or("", String::as_str);
@@ -267,7 +299,7 @@ impl<'a> Frames<'a> {
                 });
             }
         }
-        Ok(Self {
+        let robot = JointFrames {
             tip: robot.link(&scene.tip)?,
             base: match &scene.base {
                 Some(base) => robot.link(base)?,
@@ -278,10 +310,41 @@ impl<'a> Frames<'a> {
                 .iter()
                 .map(|joint| format!("position/{joint}"))
                 .collect(),
-            robot,
+            model: robot,
+        };
+        Ok(Self {
+            robot: Some(robot),
             telemetry,
             scene,
         })
+    }
+
+    /// The frames of a log that holds poses of the tool: `tool`, `tcp` or the tool's name, `surface` or the surface's name,
+    /// and `world`. Older episodes do not say where the surface was; their tool has the name `tool`.
+    ///
+    /// # Errors
+    /// Telemetry without poses of the tool, or with a scene that cannot be read.
+    pub fn of_log(telemetry: &'a Telemetry, tool: &str) -> Result<Self, FrameError> {
+        let columns = telemetry.columns();
+        if let Some(missing) = LOGGED_POSE.iter().find(|name| !columns.contains(name)) {
+            return Err(FrameError::Scene {
+                path: telemetry.path().to_path_buf(),
+                what: format!(
+                    "the episode has no robot.urdf, and its telemetry no column {missing}: where things were is not known"
+                ),
+            });
+        }
+        let scene = scene_of(telemetry)?;
+        Ok(Self {
+            robot: None,
+            telemetry,
+            scene: scene.unwrap_or_else(|| RoundScene::of_log(tool, NO_SURFACE, &Pose::identity())),
+        })
+    }
+
+    /// The robot; `None` of a log of poses.
+    pub fn robot(&self) -> Option<&'a RobotModel> {
+        self.robot.as_ref().map(|robot| robot.model)
     }
 
     /// Where things were that the joints do not tell.
@@ -293,8 +356,18 @@ impl<'a> Frames<'a> {
     pub fn names(&self) -> Vec<&str> {
         let mut names: Vec<&str> = OWN_FRAMES.to_vec();
         let scene = &self.scene;
-        names.extend([scene.tool.as_str(), &scene.robot, &scene.surface]);
-        names.extend(self.robot.links().iter().map(|link| link.name.as_str()));
+        names.push(&scene.tool);
+        match scene.surface.as_str() {
+            NO_SURFACE => names.retain(|name| *name != "surface"),
+            surface => names.push(surface),
+        }
+        match &self.robot {
+            Some(robot) => {
+                names.push(&scene.robot);
+                names.extend(robot.model.links().iter().map(|link| link.name.as_str()));
+            }
+            None => names.retain(|name| !["robot", "base"].contains(name)),
+        }
         names
     }
 
@@ -305,7 +378,18 @@ impl<'a> Frames<'a> {
     pub fn pose(&self, frame: &str, time: f64) -> Result<PoseAt, FrameError> {
         let (carrier, offset) = self.carrier(frame)?;
         let row = self.row_at(time)?;
+        if (self.telemetry.time(row)? - time).abs() > self.longest_gap() {
+            let limit = self.longest_gap();
+            return Err(FrameError::Gap { time, limit });
+        }
         self.pose_at(carrier, &offset, row)
+    }
+
+    /// Logs may be sampled more coarsely than half a second.
+    fn longest_gap(&self) -> f64 {
+        let [first, last] = self.telemetry.interval().unwrap_or_default();
+        let period = (last - first) / self.telemetry.rows().max(1) as f64;
+        LONGEST_GAP.max(2.0 * period)
     }
 
     /// All links in the world at the sample nearest to a time [s since the round began], in the robot's order.
@@ -314,12 +398,14 @@ impl<'a> Frames<'a> {
     /// A time outside the telemetry, or a broken file.
     pub fn links(&self, time: f64) -> Result<Vec<Pose>, FrameError> {
         let row = self.row_at(time)?;
-        let columns: Vec<&str> = self.columns.iter().map(String::as_str).collect();
-        let positions = self.telemetry.row(&columns, row)?;
-        let kinematics = self.robot.forward_kinematics(&positions)?;
+        let Some(robot) = &self.robot else {
+            return Ok(Vec::new());
+        };
+        let positions = robot.positions(self.telemetry, row)?;
+        let kinematics = robot.model.forward_kinematics(&positions)?;
         let world_from_root = Pose::from(self.scene.world_from_root);
-        let links = self.robot.links().iter().map(|link| {
-            let link = self.robot.link(&link.name)?;
+        let links = robot.model.links().iter().map(|link| {
+            let link = robot.model.link(&link.name)?;
             Ok(world_from_root * kinematics.world_from_link(link))
         });
         links.collect()
@@ -339,10 +425,12 @@ impl<'a> Frames<'a> {
         let times = times_between(from, to, sampling)?;
         let mut poses: Vec<PoseAt> = Vec::with_capacity(times.len());
         let mut last = None;
+        let gap = self.longest_gap();
         for time in times {
             let row = self.row_at(time)?;
-            // Finer than the telemetry there is nothing to tell.
-            if last.replace(row) != Some(row) {
+            // Finer than the telemetry there is nothing to tell, and in a gap nothing was recorded.
+            let is_recorded = (self.telemetry.time(row)? - time).abs() <= gap;
+            if is_recorded && last.replace(row) != Some(row) {
                 poses.push(self.pose_at(carrier, &offset, row)?);
             }
         }
@@ -351,13 +439,22 @@ impl<'a> Frames<'a> {
 
     fn pose_at(&self, carrier: Carrier, offset: &Pose, row: usize) -> Result<PoseAt, FrameError> {
         let time = self.telemetry.time(row)?;
-        let world_from_frame = match carrier {
-            Carrier::World => *offset,
-            Carrier::Link(link) => {
-                let columns: Vec<&str> = self.columns.iter().map(String::as_str).collect();
-                let positions = self.telemetry.row(&columns, row)?;
-                let kinematics = self.robot.forward_kinematics(&positions)?;
+        let world_from_frame = match (carrier, &self.robot) {
+            (Carrier::World, _) => *offset,
+            (Carrier::Link(link), Some(robot)) => {
+                let positions = robot.positions(self.telemetry, row)?;
+                let kinematics = robot.model.forward_kinematics(&positions)?;
                 Pose::from(self.scene.world_from_root) * kinematics.world_from_link(link) * offset
+            }
+            // Links have frames where there is a robot only.
+            (Carrier::Logged | Carrier::Link(_), _) => {
+                let [x, y, z, qx, qy, qz, qw] =
+                    <[f64; 7]>::try_from(self.telemetry.row(&LOGGED_POSE, row)?)
+                        .unwrap_or([f64::NAN; 7]);
+                Pose::from(StoredPose {
+                    position: [x, y, z],
+                    quaternion: [qx, qy, qz, qw],
+                })
             }
         };
         Ok(PoseAt {
@@ -384,20 +481,30 @@ impl<'a> Frames<'a> {
     fn carrier(&self, frame: &str) -> Result<(Carrier, Pose), FrameError> {
         let scene = &self.scene;
         let at = |link| Ok((Carrier::Link(link), Pose::identity()));
-        if let Ok(link) = self.robot.link(frame)
+        if let Some(robot) = &self.robot
+            && let Ok(link) = robot.model.link(frame)
             && !OWN_FRAMES.contains(&frame)
         {
             return at(link);
         }
-        match frame {
-            "world" => Ok((Carrier::World, Pose::identity())),
-            "tool" | "tcp" => Ok((Carrier::Link(self.tip), scene.tip_from_tool.into())),
-            "surface" => Ok((Carrier::World, scene.world_from_surface.into())),
-            "robot" | "base" => at(self.base),
-            name if name == scene.tool => self.carrier("tcp"),
-            name if name == scene.surface => self.carrier("surface"),
-            name if name == scene.robot => self.carrier("robot"),
-            name => Err(self.unknown(name)),
+        match (frame, &self.robot) {
+            ("world", _) => Ok((Carrier::World, Pose::identity())),
+            ("tool" | "tcp", Some(robot)) => {
+                Ok((Carrier::Link(robot.tip), scene.tip_from_tool.into()))
+            }
+            ("tool" | "tcp", None) => Ok((Carrier::Logged, Pose::identity())),
+            ("surface", _) if scene.surface != NO_SURFACE => {
+                Ok((Carrier::World, scene.world_from_surface.into()))
+            }
+            ("robot" | "base", Some(robot)) => at(robot.base),
+            (name, _) if name == scene.tool => self.carrier("tcp"),
+            (name, _) if name == scene.surface => self.carrier("surface"),
+            (name, Some(_)) if name == scene.robot => self.carrier("robot"),
+            (name, _) if scene.surface == NO_SURFACE => Err(FrameError::Scene {
+                path: self.telemetry.path().to_path_buf(),
+                what: format!("the episode does not say where {name} was: import its log again"),
+            }),
+            (name, _) => Err(self.unknown(name)),
         }
     }
 
@@ -411,6 +518,28 @@ impl<'a> Frames<'a> {
             nearest: nearest.map_or_else(String::new, |(known, _)| (*known).to_owned()),
         }
     }
+}
+
+/// The scene that a round's telemetry holds, if it holds one.
+fn scene_of(telemetry: &Telemetry) -> Result<Option<RoundScene>, FrameError> {
+    let Some(said) = telemetry.notes().get(SCENE_NOTE) else {
+        return Ok(None);
+    };
+    let path = || telemetry.path().to_path_buf();
+    let scene: RoundScene = serde_json::from_str(said).map_err(|error| FrameError::Scene {
+        path: path(),
+        what: error.to_string(),
+    })?;
+    if scene.schema != SCENE_SCHEMA {
+        return Err(FrameError::Scene {
+            path: path(),
+            what: format!(
+                "schema {} is not supported, this program reads {SCENE_SCHEMA}",
+                scene.schema
+            ),
+        });
+    }
+    Ok(Some(scene))
 }
 
 fn times_between(from: f64, to: f64, sampling: Sampling) -> Result<Vec<f64>, FrameError> {

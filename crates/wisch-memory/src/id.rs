@@ -1,6 +1,7 @@
 //! Names of episodes.
 
 use jiff::Timestamp;
+use jiff::tz::TimeZone;
 
 /// The name of an episode that begins at this time [s since 1970]: date and time (UTC), and four hex digits that
 /// tell those apart that begin in the same second.
@@ -21,10 +22,26 @@ pub fn date_and_time(time: f64) -> String {
     in_utc(time, "%Y-%m-%d %H:%M:%S")
 }
 
+/// Date and time for people where this machine stands, with the offset from UTC.
+///
+/// ```
+/// // The time is UTC where no time zone is set.
+/// let text = wisch_memory::local_date_and_time(1_795_309_772.5);
+/// assert!(text.starts_with("2026-11-2") && text.contains(":32 "), "{text}");
+/// ```
+pub fn local_date_and_time(time: f64) -> String {
+    let zoned = timestamp(time).to_zoned(TimeZone::system());
+    zoned.strftime("%Y-%m-%d %H:%M:%S %:z").to_string()
+}
+
 /// A time [s since 1970], cut to whole seconds, in this format of `strftime` (UTC).
 pub(crate) fn in_utc(time: f64, format: &str) -> String {
+    timestamp(time).strftime(format).to_string()
+}
+
+/// A time [s since 1970], cut to whole seconds, as near as calendars go.
+fn timestamp(time: f64) -> Timestamp {
     let seconds = time.floor() as i64;
     let seconds = seconds.clamp(Timestamp::MIN.as_second(), Timestamp::MAX.as_second());
-    let timestamp = Timestamp::from_second(seconds).unwrap_or_default();
-    timestamp.strftime(format).to_string()
+    Timestamp::from_second(seconds).unwrap_or_default()
 }

@@ -17,11 +17,12 @@ mod remember;
 mod robot;
 pub mod store;
 pub mod telemetry;
+mod told;
 pub mod view;
 
 pub use catalogue::{Catalogue, IndividualId, Node};
 pub use frames::{FrameError, Frames, PoseAt, RoundScene, Sampling, StoredPose};
-pub use id::{date_and_time, episode_id};
+pub use id::{date_and_time, episode_id, local_date_and_time};
 pub use observations::{OBSERVATIONS_SCHEMA, ObservationFault, RoundObservations};
 pub use ontology::Ontology;
 pub use record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, RecordFault, Value};

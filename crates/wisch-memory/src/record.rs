@@ -6,12 +6,17 @@ use std::collections::BTreeMap;
 /// Version of [`EpisodeRecord`].
 pub const EPISODE_SCHEMA: u32 = 1;
 
+/// Property of a round of which no telemetry was kept: why.
+pub(crate) const TELEMETRY_LOST: &str = "semco:telemetryLost";
+
 /// Where an episode comes from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Origin {
     /// Run by this program in its simulated world.
     Simulated,
+    /// Executed by a program of this name, which is no world that this program simulates: a robot, or another simulator.
+    Executor(String),
     /// Read from a log of this name.
     Imported(String),
 }
@@ -134,6 +139,33 @@ impl EpisodeRecord {
     /// If there is no such place.
     pub fn name(&self, place: usize) -> String {
         individual_name(&self.individuals[place].class, &self.id, place)
+    }
+
+    /// Why no telemetry of a round, from 1, was kept; `None` where the record does not say.
+    pub fn telemetry_lost(&self, round: usize) -> Option<String> {
+        let is_round = |individual: &&Individual| {
+            let number = individual.values.get("semco:round");
+            let is_numbered = matches!(number, Some(Value::Number(n)) if *n == round as f64);
+            individual.class == "semco:WipingRound" && is_numbered
+        };
+        let individual = self.individuals.iter().find(is_round)?;
+        match individual.values.get(TELEMETRY_LOST) {
+            Some(Value::Text(why)) => Some(why.clone()),
+            _ => None,
+        }
+    }
+
+    /// Says why no telemetry of a round, from 1, was kept.
+    pub fn set_telemetry_lost(&mut self, round: usize, why: &str) {
+        for individual in &mut self.individuals {
+            let number = individual.values.get("semco:round");
+            if individual.class == "semco:WipingRound"
+                && matches!(number, Some(Value::Number(n)) if *n == round as f64)
+            {
+                let why = Value::Text(why.to_owned());
+                individual.values.insert(TELEMETRY_LOST.to_owned(), why);
+            }
+        }
     }
 
     /// What is wrong with it; nothing, if it can be stored.

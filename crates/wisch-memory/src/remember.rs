@@ -87,7 +87,7 @@ pub fn remember(header: &EpisodeHeader, rounds: &[EpisodeRound<'_>]) -> EpisodeR
         individual.values = action_values(header, first, last, rounds.len());
         individual.relations = participants(first);
         individual.relate("dul:executesTask", "#2".to_owned());
-        individual.relate_all("soma:hasExecutionState", state(last.verdict));
+        individual.end_in(state(last.verdict));
     }
     let interval = [header.start, record.time];
     let episode = &mut record.individuals[0];
@@ -205,7 +205,7 @@ fn describe(individual: &mut Individual, round: &EpisodeRound<'_>) {
     individual.set_text("semco:verdict", round.verdict.as_str());
     individual.set_text("semco:ending", round.ending.as_str());
     individual.relations = participants(round);
-    individual.relate_all("soma:hasExecutionState", state(round.verdict));
+    individual.end_in(state(round.verdict));
 }
 
 /// What the touch of a round tells.
@@ -220,6 +220,16 @@ fn describe_touch(individual: &mut Individual, interpretation: &Interpretation) 
     if let Some(plane) = &interpretation.plane {
         individual.set_number("semco:planeTilt", plane.tilt);
         individual.set_number("semco:planeOffset", plane.offset);
+    }
+    if let Some(stiffness) = &interpretation.tool_stiffness {
+        individual.set_number("semco:toolStiffness", stiffness.n_per_m);
+        individual.set_number("semco:toolStiffnessDeviation", stiffness.ln_deviation);
+    }
+    if !interpretation.doubts.is_empty() {
+        let doubts: Vec<String> = (interpretation.doubts.iter())
+            .map(ToString::to_string)
+            .collect();
+        individual.set_text("semco:doubt", &doubts.join("; "));
     }
     individual.set_text(
         "semco:diagnosis",
@@ -407,15 +417,17 @@ fn shared(name: &str) -> String {
     format!("semco:{}", name.chars().map(plain).collect::<String>())
 }
 
-/// Whether the execution succeeded or failed; nothing where that cannot be told.
-fn state(verdict: Verdict) -> Option<String> {
-    let name = match verdict {
-        Verdict::GoalMet => "Succeeded",
-        Verdict::CannotBeTold | Verdict::UnknowableByTouch => return None,
-        _ => "Failed",
-    };
-    Some(format!("soma:ExecutionState_{name}"))
+/// How it ended; `None` where that cannot be told.
+fn state(verdict: Verdict) -> Option<&'static str> {
+    match verdict {
+        Verdict::GoalMet => Some(SUCCEEDED),
+        Verdict::UnknowableByTouch | Verdict::CannotBeTold => None,
+        _ => Some(FAILED),
+    }
 }
+
+const SUCCEEDED: &str = "soma:ExecutionState_Succeeded";
+const FAILED: &str = "soma:ExecutionState_Failed";
 
 impl Individual {
     fn new(class: &str, parent: Option<usize>) -> Self {
@@ -446,10 +458,10 @@ impl Individual {
         objects.push(object);
     }
 
-    /// Relates to each of these, if there are any.
-    fn relate_all(&mut self, property: &str, objects: impl IntoIterator<Item = String>) {
-        for object in objects {
-            self.relate(property, object);
+    /// Sets how it ended, if that can be told.
+    fn end_in(&mut self, state: Option<&str>) {
+        if let Some(state) = state {
+            self.relate("soma:hasExecutionState", state.to_owned());
         }
     }
 

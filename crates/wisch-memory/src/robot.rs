@@ -4,7 +4,7 @@ use crate::store::{Episode, EpisodeWriter, MemoryError};
 use std::collections::BTreeMap;
 use wisch::robot::RobotModel;
 
-const URDF_FILE: &str = "robot.urdf";
+pub(crate) const URDF_FILE: &str = "robot.urdf";
 const SRDF_FILE: &str = "robot.srdf";
 /// Says which file holds which mesh.
 const MESHES_FILE: &str = "robot-meshes.json";

@@ -29,7 +29,8 @@ trait Taking {
     fn take(&mut self, sample: SampleRecord) -> Result<bool, String>;
 }
 
-/// An executor in Python: any object with `execute(motion, sink)` and, if it can look, `observe()`.
+/// An executor in Python: any object with `execute(motion, sink)`, if it knows where it stands `state()`, and if it can look
+/// `observe()`.
 pub struct PyExecutor<'py> {
     pub object: Bound<'py, PyAny>,
     /// Without a sample, or an answer of what it sees, for so long, it is given up.
@@ -131,12 +132,12 @@ impl Executor for PyExecutor<'_> {
         let result = returned.and_then(|returned| match &round.fault {
             // An executor may have swallowed what its sink raised.
             Some(fault) => Err(plain(fault)),
-            None => round.done(&returned, order),
+            None => round.done(&returned),
         });
         result.or_else(|error| {
             if error.is_instance_of::<PyKeyboardInterrupt>(py) && since.is_finite() {
                 // What was felt until then can yet be interpreted.
-                let execution = round.stopped(order);
+                let execution = round.stopped();
                 self.raised = Some(error);
                 return Ok(execution);
             }
@@ -149,6 +150,17 @@ impl Executor for PyExecutor<'_> {
             let _ = error.value(py).call_method1("add_note", (note,));
             self.raise(error)
         })
+    }
+
+    fn state(&mut self) -> Result<Option<Vec<f64>>, ExecutorError> {
+        let Ok(state) = self.object.getattr("state") else {
+            return Ok(None);
+        };
+        let told = state.call0().and_then(|told| match told.is_none() {
+            true => Ok(None),
+            false => list("state()", &told).map(Some),
+        });
+        told.or_else(|error| self.raise(error))
     }
 
     fn observe(&mut self, _: &Task) -> Result<Option<Observation>, ExecutorError> {
@@ -192,29 +204,23 @@ fn unknown<'a>(key: &str, known: impl IntoIterator<Item = &'a str>) -> PyErr {
 
 impl Round<'_> {
     /// An execution that was stopped at the last sample.
-    fn stopped(&self, order: &MotionOrder<'_>) -> Execution {
-        let planned = |time: f64| order.followed.sample(time).map(|sample| sample.q);
+    fn stopped(&self) -> Execution {
         let last = self.last.as_ref();
-        let duration = last.map_or(0.0, |last| last.time_s);
-        let measured = last.map(|last| last.positions.clone());
-        let positions = measured
-            .filter(|positions| !positions.is_empty())
-            .or_else(|| planned(duration))
-            .unwrap_or_else(|| order.cell.ready().to_vec());
         Execution {
-            duration,
+            duration: last.map_or(0.0, |last| last.time_s),
             ending: Ending::Stopped,
-            positions,
+            // None where they are not measured.
+            positions: last.map_or_else(Vec::new, |last| last.positions.clone()),
         }
     }
 
     /// How an execution ended, by what `execute` returned: nothing, or what the protocol calls `done`.
-    fn done(&self, returned: &Bound<'_, PyAny>, order: &MotionOrder<'_>) -> PyResult<Execution> {
+    fn done(&self, returned: &Bound<'_, PyAny>) -> PyResult<Execution> {
         let Execution {
             duration,
             positions,
             ..
-        } = self.stopped(order);
+        } = self.stopped();
         let mut done = DoneRecord {
             duration_s: duration,
             ending: if self.intake.is_stopped() {
@@ -271,8 +277,9 @@ pub struct PySink {
     joints: Vec<String>,
 }
 
-const KEYS: [&str; 10] = [
+const KEYS: [&str; 11] = [
     "time_s",
+    "trajectory_time_s",
     "world_from_tool",
     "force_n",
     "moment_nm",
@@ -347,6 +354,7 @@ impl PySink {
             }
             match key.as_ref() {
                 "time_s" => {}
+                "trajectory_time_s" => record.trajectory_time_s = value.extract()?,
                 "world_from_tool" => record.world_from_tool = array(&key, &value, time)?,
                 "force_n" => record.force_n = array(&key, &value, time)?,
                 "moment_nm" => record.moment_nm = array(&key, &value, time)?,
@@ -412,6 +420,13 @@ impl PySink {
             let key = key.extract::<std::borrow::Cow<'_, str>>()?;
             match key.as_ref() {
                 "time_s" => {}
+                "trajectory_time_s" => {
+                    let times = list(&key, &value)?;
+                    counted(&key, times.len(), samples.len())?;
+                    for (sample, time) in samples.iter_mut().zip(times) {
+                        sample.trajectory_time_s = Some(time);
+                    }
+                }
                 "world_from_tool" => fill(&mut samples, &key, &value, |s| &mut s.world_from_tool)?,
                 "force_n" => fill(&mut samples, &key, &value, |s| &mut s.force_n)?,
                 "moment_nm" => fill(&mut samples, &key, &value, |s| &mut s.moment_nm)?,

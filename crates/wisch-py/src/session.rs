@@ -20,11 +20,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 use std::time::Duration;
+use wisch::plan::Plan;
 use wisch::recover::Verdict;
 use wisch::represent::{Observation, Task};
 use wisch::run::{
-    Execution, Executor, ExecutorError, MotionOrder, NoExecutor, Round, RunConfig, RunError,
-    RunEvent, SampleSink, Session, Stage,
+    Execution, Executor, ExecutorError, MotionOrder, NoExecutor, OwnStrategy, Round, RunConfig,
+    RunError, RunEvent, SampleSink, Session, Stage,
 };
 use wisch_io::{EventWriter, LoadedTask, Robot, RobotFiles};
 
@@ -40,6 +41,15 @@ self_cell!(
 );
 
 type Events = EventWriter<std::io::Sink>;
+
+/// What a session is to plan by instead of the task's strategy.
+pub enum Given {
+    Nothing,
+    /// For the first round.
+    Plan(Plan),
+    /// For every round.
+    Strategy(OwnStrategy<'static>),
+}
 
 /// A wiping task from its first plan to its last verdict.
 #[pyclass(name = "Session", module = "wisch", frozen)]
@@ -135,10 +145,20 @@ fn described(events: &mut Events, event: &RunEvent<'_>) -> Option<String> {
 
 impl PySession {
     /// A session that has not planned yet.
-    pub fn new(loaded: Arc<LoadedTask>, robot: Option<Arc<Robot>>, config: RunConfig) -> Self {
+    pub fn new(
+        loaded: Arc<LoadedTask>,
+        robot: Option<Arc<Robot>>,
+        config: RunConfig,
+        given: Given,
+    ) -> Self {
         let belief = loaded.belief();
         let wiping = Wiping::new(robot.clone(), |robot| {
             let session = Session::new(&loaded.task, config).with_belief(belief);
+            let session = match given {
+                Given::Nothing => session,
+                Given::Plan(plan) => session.with_plan(Some(plan)),
+                Given::Strategy(own) => session.with_strategy(own),
+            };
             match robot {
                 Some(robot) => session.with_robot(robot.performer()),
                 None => session,

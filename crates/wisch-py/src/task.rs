@@ -5,13 +5,16 @@ use crate::error::{of_file, plain, refused};
 use crate::interpret::PyInterpretation;
 use crate::plan::PyPlan;
 use crate::robot::PyRobot;
-use crate::session::PySession;
+use crate::session::{Given, PySession};
 use crate::telemetry::{PyTelemetry, touches};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyInt, PyMapping};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use wisch::represent::{ParticleDistribution, ScenePart};
+use wisch::geometry::{PlanarPose, Point2};
+use wisch::plan::plan_of_strokes;
+use wisch::represent::{ParticleDistribution, ScenePart, Task};
+use wisch::run::OwnStrategy;
 use wisch_io::{LoadOptions, LoadedTask, PlanRecord, beside, particles_to_csv};
 
 /// Under this name a task that is made of objects finds the particles that came as an array.
@@ -178,6 +181,47 @@ fn options_of(
         strategy: (strategy.map(str::parse).transpose())
             .map_err(|error| named("strategy", &error))?,
     })
+}
+
+impl PyTask {
+    /// A plan, one's own strokes, or a function that gives strokes for a task.
+    fn given(&self, given: &Bound<'_, PyAny>) -> PyResult<Given> {
+        if let Ok(plan) = given.cast::<PyPlan>() {
+            return Ok(Given::Plan((*plan.get().plan).clone()));
+        }
+        if !given.is_callable() {
+            let plan = self.plan_of_strokes(given)?;
+            return Ok(Given::Plan((*plan.plan).clone()));
+        }
+        let function = given.clone().unbind();
+        let (loaded, options) = (Arc::clone(&self.loaded), self.options.clone());
+        Ok(Given::Strategy(OwnStrategy::new(move |task: &Task| {
+            Python::attach(|py| {
+                let task = Self {
+                    loaded: Arc::new(LoadedTask {
+                        task: task.clone(),
+                        ..(*loaded).clone()
+                    }),
+                    options: options.clone(),
+                };
+                strokes_of(&function.bind(py).call1((Py::new(py, task)?,))?)
+            })
+            .map_err(|error: PyErr| error.to_string())
+        })))
+    }
+}
+
+/// Strokes as arrays (k, 3) of x, y [m] and heading [rad].
+fn strokes_of(given: &Bound<'_, PyAny>) -> PyResult<Vec<Vec<PlanarPose>>> {
+    let strokes = given.try_iter()?;
+    strokes
+        .map(|stroke| {
+            let poses = rows::<3>("strokes", &stroke?)?.into_iter();
+            Ok(poses
+                .map(|[x, y, heading]| PlanarPose::new(Point2::new(x, y), heading))
+                .collect())
+        })
+        .collect()
 }
 
 #[pymethods]
@@ -352,7 +396,7 @@ impl PyTask {
         Ok(robot.map(PyRobot::of_task))
     }
 
-    #[pyo3(signature = (robot = None, *, world_from_robot = None, group = None, rounds = None, target = None, pace = None, end_strokes_early = None))]
+    #[pyo3(signature = (robot = None, *, world_from_robot = None, group = None, rounds = None, target = None, pace = None, end_strokes_early = None, plan = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn session(
         &self,
@@ -363,7 +407,9 @@ impl PyTask {
         target: Option<f64>,
         pace: Option<&str>,
         end_strokes_early: Option<bool>,
+        plan: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<PySession> {
+        let given = plan.map_or(Ok(Given::Nothing), |plan| self.given(plan))?;
         let robot = robot.map(PyRobot::given).transpose()?;
         let mut config = self.loaded.run_config();
         if let Some(pose) = world_from_robot {
@@ -394,7 +440,12 @@ impl PyTask {
             Some("greedy") => config.pace = wisch::run::Pace::Greedy,
             Some(other) => return Err(refused("pace", other, "\"whole\" or \"greedy\"")),
         }
-        Ok(PySession::new(Arc::clone(&self.loaded), robot, config))
+        Ok(PySession::new(
+            Arc::clone(&self.loaded),
+            robot,
+            config,
+            given,
+        ))
     }
 
     /// The same task with other particles (N, 2) [m]; options as of `load_task`.
@@ -443,6 +494,22 @@ impl PyTask {
             }
         };
         PyInterpretation::of_samples(py, &self.loaded, &samples, certain)
+    }
+
+    /// A plan for the task's particles as if they were known to lie just there, as `wisch eval table1` makes it. A session plans for
+    /// all places where the dirt may lie instead.
+    fn plan_known_dirt(&self, py: Python<'_>) -> PyResult<PyPlan> {
+        let plan = py.detach(|| self.loaded.plan_for_known_dirt());
+        Ok(PyPlan::of(&self.loaded.task, plan.map_err(plain)?))
+    }
+
+    /// The plan that consists of one's own strokes, each an array (k, 3) of x, y [m] and heading [rad] of the tool in the frame of the
+    /// surface.
+    fn plan_of_strokes(&self, strokes: &Bound<'_, PyAny>) -> PyResult<PyPlan> {
+        let strokes = strokes_of(strokes)?;
+        let (task, lift) = (&self.loaded.task, self.loaded.config.lift_height);
+        let plan = plan_of_strokes(task, &strokes, lift).map_err(plain)?;
+        Ok(PyPlan::of(task, plan))
     }
 
     /// The plan of a `plan.json`.

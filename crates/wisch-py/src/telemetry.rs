@@ -11,7 +11,9 @@ use wisch::follow::{Followed, Phase};
 use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::TouchSample;
 use wisch::run::{TelemetrySample, Wrench};
-use wisch_telemetry::{Axes, AxesChoice, LogOptions, TopicChoice, WrenchSign};
+use wisch_telemetry::{
+    Axes, AxesChoice, LogOptions, OrientationForm, TopicChoice, WrenchSign,
+};
 
 /// Columns that grow sample by sample.
 #[derive(Default)]
@@ -236,7 +238,7 @@ pub fn touches(
 /// Reads a log: a ROS 2 bag (MCAP), a folder with the parts of one, or a table of numbers under a line of names. Options are
 /// those of `wisch interpret`.
 #[pyfunction]
-#[pyo3(signature = (path, *, pose_topic = None, wrench_topic = None, columns = None, wrench_frame = None, wrench_sign = "on-tool", force_unit_n = None, length_unit_m = None, time_unit_s = None, pose_frame = None, world_from_log = None, world_from_surface = None, pose_offset = None, max_gap_s = 0.1))]
+#[pyo3(signature = (path, *, pose_topic = None, wrench_topic = None, columns = None, wrench_frame = None, wrench_sign = None, orientation = None, rate_hz = None, force_unit_n = None, length_unit_m = None, time_unit_s = None, pose_frame = None, world_from_log = None, world_from_surface = None, pose_offset = None, max_gap_s = 0.1))]
 #[expect(clippy::too_many_arguments, reason = "Python names them")]
 pub fn read_log(
     py: Python<'_>,
@@ -245,7 +247,9 @@ pub fn read_log(
     wrench_topic: Option<String>,
     columns: Option<&Bound<'_, PyDict>>,
     wrench_frame: Option<&str>,
-    wrench_sign: &str,
+    wrench_sign: Option<&str>,
+    orientation: Option<&str>,
+    rate_hz: Option<f64>,
     force_unit_n: Option<f64>,
     length_unit_m: Option<f64>,
     time_unit_s: Option<f64>,
@@ -261,6 +265,7 @@ pub fn read_log(
         force_unit: force_unit_n,
         length_unit: length_unit_m,
         time_unit: time_unit_s,
+        rate: rate_hz,
         pose_frame,
         max_gap: max_gap_s,
         ..LogOptions::default()
@@ -275,11 +280,18 @@ pub fn read_log(
         options.axes = AxesChoice::Given(axes);
     }
     options.sign = match wrench_sign {
-        "on-tool" => WrenchSign::OnTool,
-        "by-tool" => WrenchSign::ByTool,
-        other => return Err(refused("wrench_sign", other, "\"on-tool\" or \"by-tool\"")),
+        None => None,
+        Some("on-tool") => Some(WrenchSign::OnTool),
+        Some("by-tool") => Some(WrenchSign::ByTool),
+        Some(other) => return Err(refused("wrench_sign", other, "\"on-tool\" or \"by-tool\"")),
     };
+    if let Some(name) = orientation {
+        let named = OrientationForm::ALL.into_iter().find(|form| form.as_str() == name);
+        let known = || OrientationForm::ALL.map(OrientationForm::as_str).join(", ");
+        options.orientation = Some(named.ok_or_else(|| refused("orientation", name, known()))?);
+    }
     for (name, value) in [
+        ("rate_hz", rate_hz),
         ("force_unit_n", force_unit_n),
         ("length_unit_m", length_unit_m),
         ("time_unit_s", time_unit_s),

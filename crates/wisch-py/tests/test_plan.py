@@ -87,3 +87,52 @@ def test_pictures_are_svg(task):
         assert svg.startswith("<svg")
     with pytest.raises(wisch.WischError, match="nearest: graph"):
         plan.picture("grph")
+
+
+def lawnmower(task):
+    """Rows along x, from border to border."""
+    outline = np.asarray(task.surface_outline)
+    (left, low), (right, high) = outline.min(0), outline.max(0)
+    rows = int(np.ceil((high - low) / task.area_of_effect_m[1]))
+    middles = low + (np.arange(rows) + 0.5) * (high - low) / rows
+    return [np.array([[left, y, 0.0], [right, y, 0.0]]) for y in middles]
+
+
+def test_strokes_of_ones_own_are_a_plan_that_a_session_takes():
+    task = wisch.load_task("chopping-board", action="absorb", seed=1)
+    strokes = lawnmower(task)
+    plan = task.plan_of_strokes(strokes)
+    assert plan.strategy == "own"
+    assert all(np.array_equal(given, kept) for given, kept in zip(strokes, plan.strokes, strict=True))
+    assert plan.predict().performance == 1.0
+    assert task.plan_of_json(plan.to_json()).to_json() == plan.to_json()
+    seen = []
+
+    def strategy(of_round):
+        seen.append(of_round.particles)
+        return lawnmower(of_round)
+
+    for given in (plan, strokes, strategy):
+        assert task.session(plan=given).plan().to_json() == plan.to_json()
+    assert len(seen) == 1 and seen[0].shape == task.particles.shape
+
+
+def test_strokes_through_a_thing_or_off_the_surface_are_refused():
+    task = wisch.load_task("table", action="absorb", strategy="grid", seed=1)
+    with pytest.raises(wisch.WischError, match=r"strokes\[\d+\] leads the tool through"):
+        task.plan_of_strokes(lawnmower(task))
+    with pytest.raises(wisch.WischError, match=r"strokes\[0\] leaves the surface by"):
+        task.plan_of_strokes([np.array([[5.0, 0.0, 0.0]])])
+
+    def fails(of_round):
+        raise ValueError("no idea")
+
+    with pytest.raises(wisch.WischError, match="own strategy: ValueError: no idea"):
+        task.session(plan=fails).plan()
+
+
+def test_a_plan_for_known_dirt_is_shorter_than_one_for_all_that_is_believed():
+    task = wisch.load_task("table", action="absorb", strategy="adaptive", seed=1)
+    known, believed = task.plan_known_dirt(), task.session().plan()
+    assert known.contact_distance_m < believed.contact_distance_m
+    assert known.predict().performance >= believed.predict().performance

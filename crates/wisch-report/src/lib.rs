@@ -7,6 +7,7 @@
 //! | figures for papers, in SVG | [`ReportInput`] | [`pictures`] |
 //! | the effect over the distance wiped | a running prediction | [`EffectFrames`], part of [`ReportInput`] |
 //! | a robot in motion: joints, base placements | [`ShownMotion`] of what follows a plan, or any [`MotionInput`] | part of [`ReportInput`], or [`joint_plots`], [`placements_plan`] |
+//! | a log of wiping as one page | [`LogPageInput`] | [`log_page`] |
 //! | rounds: force, path, chance of an effect, residue | [`RoundsInput`] | part of [`ReportInput`] |
 //! | answers of the memory, in space and over time | [`AnswersInput`] | [`answers_page`] |
 //! | a tool's footprint | [`wisch::represent::Tool`] | [`footprint_drawing`] |
@@ -41,6 +42,7 @@ mod calibration;
 mod draw;
 mod footprint;
 mod input;
+mod log_page;
 mod memory;
 mod motion;
 mod page;
@@ -57,6 +59,7 @@ pub use calibration::{CalibrationCurve, CalibrationLevel, calibration_drawing};
 pub use draw::{PictureError, rasterize};
 pub use footprint::footprint_drawing;
 pub use input::ReportInput;
+pub use log_page::{LogPageInput, log_page};
 pub use memory::{AnswersInput, answers_page};
 pub use motion::{
     Contact, MotionInput, ParticleFrame, Phase, Placement, RatedPlace, ShownMotion, joint_plots,

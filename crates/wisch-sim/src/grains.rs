@@ -13,13 +13,10 @@ use crate::SimulationSettings;
 use rapier3d_f64::dynamics::{CoefficientCombineRule, RigidBodyBuilder, RigidBodyHandle};
 use rapier3d_f64::geometry::ColliderBuilder;
 use wisch::geometry::{Point2, Point3, Pose, Vector2, Vector3};
-use wisch::represent::{Effect, Fate, MediumKind, Task};
+use wisch::represent::{Effect, Fate, Task, dirt_friction};
 
 /// Density of grains [kg/m³].
 const DENSITY: f64 = 600.0;
-/// Friction of grains on the surface: what lies on a slope stays there [1].
-const FRICTION: f64 = 0.8;
-const WET_FRICTION: f64 = 1.5;
 /// Friction of grains on the side of a tool: foam and bristles hold them [1].
 const SIDE_FRICTION: f64 = 1.0;
 /// Stiffness of the tool's grip on a grain, as a natural frequency [rad/s]; critically damped.
@@ -79,10 +76,8 @@ impl GrainBodies {
         settings: &SimulationSettings,
     ) -> Self {
         let world_from_real = task.surface.world_from_surface * settings.believed_from_real;
-        let friction = match settings.kind {
-            MediumKind::Liquid => WET_FRICTION,
-            MediumKind::Solid | MediumKind::Powder => FRICTION,
-        };
+        // What lies on a slope stays there, up to the angle at which the task's own dirt slides.
+        let friction = dirt_friction(settings.kind, 0.0);
         let put = |grain: &super::Grain| {
             if grain.fate != Fate::OnSurface {
                 return None;

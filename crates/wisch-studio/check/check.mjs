@@ -153,8 +153,11 @@ try {
 
   step("a deep link is followed");
   const link = await open(`#episode=${second}&t=12.5&q=${encodeURIComponent("human_collision(Motion, C, [S, E])")}`);
-  await link.waitForSelector(".s-table tbody tr");
+  await link.waitForSelector(".s-remark");
+  assert.equal(await link.locator(".s-table").count(), 0, "a query of a link waits for the person");
   assert.ok(Math.abs((await clock(link)) - 12.5) < 0.06, `the clock is at ${await clock(link)}`);
+  await link.click(".s-ask .s-primary");
+  await link.waitForSelector(".s-table tbody tr");
   await link.evaluate((id) => { location.hash = `#episode=${id}&t=3.0`; }, first);
   await link.waitForFunction((id) => window.wisch.stage.shown[0]?.id === id && Math.abs(window.wisch.stage.time - 3) < 0.06, first);
   await link.context().close();

@@ -87,29 +87,6 @@ impl Arguments {
     }
 }
 
-/// Shows a page in the browser, as far as the system can.
-pub fn open_in_browser(url: &str) {
-    use std::process::{Command, Stdio};
-    let (program, before): (_, &[&str]) = if cfg!(target_os = "macos") {
-        ("open", &[])
-    } else if cfg!(windows) {
-        ("cmd", &["/c", "start", ""])
-    } else {
-        ("xdg-open", &[])
-    };
-    let mut command = Command::new(program);
-    command.args(before).arg(url);
-    command
-        .stdin(Stdio::null())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null());
-    if let Err(error) = command.spawn() {
-        eprintln!(
-            "warning: the browser cannot be opened ({program}: {error}): open the address yourself"
-        );
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,25 +1,35 @@
-//! Who is let in: requests with the token, to this address, from this page.
+//! Who is let in: requests with the token, to an address of this machine, from this page.
 //!
 //! The token keeps out other users of this machine and pages that guess; the `Host` header those that point a name of
 //! their own at this address (DNS rebinding); the `Origin` header other pages that know the token.
 
-use axum::body::Body;
+use crate::connections::Connection;
+use crate::refusal::Refusal;
+use axum::Extension;
+use axum::body::{Body, to_bytes};
 use axum::extract::{Request, State};
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 use std::net::{IpAddr, SocketAddr};
 use std::sync::Arc;
+use std::time::Duration;
 
 /// Length of a token [bytes].
 const TOKEN_BYTES: usize = 16;
+
+/// Most bytes that a request may send.
+const LONGEST_BODY: usize = 1 << 16;
+/// Longest time that a request may take to send them.
+const BODY_TIME: Duration = Duration::from_secs(10);
+/// Addresses by which a machine calls itself, beside the one that a connection has reached.
+const OWN_NAMES: [&str; 3] = ["127.0.0.1", "localhost", "[::1]"];
 
 /// What is checked of every request.
 #[derive(Debug)]
 pub struct Gate {
     token: String,
-    /// What the `Host` header may be.
-    hosts: Vec<String>,
+    port: u16,
 }
 
 impl Gate {
@@ -29,7 +39,7 @@ impl Gate {
         getrandom::fill(&mut bytes)?;
         Ok(Self {
             token: in_hex(&bytes),
-            hosts: hosts(address),
+            port: address.port(),
         })
     }
 
@@ -38,19 +48,19 @@ impl Gate {
         &self.token
     }
 
-    /// Why a request is not let in, if it is not.
-    fn refusal(&self, path: &str, headers: &HeaderMap) -> Option<StatusCode> {
+    /// Why a request is not let in, if it is not. `local` is the address of this machine that it has reached.
+    fn refusal(&self, path: &str, headers: &HeaderMap, local: IpAddr) -> Option<StatusCode> {
         let host = headers
             .get(header::HOST)
             .and_then(|host| host.to_str().ok());
-        if !host.is_some_and(|host| self.is_here(host)) {
+        if !host.is_some_and(|host| self.is_here(host, local)) {
             return Some(StatusCode::MISDIRECTED_REQUEST);
         }
         if let Some(origin) = headers.get(header::ORIGIN) {
             let origin = origin.to_str().unwrap_or_default();
             let is_own = origin
                 .strip_prefix("http://")
-                .is_some_and(|from| self.is_here(from));
+                .is_some_and(|from| self.is_here(from, local));
             if !is_own {
                 return Some(StatusCode::FORBIDDEN);
             }
@@ -60,17 +70,45 @@ impl Gate {
         (!is_same(token.as_bytes(), self.token.as_bytes())).then_some(StatusCode::NOT_FOUND)
     }
 
-    fn is_here(&self, host: &str) -> bool {
-        (self.hosts.iter()).any(|known| known.eq_ignore_ascii_case(host))
+    /// Whether a `Host` header is `local`, or a name of this machine. A name that is none cannot be led here (DNS
+    /// rebinding), and the address that a connection has reached is this machine's whatever it listens at.
+    fn is_here(&self, host: &str, local: IpAddr) -> bool {
+        let name = match host.strip_suffix(&format!(":{}", self.port)) {
+            Some(name) => name,
+            // Browsers leave the usual port out.
+            None if self.port == 80 => host,
+            None => return false,
+        };
+        let is_own = OWN_NAMES.iter().any(|own| own.eq_ignore_ascii_case(name));
+        is_own || address(name) == Some(local.to_canonical())
+    }
+}
+
+/// Returns the IP address as which a host is given, if it is one.
+fn address(host: &str) -> Option<IpAddr> {
+    match host.strip_prefix('[') {
+        Some(rest) => Some(IpAddr::V6(rest.strip_suffix(']')?.parse().ok()?)),
+        None => Some(IpAddr::V4(host.parse().ok()?)),
     }
 }
 
 /// Lets a request in or not, and says to browsers what the answer may be used for.
-pub async fn pass(State(gate): State<Arc<Gate>>, request: Request<Body>, next: Next) -> Response {
-    let refused = gate.refusal(request.uri().path(), request.headers());
-    let mut response = match refused {
+pub async fn pass(
+    State(gate): State<Arc<Gate>>,
+    Extension(connection): Extension<Arc<Connection>>,
+    request: Request<Body>,
+    next: Next,
+) -> Response {
+    let local = connection.local().ip();
+    let mut response = match gate.refusal(request.uri().path(), request.headers(), local) {
         Some(status) => status.into_response(),
-        None => next.run(request).await,
+        None => {
+            connection.admit();
+            match received(request).await {
+                Ok(request) => next.run(request).await,
+                Err(refusal) => refusal.into_response(),
+            }
+        }
     };
     let headers = response.headers_mut();
     for (name, value) in [
@@ -95,6 +133,27 @@ pub async fn pass(State(gate): State<Arc<Gate>>, request: Request<Body>, next: N
             "default-src 'none'; frame-ancestors 'none'",
         ));
     response
+}
+
+/// Returns a request once all that it sends has come.
+///
+/// # Errors
+/// If it sends too much or takes too long.
+async fn received(request: Request<Body>) -> Result<Request<Body>, Refusal> {
+    let (head, body) = request.into_parts();
+    match tokio::time::timeout(BODY_TIME, to_bytes(body, LONGEST_BODY)).await {
+        Ok(Ok(bytes)) => Ok(Request::from_parts(head, Body::from(bytes))),
+        Ok(Err(error)) => {
+            let why = format!(
+                "the request cannot be read, or has more than {LONGEST_BODY} bytes: {error}"
+            );
+            Err(Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, why))
+        }
+        Err(_) => {
+            let why = format!("the request was not sent within {} s", BODY_TIME.as_secs());
+            Err(Refusal::new(StatusCode::REQUEST_TIMEOUT, why))
+        }
+    }
 }
 
 /// What the page may do; its script is known by a number that is drawn for each answer.
@@ -122,24 +181,6 @@ fn is_same(a: &[u8], b: &[u8]) -> bool {
     a.len() == b.len() && std::hint::black_box(differing) == 0
 }
 
-/// The `Host` headers of requests that are meant for this address.
-fn hosts(address: SocketAddr) -> Vec<String> {
-    let names = ["127.0.0.1", "localhost", "[::1]"].map(str::to_owned);
-    let own = match address.ip() {
-        IpAddr::V4(ip) => ip.to_string(),
-        IpAddr::V6(ip) => format!("[{ip}]"),
-    };
-    let port = address.port();
-    let names = names.into_iter().chain([own]);
-    names
-        .flat_map(|name| {
-            // Browsers leave the usual port out.
-            let short = (port == 80).then(|| name.clone());
-            short.into_iter().chain([format!("{name}:{port}")])
-        })
-        .collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -147,15 +188,16 @@ mod tests {
     fn refusal(path: &str, headers: &[(&'static str, &'static str)]) -> Option<u16> {
         let gate = Gate {
             token: "a0b1".to_owned(),
-            hosts: hosts("127.0.0.1:80".parse().unwrap()),
+            port: 80,
         };
+        let local = [192, 168, 1, 5].into();
         let headers = headers.iter().map(|(name, value)| {
             (
                 header::HeaderName::from_static(name),
                 HeaderValue::from_static(value),
             )
         });
-        let refused = gate.refusal(path, &headers.collect());
+        let refused = gate.refusal(path, &headers.collect(), local);
         refused.map(|status| status.as_u16())
     }
 
@@ -177,10 +219,36 @@ mod tests {
         for host in ["127.0.0.1", "localhost:80", "[::1]"] {
             assert_eq!(refusal("/a0b1/", &[("host", host)]), None, "{host}");
         }
+        for host in ["localhost:8080", "127.0.0.1:8"] {
+            assert_eq!(refusal("/a0b1/", &[("host", host)]), Some(421), "{host}");
+        }
         assert_eq!(refusal("/a0b1/", &[]), Some(421));
         let own = [("host", "localhost"), ("origin", "http://localhost")];
         assert_eq!(refusal("/a0b1/", &own), None);
         let foreign = [("host", "localhost"), ("origin", "http://localhost:81")];
         assert_eq!(refusal("/a0b1/", &foreign), Some(403));
+    }
+
+    #[test]
+    fn the_address_that_was_reached_is_this_machines() {
+        for host in ["192.168.1.5", "192.168.1.5:80"] {
+            assert_eq!(refusal("/a0b1/", &[("host", host)]), None, "{host}");
+        }
+        for host in [
+            "192.168.1.6",
+            "0.0.0.0",
+            "[::ffff:192.168.1.6]",
+            "5.evil.example",
+        ] {
+            assert_eq!(refusal("/a0b1/", &[("host", host)]), Some(421), "{host}");
+        }
+        let gate = Gate {
+            token: String::new(),
+            port: 80,
+        };
+        let v6 = "2001:db8::5".parse().unwrap();
+        assert!(gate.is_here("[2001:db8:0::5]", v6) && !gate.is_here("2001:db8::5", v6));
+        // A listener for both families sees IPv4 addresses as mapped.
+        assert!(gate.is_here("192.168.1.5:80", "::ffff:192.168.1.5".parse().unwrap()));
     }
 }

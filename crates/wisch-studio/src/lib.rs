@@ -1,7 +1,6 @@
 //! The server of `wisch studio`: a page that shows runs while they happen and episodes of a memory, and asks about them.
 //!
-//! It listens at one address of this machine and answers only who knows its token ([`Studio::url`]). Everything lies
-//! under `/TOKEN/`:
+//! It answers only who knows its token ([`Studio::url`]), at addresses of this machine. Everything lies under `/TOKEN/`:
 //!
 //! | request | answer |
 //! |---|---|
@@ -16,7 +15,10 @@
 //! | `GET api/vocabulary` | what queries may name |
 
 mod arguments;
+mod browser;
+mod connections;
 mod gate;
+mod kept;
 mod library;
 mod live;
 mod place;
@@ -31,6 +33,6 @@ mod stream;
 mod vocabulary;
 mod watch;
 
-pub use arguments::{Arguments, USAGE, open_in_browser};
+pub use arguments::{Arguments, USAGE};
 pub use serve::{Config, Studio, StudioError};
 pub use vocabulary::EXAMPLES;

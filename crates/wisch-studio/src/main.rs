@@ -1,7 +1,11 @@
 //! The program `wisch-studio`, which `wisch studio` begins.
 
 use std::process::ExitCode;
-use wisch_studio::{Arguments, Studio, USAGE, open_in_browser};
+use std::time::Duration;
+use wisch_studio::{Arguments, Studio, USAGE};
+
+/// Longest wait at the end for work that cannot be broken off, such as reading the memory.
+const LAST_WORK: Duration = Duration::from_secs(2);
 
 fn main() -> ExitCode {
     let arguments = match Arguments::parse(std::env::args_os().skip(1)) {
@@ -16,7 +20,11 @@ fn main() -> ExitCode {
         .enable_all()
         .build();
     let worked = match runtime {
-        Ok(runtime) => runtime.block_on(work(&arguments)),
+        Ok(runtime) => {
+            let worked = runtime.block_on(work(&arguments));
+            runtime.shutdown_timeout(LAST_WORK);
+            worked
+        }
         Err(error) => Err(error.to_string()),
     };
     match worked {
@@ -31,22 +39,25 @@ async fn work(arguments: &Arguments) -> Result<(), String> {
     let studio = studio.map_err(|error| error.to_string())?;
     if !arguments.config.host.is_loopback() {
         eprintln!(
-            "warning: {} can be reached from other machines: whoever has the address can start runs and read the \
-             memory, and it goes over the network as it is",
+            "warning: {} can be reached from other machines: whoever has an address below can start runs and read \
+             the memory, and it goes over the network as it is. The first address is for this machine",
             arguments.config.host
         );
     }
     println!("{}", studio.url());
-    if arguments.open {
-        open_in_browser(studio.url());
+    for url in studio.urls_from_elsewhere() {
+        println!("{url}");
     }
-    studio
-        .serve(end)
-        .await
-        .map_err(|error| format!("the server ended: {error}"))
+    if arguments.open
+        && let Err(error) = studio.open_in_browser()
+    {
+        eprintln!("warning: the browser cannot be opened ({error}): open the address above");
+    }
+    studio.serve(end).await;
+    Ok(())
 }
 
-/// What is done when Ctrl-C or a signal to end comes; the second one does not wait for anything.
+/// Returns a future that ends with Ctrl-C, a signal to end, or the terminal. A second signal ends the program at once.
 #[cfg(unix)]
 fn ended_by_signal() -> std::io::Result<impl Future<Output = ()>> {
     use tokio::signal::unix::{SignalKind, signal};
@@ -54,9 +65,10 @@ fn ended_by_signal() -> std::io::Result<impl Future<Output = ()>> {
     const EXIT_INTERRUPTED: i32 = 130;
     let mut interrupt = signal(SignalKind::interrupt())?;
     let mut terminate = signal(SignalKind::terminate())?;
+    let mut hangup = signal(SignalKind::hangup())?;
     let (sender, receiver) = tokio::sync::oneshot::channel();
     tokio::spawn(async move {
-        tokio::select! { _ = interrupt.recv() => {}, _ = terminate.recv() => {} }
+        tokio::select! { _ = interrupt.recv() => {}, _ = terminate.recv() => {}, _ = hangup.recv() => {} }
         let _ = sender.send(());
         tokio::select! { _ = interrupt.recv() => {}, _ = terminate.recv() => {} }
         std::process::exit(EXIT_INTERRUPTED);

@@ -1,6 +1,9 @@
 //! The server: what is asked for, and who answers it.
 
+use crate::browser;
+use crate::connections::{self, addresses_of_machine};
 use crate::gate::{Gate, nonce, page_policy, pass};
+use crate::kept::{body_of_file, body_of_unpacked, open_recording};
 use crate::library::Library;
 use crate::live::{LiveFolder, LiveRun, RunState};
 use crate::questions::{LIMITS, Question, Questions};
@@ -12,28 +15,26 @@ use crate::vocabulary::vocabulary;
 use crate::watch::changes;
 use axum::body::{Body, Bytes};
 use axum::extract::rejection::JsonRejection;
-use axum::extract::{DefaultBodyLimit, Path, Query, State};
-use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
+use axum::extract::{Path, Query, State};
+use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use axum::{Json, Router, middleware};
-use flate2::read::GzDecoder;
 use futures_util::stream;
 use serde::Deserialize;
 use serde_json::{Value, json};
-use std::io::{self, Read};
-use std::net::{IpAddr, SocketAddr};
+use std::io;
+use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 use std::path::PathBuf;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
+use tempfile::TempPath;
 use tokio::net::TcpListener;
 use tokio::sync::{Semaphore, watch};
-use wisch_memory::{Memory, MemoryError, RECORDING_FILE};
+use wisch_memory::{Memory, MemoryError, live_place};
 
 /// Most answers at once that go on for as long as the page is open.
 const MOST_STREAMS: usize = 64;
-/// Most of what is sent to here [bytes].
-const LONGEST_BODY: usize = 1 << 16;
 /// How often something is sent where nothing changes.
 const HEARTBEAT: Duration = Duration::from_secs(10);
 
@@ -94,6 +95,7 @@ pub enum StudioError {
 pub struct Studio {
     listener: TcpListener,
     url: String,
+    urls_from_elsewhere: Vec<String>,
     gate: Arc<Gate>,
     rooms: Arc<Rooms>,
 }
@@ -108,6 +110,8 @@ struct Rooms {
     scenarios: Vec<Scenario>,
     streams: Arc<Semaphore>,
     changes: watch::Receiver<u64>,
+    /// Leads the browser to the page; gone once the page was opened.
+    redirect: Mutex<Option<TempPath>>,
 }
 
 type Answer = Result<Response, Refusal>;
@@ -145,34 +149,64 @@ impl Studio {
             changes: changes(Arc::clone(&library), live.clone()),
             library,
             live,
+            redirect: Mutex::default(),
         };
+        let elsewhere = addresses_of_machine(bound);
+        let elsewhere = elsewhere.map_err(|error| StudioError::Listen { address, error })?;
+        let url = |address: SocketAddr| format!("http://{address}/{}/", gate.token());
         Ok(Self {
-            url: format!("http://{bound}/{}/", gate.token()),
+            url: url(reached_from_here(bound)),
+            urls_from_elsewhere: elsewhere.into_iter().map(url).collect(),
             listener,
             gate,
             rooms: Arc::new(rooms),
         })
     }
 
-    /// Where the page is, with the token.
+    /// Returns the address of the page for browsers of this machine, with the token.
     pub fn url(&self) -> &str {
         &self.url
     }
 
-    /// Answers until this is over, then ends the runs that were begun here.
+    /// Returns the addresses of the page for other machines, where it listens at all addresses of this one.
+    pub fn urls_from_elsewhere(&self) -> &[String] {
+        &self.urls_from_elsewhere
+    }
+
+    /// Opens the page in the browser. The address, which holds the token, stands in no list of processes.
     ///
     /// # Errors
-    /// What the system says.
-    pub async fn serve(self, until: impl Future<Output = ()> + Send) -> io::Result<()> {
+    /// If the system has no program for it.
+    pub fn open_in_browser(&self) -> io::Result<()> {
+        // Where browsers that are confined may read at all: in a visible folder of their user.
+        let any = live_place(self.rooms.library.memory().folder(), "any", "html");
+        let folder = any.parent().unwrap_or(&any);
+        let file = browser::redirect_file(folder, &self.url)?;
+        let opened = browser::open(&file);
+        *self.rooms.redirect() = Some(file);
+        opened
+    }
+
+    /// Answers until `until` is over, then ends the runs that were begun here.
+    pub async fn serve(self, until: impl Future<Output = ()> + Send) {
         let rooms = Arc::clone(&self.rooms);
         let router = router(self.gate, self.rooms);
-        let served = tokio::select! {
-            served = axum::serve(self.listener, router) => served,
-            () = until => Ok(()),
-        };
+        // Whoever follows a run is told its end.
+        let open = connections::answer(self.listener, router, connections::LIMITS, until).await;
+        rooms.redirect().take();
         rooms.runs.stop_all().await;
-        served
+        drop(open);
     }
+}
+
+/// Returns the address by which browsers of this machine reach a listener.
+fn reached_from_here(bound: SocketAddr) -> SocketAddr {
+    let ip = match bound.ip() {
+        IpAddr::V4(ip) if ip.is_unspecified() => Ipv4Addr::LOCALHOST.into(),
+        IpAddr::V6(ip) if ip.is_unspecified() => Ipv6Addr::LOCALHOST.into(),
+        ip => ip,
+    };
+    SocketAddr::new(ip, bound.port())
 }
 
 fn router(gate: Arc<Gate>, rooms: Arc<Rooms>) -> Router {
@@ -190,11 +224,11 @@ fn router(gate: Arc<Gate>, rooms: Arc<Rooms>) -> Router {
         .route(&at("api/vocabulary"), get(words))
         .fallback(|| async { StatusCode::NOT_FOUND })
         .with_state(rooms)
-        .layer(DefaultBodyLimit::max(LONGEST_BODY))
         .layer(middleware::from_fn_with_state(gate, pass))
 }
 
-async fn page() -> Answer {
+async fn page(State(rooms): State<Arc<Rooms>>) -> Answer {
+    rooms.redirect().take();
     let nonce = nonce().map_err(Refusal::failed)?;
     // The only script of the page comes last.
     let page = wisch_web::studio_page();
@@ -242,6 +276,10 @@ impl Rooms {
         said
     }
 
+    fn redirect(&self) -> std::sync::MutexGuard<'_, Option<TempPath>> {
+        self.redirect.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     fn stream_permit(&self) -> Result<tokio::sync::OwnedSemaphorePermit, Refusal> {
         Arc::clone(&self.streams).try_acquire_owned().map_err(|_| {
             let why = format!("{MOST_STREAMS} streams are open already: close a page");
@@ -277,46 +315,23 @@ async fn overview_events(State(rooms): State<Arc<Rooms>>) -> Answer {
     Ok((headers, Body::from_stream(events)).into_response())
 }
 
-/// The recording of an episode as it is kept.
-async fn packed(rooms: Arc<Rooms>, id: String) -> Result<Vec<u8>, Refusal> {
-    let read = tokio::task::spawn_blocking(move || -> Result<Vec<u8>, Refusal> {
-        let episode = rooms.library.memory().episode(&id)?;
-        if !episode.folder().join(RECORDING_FILE).is_file() {
-            return Err(Refusal::unknown(format!(
-                "episode {id} has no recording: it was kept by an earlier version, imported, or its run was not recorded"
-            )));
-        }
-        Ok(episode.checked_attachment(RECORDING_FILE)?)
-    });
-    read.await?
-}
-
 async fn recording(
     State(rooms): State<Arc<Rooms>>,
     Path(id): Path<String>,
     headers: HeaderMap,
 ) -> Answer {
-    let packed = packed(rooms, id.clone()).await?;
+    let file = open_recording(Arc::clone(&rooms.library), id.clone()).await?;
     let kind = (header::CONTENT_TYPE, "application/x-ndjson; charset=utf-8");
     let accepted = headers.get(header::ACCEPT_ENCODING);
     let accepted = accepted.and_then(|accepted| accepted.to_str().ok());
     if accepted.is_some_and(|accepted| accepted.contains("gzip")) {
-        let mut response = ([kind], packed).into_response();
-        let gzip = HeaderValue::from_static("gzip");
-        response
-            .headers_mut()
-            .insert(header::CONTENT_ENCODING, gzip);
-        return Ok(response);
+        let gzip = [(header::CONTENT_ENCODING, "gzip")];
+        return Ok(([kind], gzip, body_of_file(file)).into_response());
     }
-    let unpacked = tokio::task::spawn_blocking(move || {
-        let mut bytes = Vec::new();
-        let read = GzDecoder::new(packed.as_slice()).read_to_end(&mut bytes);
-        read.map(|_| bytes)
-    });
-    let bytes = unpacked
-        .await?
-        .map_err(|error| Refusal::failed(format!("the recording of episode {id}: {error}")))?;
-    Ok(([kind], bytes).into_response())
+    let body = body_of_unpacked(file).await;
+    let body =
+        body.map_err(|error| Refusal::failed(format!("the recording of episode {id}: {error}")))?;
+    Ok(([kind], body).into_response())
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -339,9 +354,9 @@ async fn run_stream(
     let tail = if live.recording(&id).is_some() {
         Tail::growing(live, &id, after, permit)?
     } else {
-        let packed = packed(rooms, id.clone()).await;
-        let packed = packed.map_err(|_| Refusal::unknown(format!("there is no run {id:?}")))?;
-        Tail::kept(live, &id, packed, after, permit)
+        let kept = open_recording(Arc::clone(&rooms.library), id.clone()).await;
+        let kept = kept.map_err(|_| Refusal::unknown(format!("there is no run {id:?}")))?;
+        Tail::kept(live, &id, kept, after, permit)
     };
     Ok(tail.into_response())
 }

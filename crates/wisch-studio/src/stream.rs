@@ -22,6 +22,8 @@ const HEARTBEAT: Duration = Duration::from_secs(10);
 const LOOK_FOR_PROCESS: Duration = Duration::from_millis(500);
 /// How the piece begins that ends a recording.
 const LAST_PIECE: &[u8] = b"{\"piece\":\"ended\"";
+/// Longest line of a recording [bytes]. The longest that wisch writes hold meshes, and have a few million.
+const LONGEST_LINE: usize = 16 << 20;
 /// What is read at once [bytes].
 const CHUNK: usize = 1 << 16;
 /// When the browser comes back after a break [ms].
@@ -54,7 +56,7 @@ enum Source {
     /// A file that grows.
     Growing(File),
     /// What is kept in an episode.
-    Kept(Box<GzDecoder<io::Cursor<Vec<u8>>>>),
+    Kept(Box<GzDecoder<File>>),
 }
 
 /// What came of reading on.
@@ -81,11 +83,11 @@ impl Tail {
     pub fn kept(
         live: LiveFolder,
         id: &str,
-        recording: Vec<u8>,
+        recording: File,
         after: u64,
         permit: OwnedSemaphorePermit,
     ) -> Self {
-        let decoder = GzDecoder::new(io::Cursor::new(recording));
+        let decoder = GzDecoder::new(recording);
         Self::new(live, id, Source::Kept(Box::new(decoder)), after, permit)
     }
 
@@ -159,6 +161,11 @@ impl Tail {
                 Ok(len) => self.take(&chunk[..len], &mut text),
                 Err(error) => return self.end(text, "broken", &error.to_string()),
             }
+            if self.partial.len() > LONGEST_LINE {
+                let (line, limit) = (self.lines + 1, LONGEST_LINE >> 20);
+                let why = format!("line {line} is longer than {limit} MiB: this is no recording");
+                return self.end(text, "broken", &why);
+            }
         }
         Step::Text(text)
     }
@@ -201,8 +208,13 @@ impl Tail {
             self.lines += 1;
             self.has_last_piece = self.partial.starts_with(LAST_PIECE);
             if self.lines > self.after {
-                let line = String::from_utf8_lossy(&self.partial).replace('\r', " ");
-                text.push_str(&format!("id: {}\ndata: {line}\n\n", self.lines));
+                text.push_str(&format!("id: {}\ndata: ", self.lines));
+                let line = String::from_utf8_lossy(&self.partial);
+                for (number, part) in line.split('\r').enumerate() {
+                    text.push_str(if number > 0 { " " } else { "" });
+                    text.push_str(part);
+                }
+                text.push_str("\n\n");
             }
             self.partial.clear();
         }

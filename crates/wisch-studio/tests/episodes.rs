@@ -79,6 +79,15 @@ fn what_is_broken_says_so_and_breaks_nothing_else() {
 }
 
 #[test]
+fn a_recording_that_was_written_broken_says_so() {
+    let place = Place::new();
+    place.keep(ID, Some(b"this was never packed"));
+    let broken = place.get(&format!("api/episodes/{ID}/recording"));
+    assert_eq!(broken.status, 500);
+    assert!(broken.message().contains(ID), "{}", broken.message());
+}
+
+#[test]
 fn an_episode_without_a_record_is_named_among_the_others() {
     let place = Place::new();
     place.keep(ID, Some(&packed(LINES)));

@@ -2,6 +2,9 @@
 
 use crate::client::send;
 use crate::place::Place;
+use std::io::{ErrorKind, Read};
+use std::net::{Ipv4Addr, TcpStream};
+use std::time::Duration;
 
 #[test]
 fn without_the_token_there_is_nothing() {
@@ -56,6 +59,51 @@ fn a_name_that_somebody_points_here_is_refused() {
     ] {
         let answer = place.get_with("api/overview", &[("Host", &host)]);
         assert_eq!(answer.status, status, "{host:?}");
+    }
+}
+
+/// Linux answers at all addresses from 127.0.0.1 to 127.255.255.254.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_studio_at_all_addresses_answers_at_each_of_them() {
+    let place = Place::at(Ipv4Addr::UNSPECIFIED.into());
+    assert!(place.address.starts_with("127.0.0.1:"), "{}", place.address);
+    let port = place.address.rsplit(':').next().unwrap();
+    let path = format!("{}api/overview", place.base);
+    let here = format!("127.0.0.2:{port}");
+    for (host, status) in [
+        (here.clone(), 200),
+        (format!("localhost:{port}"), 200),
+        (format!("127.0.0.3:{port}"), 421),
+        (format!("0.0.0.0:{port}"), 421),
+        (format!("evil.example:{port}"), 421),
+    ] {
+        let answer = send(&here, "GET", &path, &[("Host", &host)], "");
+        assert_eq!(answer.status, status, "{host}");
+    }
+    let own = format!("http://{here}");
+    let foreign = format!("http://127.0.0.3:{port}");
+    for (origin, status) in [(own, 200), (foreign, 403)] {
+        let answer = send(&here, "GET", &path, &[("Origin", &origin)], "");
+        assert_eq!(answer.status, status, "{origin}");
+    }
+}
+
+#[test]
+fn idle_connections_keep_nobody_out() {
+    let place = Place::new();
+    let idle: Vec<TcpStream> = (0..200)
+        .map(|_| TcpStream::connect(&place.address).unwrap())
+        .collect();
+    assert_eq!(place.get("api/overview").status, 200);
+    // The first have given way.
+    for mut one in &idle[..64] {
+        one.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
+        let read = one.read(&mut [0]);
+        assert!(
+            matches!(read, Ok(0))
+                || read.is_err_and(|error| error.kind() == ErrorKind::ConnectionReset)
+        );
     }
 }
 

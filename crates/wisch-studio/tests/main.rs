@@ -5,5 +5,7 @@ mod client;
 mod episodes;
 mod gate;
 mod place;
+#[cfg(target_os = "linux")]
+mod program;
 mod runs;
 mod streams;

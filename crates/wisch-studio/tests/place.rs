@@ -56,6 +56,15 @@ impl Place {
     }
 
     pub fn with_engine(engine: Option<PathBuf>) -> Self {
+        Self::with(engine, Ipv4Addr::LOCALHOST.into())
+    }
+
+    /// One that listens at this address.
+    pub fn at(host: IpAddr) -> Self {
+        Self::with(None, host)
+    }
+
+    fn with(engine: Option<PathBuf>, host: IpAddr) -> Self {
         let folder = tempfile::tempdir().unwrap();
         script(&folder.path().join("wisch"), PROGRAM);
         std::fs::write(folder.path().join("lines"), "100").unwrap();
@@ -64,7 +73,7 @@ impl Place {
             wisch: folder.path().join("wisch"),
             engine,
             scenarios: None,
-            host: IpAddr::V4(Ipv4Addr::LOCALHOST),
+            host,
             port: 0,
         };
         let (say_url, url) = std::sync::mpsc::channel();
@@ -75,7 +84,7 @@ impl Place {
                 let studio = Studio::begin(&config).await.unwrap();
                 say_url.send(studio.url().to_owned()).unwrap();
                 let until = async { drop(ended.await) };
-                studio.serve(until).await.unwrap();
+                studio.serve(until).await;
             });
             runtime.shutdown_timeout(Duration::from_secs(1));
         });
@@ -129,12 +138,17 @@ impl Place {
 
     /// Keeps an episode with this recording.
     pub fn keep(&self, id: &str, recording: Option<&[u8]>) {
-        let writer = self.memory().begin(id).unwrap();
-        if let Some(recording) = recording {
-            writer.attach("recording.jsonl.gz", recording).unwrap();
-        }
-        writer.commit(&record(id)).unwrap();
+        keep(&self.memory(), id, recording);
     }
+}
+
+/// Keeps an episode with this recording in a memory.
+pub fn keep(memory: &Memory, id: &str, recording: Option<&[u8]>) {
+    let writer = memory.begin(id).unwrap();
+    if let Some(recording) = recording {
+        writer.attach("recording.jsonl.gz", recording).unwrap();
+    }
+    writer.commit(&record(id)).unwrap();
 }
 
 impl Drop for Place {

@@ -173,15 +173,20 @@ pub enum ReadFault {
         /// What is wrong.
         error: QuantityError,
     },
-    /// Time that goes back.
-    #[error("{place}: its time of {time} s is before that of the one before, {last} s")]
+    /// Time that goes back by more than messages come late.
+    #[error(
+        "{place}: its time of {time} s is {} s before the latest one before it, {last} s; the limit is {limit} s",
+        .last - .time
+    )]
     Backwards {
         /// The message or line.
         place: String,
         /// Its time [s].
         time: f64,
-        /// The time before [s].
+        /// The latest time before it [s].
         last: f64,
+        /// By how much it may come late [s].
+        limit: f64,
     },
     /// What a camera saw cannot be read.
     #[error("topic {topic}: {problem}")]
@@ -207,12 +212,36 @@ pub enum ReadFault {
         what: &'static str,
     },
     /// Nothing that could be meant.
-    #[error("no topic holds a {what}; there are: {}", listed(.topics))]
+    #[error("no topic holds a {what}; there are: {}{}", listed(.topics), and_unread(.unread))]
     Nothing {
         /// pose or wrench.
         what: &'static str,
-        /// Every topic with its type.
+        /// Every topic that is read with its type.
         topics: Vec<String>,
+        /// Why each of the others is not read.
+        unread: Vec<String>,
+    },
+    /// A frame that is to be a tool's, but never moves.
+    #[error("frame {frame:?} never moves in {reference:?}, so nothing was wiped with it")]
+    StillFrame {
+        /// Its name.
+        frame: String,
+        /// The frame that it does not move in.
+        reference: String,
+    },
+    /// A message that is packed by itself, and cannot be unpacked.
+    #[error("topic {topic}: a packed message: {error}")]
+    PackedMessage {
+        /// The topic.
+        topic: String,
+        /// What is wrong.
+        error: String,
+    },
+    /// A pipe or device, which may never end.
+    #[error("this is {kind}, and only files and folders are read")]
+    NoFile {
+        /// What it is.
+        kind: &'static str,
     },
     /// More than one that could be meant.
     #[error("{} topics hold a {what}, and one has to be chosen: {}", .topics.len(), listed(.topics))]
@@ -262,33 +291,59 @@ pub enum ReadFault {
     /// A table without any line of numbers.
     #[error("the table has no line of numbers")]
     Empty,
-    /// A line with too few values.
-    #[error("line {line}: it has {count} values, and column {column:?} is number {needed}")]
-    ShortLine {
+    /// A line with another number of values than there are names.
+    #[error("line {line}: it has {count} values, but there are {names} names")]
+    ValueCount {
         /// Counted from 1.
         line: usize,
         /// How many values it has.
         count: usize,
-        /// The column that is missing.
-        column: String,
-        /// Its number, from 1.
-        needed: usize,
+        /// How many names there are.
+        names: usize,
     },
+    /// A table without a column of times.
+    #[error("no column holds the time; there are: {}", listed(.columns))]
+    NoTime {
+        /// The names of all columns.
+        columns: Vec<String>,
+    },
+    /// Two columns that a name may mean.
+    #[error(
+        "two columns may be {name:?}: number {} {:?} and number {} {:?}",
+        .columns[0].0, .columns[0].1, .columns[1].0, .columns[1].1
+    )]
+    DuplicateColumn {
+        /// The name.
+        name: String,
+        /// Number, from 1, and name of each.
+        columns: [(usize, String); 2],
+    },
+    /// More columns than one that a quantity may stand in.
+    #[error("{} sets of columns may be the {what}: {}", .columns.len(), .columns.join("; "))]
+    SeveralColumns {
+        /// position, orientation or force.
+        what: &'static str,
+        /// The names of each set.
+        columns: Vec<String>,
+    },
+    /// A table that its reader refuses.
+    #[error("{0}")]
+    Csv(String),
     /// A time that no log bears.
-    #[error("line {line}: a time of {time} s is not within {limit} s of 0")]
+    #[error("{place}: a time of {time} s is not within {limit} s of 0")]
     Time {
-        /// Counted from 1.
-        line: usize,
+        /// The line or row.
+        place: String,
         /// The time [s].
         time: f64,
         /// The limit [s].
         limit: f64,
     },
     /// A value that is no number.
-    #[error("line {line}, column {column:?}: {text:?} is no number")]
+    #[error("{place}, column {column:?}: {text:?} is no number")]
     NotANumber {
-        /// Counted from 1.
-        line: usize,
+        /// The line or row.
+        place: String,
         /// The column.
         column: String,
         /// The value.
@@ -326,6 +381,16 @@ fn listed(topics: &[String]) -> String {
             text
         }
         _ => text,
+    }
+}
+
+fn and_unread(unread: &[String]) -> String {
+    match unread {
+        [] => String::new(),
+        _ => {
+            let shown = unread[..unread.len().min(TOPICS_SHOWN)].join("; ");
+            format!(". What is not read: {shown}")
+        }
     }
 }
 

@@ -50,6 +50,21 @@ impl Frames {
         }
     }
 
+    /// Takes in all transforms of another tree, those that move later by some nanoseconds. Of a frame that both have
+    /// under different parents, the first one said holds.
+    pub fn absorb(&mut self, other: Self, shift: i64) {
+        for (child, link) in other.links {
+            for (time, pose) in link.entries {
+                let time = if link.is_static {
+                    time
+                } else {
+                    time.saturating_add(shift)
+                };
+                self.insert(&link.parent, &child, time, pose, link.is_static);
+            }
+        }
+    }
+
     /// Puts everything into the order of time.
     pub fn sort(&mut self) {
         for link in self.links.values_mut() {
@@ -74,6 +89,33 @@ impl Frames {
     /// The frame that a child is in.
     pub fn parent(&self, child: &str) -> Option<&str> {
         (self.links.get(plain(child))).map(|link| link.parent.as_str())
+    }
+
+    /// The frames above one, the nearest first.
+    pub fn ancestors<'a>(&'a self, frame: &'a str) -> impl Iterator<Item = &'a str> {
+        self.above(plain(frame))
+            .into_iter()
+            .map(|(_, link)| link.parent.as_str())
+    }
+
+    /// The outermost frame above one, or itself.
+    pub fn root_of<'a>(&'a self, frame: &'a str) -> &'a str {
+        self.ancestors(frame).last().unwrap_or(plain(frame))
+    }
+
+    /// The frames that move in their parents; where none does, those whose transforms are told again and again.
+    pub fn moving(&self) -> Vec<&str> {
+        let told = self.links.iter().filter(|(_, link)| !link.is_static);
+        let told: Vec<(&str, &Link)> = told.map(|(child, link)| (child.as_str(), link)).collect();
+        let is_moved = |link: &Link| link.entries.windows(2).any(|pair| pair[0].1 != pair[1].1);
+        let moving: Vec<&str> = (told.iter())
+            .filter(|(_, link)| is_moved(link))
+            .map(|(child, _)| *child)
+            .collect();
+        if moving.is_empty() {
+            return told.into_iter().map(|(child, _)| child).collect();
+        }
+        moving
     }
 
     /// The frames above one that it never moves in, the outermost last; nothing where it moves or is in none.
@@ -128,6 +170,23 @@ impl Frames {
 }
 
 impl Chain<'_> {
+    /// How many transforms lie on the way.
+    pub fn len(&self) -> usize {
+        self.from.len() + self.to.len()
+    }
+
+    /// The times [ns] of the transform on the way that is told most often; none where nothing moves.
+    pub fn busiest_times(&self) -> Vec<i64> {
+        let moving = self
+            .from
+            .iter()
+            .chain(&self.to)
+            .filter(|link| !link.is_static);
+        let busiest = moving.max_by_key(|link| link.entries.len());
+        let times = busiest.into_iter().flat_map(|link| &link.entries);
+        times.map(|entry| entry.0).collect()
+    }
+
     /// The one frame in the other at a time [ns]; `None` where a transform on the way is not known then: more than
     /// `max_gap` [s] between its times.
     pub fn at(&self, time: i64, max_gap: f64) -> Option<Pose> {

@@ -12,6 +12,7 @@
 //! pose or force stands), `track` (pairing in time), `frames` (transforms) and `log` (frames, signs, units); a table joins at `track`.
 
 mod bag;
+mod doubtful;
 mod error;
 mod frames;
 mod log;
@@ -19,12 +20,12 @@ mod options;
 mod quantity;
 mod ros2;
 mod table;
+mod tool_frame;
 mod track;
 
 pub use bag::{BagHead, BagWriter, LookTime, RobotShown, SceneShown, active_path};
 pub use error::{ReadError, ReadFault, RecordingKind, WriteError};
 pub use log::{AxesSource, Log, Skipped, read};
-pub use options::{Axes, AxesChoice, LogOptions, TopicChoice, WrenchSign};
+pub use options::{Axes, AxesChoice, Clock, LogOptions, OrientationForm, TopicChoice, WrenchSign};
 pub use quantity::QuantityError;
 pub use ros2::{MessageError, SchemaError};
-pub use track::UnitsLine;

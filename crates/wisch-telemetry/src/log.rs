@@ -1,19 +1,20 @@
 //! Logs of a tool that wipes, from whatever wrote them, as what the interpretation takes.
 
-use super::bag::{BagReader, FRAME_SURFACE, FRAME_WORLD, active_path};
+use super::bag::{BagReader, FRAME_SURFACE, FRAME_WORLD, Unzstd, active_path};
+use super::doubtful::doubts;
 use super::error::{ReadError, ReadFault, RecordingKind};
 use super::frames::Chain;
 use super::options::{Axes, AxesChoice, LogOptions, WrenchSign};
 use super::quantity::QuantityError;
 use super::table;
-use super::track::{RawLog, UnitsLine, paired, seconds};
+use super::track::{RawLog, paired, seconds};
 use nalgebra::UnitQuaternion;
-use std::io::{ErrorKind, Read};
+use std::fs::File;
+use std::io::{BufReader, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::TouchSample;
 use wisch::represent::{Observation, UnknownName};
-use wisch::robot::JointMotion;
 
 /// How the axes of a force were found out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,8 +52,8 @@ pub struct Log {
     pub observations: [Option<Observation>; 2],
     /// Where the log has the target surface at its beginning: bags of our own say so.
     pub world_from_surface: Option<Pose>,
-    /// A table's line of units.
-    pub units: Option<UnitsLine>,
+    /// What was assumed or done to read the log, in words.
+    pub remarks: Vec<String>,
     /// From when to when nothing was recorded for longer than is interpolated [s].
     pub gaps: Vec<[f64; 2]>,
     /// Poses and forces that are none and were left out.
@@ -100,16 +101,19 @@ pub fn read(path: &Path, options: &LogOptions) -> Result<Log, ReadError> {
         fault,
     };
     let parts = parts(path).map_err(|error| within(path, ReadFault::System(error)))?;
+    for part in &parts {
+        check_is_file(part).map_err(|fault| within(part, fault))?;
+    }
     if let Some(kind) =
         other_recording(&parts[0]).map_err(|error| within(path, ReadFault::System(error)))?
     {
         return Err(within(path, ReadFault::OtherRecording { kind }));
     }
     let raw = if is_bag(&parts[0]).map_err(|error| within(path, ReadFault::System(error)))? {
-        let mut reader =
-            BagReader::new(&options.pose_topic, &options.wrench_topic, &options.joints);
+        let mut reader = BagReader::new(options);
         for part in &parts {
-            reader.read(part).map_err(|fault| within(part, fault))?;
+            let read = opened(part).and_then(|source| reader.read(part, source));
+            read.map_err(|fault| within(part, fault))?;
         }
         reader.finish()
     } else {
@@ -119,11 +123,46 @@ pub fn read(path: &Path, options: &LogOptions) -> Result<Log, ReadError> {
         .map_err(|fault| within(path, fault))
 }
 
+/// A pipe or device may never begin or end.
+fn check_is_file(path: &Path) -> Result<(), ReadFault> {
+    let kind = std::fs::metadata(path)
+        .map_err(ReadFault::System)?
+        .file_type();
+    if kind.is_file() {
+        return Ok(());
+    }
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::FileTypeExt;
+        if kind.is_fifo() {
+            return Err(ReadFault::NoFile { kind: "a pipe" });
+        }
+        if kind.is_socket() {
+            return Err(ReadFault::NoFile { kind: "a socket" });
+        }
+    }
+    let kind = if kind.is_dir() {
+        "a folder in a folder"
+    } else {
+        "a device"
+    };
+    Err(ReadFault::NoFile { kind })
+}
+
+/// The bytes of a bag, unpacked if the file as a whole is packed.
+fn opened(path: &Path) -> Result<Box<dyn Read>, ReadFault> {
+    let file = BufReader::new(File::open(path).map_err(ReadFault::System)?);
+    if is_packed_bag(path) {
+        return Ok(Box::new(Unzstd::new(file).map_err(ReadFault::System)?));
+    }
+    Ok(Box::new(file))
+}
+
 /// Longest table that is read [bytes]: half an hour at 1 kHz.
 const MAX_TABLE_LEN: u64 = 256 << 20;
 
 fn bytes(path: &Path) -> Result<Vec<u8>, ReadFault> {
-    let file = std::fs::File::open(path).map_err(ReadFault::System)?;
+    let file = File::open(path).map_err(ReadFault::System)?;
     let mut bytes = Vec::new();
     // Pipes and devices do not tell their length: count what comes.
     file.take(MAX_TABLE_LEN + 1)
@@ -167,13 +206,19 @@ fn parts(path: &Path) -> std::io::Result<Vec<PathBuf>> {
 
 fn has_bag_ending(path: &Path) -> bool {
     let name = path.as_os_str().to_string_lossy();
-    name.ends_with(".mcap") || name.ends_with(".mcap.active")
+    name.ends_with(".mcap") || name.ends_with(".mcap.active") || is_packed_bag(path)
+}
+
+/// Whether a bag is packed as a whole, as rosbag2 does in its compression mode of files.
+fn is_packed_bag(path: &Path) -> bool {
+    let name = path.as_os_str().to_string_lossy();
+    name.ends_with(".mcap.zstd") || name.ends_with(".mcap.zst")
 }
 
 /// The kind of a recording that is not read but can be converted, by what it begins with.
 fn other_recording(path: &Path) -> std::io::Result<Option<RecordingKind>> {
     let mut begin = Vec::new();
-    let file = std::fs::File::open(path)?;
+    let file = File::open(path)?;
     file.take(SQLITE.len() as u64).read_to_end(&mut begin)?;
     Ok(if begin.starts_with(SQLITE) {
         Some(RecordingKind::Sqlite)
@@ -191,22 +236,21 @@ const ROS1: &[u8] = b"#ROSBAG V";
 /// By its ending, or by what it begins with.
 fn is_bag(path: &Path) -> std::io::Result<bool> {
     let mut begin = Vec::new();
-    let file = std::fs::File::open(path)?;
+    let file = File::open(path)?;
     file.take(mcap::MAGIC.len() as u64)
         .read_to_end(&mut begin)?;
     Ok(has_bag_ending(path) || begin == mcap::MAGIC)
 }
 
 /// Poses and forces together, in the task's world.
-fn understood(mut raw: RawLog, options: &LogOptions) -> Result<Log, ReadFault> {
-    add_joints(&mut raw, options);
+fn understood(raw: RawLog, options: &LogOptions) -> Result<Log, ReadFault> {
     let pairs = paired(&raw.poses, &raw.wrenches, options.max_gap)?;
     let world = World::of(&raw, options)?;
     let sensor = Sensor::of(&raw, options)?;
     let start = raw.start.unwrap_or(pairs[0].0);
     let length = options.length_unit.unwrap_or(1.0);
     let force_unit = options.force_unit.unwrap_or(1.0);
-    let scale = match options.sign {
+    let scale = match options.sign.or(raw.sign).unwrap_or(WrenchSign::OnTool) {
         WrenchSign::OnTool => force_unit,
         WrenchSign::ByTool => -force_unit,
     };
@@ -241,8 +285,15 @@ fn understood(mut raw: RawLog, options: &LogOptions) -> Result<Log, ReadFault> {
         Skipped::of(&raw.poses.first_skipped, raw.poses.skipped),
         Skipped::of(&raw.wrenches.first_skipped, raw.wrenches.skipped),
     ];
+    let remarks = raw
+        .remarks
+        .iter()
+        .cloned()
+        .chain(doubts(&samples, options))
+        .collect();
     Ok(Log {
         start,
+        remarks,
         gaps: gaps(&samples, options.max_gap),
         unpaired: frequent - samples.len(),
         samples,
@@ -255,29 +306,10 @@ fn understood(mut raw: RawLog, options: &LogOptions) -> Result<Log, ReadFault> {
         task: raw.task.clone(),
         round: raw.round,
         observations: raw.looks.clone(),
-        units: raw.units.clone(),
         repeated: raw.poses.repeated + raw.wrenches.repeated,
         skipped: skipped.into_iter().flatten().collect(),
         is_unfinished: raw.unfinished,
     })
-}
-
-/// Takes the robot's joints in as transforms: those that are fixed, and those whose positions the log tells.
-fn add_joints(raw: &mut RawLog, options: &LogOptions) {
-    raw.joints.sort();
-    for joint in &options.joints {
-        let (parent, child) = (&joint.parent, &joint.child);
-        // What the log itself says of a frame holds.
-        if raw.frames.parent(child).is_some() {
-            continue;
-        }
-        if joint.motion == JointMotion::Fixed {
-            (raw.frames).insert(parent, child, 0, joint.at(0.0), true);
-        }
-        for (time, position) in raw.joints.of_joint(joint) {
-            (raw.frames).insert(parent, child, time, joint.at(position), false);
-        }
-    }
 }
 
 /// What leads from frame to frame.

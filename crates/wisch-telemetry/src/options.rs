@@ -62,6 +62,65 @@ pub enum WrenchSign {
     ByTool,
 }
 
+/// Which time of a bag's messages counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Clock {
+    /// The stamps of their headers; the time of recording where they have none.
+    Header,
+    /// The time at which they were recorded.
+    Log,
+}
+
+impl Clock {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Header, Self::Log];
+
+    /// Its name.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Header => "header",
+            Self::Log => "log",
+        }
+    }
+}
+
+/// The numbers by which a table states an orientation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OrientationForm {
+    /// Quaternion qx, qy, qz, qw.
+    Quaternion,
+    /// Rotation vector rx, ry, rz [rad]: the axis, as long as the angle.
+    RotationVector,
+    /// Angles roll, pitch, yaw about the fixed axes x, y, z, in this order [rad].
+    RollPitchYaw,
+    /// Angles a, b, c about z, then the turned y, then the turned x [°], as KUKA's controllers state them.
+    Abc,
+    /// Homogeneous matrix m0 to m15, column by column, position in m12 to m14, as libfranka states it.
+    Matrix,
+}
+
+impl OrientationForm {
+    /// All of them.
+    pub const ALL: [Self; 5] = [
+        Self::Quaternion,
+        Self::RotationVector,
+        Self::RollPitchYaw,
+        Self::Abc,
+        Self::Matrix,
+    ];
+
+    /// Its name.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Quaternion => "quaternion",
+            Self::RotationVector => "rotation-vector",
+            Self::RollPitchYaw => "rpy",
+            Self::Abc => "abc",
+            Self::Matrix => "matrix",
+        }
+    }
+}
+
 /// How a log is to be understood.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LogOptions {
@@ -73,13 +132,21 @@ pub struct LogOptions {
     pub columns: Vec<(String, String)>,
     /// In whose axes the force is given.
     pub axes: AxesChoice,
-    /// Who does it to whom.
-    pub sign: WrenchSign,
-    /// The log's unit of force [N]; `None` as a table's line of units says, or 1.
+    /// Who does it to whom; `None` as the names of a table's columns say, or the surroundings to the tool.
+    pub sign: Option<WrenchSign>,
+    /// The numbers by which a table states orientations; `None` as the names of its columns say.
+    pub orientation: Option<OrientationForm>,
+    /// Which time of a bag's messages counts.
+    pub clock: Clock,
+    /// By how much a message or line may come late and still be put into the order of time [s].
+    pub reorder_window: f64,
+    /// Samples per second of a table without times [Hz]; it stands for its column of times.
+    pub rate: Option<f64>,
+    /// The log's unit of force [N]; `None` as a table's units say, or 1.
     pub force_unit: Option<f64>,
-    /// The log's unit of length [m]; `None` as a table's line of units says, or 1.
+    /// The log's unit of length [m]; `None` as a table's units say, or 1.
     pub length_unit: Option<f64>,
-    /// A table's unit of time [s]; `None` as its line of units says, or 1.
+    /// A table's unit of time [s]; `None` as its units or the size of its times say.
     pub time_unit: Option<f64>,
     /// The tool, its tool centre point at the origin, in the frame whose pose the log gives.
     pub logged_from_tool: Pose,
@@ -109,7 +176,11 @@ impl Default for LogOptions {
             wrench_topic: TopicChoice::Sole,
             columns: Vec::new(),
             axes: AxesChoice::AsLogged,
-            sign: WrenchSign::OnTool,
+            sign: None,
+            orientation: None,
+            clock: Clock::Header,
+            reorder_window: 5.0,
+            rate: None,
             force_unit: None,
             length_unit: None,
             time_unit: None,

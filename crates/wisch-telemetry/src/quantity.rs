@@ -20,6 +20,20 @@ pub enum QuantityError {
         /// The number.
         value: f64,
     },
+    /// A number that is not there.
+    #[error("{name} is missing")]
+    Missing {
+        /// What it stands for.
+        name: &'static str,
+    },
+    /// A matrix that is no rotation.
+    #[error(
+        "the matrix is no rotation: its columns miss being orthonormal by {deviation}, or mirror"
+    )]
+    Matrix {
+        /// By how much.
+        deviation: f64,
+    },
     /// A quaternion that is no rotation.
     #[error(
         "the quaternion has a length of {norm}, which is not within {QUATERNION_TOLERANCE} of 1"
@@ -114,7 +128,7 @@ impl Quantity for Vector3 {
     }
 }
 
-fn check_finite(names: &[&'static str], numbers: &[f64]) -> Result<(), QuantityError> {
+pub(crate) fn check_finite(names: &[&'static str], numbers: &[f64]) -> Result<(), QuantityError> {
     let mut named = names.iter().zip(numbers);
     match named.find(|(_, value)| !value.is_finite()) {
         Some((&name, &value)) => Err(QuantityError::NotFinite { name, value }),

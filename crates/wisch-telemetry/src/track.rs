@@ -2,6 +2,7 @@
 
 use super::error::ReadFault;
 use super::frames::Frames;
+use super::options::WrenchSign;
 use super::quantity::{Quantity, QuantityError};
 use super::ros2::NANOSECONDS_PER_SECOND;
 use std::collections::BTreeMap;
@@ -18,8 +19,14 @@ pub(crate) struct Track<Q> {
     pub frame: String,
     /// The frame whose pose it is; empty where nothing is said.
     pub child: String,
-    /// Times [ns], each later than the one before, and values.
+    /// Times [ns] and values; in the order of time, each later than the one before, once the track is finished.
     pub entries: Vec<(i64, Q)>,
+    /// By how much an entry may come late [ns].
+    window: i64,
+    /// The latest time of the current part, which is a file [ns].
+    latest: Option<i64>,
+    /// How many entries came after a later one of their part, and by how much at most [ns].
+    late: (usize, i64),
     /// How many entries were left out, as they bore the time of the one before.
     pub repeated: usize,
     /// How many entries were left out, as they are no such quantity.
@@ -45,8 +52,10 @@ pub(crate) struct RawLog {
     pub round: Option<usize>,
     /// What was seen of the dirt before and after.
     pub looks: [Option<Observation>; 2],
-    /// A table's line of units, and what it means by columns that are read.
-    pub units: Option<UnitsLine>,
+    /// Who does the forces to whom, where the log says it.
+    pub sign: Option<WrenchSign>,
+    /// What was assumed or done to read the log, in words.
+    pub remarks: Vec<String>,
 }
 
 /// Where joints were, by name.
@@ -86,15 +95,35 @@ impl JointPositions {
         }
     }
 
-    /// Puts everything into the order of time.
-    pub fn sort(&mut self) {
+    /// Moves everything by some nanoseconds.
+    pub fn shift(&mut self, shift: i64) {
+        for (time, _) in self.entries.values_mut().flatten() {
+            *time = time.saturating_add(shift);
+        }
+    }
+
+    /// Puts everything into the order of time, and takes a robot's joints into the transforms: those that are fixed, and
+    /// those whose positions are known. What the log itself says of a frame holds.
+    pub fn add_to(&mut self, frames: &mut Frames, joints: &[JointTransform]) {
         for entries in self.entries.values_mut() {
             entries.sort_by_key(|entry| entry.0);
+        }
+        for joint in joints {
+            let (parent, child) = (&joint.parent, &joint.child);
+            if frames.parent(child).is_some() {
+                continue;
+            }
+            if joint.motion == JointMotion::Fixed {
+                frames.insert(parent, child, 0, joint.at(0.0), true);
+            }
+            for (time, position) in self.of_joint(joint) {
+                frames.insert(parent, child, time, joint.at(position), false);
+            }
         }
     }
 
     /// Times [ns] and positions [rad or m] of a joint: its own, or by those that it follows at the times of all of them.
-    pub fn of_joint(&self, joint: &JointTransform) -> Vec<(i64, f64)> {
+    fn of_joint(&self, joint: &JointTransform) -> Vec<(i64, f64)> {
         let own = self.entries.get(&joint.joint).filter(|own| !own.is_empty());
         let Some(mimic) = joint.mimic.as_ref().filter(|_| own.is_none()) else {
             return own.cloned().unwrap_or_default();
@@ -122,30 +151,32 @@ impl JointPositions {
     }
 }
 
-/// A line of units in a table.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct UnitsLine {
-    /// The units of the columns that are read, in our order, each with our name of the column.
-    pub units: Vec<(String, String)>,
-    /// Those that are not known, which are taken for SI units.
-    pub unknown: Vec<(String, String)>,
-}
-
 impl<Q: Quantity> Track<Q> {
-    /// Nothing yet.
-    pub fn new(name: String) -> Self {
+    /// Nothing yet; `window` bounds by how much an entry may come late [s].
+    pub fn new(name: String, window: f64) -> Self {
         Self {
             name,
             frame: String::new(),
             child: String::new(),
             entries: Vec::new(),
+            window: (window * NANOSECONDS_PER_SECOND as f64) as i64,
+            latest: None,
+            late: (0, 0),
             repeated: 0,
             skipped: 0,
             first_skipped: None,
         }
     }
 
+    /// Begins another part of the log, whose times may overlap with those of the parts before.
+    pub fn begin_part(&mut self) {
+        self.latest = None;
+    }
+
     /// Adds what the log says next; `place` tells where it says so. What is no such quantity is left out and counted.
+    ///
+    /// # Errors
+    /// A time that is before the latest one of the part by more than the window.
     pub fn push(
         &mut self,
         time: i64,
@@ -160,39 +191,58 @@ impl<Q: Quantity> Track<Q> {
                 return Ok(());
             }
         };
-        match self.entries.last() {
-            Some(&(last, _)) if time < last => Err(ReadFault::Backwards {
-                place: place(),
-                time: seconds(time),
-                last: seconds(last),
-            }),
-            Some(&(last, _)) if time == last => {
-                self.repeated += 1;
-                Ok(())
+        if let Some(latest) = self.latest.filter(|&latest| time < latest) {
+            let lateness = latest.saturating_sub(time);
+            if lateness > self.window {
+                return Err(ReadFault::Backwards {
+                    place: place(),
+                    time: seconds(time),
+                    last: seconds(latest),
+                    limit: seconds(self.window),
+                });
             }
-            _ => {
-                self.entries.push((time, value));
-                Ok(())
-            }
+            self.late = (self.late.0 + 1, self.late.1.max(lateness));
+        } else {
+            self.latest = Some(time);
         }
+        self.entries.push((time, value));
+        Ok(())
     }
 
-    /// The same track if there is anything in it.
+    /// The same track in the order of time, if there is anything in it. Of entries with the same time the first is kept.
     ///
     /// # Errors
     /// What the first entry is instead, if none is such a quantity.
-    pub fn filled(self) -> Result<Self, ReadFault> {
+    pub fn finish(mut self) -> Result<Self, ReadFault> {
         match self.first_skipped {
             Some((place, error)) if self.entries.is_empty() => {
-                Err(ReadFault::Quantity { place, error })
+                return Err(ReadFault::Quantity { place, error });
             }
-            _ => Ok(self),
+            _ => {}
         }
+        if !self.entries.is_sorted_by_key(|entry| entry.0) {
+            self.entries.sort_by_key(|entry| entry.0);
+        }
+        let count = self.entries.len();
+        self.entries.dedup_by_key(|entry| entry.0);
+        self.repeated += count - self.entries.len();
+        Ok(self)
     }
 
-    /// Whether it says different things at different times.
-    pub fn changes(&self) -> bool {
-        self.entries.windows(2).any(|pair| pair[0].1 != pair[1].1)
+    /// That entries were put into the order of time, in words.
+    pub fn reordering(&self) -> Option<String> {
+        let (count, lateness) = self.late;
+        let (verb, limit) = (
+            if count == 1 { "was" } else { "were" },
+            seconds(self.window),
+        );
+        (count > 0).then(|| {
+            format!(
+                "{count} of {} came up to {:.3} s late and {verb} put into the order of time (limit {limit} s)",
+                self.name,
+                seconds(lateness)
+            )
+        })
     }
 
     /// First and last time [s]; 0 where there is none.
@@ -264,11 +314,11 @@ mod tests {
     use proptest::prelude::*;
 
     fn track<Q: Quantity>(name: &str, entries: impl IntoIterator<Item = (i64, Q)>) -> Track<Q> {
-        let mut track = Track::new(name.to_owned());
+        let mut track = Track::new(name.to_owned(), 1.0);
         for (time, value) in entries {
             track.push(time, Ok(value), || name.to_owned()).unwrap();
         }
-        track
+        track.finish().unwrap()
     }
 
     fn forces(times: impl IntoIterator<Item = i64>) -> Track<Vector3> {
@@ -306,17 +356,30 @@ mod tests {
     }
 
     #[test]
-    fn time_may_stand_still_but_not_go_back() {
-        let mut track = forces([5, 7]);
-        track
-            .push(7, Ok(Vector3::zeros()), || "here".to_owned())
-            .unwrap();
-        assert_eq!((track.entries.len(), track.repeated), (2, 1));
-        let back = track.push(6, Ok(Vector3::zeros()), || "message 4".to_owned());
-        let shown = back.unwrap_err().to_string();
+    fn what_comes_late_is_sorted_within_a_window() {
+        let second = NANOSECONDS_PER_SECOND as i64;
+        let mut track = forces([]);
+        let push = |track: &mut Track<Vector3>, time: i64| {
+            let value = Ok(Vector3::x() * time as f64);
+            track.push(time, value, || "message 4".to_owned())
+        };
+        for time in [5, 9, 7, 9] {
+            push(&mut track, time).unwrap();
+        }
+        let back = push(&mut track, -second).unwrap_err().to_string();
         assert!(
-            shown.starts_with("message 4: its time of 0.000000006 s is before"),
-            "{shown}"
+            back.starts_with("message 4: its time of -1 s is 1.000000009 s before"),
+            "{back}"
+        );
+        // Another file may begin before the end of the one before.
+        track.begin_part();
+        push(&mut track, -second).unwrap();
+        let track = track.finish().unwrap();
+        let times: Vec<i64> = track.entries.iter().map(|entry| entry.0).collect();
+        assert_eq!((times, track.repeated), (vec![-second, 5, 7, 9], 1));
+        assert_eq!(
+            track.reordering().unwrap(),
+            "1 of /force came up to 0.000 s late and was put into the order of time (limit 1 s)"
         );
     }
 

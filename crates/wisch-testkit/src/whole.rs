@@ -2,7 +2,7 @@
 
 use wisch::follow::WorkcellConfig;
 use wisch::plan::CoverageStrategy;
-use wisch::run::RunConfig;
+use wisch::run::{AfterStop, RunConfig};
 use wisch_io::{LoadOptions, LoadedTask};
 
 /// A scenario of this seed, with plans by density.
@@ -29,6 +29,7 @@ pub fn run_config(loaded: &LoadedTask) -> RunConfig {
         },
         target: file.target_performance(),
         max_rounds: file.max_rounds(),
+        after_stop: AfterStop::Retreat,
         ..RunConfig::default()
     }
 }

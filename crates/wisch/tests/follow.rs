@@ -6,6 +6,7 @@ mod broom;
 mod floor;
 mod humanoid;
 mod order;
+mod target_surface;
 
 use rayon::prelude::*;
 use std::f64::consts::TAU;

@@ -294,6 +294,7 @@ fn taken_from_what_is_audited(text: &str) -> Vec<String> {
         "super::dynamics::",
         "super::kinematics::",
         "super::line::",
+        "super::surface::",
         "super::trajectory::",
     ];
     let is_audited = |path: &String| match path.split("::").next() {

@@ -211,14 +211,16 @@ fn without_contact_nothing_is_said_and_nothing_wiped() {
     assert_eq!(interpretation.diagnosis, Diagnosis::NoContact);
     assert_eq!(interpretation.plane, None);
     assert_eq!(interpretation.events, []);
-    assert_eq!(interpretation.performance.high, 0.0);
+    assert!(!interpretation.can_be_told());
     let task = task(80, STEEP);
+    let mut dirt = interpretation.belief.replays().iter();
+    assert!(dirt.all(|dirt| dirt.tally().remaining == 80));
     let few = &script.samples(&task)[..3];
     let none: &[TouchSample] = &[];
     for samples in [few, none] {
         let interpretation = interpreted_with(samples, &task, &InterpretConfig::of(&task));
         assert_eq!(interpretation.diagnosis, Diagnosis::NoContact);
-        assert_eq!(interpretation.performance.mean, 0.0);
+        assert!(!interpretation.can_be_told());
     }
 }
 

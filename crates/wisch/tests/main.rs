@@ -6,6 +6,7 @@ mod capability;
 mod clearance;
 mod effect;
 mod follow;
+mod given_strokes;
 mod goal;
 mod house;
 mod ik;

@@ -1,15 +1,15 @@
 //! The loop with executors and observers of the test's own: where it ends, and what it never does.
 
 use std::ops::ControlFlow;
-use wisch::follow::{FollowConfig, MotionFault};
+use wisch::follow::{FollowConfig, MotionFault, Phase};
 use wisch::geometry::Point2;
 use wisch::interpret::TouchSample;
 use wisch::plan::{HeadingRule, Strategy};
 use wisch::recover::{Verdict, is_claimable};
 use wisch::represent::{Observation, SensorModel, Task};
 use wisch::run::{
-    Considered, Ending, Execution, Executor, ExecutorError, MotionOrder, NoExecutor, Round,
-    RunConfig, RunError, RunEvent, SampleSink, Session, Stage, unobserved,
+    AfterStop, Considered, Ending, Execution, Executor, ExecutorError, MotionOrder, NoExecutor,
+    Round, RunConfig, RunError, RunEvent, SampleSink, Session, Stage, StopCause, unobserved,
 };
 use wisch_io::{LoadOptions, LoadedTask, Robot, load_task};
 
@@ -502,4 +502,198 @@ fn strokes_are_searched_for_where_the_robot_reaches() {
         reaches > reached + 0.05,
         "{reached} {reaches}, {failed} {fails} abandoned"
     );
+}
+
+/// Stops itself after this time of its first motion, and notes where its motions begin and end.
+struct Guarded {
+    toy: Toy,
+    stops_at: f64,
+    /// Where each motion began.
+    begins: Vec<Vec<f64>>,
+    /// Where the last one ended.
+    stands: Vec<f64>,
+}
+
+impl Guarded {
+    const fn new(stops_at: f64) -> Self {
+        Self {
+            toy: Toy::new(0.95),
+            stops_at,
+            begins: Vec::new(),
+            stands: Vec::new(),
+        }
+    }
+}
+
+impl Executor for Guarded {
+    fn execute(
+        &mut self,
+        order: &MotionOrder<'_>,
+        sink: &mut SampleSink<'_>,
+    ) -> Result<Execution, ExecutorError> {
+        self.begins
+            .push(order.setpoint(0.0).expect("it moves").positions);
+        let is_first = self.begins.len() == 1;
+        let mut execution = self.toy.execute(order, &mut |sample| {
+            sink(sample)?;
+            if is_first && sample.time > self.stops_at {
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(())
+        })?;
+        if execution.ending == Ending::Stopped {
+            execution.ending = Ending::ProtectiveStop {
+                time: execution.duration,
+                cause: StopCause::Reported {
+                    reason: "a hand is in the way".to_owned(),
+                },
+            };
+        }
+        self.stands.clone_from(&execution.positions);
+        Ok(execution)
+    }
+}
+
+#[test]
+fn after_a_protective_stop_the_robot_waits_unless_the_task_says_otherwise() {
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    let config = |after_stop| RunConfig {
+        target: 1.0,
+        max_rounds: 2,
+        sight: None,
+        after_stop,
+        ..loaded.run_config()
+    };
+    let session = |after_stop| Session::new(&loaded.task, config(after_stop));
+
+    let mut guarded = Guarded::new(8.0);
+    let mut waiting = session(AfterStop::Wait).with_robot(robot.performer());
+    waiting.run(&mut guarded, &mut unobserved).expect("it ends");
+    assert_eq!((waiting.rounds().len(), guarded.begins.len()), (1, 1));
+
+    // At any time of the motion: in the air, on the surface, between strokes.
+    for stops_at in [0.5, 4.0, 8.0, 12.0] {
+        let mut guarded = Guarded::new(stops_at);
+        let mut retreating = session(AfterStop::Retreat).with_robot(robot.performer());
+        let mut stopped = Vec::new();
+        let mut look = |event: &RunEvent<'_>| {
+            if let RunEvent::Judged(round) = event {
+                stopped.push(round.execution.positions.clone());
+            }
+            ControlFlow::Continue(())
+        };
+        retreating.run(&mut guarded, &mut look).expect("it ends");
+        let [_, second] = retreating.rounds() else {
+            panic!("{stops_at}: {} rounds", retreating.rounds().len());
+        };
+        // It begins where the robot was stopped, and lifts the tool before all else.
+        assert_eq!(guarded.begins[1], stopped[0], "{stops_at}");
+        assert!(second.audit.is_sound(), "{stops_at}");
+        let motions = &second.motion.followed.motions;
+        let first = motions.first().expect("a motion");
+        assert!(
+            matches!(first.phase, Phase::Lift | Phase::FreeMotion),
+            "{stops_at}: {first:?}"
+        );
+        let surface = &second.motion.task.surface.world_from_surface;
+        let height = |time: f64| {
+            let order = MotionOrder {
+                round: 2,
+                seed: 1,
+                task: &second.motion.task,
+                cell: &second.motion.cell,
+                followed: &second.motion.followed,
+            };
+            let at = order.setpoint(time).expect("it moves");
+            (surface.inverse() * at.world_from_tool).translation.vector
+        };
+        let (begin, up) = (height(0.0), height(first.end()));
+        if first.phase == Phase::Lift {
+            assert!(up.z > begin.z, "{stops_at}");
+            assert!((up - begin).xy().norm() < 2e-3, "{stops_at}: {begin} {up}");
+        }
+        let lifted = second.motion.plan.lift_height;
+        assert!(up.z >= lifted - 1e-3, "{stops_at}: {} m", up.z);
+    }
+}
+
+#[test]
+fn a_motion_that_begins_elsewhere_is_not_executed() {
+    /// Says that it stands somewhere else than it is ready.
+    struct Elsewhere(f64);
+
+    impl Executor for Elsewhere {
+        fn execute(
+            &mut self,
+            _: &MotionOrder<'_>,
+            _: &mut SampleSink<'_>,
+        ) -> Result<Execution, ExecutorError> {
+            Err(ExecutorError::new("it was executed"))
+        }
+
+        fn state(&mut self) -> Result<Option<Vec<f64>>, ExecutorError> {
+            let loaded = loaded();
+            let robot = robot(&loaded);
+            let mut session = loaded.session().with_robot(robot.performer());
+            session
+                .run_until(Stage::Followed, &mut NoExecutor, &mut unobserved)
+                .expect("a motion");
+            let mut state = session.planned().expect("a motion").cell.ready().to_vec();
+            state[2] += self.0;
+            Ok(Some(state))
+        }
+    }
+
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    for (off, expected) in [
+        (
+            2.88,
+            "stands 2.880 rad from where the motion begins, more than the limit of 0.05 rad",
+        ),
+        (-0.051, "stands 0.051 rad"),
+        (0.049, "it was executed"),
+    ] {
+        let mut session = loaded.session().with_robot(robot.performer());
+        let error = session.run(&mut Elsewhere(off), &mut unobserved);
+        let error = error.expect_err("it is refused").to_string();
+        assert!(error.contains(expected), "{off}: {error}");
+    }
+}
+
+#[test]
+fn a_camera_that_fails_after_a_motion_loses_no_round() {
+    /// Sees once, before the first round.
+    struct Blinded(Toy, bool);
+
+    impl Executor for Blinded {
+        fn execute(
+            &mut self,
+            order: &MotionOrder<'_>,
+            sink: &mut SampleSink<'_>,
+        ) -> Result<Execution, ExecutorError> {
+            self.0.execute(order, sink)
+        }
+
+        fn observe(&mut self, _: &Task) -> Result<Option<Observation>, ExecutorError> {
+            if std::mem::replace(&mut self.1, true) {
+                return Err(ExecutorError::new("camera 1: no picture"));
+            }
+            Ok(None)
+        }
+    }
+
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    let mut session = loaded.session().with_robot(robot.performer());
+    let mut judged = 0;
+    let error = session.run(&mut Blinded(Toy::new(0.95), false), &mut |event| {
+        judged += usize::from(matches!(event, RunEvent::Judged(_)));
+        ControlFlow::Continue(())
+    });
+    let error = error.expect_err("it fails").to_string();
+    assert_eq!(error, "camera 1: no picture");
+    assert_eq!((session.rounds().len(), judged), (1, 1));
+    assert!(session.rounds()[0].interpretation.plane.is_some());
 }

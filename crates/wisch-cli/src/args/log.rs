@@ -5,7 +5,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueHint};
 use std::path::PathBuf;
 use wisch::represent::Action;
-use wisch_telemetry::{Axes, WrenchSign};
+use wisch_telemetry::{Axes, Clock, OrientationForm, WrenchSign};
 
 /// Arguments of `interpret`.
 #[derive(Debug, Args)]
@@ -30,7 +30,7 @@ pub struct InterpretArgs {
 /// A log, and what was being done.
 #[derive(Debug, Args)]
 pub struct LoggedArgs {
-    /// Log: a bag (.mcap), a folder with one, or a table
+    /// Log: a bag (.mcap, .mcap.zstd), a folder with the parts of one, or a table (CSV)
     #[arg(value_name = "LOG", value_hint = ValueHint::AnyPath)]
     pub log: PathBuf,
     /// Task file of what was executed
@@ -57,25 +57,39 @@ pub struct LoggedArgs {
 }
 
 /// How a log is to be understood.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Log format")]
 pub struct LogArgs {
-    /// Topic of the tool's pose, and after a colon the field or child frame [default: the only one]
+    /// Topic of the tool's pose, and after a colon the field of its messages; of transforms (/tf) any frame that they,
+    /// fixed transforms and a URDF's joints lead to [default: the only one]
     #[arg(long, value_name = "TOPIC[:FIELD]")]
     pub pose_topic: Option<String>,
     /// Topic of the force, and after a colon the field [default: the only one]
     #[arg(long, value_name = "TOPIC[:FIELD]")]
     pub wrench_topic: Option<String>,
-    /// Column names of a table, where they are not t, x, y, z, qx, qy, qz, qw, fx, fy and fz
+    /// Column names of a table, where they are not found by themselves: t, x, y, z, fx, fy, fz, and of the orientation
+    /// qx, qy, qz, qw or rx, ry, rz or roll, pitch, yaw or a, b, c or m0 to m15
     #[arg(long, value_name = "OURS=THEIRS", value_delimiter = ',', value_parser = setting)]
     pub csv_columns: Vec<(String, String)>,
     /// Frame in whose axes the force is expressed: the task's world, the reference frame of the logged poses (log),
     /// the frame whose pose is logged (tool), or the surface [default: as the log says, or tool]
     #[arg(long, value_name = "AXES", value_parser = axes_parser())]
     pub wrench_frame: Option<Axes>,
-    /// Sign convention: force acting on the tool, or exerted by the tool
-    #[arg(long, value_name = "SIGN", default_value = "on-tool", value_parser = sign_parser())]
-    pub wrench_sign: WrenchSign,
+    /// Sign convention: force acting on the tool, or exerted by the tool [default: as the log says, or on-tool]
+    #[arg(long, value_name = "SIGN", value_parser = sign_parser())]
+    pub wrench_sign: Option<WrenchSign>,
+    /// How a table states orientations [default: as its names of columns say]
+    #[arg(long, value_name = "FORM", value_parser = orientation_parser())]
+    pub orientation: Option<OrientationForm>,
+    /// Samples per second of a table without a column of times [Hz]
+    #[arg(long, value_name = "HZ", value_parser = unit)]
+    pub rate: Option<f64>,
+    /// Times of a bag: the stamps in the headers of its messages, or when they were recorded
+    #[arg(long, value_name = "CLOCK", default_value = Clock::Header.as_str(), value_parser = clock_parser())]
+    pub time: Clock,
+    /// By how much messages or lines may come late and still be put into the order of time [s]
+    #[arg(long, value_name = "SECONDS", default_value_t = 5.0, value_parser = unit)]
+    pub reorder_s: f64,
     /// How the force sensor's axes are turned in the frame whose pose is logged: roll, pitch, yaw [rad]
     /// [default: as the log's transforms say]
     #[arg(long, num_args = 3, value_names = TURN_NAMES, allow_negative_numbers = true, value_parser = finite, conflicts_with = "wrench_frame")]
@@ -95,13 +109,13 @@ pub struct LogArgs {
     /// (/joint_states)
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub urdf: Option<PathBuf>,
-    /// Unit of force in the log [N] [default: as a table's line of units says, or 1]
+    /// Unit of force in the log [N] [default: as a table's units say, or 1]
     #[arg(long, value_name = "NEWTONS", value_parser = unit)]
     pub force_unit_n: Option<f64>,
-    /// Unit of length in the log [m] [default: as a table's line of units says, or 1]
+    /// Unit of length in the log [m] [default: as a table's units say, or 1]
     #[arg(long, value_name = "METRES", value_parser = unit)]
     pub length_unit_m: Option<f64>,
-    /// Unit of time in a table [s] [default: as its line of units says, or 1]
+    /// Unit of time in a table [s] [default: as its units or the size of its times say]
     #[arg(long, value_name = "SECONDS", value_parser = unit)]
     pub time_unit_s: Option<f64>,
     /// Pose of the tool frame (contact point) in the logged frame: position [m], roll, pitch, yaw [rad]
@@ -133,6 +147,23 @@ fn sign_parser() -> impl TypedValueParser<Value = WrenchSign> {
     PossibleValuesParser::new(["on-tool", "by-tool"]).map(|name| match name.as_str() {
         "by-tool" => WrenchSign::ByTool,
         _ => WrenchSign::OnTool,
+    })
+}
+
+fn orientation_parser() -> impl TypedValueParser<Value = OrientationForm> {
+    PossibleValuesParser::new(OrientationForm::ALL.map(OrientationForm::as_str)).map(|name| {
+        let named = OrientationForm::ALL
+            .into_iter()
+            .find(|form| form.as_str() == name);
+        // The parser lets none but these names pass.
+        named.unwrap_or(OrientationForm::Quaternion)
+    })
+}
+
+fn clock_parser() -> impl TypedValueParser<Value = Clock> {
+    PossibleValuesParser::new(Clock::ALL.map(Clock::as_str)).map(|name| match name.as_str() {
+        "log" => Clock::Log,
+        _ => Clock::Header,
     })
 }
 

@@ -8,10 +8,10 @@ use crate::args::{CheckArgs, GlobalArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print};
-use wisch::geometry::{Bounds2, Mesh, Point2};
-use wisch::plan::{FreeSpace, NodeRole, Plan};
-use wisch::represent::{GoalState, Task};
-use wisch::run::{NoExecutor, Session, Stage, unobserved};
+use wisch::geometry::{Bounds2, Mesh, Point2, Vector3};
+use wisch::plan::{FreeSpace, NodeRole, Plan, Prediction, predict};
+use wisch::represent::{GoalState, Task, dirt_friction};
+use wisch::run::{NoExecutor, Session, Stage, check_score, unobserved};
 
 /// Points along the longer side of the surface at which free space is looked up.
 const RASTER: usize = 120;
@@ -43,11 +43,37 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
         }
         None => "none; the plan can be predicted, but not followed".to_owned(),
     };
+    progress.say("predicting");
+    let prediction = predict(&prepared.task, plan, |_| ());
+    let least = prepared.file.min_score();
+    let refusal = check_score(&prediction, prepared.task.action, least).err();
     drop(progress);
     if !global.quiet {
-        print(&explanation(&prepared, &room, plan, robot))?;
+        let found = Found {
+            room,
+            plan,
+            robot,
+            prediction,
+        };
+        let heading = match &refusal {
+            None => "the task is sound".to_owned(),
+            Some(refusal) => refusal.to_string(),
+        };
+        print(&explanation(&prepared, &found, &heading))?;
     }
-    Ok(Outcome::Done)
+    Ok(match refusal {
+        None => Outcome::Done,
+        Some(_) => Outcome::GoalNotMet,
+    })
+}
+
+/// What was found out about a task.
+struct Found<'a> {
+    room: Room,
+    plan: &'a Plan,
+    /// Which robot stands where.
+    robot: String,
+    prediction: Prediction,
 }
 
 /// How much of the surface is free.
@@ -122,8 +148,14 @@ fn raster(task: &Task) -> Vec<Point2> {
         .collect()
 }
 
-fn explanation(prepared: &Prepared, room: &Room, plan: &Plan, robot: String) -> String {
+fn explanation(prepared: &Prepared, found: &Found<'_>, heading: &str) -> String {
     let task = &prepared.task;
+    let Found {
+        room,
+        plan,
+        robot,
+        prediction,
+    } = found;
     let mut lines: Vec<(&str, String)> = vec![("action", action(prepared))];
     if let Some(derived) = &prepared.derived {
         lines.push((
@@ -132,6 +164,7 @@ fn explanation(prepared: &Prepared, room: &Room, plan: &Plan, robot: String) -> 
         ));
     }
     lines.push(("surface", surface(task)));
+    lines.extend(slope(prepared).map(|text| ("slope", text)));
     lines.push(("tool", tool(task)));
     lines.push((
         "particles",
@@ -157,9 +190,21 @@ fn explanation(prepared: &Prepared, room: &Room, plan: &Plan, robot: String) -> 
             percent(plan.unreachable_share)
         ),
     ));
-    lines.push(("robot", robot));
+    let performance = prediction.performance;
+    let share = |count: usize| percent(count as f64 / performance.initial.max(1) as f64);
+    lines.push((
+        "predicted",
+        format!(
+            "{} where it belongs, {} lost: a score of {:.2}, and a plan is executed from {:.2} on",
+            percent(performance.ratio()),
+            share(performance.lost),
+            prediction.score(),
+            prepared.file.min_score()
+        ),
+    ));
+    lines.push(("robot", robot.clone()));
     lines.push(("target", percent(prepared.file.target_performance())));
-    let mut text = format!("{}: the task is sound\n", task.name);
+    let mut text = format!("{}: {heading}\n", task.name);
     for (name, value) in lines {
         text += &format!("  {name:<10} {value}\n");
     }
@@ -193,6 +238,32 @@ fn surface(task: &Task) -> String {
         at.y,
         at.z
     )
+}
+
+/// What the surface's slope means for the dirt; nothing where a tool would not slide down it either.
+fn slope(prepared: &Prepared) -> Option<String> {
+    if let Some(steep) = &prepared.steep {
+        return Some(steep.to_string());
+    }
+    let task = &prepared.task;
+    let friction = prepared
+        .knowledge
+        .surface(&task.surface.name)
+        .ok()?
+        .friction;
+    let kind = prepared.knowledge.medium(&task.medium).ok()?.kind;
+    let normal = task.surface.world_from_surface.rotation * Vector3::z();
+    let slope = normal.z.clamp(-1.0, 1.0).acos();
+    if task.action.treats() || slope.tan() <= friction {
+        return None;
+    }
+    Some(format!(
+        "tan({:.1}°) = {:.2} exceeds the surface's friction of {friction}; {} is assumed to lie still up to {:.2}",
+        slope.to_degrees(),
+        slope.tan(),
+        task.medium,
+        dirt_friction(kind, friction)
+    ))
 }
 
 fn tool(task: &Task) -> String {

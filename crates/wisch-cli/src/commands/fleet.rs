@@ -48,7 +48,8 @@ pub fn fetch(
     fleet.stdout(Stdio::piped());
     let output = fleet.spawn().and_then(|child| child.wait_with_output());
     let output = output.map_err(|error| Failure::new(format!("{}: {error}", FLEET.name)))?;
-    if !output.status.success() {
+    // With 1, episodes were left out, each of which was named.
+    if !matches!(output.status.code(), Some(0 | 1)) {
         return Err(failed(output.status));
     }
     let said: Value = serde_json::from_slice(&output.stdout).unwrap_or_default();
@@ -61,6 +62,12 @@ pub fn fetch(
             number("episodes"),
             number("bytes") as f64 * 1e-6,
         ));
+        let left_out = said["left_out"].as_array().map_or(0, Vec::len);
+        if left_out > 0 {
+            remark(&format!(
+                "{left_out} of them cannot be read: the answers lack them"
+            ));
+        }
     }
     Ok(())
 }

@@ -9,7 +9,7 @@ use wisch::follow::{
 };
 use wisch::plan::Plan;
 use wisch::robot::CapabilityMap;
-use wisch::run::Session;
+use wisch::run::{PlannedRound, Round, Session};
 use wisch_io::FollowingSummary;
 use wisch_io::{Robot, RobotDescription, RobotRecord};
 
@@ -30,6 +30,80 @@ pub struct Following {
     pub abandoned_share: f64,
     /// How long finding and checking it took [s].
     pub time_s: f64,
+    /// Of the motions of all rounds that were executed, or else of this one.
+    pub total: Total,
+}
+
+/// Of the motions of all rounds together.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Total {
+    /// How many there are.
+    pub rounds: usize,
+    /// How long they last, and how long of it the tool wipes [s].
+    pub time: [f64; 2],
+    /// How far the arm's joints move while the tool wipes, and in all [rad].
+    pub joint_movement: [f64; 2],
+    /// Way of the tool in contact, and in all [m].
+    pub distance: [f64; 2],
+    /// How far the tool leaves its line at most [m], [rad].
+    pub off_line: [f64; 2],
+    /// How near bodies that must not touch come at least [m].
+    pub clearance: f64,
+}
+
+impl Total {
+    /// Of rounds that were executed.
+    fn of_rounds(rounds: &[Round]) -> Self {
+        let mut total = Self {
+            rounds: rounds.len(),
+            clearance: f64::INFINITY,
+            ..Self::default()
+        };
+        let add = |sum: &mut [f64; 2], more: [f64; 2]| {
+            sum[0] += more[0];
+            sum[1] += more[1];
+        };
+        for round in rounds {
+            let executed = round.executed();
+            let duration = round.execution.duration;
+            add(&mut total.time, [duration, executed.contact_time]);
+            add(&mut total.joint_movement, executed.joint_movement);
+            add(&mut total.distance, executed.distance);
+            total.audited(&round.audit);
+        }
+        total
+    }
+
+    /// Of a motion that is not executed.
+    fn of_motion(planned: &PlannedRound, audit: &Audit) -> Self {
+        let PlannedRound { cell, followed, .. } = planned;
+        let wiped = planned.wiped();
+        let mut total = Self {
+            rounds: 0,
+            // The sum of nothing is -0.
+            time: [followed.duration(), followed.contact_time() + 0.0],
+            joint_movement: followed.joint_movement(cell.arm_variables()),
+            distance: [wiped.contact_distance(), wiped.total_distance()],
+            off_line: [0.0; 2],
+            clearance: f64::INFINITY,
+        };
+        total.audited(audit);
+        total
+    }
+
+    fn audited(&mut self, audit: &Audit) {
+        self.off_line[0] = self.off_line[0].max(audit.line.position);
+        self.off_line[1] = self.off_line[1].max(audit.line.rotation);
+        self.clearance = self.clearance.min(audit.min_clearance);
+    }
+
+    /// What they are of, in words: nothing of a single motion.
+    pub fn in_words(&self) -> String {
+        match self.rounds {
+            0 | 1 => String::new(),
+            rounds => format!(" in {rounds} rounds"),
+        }
+    }
 }
 
 /// The robot that is to follow, with what the command line says of it.
@@ -193,7 +267,12 @@ impl Following {
     /// The first motion of a session; `None` if no robot followed a plan.
     pub fn of(session: &Session<'_>, time_s: f64) -> Option<Self> {
         let (planned, audit) = session.first()?;
+        let total = match session.rounds() {
+            [] => Total::of_motion(planned, audit),
+            rounds => Total::of_rounds(rounds),
+        };
         Some(Self {
+            total,
             robot: planned.cell.robot().name().to_owned(),
             cell: planned.cell.clone(),
             followed: planned.followed.clone(),
@@ -213,7 +292,8 @@ impl Following {
 
     /// The summary.
     pub fn summary(&self) -> FollowingSummary {
-        let [in_contact, in_all] = self.joint_movement();
+        let total = &self.total;
+        let [in_contact, in_all] = total.joint_movement;
         FollowingSummary {
             joint_movement_in_contact_rad: in_contact,
             joint_movement_rad: in_all,
@@ -226,26 +306,23 @@ impl Following {
                     [at.position.x, at.position.y, at.heading]
                 })
                 .collect(),
-            execution_time_s: self.followed.duration(),
-            // The sum of nothing is -0.
-            contact_time_s: self.followed.contact_time() + 0.0,
+            execution_time_s: total.time[0],
+            contact_time_s: total.time[1],
             first_obstruction: (self.followed.abandoned.first()).map(first_obstruction),
             following_time_s: self.time_s,
-            max_path_deviation_m: self.audit.line.position,
-            max_turn_deviation_rad: self.audit.line.rotation,
-            min_clearance_m: self.audit.min_clearance,
+            max_path_deviation_m: total.off_line[0],
+            max_turn_deviation_rad: total.off_line[1],
+            min_clearance_m: total.clearance,
             faults: self.audit.faults.len(),
         }
-    }
-
-    fn joint_movement(&self) -> [f64; 2] {
-        self.followed.joint_movement(self.cell.arm_variables())
     }
 
     /// What it keeps to, for people.
     pub fn facts(&self) -> Vec<(String, String)> {
         let followed = &self.followed;
-        let [in_contact, in_all] = self.joint_movement();
+        let total = &self.total;
+        let [in_contact, in_all] = total.joint_movement;
+        let rounds = total.in_words();
         let mut facts = vec![
             ("Robot", self.robot.clone()),
             (
@@ -256,26 +333,23 @@ impl Following {
                     percent(self.abandoned_share)
                 ),
             ),
-            ("Execution time", format!("{:.1} s", followed.duration())),
-            (
-                "Time in contact",
-                format!("{:.1} s", followed.contact_time()),
-            ),
+            ("Execution time", format!("{:.1} s{rounds}", total.time[0])),
+            ("Time in contact", format!("{:.1} s{rounds}", total.time[1])),
             (
                 "Joint movement",
-                format!("{in_contact:.1} rad in contact, {in_all:.1} rad in all"),
+                format!("{in_contact:.1} rad in contact, {in_all:.1} rad in all{rounds}"),
             ),
             (
                 "Off the line at most",
                 format!(
                     "{:.2} mm, {:.2}°",
-                    1e3 * self.audit.line.position,
-                    self.audit.line.rotation.to_degrees()
+                    1e3 * total.off_line[0],
+                    total.off_line[1].to_degrees()
                 ),
             ),
             (
                 "Clearance at least",
-                format!("{:.1} mm", 1e3 * self.audit.min_clearance),
+                format!("{:.1} mm", 1e3 * total.clearance),
             ),
         ];
         if self.cell.base().is_some() {

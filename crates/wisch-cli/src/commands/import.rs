@@ -1,18 +1,22 @@
 //! `wisch memory import`: a log of some robot as an episode.
 
-use super::episode::{PROGRAM, attach_task, begin, cannot_keep};
-use super::interpret::{goal, interpreted, read_log, task_args};
+use super::episode::{PROGRAM, attach_task, begin_from, cannot_keep};
+use super::interpret::{Interpreted, interpret_log, task_args};
 use super::prepare::Prepared;
-use super::words::{counted, internal, json, percent};
+use super::words::{counted, json, percent};
 use crate::args::{GlobalArgs, ImportArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::terminal::{Outcome, print};
+use crate::terminal::{Outcome, print, remark};
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::Path;
 use wisch::follow::Phase;
-use wisch_io::PARTICLES_ESTIMATED_FILE;
+use wisch_io::{INTERPRETATION_FILE, PARTICLES_ESTIMATED_FILE, REPORT_FILE, particles_to_csv};
+use wisch_memory::catalogue::entries;
 use wisch_memory::{
-    EpisodeHeader, EpisodeWriter, Mark, Memory, MemoryError, RoundObservations, TelemetryHead,
-    remember_log,
+    Catalogue, EpisodeHeader, EpisodeRecord, EpisodeWriter, Mark, Memory, MemoryError,
+    RoundObservations, RoundScene, Value, remember_log,
 };
 use wisch_telemetry::Log;
 
@@ -30,41 +34,58 @@ const COLUMNS: [&str; 10] = [
     "external/fz",
 ];
 const NANOSECONDS_PER_SECOND: f64 = 1e9;
+/// How the log was understood: what of the command line changes it.
+const READING_FILE: &str = "reading.txt";
 
 /// Reads and interprets the log, and keeps it.
 pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
-    progress.say("reading the task");
     let source = &args.source;
     let task_args = task_args(source);
+    progress.say("looking whether the log is there already");
+    let digest = digest_of(&source.log)
+        .map_err(|error| Failure::new(format!("{}: {error}", source.log.display())))?;
+    let memory = Memory::create(&args.memory.memory).map_err(|error| cannot_keep(&error))?;
+    progress.say("reading the task");
     let mut prepared = Prepared::read(&task_args)?;
-    let goal = goal(source, &task_args, &mut prepared)?;
-    progress.say("reading the log");
-    let log = read_log(source, &prepared)?;
+    let reading = reading(args, &prepared);
+    if let Some(id) = episode_of(&memory, &digest)? {
+        drop(progress);
+        return known(&memory, &id, &reading, args, global);
+    }
+    let interpreted = interpret_log(source, &task_args, &mut prepared, None, &progress)?;
+    let Interpreted {
+        log,
+        goal,
+        interpretation,
+        record: interpreted_record,
+    } = &interpreted;
     let samples = counted(log.samples.len(), "sample");
-    progress.say(format!("interpreting {samples}"));
-    let interpretation = interpreted(source, &prepared, &log, &goal)?;
 
     progress.say("keeping the episode");
     let start = (args.start_s).unwrap_or(log.start as f64 / NANOSECONDS_PER_SECOND);
-    let memory = Memory::create(&args.memory.memory).map_err(|error| cannot_keep(&error))?;
-    let writer = begin(&memory, start).map_err(|error| cannot_keep(&error))?;
-    write_telemetry(&writer, &log).map_err(|error| cannot_keep(&error))?;
+    // The name comes from the log: whoever imports the same one at the same time meets this one.
+    let writer = begin_from(&memory, start, digest.hash as u16).map_err(|e| cannot_keep(&e))?;
     let believed = prepared.task.surface.world_from_surface;
     let seen = RoundObservations {
         round: log.round,
         world_from_surface: log.world_from_surface.unwrap_or(believed),
         observations: log.observations.clone(),
     };
+    write_telemetry(&writer, log, &prepared, &seen).map_err(|error| cannot_keep(&error))?;
     (writer.observations(1, &seen)).map_err(|error| cannot_keep(&error))?;
     let attach = |name: &str, contents: &[u8]| {
         let attached = writer.attach(name, contents);
         attached.map_err(|error| cannot_keep(&error))
     };
     attach_task(&task_args, &prepared, &attach)?;
-    let estimated = (interpretation.belief.sample(prepared.task.seed)).map_err(internal)?;
+    attach(READING_FILE, reading.as_bytes())?;
+    let estimated = interpreted.estimated(&prepared)?;
     let name = format!("round-1/{PARTICLES_ESTIMATED_FILE}");
-    attach(&name, wisch_io::particles_to_csv(&estimated).as_bytes())?;
+    attach(&name, particles_to_csv(&estimated).as_bytes())?;
+    let name = format!("round-1/{INTERPRETATION_FILE}");
+    attach(&name, json(interpreted_record)?.as_bytes())?;
+    attach(REPORT_FILE, interpreted.page(&prepared).as_bytes())?;
     let header = EpisodeHeader {
         id: writer.id().to_owned(),
         start,
@@ -75,34 +96,206 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     let duration = log.samples.last().map_or(0.0, |sample| sample.time);
     let name = source.log.file_name().unwrap_or(source.log.as_os_str());
     let name = name.to_string_lossy();
-    let record = remember_log(
+    let mut record = remember_log(
         &header,
         &name,
         duration,
         &prepared.task,
-        &goal,
-        &interpretation,
+        goal,
+        interpretation,
     );
+    let remarks = &interpreted_record.log.remarks;
+    set_text(
+        &mut record,
+        "semco:WipingEpisode",
+        "semco:logDigest",
+        digest.to_string(),
+    );
+    if !remarks.is_empty() {
+        set_text(
+            &mut record,
+            "semco:WipingRound",
+            "semco:logRemark",
+            remarks.join("; "),
+        );
+    }
     (writer.commit(&record)).map_err(|error| cannot_keep(&error))?;
     drop(progress);
 
-    let place = args.memory.memory.join(&record.id);
-    if args.json {
-        print(&json(&record)?)?;
-    } else if !global.quiet {
-        print(&format!(
-            "{}: {samples} in {duration:.1} s, performance {} estimated\n  episode  {}\n",
-            record.task,
-            percent(interpretation.performance.mean),
-            place.display()
-        ))?;
+    // Where a plane was found, the remarks say the doubts.
+    let doubts = (interpreted_record.doubts.iter()).filter(|_| interpreted_record.plane.is_none());
+    for what in remarks.iter().chain(doubts) {
+        remark(what);
     }
+    say(&record, args, global, |place| {
+        let verdict = verdict_of(&record);
+        let estimate = match is_estimated(&record) {
+            true => format!(
+                "performance {} estimated ({verdict})",
+                percent(interpretation.performance.mean)
+            ),
+            false => format!("the performance {verdict}"),
+        };
+        format!(
+            "{}: {samples} in {duration:.1} s, {estimate}\n  episode  {place}\n",
+            record.task
+        )
+    })?;
     Ok(Outcome::Done)
 }
 
-fn write_telemetry(writer: &EpisodeWriter, log: &Log) -> Result<(), MemoryError> {
+/// How a log is understood, whatever it is called.
+fn reading(args: &ImportArgs, prepared: &Prepared) -> String {
+    let source = &args.source;
+    let options = (
+        (&source.plan, source.action, source.seed),
+        (&source.settings, &source.knowledge, args.start_s),
+    );
+    format!("{}\n{options:?}\n{:?}\n", prepared.text, source.reading)
+}
+
+fn set_text(record: &mut EpisodeRecord, class: &str, property: &str, text: String) {
+    for individual in record
+        .individuals
+        .iter_mut()
+        .filter(|one| one.class == class)
+    {
+        individual
+            .values
+            .insert(property.to_owned(), Value::Text(text.clone()));
+    }
+}
+
+fn text_of<'a>(record: &'a EpisodeRecord, class: &str, property: &str) -> Option<&'a str> {
+    let of_class = record.individuals.iter().find(|one| one.class == class);
+    match of_class?.values.get(property) {
+        Some(Value::Text(text)) => Some(text),
+        _ => None,
+    }
+}
+
+fn verdict_of(record: &EpisodeRecord) -> &str {
+    text_of(record, "semco:WipingAction", "semco:verdict").unwrap_or_default()
+}
+
+fn is_estimated(record: &EpisodeRecord) -> bool {
+    let action = (record.individuals.iter()).find(|one| one.class == "semco:WipingAction");
+    action.is_some_and(|action| action.values.contains_key("semco:performance"))
+}
+
+fn say(
+    record: &EpisodeRecord,
+    args: &ImportArgs,
+    global: &GlobalArgs,
+    words: impl Fn(&str) -> String,
+) -> Result<(), Failure> {
+    if args.json {
+        print(&json(record)?)?;
+    } else if !global.quiet {
+        let place = args.memory.memory.join(&record.id);
+        print(&words(&place.display().to_string()))?;
+    }
+    Ok(())
+}
+
+/// A log that is in the memory: nothing is added. Read otherwise, it would be another episode of the same wiping.
+fn known(
+    memory: &Memory,
+    id: &str,
+    reading: &str,
+    args: &ImportArgs,
+    global: &GlobalArgs,
+) -> Result<Outcome, Failure> {
+    let episode = memory.episode(id).map_err(|error| cannot_keep(&error))?;
+    let log = args.source.log.display();
+    if episode.attachment(READING_FILE).ok().as_deref() != Some(reading.as_bytes()) {
+        return Err(Failure::new(format!(
+            "{log}: this log is in the memory already, as episode {id}, imported with another task or other options"
+        ))
+        .with_help(format!("wisch memory forget {id} removes that episode, then the log can be imported anew")));
+    }
+    let record = episode.record().map_err(|error| cannot_keep(&error))?;
+    say(&record, args, global, |place| {
+        format!(
+            "{}: this log is in the memory already, so nothing was added\n  episode  {place}\n",
+            record.task
+        )
+    })?;
+    Ok(Outcome::Done)
+}
+
+/// The episode that was imported from a log of this digest.
+fn episode_of(memory: &Memory, digest: &LogDigest) -> Result<Option<String>, Failure> {
+    let catalogue: Catalogue = memory.catalogue().map_err(|error| cannot_keep(&error))?;
+    let digests = catalogue.texts("semco:logDigest");
+    let wanted = digest.to_string();
+    let found = (catalogue.episodes().iter()).find(|row| {
+        let of_it = entries(digests, row.first);
+        of_it.iter().any(|(_, text)| *text == wanted)
+    });
+    Ok(found.map(|row| row.id.clone()))
+}
+
+/// What tells a log from others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct LogDigest {
+    /// How long its files are [bytes].
+    bytes: u64,
+    /// FNV-1a of their contents, of 64 bits (Fowler, Noll, Vo).
+    hash: u64,
+}
+
+impl std::fmt::Display for LogDigest {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "fnv1a-64:{:016x}:{}", self.hash, self.bytes)
+    }
+}
+
+/// The digest of a log: a file, or the files in a folder by name.
+fn digest_of(log: &Path) -> io::Result<LogDigest> {
+    let mut digest = LogDigest {
+        bytes: 0,
+        hash: 0xcbf2_9ce4_8422_2325,
+    };
+    let mut files = Vec::new();
+    if log.is_dir() {
+        for entry in fs::read_dir(log)? {
+            let path = entry?.path();
+            files.extend(path.is_file().then_some(path));
+        }
+        files.sort();
+    } else {
+        files.push(log.to_path_buf());
+    }
+    let mut block = vec![0; 1 << 16];
+    for file in files {
+        let mut file = File::open(file)?;
+        loop {
+            let read = match file.read(&mut block) {
+                Ok(0) => break,
+                Ok(read) => read,
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+                Err(error) => return Err(error),
+            };
+            digest.bytes += read as u64;
+            for byte in &block[..read] {
+                digest.hash = (digest.hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+            }
+        }
+    }
+    Ok(digest)
+}
+
+fn write_telemetry(
+    writer: &EpisodeWriter,
+    log: &Log,
+    prepared: &Prepared,
+    seen: &RoundObservations,
+) -> Result<(), MemoryError> {
     let columns = COLUMNS.map(str::to_owned);
-    let mut telemetry = writer.telemetry_with_columns(1, TelemetryHead::default(), &columns)?;
+    let (tool, surface) = (&prepared.task.tool.name, &prepared.task.surface.name);
+    let scene = RoundScene::of_log(tool, surface, &seen.world_from_surface);
+    let mut telemetry = writer.telemetry_with_columns(1, scene.head(Vec::new()), &columns)?;
     // Of a log nobody knows what the robot was about.
     let mark = Mark {
         motion: 0,

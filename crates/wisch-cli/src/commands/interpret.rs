@@ -1,5 +1,6 @@
 //! `wisch interpret`: what a log of poses and forces says about the dirt and the surface.
 
+use super::log_report::page;
 use super::prepare::Prepared;
 use super::results::folder_name;
 use super::run::given_plan;
@@ -12,13 +13,15 @@ use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
 use wisch::interpret::{EventKind, InterpretConfig, Interpretation, Look, interpret as conclude};
-use wisch::represent::GoalState;
+use wisch::represent::{GoalState, ParticleDistribution};
 use wisch::robot::joint_transforms;
 use wisch_io::Leftover;
-use wisch_io::{INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE, Replaceable};
+use wisch_io::{
+    INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE, REPORT_FILE, Replaceable,
+};
 use wisch_io::{InterpretationRecord, LogRecord, particles_to_csv};
 use wisch_telemetry::{
-    AxesChoice, AxesSource, Log, LogOptions, ReadFault, RecordingKind, TopicChoice, UnitsLine, read,
+    AxesChoice, AxesSource, Log, LogOptions, ReadFault, RecordingKind, TopicChoice, read,
 };
 
 /// Reads the log, interprets it, and writes what it says.
@@ -27,7 +30,6 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
     progress.say("reading the task");
     let task_args = task_args(&args.source);
     let mut prepared = Prepared::read(&task_args)?;
-    let goal = goal(&args.source, &task_args, &mut prepared)?;
     let out = (args.out.clone()).unwrap_or_else(|| default_out(&prepared));
     check_apart(&args.source.log, &out)?;
     // Before the long part: nobody likes to wait for "permission denied".
@@ -38,14 +40,74 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
     };
     let folder = OutputFolder::begin(&out, Leftover::Remove, replaceable)?;
 
+    let seen = args.seen.as_deref();
+    let interpreted = interpret_log(&args.source, &task_args, &mut prepared, seen, &progress)?;
+    let record = &interpreted.record;
+    let particles = interpreted.estimated(&prepared)?;
+    folder.write(INTERPRETATION_FILE, json(record)?)?;
+    folder.write(PARTICLES_ESTIMATED_FILE, particles_to_csv(&particles))?;
+    folder.write(REPORT_FILE, interpreted.page(&prepared))?;
+    folder.finish()?;
+    drop(progress);
+
+    if args.json {
+        let line = serde_json::to_string(record).map_err(internal)?;
+        print(&(line + "\n"))?;
+    } else if !global.quiet {
+        print(&in_words(record, &out))?;
+    }
+    Ok(if record.goal_met {
+        Outcome::Done
+    } else {
+        Outcome::GoalNotMet
+    })
+}
+
+/// A log, and what it says.
+pub(super) struct Interpreted {
+    pub log: Log,
+    pub goal: GoalState,
+    pub interpretation: Interpretation,
+    /// The same as it is written.
+    pub record: InterpretationRecord,
+}
+
+impl Interpreted {
+    /// Its page.
+    pub fn page(&self, prepared: &Prepared) -> String {
+        let lines = summary_lines(&self.record).into_iter();
+        let facts: Vec<(String, String)> = lines
+            .filter(|(name, _)| !name.is_empty())
+            .map(|(name, value)| (name.to_owned(), value))
+            .collect();
+        let notes = &self.record.log.remarks;
+        page(prepared, &self.goal, &self.interpretation, &facts, notes)
+    }
+
+    /// Where the dirt is estimated to lie.
+    pub fn estimated(&self, prepared: &Prepared) -> Result<ParticleDistribution, Failure> {
+        let belief = &self.interpretation.belief;
+        belief.sample(prepared.task.seed).map_err(internal)
+    }
+}
+
+/// Reads a log and interprets it, with what was seen of the dirt afterwards in a file, if anything.
+pub(super) fn interpret_log(
+    source: &LoggedArgs,
+    task_args: &TaskArgs,
+    prepared: &mut Prepared,
+    seen: Option<&Path>,
+    progress: &Progress,
+) -> Result<Interpreted, Failure> {
+    let goal = goal(source, task_args, prepared)?;
     progress.say("reading the log");
-    let log = read_log(&args.source, &prepared)?;
+    let log = read_log(source, prepared)?;
     progress.say(format!(
         "interpreting {}",
         counted(log.samples.len(), "sample")
     ));
-    let mut interpretation = interpreted(&args.source, &prepared, &log, &goal)?;
-    if let Some(seen) = &args.seen {
+    let mut interpretation = interpreted(source, prepared, &log, &goal)?;
+    if let Some(seen) = seen {
         let sensor = prepared.file.perception().sight.unwrap_or_default();
         interpretation.look(&Look {
             observation: &prepared.observation(seen)?,
@@ -55,29 +117,18 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
             seed: prepared.task.seed,
         });
     }
-    let remarks = remarks(&log, &prepared, &interpretation);
+    let remarks = remarks(&log, prepared, &interpretation);
     let record = InterpretationRecord::new(
         &prepared.task,
         &interpretation,
         prepared.file.target_performance(),
-        log_record(&args.source.log, &log, remarks),
+        log_record(&source.log, &log, remarks),
     );
-    let particles = (interpretation.belief.sample(prepared.task.seed)).map_err(internal)?;
-    folder.write(INTERPRETATION_FILE, json(&record)?)?;
-    folder.write(PARTICLES_ESTIMATED_FILE, particles_to_csv(&particles))?;
-    folder.finish()?;
-    drop(progress);
-
-    if args.json {
-        let line = serde_json::to_string(&record).map_err(internal)?;
-        print(&(line + "\n"))?;
-    } else if !global.quiet {
-        print(&in_words(&record, &out))?;
-    }
-    Ok(if record.goal_met {
-        Outcome::Done
-    } else {
-        Outcome::GoalNotMet
+    Ok(Interpreted {
+        log,
+        goal,
+        interpretation,
+        record,
     })
 }
 
@@ -106,7 +157,7 @@ fn log_record(file: &Path, log: &Log, remarks: Vec<String>) -> LogRecord {
 /// What is odd about a log, in words.
 fn remarks(log: &Log, prepared: &Prepared, interpretation: &Interpretation) -> Vec<String> {
     let mut remarks = log.frames_used.clone();
-    remarks.extend(log.units.iter().flat_map(units_in_words));
+    remarks.extend(log.remarks.iter().cloned());
     let skipped = log.skipped.iter().map(|skipped| {
         let count = counted(skipped.count, "sample");
         format!("left out: {count}, the first of them {}", skipped.first)
@@ -137,26 +188,6 @@ fn remarks(log: &Log, prepared: &Prepared, interpretation: &Interpretation) -> V
 /// How far a log's surface may be from the task's to be the same [m] and [rad].
 const ELSEWHERE_M: f64 = 0.05;
 const ELSEWHERE_RAD: f64 = 0.18;
-
-fn units_in_words(line: &UnitsLine) -> Vec<String> {
-    let listed = |units: &[(String, String)]| {
-        let units: Vec<String> = (units.iter())
-            .map(|(column, unit)| format!("{column} in {unit}"))
-            .collect();
-        units.join(", ")
-    };
-    let mut words = Vec::new();
-    if !line.units.is_empty() {
-        words.push(format!("by its line of units: {}", listed(&line.units)));
-    }
-    if !line.unknown.is_empty() {
-        words.push(format!(
-            "its line of units names what is not known and was taken for SI units: {}",
-            listed(&line.unknown)
-        ));
-    }
-    words
-}
 
 fn gaps_in_words(gaps: &[[f64; 2]]) -> Option<String> {
     let shown: Vec<String> = (gaps.iter().take(GAPS_SHOWN))
@@ -191,7 +222,7 @@ pub(super) fn task_args(args: &LoggedArgs) -> TaskArgs {
 }
 
 /// What the particles are measured against. Where to collect, the planner may have chosen: then only its plan knows.
-pub(super) fn goal(
+fn goal(
     args: &LoggedArgs,
     task_args: &TaskArgs,
     prepared: &mut Prepared,
@@ -233,7 +264,7 @@ fn check_apart(log: &Path, out: &Path) -> Result<(), Failure> {
 }
 
 /// Reads the log, as the arguments and the task say.
-pub(super) fn read_log(args: &LoggedArgs, prepared: &Prepared) -> Result<Log, Failure> {
+fn read_log(args: &LoggedArgs, prepared: &Prepared) -> Result<Log, Failure> {
     let options = log_options(&args.reading, prepared)?;
     read(&args.log, &options).map_err(|error| {
         let advice = advice(&error.fault, &args.log);
@@ -264,6 +295,10 @@ fn log_options(args: &LogArgs, prepared: &Prepared) -> Result<LogOptions, Failur
         columns: args.csv_columns.clone(),
         axes: (args.wrench_frame).map_or(AxesChoice::AsLogged, AxesChoice::Given),
         sign: args.wrench_sign,
+        orientation: args.orientation,
+        clock: args.time,
+        reorder_window: args.reorder_s,
+        rate: args.rate,
         force_unit: args.force_unit_n,
         length_unit: args.length_unit_m,
         time_unit: args.time_unit_s,
@@ -296,8 +331,11 @@ fn pose(numbers: &[f64]) -> Option<Pose> {
 fn advice(fault: &ReadFault, log: &Path) -> Option<String> {
     Some(match fault {
         ReadFault::Several { what, .. } => format!("choose one with --{what}-topic"),
-        ReadFault::Nothing { what, .. } => {
-            format!("--{what}-topic TOPIC:FIELD names a part of a larger message")
+        ReadFault::Nothing { what, unread, .. } if unread.is_empty() => {
+            format!("--{what}-topic TOPIC:FIELD names a part of a larger message; --urdf takes the pose from /joint_states")
+        }
+        ReadFault::Nothing { .. } | ReadFault::Encoding { .. } => {
+            "only messages of ROS 2 (cdr with ros2msg schemas) are read: record the topics with ros2 bag record -s mcap, or export poses and forces as a table (CSV), as PlotJuggler and Foxglove do".to_owned()
         }
         ReadFault::Truncated { .. } => {
             "with .active appended to its name, it is read as far as it goes".to_owned()
@@ -317,11 +355,30 @@ fn advice(fault: &ReadFault, log: &Path) -> Option<String> {
         ReadFault::Unknown(error) if error.kind == "column" => {
             "say with --csv-columns what the columns are called".to_owned()
         }
+        ReadFault::NoTime { .. } => {
+            "--rate HZ gives the samples per second, --csv-columns t=NAME a column of times".to_owned()
+        }
+        ReadFault::SeveralColumns { .. } | ReadFault::DuplicateColumn { .. } => {
+            "choose with --csv-columns OURS=THEIRS".to_owned()
+        }
+        ReadFault::ValueCount { count, names, .. } if count > names => {
+            "a value with separators in it stands in quotes (\"[1, 2]\")".to_owned()
+        }
+        ReadFault::Backwards { .. } => {
+            "--reorder-s SECONDS allows later ones; two logs in one file are read one by one; --time log takes a bag's times of recording".to_owned()
+        }
+        ReadFault::Time { .. } => {
+            "--time-unit-s states the unit: 1e-9 for nanoseconds".to_owned()
+        }
+        ReadFault::StillFrame { .. } => {
+            "--pose-topic /tf:FRAME names another frame".to_owned()
+        }
+        ReadFault::NoFile { .. } => "write it to a file first".to_owned(),
         _ => return None,
     })
 }
 
-pub(super) fn interpreted(
+fn interpreted(
     args: &LoggedArgs,
     prepared: &Prepared,
     log: &Log,
@@ -336,6 +393,19 @@ pub(super) fn interpreted(
 
 /// The summary for people.
 fn in_words(record: &InterpretationRecord, out: &Path) -> String {
+    let mut lines = summary_lines(record);
+    let results = out.join(INTERPRETATION_FILE).display().to_string();
+    lines.push(("results", results));
+    lines.push(("report", out.join(REPORT_FILE).display().to_string()));
+    let mut text = format!("{}: {}\n", record.task, record.action);
+    for (name, value) in lines {
+        text += &format!("  {name:<18} {value}\n");
+    }
+    text
+}
+
+/// What a log says, line by line: a name, or none where the line goes on from the one before, and a value.
+pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str, String)> {
     let log = &record.log;
     let assumed = if log.wrench_frame_assumed {
         ", assumed"
@@ -396,15 +466,7 @@ fn in_words(record: &InterpretationRecord, out: &Path) -> String {
         );
         lines.insert(1, ("", line));
     }
-    lines.push((
-        "results",
-        out.join(INTERPRETATION_FILE).display().to_string(),
-    ));
-    let mut text = format!("{}: {}\n", record.task, record.action);
-    for (name, value) in lines {
-        text += &format!("  {name:<18} {value}\n");
-    }
-    text
+    lines
 }
 
 fn performance_in_words(record: &InterpretationRecord) -> String {

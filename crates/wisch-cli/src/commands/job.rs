@@ -10,7 +10,7 @@ use wisch::plan::{Plan, Prediction};
 use wisch::recover::Verdict;
 use wisch::represent::{ParticleDistribution, ParticleError, Task};
 use wisch::run::{Considered, Pace, PlannedRound, Round, RunConfig, RunError, Session};
-use wisch_io::{OutputFolder, Robot, RoundTimes};
+use wisch_io::{ExecutedBy, OutputFolder, Robot, RoundTimes};
 use wisch_report::EffectFrames;
 use wisch_sim::{GroundTruth, Schedule};
 
@@ -119,6 +119,8 @@ pub struct Done {
     pub round: Round,
     /// How long its parts took.
     pub times: RoundTimes,
+    /// What executed it.
+    pub executed_by: ExecutedBy,
     /// Where the dirt really lies after it; `None` where none was simulated.
     pub truth: Option<ParticleDistribution>,
     /// The true performance [1]; `None` where no dirt was simulated.
@@ -135,6 +137,7 @@ impl Done {
         round: Round,
         truth: Option<&GroundTruth>,
         watched: WatchedRound,
+        executed_by: ExecutedBy,
         prepared: &Prepared,
     ) -> Result<Self, ParticleError> {
         let PlannedRound {
@@ -158,6 +161,7 @@ impl Done {
                 .collect(),
             missed: schedule.missed,
             times: watched.times,
+            executed_by,
             round,
         })
     }

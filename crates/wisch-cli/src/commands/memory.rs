@@ -1,5 +1,6 @@
 //! `wisch memory`: what is in the memory of episodes.
 
+use super::episode::now;
 use super::words::{counted, internal, percent};
 use crate::args::{EpisodeArgs, GlobalArgs, MemoryArgs, MemoryListArgs, MemoryVerifyArgs};
 use crate::failure::Failure;
@@ -9,7 +10,7 @@ use std::collections::BTreeMap;
 use wisch_memory::catalogue::{EpisodeRow, entries};
 use wisch_memory::{
     Catalogue, EpisodeRecord, Individual, IndividualId, Memory, MemoryError, Node, Value,
-    date_and_time,
+    local_date_and_time,
 };
 
 /// What the list says of an episode.
@@ -24,6 +25,8 @@ struct Listed<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     performance: Option<f64>,
     succeeded: bool,
+    /// `met`, `not met` or `cannot be told`.
+    goal: &'static str,
     human_collisions: usize,
 }
 
@@ -42,7 +45,9 @@ pub fn list(args: &MemoryListArgs) -> Result<Outcome, Failure> {
         .iter()
         .map(|row| Listed::new(&catalogue, row, &actions, &collisions))
         .collect();
-    listed.sort_by(|a, b| a.start_s.total_cmp(&b.start_s).then(a.id.cmp(b.id)));
+    // Simulated worlds are faster than the clock: one may have begun before one that it follows.
+    let end = |one: &Listed<'_>| one.start_s + one.duration_s;
+    listed.sort_by(|a, b| end(a).total_cmp(&end(b)).then(a.id.cmp(b.id)));
     let mut text = String::new();
     if args.json {
         for one in &listed {
@@ -70,14 +75,17 @@ impl<'a> Listed<'a> {
             let found = entries(catalogue.numbers("semco:performance"), action);
             found.first().map(|(_, value)| *value)
         });
-        let succeeded = action.is_some_and(|action| {
+        let goal = action.map_or("not met", |action| {
             let states = entries(catalogue.relations("soma:hasExecutionState"), action);
-            states.iter().any(|(_, node)| match node {
-                Node::Shared(place) => {
-                    catalogue.shared()[*place as usize] == "soma:ExecutionState_Succeeded"
+            match states.first() {
+                None => "cannot be told",
+                Some((_, Node::Shared(place)))
+                    if catalogue.shared()[*place as usize] == "soma:ExecutionState_Succeeded" =>
+                {
+                    "met"
                 }
-                Node::Individual(_) => false,
-            })
+                Some(_) => "not met",
+            }
         });
         Self {
             id: &row.id,
@@ -86,7 +94,8 @@ impl<'a> Listed<'a> {
             duration_s: row.interval[1] - row.interval[0],
             rounds: row.rounds.len(),
             performance,
-            succeeded,
+            succeeded: goal == "met",
+            goal,
             human_collisions: collisions.get(&row.first).copied().unwrap_or(0),
         }
     }
@@ -115,15 +124,15 @@ fn table(listed: &[Listed<'_>]) -> String {
     let id = width(|one| one.id.chars().count(), 7);
     let task = width(|one| one.task.chars().count(), 4);
     let mut text = format!(
-        "{:<id$}  {:<task$}  {:>8}  {:>6}  {:>11}  {:<8}  collisions\n",
-        "episode", "task", "duration", "rounds", "performance", "goal"
+        "{:<id$}  {:<task$}  {:<26}  {:>8}  {:>6}  {:>11}  {:<14}  collisions\n",
+        "episode", "task", "began", "duration", "rounds", "performance", "goal"
     );
     for one in listed {
         let performance = one.performance.map_or_else(|| "–".to_owned(), percent);
         let duration = format!("{:.1} s", one.duration_s);
-        let goal = if one.succeeded { "met" } else { "not met" };
+        let (goal, began) = (one.goal, local_date_and_time(one.start_s));
         text += &format!(
-            "{:<id$}  {:<task$}  {duration:>8}  {:>6}  {performance:>11}  {goal:<8}  {:>10}\n",
+            "{:<id$}  {:<task$}  {began:<26}  {duration:>8}  {:>6}  {performance:>11}  {goal:<14}  {:>10}\n",
             one.id, one.task, one.rounds, one.human_collisions
         );
     }
@@ -147,10 +156,10 @@ pub fn show(args: &EpisodeArgs) -> Result<Outcome, Failure> {
 fn in_words(record: &EpisodeRecord, files: &[String]) -> String {
     let [start, end] = record.interval;
     let mut text = format!(
-        "{}: {}, {} UTC, {:.1} s, by {}\n",
+        "{}: {}, {}, {:.1} s, by {}\n",
         record.id,
         record.task,
-        date_and_time(start),
+        local_date_and_time(start),
         end - start,
         record.program
     );
@@ -205,7 +214,8 @@ pub fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, F
     let memory = open(&args.memory)?;
     let episodes = memory.episodes().map_err(broken)?.len();
     let faults = memory.verify().map_err(broken)?;
-    let faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
+    let mut faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
+    faults.extend(dated_ahead(&memory.catalogue().map_err(broken)?));
     let is_well = faults.is_empty();
     if args.json {
         let verified = Verified { episodes, faults };
@@ -226,6 +236,24 @@ pub fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, F
     } else {
         Outcome::GoalNotMet
     })
+}
+
+/// Episodes that are not over yet by this machine's clock.
+fn dated_ahead(catalogue: &Catalogue) -> Vec<String> {
+    let now = now();
+    let ahead = catalogue
+        .episodes()
+        .iter()
+        .filter(|row| row.interval[1] > now + 1.0);
+    let faults = ahead.map(|row| {
+        let [begin, end] = row.interval.map(local_date_and_time);
+        format!(
+            "{}: it is dated {begin} to {end}, which this machine's clock has not reached: the clock was ahead then, is \
+             behind now, or a duration is wrong",
+            row.id
+        )
+    });
+    faults.collect()
 }
 
 /// Removes an episode.

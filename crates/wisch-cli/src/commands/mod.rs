@@ -17,6 +17,7 @@ mod interpret;
 mod interrupt;
 mod job;
 mod learn;
+mod log_report;
 mod look;
 mod map;
 mod memory;

@@ -1,22 +1,27 @@
-//! `wisch report`: an episode or a folder of results as one page.
+//! `wisch report`: an episode, a folder of results or a log as one page.
 
+use super::interpret::{interpret_log, task_args};
 use super::packed::read_packed;
-use crate::args::{GlobalArgs, ReportArgs};
+use super::prepare::Prepared;
+use crate::args::{GlobalArgs, LoggedArgs, ReportArgs};
 use crate::failure::Failure;
+use crate::progress::Progress;
 use crate::terminal::{Outcome, print};
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use wisch_io::{OutputFile, PLAN_FILE};
+use wisch_io::{INTERPRETATION_FILE, OutputFile, PLAN_FILE, REPORT_FILE};
 use wisch_memory::{Memory, RECORDING_FILE};
 
 /// Writes the page.
 pub fn report(args: &ReportArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    let (recording, name) = find(args)?;
-    let text = read_packed(&recording)?;
+    let (page, name) = match find(args)? {
+        Source::Results(folder) => (page_of(&folder)?, name_of(folder.file_name())),
+        Source::Log(log) => (page_of_log(&log, global)?, name_of(log.log.file_stem())),
+    };
     let out = args
         .out
         .clone()
         .unwrap_or_else(|| PathBuf::from(format!("{name}.html")));
-    let page = wisch_web::report_page(&title(&text, &name), &text);
     OutputFile::begin(&out)?.finish(page.as_bytes())?;
     if !global.quiet {
         print(&format!("{}\n", out.display()))?;
@@ -24,34 +29,89 @@ pub fn report(args: &ReportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     Ok(Outcome::Done)
 }
 
-/// The recording of what is asked for, and its name.
-fn find(args: &ReportArgs) -> Result<(PathBuf, String), Failure> {
-    let folder = Path::new(&args.what);
-    let is_results = folder.join(PLAN_FILE).is_file() || folder.join(RECORDING_FILE).is_file();
-    let folder = if is_results {
-        folder.to_path_buf()
-    } else {
-        Memory::open(&args.memory.memory)
-            .and_then(|memory| memory.episode(&args.what))
-            .map(|_| args.memory.memory.join(&args.what))
-            .map_err(|error| {
-                Failure::new(error).with_help(
-                    "name an episode of --memory, or a folder of results, as out/chopping-board",
-                )
-            })?
-    };
+/// What a page is made of.
+enum Source {
+    /// A folder of results, or of an episode.
+    Results(PathBuf),
+    /// A log, and how it is to be understood.
+    Log(Box<LoggedArgs>),
+}
+
+/// What is asked for.
+fn find(args: &ReportArgs) -> Result<Source, Failure> {
+    let path = Path::new(&args.what);
+    let holds = |name: &str| path.join(name).is_file();
+    if [PLAN_FILE, RECORDING_FILE, INTERPRETATION_FILE]
+        .into_iter()
+        .any(holds)
+    {
+        return Ok(Source::Results(path.to_path_buf()));
+    }
+    if path.exists() {
+        let Some(task) = &args.task else {
+            return Err(Failure::new(format!(
+                "{}: a log, or a folder with one, says nothing of the surface that was wiped",
+                path.display()
+            ))
+            .with_help("name the task file of what was executed with --task"));
+        };
+        return Ok(Source::Log(Box::new(LoggedArgs {
+            log: path.to_path_buf(),
+            task: task.clone(),
+            plan: args.plan.clone(),
+            action: args.action,
+            seed: args.seed,
+            settings: args.settings.clone(),
+            knowledge: args.knowledge.clone(),
+            reading: args.reading.clone(),
+        })));
+    }
+    Memory::open(&args.memory.memory)
+        .and_then(|memory| memory.episode(&args.what))
+        .map(|episode| Source::Results(episode.folder().to_path_buf()))
+        .map_err(|error| {
+            Failure::new(error).with_help(
+                "name an episode of --memory, a folder of results as out/chopping-board, or a log with --task",
+            )
+        })
+}
+
+fn name_of(name: Option<&OsStr>) -> String {
+    name.and_then(OsStr::to_str).unwrap_or("report").to_owned()
+}
+
+/// The page of a folder: of its recording, or that which was written with it.
+fn page_of(folder: &Path) -> Result<String, Failure> {
     let recording = folder.join(RECORDING_FILE);
-    if !recording.is_file() {
-        return Err(Failure::new(format!(
-            "{}: there is no {RECORDING_FILE} in it",
-            folder.display()
-        ))
-        .with_help(
-            "it was written before recordings were kept, or from a log: there is nothing to show",
+    if recording.is_file() {
+        let text = read_packed(&recording)?;
+        return Ok(wisch_web::report_page(
+            &title(&text, &name_of(folder.file_name())),
+            &text,
         ));
     }
-    let name = folder.file_name().and_then(|name| name.to_str());
-    Ok((recording, name.unwrap_or("report").to_owned()))
+    let page = folder.join(REPORT_FILE);
+    if page.is_file() {
+        return std::fs::read_to_string(&page)
+            .map_err(|error| Failure::new(format!("{}: {error}", page.display())));
+    }
+    Err(Failure::new(format!(
+        "{}: there is neither {RECORDING_FILE} nor {REPORT_FILE} in it",
+        folder.display()
+    ))
+    .with_help(
+        "it was written before these were kept: wisch report LOG --task FILE makes the page of a log",
+    ))
+}
+
+/// The page of a log that is interpreted now; nothing is kept.
+fn page_of_log(source: &LoggedArgs, global: &GlobalArgs) -> Result<String, Failure> {
+    let progress = Progress::start(global);
+    progress.say("reading the task");
+    let task_args = task_args(source);
+    let mut prepared = Prepared::read(&task_args)?;
+    let interpreted = interpret_log(source, &task_args, &mut prepared, None, &progress)?;
+    Ok(interpreted.page(&prepared))
 }
 
 /// What the recording calls itself.

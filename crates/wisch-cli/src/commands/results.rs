@@ -1,6 +1,5 @@
 //! The files with the results of the stages.
 
-use super::follow::Following;
 use super::job::Results;
 use super::packed::packed;
 use super::prepare::Prepared;
@@ -9,12 +8,14 @@ use super::words::{internal, json, percent};
 use crate::args::ResultArgs;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
+use wisch::follow::{Followed, MotionFault, Workcell};
 use wisch::plan::{Plan, Prediction};
+use wisch::run::PlannedRound;
 use wisch_io::RoundSummary;
 use wisch_io::{
     FOLLOWING_FILE, OutputFolder, PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE,
     PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE, RECORDING_FILE, REPORT_FILE,
-    ROUNDS_FILE, TCP_PATH_FILE, TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE,
+    ROUNDS_FILE, TCP_PATH_FILE, TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE, of_round,
 };
 use wisch_io::{
     FollowedRecord, PlanRecord, RobotTrajectory, particles_to_csv, planned_path_csv, tcp_path_csv,
@@ -66,7 +67,23 @@ pub(super) fn write(
         particles_to_csv(&results.task.particles),
     )?;
     if let Some(following) = &results.following {
-        write_motion(folder, prepared, following)?;
+        let (followed, cell) = (&following.followed, &following.cell);
+        let faults = &following.audit.faults;
+        write_motion(folder, prepared, 1, (followed, cell, faults))?;
+        for done in results.rounds.iter().skip(1) {
+            let PlannedRound {
+                number,
+                task,
+                plan,
+                cell,
+                followed,
+                ..
+            } = &done.round.motion;
+            let record = PlanRecord::new(task, plan, task.seed);
+            folder.write(&of_round(PLAN_FILE, *number), json(&record)?)?;
+            let faults = &done.round.audit.faults;
+            write_motion(folder, prepared, *number, (followed, cell, faults))?;
+        }
     } else if results.rounds.is_empty() {
         let config = prepared.follow_config();
         let path = planned_path_csv(&results.task, &results.plan, &config);
@@ -97,24 +114,24 @@ pub(super) fn write(
     Ok(())
 }
 
+/// Writes the motion of a round: how the plan is followed, its trajectory, and the tool's path.
 fn write_motion(
     folder: &OutputFolder,
     prepared: &Prepared,
-    following: &Following,
+    round: usize,
+    (followed, cell, faults): (&Followed, &Workcell, &[MotionFault]),
 ) -> Result<(), Failure> {
-    let (followed, cell) = (&following.followed, &following.cell);
-    let faults = following.audit.faults.iter().map(ToString::to_string);
-    let record = FollowedRecord::new(&following.robot, followed, faults.collect());
-    folder.write(FOLLOWING_FILE, json(&record)?)?;
+    let name = |file: &str| of_round(file, round);
+    let faults = faults.iter().map(ToString::to_string);
+    let record = FollowedRecord::new(cell.robot().name(), followed, faults.collect());
+    folder.write(&name(FOLLOWING_FILE), json(&record)?)?;
     let trajectory = RobotTrajectory::new(followed, cell);
     let line = serde_json::to_string(&trajectory).map_err(internal)?;
-    folder.write(TRAJECTORY_JSON_FILE, line + "\n")?;
-    folder.write(
-        TRAJECTORY_YAML_FILE,
-        trajectory.to_yaml().map_err(internal)?,
-    )?;
-    let interaction = &prepared.task.interaction;
-    folder.write(TCP_PATH_FILE, tcp_path_csv(followed, cell, interaction))?;
+    folder.write(&name(TRAJECTORY_JSON_FILE), line + "\n")?;
+    let yaml = trajectory.to_yaml().map_err(internal)?;
+    folder.write(&name(TRAJECTORY_YAML_FILE), yaml)?;
+    let path = tcp_path_csv(followed, cell, &prepared.task.interaction);
+    folder.write(&name(TCP_PATH_FILE), path)?;
     Ok(())
 }
 
@@ -167,7 +184,11 @@ pub(super) fn facts_of(prepared: &Prepared, results: &Results) -> Vec<(String, S
     };
     let following = results.following.as_ref();
     let wiped = following.map_or_else(|| results.plan.clone(), |f| f.plan(&results.plan));
-    let mut facts = facts(prepared, &wiped, prediction);
+    let distance = match (following, results.rounds.is_empty()) {
+        (Some(following), false) => following.total.distance,
+        _ => [wiped.contact_distance(), wiped.total_distance()],
+    };
+    let mut facts = facts(prepared, &wiped, prediction, distance);
     facts.extend(following.iter().flat_map(|following| following.facts()));
     facts
 }
@@ -181,7 +202,14 @@ pub(super) fn title(prepared: &Prepared) -> String {
 }
 
 /// What the report says beside its numbers.
-fn facts(prepared: &Prepared, plan: &Plan, prediction: &Prediction) -> Vec<(String, String)> {
+///
+/// `distance`: of the tool in contact and in all, in all rounds [m].
+fn facts(
+    prepared: &Prepared,
+    plan: &Plan,
+    prediction: &Prediction,
+    distance: [f64; 2],
+) -> Vec<(String, String)> {
     let tally = prediction.particles.tally();
     let performance = &prediction.performance;
     let mut facts: Vec<(String, String)> = [
@@ -196,11 +224,8 @@ fn facts(prepared: &Prepared, plan: &Plan, prediction: &Prediction) -> Vec<(Stri
         ("Off the surface", tally.off_surface.to_string()),
         ("Lost over a wrong edge", performance.lost.to_string()),
         ("Out of reach", percent(plan.unreachable_share)),
-        (
-            "Distance in contact",
-            format!("{:.2} m", plan.contact_distance()),
-        ),
-        ("Distance in all", format!("{:.2} m", plan.total_distance())),
+        ("Distance in contact", format!("{:.2} m", distance[0])),
+        ("Distance in all", format!("{:.2} m", distance[1])),
         (
             "Graph",
             format!(

@@ -11,7 +11,12 @@ use wisch_report::{RoundView, RoundsInput};
 
 /// What `--json` says of a round.
 pub fn summary(done: &Done) -> RoundSummary {
-    RoundSummary::new(&done.round, &done.times, done.true_performance)
+    RoundSummary::new(
+        &done.round,
+        &done.times,
+        done.executed_by,
+        done.true_performance,
+    )
 }
 
 /// What figures show of the rounds.
@@ -19,7 +24,7 @@ pub fn views(done: &[Done]) -> Vec<RoundView<'_>> {
     (done.iter())
         .map(|done| RoundView {
             number: done.round.motion.number,
-            plan: &done.round.motion.plan,
+            plan: Some(&done.round.motion.plan),
             believed: &done.round.motion.task.particles,
             predicted: done.round.motion.prediction.performance.ratio(),
             interpretation: &done.round.interpretation,

@@ -12,7 +12,6 @@ use super::words::{counted, internal, json};
 use crate::args::LoopArgs;
 use crate::failure::Failure;
 use crate::terminal::remark;
-use signal_hook::consts::SIGTERM;
 use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::ops::ControlFlow;
@@ -21,20 +20,29 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 use wisch::plan::Plan;
-use wisch::run::{Executor, Recording, Stage};
-use wisch_io::{EventWriter, PlanRecord, ProcessExecutor, Robot};
+use wisch::run::{Executor, NoExecutor, Recording, Stage};
+use wisch_io::{EventWriter, ExecutedBy, PlanRecord, ProcessExecutor, Robot};
 use wisch_sim::{Checkpoints, GroundTruth, KeptRound, Site, World};
 use wisch_telemetry::WriteError;
 
 /// An episode that is kept, if one is wanted, or why it is not.
 pub type Kept = Result<Option<KeptEpisode>, Failure>;
 
-/// Wipes until the goal is met, or no more can be done, and keeps the episode.
+/// What came of a run.
+pub struct Executed {
+    pub results: Results,
+    pub kept: Kept,
+    /// Why it ended before its end, if something failed: what was done until then is in the results.
+    pub broken: Option<Failure>,
+}
+
+/// Wipes until the goal is met, or no more can be done, or `stop` asks for an end in order, and keeps the episode.
 pub fn execute(
     job: &Job<'_>,
     args: &LoopArgs,
     given: Option<Plan>,
-) -> Result<(Results, Kept), Failure> {
+    stop: Option<&Arc<AtomicBool>>,
+) -> Result<Executed, Failure> {
     let Job {
         task_args,
         prepared,
@@ -43,16 +51,12 @@ pub fn execute(
         ..
     } = *job;
     let (_, robot) = job.robot.ok_or_else(|| internal("there is no robot"))?;
-    let mut episode = EpisodeRecorder::begin(&args.memory)?;
+    let mut episode = EpisodeRecorder::begin(args, &folder.state())?;
     let mut recording = match (args.live, episode.id()) {
         (true, Some(id)) => RunRecording::begin_live(job, &args.memory.memory, id)?,
         _ => RunRecording::begin(job)?,
     };
-    let stop = args.live.then(stop_flag).transpose()?;
-    let is_stopped = || {
-        stop.as_ref()
-            .is_some_and(|stop| stop.load(Ordering::SeqCst))
-    };
+    let is_stopped = || stop.is_some_and(|stop| stop.load(Ordering::SeqCst));
     let config = job.config(Some(args));
     let is_given = given.is_some();
     let checkpoints = Checkpoints::new(
@@ -69,20 +73,23 @@ pub fn execute(
     } else {
         Vec::new()
     };
+    if kept.is_empty() {
+        episode.resume_nothing();
+    }
     if args.resume && folder.found().is_taken_over {
         let rounds = counted(kept.len(), "round");
         progress.aside(|| remark(&format!("{rounds} of the killed run taken over")));
     }
-    let kept_count = match args.executor {
+    // Where a run ends in order it is not resumed, and of what another program executes nothing is kept to go on with.
+    let kept_count = match stop {
         None => Some(say_how_to_resume(progress, kept.len())?),
-        // Of what another program executes, nothing is kept to go on with.
         Some(_) => None,
     };
     let executed_s: Vec<f64> = kept.iter().map(|round| round.executing_s).collect();
     let first_look = kept.first().and_then(|round| round.first_look.clone());
     let (recorded, truth) = kept.into_iter().map(|r| (r.recorded, r.truth)).unzip();
     let mut executor = match &args.executor {
-        Some(command) => Executing::Process(start(command, args.timeout)?),
+        Some(command) => Executing::Process(start(command, args.timeout, stop)?),
         None => {
             let (task, reality) = (&prepared.task, prepared.reality.clone());
             let world = World::new(&Site::of(task), reality, task.seed)
@@ -99,14 +106,19 @@ pub fn execute(
     let mut recorder = Recorder::new(job, checkpoints, executed_s.len(), args.realtime);
     let mut session = job.session(config, given);
     let mut no_bag: Option<Failure> = None;
+    let mut is_ended = false;
     let result = loop {
         let finished = session.rounds().len();
         let stage = session.step(executor.as_dyn(), &mut |event| {
             watch.see(event)?;
             watch.flow(recording.see(event))?;
-            if let Some((path, events)) = &mut events {
-                let written = events.write(event);
-                watch.flow(written.map_err(|error| no_event(path, &error)))?;
+            if let Some((path, writer)) = &mut events
+                && let Err(error) = writer.write(event)
+            {
+                // Whoever read them has gone: the round is ended in order, and kept.
+                let gone = watch.flow(Err(no_event(path, &error)));
+                events = None;
+                is_ended |= gone.is_break();
             }
             recorder.round_of(event);
             episode.see(event);
@@ -121,7 +133,7 @@ pub fn execute(
                 no_bag.get_or_insert(failure);
             }
             // What was begun is ended in order, and all have seen it by now.
-            if is_stopped() {
+            if is_ended || is_stopped() {
                 return ControlFlow::Break(());
             }
             ControlFlow::Continue(())
@@ -155,7 +167,6 @@ pub fn execute(
         }
         match stage {
             Ok(Stage::Ended) => break Ok(()),
-            Ok(_) if watch.failure.is_some() => break Ok(()),
             Ok(_) => {}
             Err(error) => break Err(error),
         }
@@ -163,10 +174,10 @@ pub fn execute(
     if let Err(failure) = recorder.end().map_err(cannot_write) {
         no_bag.get_or_insert(failure);
     }
-    if let Some(failure) = watch.failure {
-        return Err(failure);
-    }
-    let broken = result.err().map(|error| job.failed(error));
+    // The child that was told to stop is gone before the results are written.
+    executor.end();
+    let failed = result.err().map(|error| job.failed(error));
+    let broken = watch.failure.take().or(failed);
     if session.rounds().is_empty()
         && let Some(failure) = broken
     {
@@ -177,6 +188,10 @@ pub fn execute(
             "ended before the first round was over, so nothing is kept",
         ));
     }
+    if is_stopped() {
+        let count = counted(session.rounds().len(), "round");
+        progress.aside(|| remark(&format!("interrupted: {count} kept, as far as executed")));
+    }
     let following = Following::of(&session, watch.round(1).times.following_s);
     let (planned, _) = (session.first()).ok_or_else(|| internal("no round was planned"))?;
     let (plan, prediction) = (planned.plan.clone(), planned.prediction.clone());
@@ -184,12 +199,22 @@ pub fn execute(
     let planning_s = watch.round(1).times.planning_s;
     let predicted = Some((prediction, watch.round(1).effect(&task, &planned.wiped())));
     let first_look = session.first_observation().cloned();
+    let executed_by = match &args.executor {
+        Some(_) => ExecutedBy::Executor,
+        None => ExecutedBy::SimulatedWorld,
+    };
     let done = (session.into_rounds().into_iter())
         .enumerate()
         .map(|(i, round)| {
             let watched = std::mem::take(watch.round(round.motion.number));
-            Done::new(round, executor.truth().get(i), watched, prepared)
-                .map_err(|error| prepared.failure(task_args, error))
+            Done::new(
+                round,
+                executor.truth().get(i),
+                watched,
+                executed_by,
+                prepared,
+            )
+            .map_err(|error| prepared.failure(task_args, error))
         });
     let rounds: Vec<Done> = done.collect::<Result<_, Failure>>()?;
     let later = prepared.reality.pushes.iter().map(|push| push.round);
@@ -225,19 +250,15 @@ pub fn execute(
         .ok()
         .and_then(|kept| kept.as_ref()?.place.file_name()?.to_str());
     recording.leave(prepared, &results, name);
-    if let Some(failure) = broken.or(no_bag) {
+    if let Some(failure) = no_bag {
         say_where(&kept);
         return Err(failure);
     }
-    Ok((results, kept))
-}
-
-/// Whether somebody asked the run to end in order: what was begun is interpreted as far as it went, and kept.
-fn stop_flag() -> Result<Arc<AtomicBool>, Failure> {
-    let flag = Arc::new(AtomicBool::new(false));
-    (signal_hook::flag::register(SIGTERM, Arc::clone(&flag)))
-        .map_err(|error| Failure::new(format!("SIGTERM: {error}")))?;
-    Ok(flag)
+    Ok(Executed {
+        results,
+        kept,
+        broken,
+    })
 }
 
 /// Says where an episode is kept whose results are not.
@@ -269,6 +290,8 @@ fn identity(
 enum Executing {
     World(Box<Recording<World>>),
     Process(ProcessExecutor),
+    /// Another program that is not asked anything more.
+    Ended(NoExecutor),
 }
 
 impl Executing {
@@ -276,6 +299,7 @@ impl Executing {
         match self {
             Self::World(world) => world.as_mut(),
             Self::Process(process) => process,
+            Self::Ended(nothing) => nothing,
         }
     }
 
@@ -283,13 +307,24 @@ impl Executing {
     fn truth(&self) -> &[GroundTruth] {
         match self {
             Self::World(world) => world.inner().truth(),
-            Self::Process(_) => &[],
+            Self::Process(_) | Self::Ended(_) => &[],
+        }
+    }
+
+    /// Ends another program; what a simulated world knows stays.
+    fn end(&mut self) {
+        if matches!(self, Self::Process(_)) {
+            *self = Self::Ended(NoExecutor);
         }
     }
 }
 
 /// Starts the program of `--executor`.
-fn start(command: &str, timeout_s: f64) -> Result<ProcessExecutor, Failure> {
+fn start(
+    command: &str,
+    timeout_s: f64,
+    stop: Option<&Arc<AtomicBool>>,
+) -> Result<ProcessExecutor, Failure> {
     let words = shlex::split(command).unwrap_or_default();
     let [program, arguments @ ..] = words.as_slice() else {
         return Err(Failure::new(format!(
@@ -297,7 +332,8 @@ fn start(command: &str, timeout_s: f64) -> Result<ProcessExecutor, Failure> {
         )));
     };
     let silence = Duration::from_secs_f64(timeout_s);
-    ProcessExecutor::start_within(program, arguments, silence).map_err(|error| {
+    let stop = stop.cloned().unwrap_or_default();
+    ProcessExecutor::start_stoppable(program, arguments, silence, stop).map_err(|error| {
         Failure::new(error).with_help("docs/executor-protocol.md says what an executor has to say")
     })
 }

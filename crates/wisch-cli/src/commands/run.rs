@@ -2,11 +2,12 @@
 
 use super::budget::in_evaluations;
 use super::follow::{Chosen, Following, performer};
+use super::interrupt::end_in_order;
 use super::job::{Job, Results};
 use super::prepare::Prepared;
 use super::recording::RunRecording;
 use super::results::{out_folder, write};
-use super::rounds::{execute, say_where};
+use super::rounds::{Executed, execute, say_where};
 use super::summary::{in_words, summary};
 use super::watch::Watch;
 use super::words::{counted, internal};
@@ -18,8 +19,11 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, remark};
 use std::path::Path;
-use wisch::plan::{Plan, Strategy, predict};
-use wisch::run::{NoExecutor, RunEvent, Stage};
+use std::sync::atomic::Ordering;
+use wisch::interpret::Belief;
+use wisch::plan::{Plan, Strategy, check_strokes, describe_over_border, predict};
+use wisch::recover::Verdict;
+use wisch::run::{Ending, NoExecutor, RunEvent, Stage};
 use wisch_io::OutputFolder;
 use wisch_io::{Found, Leftover, Replaceable};
 use wisch_io::{PlanRecord, read_text};
@@ -31,6 +35,8 @@ enum Extent<'a> {
     /// With all plans that there are to choose from, if somebody wants to see them, which takes the task's robot.
     Plan {
         explain: bool,
+        /// As if it were known where the dirt lies.
+        known_dirt: bool,
     },
     Predict,
     /// With the robot of the task, if there is one, round by round.
@@ -68,14 +74,16 @@ pub fn follow_only(args: &FollowArgs, global: &GlobalArgs) -> Result<Outcome, Fa
 
 /// `wisch plan`.
 pub fn plan_only(args: &PlanArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    let explain = args.explain;
-    work(
-        &args.task,
-        &args.results,
-        None,
-        Extent::Plan { explain },
-        global,
-    )
+    let PlanArgs {
+        explain,
+        known_dirt,
+        ..
+    } = *args;
+    let extent = Extent::Plan {
+        explain,
+        known_dirt,
+    };
+    work(&args.task, &args.results, None, extent, global)
 }
 
 /// `wisch predict`: plan only where no plan is given.
@@ -101,7 +109,7 @@ fn work(
     let mut prepared = Prepared::read(task_args)?;
     let any_robot = RobotArgs::default();
     // Which plan is the best is a question of how long the robot takes.
-    let is_weighed = matches!(extent, Extent::Plan { explain: true })
+    let is_weighed = matches!(extent, Extent::Plan { explain: true, .. })
         || prepared.config.strategy == Strategy::Best;
     let chosen = match extent {
         Extent::Plan { .. } if is_weighed => Chosen::new(&any_robot, &prepared)?,
@@ -123,6 +131,11 @@ fn work(
         (Extent::Plan { .. }, _) => "-planned",
     };
     let out = out_folder(results, &prepared, done);
+    // From before there is anything on the disk that an end would leave there.
+    let stop = match extent {
+        Extent::Run(_, rounds) if rounds.executor.is_some() || rounds.live => Some(end_in_order()?),
+        _ => None,
+    };
     // Before the long part: nobody likes to wait for "permission denied".
     let leftover = match extent {
         Extent::Run(_, rounds) if rounds.resume => Leftover::TakeOver,
@@ -136,6 +149,13 @@ fn work(
     let folder = OutputFolder::begin(&out, leftover, replaceable)?;
     if !global.quiet {
         progress.aside(|| say_what_was_found(folder.found(), leftover));
+    }
+    if leftover == Leftover::TakeOver && folder.found().is_finished {
+        return Err(Failure::new(format!(
+            "{}: there is nothing to resume: the killed run was complete, and its results stand there",
+            out.display()
+        ))
+        .with_help("without --resume, wisch run begins anew"));
     }
 
     let robot = (chosen.as_ref())
@@ -151,18 +171,34 @@ fn work(
         folder: &folder,
         progress: &progress,
     };
-    let (results_of, episode) = match (extent, &robot) {
-        (Extent::Run(_, rounds), Some(_)) => execute(&job, rounds, given)?,
-        _ => (simulate_effect(&job, extent, given)?, Ok(None)),
+    let Executed {
+        results: results_of,
+        kept: episode,
+        broken,
+    } = match (extent, &robot) {
+        (Extent::Run(_, rounds), Some(_)) => execute(&job, rounds, given, stop.as_ref())?,
+        _ => Executed {
+            results: simulate_effect(&job, extent, given)?,
+            kept: Ok(None),
+            broken: None,
+        },
     };
     progress.say("writing the results");
     let written = write(&folder, &prepared, &results_of);
     let written = written.and_then(|()| Ok(folder.finish()?));
     drop(progress);
-    if written.is_err() {
+    if written.is_err() || broken.is_some() {
         say_where(&episode);
     }
     written?;
+    if let Some(failure) = broken {
+        let rounds = counted(results_of.rounds.len(), "round");
+        remark(&format!(
+            "{rounds} kept, as far as executed, in {}",
+            out.display()
+        ));
+        return Err(failure);
+    }
 
     let summary = summary(&prepared, &results_of, &out);
     if results.json {
@@ -177,14 +213,39 @@ fn work(
         }
     }
     // The results are there by now, whatever became of the episode.
-    for what in episode?.iter().flat_map(|kept| &kept.without) {
-        remark(&format!("the episode is kept without {what}"));
+    if let Some(kept) = episode? {
+        for what in &kept.remarks {
+            remark(what);
+        }
+        if !kept.without.is_empty() {
+            return Err(Failure::new(format!(
+                "{}: the episode is kept without {}",
+                kept.place.display(),
+                kept.without.join(", nor ")
+            ))
+            .with_help("queries of telemetry leave it out; wisch memory forget ID removes it"));
+        }
+    }
+    let is_interrupted = stop.is_some_and(|stop| stop.load(Ordering::SeqCst));
+    if waits_for_the_operator(&results_of) && !is_interrupted {
+        remark(
+            "the robot was stopped, and waits for its operator; with execution.after_stop = \"retreat\" the task goes on by itself",
+        );
     }
     let is_met = results_of.is_goal_met(prepared.file.target_performance());
     Ok(if is_met {
         Outcome::Done
     } else {
         Outcome::GoalNotMet
+    })
+}
+
+/// Whether a person or a safety system ended the last round, and nothing followed.
+fn waits_for_the_operator(results: &Results) -> bool {
+    results.rounds.last().is_some_and(|done| {
+        let ending = &done.round.execution.ending;
+        matches!(ending, Ending::ProtectiveStop { .. } | Ending::Stopped)
+            && done.round.verdict == Verdict::Again
     })
 }
 
@@ -207,8 +268,14 @@ fn simulate_effect(
 ) -> Result<Results, Failure> {
     let is_given = given.is_some();
     let mut session = job.session(job.config(None), given);
+    if let Extent::Plan {
+        known_dirt: true, ..
+    } = extent
+    {
+        session = session.with_belief(Belief::certain(job.prepared.task.particles.clone()));
+    }
     let considered = match extent {
-        Extent::Plan { explain: true } => {
+        Extent::Plan { explain: true, .. } => {
             job.progress.say("planning by every strategy");
             let considered = session.considered();
             Some(considered.map_err(|error| job.failed(error))?)
@@ -265,6 +332,10 @@ pub(super) fn given_plan(path: &Path, prepared: &mut Prepared) -> Result<Plan, F
     let in_file = |error| Failure::new(format!("{}: {error}", path.display()));
     let record = PlanRecord::parse(&text).map_err(in_file)?;
     let plan = record.to_plan(&prepared.task).map_err(in_file)?;
+    let over_border = check_strokes(&prepared.task, &plan.strokes);
+    for sentence in describe_over_border(&over_border.map_err(internal)?) {
+        remark(&format!("{}: {sentence}", path.display()));
+    }
     prepared.config.strategy = plan.strategy;
     Ok(plan)
 }

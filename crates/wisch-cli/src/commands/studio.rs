@@ -13,7 +13,7 @@ const STUDIO: Companion = Companion {
     is_workspace: false,
 };
 
-/// Begins the server, and ends with it.
+/// Becomes the server: what signals this process signals the server, and one does not outlive the other.
 pub fn studio(args: &StudioArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let program = STUDIO.find_or_build(global)?;
     let wisch = std::env::current_exe()
@@ -29,12 +29,24 @@ pub fn studio(args: &StudioArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     if args.open {
         server.arg("--open");
     }
-    let ended = server
-        .status()
-        .map_err(|error| Failure::new(format!("{}: {error}", program.display())))?;
-    match ended.code() {
-        Some(0) => Ok(Outcome::Done),
+    become_program(&mut server)
+        .map_err(|what| Failure::new(format!("{}: {what}", program.display())))
+}
+
+/// Runs a program in place of this one; what it returns is why it cannot.
+#[cfg(unix)]
+fn become_program(server: &mut Command) -> Result<Outcome, String> {
+    use std::os::unix::process::CommandExt;
+    Err(server.exec().to_string())
+}
+
+/// Runs a program, and ends with it. Ctrl-C reaches both.
+#[cfg(not(unix))]
+fn become_program(server: &mut Command) -> Result<Outcome, String> {
+    match server.status() {
+        Ok(ended) if ended.success() => Ok(Outcome::Done),
         // It has said why.
-        _ => Err(Failure::new(format!("the studio ended: {ended}"))),
+        Ok(ended) => Err(format!("it ended: {ended}")),
+        Err(error) => Err(error.to_string()),
     }
 }

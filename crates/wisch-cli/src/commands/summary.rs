@@ -22,6 +22,14 @@ pub(super) fn summary(prepared: &Prepared, results: &Results, out: &Path) -> Sum
     let task = &prepared.task;
     let plan = &results.plan;
     let prediction = results.predicted.as_ref().map(|(prediction, _)| prediction);
+    let execution = LoopSummary::new(results.rounds.iter().map(summary_of_round).collect());
+    let [in_contact, in_all] = match &execution {
+        Some(rounds) => [
+            rounds.total(|round| round.distance_in_contact_m),
+            rounds.total(|round| round.distance_total_m),
+        ],
+        None => [plan.contact_distance(), plan.total_distance()],
+    };
     let target_performance = prepared.file.target_performance();
     Summary {
         schema: SUMMARY_SCHEMA,
@@ -37,8 +45,8 @@ pub(super) fn summary(prepared: &Prepared, results: &Results, out: &Path) -> Sum
         edges: plan.graph.edges.len(),
         strokes: plan.strokes.len(),
         unreachable_share: plan.unreachable_share,
-        distance_in_contact_m: plan.contact_distance(),
-        distance_total_m: plan.total_distance(),
+        distance_in_contact_m: in_contact,
+        distance_total_m: in_all,
         planning_time_s: results.planning_time_s,
         treatment: treatment(prepared, results),
         following: (results.following.as_ref()).map(Following::summary),
@@ -52,7 +60,7 @@ pub(super) fn summary(prepared: &Prepared, results: &Results, out: &Path) -> Sum
                 lost_share: performance.lost as f64 / performance.initial.max(1) as f64,
             }
         }),
-        execution: LoopSummary::new(results.rounds.iter().map(summary_of_round).collect()),
+        execution,
         candidates: (results.considered.as_ref()).map(|all| candidates(all, plan, task)),
         out: out.display().to_string(),
     }
@@ -132,10 +140,14 @@ pub(super) fn in_words(summary: &Summary, rounds: &[Done], out: &Path) -> String
             counted(summary.strokes, "stroke")
         ),
     ));
+    let in_rounds = match rounds.len() {
+        0 | 1 => String::new(),
+        count => format!(", in {count} rounds"),
+    };
     lines.push((
         "distance",
         format!(
-            "{:.2} m in contact, {:.2} m in all",
+            "{:.2} m in contact, {:.2} m in all{in_rounds}",
             summary.distance_in_contact_m, summary.distance_total_m
         ),
     ));
@@ -143,11 +155,13 @@ pub(super) fn in_words(summary: &Summary, rounds: &[Done], out: &Path) -> String
         lines.push(("planning time", format!("{time:.3} s")));
     }
     if let Some(following) = &summary.following {
-        lines.extend(robot_in_words(following));
+        lines.extend(robot_in_words(following, &in_rounds));
     }
     if let Some(execution) = &summary.execution {
-        let factor = execution.realtime_factor;
-        lines.push(("simulation", format!("{factor:.1} times real time")));
+        match execution.realtime_factor {
+            Some(factor) => lines.push(("simulation", format!("{factor:.1} times real time"))),
+            None => lines.push(("executed by", "the program of --executor".to_owned())),
+        }
     }
     let result = match summary.prediction {
         Some(_) => ("report", REPORT_FILE),
@@ -206,7 +220,7 @@ fn treatment_in_words(treatment: &TreatmentSummary, action: &str) -> Vec<(&'stat
 }
 
 /// The robot's part of the summary for people.
-fn robot_in_words(following: &FollowingSummary) -> Vec<(&'static str, String)> {
+fn robot_in_words(following: &FollowingSummary, in_rounds: &str) -> Vec<(&'static str, String)> {
     let places = match following.placements.len() {
         0 => String::new(),
         count => format!(", {}", counted(count, "placement")),
@@ -223,8 +237,15 @@ fn robot_in_words(following: &FollowingSummary) -> Vec<(&'static str, String)> {
         (
             "execution time",
             format!(
-                "{:.1} s, {:.1} s of it in contact",
+                "{:.1} s, {:.1} s of it in contact{in_rounds}",
                 following.execution_time_s, following.contact_time_s
+            ),
+        ),
+        (
+            "joint movement",
+            format!(
+                "{:.1} rad in contact, {:.1} rad in all{in_rounds}",
+                following.joint_movement_in_contact_rad, following.joint_movement_rad
             ),
         ),
         (

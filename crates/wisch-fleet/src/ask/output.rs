@@ -15,6 +15,9 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+/// Largest answer that is laid out as a table [bytes]: all of it is in memory then.
+const LARGEST_TABLE: usize = 256 << 20;
+
 /// How an answer is written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Form {
@@ -31,7 +34,7 @@ pub enum Form {
 /// Writes an answer while it comes in; a table for people comes at once. The number of its rows.
 ///
 /// # Errors
-/// What happens on the way, or what the system says.
+/// What happens on the way, an answer that is too large for a table, or what the system says.
 pub async fn write(
     answer: DataFrame,
     form: &Form,
@@ -41,7 +44,7 @@ pub async fn write(
     let mut rows = 0;
     match form {
         Form::Table => {
-            let batches = answer.collect().await?;
+            let batches = collect(answer).await?;
             rows = batches.iter().map(RecordBatch::num_rows).sum();
             let none = [RecordBatch::new_empty(schema)];
             let shown = if batches.is_empty() {
@@ -93,6 +96,25 @@ pub async fn write(
         }
     }
     Ok(rows)
+}
+
+/// Returns all rows of an answer that is laid out as a table.
+async fn collect(answer: DataFrame) -> Result<Vec<RecordBatch>, FleetError> {
+    let mut stream = answer.execute_stream().await?;
+    let (mut batches, mut bytes) = (Vec::new(), 0);
+    while let Some(batch) = stream.next().await {
+        let batch = batch?;
+        bytes += batch.get_array_memory_size();
+        if bytes > LARGEST_TABLE {
+            let limit = LARGEST_TABLE >> 20;
+            return Err(FleetError::Asked(format!(
+                "the answer has more than {limit} MB, too much for a table: --csv, --json and --parquet write it while \
+                 it comes in"
+            )));
+        }
+        batches.push(batch);
+    }
+    Ok(batches)
 }
 
 fn printed(error: std::io::Error) -> FleetError {

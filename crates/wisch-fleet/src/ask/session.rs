@@ -1,5 +1,6 @@
 //! What a statement is run in: the tables of all sources, and the views.
 
+use super::limits::{Limits, check};
 use super::provider::{FleetTable, schema_in_memory};
 use super::views;
 #[cfg(feature = "cluster")]
@@ -15,12 +16,10 @@ use datafusion::datasource::MemTable;
 use datafusion::execution::object_store::ObjectStoreUrl;
 use datafusion::execution::runtime_env::RuntimeEnvBuilder;
 use datafusion::prelude::{JoinType, SQLOptions, SessionConfig, SessionContext};
+use std::path::Path;
 use std::sync::Arc;
 use std::thread;
-
-/// What a statement may take of the memory [bytes]; what sorts and groups more puts it on disk.
-const MEMORY: usize = 4 << 30;
-const MEMORY_FRACTION: f64 = 0.9;
+use tempfile::TempDir;
 
 /// A side of a join that is estimated smaller than this is kept in one piece [bytes, rows].
 const BUILT_AT_ONCE: usize = 512 << 20;
@@ -50,6 +49,9 @@ impl Source {
 pub struct Session {
     context: SessionContext,
     texts: Texts,
+    limits: Limits,
+    /// Where what does not fit into the memory is put.
+    spill: TempDir,
     /// Episodes that more than one source has; those of the first count.
     shared: usize,
     #[cfg(feature = "cluster")]
@@ -82,7 +84,15 @@ impl Session {
     /// # Errors
     /// A source that cannot be read.
     pub async fn new(sources: &[Source]) -> Result<Self, FleetError> {
-        Self::over(sources, Texts::Views).await
+        Self::with_limits(sources, Limits::default()).await
+    }
+
+    /// The same with other limits than the default ones.
+    ///
+    /// # Errors
+    /// The same.
+    pub async fn with_limits(sources: &[Source], limits: Limits) -> Result<Self, FleetError> {
+        Self::over(sources, Texts::Views, limits).await
     }
 
     /// The same, but statements are answered by a cluster.
@@ -90,15 +100,19 @@ impl Session {
     /// # Errors
     /// A source that cannot be read, or no scheduler.
     #[cfg(feature = "cluster")]
-    pub async fn on_cluster(sources: &[Source], cluster: &Address) -> Result<Self, FleetError> {
+    pub async fn on_cluster(
+        sources: &[Source],
+        cluster: &Address,
+        limits: Limits,
+    ) -> Result<Self, FleetError> {
         cluster.reach().await?;
-        let mut session = Self::over(sources, Texts::Plain).await?;
+        let mut session = Self::over(sources, Texts::Plain, limits).await?;
         session.context = on_cluster(&session.context, cluster)?;
         session.cluster = Some(cluster.clone());
         Ok(session)
     }
 
-    async fn over(sources: &[Source], texts: Texts) -> Result<Self, FleetError> {
+    async fn over(sources: &[Source], texts: Texts, limits: Limits) -> Result<Self, FleetError> {
         let mut config = SessionConfig::new()
             .with_information_schema(true)
             .with_target_partitions(thread::available_parallelism().map_or(1, usize::from));
@@ -108,13 +122,20 @@ impl Session {
         // Collisions are few beside the strokes that they are joined with: those are not to be moved about for them.
         options.optimizer.hash_join_single_partition_threshold = BUILT_AT_ONCE;
         options.optimizer.hash_join_single_partition_threshold_rows = BUILT_ROWS_AT_ONCE;
+        let spill = TempDir::with_prefix("wisch-fleet-").map_err(|error| FleetError::File {
+            path: std::env::temp_dir(),
+            error,
+        })?;
         let runtime = RuntimeEnvBuilder::new()
-            .with_memory_limit(MEMORY, MEMORY_FRACTION)
+            .with_memory_limit(limits.pool(), 1.0)
+            .with_temp_file_path(spill.path())
             .build_arc()?;
         let context = SessionContext::new_with_config_rt(config, runtime);
         let mut session = Self {
             context,
             texts,
+            limits,
+            spill,
             shared: 0,
             #[cfg(feature = "cluster")]
             cluster: None,
@@ -212,6 +233,11 @@ impl Session {
         self.shared
     }
 
+    /// Returns the folder in which statements put what does not fit into the memory.
+    pub fn spill(&self) -> &Path {
+        self.spill.path()
+    }
+
     /// An error of a statement, with where it was to be answered.
     pub fn cluster_error(&self, error: FleetError) -> FleetError {
         #[cfg(feature = "cluster")]
@@ -224,8 +250,9 @@ impl Session {
     /// What a statement means; it only reads.
     ///
     /// # Errors
-    /// A statement that is none, or that would change something.
+    /// A statement that is none, is too deep, or would change something.
     pub async fn plan(&self, sql: &str) -> Result<DataFrame, FleetError> {
+        check(sql)?;
         let reads = SQLOptions::new()
             .with_allow_ddl(false)
             .with_allow_dml(false)
@@ -238,7 +265,8 @@ impl Session {
     /// # Errors
     /// The same, or what happens on the way.
     pub async fn rows(&self, sql: &str) -> Result<Vec<RecordBatch>, FleetError> {
-        Ok(self.plan(sql).await?.collect().await?)
+        let rows = async { Ok(self.plan(sql).await?.collect().await?) };
+        self.limits.within(rows).await
     }
 }
 

@@ -7,7 +7,7 @@ use datafusion::arrow::array::{Array, ArrayRef, AsArray, RecordBatch};
 use datafusion::arrow::compute::cast;
 use datafusion::arrow::datatypes::{DataType, Int64Type};
 use datafusion::error::DataFusionError;
-use wisch_memory::Memory;
+use wisch_memory::{Memory, MemoryError};
 
 /// Which episodes.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -29,6 +29,8 @@ pub struct Filter {
 /// What was pulled.
 #[derive(Debug, Clone, PartialEq, Default, serde::Serialize)]
 pub struct Pulled {
+    /// How many episodes the filters select.
+    pub selected: usize,
     /// The episodes that the filters select, by name.
     pub ids: Vec<String>,
     /// Episodes of the fleet.
@@ -41,6 +43,8 @@ pub struct Pulled {
     pub thinned: usize,
     /// Of archives that came [bytes].
     pub bytes: u64,
+    /// Episodes that did not come as they are damaged or of the name of another one, and why.
+    pub left_out: Vec<String>,
 }
 
 /// An episode as the fleet's table has it.
@@ -92,10 +96,11 @@ impl Filter {
     }
 }
 
-/// Pulls what the memory has not yet. `report` hears how many episodes of how many are done.
+/// Pulls what the memory has not yet. `report` hears how many episodes of how many are done. An episode that is damaged,
+/// or of the name of another one, is left out, and the next one comes.
 ///
 /// # Errors
-/// An object that is damaged, an episode of the name of another one, or what the store or the system says. What came before stays.
+/// A log or a table that is damaged, or what the store or the system says. What came before stays.
 pub async fn pull(
     place: &Place,
     memory: &Memory,
@@ -114,31 +119,25 @@ pub async fn pull(
         selected.extend(kept(&batch)?);
     }
     let mut pulled = Pulled {
+        selected: selected.len(),
         ids: selected.iter().map(|one| one.id.clone()).collect(),
         of: usize::try_from(of).unwrap_or(usize::MAX),
         ..Pulled::default()
     };
     for (done, one) in selected.iter().enumerate() {
         report(done, selected.len());
-        if let Ok(episode) = memory.episode(&one.id) {
-            let identity = identity_of(&episode)?;
-            // One that came without its telemetry is not the same bytes, but the same episode.
-            if identity != one.identity && !is_thinned(&snapshot, one) {
-                return Err(FleetError::Conflict {
-                    id: one.id.clone(),
-                    here: place.shown(&archive_name(&one.id)),
-                    here_identity: one.identity.clone(),
-                    there: episode.folder().display().to_string(),
-                    there_identity: identity,
-                });
+        match bring(place, memory, &snapshot, one).await {
+            Ok(Came::Before) => pulled.there += 1,
+            Ok(came) => {
+                pulled.thinned += usize::from(came == Came::WithoutTelemetry);
+                pulled.episodes += 1;
+                pulled.bytes += one.bytes;
             }
-            pulled.there += 1;
-            continue;
+            Err(error) if is_of_one_episode(&error) => {
+                pulled.left_out.push(format!("episode {}: {error}", one.id));
+            }
+            Err(error) => return Err(error),
         }
-        let came = fetch(place, memory, &snapshot, one).await?;
-        pulled.thinned += usize::from(came == Came::WithoutTelemetry);
-        pulled.episodes += 1;
-        pulled.bytes += one.bytes;
     }
     report(selected.len(), selected.len());
     Ok(pulled)
@@ -182,10 +181,48 @@ fn is_thinned(snapshot: &Snapshot, one: &Kept) -> bool {
     one.telemetry.is_some() && since.is_some_and(|since| one.day < *since)
 }
 
+/// Whether an error says something of one episode, and nothing of the store, the disk and the other episodes.
+fn is_of_one_episode(error: &FleetError) -> bool {
+    match error {
+        FleetError::Damaged { .. } | FleetError::Conflict { .. } => true,
+        // What its check sums name may not be among its files.
+        FleetError::Memory(MemoryError::File { error, .. }) | FleetError::File { error, .. } => {
+            error.kind() == std::io::ErrorKind::NotFound
+        }
+        FleetError::Memory(_) => true,
+        _ => false,
+    }
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Came {
+    Before,
     Whole,
     WithoutTelemetry,
+}
+
+/// Brings one episode into the memory, if it is not there already.
+async fn bring(
+    place: &Place,
+    memory: &Memory,
+    snapshot: &Snapshot,
+    one: &Kept,
+) -> Result<Came, FleetError> {
+    let Ok(episode) = memory.episode(&one.id) else {
+        return fetch(place, memory, snapshot, one).await;
+    };
+    let identity = identity_of(&episode)?;
+    // One that came without its telemetry is not the same bytes, but the same episode.
+    if identity != one.identity && !is_thinned(snapshot, one) {
+        return Err(FleetError::Conflict {
+            id: one.id.clone(),
+            here: place.shown(&archive_name(&one.id)),
+            here_identity: one.identity.clone(),
+            there: episode.folder().display().to_string(),
+            there_identity: identity,
+        });
+    }
+    Ok(Came::Before)
 }
 
 /// Brings one episode into the memory.

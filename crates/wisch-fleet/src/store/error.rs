@@ -57,15 +57,15 @@ pub enum FleetError {
         /// SHA-256 of its check sums.
         there_identity: String,
     },
-    /// More than an object holds.
-    #[error("episode {id}: {bytes} bytes of {what} are more than the {limit} that an object holds")]
+    /// More than an archive holds.
+    #[error("episode {id}: {count} {what} are more than the {limit} that an archive holds")]
     TooLarge {
         /// The episode.
         id: String,
-        /// What of it.
+        /// What of it, with its unit.
         what: String,
         /// How much there is.
-        bytes: u64,
+        count: u64,
         /// How much there may be.
         limit: u64,
     },

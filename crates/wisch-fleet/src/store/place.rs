@@ -18,6 +18,8 @@ use url::Url;
 /// A store that does not answer is given up after this: who waits is told then.
 const PATIENCE: Duration = Duration::from_secs(30);
 const RETRIES: usize = 4;
+/// Most bytes of an object: as much as S3 takes in one request.
+const LARGEST_OBJECT: u64 = 5 << 30;
 
 /// A fleet's place.
 #[derive(Debug, Clone)]
@@ -178,14 +180,21 @@ impl Place {
     /// An object; `None` if there is none.
     ///
     /// # Errors
-    /// What the store says.
+    /// More than an object may hold, or what the store says.
     pub async fn find(&self, name: &str) -> Result<Option<Bytes>, FleetError> {
-        let read = async { self.store.get(&self.path(name)).await?.bytes().await };
-        match read.await {
-            Ok(bytes) => Ok(Some(bytes)),
-            Err(object_store::Error::NotFound { .. }) => Ok(None),
-            Err(error) => Err(self.failed(name)(error)),
+        let found = match self.store.get(&self.path(name)).await {
+            Ok(found) => found,
+            Err(object_store::Error::NotFound { .. }) => return Ok(None),
+            Err(error) => return Err(self.failed(name)(error)),
+        };
+        let bytes = found.meta.size;
+        if bytes > LARGEST_OBJECT {
+            return Err(FleetError::Damaged {
+                object: self.shown(name),
+                what: format!("it has {bytes} bytes, at most {LARGEST_OBJECT} are read"),
+            });
         }
+        found.bytes().await.map(Some).map_err(self.failed(name))
     }
 
     /// An object.

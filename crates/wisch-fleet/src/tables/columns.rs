@@ -209,7 +209,7 @@ pub const TABLES: [Table; 7] = [
                 "origin",
                 Kind::Text,
                 "–",
-                "`simulated`, or the log that it was read from",
+                "`simulated`, `executor`, or the log that it was read from",
             ),
             column(
                 "program",

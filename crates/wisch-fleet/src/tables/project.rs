@@ -197,6 +197,7 @@ impl<'a> About<'a> {
             Cell::Text(Some(&record.task)),
             Cell::Text(Some(match &record.origin {
                 Origin::Simulated => "simulated",
+                Origin::Executor(_) => "executor",
                 Origin::Imported(log) => log,
             })),
             Cell::Text(Some(&record.program)),

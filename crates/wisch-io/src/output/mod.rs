@@ -1,5 +1,6 @@
 //! The folder with the results: written beside its place and moved there whole.
 
+mod replacement;
 mod staging_dir;
 
 pub use staging_dir::{Found, Leftover};
@@ -54,12 +55,31 @@ fn room(name: &str) -> &'static str {
         TRAJECTORY_YAML_FILE,
         TCP_PATH_FILE,
     ]
-    .contains(&name)
+    .contains(&of_first_round(name).as_str())
     {
         "trajectories"
     } else {
         ""
     }
+}
+
+/// The name of a round's file: that of the first round is the file's own, that of another has its number, as in
+/// `plan-round-2.json`.
+pub fn of_round(name: &str, round: usize) -> String {
+    match name.rsplit_once('.') {
+        Some((stem, ending)) if round > 1 => format!("{stem}-round-{round}.{ending}"),
+        _ => name.to_owned(),
+    }
+}
+
+/// The name of the same file of the first round.
+fn of_first_round(name: &str) -> String {
+    let parts = name.rsplit_once('.').and_then(|(stem, ending)| {
+        let (stem, round) = stem.rsplit_once("-round-")?;
+        let is_number = round.bytes().all(|byte| byte.is_ascii_digit());
+        is_number.then(|| format!("{stem}.{ending}"))
+    });
+    parts.unwrap_or_else(|| name.to_owned())
 }
 
 /// All rooms but the top.
@@ -147,7 +167,7 @@ pub enum Replaceable {
 /// A folder of results in the making. Dropped unfinished, it leaves nothing behind.
 pub struct OutputFolder {
     target: PathBuf,
-    /// Holds `new`, `old` while folders change places, and `state`, which is of use only if this run dies.
+    /// Holds `new`, what [`replacement`] needs, and `state`, which is of use only if this run dies.
     staging: StagingDir,
     found: Found,
     /// Dropped after `staging`, which stands in them.
@@ -188,15 +208,17 @@ impl OutputFolder {
             ));
         };
         let made = MadeFolders::make(parent).map_err(|error| cannot_write(parent, &error))?;
-        let (staging, found) = StagingDir::begin(parent, &name.to_string_lossy(), leftover)
-            .map_err(|error| match error.kind() {
-                ErrorKind::ResourceBusy => refused(
-                    &target,
-                    "another wisch is making results there",
-                    "wait for it, or choose another folder with --out",
-                ),
-                _ => cannot_write(parent, &error),
-            })?;
+        let (staging, found) =
+            StagingDir::begin(parent, &name.to_string_lossy(), leftover, &target).map_err(
+                |error| match error.kind() {
+                    ErrorKind::ResourceBusy => refused(
+                        &target,
+                        "another wisch is making results there",
+                        "wait for it, or choose another folder with --out",
+                    ),
+                    _ => cannot_write(parent, &error),
+                },
+            )?;
         let folder = Self {
             target,
             staging,
@@ -257,25 +279,14 @@ impl OutputFolder {
             // Those that hold something stay.
             let _ = fs::remove_dir(self.new_path().join(room));
         }
-        let old = self.staging.path().join("old");
         // Someone may have put something there while we were planning.
         check_replaceable(&self.target)?;
-        let replaced = match fs::rename(&self.target, &old) {
-            Ok(()) => true,
-            Err(error) if error.kind() == ErrorKind::NotFound => false,
-            Err(error) => return Err(cannot_write(&self.target, &error)),
-        };
-        fs::rename(self.new_path(), &self.target).map_err(|error| {
-            if replaced {
-                // If even this fails, the first error is the one to tell.
-                let _ = fs::rename(&old, &self.target);
-            }
-            cannot_write(&self.target, &error)
-        })
+        replacement::put_in_place(self.staging.path(), &self.target)
+            .map_err(|error| cannot_write(&self.target, &error))
     }
 
     fn new_path(&self) -> PathBuf {
-        self.staging.path().join("new")
+        self.staging.path().join(replacement::NEW)
     }
 }
 

@@ -1,5 +1,6 @@
 //! The hidden folder in which results are made, and those that killed runs left beside them.
 
+use super::replacement::{Left, complete};
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -23,6 +24,8 @@ pub struct Found {
     pub removed: Vec<PathBuf>,
     /// Whether one was taken over.
     pub is_taken_over: bool,
+    /// Whether a run was killed after its results had come to their place.
+    pub is_finished: bool,
 }
 
 /// A hidden folder beside a target, on the same file system. Dropped, it is removed.
@@ -33,16 +36,31 @@ pub(super) struct StagingDir {
 }
 
 impl StagingDir {
-    /// A staging folder for what is to be called `name` in `parent`, and what was there of dead runs.
+    /// A staging folder for what is to be called `name` in `parent` and stand at `target`, and what was there of dead runs.
+    /// What a kill interrupted while it was put at the target is completed.
     ///
     /// # Errors
     /// [`io::ErrorKind::ResourceBusy`] if a living run makes results of that name, and what the system says.
-    pub fn begin(parent: &Path, name: &str, leftover: Leftover) -> io::Result<(Self, Found)> {
+    pub fn begin(
+        parent: &Path,
+        name: &str,
+        leftover: Leftover,
+        target: &Path,
+    ) -> io::Result<(Self, Found)> {
         let prefix = format!(".{name}.");
         // Of two that begin at once, the first one holds its folder before the other looks. Where folders cannot be
         // locked, both may see each other and give way.
         let _turn = File::open(parent).and_then(|folder| folder.lock().map(|()| folder));
-        let (mut dead, _) = staging_dirs(parent, &prefix)?;
+        let (all, _) = staging_dirs(parent, &prefix)?;
+        let (mut dead, mut finished) = (Vec::new(), Vec::new());
+        for place in all {
+            match complete(place.path(), target)? {
+                Left::Unfinished => dead.push(place),
+                Left::Finished => finished.push(place),
+            }
+        }
+        let is_finished = !finished.is_empty();
+        drop(finished);
         let taken = match leftover {
             Leftover::Remove => None,
             Leftover::TakeOver => dead.pop(),
@@ -53,6 +71,7 @@ impl StagingDir {
         let found = Found {
             removed,
             is_taken_over: taken.is_some(),
+            is_finished,
         };
         let place = match taken {
             Some(place) => place,
@@ -140,13 +159,23 @@ mod tests {
         let others = left_behind(parent.path(), ".board.two.abc123");
         let foreign = parent.path().join(".board.xyz");
         fs::create_dir(&foreign).expect("a folder");
-        let (living, found) =
-            StagingDir::begin(parent.path(), "board", Leftover::Remove).expect("a staging folder");
+        let (living, found) = StagingDir::begin(
+            parent.path(),
+            "board",
+            Leftover::Remove,
+            &parent.path().join("board"),
+        )
+        .expect("a staging folder");
         assert_eq!(found.removed, std::slice::from_ref(&dead));
         assert!(!dead.exists() && others.exists() && foreign.exists());
 
         for leftover in [Leftover::TakeOver, Leftover::Remove] {
-            let error = StagingDir::begin(parent.path(), "board", leftover);
+            let error = StagingDir::begin(
+                parent.path(),
+                "board",
+                leftover,
+                &parent.path().join("board"),
+            );
             let error = error.expect_err("the first is held");
             assert_eq!(error.kind(), io::ErrorKind::ResourceBusy);
         }
@@ -164,7 +193,12 @@ mod tests {
                 let together = Barrier::new(2);
                 let begin = || {
                     together.wait();
-                    let begun = StagingDir::begin(parent.path(), "board", leftover);
+                    let begun = StagingDir::begin(
+                        parent.path(),
+                        "board",
+                        leftover,
+                        &parent.path().join("board"),
+                    );
                     together.wait();
                     begun.map(drop).map_err(|error| error.kind())
                 };
@@ -182,8 +216,13 @@ mod tests {
     fn what_a_dead_run_left_is_taken_over() {
         let parent = tempfile::tempdir().expect("a folder");
         let dead = left_behind(parent.path(), ".board.abc123");
-        let (place, found) = StagingDir::begin(parent.path(), "board", Leftover::TakeOver)
-            .expect("a staging folder");
+        let (place, found) = StagingDir::begin(
+            parent.path(),
+            "board",
+            Leftover::TakeOver,
+            &parent.path().join("board"),
+        )
+        .expect("a staging folder");
         assert!(found.is_taken_over && found.removed.is_empty());
         assert_eq!(place.path(), dead);
     }

@@ -1,6 +1,6 @@
 //! The messages between this program and an executor in another process: one JSON object a line.
 
-use super::intake::{DoneRecord, ObservationRecord, SampleRecord};
+use super::intake::{DoneRecord, ObservationRecord, SampleRecord, StateRecord};
 use serde::{Deserialize, Serialize};
 use wisch::geometry::Pose;
 use wisch::run::{MotionOrder, Setpoint};
@@ -18,6 +18,8 @@ pub(super) enum ToChild<'a> {
     Point(TrajectoryPoint),
     /// The motion at hand is to be broken off.
     Stop,
+    /// Where do the joints stand?
+    State,
     Observe {
         surface: &'a str,
     },
@@ -67,9 +69,15 @@ pub(super) struct TrajectoryPoint {
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum FromChild {
-    Ready { version: u32 },
+    Ready {
+        version: u32,
+        /// Whether it can be asked for its state.
+        #[serde(default)]
+        reports_state: bool,
+    },
     Sample(Box<SampleRecord>),
     Done(DoneRecord),
+    State(StateRecord),
     Observation(Option<ObservationRecord>),
     Error(String),
 }
@@ -81,6 +89,7 @@ impl FromChild {
             Self::Ready { .. } => "\"ready\"",
             Self::Sample(_) => "\"sample\"",
             Self::Done(_) => "\"done\"",
+            Self::State(_) => "\"state\"",
             Self::Observation(_) => "\"observation\"",
             Self::Error(_) => "\"error\"",
         }

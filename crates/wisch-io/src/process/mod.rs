@@ -1,14 +1,18 @@
 //! An executor in another process: any program that speaks the protocol of `docs/executor-protocol.md`.
 
+mod child;
 mod intake;
 mod message;
+mod printable;
 
+pub use child::kill_executors;
 pub use intake::{DoneRecord, EndingRecord, Intake, ObservationRecord, SampleRecord};
 
+use child::{ChildGroup, Heard, shortened};
 use message::{FromChild, MotionHead, ToChild};
-use std::io::{BufRead, BufReader, Write};
-use std::process::{Child, ChildStdin, Command, Stdio};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
+use printable::printable;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use wisch::represent::{Observation, Task};
 use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink, Setpoint};
@@ -16,28 +20,44 @@ use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink, Se
 /// The version of the protocol.
 pub const EXECUTOR_PROTOCOL: u32 = 1;
 
-/// Longest line that is read [bytes].
-const MAX_LINE: u64 = 1 << 20;
-/// Lines that may wait to be taken in.
-const QUEUE: usize = 4096;
 /// A child that says nothing for so long is given up.
 const SILENCE: Duration = Duration::from_secs(60);
 /// A child has this long to end by itself when nothing more is asked of it.
 const FAREWELL: Duration = Duration::from_secs(2);
+/// A child that broke the protocol or is given up has this long to end by itself.
+const FAREWELL_AFTER_FAULT: Duration = Duration::from_millis(300);
+/// Beyond the limit to silence, for motions that make no progress.
+const PROGRESS_ALLOWANCE: Duration = Duration::from_millis(500);
+/// Trajectory time that counts as progress [s].
+const PROGRESS: f64 = 0.1;
+/// Longest text of a child that is shown [characters].
+const MAX_SHOWN: usize = 400;
 /// Period at which trajectories are handed over [s].
 const TRAJECTORY_PERIOD: f64 = 0.01;
 
 /// A robot, a simulator or a stand-in that runs as a process of its own and is spoken to over its standard streams.
 ///
-/// Its standard error goes where this program's goes. Dropped, it is asked to end, and ended after two seconds.
+/// Its standard error is copied to this program's, control characters as escapes. It runs in a process group of its own.
+/// Dropped, it is asked to end; what is left of the group after two seconds is ended.
 #[derive(Debug)]
 pub struct ProcessExecutor {
     name: String,
-    child: Child,
-    /// `None` once nothing more is to be said.
-    input: Option<Sender<Vec<u8>>>,
-    lines: Receiver<Result<String, String>>,
+    child: ChildGroup,
     silence: Duration,
+    /// Set from outside: the motion is to be stopped.
+    stop: Arc<AtomicBool>,
+    /// Whether it reports where it stands when asked.
+    reports_state: bool,
+    /// Whether it broke the protocol, or is given up.
+    is_faulty: bool,
+    /// Whether it was told to stop its last motion.
+    was_told: bool,
+}
+
+/// Why nothing was heard.
+enum Unheard {
+    Silent,
+    Interrupted,
 }
 
 impl ProcessExecutor {
@@ -51,88 +71,115 @@ impl ProcessExecutor {
     /// # Errors
     /// A program that does not start, or that does not greet in this version of the protocol within a minute.
     pub fn start(program: &str, arguments: &[String]) -> Result<Self, ExecutorError> {
-        Self::start_within(program, arguments, SILENCE)
+        Self::start_stoppable(program, arguments, SILENCE, Arc::default())
     }
 
-    /// The same with another limit than a minute, to the greeting and to all silence after it.
+    /// Starts a program with another limit than a minute, to the greeting and to all silence after it.
+    ///
+    /// `stop`: set from outside, the child is told to stop, whether it has just said something or not.
     ///
     /// # Errors
     /// As [`Self::start`].
-    pub fn start_within(
+    pub fn start_stoppable(
         program: &str,
         arguments: &[String],
         silence: Duration,
+        stop: Arc<AtomicBool>,
     ) -> Result<Self, ExecutorError> {
-        let failed = |error| ExecutorError::new(format!("executor {program:?}: {error}"));
-        let mut child = Command::new(program)
-            .args(arguments)
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()
-            .map_err(|error| failed(error.to_string()))?;
-        let (sender, lines) = sync_channel(QUEUE);
-        if let Some(output) = child.stdout.take() {
-            std::thread::spawn(move || read_lines(BufReader::new(output), &sender));
-        }
-        let (input, messages) = channel();
-        if let Some(stdin) = child.stdin.take() {
-            std::thread::spawn(move || write_lines(stdin, &messages));
-        }
+        let child = ChildGroup::start(program, arguments)
+            .map_err(|error| ExecutorError::new(format!("executor {program:?}: {error}")))?;
         let mut executor = Self {
             name: program.to_owned(),
-            input: Some(input),
             child,
-            lines,
             silence,
+            stop,
+            reports_state: false,
+            is_faulty: false,
+            was_told: false,
         };
         executor.say(&ToChild::Hello {
             protocol: "wisch-executor",
             version: EXECUTOR_PROTOCOL,
         })?;
-        match executor.hear()? {
-            FromChild::Ready { version } if version == EXECUTOR_PROTOCOL => Ok(executor),
-            FromChild::Ready { version } => Err(executor.fault(format!(
+        match executor.answer()? {
+            FromChild::Ready {
+                version,
+                reports_state,
+            } if version == EXECUTOR_PROTOCOL => {
+                executor.reports_state = reports_state;
+                Ok(executor)
+            }
+            FromChild::Ready { version, .. } => Err(executor.fault(format!(
                 "it speaks version {version} of the protocol, not {EXECUTOR_PROTOCOL}"
             ))),
-            other => Err(executor.fault(format!("expected \"ready\", found {}", other.kind()))),
+            other => Err(executor.unexpected("\"ready\"", &other)),
         }
     }
 
-    /// Gives a child up that says nothing for so long, or goes on for so long after it was told to stop; a minute unless
-    /// told.
+    /// Gives a child up that says nothing for so long, makes no progress along its motion, or goes on for so long after it
+    /// was told to stop; a minute unless told.
     #[must_use]
     pub fn with_silence_limit(mut self, silence: Duration) -> Self {
         self.silence = silence;
         self
     }
 
-    fn fault(&self, problem: impl std::fmt::Display) -> ExecutorError {
+    /// What is wrong, after which nothing more is asked of the child.
+    fn fault(&mut self, problem: impl std::fmt::Display) -> ExecutorError {
+        self.is_faulty = true;
+        let problem = printable(&problem.to_string(), MAX_SHOWN);
         ExecutorError::new(format!("executor {:?}: {problem}", self.name))
+    }
+
+    fn unexpected(&mut self, wanted: &str, found: &FromChild) -> ExecutorError {
+        self.fault(format!("expected {wanted}, found {}", found.kind()))
+    }
+
+    fn silent(&mut self) -> ExecutorError {
+        let seconds = self.silence.as_secs_f64();
+        self.fault(format!("it said nothing for {seconds} s"))
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.stop.load(Ordering::SeqCst)
     }
 
     fn say(&mut self, message: &ToChild<'_>) -> Result<(), ExecutorError> {
         let mut line = serde_json::to_vec(message).map_err(|error| self.fault(error))?;
         line.push(b'\n');
-        // One that no longer listens has ended, which is found out when it is listened to.
-        let _ = self.input.as_ref().map(|input| input.send(line));
+        self.child.say(line);
         Ok(())
     }
 
-    fn hear(&mut self) -> Result<FromChild, ExecutorError> {
-        let line = match self.lines.recv_timeout(self.silence) {
-            Ok(line) => line.map_err(|problem| self.fault(problem))?,
-            Err(RecvTimeoutError::Timeout) => {
-                let seconds = self.silence.as_secs_f64();
-                return Err(self.fault(format!("it said nothing for {seconds} s")));
+    /// The next message, or nothing until the deadline, or until somebody interrupts where that is looked for.
+    fn hear(
+        &mut self,
+        deadline: Instant,
+        heeds_interruption: bool,
+    ) -> Result<Result<FromChild, Unheard>, ExecutorError> {
+        let stop = Arc::clone(&self.stop);
+        let goes_on = || !(heeds_interruption && stop.load(Ordering::SeqCst));
+        let line = match self.child.hear(deadline, goes_on) {
+            Heard::Line(line) => line,
+            Heard::Over(problem) => return Err(self.fault(problem)),
+            Heard::Nothing if heeds_interruption && self.is_interrupted() => {
+                return Ok(Err(Unheard::Interrupted));
             }
-            Err(RecvTimeoutError::Disconnected) => {
-                return Err(self.fault("it ended before it was done"));
-            }
+            Heard::Nothing => return Ok(Err(Unheard::Silent)),
         };
         let message = serde_json::from_str(&line);
         match message.map_err(|error| self.fault(format!("{error} in {}", shortened(&line))))? {
             FromChild::Error(problem) => Err(self.fault(problem)),
-            message => Ok(message),
+            message => Ok(Ok(message)),
+        }
+    }
+
+    /// The answer to a question.
+    fn answer(&mut self) -> Result<FromChild, ExecutorError> {
+        match self.hear(Instant::now() + self.silence, true)? {
+            Ok(message) => Ok(message),
+            Err(Unheard::Silent) => Err(self.silent()),
+            Err(Unheard::Interrupted) => Err(self.fault("interrupted before it answered")),
         }
     }
 
@@ -149,36 +196,116 @@ impl ProcessExecutor {
     }
 }
 
+/// How far a motion has come, by the clock and by the samples.
+struct Progress {
+    /// Trajectory time at the last progress [s].
+    mark: f64,
+    /// When that was: by the clock, and by the samples [s].
+    at: Instant,
+    sample_time: f64,
+    /// When something was heard last.
+    heard: Instant,
+    /// When the child was told to stop.
+    told: Option<Instant>,
+}
+
+impl Progress {
+    fn begin() -> Self {
+        let now = Instant::now();
+        Self {
+            mark: 0.0,
+            at: now,
+            sample_time: 0.0,
+            heard: now,
+            told: None,
+        }
+    }
+
+    fn hear(&mut self, intake: &Intake<'_>) {
+        self.heard = Instant::now();
+        let reached = intake.trajectory_time();
+        if reached >= self.mark + PROGRESS || reached >= intake.end() && self.mark < intake.end() {
+            self.mark = reached;
+            self.at = self.heard;
+            self.sample_time = intake.time();
+        }
+    }
+
+    fn deadline(&self, silence: Duration) -> Instant {
+        match self.told {
+            Some(told) => told + silence,
+            None => (self.heard + silence).min(self.at + silence + PROGRESS_ALLOWANCE),
+        }
+    }
+
+    /// Why a child is given up that goes on.
+    fn overdue(&self, silence: Duration, intake: &Intake<'_>) -> Option<String> {
+        let seconds = silence.as_secs_f64();
+        if let Some(told) = self.told {
+            return (told.elapsed() >= silence)
+                .then(|| format!("it goes on {seconds} s after \"stop\""));
+        }
+        let is_late = self.at.elapsed() >= silence + PROGRESS_ALLOWANCE
+            || intake.time() - self.sample_time > seconds + PROGRESS_ALLOWANCE.as_secs_f64();
+        is_late.then(|| {
+            let (at, end) = (self.mark, intake.end());
+            if at >= end {
+                format!("it goes on {seconds} s after the end of its motion without \"done\"")
+            } else {
+                format!("it made no progress for {seconds} s: it is at {at:.1} s of a motion of {end:.1} s")
+            }
+        })
+    }
+}
+
 impl Executor for ProcessExecutor {
     fn execute(
         &mut self,
         order: &MotionOrder<'_>,
         sink: &mut SampleSink<'_>,
     ) -> Result<Execution, ExecutorError> {
-        self.order(order)?;
+        if self.is_interrupted() {
+            return Err(self.fault("interrupted before the motion began"));
+        }
         let mut intake = Intake::new(order, sink);
-        let mut stopped: Option<Instant> = None;
+        self.was_told = false;
+        self.order(order)?;
+        let mut progress = Progress::begin();
         loop {
-            let sample = match self.hear()? {
-                FromChild::Sample(sample) => sample,
-                FromChild::Done(done) => return intake.done(done).map_err(|e| self.fault(e)),
-                other => {
-                    let kind = other.kind();
-                    return Err(self.fault(format!("expected a sample, found {kind}")));
-                }
-            };
-            intake.take(&sample).map_err(|e| self.fault(e))?;
-            match stopped {
-                Some(stopped) if stopped.elapsed() > self.silence => {
-                    let seconds = self.silence.as_secs_f64();
-                    return Err(self.fault(format!("it goes on {seconds} s after \"stop\"")));
-                }
-                None if intake.is_stopped() => {
-                    stopped = Some(Instant::now());
-                    self.say(&ToChild::Stop)?;
-                }
-                _ => {}
+            if progress.told.is_none() && (intake.is_stopped() || self.is_interrupted()) {
+                progress.told = Some(Instant::now());
+                self.was_told = true;
+                self.say(&ToChild::Stop)?;
             }
+            let deadline = progress.deadline(self.silence);
+            match self.hear(deadline, progress.told.is_none())? {
+                Ok(FromChild::Sample(sample)) => {
+                    intake.take(&sample).map_err(|e| self.fault(e))?;
+                    progress.hear(&intake);
+                }
+                Ok(FromChild::Done(done)) => return intake.done(done).map_err(|e| self.fault(e)),
+                Ok(other) => return Err(self.unexpected("a sample", &other)),
+                Err(Unheard::Silent)
+                    if progress.told.is_none() && progress.heard.elapsed() >= self.silence =>
+                {
+                    return Err(self.silent());
+                }
+                Err(_) => {}
+            }
+            if let Some(problem) = progress.overdue(self.silence, &intake) {
+                return Err(self.fault(problem));
+            }
+        }
+    }
+
+    fn state(&mut self) -> Result<Option<Vec<f64>>, ExecutorError> {
+        if !self.reports_state {
+            return Ok(None);
+        }
+        self.say(&ToChild::State)?;
+        match self.answer()? {
+            FromChild::State(state) => (state.into_positions()).map_err(|error| self.fault(error)),
+            other => Err(self.unexpected("\"state\"", &other)),
         }
     }
 
@@ -186,73 +313,27 @@ impl Executor for ProcessExecutor {
         self.say(&ToChild::Observe {
             surface: &task.surface.name,
         })?;
-        match self.hear()? {
+        match self.answer()? {
             FromChild::Observation(None) => Ok(None),
             FromChild::Observation(Some(seen)) => seen
                 .into_observation()
                 .map(Some)
                 .map_err(|error| self.fault(error)),
-            other => {
-                let kind = other.kind();
-                Err(self.fault(format!("expected \"observation\", found {kind}")))
-            }
+            other => Err(self.unexpected("\"observation\"", &other)),
         }
     }
 }
 
 impl Drop for ProcessExecutor {
     fn drop(&mut self) {
-        // A closed input says that nothing more is asked.
-        self.input = None;
-        let begin = Instant::now();
-        while begin.elapsed() < FAREWELL {
-            match self.child.try_wait() {
-                Ok(None) => std::thread::sleep(Duration::from_millis(10)),
-                Ok(Some(_)) | Err(_) => return,
-            }
+        // A robot that may still move is told to stop before anything else.
+        if (self.is_faulty || self.is_interrupted()) && !self.was_told {
+            let _ = self.say(&ToChild::Stop);
         }
-        // It may just have ended by itself.
-        let _ = self.child.kill();
-        let _ = self.child.wait();
+        self.child.end(if self.is_faulty {
+            FAREWELL_AFTER_FAULT
+        } else {
+            FAREWELL
+        });
     }
-}
-
-/// Writes what is to be said until nothing more is, or nobody listens. A child that does not listen holds up this
-/// thread and no other.
-fn write_lines(mut stdin: ChildStdin, messages: &Receiver<Vec<u8>>) {
-    for message in messages {
-        if stdin
-            .write_all(&message)
-            .and_then(|()| stdin.flush())
-            .is_err()
-        {
-            return;
-        }
-    }
-}
-
-/// Hands lines on until the child or the receiver is gone.
-fn read_lines(mut output: impl BufRead, sender: &SyncSender<Result<String, String>>) {
-    loop {
-        let mut line = Vec::new();
-        let read = std::io::Read::take(&mut output, MAX_LINE + 1).read_until(b'\n', &mut line);
-        let line = match read {
-            Ok(0) => return,
-            Ok(_) if line.len() as u64 > MAX_LINE => {
-                Err(format!("a line exceeds the limit of {MAX_LINE} bytes"))
-            }
-            Ok(_) => String::from_utf8(line).map_err(|_| "a line is not UTF-8 text".to_owned()),
-            Err(error) => Err(error.to_string()),
-        };
-        let is_over = line.is_err();
-        if sender.send(line).is_err() || is_over {
-            return;
-        }
-    }
-}
-
-/// The beginning of a line, for messages.
-fn shortened(line: &str) -> String {
-    let shown: String = line.trim_end().chars().take(80).collect();
-    format!("{shown:?}")
 }

@@ -20,7 +20,7 @@ pub use plan::{
     GoalRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA, PlanRecord, PlanRecordError,
     PlanarPoseRecord, PoseRecord, RoleRecord, StrokeRecord, WaypointRecord,
 };
-pub use rounds::{LoopSummary, RoundSummary, RoundTimes};
+pub use rounds::{ExecutedBy, LoopSummary, RoundSummary, RoundTimes};
 pub use summary::{
     CandidateSummary, FollowingSummary, PredictionSummary, SUMMARY_SCHEMA, Summary,
     TreatmentSummary,

@@ -6,7 +6,9 @@
 use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
 use wisch::geometry::{PlanarPose, Point2, Pose};
-use wisch::plan::{Node, NodeRole, Plan, SemanticDirectedGraph, Stroke, TcpWaypoint};
+use wisch::plan::{
+    Node, NodeRole, Plan, PlanError, SemanticDirectedGraph, Stroke, TcpWaypoint, check_strokes,
+};
 use wisch::represent::{GoalState, Task, UnknownName};
 
 /// What `format` says in every plan.json.
@@ -279,6 +281,9 @@ pub enum PlanRecordError {
     /// A strategy that does not exist.
     #[error(transparent)]
     Strategy(#[from] UnknownName),
+    /// A stroke that the tool cannot make.
+    #[error(transparent)]
+    Stroke(#[from] PlanError),
 }
 
 /// Largest coordinate in a plan file, either sign [m].
@@ -359,12 +364,13 @@ impl PlanRecord {
     /// The plan for a task.
     ///
     /// # Errors
-    /// If it was made for another action, surface, tool or medium, or does not hold together.
+    /// If it was made for another action, surface, tool or medium, does not hold together, or has a stroke that the tool cannot
+    /// make: through an object of the scene, over a hole, or off the surface.
     pub fn to_plan(&self, task: &Task) -> Result<Plan, PlanRecordError> {
         self.check_task(task)?;
         self.check_indices()?;
         self.check_numbers()?;
-        Ok(Plan {
+        let plan = Plan {
             strategy: self.strategy.parse()?,
             graph: SemanticDirectedGraph {
                 nodes: self.nodes.iter().map(node).collect(),
@@ -385,7 +391,9 @@ impl PlanRecord {
             unreachable_share: self.unreachable_share,
             tool_start: self.tool_start_in_surface_m.into(),
             lift_height: self.lift_height_m,
-        })
+        };
+        check_strokes(task, &plan.strokes)?;
+        Ok(plan)
     }
 
     fn check_task(&self, task: &Task) -> Result<(), PlanRecordError> {

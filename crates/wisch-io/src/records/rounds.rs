@@ -17,6 +17,25 @@ pub struct RoundTimes {
     pub interpreting_s: f64,
 }
 
+/// What executed a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ExecutedBy {
+    /// The world that wisch simulates.
+    SimulatedWorld,
+    /// Another program: a robot, or a simulator.
+    Executor,
+}
+
+impl ExecutedBy {
+    /// Its name in files.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::SimulatedWorld => "simulated world",
+            Self::Executor => "executor",
+        }
+    }
+}
+
 /// One round.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RoundSummary {
@@ -54,8 +73,20 @@ pub struct RoundSummary {
     pub verdict: &'static str,
     /// complete, stopped, or why the robot stopped itself.
     pub ending: String,
-    /// How long the execution lasted in the simulated world.
+    /// What executed it: `simulated world` or `executor`.
+    pub executed_by: &'static str,
+    /// How long the execution lasted, in the time of the robot.
     pub execution_time_s: f64,
+    /// How long of it the tool wiped, as planned until the execution ended.
+    pub contact_time_s: f64,
+    /// The length of the way of the arm's joints in joint space while the tool wiped.
+    pub joint_movement_in_contact_rad: f64,
+    /// The length of their whole way.
+    pub joint_movement_rad: f64,
+    /// Way of the tool in contact.
+    pub distance_in_contact_m: f64,
+    /// Its whole way.
+    pub distance_total_m: f64,
     /// How long the computations took; left out of files, which are to be the same every time.
     #[serde(flatten)]
     pub timing: Option<RoundTiming>,
@@ -64,8 +95,8 @@ pub struct RoundSummary {
 /// How long the computations of a round took.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RoundTiming {
-    /// Time in the simulated world over the time that simulating it took.
-    pub realtime_factor: f64,
+    /// Time in the simulated world over the time that simulating it took; null where no world was simulated.
+    pub realtime_factor: Option<f64>,
     /// How long planning took.
     pub planning_time_s: f64,
     /// How long following took.
@@ -76,8 +107,14 @@ pub struct RoundTiming {
 
 impl RoundSummary {
     /// The summary of a round; its true performance is what a simulated world knows of it.
-    pub fn new(round: &Round, times: &RoundTimes, true_performance: Option<f64>) -> Self {
+    pub fn new(
+        round: &Round,
+        times: &RoundTimes,
+        executed_by: ExecutedBy,
+        true_performance: Option<f64>,
+    ) -> Self {
         let interpretation = &round.interpretation;
+        let executed = round.executed();
         let collisions = (interpretation.events.iter()).filter(|e| e.kind == EventKind::Collision);
         let collision_times_s: Vec<[f64; 2]> =
             collisions.map(|event| [event.start, event.end]).collect();
@@ -111,10 +148,17 @@ impl RoundSummary {
                 Ending::Early { time, cause } => format!("early at {time:.3} s: {cause}"),
                 Ending::ProtectiveStop { time, cause } => format!("at {time:.3} s: {cause}"),
             },
+            executed_by: executed_by.as_str(),
             execution_time_s: round.execution.duration,
+            // The sum of nothing is -0.
+            contact_time_s: executed.contact_time + 0.0,
+            joint_movement_in_contact_rad: executed.joint_movement[0],
+            joint_movement_rad: executed.joint_movement[1],
+            distance_in_contact_m: executed.distance[0],
+            distance_total_m: executed.distance[1],
             timing: Some(RoundTiming {
-                realtime_factor: round.execution.duration
-                    / times.executing_s.max(f64::MIN_POSITIVE),
+                realtime_factor: (executed_by == ExecutedBy::SimulatedWorld)
+                    .then(|| round.execution.duration / times.executing_s.max(f64::MIN_POSITIVE)),
                 planning_time_s: times.planning_s,
                 following_time_s: times.following_s,
                 interpretation_time_s: times.interpreting_s,
@@ -140,24 +184,35 @@ pub struct LoopSummary {
     pub final_estimated: f64,
     /// Performance of the simulated dirt after the last of them; null where none was simulated.
     pub final_true: Option<f64>,
-    /// Simulated time of all executions over the time that they took.
-    pub realtime_factor: f64,
+    /// Simulated time of all executions over the time that they took; null where no world was simulated.
+    pub realtime_factor: Option<f64>,
 }
 
 impl LoopSummary {
+    /// The sum of a quantity over the rounds.
+    pub fn total(&self, of: impl Fn(&RoundSummary) -> f64) -> f64 {
+        self.rounds.iter().map(of).sum()
+    }
+
     /// The summary of rounds; `None` of none.
     pub fn new(rounds: Vec<RoundSummary>) -> Option<Self> {
         let last = rounds.last()?;
-        let simulated: f64 = rounds.iter().map(|round| round.execution_time_s).sum();
-        let taken = |round: &RoundSummary| {
-            let factor = round.timing.as_ref().map(|timing| timing.realtime_factor);
-            round.execution_time_s / factor.unwrap_or(f64::INFINITY)
-        };
-        let taken: f64 = rounds.iter().map(taken).sum();
+        let mut simulated: Option<[f64; 2]> = None;
+        for round in &rounds {
+            let factor = round
+                .timing
+                .as_ref()
+                .and_then(|timing| timing.realtime_factor);
+            if let Some(factor) = factor {
+                let [time, taken] = simulated.get_or_insert_default();
+                *time += round.execution_time_s;
+                *taken += round.execution_time_s / factor.max(f64::MIN_POSITIVE);
+            }
+        }
         Some(Self {
             final_estimated: last.estimated,
             final_true: last.true_performance,
-            realtime_factor: simulated / taken.max(f64::MIN_POSITIVE),
+            realtime_factor: simulated.map(|[time, taken]| time / taken.max(f64::MIN_POSITIVE)),
             rounds,
         })
     }

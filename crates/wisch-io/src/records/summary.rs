@@ -34,11 +34,11 @@ pub struct Summary {
     pub strokes: usize,
     /// Share of the particles that no allowed pose of the tool covers.
     pub unreachable_share: f64,
-    /// Way in contact.
+    /// Way in contact: of all rounds that were executed, or else of the plan.
     pub distance_in_contact_m: f64,
-    /// Whole way.
+    /// Whole way, of the same.
     pub distance_total_m: f64,
-    /// How long planning took; null where a plan was given.
+    /// How long planning took, of the first round; null where a plan was given.
     pub planning_time_s: Option<f64>,
     /// What the prediction says; its keys are missing where nothing was predicted.
     #[serde(flatten)]
@@ -114,7 +114,8 @@ pub struct PredictionSummary {
     pub lost_share: f64,
 }
 
-/// The part of a summary that takes a robot.
+/// The part of a summary that takes a robot. Times and movement are those of all rounds that were executed, or else of the
+/// motion that was found; nodes and placements those of the first round.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FollowingSummary {
     /// Name of the robot.
@@ -137,11 +138,11 @@ pub struct FollowingSummary {
     pub joint_movement_rad: f64,
     /// How long finding the motion took, placements and timing included.
     pub following_time_s: f64,
-    /// How far the tool centre point leaves its line at most.
+    /// How far the tool centre point leaves its line at most, in all rounds.
     pub max_path_deviation_m: f64,
     /// How far the tool turns away from its line at most.
     pub max_turn_deviation_rad: f64,
-    /// How near bodies that must not touch come at least, at most 0.5.
+    /// How near bodies that must not touch come at least, in all rounds, at most 0.5.
     pub min_clearance_m: f64,
     /// What an independent check of the whole motion found wrong: nothing, in a sound motion.
     pub faults: usize,

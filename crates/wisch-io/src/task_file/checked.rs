@@ -5,7 +5,8 @@ use super::deserialize::{At, record};
 use super::execution::{execution, perception};
 use super::outline::Outline;
 use super::tables::{
-    EdgeName, FrameName, ObjectTable, ParticlesTable, RobotTable, SurfaceTable, TaskTable,
+    EdgeName, FrameName, ObjectTable, ParticlesTable, PolishTable, RobotTable, SurfaceTable,
+    TaskTable,
 };
 use super::tree::{Node, Source, Value};
 use super::values::{AngleRad, Name, PositionM, QuaternionPart, point};
@@ -52,13 +53,14 @@ pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
         max_rounds: task.execution.max_rounds.0 as usize,
         end_strokes_early: task.execution.end_strokes_early,
         pace: task.execution.pace.into(),
+        after_stop: task.execution.after_stop.into(),
+        start_rad: task.execution.start_rad.0,
         collect_goal: (task.collect.as_ref())
             .and_then(|collect| collect.goal_m)
             .map(point),
-        polish: task.polish.as_ref().map(|polish| Treatment::Polish {
-            passes: polish.passes.0 as u32,
-            preston: polish.preston_per_pa.map(|coefficient| coefficient.0),
-        }),
+        polish: (task.polish.as_ref())
+            .map(|table| polish(table, source))
+            .transpose()?,
         emit: task.emit.as_ref().map(|emit| Treatment::Emit {
             thickness: emit.thickness_m.0,
             volume_per_metre: emit.volume_m3_per_m.0,
@@ -74,8 +76,27 @@ pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
         max_distance: task.plan.max_distance_m.map(|most| most.0),
         contact_speed: task.plan.contact_speed_m_per_s.0,
         variants: task.plan.variants.0 as usize,
+        min_score: task.plan.min_score.0,
         definitions: super::definitions::read(&file, source)?,
         intent,
+    })
+}
+
+fn polish(table: &PolishTable, source: &Source<'_>) -> Result<Treatment, TaskError> {
+    let passes = table.passes.0 as u32;
+    let max_passes = match &table.max_passes {
+        Some(most) if (most.value.0 as u32) < passes => {
+            let most_passes = most.value.0;
+            let problem = format!("{most_passes} is fewer than the {passes} passes asked for");
+            return Err(most.inconsistent(source, problem));
+        }
+        Some(most) => most.value.0 as u32,
+        None => passes + 1,
+    };
+    Ok(Treatment::Polish {
+        passes,
+        max_passes,
+        preston: table.preston_per_pa.map(|coefficient| coefficient.0),
     })
 }
 

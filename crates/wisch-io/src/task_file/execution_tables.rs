@@ -6,12 +6,12 @@ use super::values::{
     AngleRad, Backlash, BiasN, Bodies, Channel, ColorDistance, DelayS, DriftN, DurationS,
     EncoderNoise, Factor, FalseAlarms, Friction, GrainM, GrainMassKg, GraspM, GraspRad, HalfSizeM,
     HandSpeed, JointFriction, LogForce, LogSpread, Name, NoiseN, ParticleCount, Pixel,
-    PositionErrorM, PositionM, PushForceN, Rounds, Share, ShiftM, SizeFactor, SizeM, StrokeNumber,
-    TiltRad, TimeS, WaveLengthM, WavinessM,
+    PositionErrorM, PositionM, PushForceN, Rounds, Share, ShiftM, SizeFactor, SizeM, StartRad,
+    StrokeNumber, TiltRad, TimeS, WaveLengthM, WavinessM,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
-use wisch::run::Pace;
+use wisch::run::{AfterStop, Pace};
 
 /// What a simulated execution takes for real, hidden from planner and interpreter.
 #[derive(Deserialize, JsonSchema)]
@@ -77,6 +77,29 @@ pub(super) struct ExecutionTable {
     pub(super) end_strokes_early: bool,
     /// How far a round goes before its outcome is looked at: a whole plan, or the segment that is predicted to gain most.
     pub(super) pace: PaceName,
+    /// What follows where a person or a safety system stopped the robot: it waits for its operator, which ends the run, or
+    /// it retreats from the surface by itself and goes on.
+    pub(super) after_stop: AfterStopName,
+    /// How far any joint may stand from where a motion begins [rad, or m]; beyond, the motion is not executed.
+    pub(super) start_rad: StartRad,
+}
+
+/// What follows where a person or a safety system stopped the robot.
+#[derive(Deserialize, JsonSchema, Clone, Copy)]
+#[serde(rename = "after_stop", rename_all = "snake_case")]
+#[schemars(rename = "AfterStop", inline)]
+pub(super) enum AfterStopName {
+    Wait,
+    Retreat,
+}
+
+impl From<AfterStopName> for AfterStop {
+    fn from(name: AfterStopName) -> Self {
+        match name {
+            AfterStopName::Wait => Self::Wait,
+            AfterStopName::Retreat => Self::Retreat,
+        }
+    }
 }
 
 /// How far a round goes.
@@ -132,6 +155,8 @@ impl Default for ExecutionTable {
             max_rounds: Rounds(4),
             end_strokes_early: false,
             pace: PaceName::Whole,
+            after_stop: AfterStopName::Wait,
+            start_rad: StartRad(0.05),
         }
     }
 }

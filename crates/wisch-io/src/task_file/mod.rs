@@ -27,7 +27,7 @@ use wisch::follow::WorkcellConfig;
 use wisch::geometry::{Point2, Pose, Vector3};
 use wisch::plan::HeadingRule;
 use wisch::represent::{Action, ScenePart, Surface, Task, Treatment};
-use wisch::run::Pace;
+use wisch::run::{AfterStop, Pace};
 use wisch::source_location::Place;
 
 /// The schema that this version reads.
@@ -115,6 +115,8 @@ pub struct TaskFile {
     max_rounds: usize,
     end_strokes_early: bool,
     pace: Pace,
+    after_stop: AfterStop,
+    start_rad: f64,
     collect_goal: Option<Point2>,
     polish: Option<Treatment>,
     emit: Option<Treatment>,
@@ -129,6 +131,7 @@ pub struct TaskFile {
     max_distance: Option<f64>,
     contact_speed: f64,
     variants: usize,
+    min_score: f64,
     definitions: Definitions,
 }
 
@@ -299,6 +302,16 @@ impl TaskFile {
         self.pace
     }
 
+    /// What follows where a person or a safety system stopped the robot, `execution.after_stop`.
+    pub fn after_stop(&self) -> AfterStop {
+        self.after_stop
+    }
+
+    /// How far a joint may stand from where a motion begins, `execution.start_rad` [rad or m].
+    pub fn start_rad(&self) -> f64 {
+        self.start_rad
+    }
+
     /// How many rounds there may be, `execution.max_rounds`.
     pub fn max_rounds(&self) -> usize {
         self.max_rounds
@@ -307,6 +320,11 @@ impl TaskFile {
     /// How many plans the prediction chooses from.
     pub fn plan_variants(&self) -> usize {
         self.variants
+    }
+
+    /// Least score of a plan that is executed [1].
+    pub fn min_score(&self) -> f64 {
+        self.min_score
     }
 
     /// The performance at which the task counts as done, in [0, 1].

@@ -8,7 +8,7 @@ use super::values::{
     Evaluations, FalseAlarms, FootprintM, Friction, GrainM, HalfSizeM, LawSpread, LiftHeightM,
     LogForce, LogSpread, MarginM, Name, ParticleCount, Passes, Pixel, PositionErrorM, PositionM,
     PostureWeight, PressForceN, PrestonPerPa, QuaternionPart, RedrawLengthM, Scale, SchemaVersion,
-    Seed, Share, SizeM, Stiffness, ThicknessM, Variants, VolumePerMetre,
+    Score, Seed, Share, SizeM, Stiffness, ThicknessM, Variants, VolumePerMetre,
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{EnumAccess, Error as _, VariantAccess, Visitor};
@@ -17,6 +17,7 @@ use std::borrow::Cow;
 use std::fmt;
 use wisch::plan::HeadingRule;
 use wisch::represent::{Action, MediumKind, ScenePart};
+use wisch::run::MIN_SCORE;
 
 /// A task: what is to be wiped, where, with what, and to what end. Lengths in metres, angles in radians.
 #[derive(Deserialize, JsonSchema)]
@@ -322,6 +323,8 @@ pub(super) struct CollectTable {
 pub(super) struct PolishTable {
     /// How often the tool is to slide over every place, each time by its own length.
     pub(super) passes: Passes,
+    /// Most over any place, of all rounds together; default: one more than `passes`.
+    pub(super) max_passes: Option<At<Passes>>,
     /// Coefficient of Preston's law, by which a pass removes so much: depth over pressure and way slid [1/Pa]; default: nothing
     /// is said of that.
     pub(super) preston_per_pa: Option<PrestonPerPa>,
@@ -486,6 +489,9 @@ pub(super) struct PlanTable {
     pub(super) lift_height_m: LiftHeightM,
     /// Candidate plans, of which the best by prediction is taken.
     pub(super) variants: Variants,
+    /// Least score of a plan that is executed: the predicted share of the dirt that is brought where it belongs, less three times
+    /// the share that is lost.
+    pub(super) min_score: Score,
     /// Plans that the strategies adaptive and best try; more take longer and find better ones.
     pub(super) evaluations: Evaluations,
     /// By how much the tool may be off its way and still do what these strategies plan [m].
@@ -503,6 +509,7 @@ impl Default for PlanTable {
             heading: HeadingName::Best,
             lift_height_m: LiftHeightM(0.05),
             variants: Variants(1),
+            min_score: Score(MIN_SCORE),
             evaluations: Evaluations(60_000),
             margin_m: MarginM(0.003),
             max_distance_m: None,

@@ -124,6 +124,8 @@ ranges! { f64, NumberWithin;
     Backlash = (0.0, 0.05);
     /// Delays of sensors [s].
     DelayS = (0.0, 0.5);
+    /// Distances of joints from where a motion begins [rad or m].
+    StartRad = (1e-3, 1.0);
     /// Drifts of force sensors along one axis [N/s].
     DriftN = (-1.0, 1.0);
     /// Coulomb friction in joints [Nm or N].
@@ -144,6 +146,8 @@ ranges! { f64, NumberWithin;
     VolumePerMetre = (1e-12, 0.01);
     /// Errors of places in images [m].
     PositionErrorM = (0.0, 0.1);
+    /// Scores of plans, from all lost to all where it belongs [1].
+    Score = (-3.0, 1.0);
 }
 
 ranges! { u64, IntegerWithin;

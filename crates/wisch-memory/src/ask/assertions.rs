@@ -2,15 +2,11 @@
 
 use super::error::{AskError, QueryFault};
 use super::term::Term;
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, Read, Seek, SeekFrom, Write};
+use crate::catalogue::Catalogue;
+use crate::told::{FILE, Statement, append, individual_of, parse, whole_lines};
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
-
-/// The file that they are kept in.
-const FILE: &str = "told.jsonl";
-
-/// One statement: subject, property, and a name or a value.
-type Statement = (String, String, serde_json::Value);
 
 /// What people added. What a query adds is known at once, and committed when the query has ended well.
 #[derive(Debug, Clone, Default)]
@@ -37,8 +33,7 @@ impl Assertions {
             .lines()
             .enumerate()
             .map(|(number, line)| {
-                serde_json::from_str(line)
-                    .map_err(|error| failed(&file, format!("line {}: {error}", number + 1)))
+                parse(line).map_err(|what| failed(&file, format!("line {}: {what}", number + 1)))
             });
         let statements: Vec<Statement> = statements.collect::<Result<_, _>>()?;
         Ok(Self {
@@ -46,6 +41,20 @@ impl Assertions {
             statements,
             file: Some(file),
         })
+    }
+
+    /// Drops what was said of individuals of episodes that are no more.
+    pub(super) fn retain_known(&mut self, catalogue: &Catalogue) {
+        let is_known = |name: &str| match individual_of(name) {
+            Some(local) => {
+                catalogue.find(local).is_some() || catalogue.shared().iter().any(|s| s == name)
+            }
+            None => true,
+        };
+        self.statements.retain(|(subject, _, object)| {
+            is_known(subject) && object.as_str().is_none_or(is_known)
+        });
+        self.committed = self.statements.len();
     }
 
     /// Adds a statement for the query that is being answered, and gives it as a fact.
@@ -66,10 +75,14 @@ impl Assertions {
             });
         }
         let value = match object {
+            // As engines write numbers that are not finite.
+            Term::Atom(name) if is_not_finite(name) => return Err(not_finite(name)),
             Term::Atom(name) => serde_json::Value::from(name.as_str()),
-            other => (other.as_number().filter(|number| number.is_finite()))
-                .ok_or_else(|| QueryFault::no_name(other))?
-                .into(),
+            other => match other.as_number() {
+                Some(number) if number.is_finite() => number.into(),
+                Some(number) => return Err(not_finite(number)),
+                None => return Err(QueryFault::no_name(other)),
+            },
         };
         let statement = (subject.to_owned(), property.to_owned(), value);
         let fact = fact(&statement);
@@ -145,43 +158,24 @@ impl Assertions {
     }
 }
 
+/// Whether a text is how a number that is not finite is written, as `inf`, `nan` or `1.5NaN`.
+fn is_not_finite(text: &str) -> bool {
+    let plain = text.trim_start_matches(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+    let plain = plain.to_ascii_lowercase();
+    ["inf", "infinite", "infinity", "nan"].contains(&plain.as_str())
+}
+
+fn not_finite(number: impl std::fmt::Display) -> QueryFault {
+    QueryFault::Prolog {
+        what: format!("{number} cannot be told: a number that is told must be finite"),
+    }
+}
+
 fn failed(file: &Path, what: impl ToString) -> AskError {
     AskError::Assertions {
         file: file.display().to_string(),
         what: what.to_string(),
     }
-}
-
-/// The length of the lines that end [bytes]: a program that was killed may have left part of one behind.
-fn whole_lines(text: &[u8]) -> usize {
-    text.iter()
-        .rposition(|byte| *byte == b'\n')
-        .map_or(0, |place| place + 1)
-}
-
-/// Adds lines to a file, all or none.
-fn append(file: &Path, lines: &str) -> io::Result<()> {
-    let mut options = OpenOptions::new();
-    let mut open: File = options
-        .create(true)
-        .truncate(false)
-        .read(true)
-        .write(true)
-        .open(file)?;
-    // Others may tell something to the same memory; the lock ends with the file.
-    open.lock()?;
-    let mut before = Vec::new();
-    open.read_to_end(&mut before)?;
-    let whole = whole_lines(&before) as u64;
-    open.set_len(whole)?;
-    open.seek(SeekFrom::Start(whole))?;
-    let written = open
-        .write_all(lines.as_bytes())
-        .and_then(|()| open.sync_all());
-    written.inspect_err(|_| {
-        // A part of a line would be passed over by the next who reads; part of the lines would not.
-        let _ = open.set_len(whole);
-    })
 }
 
 fn is_relation(fact: &Term) -> bool {

@@ -32,12 +32,13 @@ const PROCESSOR_SPARE_S: u64 = 30;
 const SCRYER: &str = include_str!("../../prolog/engine_scryer.pl");
 const SWI: &str = include_str!("../../prolog/engine_swi.pl");
 /// The predicates, the same for every engine.
-const PORTABLE: [&str; 10] = [
+const PORTABLE: [&str; 11] = [
     include_str!("../../prolog/host.pl"),
     include_str!("../../prolog/guard.pl"),
     include_str!("../../prolog/plan.pl"),
     include_str!("../../prolog/facts.pl"),
     include_str!("../../prolog/intervals.pl"),
+    include_str!("../../prolog/limits.pl"),
     include_str!("../../prolog/knowrob.pl"),
     include_str!("../../prolog/poses.pl"),
     include_str!("../../prolog/views.pl"),

@@ -38,6 +38,12 @@ pub enum QueryFault {
         /// Why.
         what: String,
     },
+    /// What an episode holds cannot be read, or was never recorded.
+    #[error("{what}")]
+    Recording {
+        /// Why.
+        what: String,
+    },
     /// What the engine says of it.
     #[error("{what}")]
     Prolog {
@@ -80,7 +86,9 @@ impl QueryFault {
                 Term::compound("unknown", [kind, name, nearest].map(Term::atom))
             }
             Self::NoName { term } => Term::compound("no_name", [Term::atom(term)]),
-            Self::Telemetry { what } => Term::compound("telemetry", [Term::atom(what)]),
+            Self::Telemetry { what } | Self::Recording { what } => {
+                Term::compound("telemetry", [Term::atom(what)])
+            }
             Self::TooMuch { .. } | Self::Prolog { .. } => {
                 Term::compound("prolog", [Term::atom(self.to_string())])
             }
@@ -111,6 +119,29 @@ impl QueryFault {
                 Self::unknown_predicate(name, *arity, callable)
             }
             Some(("cyclic", [])) => Self::cyclic(),
+            Some(("unbound", [what])) => Self::Prolog {
+                what: format!(
+                    "{} must be known here: put the goal that finds it before",
+                    text(what)
+                ),
+            },
+            Some(("unbound", [variable, goal])) => Self::Prolog {
+                what: format!(
+                    "{} must be bound before {}, whose answer depends on it: put the goal that finds it first",
+                    text(variable),
+                    text(goal)
+                ),
+            },
+            Some(("no_time", [Term::Atom(name), Term::Integer(arity)])) => Self::Prolog {
+                what: format!(
+                    "{name}/{arity} has no time: during, since and until limit statements about events"
+                ),
+            },
+            Some(("untimed", [thing])) => Self::Prolog {
+                what: format!(
+                    "{thing} has no time: during, since and until limit statements about events"
+                ),
+            },
             Some(("error", [what, _])) => Self::Prolog {
                 what: in_words(what),
             },
@@ -146,8 +177,7 @@ fn in_words(error: &Term) -> String {
             format!("the query is no Prolog: {what}")
         }
         Some(("instantiation_error", [])) => {
-            "something has to be known here that is not: put the goal that finds it before"
-                .to_owned()
+            "a variable must be bound here: put the goal that finds it before".to_owned()
         }
         Some(("type_error", [kind, culprit])) => format!("{culprit} should be of type {kind}"),
         Some(("domain_error", [domain, culprit])) => format!("{culprit} is no {domain}"),

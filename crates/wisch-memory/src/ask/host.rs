@@ -12,8 +12,9 @@ use super::rows::name_of;
 use super::streams::Knowledge;
 use super::telemetry_predicates::TelemetryPredicates;
 use super::term::Term;
-use super::trends::trends;
+use super::trends::{Drift, causes, changes, drifts, series};
 use crate::catalogue::{Catalogue, IndividualId};
+use crate::id::local_date_and_time;
 use crate::ontology::Ontology;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -56,9 +57,10 @@ impl Host {
     pub fn new(
         catalogue: Arc<Catalogue>,
         telemetry: TelemetryPredicates,
-        assertions: Assertions,
+        mut assertions: Assertions,
         max_assertions: usize,
     ) -> Self {
+        assertions.retain_known(&catalogue);
         Self {
             known: Knowledge {
                 names: Names::new(Arc::clone(&catalogue), Ontology::shipped()),
@@ -247,8 +249,32 @@ impl Host {
                 in_lists("f", request, names.collect())
             }
             ("last_episode", []) => self.last_episode(),
-            ("trends", [Term::Atom(property), Term::Atom(how)]) => {
-                trends(&known.catalogue, property, how == "abs")
+            ("drifts", [Term::Atom(drift), from, to]) => {
+                let drift = Drift::named(drift).ok_or_else(malformed)?;
+                drifts(
+                    &known.catalogue,
+                    drift,
+                    times(from, to).ok_or_else(malformed)?,
+                )
+            }
+            ("changes", [Term::Atom(drift), from, to]) => {
+                let drift = Drift::named(drift).ok_or_else(malformed)?;
+                changes(
+                    &known.catalogue,
+                    drift,
+                    times(from, to).ok_or_else(malformed)?,
+                )
+            }
+            ("causes", [from, to]) => {
+                causes(&known.catalogue, times(from, to).ok_or_else(malformed)?)
+            }
+            ("series", [Term::Atom(drift), Term::Atom(thing)]) => {
+                let drift = Drift::named(drift).ok_or_else(malformed)?;
+                series(&known.catalogue, drift, thing)
+            }
+            ("local_time", [time]) => {
+                let time = time.as_number().ok_or_else(malformed)?;
+                vec![Term::Atom(local_date_and_time(time))]
             }
             ("format", [format, arguments]) => vec![Term::Atom(formatted(format, arguments)?)],
             ("print", [format, arguments]) => {

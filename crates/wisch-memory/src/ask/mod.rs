@@ -27,6 +27,7 @@ pub use engine::{EngineCommand, Limits};
 pub use error::{AskError, QueryFault};
 pub use listing::{Predicate, builtins, predicates};
 pub use telemetry_predicates::TelemetryPredicates;
+pub(crate) use telemetry_predicates::tool_of;
 pub use term::{Term, TermError};
 
 use crate::catalogue::Catalogue;
@@ -209,6 +210,11 @@ impl Asker {
                         answers.is_cut = arguments[0].as_atom() == Some("limit");
                         answers.printed = self.host.take_printed();
                         answers.remarks = self.host.take_remarks();
+                        // Nothing was found, and that is because nothing could be looked at.
+                        if let (false, Some(why)) = (answers.holds(), answers.remarks.first()) {
+                            let what = why.clone();
+                            return Err(QueryFault::Recording { what }.into());
+                        }
                         return Ok(answers);
                     }
                     ("error", 1) => {

@@ -4,8 +4,8 @@ use super::error::{AskError, QueryFault};
 use super::reply::Refusal;
 use super::rows::name_of;
 use super::term::Term;
-use crate::catalogue::{Catalogue, EpisodeRow};
-use crate::frames::{Frames, PoseAt, Sampling};
+use crate::catalogue::{Catalogue, EpisodeRow, Node, entries};
+use crate::frames::{FrameError, Frames, PoseAt, Sampling};
 use crate::store::Memory;
 use crate::telemetry::Telemetry;
 use std::collections::HashMap;
@@ -26,14 +26,17 @@ pub struct TelemetryPredicates {
     memory: Option<Memory>,
     /// Of each round, or why it cannot be read.
     rounds: HashMap<(String, usize), Result<Rc<Telemetry>, QueryFault>>,
-    robots: HashMap<String, Rc<RobotModel>>,
+    robots: HashMap<String, Option<Rc<RobotModel>>>,
     remarks: Vec<String>,
 }
 
 /// A part of a round, in its own time [s].
 struct Span {
     telemetry: Rc<Telemetry>,
+    /// The robot; `None` of a log.
     robot: Option<Rc<RobotModel>>,
+    /// The tool's name, if the episode says it.
+    tool: String,
     /// When the round began [s since 1970].
     began: f64,
     from: f64,
@@ -114,7 +117,12 @@ impl TelemetryPredicates {
         let mut first = None;
         for episode in episodes {
             for round in (1..=episode.rounds.len()).rev() {
-                let span = self.span(episode, round, [f64::NEG_INFINITY, f64::INFINITY]);
+                let span = self.span(
+                    catalogue,
+                    episode,
+                    round,
+                    [f64::NEG_INFINITY, f64::INFINITY],
+                );
                 let found = span.and_then(|span| match span {
                     Some(span) => {
                         let from = span.to;
@@ -153,17 +161,27 @@ impl TelemetryPredicates {
             Some(id) => vec![catalogue.episode_of(id)],
             None => catalogue.episodes_during(interval),
         };
-        let (mut answers, mut faults) = (Vec::new(), Vec::new());
+        let (mut answers, mut faults, mut is_any_left_out) = (Vec::new(), Vec::new(), false);
         for row in rows {
-            let found = self.spans(row, interval);
-            match found.and_then(|spans| (!spans.is_empty()).then(|| answer(&spans)).transpose()) {
+            let found = self.spans(catalogue, row, interval);
+            let found =
+                found.and_then(|spans| (!spans.is_empty()).then(|| answer(&spans)).transpose());
+            match found {
                 Ok(Some(found)) => {
                     let name = name_of(catalogue, row.first);
                     answers.push(Term::compound("-", [name, found]));
                 }
                 Ok(None) => {}
+                // What is wrong with an episode is no fault of the query: others are answered.
+                Err(error @ QueryFault::Recording { .. }) => {
+                    self.leave_out(&row.id, &error);
+                    is_any_left_out = true;
+                }
                 Err(error) => faults.push((row.id.clone(), error)),
             }
+        }
+        if answers.is_empty() && faults.is_empty() && is_any_left_out {
+            return Ok(answers);
         }
         if answers.is_empty() {
             let [from, to] = interval;
@@ -176,25 +194,35 @@ impl TelemetryPredicates {
             return Err(first.map_or_else(nothing, |(_, error)| error));
         }
         for (id, error) in faults {
-            let remark = format!("episode {id} is left out: {error}");
-            if !self.remarks.contains(&remark) {
-                self.remarks.push(remark);
-            }
+            self.leave_out(&id, &error);
         }
         Ok(answers)
     }
 
+    fn leave_out(&mut self, id: &str, error: &QueryFault) {
+        let remark = format!("episode {id} is left out: {error}");
+        if !self.remarks.contains(&remark) {
+            self.remarks.push(remark);
+        }
+    }
+
     /// The parts of an episode's rounds within a time [s since 1970].
-    fn spans(&mut self, episode: &EpisodeRow, interval: [f64; 2]) -> Result<Vec<Span>, QueryFault> {
+    fn spans(
+        &mut self,
+        catalogue: &Catalogue,
+        episode: &EpisodeRow,
+        interval: [f64; 2],
+    ) -> Result<Vec<Span>, QueryFault> {
         let mut spans = Vec::new();
         for round in 1..=episode.rounds.len() {
-            spans.extend(self.span(episode, round, interval)?);
+            spans.extend(self.span(catalogue, episode, round, interval)?);
         }
         Ok(spans)
     }
 
     fn span(
         &mut self,
+        catalogue: &Catalogue,
         episode: &EpisodeRow,
         round: usize,
         [from, to]: [f64; 2],
@@ -218,7 +246,8 @@ impl TelemetryPredicates {
             return Ok(None);
         }
         Ok(Some(Span {
-            robot: self.robot(&episode.id),
+            robot: self.robot(&episode.id)?,
+            tool: tool_of(catalogue, episode),
             telemetry,
             began,
             from,
@@ -239,28 +268,75 @@ impl TelemetryPredicates {
             return Err(fault("this memory has no telemetry".to_owned()));
         };
         let opened = memory.episode(&episode.id);
-        let telemetry = opened.and_then(|opened| opened.telemetry(round));
-        let telemetry = telemetry.map(Rc::new).map_err(fault);
+        let telemetry = opened.and_then(|opened| {
+            if opened.has_telemetry(round)? {
+                opened.telemetry(round)
+            } else {
+                Err(opened.without_telemetry(round))
+            }
+        });
+        let telemetry = telemetry.map(Rc::new).map_err(unread);
         self.rounds.insert(key, telemetry.clone());
         telemetry
     }
 
     /// The robot of an episode; `None` of one that was imported without.
-    fn robot(&mut self, episode: &str) -> Option<Rc<RobotModel>> {
+    fn robot(&mut self, episode: &str) -> Result<Option<Rc<RobotModel>>, QueryFault> {
         if let Some(robot) = self.robots.get(episode) {
-            return Some(Rc::clone(robot));
+            return Ok(robot.clone());
         }
-        let opened = self.memory.as_ref()?.episode(episode).ok()?;
-        let text = String::from_utf8(opened.attachment(ROBOT_FILE).ok()?).ok()?;
-        let robot = Rc::new(
-            RobotModel::from_urdf(ROBOT_FILE, &text, &mut |mesh| {
+        let Some(memory) = &self.memory else {
+            return Ok(None);
+        };
+        let opened = memory.episode(episode).map_err(unread)?;
+        let robot = if opened.has_robot() {
+            let bytes = opened.attachment(ROBOT_FILE).map_err(unread)?;
+            let text = String::from_utf8(bytes).map_err(unread)?;
+            let robot = RobotModel::from_urdf(ROBOT_FILE, &text, &mut |mesh| {
                 // Frames need no meshes.
                 Err(format!("{mesh}: an episode keeps none"))
-            })
-            .ok()?,
-        );
-        self.robots.insert(episode.to_owned(), Rc::clone(&robot));
-        Some(robot)
+            });
+            Some(Rc::new(robot.map_err(unread)?))
+        } else {
+            None
+        };
+        self.robots.insert(episode.to_owned(), robot.clone());
+        Ok(robot)
+    }
+}
+
+/// What is wrong with what an episode holds.
+fn unread(what: impl Display) -> QueryFault {
+    QueryFault::Recording {
+        what: what.to_string(),
+    }
+}
+
+/// What the tool of an episode is called; `tool` where nothing says it.
+pub(crate) fn tool_of(catalogue: &Catalogue, row: &EpisodeRow) -> String {
+    let tools = catalogue.relations("semco:usesTool");
+    let mut nodes = (row.first..row.first + row.len).flat_map(|id| entries(tools, id));
+    match nodes.next() {
+        Some((_, Node::Shared(number))) => local(&catalogue.shared()[*number as usize]).to_owned(),
+        _ => "tool".to_owned(),
+    }
+}
+
+fn local(name: &str) -> &str {
+    name.split_once(':').map_or(name, |(_, local)| local)
+}
+
+fn frame_fault(error: FrameError) -> QueryFault {
+    match error {
+        FrameError::Unknown { .. }
+        | FrameError::Time { .. }
+        | FrameError::Gap { .. }
+        | FrameError::Sampling { .. } => fault(error),
+        FrameError::Scene { .. }
+        | FrameError::Joint { .. }
+        | FrameError::Empty { .. }
+        | FrameError::Robot(_)
+        | FrameError::Telemetry(_) => unread(error),
     }
 }
 
@@ -327,17 +403,18 @@ fn statistic_of(values: &[f64], statistic: &str) -> Result<f64, QueryFault> {
     }
 }
 
-/// Poses of a thing; of the tool also where the robot is not known.
+/// Poses of a thing; of the tool and the surface also where the robot is not known.
 fn poses(span: &Span, thing: &str, sampling: Sampling) -> Result<Vec<PoseAt>, QueryFault> {
-    let Some(robot) = &span.robot else {
-        return Err(fault(format!(
-            "the episode has no {ROBOT_FILE}: where {thing} was cannot be computed"
-        )));
+    let frames = match &span.robot {
+        Some(robot) => Frames::new(robot, &span.telemetry),
+        None => Frames::of_log(&span.telemetry, &span.tool),
     };
-    let local = thing.split_once(':').map_or(thing, |(_, local)| local);
-    let frames = Frames::new(robot, &span.telemetry).map_err(fault)?;
-    let interval = [span.from, span.to];
-    frames.trajectory(local, interval, sampling).map_err(fault)
+    let frames = frames.map_err(frame_fault)?;
+    let found = match sampling {
+        Sampling::Count(1) => frames.pose(local(thing), span.from).map(|pose| vec![pose]),
+        _ => frames.trajectory(local(thing), [span.from, span.to], sampling),
+    };
+    found.map_err(frame_fault)
 }
 
 /// [Frame, [X, Y, Z], [Qx, Qy, Qz, Qw]]
@@ -355,8 +432,8 @@ fn channel_values(span: &Span, channel: &str) -> Result<Vec<f64>, QueryFault> {
     let telemetry = &span.telemetry;
     let rows = telemetry
         .rows_between([span.from, span.to])
-        .map_err(fault)?;
-    let column = |name: &str| telemetry.values(name, rows.clone()).map_err(fault);
+        .map_err(unread)?;
+    let column = |name: &str| telemetry.values(name, rows.clone()).map_err(unread);
     let size = |columns: &[&str]| -> Result<Vec<f64>, QueryFault> {
         let mut squares = vec![0.0; rows.len()];
         for name in columns {
@@ -370,7 +447,7 @@ fn channel_values(span: &Span, channel: &str) -> Result<Vec<f64>, QueryFault> {
         "force" => size(&["external/fx", "external/fy", "external/fz"]),
         "vertical_force" => column("external/fz"),
         "speed" => {
-            let times = telemetry.times(rows.clone()).map_err(fault)?;
+            let times = telemetry.times(rows.clone()).map_err(unread)?;
             let [x, y, z] = ["measured/x", "measured/y", "measured/z"].map(column);
             let (x, y, z) = (x?, y?, z?);
             let steps = (1..times.len()).map(|k| {

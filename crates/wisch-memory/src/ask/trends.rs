@@ -1,46 +1,276 @@
-//! How a value changes over the episodes on a surface: least squares over the first rounds of each.
+//! How a value changes over the episodes on a surface, or with a tool: a least squares line over the first rounds since it
+//! last changed at once.
+//!
+//! Where it changed is found by binary segmentation: a series is split where two lines fit it so much better than one that
+//! chance does not explain it (Bayesian information criterion, Schwarz 1978, with a stricter penalty).
 
 use super::rows::node_name;
 use super::term::Term;
-use crate::catalogue::{Catalogue, Node, entries};
+use crate::catalogue::{Catalogue, IndividualId, Node, entries};
 use std::collections::{BTreeMap, HashMap};
 
 /// Fewest episodes that make a trend.
 const FEWEST: usize = 5;
+/// Fewest episodes on either side of a change: one that stands out is none.
+const FEWEST_BESIDE_CHANGE: usize = 4;
+/// What a change has to gain in logarithmic likelihood, by logarithm of the length and in all.
+const PENALTY: [f64; 2] = [5.0, 5.0];
+/// How much of a change in height the tool has to explain for it to be the cause, and to be no part of it [1].
+const IS_CAUSE: f64 = 0.7;
+const IS_NO_CAUSE: f64 = 0.3;
+/// Least change in height that has a cause [m].
+const LEAST_OFFSET: f64 = 1e-3;
 
-/// `t(Surface, Slope, First, Last)` for each surface: what a property of first rounds loses or gains by the episode, and
-/// where the line begins and ends; of values without their sign where `is_absolute`.
-pub fn trends(catalogue: &Catalogue, property: &str, is_absolute: bool) -> Vec<Term> {
-    let mut by_surface: HashMap<Node, Vec<(f64, f64)>> = HashMap::new();
-    let values = catalogue.numbers(property);
-    // Only rounds have a number.
-    for &(id, round) in catalogue.numbers("semco:round") {
-        let surface = entries(catalogue.relations("semco:actsOnSurface"), id).first();
-        if round < 1.5
-            && let (Some([start, _]), Some((_, surface))) = (catalogue.interval(id), surface)
-        {
-            let series = by_surface.entry(*surface).or_default();
-            let values = entries(values, id).iter().map(|(_, value)| *value);
-            let amounts = values.map(|value| if is_absolute { value.abs() } else { value });
-            series.extend(amounts.map(|value| (start, value)));
+/// What is followed over episodes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Drift {
+    /// The mean force of contact on a surface [N], without its sign.
+    ContactForce,
+    /// How far a surface is found from where it is believed [m].
+    Localization,
+    /// The stiffness of a tool [N/m]; its logarithm is what changes evenly.
+    Wear,
+}
+
+impl Drift {
+    /// The drift of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Some(match name {
+            "contact_force" => Self::ContactForce,
+            "localization" => Self::Localization,
+            "wear" => Self::Wear,
+            _ => return None,
+        })
+    }
+
+    /// By which relation of the round episodes are grouped, and which of its values is followed.
+    const fn properties(self) -> [&'static str; 2] {
+        match self {
+            Self::ContactForce => ["semco:actsOnSurface", "semco:meanNormalForce"],
+            Self::Localization => ["semco:actsOnSurface", "semco:planeOffset"],
+            Self::Wear => ["semco:usesTool", "semco:toolStiffness"],
         }
     }
-    let named = by_surface.into_iter();
-    let named = named.filter_map(|(surface, values)| match node_name(catalogue, surface) {
-        Term::Atom(name) => Some((name, values)),
-        _ => None,
+
+    /// How a value is followed; `None` of one that cannot be.
+    fn scaled(self, value: f64) -> Option<f64> {
+        let scaled = match self {
+            Self::ContactForce => value.abs(),
+            Self::Localization => value,
+            Self::Wear => value.ln(),
+        };
+        scaled.is_finite().then_some(scaled)
+    }
+
+    fn unscaled(self, value: f64) -> f64 {
+        match self {
+            Self::ContactForce | Self::Localization => value,
+            Self::Wear => value.exp(),
+        }
+    }
+
+    /// What values scatter by at least, in the scale in which they are followed.
+    const fn scatter(self) -> f64 {
+        match self {
+            Self::ContactForce => 0.05,
+            Self::Localization => 2e-4,
+            Self::Wear => 0.02,
+        }
+    }
+}
+
+/// A first round: when its episode began and ended [s since 1970], and a value of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Point {
+    begin: f64,
+    end: f64,
+    value: f64,
+    round: IndividualId,
+}
+
+/// First rounds by what they stand in a relation to, in the order in which their episodes ended.
+fn first_rounds(
+    catalogue: &Catalogue,
+    [relation, property]: [&str; 2],
+    [from, to]: [f64; 2],
+) -> BTreeMap<String, Vec<Point>> {
+    let mut by_node: HashMap<Node, Vec<Point>> = HashMap::new();
+    let values = catalogue.numbers(property);
+    // Only rounds have a number.
+    for &(round, number) in catalogue.numbers("semco:round") {
+        let node = entries(catalogue.relations(relation), round).first();
+        let value = entries(values, round).first();
+        if let (true, Some((_, node)), Some((_, value))) = (number < 1.5, node, value) {
+            let [begin, end] = catalogue.episode_of(round).interval;
+            if from <= begin && end <= to {
+                let point = Point {
+                    begin,
+                    end,
+                    value: *value,
+                    round,
+                };
+                by_node.entry(*node).or_default().push(point);
+            }
+        }
+    }
+    let named = by_node.into_iter();
+    let named = named.filter_map(|(node, mut points)| {
+        // A simulated world is faster than the clock, so that one of its episodes may begin before one that it follows.
+        points.sort_by(|a, b| (a.end.total_cmp(&b.end)).then(a.begin.total_cmp(&b.begin)));
+        match node_name(catalogue, node) {
+            Term::Atom(name) => Some((name, points)),
+            _ => None,
+        }
     });
-    let series: BTreeMap<String, Vec<(f64, f64)>> = named.collect();
-    let long = series
-        .into_iter()
-        .filter(|(_, values)| values.len() >= FEWEST);
-    let trends = long.map(|(surface, mut values)| {
-        values.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let values: Vec<f64> = values.into_iter().map(|(_, value)| value).collect();
-        let line = line(&values).map(Term::Float);
-        Term::compound("t", [vec![Term::Atom(surface)], line.to_vec()].concat())
+    named.collect()
+}
+
+fn scaled(drift: Drift, points: Vec<Point>) -> Vec<Point> {
+    let scaled = points.into_iter();
+    let scaled = scaled.filter_map(|point| {
+        let value = drift.scaled(point.value)?;
+        Some(Point { value, ..point })
     });
-    trends.collect()
+    scaled.collect()
+}
+
+/// `t(Thing, Slope, First, Last)` for each surface or tool: what a value loses or gains by the episode since it last changed
+/// at once, and where the line begins and ends; over the episodes within a time [s since 1970].
+pub fn drifts(catalogue: &Catalogue, drift: Drift, within: [f64; 2]) -> Vec<Term> {
+    let series = first_rounds(catalogue, drift.properties(), within).into_iter();
+    let lines = series.filter_map(|(name, points)| {
+        let points = scaled(drift, points);
+        let values: Vec<f64> = points.iter().map(|point| point.value).collect();
+        let since = changes_of(&values, drift.scatter())
+            .last()
+            .copied()
+            .unwrap_or(0);
+        let latest = &values[since..];
+        (latest.len() >= FEWEST).then(|| {
+            let [slope, first, last] = line(latest);
+            let [first, last] = [first, last].map(|value| drift.unscaled(value));
+            let line = [slope, first, last].map(Term::Float);
+            Term::compound("t", [vec![Term::Atom(name)], line.to_vec()].concat())
+        })
+    });
+    lines.collect()
+}
+
+/// `c(Thing, Time, Before, After)` for each change at once: when the first episode after it began [s since 1970], and the
+/// value before and after it.
+pub fn changes(catalogue: &Catalogue, drift: Drift, within: [f64; 2]) -> Vec<Term> {
+    let mut found = Vec::new();
+    for (name, points) in first_rounds(catalogue, drift.properties(), within) {
+        let points = scaled(drift, points);
+        let values: Vec<f64> = points.iter().map(|point| point.value).collect();
+        let places = changes_of(&values, drift.scatter());
+        let bounds: Vec<usize> = [vec![0], places.clone(), vec![values.len()]].concat();
+        for (k, place) in places.iter().enumerate() {
+            let [_, _, before] = line(&values[bounds[k]..*place]);
+            let [_, after, _] = line(&values[*place..bounds[k + 2]]);
+            let [before, after] = [before, after].map(|value| drift.unscaled(value));
+            let numbers = [points[*place].begin, before, after].map(Term::Float);
+            let parts = [vec![Term::atom(&name)], numbers.to_vec()].concat();
+            found.push(Term::compound("c", parts));
+        }
+    }
+    found
+}
+
+/// `s(Change, Cause)` under the name of each surface that is found elsewhere than at first: how far [m], and why. A softer
+/// tool is pressed further down by the same force F: at stiffness k the tool stands F / k lower.
+pub fn causes(catalogue: &Catalogue, within: [f64; 2]) -> Vec<Term> {
+    let number = |property: &str, round| {
+        let value = entries(catalogue.numbers(property), round).first();
+        value.map(|(_, value)| *value)
+    };
+    let mut found = Vec::new();
+    for (name, points) in first_rounds(catalogue, Drift::Localization.properties(), within) {
+        let count = points.len();
+        if count < FEWEST {
+            continue;
+        }
+        // The first and the last third: whether it changed at once or by and by.
+        let some = (count / 3).max(2);
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+        let change = |values: &[f64]| mean(&values[count - some..]) - mean(&values[..some]);
+        let offsets: Vec<f64> = points.iter().map(|point| point.value).collect();
+        let moved = change(&offsets);
+        if moved.abs() < LEAST_OFFSET {
+            continue;
+        }
+        let sunk = points.iter().map(|point| {
+            let force = number("semco:meanNormalForce", point.round)?;
+            let stiffness = number("semco:toolStiffness", point.round)?;
+            (stiffness > 0.0).then(|| -force.abs() / stiffness)
+        });
+        let cause = match sunk.collect::<Option<Vec<f64>>>() {
+            None => "cannot_be_told",
+            Some(sunk) => {
+                let by_tool = change(&sunk) / moved;
+                if by_tool >= IS_CAUSE && moved < 0.0 {
+                    "worn_tool"
+                } else if by_tool >= IS_CAUSE {
+                    "stiffer_tool"
+                } else if by_tool > IS_NO_CAUSE {
+                    "tool_and_surface"
+                } else if moved < 0.0 {
+                    "lowered_surface"
+                } else {
+                    "raised_surface"
+                }
+            }
+        };
+        let parts = [Term::Atom(name), Term::Float(moved), Term::atom(cause)];
+        found.push(Term::compound("s", parts));
+    }
+    found
+}
+
+/// Time and value of each first round with a thing, in their order: `Time-Value` [s since 1970].
+pub fn series(catalogue: &Catalogue, drift: Drift, thing: &str) -> Vec<Term> {
+    let all = [f64::NEG_INFINITY, f64::INFINITY];
+    let mut by_name = first_rounds(catalogue, drift.properties(), all);
+    let points = by_name.remove(thing).unwrap_or_default();
+    let pairs = points.iter();
+    let pairs = pairs.map(|point| Term::compound("-", [point.begin, point.value].map(Term::Float)));
+    pairs.collect()
+}
+
+/// Where values change at once: the first place after each change, in order.
+fn changes_of(values: &[f64], scatter: f64) -> Vec<usize> {
+    let mut places = Vec::new();
+    split(values, 0, scatter, &mut places);
+    places.sort_unstable();
+    places
+}
+
+fn split(values: &[f64], from: usize, scatter: f64, places: &mut Vec<usize>) {
+    let count = values.len();
+    if count < 2 * FEWEST_BESIDE_CHANGE {
+        return;
+    }
+    let splits = FEWEST_BESIDE_CHANGE..=count - FEWEST_BESIDE_CHANGE;
+    let costs = splits.map(|k| (k, squares(&values[..k]) + squares(&values[k..])));
+    let Some((place, two)) = costs.min_by(|a, b| a.1.total_cmp(&b.1)) else {
+        return;
+    };
+    let n = count as f64;
+    let variance = |squares: f64| squares / n + scatter * scatter;
+    // Twice the gain in logarithmic likelihood of normal deviations.
+    let gain = n * (variance(squares(values)) / variance(two)).ln();
+    if gain > PENALTY[0] * n.ln() + PENALTY[1] {
+        places.push(from + place);
+        split(&values[..place], from, scatter, places);
+        split(&values[place..], from + place, scatter, places);
+    }
+}
+
+/// The sum of squares of what the line leaves.
+fn squares(values: &[f64]) -> f64 {
+    let [slope, first, _] = line(values);
+    let left = (values.iter().enumerate()).map(|(x, y)| y - first - slope * x as f64);
+    left.map(|left| left * left).sum()
 }
 
 /// The least squares line through values in a row: slope, first and last.
@@ -62,7 +292,9 @@ fn line(values: &[f64]) -> [f64; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::line;
+    use super::{changes_of, line};
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
 
     #[test]
     fn a_line_is_found_again() {
@@ -71,5 +303,34 @@ mod tests {
         for (found, is) in found.iter().zip([-0.25, 3.0, 1.5]) {
             assert!((found - is).abs() < 1e-12, "{found} for {is}");
         }
+    }
+
+    /// Offsets [m] that scatter by half a millimetre, about.
+    fn scattered(seed: u64, of: impl Fn(usize) -> f64) -> Vec<f64> {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        // Three even ones have about the scatter of a normal one.
+        let mut noise = || {
+            (0..3)
+                .map(|_| random.random_range(-0.5e-3..0.5e-3))
+                .sum::<f64>()
+        };
+        (0..20).map(|k| of(k) + noise()).collect()
+    }
+
+    #[test]
+    fn a_step_is_found_where_it_is_and_a_slope_is_none() {
+        let mut found_elsewhere = 0;
+        for seed in 0..100 {
+            let step = scattered(seed, |k| if k < 12 { 0.0 } else { -5e-3 });
+            let found = changes_of(&step, 2e-4);
+            assert_eq!(found.len(), 1, "{seed}: {found:?}");
+            found_elsewhere += usize::from(found != [12]);
+            let slope = scattered(seed, |k| -3e-4 * k as f64);
+            assert_eq!(changes_of(&slope, 2e-4), [0; 0], "{seed}");
+            let mut outlier = scattered(seed, |_| 0.0);
+            outlier[9] = 5e-3;
+            assert_eq!(changes_of(&outlier, 2e-4), [0; 0], "{seed}");
+        }
+        assert!(found_elsewhere < 5, "{found_elsewhere}");
     }
 }

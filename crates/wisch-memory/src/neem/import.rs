@@ -201,7 +201,9 @@ fn header(id: &str, said: &Said) -> Result<EpisodeRecord, String> {
         id: id.to_owned(),
         task: text("semco:recordTask")?,
         interval: [number("semco:recordBegin")?, number("semco:recordEnd")?],
-        origin: text("semco:recordLog").map_or(Origin::Simulated, Origin::Imported),
+        origin: (text("semco:recordLog").map(Origin::Imported))
+            .or_else(|_| text("semco:recordExecutor").map(Origin::Executor))
+            .unwrap_or(Origin::Simulated),
         program: text("semco:recordProgram")?,
         seed: seed
             .parse()

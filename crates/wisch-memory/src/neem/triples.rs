@@ -140,8 +140,10 @@ fn of_record(record: &EpisodeRecord) -> Result<Vec<Triple>, NeemError> {
         number("semco:recordBegin", record.interval[0])?,
         number("semco:recordEnd", record.interval[1])?,
     ];
-    if let Origin::Imported(log) = &record.origin {
-        all.push(text("semco:recordLog", log)?);
+    match &record.origin {
+        Origin::Simulated => {}
+        Origin::Executor(program) => all.push(text("semco:recordExecutor", program)?),
+        Origin::Imported(log) => all.push(text("semco:recordLog", log)?),
     }
     for &start in &record.rounds {
         all.push(number("semco:recordRoundStart", start)?);

@@ -1,10 +1,12 @@
 //! From the log of some other robot to the record of an episode.
 
 use super::log::Span;
-use super::{EpisodeHeader, RoundContext, class_of, describe_touch, goal_of, state, things_of};
+use super::{
+    EpisodeHeader, RoundContext, class_of, describe_touch, goal_of, state, things_of,
+};
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin};
 use wisch::interpret::Interpretation;
-use wisch::recover::judge_log;
+use wisch::recover::{Verdict, judge_log};
 use wisch::represent::{GoalState, Task};
 
 /// Place of the one round in the record.
@@ -28,17 +30,25 @@ pub fn remember_log(
     episode.set_number("semco:seed", header.seed as f64);
     let mut action = Individual::new("semco:WipingAction", Some(0));
     action.estimate(interpretation);
+    action.set_text("semco:verdict", in_words(verdict));
     action.set_number("semco:target", header.target);
     action.set_number("semco:rounds", 1.0);
     action.set_text("semco:goal", &goal_of(task, goal));
     action.relations = things_of(task);
     action.relate("dul:executesTask", "#2".to_owned());
-    action.relate_all("soma:hasExecutionState", state(verdict));
+    action.end_in(state(verdict));
     let mut round = Individual::new("semco:WipingRound", Some(1));
     describe_touch(&mut round, interpretation);
     round.set_number("semco:round", 1.0);
     round.relations = things_of(task);
-    round.relate_all("soma:hasExecutionState", state(verdict));
+    round.set_text("semco:verdict", in_words(verdict));
+    round.end_in(state(verdict));
+    if !interpretation.can_be_told() {
+        // A mean that rests on a misread log would answer queries as if it were known; the interval stays.
+        for individual in [&mut action, &mut round] {
+            individual.values.remove("semco:performance");
+        }
+    }
     let mut individuals = vec![
         episode,
         action,
@@ -66,6 +76,14 @@ pub fn remember_log(
         seed: header.seed,
         rounds: vec![header.start],
         individuals,
+    }
+}
+
+/// The verdict on a log, which nobody goes on from.
+const fn in_words(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Again => "goal not met",
+        _ => verdict.as_str(),
     }
 }
 

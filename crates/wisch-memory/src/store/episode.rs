@@ -5,8 +5,10 @@ use super::error::{MemoryError, at};
 use super::sums::{FileSum, SUMS_FILE, Sums};
 use crate::observations::RoundObservations;
 use crate::record::EpisodeRecord;
+use crate::robot::URDF_FILE;
 use crate::telemetry::Telemetry;
-use std::fs;
+use std::fs::{self, File};
+use std::io::Seek;
 use std::path::{Component, Path, PathBuf};
 
 /// An episode of a memory; what is asked of it is read then.
@@ -84,6 +86,22 @@ impl Episode {
         Ok(self.sums()?.contains_key(&telemetry_file(round)))
     }
 
+    /// Whether it holds the robot that wiped; a log does not.
+    pub fn has_robot(&self) -> bool {
+        self.folder.join(URDF_FILE).is_file()
+    }
+
+    /// Says that the telemetry of a round, from 1, was not kept, and why where that is known.
+    pub fn without_telemetry(&self, round: usize) -> MemoryError {
+        let record = self.record().ok();
+        let why = record.and_then(|record| record.telemetry_lost(round));
+        MemoryError::NoTelemetry {
+            id: self.id.clone(),
+            round,
+            why: why.unwrap_or_default(),
+        }
+    }
+
     /// What was seen of the dirt before and after a round, from 1; `None` where nothing looked, and in episodes that were
     /// written when this was not kept.
     ///
@@ -126,19 +144,21 @@ impl Episode {
         fs::read(&path).map_err(at(&path))
     }
 
-    /// The same, held against its check sum.
+    /// Opens a file after holding it against its check sum; nothing of it is kept in memory.
     ///
     /// # Errors
     /// The same, or a file that is not what was written.
-    pub fn checked_attachment(&self, name: &str) -> Result<Vec<u8>, MemoryError> {
-        let bytes = self.attachment(name)?;
+    pub fn open_checked(&self, name: &str) -> Result<File, MemoryError> {
+        check_name(&self.id, name)?;
         let path = self.folder.join(name);
+        let mut file = File::open(&path).map_err(at(&path))?;
         if let Some(written) = self.sums()?.get(name)
-            && let Some(what) = written.difference(&FileSum::of(&path)?)
+            && let Some(what) = written.difference(&FileSum::of_opened(&mut file, &path)?)
         {
             return Err(MemoryError::Changed { path, what });
         }
-        Ok(bytes)
+        file.rewind().map_err(at(&path))?;
+        Ok(file)
     }
 
     /// The names of all its files, sorted, with `/` between folder and file.

@@ -97,6 +97,16 @@ pub enum MemoryError {
         /// The file.
         path: PathBuf,
     },
+    /// A round of which no telemetry was kept.
+    #[error("episode {id}: round {round} has no telemetry{}", because(why))]
+    NoTelemetry {
+        /// The episode.
+        id: String,
+        /// The round, from 1.
+        round: usize,
+        /// Why it was not kept; empty where that is not known.
+        why: String,
+    },
     /// A file that an episode cannot have.
     #[error("episode {id}: {name:?} cannot be the name of a file in it")]
     Name {
@@ -114,6 +124,13 @@ fn likely(nearest: &str) -> String {
     match nearest {
         "" => String::new(),
         nearest => format!("; the nearest is {nearest:?}"),
+    }
+}
+
+fn because(why: &str) -> String {
+    match why {
+        "" => String::new(),
+        why => format!(": {why}"),
     }
 }
 

@@ -32,6 +32,7 @@ pub use error::MemoryError;
 pub use verify::Fault;
 pub use writer::EpisodeWriter;
 
+use crate::told::forget_episode;
 use error::at;
 use std::fs::{self, File, TryLockError};
 use std::io;
@@ -48,6 +49,8 @@ const NEW_FOLDER: &str = ".new";
 const LOCK_ENDING: &str = ".lock";
 const FORGOTTEN_ENDING: &str = ".forgotten";
 const MEMORY_LOCK: &str = ".lock";
+/// What is left of what was told, until it takes its place.
+const TOLD_FILE: &str = ".told";
 
 /// The recording of an episode, as `wisch studio` and reports show it: JSON lines, packed.
 pub const RECORDING_FILE: &str = "recording.jsonl.gz";
@@ -193,6 +196,9 @@ impl Memory {
         remove_folder(&gone)?;
         fs::rename(episode.folder(), &gone).map_err(at(episode.folder()))?;
         sync_folder(&self.folder)?;
+        // What was told of it is answered no more, as it is of no episode; now it is removed as well.
+        let aside = self.folder.join(NEW_FOLDER).join(TOLD_FILE);
+        forget_episode(&self.folder, id, &aside).map_err(at(&self.folder))?;
         // Under the lock still: another of this name may be forgotten next.
         remove_folder(&gone)?;
         drop(guard);
@@ -242,6 +248,10 @@ impl Memory {
         for name in entries(&folder)? {
             if name.ends_with(FORGOTTEN_ENDING) {
                 remove_folder(&folder.join(&name))?;
+                continue;
+            }
+            if name == TOLD_FILE {
+                remove_file(&folder.join(&name))?;
                 continue;
             }
             let id = name.strip_suffix(LOCK_ENDING).unwrap_or(&name);

@@ -30,6 +30,11 @@ impl FileSum {
     /// Of a file as it is now.
     pub(super) fn of(path: &Path) -> Result<Self, MemoryError> {
         let mut file = File::open(path).map_err(at(path))?;
+        Self::of_opened(&mut file, path)
+    }
+
+    /// Of a file that is open and stands at `path`.
+    pub(super) fn of_opened(file: &mut File, path: &Path) -> Result<Self, MemoryError> {
         let mut hasher = crc32fast::Hasher::new();
         let mut bytes = 0;
         let mut blocks = Vec::new();

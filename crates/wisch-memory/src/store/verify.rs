@@ -1,6 +1,6 @@
 //! Whether all that is stored is what was written, and can be read.
 
-use super::episode::Episode;
+use super::episode::{Episode, telemetry_file};
 use super::sums::FileSum;
 use super::{Memory, MemoryError, RECORD_FILE};
 
@@ -20,7 +20,8 @@ impl std::fmt::Display for Fault {
 }
 
 impl Memory {
-    /// Holds every file against its check sum, and reads every record and every page of every telemetry.
+    /// Holds every file against its check sum, and reads every record and every page of every telemetry; names rounds
+    /// without telemetry.
     ///
     /// # Errors
     /// If the folder cannot be listed.
@@ -28,7 +29,11 @@ impl Memory {
         let mut faults = Vec::new();
         for id in self.episodes()? {
             let found = match self.episode(&id) {
-                Ok(episode) => episode.faults(),
+                Ok(episode) => {
+                    let mut faults = episode.faults();
+                    faults.extend(episode.missing_telemetry());
+                    faults
+                }
                 // Forgotten meanwhile.
                 Err(MemoryError::Unknown { .. }) => continue,
                 Err(error) => vec![error],
@@ -58,6 +63,16 @@ impl Episode {
             faults.extend(fault_of(self, name, written).err());
         }
         faults
+    }
+
+    /// The rounds of its record of which no telemetry was kept. The rest of it is whole, and can be copied.
+    fn missing_telemetry(&self) -> Vec<MemoryError> {
+        let (Ok(sums), Ok(record)) = (self.sums(), self.record()) else {
+            return Vec::new();
+        };
+        let rounds = 1..=record.rounds.len();
+        let missing = rounds.filter(|round| !sums.contains_key(&telemetry_file(*round)));
+        missing.map(|round| self.without_telemetry(round)).collect()
     }
 }
 

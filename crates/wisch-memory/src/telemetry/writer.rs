@@ -150,7 +150,7 @@ impl TelemetryWriter {
         })
     }
 
-    /// Adds a sample. Velocities and efforts that are not measured, empty arrays, are written as NaN.
+    /// Adds a sample. Positions, velocities and efforts that are not measured, empty arrays, are written as NaN.
     ///
     /// # Errors
     /// A time that is not finite, negative or not later than the last; arrays of another length than there are
@@ -162,7 +162,7 @@ impl TelemetryWriter {
             ("velocities", sample.velocities),
             ("efforts", sample.efforts),
         ];
-        for (_, values) in &mut arrays[1..] {
+        for (_, values) in &mut arrays {
             if values.is_empty() {
                 *values = &unmeasured;
             }

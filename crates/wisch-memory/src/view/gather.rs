@@ -5,9 +5,9 @@ use super::{
     Body, Command, Dirt, DirtState, Emphasis, Occurrence, ShownEpisode, ShownRound, Subject, Track,
     View, ViewError, When, Wish,
 };
-use crate::ask::Term;
+use crate::ask::{Term, tool_of};
 use crate::catalogue::{Catalogue, EpisodeRow, IndividualId, Node, entries};
-use crate::frames::{Frames, Sampling};
+use crate::frames::{FrameError, Frames, Sampling};
 use crate::ontology::Ontology;
 use crate::store::{Episode, Memory};
 use crate::telemetry::Telemetry;
@@ -91,7 +91,10 @@ pub fn gather(
 /// A round that is open.
 #[derive(Clone)]
 struct Opened {
-    robot: Rc<RobotModel>,
+    /// The robot; `None` of a log.
+    robot: Option<Rc<RobotModel>>,
+    /// The tool's name.
+    tool: String,
     telemetry: Rc<Telemetry>,
     /// When it began [s since 1970].
     began: f64,
@@ -309,10 +312,12 @@ impl Gathering<'_> {
         let telemetry = Rc::new(episode.telemetry(number)?);
         let same = (self.known.iter()).find(|((id, _), _)| *id == row.id);
         let robot = match same {
-            Some((_, &place)) => Rc::clone(&self.opened[place].robot),
-            None => Rc::new(episode.robot()?),
+            Some((_, &place)) => self.opened[place].robot.clone(),
+            None if episode.has_robot() => Some(Rc::new(episode.robot()?)),
+            None => None,
         };
-        let frames = Frames::new(&robot, &telemetry)?;
+        let tool = tool_of(self.catalogue, row);
+        let frames = frames_of(robot.as_deref(), &telemetry, &tool)?;
         let scene = frames.scene();
         let tool_path = match telemetry.interval() {
             Some(interval) => line(&frames, "tool", interval)?,
@@ -325,14 +330,16 @@ impl Gathering<'_> {
             world_from_surface: scene.world_from_surface.into(),
             tool_path,
             names: [&scene.robot, &scene.tool, &scene.surface].map(Clone::clone),
-            outline: around.outline,
+            // Where nothing says where the surface was, it is not drawn.
+            outline: around.outline.filter(|_| !scene.surface.is_empty()),
             tool_mesh: around.tool,
             objects: around.objects,
         };
         let opened = Opened {
             media: self.media(row),
             telemetry: Rc::clone(&telemetry),
-            robot: Rc::clone(&robot),
+            robot: robot.clone(),
+            tool,
             began: row.rounds[number - 1],
         };
         self.view.rounds.push(shown);
@@ -374,7 +381,7 @@ impl Gathering<'_> {
 
     fn bodies(&mut self, name: &str, wish: &Wish, stretch: Stretch) -> Result<(), ViewError> {
         let opened = self.opened[stretch.round].clone();
-        let frames = Frames::new(&opened.robot, &opened.telemetry)?;
+        let frames = frames_of(opened.robot.as_deref(), &opened.telemetry, &opened.tool)?;
         let Stretch { round, from, to } = stretch;
         let poses = match wish.when {
             When::Latest => vec![frames.pose(local(name), to)?],
@@ -402,7 +409,7 @@ impl Gathering<'_> {
         for at in poses {
             let body = Body {
                 thing: name.to_owned(),
-                figure: figure(&frames, &opened.robot, local(name), &at)?,
+                figure: figure(&frames, local(name), &at)?,
                 round,
                 time: opened.began + at.time,
                 emphasis: wish.emphasis,
@@ -415,7 +422,7 @@ impl Gathering<'_> {
 
     fn track(&mut self, name: &str, wish: &Wish, stretch: Stretch) -> Result<(), ViewError> {
         let opened = self.opened[stretch.round].clone();
-        let frames = Frames::new(&opened.robot, &opened.telemetry)?;
+        let frames = frames_of(opened.robot.as_deref(), &opened.telemetry, &opened.tool)?;
         let interval = [stretch.from, stretch.to];
         let samples = match wish.when {
             When::Every(_, period) => {
@@ -474,6 +481,18 @@ impl Gathering<'_> {
                 self.episode(catalogue.episode_of(id));
             }
         }
+    }
+}
+
+/// The frames of a round: of its robot, or else of the poses that were logged.
+fn frames_of<'a>(
+    robot: Option<&'a RobotModel>,
+    telemetry: &'a Telemetry,
+    tool: &str,
+) -> Result<Frames<'a>, FrameError> {
+    match robot {
+        Some(robot) => Frames::new(robot, telemetry),
+        None => Frames::of_log(telemetry, tool),
     }
 }
 

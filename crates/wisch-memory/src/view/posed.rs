@@ -30,14 +30,11 @@ pub(super) fn line(
     Ok(poses.iter().map(place).collect())
 }
 
-pub(super) fn figure(
-    frames: &Frames,
-    robot: &RobotModel,
-    name: &str,
-    at: &PoseAt,
-) -> Result<Figure, ViewError> {
+pub(super) fn figure(frames: &Frames, name: &str, at: &PoseAt) -> Result<Figure, ViewError> {
     let scene = frames.scene();
-    if name == scene.robot || name == "robot" {
+    if let Some(robot) = frames.robot()
+        && (name == scene.robot || name == "robot")
+    {
         return Ok(Figure::Robot {
             parts: parts(frames, robot, at.time)?,
             world_from_tool: frames.pose("tool", at.time)?.world_from_frame,

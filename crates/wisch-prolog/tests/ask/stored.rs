@@ -119,6 +119,154 @@ fn runs_at_once_are_not_mixed() {
 }
 
 #[test]
+fn an_episode_without_telemetry_is_named_and_left_out() {
+    let (_folder, memory) = two_runs();
+    // As on a full disk: the record says why.
+    let mut record = memory.episode("run-1").unwrap().record().unwrap();
+    record.id = "run-2".to_owned();
+    let mut round = record.individuals[1].clone();
+    round.class = "semco:WipingRound".to_owned();
+    round
+        .values
+        .insert("semco:round".into(), wisch_memory::Value::Number(1.0));
+    record.individuals.push(round);
+    record.set_telemetry_lost(1, "No space left on device");
+    memory.begin("run-2").unwrap().commit(&record).unwrap();
+    for command in engines() {
+        let mut asker = Asker::open(memory.clone(), command).unwrap();
+        for query in [
+            "has_type(C, 'Collision'), telemetry(force, C, mean, F)",
+            "findall(C-F, (has_type(C, 'Collision'), telemetry(force, C, mean, F)), L), member(C-F, L)",
+        ] {
+            let answers = asker.ask(query).unwrap();
+            assert_eq!(answers.rows.len(), 2, "{query}: {:?}", shown(&answers));
+            let [remark] = answers.remarks.as_slice() else {
+                panic!("{query}: {:?}", answers.remarks);
+            };
+            assert!(
+                remark.contains("run-2") && remark.contains("No space left"),
+                "{remark}"
+            );
+        }
+        let error = asker
+            .ask("telemetry(force, 'HumanCollision_run-2-1', mean, F)")
+            .unwrap_err();
+        assert!(error.to_string().contains("run-2"), "{error}");
+        // What is wrong with the query is said, whatever is left out.
+        let error = asker
+            .ask("telemetry(farce, [1005, 1006], mean, F)")
+            .unwrap_err();
+        assert!(error.to_string().contains("did you mean force"), "{error}");
+    }
+    let faults: Vec<String> = memory
+        .verify()
+        .unwrap()
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    let [fault] = faults.as_slice() else {
+        panic!("{faults:?}");
+    };
+    assert!(
+        fault.contains("run-2") && fault.contains("round 1 has no telemetry: No space left"),
+        "{fault}"
+    );
+}
+
+/// A log of a tool that moves along x for 10 s, a centimetre a second, with nothing recorded from 4 to 8 s.
+fn store_log(memory: &Memory, id: &str, head: TelemetryHead) {
+    let writer = memory.begin(id).unwrap();
+    let columns = ["x", "y", "z", "qx", "qy", "qz", "qw"].map(|name| format!("measured/{name}"));
+    let mut telemetry = writer.telemetry_with_columns(1, head, &columns).unwrap();
+    let mark = Mark {
+        motion: 0,
+        phase: Phase::FreeMotion,
+    };
+    for k in (0..=1000).filter(|k| !(400..800).contains(k)) {
+        let time = f64::from(k) * PERIOD;
+        telemetry
+            .push(time, mark, [0.01 * time, 0.25, 0.75, 0.0, 0.0, 0.0, 1.0])
+            .unwrap();
+    }
+    telemetry.finish().unwrap();
+    let mut action = Individual {
+        class: "semco:WipingAction".to_owned(),
+        interval: Some([1000.0, 1010.0]),
+        parent: None,
+        relations: BTreeMap::new(),
+        values: BTreeMap::new(),
+    };
+    for (property, thing) in [
+        ("semco:usesTool", "semco:sponge"),
+        ("semco:actsOnSurface", "semco:table"),
+    ] {
+        action
+            .relations
+            .insert(property.to_owned(), vec![thing.to_owned()]);
+    }
+    let record = EpisodeRecord {
+        schema: EPISODE_SCHEMA,
+        id: id.to_owned(),
+        task: "board".to_owned(),
+        interval: [1000.0, 1010.0],
+        origin: Origin::Imported("wipe.csv".to_owned()),
+        program: "test".to_owned(),
+        seed: 1,
+        rounds: vec![1000.0],
+        individuals: vec![action],
+    };
+    writer.commit(&record).unwrap();
+}
+
+#[test]
+fn where_the_tool_of_a_log_was_is_answered_from_its_poses() {
+    let lifted = wisch::geometry::Pose::translation(0.0, 0.0, 0.7);
+    let scene = wisch_memory::RoundScene::of_log("sponge", "table", &lifted);
+    // Older episodes have no scene.
+    for (head, has_scene) in [
+        (scene.head(Vec::new()), true),
+        (TelemetryHead::default(), false),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let memory = Memory::create(&folder.path().join("episodes")).unwrap();
+        store_log(&memory, "log-1", head);
+        for command in engines() {
+            let mut asker = Asker::open(memory.clone(), command).unwrap();
+            let at = |asker: &mut Asker, query: &str| shown(&asker.ask(query).unwrap());
+            let place = "[X, Y, Z], _), A is round(1000 * X), B is round(1000 * Y), C is round(1000 * Z), _ = [X, Y, Z]";
+            let rows = at(&mut asker, &format!("tf(sponge, 1002.0, {place}"));
+            assert!(rows[0].ends_with("20 250 750"), "{rows:?}");
+            let rows = at(&mut asker, "tf(sponge, [F, _, Q])");
+            assert_eq!(rows, ["world [0.0, 0.0, 0.0, 1.0]"]);
+            let rows = at(
+                &mut asker,
+                "object_trajectory(semco:sponge, [1000, 1010], dt(1.0), _T), length(_T, N)",
+            );
+            // At 0, 1, 2, 3, 4, 8, 9 and 10 s: nothing is known between 4 and 8 s.
+            assert_eq!(rows, ["8"]);
+            let gap = asker
+                .ask("tf(sponge, 1006.0, P, Q)")
+                .unwrap_err()
+                .to_string();
+            assert!(gap.contains("nothing was recorded within 0.5 s"), "{gap}");
+            let surface = asker.ask("tf(table, 1002.0, P, Q)");
+            match has_scene {
+                true => assert_eq!(
+                    shown(&surface.unwrap()),
+                    ["[0.0, 0.0, 0.7] [0.0, 0.0, 0.0, 1.0]"]
+                ),
+                false => assert!(
+                    surface
+                        .unwrap_err()
+                        .to_string()
+                        .contains("does not say where table was")
+                ),
+            }
+        }
+    }
+}
+
+#[test]
 fn a_damaged_episode_is_named_and_left_out() {
     let (_folder, memory) = two_runs();
     let file = memory.folder().join("run-1/round-1.parquet");

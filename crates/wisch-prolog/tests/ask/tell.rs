@@ -5,10 +5,10 @@ use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
-use wisch_memory::Catalogue;
 use wisch_memory::ask::{
     AskError, Asker, Assertions, EngineCommand, Limits, QueryFault, TelemetryPredicates,
 };
+use wisch_memory::{Catalogue, Memory};
 
 const COMMENT: &str = "tell(holds('Stroke_e0-5', semco:recordLog, pushed))";
 
@@ -87,6 +87,80 @@ fn a_query_tells_no_more_than_it_may_answer() {
         assert_eq!(kept(folder.path()), 0);
         assert!(asker.ask(&tell(5)).unwrap().holds());
         assert_eq!(kept(folder.path()), 5);
+    }
+}
+
+#[test]
+fn what_was_told_of_an_episode_goes_with_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = Memory::create(folder.path()).unwrap();
+    for record in memory::episodes().into_iter().take(2) {
+        memory.begin(&record.id).unwrap().commit(&record).unwrap();
+    }
+    let told = |asker: &mut Asker| shown(&asker.ask("holds(_, semco:recordLog, X)").unwrap());
+    for command in engines() {
+        let mut asker = Asker::open(memory.clone(), command.clone()).unwrap();
+        asker
+            .ask("tell(holds('Stroke_e0-5', semco:recordLog, first))")
+            .unwrap();
+        asker
+            .ask("tell(holds('Stroke_e1-5', semco:recordLog, second))")
+            .unwrap();
+        asker
+            .ask("tell(holds('Stroke_e1-5', dul:hasParticipant, 'HumanCollision_e0-7'))")
+            .unwrap();
+        assert_eq!(told(&mut asker), ["first", "second"]);
+        memory.forget("e0").unwrap();
+        assert_eq!(
+            kept(folder.path()),
+            1,
+            "what was told of e0 is gone for good"
+        );
+        let mut asker = Asker::open(memory.clone(), command.clone()).unwrap();
+        assert_eq!(told(&mut asker), ["second"]);
+        // A killed program may have left it: it is answered no more.
+        let path = folder.path().join("told.jsonl");
+        let text = fs::read_to_string(&path).unwrap();
+        fs::write(
+            &path,
+            text + "[\"semco:Stroke_e0-5\",\"semco:recordLog\",\"first\"]\n",
+        )
+        .unwrap();
+        let mut asker = Asker::open(memory.clone(), command).unwrap();
+        assert_eq!(told(&mut asker), ["second"]);
+        memory
+            .begin("e0")
+            .unwrap()
+            .commit(&memory::episodes()[0])
+            .unwrap();
+        fs::remove_file(&path).unwrap();
+    }
+}
+
+#[test]
+fn numbers_that_are_not_finite_cannot_be_told() {
+    for command in engines() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut asker = asker_of(folder.path(), command, Limits::default());
+        for number in ["inf", "nan", "'1.5NaN'", "'-inf'", "infinite"] {
+            let query = format!("tell(holds('Stroke_e0-5', semco:peakForce, {number}))");
+            let error = asker.ask(&query).expect_err(&query).to_string();
+            assert!(error.contains("must be finite"), "{query}: {error}");
+        }
+        let computed = asker.ask("X is inf, tell(holds('Stroke_e0-5', semco:peakForce, X))");
+        assert!(computed.is_err(), "{computed:?}");
+        assert_eq!(kept(folder.path()), 0);
+        // A file that another program wrote.
+        fs::write(
+            folder.path().join("told.jsonl"),
+            "[\"semco:Stroke_e0-5\",\"semco:peakForce\",null]\n",
+        )
+        .unwrap();
+        let error = Assertions::read(folder.path()).unwrap_err().to_string();
+        assert!(
+            error.contains("line 1") && error.contains("finite number"),
+            "{error}"
+        );
     }
 }
 

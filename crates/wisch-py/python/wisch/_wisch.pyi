@@ -156,12 +156,18 @@ class Task:
         target: float | None = None,
         pace: Literal["whole", "greedy"] | None = None,
         end_strokes_early: bool | None = None,
+        plan: Plan | Sequence[ArrayLike] | Callable[[Task], Sequence[ArrayLike]] | None = None,
     ) -> Session:
-        """A session that has not planned yet.
+        """A session that has not planned yet. It plans for all places where the dirt may lie; ``plan_known_dirt`` plans for the
+        one draw of ``particles``, which takes a shorter way and is predicted to do more for that draw.
 
         ``robot`` follows its plans: a Robot, the name of a shipped one, or a URDF; ``task.robot()`` is the one that the task
         names. ``world_from_robot`` (7) is where it stands, ``group`` its group of joints that wipes, ``rounds`` how many there
         may be, ``target`` the performance at which the goal is met, 0 to 1; each as the task says unless given.
+
+        ``plan`` takes the place of the task's strategy: a Plan or one's own strokes, as for ``plan_of_strokes``, for the first
+        round; or a function for every round, which is given a Task whose particles lie where they are estimated to lie by then,
+        and returns strokes.
         """
     def interpret(
         self,
@@ -177,8 +183,20 @@ class Task:
 
         Of the dirt before, what the task says is believed; ``certain``: that it lies just as the task says.
         """
+    def plan_known_dirt(self) -> Plan:
+        """A plan for ``particles`` as if they were known to lie just there, as ``wisch eval table1`` makes it.
+
+        ``session().plan()`` plans for all places where the dirt may lie instead: on the table that is a way about twice as long, of
+        which less is predicted for this one draw.
+        """
+    def plan_of_strokes(self, strokes: Sequence[ArrayLike]) -> Plan:
+        """The plan that consists of one's own strokes, each (k, 3): x, y [m] and heading [rad] of the tool in the frame of the
+        surface, between which it moves straight. Its ``strategy`` is "own".
+
+        Raises WischError where a stroke leads the tool through an object of the scene, over a hole or off the surface.
+        """
     def plan_of_json(self, json: str) -> Plan:
-        """The plan of the text of a ``plan.json``."""
+        """The plan of the text of a ``plan.json``; its strokes are checked as those of ``plan_of_strokes``."""
 
 class Plan:
     """Strokes in the order in which they are wiped. A notebook shows it as a picture."""
@@ -352,7 +370,7 @@ class Sink:
     def __call__(self, sample: Mapping[str, Any] | None = None, /, **keys: Any) -> bool:
         """Hand one sample on: ``time_s`` [s], ``world_from_tool`` (7), ``force_n`` (3) and, where measured, ``positions``,
         ``velocities``, ``efforts`` (n), ``moment_nm`` (3), ``world_from_commanded`` (7), ``controller_force_n`` (3),
-        ``controller_moment_nm`` (3). Raises WischError that names the sample and the value."""
+        ``controller_moment_nm`` (3), ``trajectory_time_s`` [s] (of the setpoint that the controller is at). Raises WischError that names the sample and the value."""
     def many(self, samples: Mapping[str, ArrayLike] | None = None, /, **keys: ArrayLike) -> bool:
         """Hand many on: the same keys, with a row per sample."""
 
@@ -641,7 +659,9 @@ def read_log(
     wrench_topic: str | None = None,
     columns: Mapping[str, str] | None = None,
     wrench_frame: Literal["world", "log", "tool", "surface"] | None = None,
-    wrench_sign: Literal["on-tool", "by-tool"] = "on-tool",
+    wrench_sign: Literal["on-tool", "by-tool"] | None = None,
+    orientation: Literal["quaternion", "rotation-vector", "rpy", "abc", "matrix"] | None = None,
+    rate_hz: float | None = None,
     force_unit_n: float | None = None,
     length_unit_m: float | None = None,
     time_unit_s: float | None = None,

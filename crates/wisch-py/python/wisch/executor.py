@@ -1,4 +1,4 @@
-"""Executors: any object with ``execute(motion, sink)`` and, if it can look, ``observe()``.
+"""Executors: any object with ``execute(motion, sink)`` and, if it can look, ``observe()``; ``state()`` says where it stands.
 
 ``Executor`` is a base class that says what they are; nothing needs to inherit from it. ``serve`` makes a program of one, for
 ``wisch run TASK --executor "python3 my_robot.py"``::
@@ -47,13 +47,18 @@ class Executor:
         ``sink(sample)`` takes a dict with ``time_s`` [s], ``world_from_tool`` (7), ``force_n`` (3; of the surroundings on the
         tool, in the axes of the world [N]) and, where measured, ``positions``, ``velocities``, ``efforts`` (n; arrays, or dicts
         by joint), ``moment_nm`` (3), ``world_from_commanded`` (7), ``controller_force_n`` (3), ``controller_moment_nm`` (3); or
-        these as arguments. ``sink.many`` takes the same with a row per sample. Both return False when the motion is to be
+        these as arguments. A robot that may run slower than planned adds ``trajectory_time_s``, the time of the setpoint that its
+        controller is at. ``sink.many`` takes the same with a row per sample. Both return False when the motion is to be
         broken off.
 
         Returns None when all is done or it was broken off; or a dict with any of ``ending`` ("complete", "stopped", or
         ``{"protective_stop": {"time_s": ..., "reason": ...}}``), ``duration_s`` and ``positions`` (n, at the end).
         """
         raise NotImplementedError
+
+    def state(self):
+        """Where the joints stand (n), asked before each motion; None where that is not known."""
+        return None
 
     def observe(self):
         """What is seen of the dirt: places (k, 2) in the frame of the believed surface [m], or a dict of ``detections`` and
@@ -159,9 +164,7 @@ def _execute(executor, wire: _Wire, head: dict[str, Any]) -> None:
     done = executor.execute(motion, sink) or {}
     ending = "stopped" if wire.is_stopped.is_set() else "complete"
     time = sink.last.get("time_s", 0.0)
-    k = int(np.searchsorted(motion.time_s, time))
-    planned = motion.positions[min(k, len(motion.time_s) - 1)]
-    positions = sink.last.get("positions") or planned
+    positions = sink.last.get("positions", [])
     wire.say(done={"duration_s": time, "ending": ending, "positions": positions, **done})
 
 
@@ -182,8 +185,11 @@ def serve(executor) -> None:
     sys.stdout = sys.stderr
     while (message := wire.hear()) is not None:
         try:
-            if "hello" in message:
-                wire.say(ready={"version": VERSION})
+            if message == "state":
+                state = executor.state()
+                wire.say(state={"positions": [] if state is None else state})
+            elif "hello" in message:
+                wire.say(ready={"version": VERSION, "reports_state": hasattr(executor, "state")})
             elif "execute" in message:
                 wire.is_stopped.clear()
                 _execute(executor, wire, message["execute"])

@@ -40,11 +40,14 @@ impl Histogram {
             total: 0.0,
             chance: 0.0,
         };
-        let contact = path
-            .iter()
-            .filter(|piece| matches!(piece.touch, Touch::Weak | Touch::Confident));
-        for piece in contact {
-            let duration = piece.time[1] - piece.time[0];
+        let mut last: Option<f64> = None;
+        for piece in path {
+            // A piece of few samples lasts from the end of the one before.
+            let begin = last.replace(piece.time[1]).unwrap_or(piece.time[0]);
+            if !matches!(piece.touch, Touch::Weak | Touch::Confident) {
+                continue;
+            }
+            let duration = piece.time[1] - begin;
             let bin = (BINS as f64 * piece.normalized_force) as usize;
             histogram.shares[bin.min(BINS - 1)] += duration;
             histogram.total += duration;

@@ -132,7 +132,7 @@ impl Demo {
         (self.rounds.iter().enumerate())
             .map(|(i, round)| RoundView {
                 number: i + 1,
-                plan: &round.plan,
+                plan: Some(&round.plan),
                 believed: &round.believed,
                 predicted: round.predicted,
                 interpretation: &round.interpretation,

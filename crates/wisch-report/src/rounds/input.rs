@@ -9,11 +9,11 @@ use wisch::represent::{GoalState, ParticleDistribution, Performance, Task};
 pub struct RoundView<'a> {
     /// Its number, counted from 1.
     pub number: usize,
-    /// The strokes that were to be wiped.
-    pub plan: &'a Plan,
+    /// The strokes that were to be wiped; `None` of a log, which does not say it.
+    pub plan: Option<&'a Plan>,
     /// Where the dirt was believed to lie when the plan was made.
     pub believed: &'a ParticleDistribution,
-    /// The performance that the plan promised, in [0, 1].
+    /// The performance that the plan promised, in [0, 1]; not a number where there is no plan.
     pub predicted: f64,
     /// What the log says.
     pub interpretation: &'a Interpretation,

@@ -48,6 +48,16 @@ pub(crate) fn pictures(input: &RoundsInput) -> Vec<(String, String)> {
     pictures
 }
 
+/// What a log shows, as it is drawn on its page.
+pub(crate) fn log_figures(input: &RoundsInput, round: &RoundView) -> [Figure; 4] {
+    [
+        path::figure(input, round),
+        force_plot::figure(input, round),
+        residual_map::particles_figure(input, round),
+        residual_map::density_figure(input, round),
+    ]
+}
+
 /// The rounds that have pictures: all, or the first and the last.
 fn pictured<'r, 'a>(rounds: &'r [RoundView<'a>]) -> Vec<&'r RoundView<'a>> {
     let left_out = rounds.len().saturating_sub(MAX_PICTURED);

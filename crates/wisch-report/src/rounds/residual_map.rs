@@ -222,7 +222,15 @@ fn views(input: &RoundsInput, round: &RoundView, cells: &Cells) -> Vec<(Panel, S
         (particles(input, &view, typical))
     };
     let mut views = vec![
-        framed(input, &view, "believed before, and the plan", planned),
+        framed(
+            input,
+            &view,
+            match round.plan {
+                Some(_) => "believed before, and the plan",
+                None => "believed before",
+            },
+            planned,
+        ),
         framed(
             input,
             &view,
@@ -291,7 +299,7 @@ fn particles(input: &RoundsInput, view: &View, particles: &ParticleDistribution)
 
 /// The planned strokes.
 fn strokes(round: &RoundView, view: &View) -> Markup {
-    let strokes = round.plan.strokes.iter();
+    let strokes = round.plan.iter().flat_map(|plan| &plan.strokes);
     let lines: String = strokes
         .map(|stroke| view.line(stroke.poses.iter().map(|pose| pose.position)))
         .collect();
@@ -320,7 +328,7 @@ fn particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
             sample: html! { path class="mark-lost" d="M8.5-3.5l7 7m0-7l-7 7" {} },
         });
     }
-    if !round.plan.strokes.is_empty() {
+    if round.plan.is_some_and(|plan| !plan.strokes.is_empty()) {
         entries.push(legend::line("trail", "planned stroke"));
     }
     let dark = if input.goal.action().treats() {

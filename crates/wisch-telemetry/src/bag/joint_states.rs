@@ -44,20 +44,23 @@ impl JointStates {
         })
     }
 
-    /// Takes the positions from a message; what is not finite is left out.
-    pub fn read(&self, message: &Value, log_time: i64, positions: &mut JointPositions) {
+    /// The stamp of a message [ns]; 0 stands for none.
+    pub fn stamp(&self, message: &Value) -> i64 {
+        let whole = |path| (message.at(path).and_then(Value::number)).unwrap_or(0.0) as i64;
+        self.stamp.as_ref().map_or(0, |[sec, nanosec]| {
+            whole(sec)
+                .saturating_mul(NANOSECONDS_PER_SECOND as i64)
+                .saturating_add(whole(nanosec))
+        })
+    }
+
+    /// Takes the positions at a time [ns] from a message; what is not finite is left out.
+    pub fn read(&self, message: &Value, time: i64, positions: &mut JointPositions) {
         let (Some(Value::Texts(names)), Some(Value::Numbers(values))) =
             (message.at(&self.names), message.at(&self.positions))
         else {
             return;
         };
-        let whole = |path| (message.at(path).and_then(Value::number)).unwrap_or(0.0) as i64;
-        let stamp = self.stamp.as_ref().map_or(0, |[sec, nanosec]| {
-            whole(sec)
-                .saturating_mul(NANOSECONDS_PER_SECOND as i64)
-                .saturating_add(whole(nanosec))
-        });
-        let time = if stamp == 0 { log_time } else { stamp };
         for (name, value) in names
             .iter()
             .zip(values)

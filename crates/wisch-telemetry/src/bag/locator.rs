@@ -4,6 +4,10 @@ use crate::quantity::{Quantity, QuantityError};
 use crate::ros2::{Field, Kind, NANOSECONDS_PER_SECOND, Schema, Shape, Value};
 use std::marker::PhantomData;
 
+/// How deep in a message, and in how many messages in it, a quantity is looked for that nobody named the place of.
+const MAX_FIELD_DEPTH: usize = 3;
+const MAX_FIELDS: usize = 1000;
+
 /// Finds a quantity in messages of one schema.
 #[derive(Debug, Clone)]
 pub(crate) struct Locator<Q> {
@@ -46,10 +50,36 @@ impl<Q: Quantity> Locator<Q> {
             list: None,
             quantity: PhantomData,
         };
-        if let Some(place) = Place::find::<Q>(schema, schema.root(), field) {
-            return Some(single(place));
+        Place::find::<Q>(schema, schema.root(), field).map(single)
+    }
+
+    /// Looks for the quantity in the fields of a larger message, and in those of the messages in it: each with the path of
+    /// its field.
+    pub fn find_within(schema: &Schema) -> Vec<(String, Self)> {
+        let mut found: Vec<(String, Self)> = Vec::new();
+        let mut paths = vec![(String::new(), schema.root(), 0)];
+        while let Some((path, fields, depth)) = paths.pop() {
+            for field in fields {
+                let (Kind::Message(definition), Shape::One) = (field.kind, field.shape) else {
+                    continue;
+                };
+                let path = match path.as_str() {
+                    "" => field.name.clone(),
+                    path => format!("{path}.{}", field.name),
+                };
+                if let Some(locator) = Self::find(schema, &path) {
+                    found.push((path, locator));
+                } else if depth < MAX_FIELD_DEPTH && paths.len() < MAX_FIELDS {
+                    paths.push((path, schema.fields(definition), depth + 1));
+                }
+            }
         }
-        // A list of transforms; there, the field names a child frame.
+        found.sort_by(|a, b| a.0.cmp(&b.0));
+        found
+    }
+
+    /// Looks for a list of transforms, told apart by their child frames.
+    pub fn find_list(schema: &Schema) -> Option<Self> {
         schema.root().iter().enumerate().find_map(|(index, list)| {
             let (Kind::Message(definition), Shape::Sequence) = (list.kind, list.shape) else {
                 return None;
@@ -57,15 +87,11 @@ impl<Q: Quantity> Locator<Q> {
             let place = Place::find::<Q>(schema, schema.fields(definition), "")?;
             place.child.as_ref()?;
             Some(Self {
+                place,
                 list: Some(vec![index]),
-                ..single(place)
+                quantity: PhantomData,
             })
         })
-    }
-
-    /// Whether a message holds many, told apart by their child frames.
-    pub fn is_list(&self) -> bool {
-        self.list.is_some()
     }
 
     /// Takes the quantities from a message.
@@ -166,7 +192,7 @@ mod tests {
             ("geometry_msgs/PoseStamped", [true, false]),
             ("geometry_msgs/Pose", [true, false]),
             ("geometry_msgs/TransformStamped", [true, false]),
-            ("tf2_msgs/TFMessage", [true, false]),
+            ("tf2_msgs/TFMessage", [false, false]),
             ("geometry_msgs/WrenchStamped", [false, true]),
             ("geometry_msgs/Wrench", [false, true]),
             ("sensor_msgs/JointState", [false, false]),
@@ -188,6 +214,14 @@ mod tests {
         let schema =
             Schema::parse("a/State", format!("{own}{pose_part}{text}").as_bytes()).unwrap();
         assert!(Locator::<Pose>::find(&schema, "").is_none());
+        let within = Locator::<Pose>::find_within(&schema);
+        assert_eq!(
+            within
+                .iter()
+                .map(|(path, _)| path.as_str())
+                .collect::<Vec<_>>(),
+            ["tool"]
+        );
         let locator = Locator::<Pose>::find(&schema, "tool").unwrap();
         let [sec, _] = locator.place.stamp.unwrap();
         assert_eq!(sec, [2, 0, 0, 0], "the stamp is that of the field");

@@ -1,5 +1,6 @@
 //! ROS 2 bags: MCAP files with CDR messages.
 
+mod clocks;
 mod container;
 mod joint_states;
 mod links;
@@ -7,6 +8,7 @@ mod locator;
 mod observation;
 mod reader;
 mod scene;
+mod search;
 mod topic;
 mod unpack;
 mod writer;
@@ -16,4 +18,5 @@ pub use observation::LookTime;
 pub(crate) use reader::BagReader;
 pub use scene::SceneShown;
 pub(crate) use topic::{FRAME_SURFACE, FRAME_WORLD};
+pub(crate) use unpack::Unzstd;
 pub use writer::{BagHead, BagWriter, active_path};

@@ -1,37 +1,46 @@
 //! ROS 2 bags: finds the poses and forces in an MCAP file of whatever topics.
 
+use super::clocks::Offset;
 use super::container::{Ending, Entry, entries};
 use super::joint_states::JointStates;
-use super::locator::{Found, Locator};
+use super::locator::Locator;
 use super::observation::{Looks, is_look};
-use super::topic::{
-    AXES_KEY, NOTES, ROLE_KEY, ROLE_POSE, ROLE_WRENCH, ROUND_NOTE, START_KEY, TASK_NOTE,
-};
+use super::search::{Located, Search, aligned};
+use super::topic::{NOTES, ROLE_POSE, ROLE_WRENCH, ROUND_NOTE, TASK_NOTE};
+use super::unpack::{is_packed, unpacked_message};
 use crate::error::ReadFault;
 use crate::frames::Frames;
-use crate::options::TopicChoice;
+use crate::options::{Clock, LogOptions, WrenchSign};
 use crate::quantity::Quantity;
-use crate::ros2::{MessageError, Schema, Value, decode};
+use crate::ros2::{Schema, Value, decode};
 use crate::track::{JointPositions, RawLog, Track};
 use mcap::Channel;
+use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
-use std::fs::File;
-use std::io::BufReader;
+use std::io::Read;
 use std::path::Path;
 use std::rc::Rc;
 use wisch::geometry::{Pose, Vector3};
-use wisch::represent::UnknownName;
-use wisch::robot::JointTransform;
 
 /// Gathers what the parts of a bag say.
-pub(crate) struct BagReader {
+pub(crate) struct BagReader<'a> {
+    options: &'a LogOptions,
     poses: Search<Pose>,
     wrenches: Search<Vector3>,
     /// Every topic with its type.
     topics: BTreeMap<String, String>,
+    /// Why topics are not read that might hold what is looked for.
+    unread: BTreeMap<String, String>,
     channels: HashMap<u16, Reading>,
-    frames: Frames,
+    /// The file that is read, from 1.
+    part: usize,
+    /// Transforms that hold for good.
+    fixed: Frames,
+    /// The others, by topic.
+    moving: BTreeMap<String, Moving>,
     joints: JointPositions,
+    /// By how much the stamps of the joints' positions were ahead of the recorder [ns].
+    joints_ahead: Vec<i64>,
     /// The task's name, where the writer says it.
     task: Option<String>,
     /// Which round of its run it was, where the writer says it.
@@ -40,14 +49,23 @@ pub(crate) struct BagReader {
     unfinished: bool,
 }
 
+/// Transforms of a topic.
+#[derive(Default)]
+struct Moving {
+    frames: Frames,
+    /// By how much the stamps were ahead of the recorder [ns].
+    ahead: Vec<i64>,
+}
+
 /// What is made of a channel's messages.
+#[derive(Clone)]
 enum Reading {
     /// It holds nothing that is looked for.
     Nothing,
     Messages {
         schema: Rc<Schema>,
-        pose: Option<Rc<Locator<Pose>>>,
-        wrench: Option<Rc<Locator<Vector3>>>,
+        poses: Rc<[Located<Pose>]>,
+        wrenches: Rc<[Located<Vector3>]>,
         transforms: Option<Rc<Locator<Pose>>>,
         joints: Option<Rc<JointStates>>,
     },
@@ -57,17 +75,24 @@ enum Reading {
 const TRANSFORMS: &str = "TFMessage";
 /// How a topic's name ends whose transforms hold for good.
 const STATIC_TOPIC: &str = "tf_static";
+/// Where libfranka's state has forces that the tool does, not those that are done to it.
+const FORCES_BY_TOOL: [&str; 2] = ["o_f_ext_hat_k", "k_f_ext_hat_k"];
 
-impl BagReader {
+impl<'a> BagReader<'a> {
     /// Looks for a pose, a wrench, and positions of joints.
-    pub fn new(pose: &TopicChoice, wrench: &TopicChoice, joints: &[JointTransform]) -> Self {
+    pub fn new(options: &'a LogOptions) -> Self {
         Self {
-            poses: Search::new(pose, ROLE_POSE),
-            wrenches: Search::new(wrench, ROLE_WRENCH),
+            options,
+            poses: Search::new(&options.pose_topic, ROLE_POSE),
+            wrenches: Search::new(&options.wrench_topic, ROLE_WRENCH),
             topics: BTreeMap::new(),
+            unread: BTreeMap::new(),
             channels: HashMap::new(),
-            frames: Frames::default(),
-            joints: JointPositions::of(joints),
+            part: 0,
+            fixed: Frames::default(),
+            moving: BTreeMap::new(),
+            joints: JointPositions::of(&options.joints),
+            joints_ahead: Vec::new(),
             task: None,
             round: None,
             looks: Looks::default(),
@@ -75,12 +100,13 @@ impl BagReader {
         }
     }
 
-    /// Reads a file. One that is being written may end where it likes; of one that is finished that is an error.
-    pub fn read(&mut self, path: &Path) -> Result<(), ReadFault> {
-        let file = BufReader::new(File::open(path).map_err(ReadFault::System)?);
+    /// Reads a file from a source. One that is being written may end where it likes; of one that is finished that is an
+    /// error.
+    pub fn read(&mut self, path: &Path, source: impl Read) -> Result<(), ReadFault> {
         // Each file numbers its channels anew.
         self.channels.clear();
-        let ending = entries(file, &mut |entry| match entry {
+        self.part += 1;
+        let ending = entries(source, &mut |entry| match entry {
             Entry::Message(channel, log_time, data) => self.message(channel, log_time, data),
             Entry::Notes(NOTES, notes) => {
                 self.task = notes.get(TASK_NOTE).cloned();
@@ -100,22 +126,96 @@ impl BagReader {
 
     /// What was found.
     pub fn finish(mut self) -> Result<RawLog, ReadFault> {
-        self.frames.sort();
-        let (poses, says) = self.poses.choose(&self.topics)?;
-        let (wrenches, wrench_says) = self.wrenches.choose(&self.topics)?;
+        let options = self.options;
+        let (clock, window) = (options.clock, options.reorder_window);
+        let mut remarks = Vec::new();
+        let frame = self.named_frame();
+        let pose = match frame {
+            Some(_) => None,
+            None => self.poses.choose(&self.topics)?,
+        };
+        // All clocks are brought onto that of the poses.
+        let ahead = |ahead: &[i64]| Offset::of(ahead.to_vec()).unwrap_or(Offset::NONE);
+        let reference = match (
+            &pose,
+            self.moving.values().find(|moving| !moving.ahead.is_empty()),
+        ) {
+            (Some(pose), _) => pose.offset(clock),
+            (None, Some(moving)) => ahead(&moving.ahead),
+            (None, None) => ahead(&self.joints_ahead),
+        };
+        let mut frames = self.fixed;
+        for (topic, moving) in self.moving {
+            let shift = ahead(&moving.ahead).shift_onto(reference);
+            remarks.extend(shift.map(|shift| aligned(&topic, shift)));
+            frames.absorb(moving.frames, shift.unwrap_or(0));
+        }
+        if self.joints.are_known() {
+            let shift = ahead(&self.joints_ahead).shift_onto(reference);
+            remarks.extend(shift.map(|shift| aligned("the joints' positions", shift)));
+            self.joints.shift(shift.unwrap_or(0));
+        }
+        self.joints.add_to(&mut frames, &options.joints);
+        frames.sort();
+        let says = pose
+            .as_ref()
+            .map(|pose| pose.says.clone())
+            .unwrap_or_default();
+        let poses = match pose {
+            Some(pose) => pose.into_track(clock, 0, window, &mut remarks)?,
+            None => {
+                let topic = self.poses.named.as_ref().map(|(topic, _)| topic.as_str());
+                let kinds = self
+                    .topics
+                    .iter()
+                    .find(|(_, kind)| kind.ends_with(TRANSFORMS));
+                let topic = topic.or(kinds.map(|(topic, _)| topic.as_str()));
+                let topic = topic.unwrap_or("/joint_states");
+                match frames.tool_track(frame.as_deref(), topic, options, &mut remarks)? {
+                    Some(track) => track,
+                    None => return Err(nothing::<Pose>(&self.topics, &self.unread)),
+                }
+            }
+        };
+        let Some(wrench) = self.wrenches.choose(&self.topics)? else {
+            return Err(nothing::<Vector3>(&self.topics, &self.unread));
+        };
+        let shift = wrench.offset(clock).shift_onto(reference).unwrap_or(0);
+        let axes = wrench.says.axes.clone();
+        let is_by_tool = FORCES_BY_TOOL.contains(&wrench.field.as_str());
+        if is_by_tool {
+            let field = &wrench.field;
+            remarks.push(format!(
+                "forces of libfranka ({field}) are by the tool, by its manual"
+            ));
+        }
+        let wrenches: Track<Vector3> = wrench.into_track(clock, shift, window, &mut remarks)?;
         Ok(RawLog {
-            poses: poses.filled()?,
-            wrenches: wrenches.filled()?,
-            axes: wrench_says.axes,
+            poses,
+            wrenches,
+            axes,
+            sign: is_by_tool.then_some(WrenchSign::ByTool),
             start: says.start,
             unfinished: self.unfinished,
-            frames: self.frames,
+            frames,
             joints: self.joints,
             task: self.task,
             round: self.round,
             looks: self.looks.finish(),
-            units: None,
+            remarks,
         })
+    }
+
+    /// The frame whose pose is meant, where a topic of transforms or a frame alone is named.
+    fn named_frame(&self) -> Option<String> {
+        match &self.poses.named {
+            Some((topic, field)) => {
+                let kind = self.topics.get(topic)?;
+                // Without a field the only frame that moves is meant.
+                kind.ends_with(TRANSFORMS).then(|| field.clone())
+            }
+            None => None,
+        }
     }
 
     fn message(
@@ -124,6 +224,12 @@ impl BagReader {
         log_time: u64,
         data: &[u8],
     ) -> Result<(), ReadFault> {
+        let data = if is_packed(data) {
+            Cow::Owned(unpacked_message(&channel.topic, data)?)
+        } else {
+            Cow::Borrowed(data)
+        };
+        let data = &*data;
         if is_look(&channel.topic) {
             return self.looks.take(channel, data);
         }
@@ -133,39 +239,71 @@ impl BagReader {
         }
         let Some(Reading::Messages {
             schema,
-            pose,
-            wrench,
+            poses,
+            wrenches,
             transforms,
             joints,
-        }) = self.channels.get(&channel.id)
+        }) = self.channels.get(&channel.id).cloned()
         else {
             return Ok(());
         };
-        let value = decode(schema, data);
+        let value = decode(&schema, data);
         let log_time = i64::try_from(log_time).unwrap_or(i64::MAX);
-        if let Some(locator) = pose {
-            self.poses.take(channel, locator, &value, log_time);
-        }
-        if let Some(locator) = wrench {
-            self.wrenches.take(channel, locator, &value, log_time);
-        }
-        if let (Some(locator), Ok(message)) = (transforms, &value) {
-            let is_static = channel.topic.ends_with(STATIC_TOPIC);
-            for found in locator.read(message) {
-                let time = if found.stamp == 0 {
-                    log_time
-                } else {
-                    found.stamp
-                };
-                if let Ok(pose) = found.value {
-                    (self.frames).insert(found.frame, found.child, time, pose, is_static);
+        let part = self.part;
+        self.poses.take(channel, &poses, &value, log_time, part);
+        self.wrenches
+            .take(channel, &wrenches, &value, log_time, part);
+        if let Some(locator) = transforms {
+            match &value {
+                Ok(message) => self.transforms(channel, &locator, message, log_time),
+                Err(error) => {
+                    let entry = self.unread.entry(channel.topic.clone());
+                    entry.or_insert_with(|| error.to_string());
                 }
             }
         }
         if let (Some(places), Ok(message)) = (joints, &value) {
-            places.read(message, log_time, &mut self.joints);
+            let is_recorded = self.options.clock == Clock::Log;
+            let stamp = Some(places.stamp(message)).filter(|stamp| *stamp != 0 && !is_recorded);
+            if let Some(stamp) = stamp {
+                self.joints_ahead.push(stamp.saturating_sub(log_time));
+            }
+            places.read(message, stamp.unwrap_or(log_time), &mut self.joints);
         }
         Ok(())
+    }
+
+    /// Takes transforms in.
+    fn transforms(
+        &mut self,
+        channel: &Channel<'_>,
+        locator: &Locator<Pose>,
+        message: &Value,
+        log_time: i64,
+    ) {
+        let is_static = channel.topic.ends_with(STATIC_TOPIC);
+        let is_recorded = self.options.clock == Clock::Log;
+        for found in locator.read(message) {
+            let stamp = Some(found.stamp).filter(|stamp| *stamp != 0 && !is_recorded);
+            let time = stamp.unwrap_or(log_time);
+            let Ok(pose) = found.value else {
+                continue;
+            };
+            let (frame, child) = (found.frame, found.child);
+            if is_static {
+                self.fixed.insert(frame, child, time, pose, true);
+                continue;
+            }
+            if !self.moving.contains_key(&channel.topic) {
+                self.moving.insert(channel.topic.clone(), Moving::default());
+            }
+            if let Some(moving) = self.moving.get_mut(&channel.topic) {
+                moving
+                    .ahead
+                    .extend(stamp.map(|stamp| stamp.saturating_sub(log_time)));
+                moving.frames.insert(frame, child, time, pose, false);
+            }
+        }
     }
 
     /// Sees a channel for the first time.
@@ -186,29 +324,53 @@ impl BagReader {
             Err(fault) if self.poses.names(channel) || self.wrenches.names(channel) => {
                 return Err(fault);
             }
-            // Bags hold topics of all kinds, and this is not the one that was asked for.
-            Err(_) => return Ok(Reading::Nothing),
+            // Bags hold topics of all kinds, and this may not be the one that is meant.
+            Err(fault) => {
+                self.unread.insert(channel.topic.clone(), fault.to_string());
+                return Ok(Reading::Nothing);
+            }
         };
-        let pose = self.poses.locator(channel, &schema)?;
-        let wrench = self.wrenches.locator(channel, &schema)?;
         let transforms = (holds_transforms
-            .then(|| Locator::find(&schema, ""))
+            .then(|| Locator::find_list(&schema))
             .flatten())
-        .filter(Locator::is_list)
         .map(Rc::new);
+        let wrenches = self.wrenches.locators(channel, &schema)?;
+        // A pose is followed from frame to frame; a message of transforms has parts of the way alone.
+        let poses = match transforms {
+            Some(_) => Vec::new(),
+            None => self.poses.locators(channel, &schema)?,
+        };
         let joints = holds_joints.then(|| JointStates::find(&schema)).flatten();
-        let holds = pose.is_some() || wrench.is_some() || transforms.is_some() || joints.is_some();
+        let holds =
+            !poses.is_empty() || !wrenches.is_empty() || transforms.is_some() || joints.is_some();
         Ok(if holds {
             Reading::Messages {
                 schema,
-                pose,
-                wrench,
+                poses: poses.into(),
+                wrenches: wrenches.into(),
                 transforms,
                 joints: joints.map(Rc::new),
             }
         } else {
             Reading::Nothing
         })
+    }
+}
+
+/// That nothing holds a quantity, with all that there is.
+fn nothing<Q: Quantity>(
+    topics: &BTreeMap<String, String>,
+    unread: &BTreeMap<String, String>,
+) -> ReadFault {
+    let topics = topics
+        .iter()
+        .filter(|(topic, _)| !unread.contains_key(*topic));
+    ReadFault::Nothing {
+        what: Q::NAME,
+        topics: topics
+            .map(|(topic, kind)| format!("{topic} ({kind})"))
+            .collect(),
+        unread: unread.values().cloned().collect(),
     }
 }
 
@@ -231,269 +393,4 @@ fn readable(channel: &Channel<'_>) -> Result<Schema, ReadFault> {
         return Err(encoding("schema", &schema.encoding, "ros2msg"));
     }
     Schema::parse(&schema.name, &schema.data).map_err(|error| ReadFault::Schema { topic, error })
-}
-
-/// Which time a topic's messages go by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Clock {
-    /// That of their headers.
-    Stamp,
-    /// That at which they were recorded, as their headers bear none.
-    Log,
-}
-
-/// Something that may be what is looked for.
-struct Candidate<Q> {
-    topic: String,
-    /// The child frame, in a topic that holds many.
-    child: String,
-    clock: Clock,
-    says: Says,
-    track: Track<Q>,
-}
-
-/// What the writer says about a channel.
-#[derive(Debug, Clone, Default)]
-struct Says {
-    is_meant: bool,
-    axes: Option<String>,
-    start: Option<i64>,
-}
-
-/// Looks for one quantity.
-struct Search<Q> {
-    /// A topic and a field of it, or nothing.
-    named: Option<(String, String)>,
-    role: &'static str,
-    candidates: Vec<Candidate<Q>>,
-    /// How many messages of each topic were seen.
-    seen: HashMap<String, usize>,
-    /// The first fault of each topic; it matters only if the topic is chosen.
-    faults: BTreeMap<String, ReadFault>,
-}
-
-impl<Q: Quantity> Search<Q> {
-    fn new(choice: &TopicChoice, role: &'static str) -> Self {
-        let named = match choice {
-            TopicChoice::Sole => None,
-            TopicChoice::Named(name) => {
-                let (topic, field) = name.split_once(':').unwrap_or((name, ""));
-                Some((topic.to_owned(), field.to_owned()))
-            }
-        };
-        Self {
-            named,
-            role,
-            candidates: Vec::new(),
-            seen: HashMap::new(),
-            faults: BTreeMap::new(),
-        }
-    }
-
-    /// Whether this channel was asked for by name.
-    fn names(&self, channel: &Channel<'_>) -> bool {
-        (self.named.as_ref()).is_some_and(|(topic, _)| *topic == channel.topic)
-    }
-
-    /// Whether this channel may be it.
-    fn wants(&self, channel: &Channel<'_>) -> bool {
-        match self.named {
-            Some(_) => self.names(channel),
-            // What never moves wipes nothing.
-            None => !channel.topic.ends_with(STATIC_TOPIC),
-        }
-    }
-
-    /// How to read a channel, if it holds the quantity.
-    fn locator(
-        &self,
-        channel: &Channel<'_>,
-        schema: &Schema,
-    ) -> Result<Option<Rc<Locator<Q>>>, ReadFault> {
-        if !self.wants(channel) {
-            return Ok(None);
-        }
-        let field = self.named.as_ref().map_or("", |(_, field)| field);
-        let locator = Locator::find(schema, field);
-        if locator.is_none() && self.names(channel) {
-            let kind = channel.schema.as_ref().map(|schema| schema.name.clone());
-            return Err(ReadFault::NotThere {
-                topic: channel.topic.clone(),
-                kind: kind.unwrap_or_default(),
-                field: field.to_owned(),
-                what: Q::NAME,
-            });
-        }
-        Ok(locator.map(Rc::new))
-    }
-
-    fn take(
-        &mut self,
-        channel: &Channel<'_>,
-        locator: &Locator<Q>,
-        message: &Result<Value, MessageError>,
-        log_time: i64,
-    ) {
-        if self.faults.contains_key(&channel.topic) {
-            return;
-        }
-        let number = self.count(&channel.topic);
-        let taken = match message {
-            Ok(message) => (locator.read(message))
-                .try_for_each(|found| self.push(channel, locator, found, number, log_time)),
-            Err(error) => Err(ReadFault::Message {
-                topic: channel.topic.clone(),
-                number,
-                error: error.clone(),
-            }),
-        };
-        if let Err(fault) = taken {
-            self.faults.insert(channel.topic.clone(), fault);
-        }
-    }
-
-    /// The number of a topic's next message, from 1.
-    fn count(&mut self, topic: &str) -> usize {
-        if let Some(count) = self.seen.get_mut(topic) {
-            *count += 1;
-            return *count;
-        }
-        self.seen.insert(topic.to_owned(), 1);
-        1
-    }
-
-    fn push(
-        &mut self,
-        channel: &Channel<'_>,
-        locator: &Locator<Q>,
-        found: Found<'_, Q>,
-        number: usize,
-        log_time: i64,
-    ) -> Result<(), ReadFault> {
-        let child = if locator.is_list() { found.child } else { "" };
-        let known = (self.candidates.iter())
-            .position(|known| known.topic == channel.topic && known.child == child);
-        let index = known.unwrap_or_else(|| {
-            let candidate = Candidate::new(channel, child, &found, log_time, self.role);
-            self.candidates.push(candidate);
-            self.candidates.len() - 1
-        });
-        let candidate = &mut self.candidates[index];
-        let time = match candidate.clock {
-            Clock::Stamp => found.stamp,
-            Clock::Log => log_time,
-        };
-        let place = || format!("topic {}, message {number}", channel.topic);
-        candidate.track.push(time, found.value, place)
-    }
-
-    /// The one that is meant.
-    fn choose(mut self, topics: &BTreeMap<String, String>) -> Result<(Track<Q>, Says), ReadFault> {
-        let index = match &self.named {
-            Some((topic, field)) => self.by_name(topic, field, topics)?,
-            None => self.by_content()?,
-        };
-        let Some(index) = index else {
-            // The messages that might have been it may have been no messages.
-            return Err((self.faults.pop_first()).map_or_else(
-                || ReadFault::Nothing {
-                    what: Q::NAME,
-                    topics: (topics.iter())
-                        .map(|(topic, kind)| format!("{topic} ({kind})"))
-                        .collect(),
-                },
-                |(_, fault)| fault,
-            ));
-        };
-        let chosen = self.candidates.swap_remove(index);
-        match self.faults.remove(&chosen.topic) {
-            Some(fault) => Err(fault),
-            None => Ok((chosen.track, chosen.says)),
-        }
-    }
-
-    fn by_name(
-        &self,
-        topic: &str,
-        field: &str,
-        topics: &BTreeMap<String, String>,
-    ) -> Result<Option<usize>, ReadFault> {
-        if !topics.contains_key(topic) {
-            let known = topics.keys().map(String::as_str);
-            return Err(ReadFault::Unknown(UnknownName::new("topic", topic, known)));
-        }
-        let children = || self.candidates.iter().map(|known| known.child.as_str());
-        if field.is_empty() || children().all(str::is_empty) {
-            return self.sole(|_| true);
-        }
-        let index = children().position(|child| child == field);
-        index
-            .map(Some)
-            .ok_or_else(|| ReadFault::Unknown(UnknownName::new("child frame", field, children())))
-    }
-
-    fn by_content(&self) -> Result<Option<usize>, ReadFault> {
-        // Transforms are of everything that moves: a topic of its own is the better guess.
-        let preferences: [fn(&Candidate<Q>) -> bool; 4] = [
-            |candidate| candidate.says.is_meant,
-            |candidate| candidate.child.is_empty(),
-            |candidate| candidate.track.changes(),
-            |_| true,
-        ];
-        for preferred in preferences {
-            if let Some(index) = self.sole(preferred)? {
-                return Ok(Some(index));
-            }
-        }
-        Ok(None)
-    }
-
-    /// The only candidate of some kind, if there is any.
-    fn sole(&self, is_one: fn(&Candidate<Q>) -> bool) -> Result<Option<usize>, ReadFault> {
-        let those: Vec<usize> = (0..self.candidates.len())
-            .filter(|&index| is_one(&self.candidates[index]))
-            .collect();
-        match those.as_slice() {
-            [] => Ok(None),
-            [one] => Ok(Some(*one)),
-            many => Err(ReadFault::Several {
-                what: Q::NAME,
-                topics: (many.iter())
-                    .map(|&index| self.candidates[index].track.name.clone())
-                    .collect(),
-            }),
-        }
-    }
-}
-
-impl<Q: Quantity> Candidate<Q> {
-    fn new(
-        channel: &Channel<'_>,
-        child: &str,
-        found: &Found<'_, Q>,
-        log_time: i64,
-        role: &str,
-    ) -> Self {
-        let mut track = Track::new(match child {
-            "" => channel.topic.clone(),
-            child => format!("{}:{child}", channel.topic),
-        });
-        track.frame = found.frame.to_owned();
-        track.child = found.child.to_owned();
-        let says = |key| channel.metadata.get(key).cloned();
-        Self {
-            topic: channel.topic.clone(),
-            child: child.to_owned(),
-            clock: match (found.stamp, log_time) {
-                (0, 1..) => Clock::Log,
-                _ => Clock::Stamp,
-            },
-            says: Says {
-                is_meant: says(ROLE_KEY).as_deref() == Some(role),
-                axes: says(AXES_KEY),
-                start: says(START_KEY).and_then(|start| start.parse().ok()),
-            },
-            track,
-        }
-    }
 }

@@ -1,6 +1,7 @@
 //! Unpacks the chunks of a bag.
 
-use ruzstd::decoding::StreamingDecoder;
+use crate::error::ReadFault;
+use ruzstd::decoding::{FrameDecoder, StreamingDecoder};
 use std::borrow::Cow;
 use std::io::{self, Read};
 
@@ -48,6 +49,105 @@ fn unzstd(mut packed: &[u8], limit: usize) -> Result<Vec<u8>, UnpackError> {
         append(frame, &mut plain, limit)?;
     }
     Ok(plain)
+}
+
+/// What a frame of Zstandard begins with; a message in CDR begins with a zero.
+const ZSTD_MAGIC: [u8; 4] = [0x28, 0xb5, 0x2f, 0xfd];
+
+/// Longest message that is unpacked [bytes].
+const MAX_MESSAGE_LEN: usize = 64 << 20;
+
+/// Whether a message is packed by itself, as rosbag2 does in its compression mode of that name.
+pub(crate) fn is_packed(message: &[u8]) -> bool {
+    message.starts_with(&ZSTD_MAGIC)
+}
+
+/// A message that was packed by itself.
+pub(crate) fn unpacked_message(topic: &str, message: &[u8]) -> Result<Vec<u8>, ReadFault> {
+    unzstd(message, MAX_MESSAGE_LEN).map_err(|error| ReadFault::PackedMessage {
+        topic: topic.to_owned(),
+        error: match error {
+            UnpackError::Damaged(error) => error,
+            UnpackError::TooLong | UnpackError::Unknown => {
+                format!("it exceeds the limit of {MAX_MESSAGE_LEN} bytes")
+            }
+        },
+    })
+}
+
+/// A file that is packed with Zstandard, unpacked as it is read.
+pub(crate) struct Unzstd<R: Read> {
+    frame: Option<Box<StreamingDecoder<Peeked<R>, FrameDecoder>>>,
+}
+
+impl<R: Read> Unzstd<R> {
+    pub fn new(source: R) -> io::Result<Self> {
+        let source = Peeked {
+            first: None,
+            source,
+        };
+        Ok(Self {
+            frame: Some(begin(source)?),
+        })
+    }
+}
+
+impl<R: Read> Read for Unzstd<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        loop {
+            let Some(frame) = &mut self.frame else {
+                return Ok(0);
+            };
+            let count = frame.read(buffer)?;
+            if count > 0 || buffer.is_empty() {
+                return Ok(count);
+            }
+            // A file may hold several frames.
+            let mut source = match self.frame.take() {
+                Some(frame) => frame.into_inner(),
+                None => return Ok(0),
+            };
+            if source.is_at_end()? {
+                return Ok(0);
+            }
+            self.frame = Some(begin(source)?);
+        }
+    }
+}
+
+fn begin<R: Read>(source: Peeked<R>) -> io::Result<Box<StreamingDecoder<Peeked<R>, FrameDecoder>>> {
+    StreamingDecoder::new(source)
+        .map(Box::new)
+        .map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error.to_string()))
+}
+
+/// A source whose next byte can be looked at.
+struct Peeked<R> {
+    first: Option<u8>,
+    source: R,
+}
+
+impl<R: Read> Peeked<R> {
+    fn is_at_end(&mut self) -> io::Result<bool> {
+        let mut byte = [0];
+        if self.first.is_none() && self.source.read(&mut byte)? > 0 {
+            self.first = Some(byte[0]);
+        }
+        Ok(self.first.is_none())
+    }
+}
+
+impl<R: Read> Read for Peeked<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        match (self.first, buffer.first_mut()) {
+            (Some(byte), Some(place)) => {
+                *place = byte;
+                self.first = None;
+                Ok(1)
+            }
+            _ => self.source.read(buffer),
+        }
+    }
 }
 
 fn append(source: impl Read, plain: &mut Vec<u8>, limit: usize) -> Result<(), UnpackError> {
@@ -99,6 +199,26 @@ mod tests {
             unpack("bz2", &zstd(), LIMIT),
             Err(UnpackError::Unknown)
         ));
+    }
+
+    #[test]
+    fn files_and_messages_come_out_whole() {
+        let twice = [zstd(), zstd()].concat();
+        let mut plain = Vec::new();
+        Unzstd::new(&twice[..])
+            .unwrap()
+            .read_to_end(&mut plain)
+            .unwrap();
+        assert_eq!(plain, [text(), text()].concat());
+        assert!(is_packed(&zstd()) && !is_packed(&[0, 1, 0, 0]));
+        assert_eq!(unpacked_message("/p", &zstd()).unwrap(), text());
+        let refused = unpacked_message("/p", &zstd()[..9])
+            .unwrap_err()
+            .to_string();
+        assert!(
+            refused.starts_with("topic /p: a packed message: "),
+            "{refused}"
+        );
     }
 
     #[test]

@@ -261,7 +261,9 @@ impl BagWriter {
         }
         if is_due(self.last_shown, time, SHOW_PERIOD) {
             self.last_shown = Some(time);
-            self.write_links(time, sample.positions)?;
+            if !sample.positions.is_empty() {
+                self.write_links(time, sample.positions)?;
+            }
             self.write_force(time, sample)?;
         }
         if self.phase != Some(sample.phase) {
@@ -372,13 +374,13 @@ impl BagWriter {
 
     fn check(&self, sample: &TelemetrySample<'_>) -> Result<u64, WriteError> {
         let joints = self.head.joints.len();
-        for (what, values, is_optional) in [
-            ("positions", sample.positions, false),
-            ("velocities", sample.velocities, true),
-            ("efforts", sample.efforts, true),
+        for (what, values) in [
+            ("positions", sample.positions),
+            ("velocities", sample.velocities),
+            ("efforts", sample.efforts),
         ] {
             // As in a JointState, an empty array is one that is not measured.
-            if values.len() != joints && !(is_optional && values.is_empty()) {
+            if values.len() != joints && !values.is_empty() {
                 return Err(WriteError::Joints {
                     what,
                     count: values.len(),

@@ -11,7 +11,7 @@ use std::path::Path;
 use wisch::geometry::{Point3, Pose, Vector3};
 use wisch::robot::joint_transforms;
 use wisch_telemetry::{
-    Axes, AxesChoice, AxesSource, Log, LogOptions, TopicChoice, WrenchSign, read,
+    Axes, AxesChoice, AxesSource, Clock, Log, LogOptions, TopicChoice, WrenchSign, read,
 };
 
 /// A bag of some other robot, topic by topic.
@@ -465,7 +465,7 @@ fn frames_signs_units_and_offsets_are_applied() {
     );
 
     let by_tool = LogOptions {
-        sign: WrenchSign::ByTool,
+        sign: Some(WrenchSign::ByTool),
         force_unit: Some(9.81),
         ..in_millimetres()
     };
@@ -522,8 +522,8 @@ fn values_that_cannot_be_are_refused_with_their_message() {
             ": topic /p, message 1: the quaternion has a length of 0, which is not within 0.01 of 1",
         ),
         (
-            &[(9, 0.0, QUARTER), (5, 0.0, QUARTER)],
-            ": topic /p, message 2: its time of 0.005 s is before that of the one before, 0.009 s",
+            &[(9_000, 0.0, QUARTER), (1_000, 0.0, QUARTER)],
+            ": topic /p, message 2: its time of 1 s is 8 s before the latest one before it, 9 s; the limit is 5 s",
         ),
     ];
     for (poses, expected) in cases {
@@ -646,4 +646,321 @@ fn a_folder_of_parts_is_one_log() {
         refused(empty.path(), &LogOptions::default()),
         ": the folder holds no .mcap file"
     );
+}
+
+/// A tool that goes 0.1 m/s along x and is pressed with 1 N per second, every 10 ms; who writes it may say each message's
+/// time of recording and stamps of pose and force [ms].
+fn ramp(path: &Path, times: impl IntoIterator<Item = [u64; 4]>) {
+    let mut bag = Foreign::create(path);
+    let (pose, wrench) = (bag.poses("/tool/pose"), bag.wrenches("/ft"));
+    for [true_time, log_time, pose_stamp, wrench_stamp] in times {
+        let seconds = true_time as f64 / 1000.0;
+        let at = [0.1 * seconds, 0.0, 0.0];
+        bag.put(pose, log_time, pose_stamp, "base", (at, UPRIGHT));
+        let force = [0.0, 0.0, seconds];
+        bag.put(wrench, log_time, wrench_stamp, "base", (force, [0.0; 3]));
+    }
+    bag.finish();
+}
+
+/// Samples of such a tool agree with one another wherever they begin.
+fn assert_ramp(log: &Log, count: usize) {
+    assert_eq!(log.samples.len(), count, "{:?}", log.remarks);
+    let start = log.samples[0].world_from_tool.translation.x / 0.1;
+    for sample in &log.samples {
+        let x = sample.world_from_tool.translation.x;
+        assert!(
+            (x - 0.1 * (sample.time + start)).abs() < 1e-6,
+            "{x} at {}",
+            sample.time
+        );
+        assert!(
+            (sample.force.z - 10.0 * x).abs() < 1e-6,
+            "{} at {x}",
+            sample.force.z
+        );
+    }
+}
+
+#[test]
+fn messages_are_put_into_the_order_of_their_stamps() {
+    let (_folder, path) = in_folder();
+    let mut times: Vec<u64> = (1000..=2000).step_by(10).collect();
+    times.swap(20, 50);
+    ramp(&path, times.iter().map(|&time| [time; 4]));
+    let log = read(&path, &LogOptions::default()).unwrap();
+    assert_ramp(&log, 101);
+    assert!(
+        log.remarks[0].ends_with(
+            "of /tool/pose came up to 0.300 s late and were put into the order of time (limit 5 s)"
+        ),
+        "{:?}",
+        log.remarks
+    );
+    // Within a shorter window that is a clock that went back.
+    let narrow = LogOptions {
+        reorder_window: 0.1,
+        ..LogOptions::default()
+    };
+    let shown = refused(&path, &narrow);
+    assert!(shown.contains("its time of 1.21 s is"), "{shown}");
+}
+
+#[test]
+fn parts_of_a_bag_may_overlap() {
+    let (folder, _) = in_folder();
+    // The later part begins before the earlier one ends, by more than the window.
+    let parts = [(0..60), (40..101)];
+    for (index, part) in parts.into_iter().enumerate() {
+        let name = format!("split_{index}.mcap");
+        let times = part.map(|tick| [100_000 + 1000 * tick; 4]);
+        ramp(&folder.path().join(name), times);
+    }
+    let log = read(folder.path(), &LogOptions::default()).unwrap();
+    assert_ramp(&log, 101);
+    assert_eq!(log.repeated, 40, "twenty poses and forces stand in both");
+}
+
+#[test]
+fn stamps_that_are_missing_are_taken_from_the_recording() {
+    let (_folder, path) = in_folder();
+    let stamp = |time: u64| {
+        if time.is_multiple_of(50) {
+            0
+        } else {
+            time + 300
+        }
+    };
+    let times = (1000..=2000).step_by(10);
+    ramp(
+        &path,
+        times.map(|time| [time, time, stamp(time), time + 300]),
+    );
+    let log = read(&path, &LogOptions::default()).unwrap();
+    assert_ramp(&log, 101);
+    assert!(
+        log.remarks
+            .iter()
+            .any(|said| said.starts_with("21 of 101 messages of /tool/pose bear no stamp")),
+        "{:?}",
+        log.remarks
+    );
+}
+
+#[test]
+fn a_sensor_with_a_clock_of_its_own_is_aligned() {
+    let (_folder, path) = in_folder();
+    let times = || (1000..=2000).step_by(10);
+    ramp(
+        &path,
+        times().map(|time| [time, time, time, time + 7_000_300]),
+    );
+    let log = read(&path, &LogOptions::default()).unwrap();
+    assert_ramp(&log, 101);
+    assert!(
+        log.remarks[0].starts_with("the clock of /ft is +7000.300 s off that of the poses"),
+        "{:?}",
+        log.remarks
+    );
+    // The times of recording alone need no alignment, whatever the stamps say.
+    let recorded = LogOptions {
+        clock: Clock::Log,
+        ..LogOptions::default()
+    };
+    ramp(&path, times().map(|time| [time, time, 3 * time, 5]));
+    let log = read(&path, &recorded).unwrap();
+    assert_ramp(&log, 101);
+    assert_eq!(log.remarks, [] as [String; 0]);
+}
+
+#[test]
+fn bags_that_are_packed_as_a_whole_or_by_message_are_read() {
+    let (folder, path) = in_folder();
+    ramp(&path, (1000..=2000).step_by(10).map(|time| [time; 4]));
+    let plain = fs::read(&path).unwrap();
+    let level = ruzstd::encoding::CompressionLevel::Fastest;
+    let packed = ruzstd::encoding::compress_to_vec(plain.as_slice(), level);
+    fs::remove_file(&path).unwrap();
+    let name = folder.path().join("bag_0.mcap.zstd");
+    fs::write(&name, packed).unwrap();
+    for path in [&name, folder.path()] {
+        assert_ramp(&read(path, &LogOptions::default()).unwrap(), 101);
+    }
+    let mut bag = Foreign::create(&path);
+    for message in mcap::MessageStream::new(&plain).unwrap() {
+        let mut message = message.unwrap();
+        let packed = ruzstd::encoding::compress_to_vec(&*message.data, level);
+        message.data = packed.into();
+        bag.bag.write(&message).unwrap();
+    }
+    bag.finish();
+    assert_ramp(&read(&path, &LogOptions::default()).unwrap(), 101);
+}
+
+/// An arm whose wrist turns below a lift, with a tool that is bolted to it; what is bolted stands among fixed transforms.
+fn chain(path: &Path) {
+    let mut bag = Foreign::create(path);
+    let [fixed, moving] = ["/tf_static", "/tf"].map(|name| bag.transforms(name));
+    let wrench = bag.wrenches("/ft");
+    let never = [0, 0];
+    bag.put_transforms(
+        fixed,
+        1000,
+        &[
+            (never, "wrist", "flange", [0.0; 3], UPRIGHT),
+            (never, "flange", "tool0", [0.0, 0.2, 0.0], UPRIGHT),
+            (never, "flange", "camera", [0.0, 0.0, 0.1], UPRIGHT),
+        ],
+    );
+    for time in (1000..=2000_u64).step_by(10) {
+        let stamp = [(time / 1000) as u32, (time % 1000) as u32 * 1_000_000];
+        let seconds = time as f64 / 1000.0;
+        let lift = (stamp, "world", "lift", [0.1 * seconds, 0.0, 0.5], UPRIGHT);
+        // By a quarter about x: y of the wrist is z of the lift.
+        bag.put_transforms(
+            moving,
+            time,
+            &[lift, (stamp, "lift", "wrist", [0.0; 3], QUARTER)],
+        );
+        bag.put(wrench, time, time, "tool0", ([0.0, seconds, 0.0], [0.0; 3]));
+    }
+    bag.finish();
+}
+
+#[test]
+fn a_pose_is_found_along_moving_and_fixed_transforms() {
+    let (_folder, path) = in_folder();
+    chain(&path);
+    for topic in [
+        TopicChoice::Sole,
+        TopicChoice::Named("/tf:tool0".to_owned()),
+    ] {
+        let options = LogOptions {
+            pose_topic: topic,
+            ..LogOptions::default()
+        };
+        let log = read(&path, &options).unwrap();
+        assert_eq!(log.pose_name, "/tf:tool0");
+        // The wrist's quarter turns the force in y of the tool up.
+        assert_ramp(&log, 101);
+        assert!((log.samples[0].world_from_tool.translation.z - 0.7).abs() < 1e-9);
+    }
+    let named = |frame: &str| LogOptions {
+        pose_topic: TopicChoice::Named(format!("/tf:{frame}")),
+        ..LogOptions::default()
+    };
+    let camera = read(&path, &named("camera")).unwrap();
+    assert!((camera.samples[0].world_from_tool.translation.y + 0.1).abs() < 1e-9);
+    let shown = refused(&path, &named("tool1"));
+    assert!(
+        shown.starts_with(": unknown frame \"tool1\"; nearest: tool0"),
+        "{shown}"
+    );
+    let in_tool = LogOptions {
+        world_frame: "flange".to_owned(),
+        ..named("tool0")
+    };
+    let shown = refused(&path, &in_tool);
+    assert!(
+        shown.starts_with(": frame \"tool0\" never moves in \"flange\""),
+        "{shown}"
+    );
+}
+
+#[test]
+fn a_pose_is_found_by_positions_of_joints() {
+    let (_folder, path) = in_folder();
+    let definition = format!(
+        "std_msgs/Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\nfloat64[] effort\n{HEADER_PARTS}"
+    );
+    let urdf = r#"<robot name="gantry"><link name="world"/><link name="x"/><link name="z"/><link name="tcp"/>
+        <joint name="along" type="prismatic"><parent link="world"/><child link="x"/><axis xyz="1 0 0"/>
+            <limit lower="-2" upper="2" velocity="1" effort="1"/></joint>
+        <joint name="up" type="prismatic"><parent link="x"/><child link="z"/><axis xyz="0 0 1"/>
+            <limit lower="-2" upper="2" velocity="1" effort="1"/></joint>
+        <joint name="bolts" type="fixed"><parent link="z"/><child link="tcp"/><origin xyz="0 0 -0.1"/></joint></robot>"#;
+    let mut bag = Foreign::create(&path);
+    let joints = bag.topic("/joint_states", "sensor_msgs/msg/JointState", &definition);
+    let wrench = bag.wrenches("/ft");
+    for time in (1000..=2000_u64).step_by(10) {
+        let seconds = time as f64 / 1000.0;
+        let empty = Vec::<f64>::new;
+        let state = (
+            vec!["along", "up"],
+            vec![0.1 * seconds, 0.01 * seconds],
+            empty(),
+            empty(),
+        );
+        bag.put(joints, time, time, "", state);
+        bag.put(wrench, time, time, "tcp", ([0.0, 0.0, seconds], [0.0; 3]));
+    }
+    bag.finish();
+    let options = LogOptions {
+        joints: joint_transforms("gantry.urdf", urdf).unwrap(),
+        ..LogOptions::default()
+    };
+    let log = read(&path, &options).unwrap();
+    assert_eq!(log.pose_name, "/joint_states:tcp");
+    assert_ramp(&log, 101);
+    assert!((log.samples[100].world_from_tool.translation.z + 0.08).abs() < 1e-9);
+    assert!(
+        log.remarks[0].starts_with("the pose is that of \"tcp\""),
+        "{:?}",
+        log.remarks
+    );
+}
+
+#[test]
+fn pose_and_force_may_stand_in_one_message() {
+    let (_folder, path) = in_folder();
+    let mut bag = Foreign::create(&path);
+    let definition = format!(
+        "std_msgs/Header header\nint8 mode\ngeometry_msgs/Pose tool\ngeometry_msgs/Wrench load\n{HEADER_PARTS}{POSE_PARTS}{WRENCH_PARTS}"
+    );
+    let state = bag.topic("/arm/state", "arm_msgs/msg/State", &definition);
+    for time in (1000..=2000_u64).step_by(10) {
+        let seconds = time as f64 / 1000.0;
+        let pose = ([0.1 * seconds, 0.0, 0.0], UPRIGHT);
+        let load = ([0.0, 0.0, seconds], [0.0; 3]);
+        bag.put(state, time, time, "base", (1_i8, pose, load));
+    }
+    bag.finish();
+    let log = read(&path, &LogOptions::default()).unwrap();
+    assert_eq!(
+        (log.pose_name.as_str(), log.wrench_name.as_str()),
+        ("/arm/state:tool", "/arm/state:load")
+    );
+    assert_ramp(&log, 101);
+}
+
+#[test]
+fn topics_that_are_not_read_are_told_with_the_reason() {
+    let (_folder, path) = in_folder();
+    let mut bag = Foreign::create(&path);
+    let json = bag
+        .bag
+        .add_schema("geometry_msgs/msg/PoseStamped", "jsonschema", b"{}")
+        .unwrap();
+    let pose = (bag.bag)
+        .add_channel(json, "/tcp_pose", "json", &BTreeMap::new())
+        .unwrap();
+    let wrench = bag.wrenches("/ft");
+    bag.put(pose, 0, 0, "base", 0_u8);
+    bag.put(wrench, 0, 0, "base", ([0.0; 3], [0.0; 3]));
+    bag.finish();
+    assert_eq!(
+        refused(&path, &LogOptions::default()),
+        ": no topic holds a pose; there are: /ft (geometry_msgs/msg/WrenchStamped). What is not read: topic /tcp_pose: \
+         its message encoding is \"json\", and only \"cdr\" is read"
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_refused_at_once() {
+    let (_folder, path) = in_folder();
+    let made = std::process::Command::new("mkfifo").arg(&path).status();
+    assert!(made.unwrap().success());
+    let expected = ": this is a pipe, and only files and folders are read";
+    assert_eq!(refused(&path, &LogOptions::default()), expected);
 }

@@ -55,6 +55,15 @@ pub enum FollowError {
     /// The robot's ready posture is outside its limits.
     #[error("the robot cannot start: {0}")]
     StartOutOfLimits(crate::robot::LimitFault),
+    /// There is no way from where the robot was stopped to its ready posture.
+    #[error(
+        "no way back from where the robot was stopped to its ready posture{}",
+        because(why)
+    )]
+    NoRetreat {
+        /// What is in the way of lifting the tool off the surface; `None` where it is the way after that.
+        why: Option<super::Obstruction>,
+    },
     /// A second hand is to hold a tool that has no grip for it.
     #[error("tool {tool:?} has no second_grip that the group {group:?} could hold")]
     NoSecondGrip {
@@ -85,6 +94,25 @@ pub enum FollowError {
         /// What keeps it.
         why: super::Obstruction,
     },
+    /// The hand is below the surface wherever the tool touches it.
+    #[error(
+        "{link:?} would be {depth:.3} m below the surface {surface:?} wherever {tool:?} touches it: the tool is taken to be held at the end of {tip:?}; name the link that holds it, as the tip of the SRDF's group, or give the tool a grip"
+    )]
+    HandBelowSurface {
+        /// The link of the hand.
+        link: String,
+        /// How far it reaches below the tool's contact plane [m].
+        depth: f64,
+        /// The surface.
+        surface: String,
+        /// The tool.
+        tool: String,
+        /// The link that the tool is taken to be held by.
+        tip: String,
+    },
+    /// The target surface cannot be used as an obstacle.
+    #[error("surface: {0}")]
+    Surface(#[source] MeshError),
     /// The tool's mesh cannot be used.
     #[error("tool: {0}")]
     Tool(#[source] MeshError),
@@ -98,4 +126,9 @@ pub enum FollowError {
         /// What it may be.
         expected: &'static str,
     },
+}
+
+fn because(why: &Option<super::Obstruction>) -> String {
+    why.as_ref()
+        .map_or_else(String::new, |why| format!(": {why}"))
 }

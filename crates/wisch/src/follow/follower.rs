@@ -9,6 +9,7 @@ use super::path::stroke_run::{Corner, Now, Run, UntimedMotion, UntimedPhase, run
 use super::path::taut::movement;
 use super::path::tool_redundancy::{ToolOrientation, orientations};
 use super::placement::{Candidate, Reachability, best, drive::drive};
+use super::workcell::HandBelow;
 use super::{
     AbandonedNode, Attempt, FollowConfig, FollowError, Followed, Motion, Phase, Placement,
     RatedPlace, ToolPose, Workcell, schedule,
@@ -86,6 +87,7 @@ pub fn follow(
     progress: &mut dyn FnMut(usize),
 ) -> Result<Followed, FollowError> {
     config.checked()?;
+    can_touch(task, plan, cell)?;
     can_start(cell, config)?;
     let follower = Follower {
         task,
@@ -111,6 +113,20 @@ fn can_start(cell: &Workcell, config: &FollowConfig) -> Result<(), FollowError> 
             b: model.name(contact.b).to_owned(),
             distance: contact.distance,
             limit: config.margin,
+        }),
+    }
+}
+
+/// Whether the hand stays clear of the surface somewhere where the tool touches it.
+fn can_touch(task: &Task, plan: &Plan, cell: &Workcell) -> Result<(), FollowError> {
+    match cell.hand_below(task, plan)? {
+        None => Ok(()),
+        Some(HandBelow { link, depth }) => Err(FollowError::HandBelowSurface {
+            link,
+            depth,
+            surface: task.surface.name.clone(),
+            tool: task.tool.name.clone(),
+            tip: cell.robot().links()[cell.tip().index()].name.clone(),
         }),
     }
 }

@@ -13,6 +13,7 @@ mod motion;
 mod open_stroke;
 mod path;
 mod placement;
+mod retreat;
 mod schedule;
 mod timing;
 mod workcell;
@@ -27,6 +28,7 @@ pub use motion::{
     AbandonedNode, Attempt, Followed, GripDeviation, LineDeviation, Motion, Obstruction, Phase,
     Placement, RatedPlace, ToolPose,
 };
+pub use retreat::retreat;
 pub use timing::{
     FollowerLimit, JointLimit, JointLimits, JointPath, MAX_GRID_INTERVALS, MAX_WAYPOINTS,
     MIN_BLEND_TOLERANCE, SAMPLE_PERIOD, TimingConfig, TimingError, Trajectory, TrajectorySample,

@@ -281,14 +281,37 @@ impl Followed {
         Some(TrajectorySample { time, ..sample })
     }
 
+    /// The same after other motions, which come first.
+    #[must_use]
+    pub fn preceded_by(mut self, first: Vec<Motion>) -> Self {
+        let begin = first.last().map_or(0.0, Motion::end);
+        for motion in &mut self.motions {
+            motion.start += begin;
+        }
+        self.motions.splice(0..0, first);
+        self
+    }
+
     /// Time during which the tool wipes [s].
     pub fn contact_time(&self) -> f64 {
+        self.contact_time_until(f64::INFINITY)
+    }
+
+    /// Time during which the tool wipes, of a motion that is broken off at a time [s].
+    pub fn contact_time_until(&self, end: f64) -> f64 {
         let contact = self.motions.iter().filter(|m| m.phase.is_contact());
-        contact.fold(0.0, |sum, motion| sum + motion.trajectory.duration())
+        contact.fold(0.0, |sum, motion| {
+            sum + (end - motion.start).clamp(0.0, motion.trajectory.duration())
+        })
     }
 
     /// How far some of the variables move, the length of their way in joint space: while the tool wipes, and in all [rad].
     pub fn joint_movement(&self, variables: &[usize]) -> [f64; 2] {
+        self.joint_movement_until(variables, f64::INFINITY)
+    }
+
+    /// The same of a motion that is broken off at a time [s].
+    pub fn joint_movement_until(&self, variables: &[usize], end: f64) -> [f64; 2] {
         let mut movement = [0.0; 2];
         for motion in &self.motions {
             let mut samples = motion.trajectory.samples(MOVEMENT_PERIOD);
@@ -296,7 +319,7 @@ impl Followed {
                 continue;
             };
             let mut moved = 0.0;
-            for sample in samples {
+            for sample in samples.take_while(|sample| motion.start + sample.time <= end) {
                 let squares = variables
                     .iter()
                     .map(|&i| (sample.q[i] - before.q[i]).powi(2));

@@ -1,6 +1,7 @@
 //! Triangle meshes: primitives, changes of frame, cuts, and files in memory.
 
 mod collada;
+mod obj_faces;
 mod read;
 
 pub(crate) use collada::{MAX_ATTRIBUTES, most_attributes};

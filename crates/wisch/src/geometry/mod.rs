@@ -4,6 +4,7 @@ mod footprint;
 mod mesh;
 mod polygon;
 mod pose;
+mod triangulation;
 
 pub use footprint::{
     FootprintError, MAX_FOOTPRINT_EDGES, MIN_COMPRESSION_DEPTH, RIGID_DEPTH, footprint,
@@ -13,6 +14,7 @@ pub use mesh::{MAX_COORDINATE, MAX_TRIANGLES, Mesh, MeshError, MeshFormat};
 pub(crate) use polygon::encloses;
 pub use polygon::{Bounds2, Edge, Polygon, Region};
 pub use pose::{PlanarPose, Pose, wrap_angle};
+pub(crate) use triangulation::prism_below;
 
 /// A point in a plane [m].
 pub type Point2 = nalgebra::Point2<f64>;

@@ -104,10 +104,13 @@ impl FreeSpace {
         self.surface.outline.contains(point) && self.is_clear(point)
     }
 
-    /// Whether the collision sphere can be moved straight from `a` to `b`.
+    /// Whether the tool can be moved straight from `a` to `b`: its collision sphere touches nothing, and the surface carries it.
     ///
     /// Marches by the distance to the scene: a step as long as the free space ahead is safe.
     pub fn is_clear_between(&self, a: Point2, b: Point2) -> bool {
+        if !self.surface.carries_between(a, b) {
+            return false;
+        }
         if self.geometry.is_none() {
             return true;
         }

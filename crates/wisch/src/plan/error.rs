@@ -1,6 +1,6 @@
 //! Why a task cannot be planned.
 
-use super::TourError;
+use super::{StrokeFault, TourError};
 use crate::represent::Action;
 
 /// Why no plan could be made.
@@ -59,6 +59,12 @@ pub enum PlanError {
     /// The scene's geometry cannot be used.
     #[error("scene: {0}")]
     Scene(String),
+    /// A stroke that came from outside cannot be made.
+    #[error(transparent)]
+    Stroke(#[from] StrokeFault),
+    /// The user's own strategy gives no strokes.
+    #[error("own strategy: {0}")]
+    OwnStrategy(String),
     /// The tour could not be solved.
     #[error(transparent)]
     Tour(#[from] TourError),

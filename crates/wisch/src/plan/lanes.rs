@@ -1,14 +1,15 @@
 //! Lanes: a surface is treated in parallel strips as wide as the tool, gone over to and fro; the policy of actions that treat.
 //!
 //! The tool keeps its heading: its broad side stays across the lanes. Where a lane ends at the surface's border, the tool
-//! goes on over it as far as it stays carried.
+//! goes on over it as far as it stays carried. Before a hole it stops with its centre on the border: nothing is pressed over a
+//! hole.
 
 use super::objective::objective;
 use super::{
     FreeSpace, Node, NodeRole, Plan, PlanConfig, PlanError, SemanticDirectedGraph, Strategy, Stroke,
 };
 use crate::geometry::{PlanarPose, Point2, Vector2};
-use crate::represent::{Action, GoalState, Task};
+use crate::represent::{Action, Fate, GoalState, Ground, Task, Treatment};
 use std::f64::consts::FRAC_PI_2;
 
 /// How far beyond the border the tool centre point may go, over the tool's length along the lane [1]: a quarter of the tool
@@ -16,6 +17,13 @@ use std::f64::consts::FRAC_PI_2;
 const OVERHANG: f64 = 0.25;
 /// Nodes of a lane are no farther apart than this, over the radius of the collision sphere [1].
 const NODE_PITCH: f64 = 2.0;
+/// A pass is left out if it would give more passes than are allowed to more places than this share of those that it mends
+/// [1]: what lies in the overlap with a lane beside it.
+const MOST_EXCEEDED: f64 = 0.25;
+/// Strips that are missing by rounding alone [1].
+const ROUNDING: f64 = 1e-9;
+/// How far before the border of a hole a lane ends [m].
+const HOLE_MARGIN: f64 = 1e-5;
 /// Halvings until the end of a lane is as exact as is of use: to a micrometre.
 const HALVINGS: usize = 20;
 
@@ -68,6 +76,8 @@ struct Lanes<'a> {
     /// Whether places may have more passes than they need: then lanes overlap, and their ends are gone over again.
     is_lenient: bool,
     open: Vec<Open>,
+    /// All places of the surface: along and across, and the passes that each may still have.
+    room: Vec<([f64; 2], f64)>,
     start: Point2,
 }
 
@@ -83,17 +93,22 @@ impl<'a> Lanes<'a> {
             size.y
         };
         let to_lanes = PlanarPose::new(Point2::origin(), heading);
-        let places = task.particles.iter();
-        let open = places
-            .filter(|(_, fate)| fate.is_on_surface())
-            .map(|(place, fate)| {
-                let there = to_lanes.inverse_transform(place);
-                Open {
-                    along: there.x,
-                    across: there.y,
-                    missing: goal.missing_passes(fate.passes()),
-                }
-            });
+        let open = places_of(task).map(|(place, fate)| {
+            let there = to_lanes.inverse_transform(place);
+            Open {
+                along: there.x,
+                across: there.y,
+                missing: goal.missing_passes(fate.passes()),
+            }
+        });
+        let most = match task.treatment {
+            Some(Treatment::Polish { max_passes, .. }) => f64::from(max_passes),
+            _ => f64::INFINITY,
+        };
+        let room = places_of(task).map(|(place, fate)| {
+            let there = to_lanes.inverse_transform(place);
+            ([there.x, there.y], most - fate.passes())
+        });
         Self {
             space,
             heading,
@@ -101,6 +116,7 @@ impl<'a> Lanes<'a> {
             strip,
             is_lenient,
             open: open.filter(|open| open.missing > 0).collect(),
+            room: room.collect(),
             start: to_lanes.inverse_transform(task.tool_start),
         }
     }
@@ -114,13 +130,15 @@ impl<'a> Lanes<'a> {
         if low > high {
             return Vec::new();
         }
-        let count = ((high - low) / self.strip).ceil().max(1.0);
-        // Of lanes that overlap, what they are wider in all lies between them and beyond the borders alike.
-        let spare = match self.is_lenient {
-            true => (count * self.strip - (high - low)) / (count + 1.0),
+        let most = self.open.iter().map(|open| open.missing).max().unwrap_or(0);
+        // Lanes that overlap are shifted from pass to pass, and cover the borders all the same.
+        let reach = match self.is_lenient {
+            true => 2.0 * self.shift(1, most).abs(),
             false => 0.0,
         };
-        let pitch = self.strip - spare;
+        let lanes = (high - low + reach) / self.strip;
+        let count = (lanes - ROUNDING).ceil().max(1.0);
+        let pitch = self.strip;
         let first = (low + high) / 2.0 - pitch * (count - 1.0) / 2.0;
         let mut middles: Vec<f64> = (0..count as usize)
             .map(|i| first + pitch * i as f64)
@@ -131,8 +149,21 @@ impl<'a> Lanes<'a> {
         middles
     }
 
+    /// How far across its lane a pass of several is shifted [m]: by the width in which lanes overlap, so that what one pass
+    /// goes over twice, the next goes over once.
+    fn shift(&self, pass: u32, passes: u32) -> f64 {
+        let overlap = self.tool.y - self.strip;
+        if !self.is_lenient || overlap <= 0.0 {
+            return 0.0;
+        }
+        // As many shifts as there is room for in a strip.
+        let many = (self.strip / overlap).floor().max(1.0) as u32;
+        let last = passes.min(many).saturating_sub(1);
+        overlap * (f64::from((pass.max(1) - 1) % many) - f64::from(last) / 2.0)
+    }
+
     /// The tool's poses, stroke by stroke.
-    fn strokes(&self) -> Vec<Vec<PlanarPose>> {
+    fn strokes(mut self) -> Vec<Vec<PlanarPose>> {
         let middles = self.middles();
         let mut strokes: Vec<Vec<PlanarPose>> = Vec::new();
         let mut at = self.start.x;
@@ -147,7 +178,12 @@ impl<'a> Lanes<'a> {
                     })
             };
             let mut of_lane: Vec<Open> = self.open.iter().filter(nearest).copied().collect();
-            of_lane.retain(|open| self.space.is_clear(self.in_surface(open.along, across)));
+            let surface = self.space.surface();
+            let is_carried = |at| !matches!(surface.ground(at), Ground::Hole(_));
+            of_lane.retain(|open| {
+                let at = self.in_surface(open.along, across);
+                self.space.is_clear(at) && is_carried(at)
+            });
             of_lane.sort_by(|a, b| a.along.total_cmp(&b.along));
             let mut runs: Vec<&[Open]> = of_lane
                 .chunk_by(|a, b| self.goes_on(a.along, b.along, across))
@@ -162,8 +198,8 @@ impl<'a> Lanes<'a> {
             }
             for run in runs {
                 for way in self.ways(run, across, is_backward) {
-                    at = way.last().copied().unwrap_or(at);
-                    strokes.push(self.poses(&way, across));
+                    at = way.last().map_or(at, |turn| turn[0]);
+                    strokes.push(self.poses(&way));
                 }
             }
         }
@@ -176,33 +212,70 @@ impl<'a> Lanes<'a> {
         to - from <= 2.0 * self.space.radius() && self.space.is_clear_between(a, b)
     }
 
-    /// The turning points of the tool along a lane [m], stroke by stroke: to and fro until no place of the run needs more.
-    fn ways(&self, run: &[Open], across: f64, is_backward: bool) -> Vec<Vec<f64>> {
+    /// The turning points of the tool, along and across [m], stroke by stroke: to and fro until no place of the run needs more,
+    /// or until one would have more than it may.
+    fn ways(&mut self, run: &[Open], across: f64, is_backward: bool) -> Vec<Vec<[f64; 2]>> {
         let most = run.iter().map(|open| open.missing).max().unwrap_or(0);
-        let mut ways: Vec<Vec<f64>> = Vec::new();
-        let mut whole = Vec::new();
+        let mut ways: Vec<Vec<[f64; 2]>> = Vec::new();
+        let mut whole: Vec<[f64; 2]> = Vec::new();
         for pass in 1..=most {
             let mut needy = run.iter().filter(|open| open.missing >= pass);
+            let mended = needy.clone().count();
             let Some(first) = needy.next() else { break };
             let last = needy.next_back().unwrap_or(first);
+            let across = self.shifted(run, across, pass, most);
             let mut ends = [
                 self.end(first.along, across, -1.0),
                 self.end(last.along, across, 1.0),
             ];
+            if !self.passes_over([ends[0].place, ends[1].place], across, mended) {
+                break;
+            }
             if is_backward != (pass % 2 == 0) {
                 ends.reverse();
             }
             let [begin, end] = ends;
             if self.is_lenient {
                 let [again, anew] = [begin, end].map(|end| end.place + end.again);
-                whole.extend([again, begin.place, end.place, anew]);
+                let turns = [again, begin.place, end.place, anew];
+                whole.extend(turns.map(|along| [along, across]));
             } else {
-                ways.push(vec![begin.place, end.place]);
+                ways.push(vec![[begin.place, across], [end.place, across]]);
             }
         }
         whole.dedup();
         ways.extend((!whole.is_empty()).then_some(whole));
         ways
+    }
+
+    /// Where a pass goes across [m]: shifted, unless it would then meet what the lane itself keeps clear of.
+    fn shifted(&self, run: &[Open], across: f64, pass: u32, passes: u32) -> f64 {
+        let shifted = across + self.shift(pass, passes);
+        let at = |open: &Open| self.in_surface(open.along, shifted);
+        let is_clear = run.iter().all(|open| self.space.is_clear(at(open)))
+            && (run.windows(2)).all(|pair| self.space.is_clear_between(at(&pair[0]), at(&pair[1])));
+        if is_clear { shifted } else { across }
+    }
+
+    /// Counts a pass over what lies under the tool, unless it mends little for what would have more than it may; whether it
+    /// is counted.
+    fn passes_over(&mut self, [from, to]: [f64; 2], across: f64, mended: usize) -> bool {
+        let half = self.tool / 2.0;
+        let is_under = |[x, y]: [f64; 2]| {
+            (y - across).abs() < half.y && (from - half.x..=to + half.x).contains(&x)
+        };
+        // What counts as a pass is slid over by half of one.
+        let is_full = |(place, room): &([f64; 2], f64)| is_under(*place) && *room < 0.5;
+        let full = self.room.iter().filter(|place| is_full(place)).count();
+        if full as f64 > MOST_EXCEEDED * mended as f64 {
+            return false;
+        }
+        for (place, room) in &mut self.room {
+            if is_under(*place) {
+                *room -= 1.0;
+            }
+        }
+        true
     }
 
     /// Where a lane ends whose last place is here, towards one side (1 or -1): where the tool has left that place, or as far as
@@ -228,16 +301,19 @@ impl<'a> Lanes<'a> {
                 }
             }
         }
+        if !surface.holes().is_empty() {
+            least = (least - HOLE_MARGIN).max(0.0);
+        }
         LaneEnd {
             place: last + side * least,
             again: -side * (half - least),
         }
     }
 
-    fn poses(&self, way: &[f64], across: f64) -> Vec<PlanarPose> {
+    fn poses(&self, way: &[[f64; 2]]) -> Vec<PlanarPose> {
         let pitch = NODE_PITCH * self.space.radius();
         let mut poses: Vec<PlanarPose> = Vec::new();
-        let mut push = |along: f64| {
+        let mut push = |[along, across]: [f64; 2]| {
             poses.push(PlanarPose::new(
                 self.in_surface(along, across),
                 self.heading,
@@ -245,9 +321,11 @@ impl<'a> Lanes<'a> {
         };
         way.iter().take(1).for_each(|&first| push(first));
         for leg in way.windows(2) {
-            let parts = ((leg[1] - leg[0]).abs() / pitch).ceil().max(1.0);
+            let change = [leg[1][0] - leg[0][0], leg[1][1] - leg[0][1]];
+            let parts = (change[0].hypot(change[1]) / pitch).ceil().max(1.0);
             for part in 1..=parts as usize {
-                push(leg[0] + (leg[1] - leg[0]) * (part as f64 / parts));
+                let share = part as f64 / parts;
+                push([leg[0][0] + change[0] * share, leg[0][1] + change[1] * share]);
             }
         }
         poses
@@ -256,6 +334,12 @@ impl<'a> Lanes<'a> {
     fn in_surface(&self, along: f64, across: f64) -> Point2 {
         PlanarPose::new(Point2::origin(), self.heading).transform(Point2::new(along, across))
     }
+}
+
+/// The places of the task's surface, with what was done to each.
+fn places_of(task: &Task) -> impl Iterator<Item = (Point2, Fate)> + '_ {
+    let places = task.particles.iter();
+    places.filter(|(_, fate)| fate.is_on_surface())
 }
 
 /// Where a lane ends, along it [m].

@@ -6,6 +6,7 @@ mod candidates;
 mod clearance;
 mod coverage;
 mod error;
+mod given_strokes;
 mod graph;
 mod heading;
 mod lanes;
@@ -25,6 +26,9 @@ pub use coverage::{
     CoverageStrategy, DensityMap, KdeConfig, RrtConfig, data_bandwidth, grid, kde, rrt,
 };
 pub use error::PlanError;
+pub use given_strokes::{
+    StrokeFault, StrokeOverBorder, check_strokes, describe_over_border, plan_of_strokes,
+};
 pub use graph::{Node, NodeRole, SemanticDirectedGraph};
 pub use heading::HeadingRule;
 pub use objective::is_gainful;

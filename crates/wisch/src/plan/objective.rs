@@ -1,5 +1,6 @@
 //! The objective by which plans for the same dirt are compared: their predicted effect.
 
+use super::predict::LOSS;
 use super::{Plan, predict};
 use crate::geometry::{Edge, Point2, Polygon, Pose, Vector2};
 use crate::represent::{
@@ -7,9 +8,6 @@ use crate::represent::{
     heap_depth, heap_slide,
 };
 
-/// How many particles that might still be brought to the goal one is worth that never will: whatever is
-/// left on the surface can be wiped again.
-pub(super) const LOSS: i64 = 3;
 /// How many particles at the goal one takes back that comes right to an edge; within the margin in proportion.
 /// Chosen on `failure-human-push`, seeds 101 to 130: with 1, and where all within the margin counts in full, dirt
 /// is left elsewhere and fewer of them end well.

@@ -184,7 +184,7 @@ pub fn best_plan(
             };
             Ok(finished(plan, &on, &space, config))
         }
-        Strategy::Adaptive | Strategy::Best => {
+        Strategy::Adaptive | Strategy::Best | Strategy::Own => {
             plan_for_any(task, std::slice::from_ref(&task.particles), config)
         }
     }
@@ -216,7 +216,7 @@ fn one_by(
         Strategy::Coverage(_) | Strategy::Lanes => {
             covering(task, space, strategy.covering(), config)
         }
-        Strategy::Adaptive | Strategy::Best => adaptive(task, dirt, space, config),
+        Strategy::Adaptive | Strategy::Best | Strategy::Own => adaptive(task, dirt, space, config),
     }
 }
 

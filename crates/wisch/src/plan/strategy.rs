@@ -15,10 +15,12 @@ pub enum Strategy {
     Lanes,
     /// Whichever of the others is predicted to be worth most. No plan has this as its own strategy.
     Best,
+    /// Strokes that came from outside ([`plan_of_strokes`](super::plan_of_strokes)); nothing is planned by it.
+    Own,
 }
 
 impl Strategy {
-    /// Every strategy, the paper's first; names in flags, files and error texts are taken from here.
+    /// Every strategy by which can be planned, the paper's first; names in flags, files and error texts are taken from here.
     pub const ALL: [Self; 6] = [
         Self::Coverage(CoverageStrategy::ALL[0]),
         Self::Coverage(CoverageStrategy::ALL[1]),
@@ -32,6 +34,7 @@ impl Strategy {
     pub fn fits(self, action: Action) -> bool {
         match self {
             Self::Best => true,
+            Self::Own => false,
             Self::Lanes => action.treats(),
             Self::Coverage(_) | Self::Adaptive => !action.treats(),
         }
@@ -59,11 +62,16 @@ impl Strategy {
         matches!(self, Self::Adaptive | Self::Best)
     }
 
+    /// Whether its strokes turn the tool on purpose, whatever the action.
+    pub(crate) const fn turns_tool(self) -> bool {
+        matches!(self, Self::Adaptive | Self::Best | Self::Own)
+    }
+
     /// The coverage strategy whose nodes serve where strokes have to run through nodes: the density's, unless it is one.
     pub(super) fn covering(self) -> CoverageStrategy {
         match self {
             Self::Coverage(strategy) => strategy,
-            Self::Adaptive | Self::Lanes | Self::Best => CoverageStrategy::Kde,
+            Self::Adaptive | Self::Lanes | Self::Best | Self::Own => CoverageStrategy::Kde,
         }
     }
 
@@ -74,6 +82,7 @@ impl Strategy {
             Self::Adaptive => "adaptive",
             Self::Lanes => "lanes",
             Self::Best => "best",
+            Self::Own => "own",
         }
     }
 }
@@ -94,7 +103,9 @@ impl FromStr for Strategy {
     type Err = UnknownName;
 
     fn from_str(name: &str) -> Result<Self, UnknownName> {
-        let named = Self::ALL.into_iter().find(|s| s.as_str() == name);
+        // In a plan that was written, not in a task that asks for one.
+        let mut all = Self::ALL.into_iter().chain([Self::Own]);
+        let named = all.find(|s| s.as_str() == name);
         named.ok_or_else(|| UnknownName::new("strategy", name, Self::ALL.map(Self::as_str)))
     }
 }

@@ -73,7 +73,7 @@ fn open_particles<'a>(
 }
 
 /// Whether a belief has nothing elsewhere than where it belongs, but for what is lost. With the seed of the next
-/// task, it looks at the same draws as the plan would.
+/// task, it looks at the same draws as the plan would; of a surface that is treated at the median passes of each place.
 ///
 /// # Errors
 /// If the belief holds positions that are none.
@@ -83,7 +83,12 @@ pub fn is_done(
     surface: &Surface,
     seed: u64,
 ) -> Result<bool, ParticleError> {
-    let draws = belief.draws(PLANNING_DRAWS, seed)?;
+    let treats = matches!(goal, GoalState::Polished { .. } | GoalState::Emitted { .. });
+    let median = treats.then(|| belief.median_passes()).flatten();
+    let draws = match median {
+        Some(places) => places,
+        None => belief.draws(PLANNING_DRAWS, seed)?,
+    };
     Ok(open_particles(&draws, goal, surface).next().is_none())
 }
 

@@ -10,6 +10,7 @@ mod observation;
 mod occupied_area;
 mod particles;
 mod scene;
+mod sliding;
 mod sources;
 mod surface;
 mod swept_rotation;
@@ -31,9 +32,10 @@ pub use observation::{Observation, SensorModel, Sight};
 pub use occupied_area::{OccupiedArea, SURFACE_SKIN};
 pub use particles::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError, ParticleTally};
 pub use scene::{SceneObject, ScenePart};
+pub use sliding::{SteepSurface, dirt_friction, slide_down};
 pub use sources::{
     Cluster, DirtArea, SourceError, cluster_particles, particle_generator, uniform_particles,
 };
-pub use surface::Surface;
+pub use surface::{Ground, Surface, WayPart};
 pub use task::{Task, Tool};
 pub use treatment::{Treatment, surface_cells};

@@ -1,6 +1,6 @@
 //! The target surface: a planar polygon with a pose and the edges over which a skim may push.
 
-use crate::geometry::{Edge, Point2, Polygon, Pose};
+use crate::geometry::{Edge, Mesh, MeshError, Point2, Polygon, Pose, prism_below};
 
 /// A planar target surface. Its frame has z pointing out of the surface.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,7 +15,100 @@ pub struct Surface {
     pub skim_edges: Vec<usize>,
 }
 
+/// What is under a point of the surface's plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ground {
+    /// The surface.
+    Surface,
+    /// One of its holes, by its number.
+    Hole(usize),
+    /// Nothing: the point is beyond the outer border.
+    Beyond,
+}
+
+/// A part of a straight way over the plane of a surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WayPart {
+    /// What is under it.
+    pub ground: Ground,
+    /// Where it begins and ends, as shares of the way.
+    pub shares: [f64; 2],
+}
+
+/// A part of a way that is shorter than this counts as none [m]: a way along a border stays on the surface.
+const LEAST_PART: f64 = 1e-6;
+
 impl Surface {
+    /// What is under a point of the plane. Points on a border fall to either side.
+    pub fn ground(&self, point: Point2) -> Ground {
+        let ring = |ring: &[Point2]| Polygon::new(ring.to_vec(), Vec::new()).contains(point);
+        if self.outline.contains(point) {
+            return Ground::Surface;
+        }
+        match self.outline.holes().iter().position(|hole| ring(hole)) {
+            Some(hole) => Ground::Hole(hole),
+            None => Ground::Beyond,
+        }
+    }
+
+    /// What a straight way passes over, in order; neighbouring parts differ. A single point is one part.
+    pub fn parts_of_way(&self, from: Point2, to: Point2) -> Vec<WayPart> {
+        let along = to - from;
+        let length = along.norm();
+        let mut shares = vec![0.0, 1.0];
+        for edge in self.outline.edges() {
+            let border = edge.end - edge.start;
+            let divisor = along.perp(&border);
+            if divisor == 0.0 {
+                continue;
+            }
+            let share = (edge.start - from).perp(&border) / divisor;
+            let on_border = (edge.start - from).perp(&along) / divisor;
+            // An end of an edge belongs to both edges that meet there.
+            if (0.0..=1.0).contains(&share) && (-1e-9..=1.0 + 1e-9).contains(&on_border) {
+                shares.push(share);
+            }
+        }
+        shares.sort_by(f64::total_cmp);
+        let mut parts: Vec<WayPart> = Vec::new();
+        for pair in shares.windows(2) {
+            let &[begin, end] = pair else { continue };
+            if (end - begin) * length <= LEAST_PART {
+                continue;
+            }
+            let ground = self.ground(from + along * ((begin + end) / 2.0));
+            match parts.last_mut() {
+                Some(last) if last.ground == ground => last.shares[1] = end,
+                _ => parts.push(WayPart {
+                    ground,
+                    shares: [begin, end],
+                }),
+            }
+        }
+        if parts.is_empty() {
+            parts.push(WayPart {
+                ground: self.ground(from),
+                shares: [0.0, 1.0],
+            });
+        }
+        parts
+    }
+
+    /// Whether a tool that is pressed along a straight way stays carried: it passes over no hole, and is beyond the border only
+    /// before it has come on the surface and after it has left it for good.
+    pub fn carries_between(&self, from: Point2, to: Point2) -> bool {
+        if self.outline.is_convex() {
+            return true;
+        }
+        let parts = self.parts_of_way(from, to);
+        let last = parts.len() - 1;
+        parts.iter().enumerate().all(|(i, part)| match part.ground {
+            Ground::Surface => true,
+            Ground::Hole(_) => false,
+            Ground::Beyond => i == 0 || i == last,
+        })
+    }
+
     /// The edge over which a straight move from `from` (on the surface) to `to` leaves it first.
     ///
     /// A move that ends inside but crosses a notch on its way has left the surface all the same.
@@ -26,6 +119,14 @@ impl Surface {
             .filter_map(|(index, edge)| crossing(from, to, &edge).map(|share| (share, index)))
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .map(|(_, index)| index)
+    }
+
+    /// What lies under the surface down to a depth [m], in the surface frame: the outline with its holes, as a closed mesh.
+    ///
+    /// # Errors
+    /// If the outline has no area.
+    pub(crate) fn solid_below(&self, depth: f64) -> Result<Mesh, MeshError> {
+        prism_below(&self.outline, depth)
     }
 
     /// Whether edge `index` is one over which a skim may push.
@@ -53,6 +154,48 @@ fn crossing(from: Point2, to: Point2, edge: &Edge) -> Option<f64> {
 mod tests {
     use super::*;
     use crate::geometry::Vector2;
+
+    #[test]
+    fn a_way_over_a_hole_or_through_a_notch_is_not_carried() {
+        let point = |[x, y]: [f64; 2]| Point2::new(x, y);
+        let ring = |corners: &[[f64; 2]]| corners.iter().copied().map(point).collect::<Vec<_>>();
+        // A U of 0.6 x 0.4 m, open upwards between x = -0.1 and 0.1, with a square hole about (0.2, -0.1).
+        let outer = ring(&[
+            [-0.3, -0.2],
+            [0.3, -0.2],
+            [0.3, 0.2],
+            [0.1, 0.2],
+            [0.1, 0.0],
+            [-0.1, 0.0],
+            [-0.1, 0.2],
+            [-0.3, 0.2],
+        ]);
+        let hole = ring(&[[0.17, -0.13], [0.23, -0.13], [0.23, -0.07], [0.17, -0.07]]);
+        let surface = Surface {
+            name: "u".into(),
+            outline: Polygon::new(outer, vec![hole]),
+            world_from_surface: Pose::identity(),
+            skim_edges: vec![0],
+        };
+        let carries = |from, to| surface.carries_between(point(from), point(to));
+        assert!(carries([-0.2, 0.1], [-0.2, -0.1]));
+        assert!(carries([-0.2, -0.15], [0.28, -0.15]));
+        // From one leg to the other, and along the bottom of the notch.
+        assert!(!carries([-0.2, 0.1], [0.2, 0.1]));
+        assert!(carries([-0.2, -0.01], [0.2, -0.01]));
+        // Over the hole: straight, from corner to corner, and to its middle.
+        assert!(!carries([0.2, 0.0], [0.2, -0.18]));
+        assert!(!carries([0.15, -0.15], [0.25, -0.05]));
+        assert!(!carries([0.2, 0.0], [0.2, -0.1]));
+        // Off the border for good, or onto the surface.
+        assert!(carries([0.0, -0.1], [0.0, -0.3]) && carries([0.0, -0.3], [0.0, -0.1]));
+        let parts = surface.parts_of_way(point([0.1, -0.1]), point([0.3, -0.1]));
+        let grounds: Vec<Ground> = parts.iter().map(|part| part.ground).collect();
+        assert_eq!(grounds, [Ground::Surface, Ground::Hole(0), Ground::Surface]);
+        assert!(
+            (parts[1].shares[0] - 0.35).abs() < 1e-9 && (parts[1].shares[1] - 0.65).abs() < 1e-9
+        );
+    }
 
     #[test]
     fn a_move_leaves_over_the_first_edge_it_crosses() {

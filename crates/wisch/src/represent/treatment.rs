@@ -10,6 +10,8 @@ pub enum Treatment {
     Polish {
         /// Wanted over every place.
         passes: u32,
+        /// Most over any place, of all rounds together.
+        max_passes: u32,
         /// What a pass removes by, k_p of Preston's law: depth over pressure and way slid (Preston 1927) [1/Pa].
         preston: Option<f64>,
     },

@@ -18,6 +18,20 @@ pub struct Performer<'a> {
     pub map: Option<&'a CapabilityMap>,
 }
 
+/// What follows where a person or a safety system stopped the robot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum AfterStop {
+    /// The session ends: the robot waits for its operator.
+    #[default]
+    Wait,
+    /// The robot retreats from the surface by itself, and the session goes on.
+    Retreat,
+}
+
+/// Least score of a plan that is executed unless the task says otherwise [1]: a plan that loses half of the dirt has less,
+/// whatever it brings where it belongs.
+pub const MIN_SCORE: f64 = -1.0;
+
 /// How each stage works, and when to stop. Seeds are those of the task.
 ///
 /// ```
@@ -37,6 +51,8 @@ pub struct RunConfig {
     pub follow: FollowConfig,
     /// Estimated performance at which the goal is met [1].
     pub target: f64,
+    /// Least score of a plan that is executed in the first round, see [`Prediction::score`](crate::plan::Prediction::score) [1].
+    pub min_score: f64,
     /// Most rounds.
     pub max_rounds: usize,
     /// How far a round goes.
@@ -44,6 +60,10 @@ pub struct RunConfig {
     /// Whether a round ends amid a stroke once touch tells that it brings nothing any more, because contact is lost or the
     /// tool is led away; what is left is planned anew.
     pub end_strokes_early: bool,
+    /// What follows where a person or a safety system stopped the robot.
+    pub after_stop: AfterStop,
+    /// How far any joint may stand from where a motion begins [rad or m].
+    pub start_tolerance: f64,
     /// How well the robot sees dirt; `None` for a robot that only feels.
     pub sight: Option<Sight>,
 }
@@ -57,9 +77,12 @@ impl Default for RunConfig {
             workcell: WorkcellConfig::default(),
             follow: FollowConfig::default(),
             target: 0.95,
+            min_score: MIN_SCORE,
             max_rounds: 4,
             pace: Pace::Whole,
             end_strokes_early: false,
+            after_stop: AfterStop::default(),
+            start_tolerance: 0.05,
             sight: None,
         }
     }

@@ -47,6 +47,14 @@ pub trait Executor {
         sink: &mut SampleSink<'_>,
     ) -> Result<Execution, ExecutorError>;
 
+    /// Reports where the robot stands: all n variables [rad or m]; `None` where it does not know.
+    ///
+    /// # Errors
+    /// The robot knows, and fails to say so.
+    fn state(&mut self) -> Result<Option<Vec<f64>>, ExecutorError> {
+        Ok(None)
+    }
+
     /// Looks at the surface and tells what is seen of the dirt, in the frame of the task's surface; `None` where nothing
     /// can look.
     ///
@@ -64,6 +72,10 @@ impl<E: Executor + ?Sized> Executor for &mut E {
         sink: &mut SampleSink<'_>,
     ) -> Result<Execution, ExecutorError> {
         (**self).execute(order, sink)
+    }
+
+    fn state(&mut self) -> Result<Option<Vec<f64>>, ExecutorError> {
+        (**self).state()
     }
 
     fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
@@ -151,6 +163,14 @@ impl<E: Executor> Executor for Recording<E> {
             }
         }
         Ok(round.execution)
+    }
+
+    fn state(&mut self) -> Result<Option<Vec<f64>>, ExecutorError> {
+        if self.rounds.is_empty() {
+            self.then.state()
+        } else {
+            Ok(None)
+        }
     }
 
     fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {

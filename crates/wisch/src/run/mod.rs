@@ -10,21 +10,25 @@ mod event;
 mod execution;
 mod executor;
 mod order;
+mod own_strategy;
 mod round;
 mod session;
 mod stroke_watch;
 mod telemetry;
+mod trajectory_clock;
 
-pub use config::{Pace, Performer, RunConfig};
+pub use config::{AfterStop, MIN_SCORE, Pace, Performer, RunConfig};
 pub use considered::{Considered, ConsideredMotion};
-pub use error::RunError;
+pub use error::{RunError, check_score};
 pub use event::{Observer, RunEvent, unobserved};
 pub use execution::{Ending, Execution, StopCause};
 pub use executor::{Executor, ExecutorError, NoExecutor, RecordedRound, Recording, SampleSink};
 pub use order::{MotionOrder, Setpoint};
-pub use round::{PlannedRound, Round};
+pub use own_strategy::OwnStrategy;
+pub use round::{ExecutedMotion, PlannedRound, Round};
 pub use session::{Session, Stage};
 pub use stroke_watch::StrokeEnd;
 pub use telemetry::{RecordedSample, TelemetrySample};
+pub use trajectory_clock::{TrajectoryClock, TrajectoryTimeError};
 
 pub use crate::control::Wrench;

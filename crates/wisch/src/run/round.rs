@@ -1,6 +1,6 @@
 //! One round of a session: what is about to be executed, and what came of it.
 
-use super::Execution;
+use super::{Ending, Execution};
 use crate::follow::{Audit, Followed, Workcell};
 use crate::interpret::{Belief, Interpretation};
 use crate::plan::{Plan, Prediction, predict};
@@ -45,6 +45,17 @@ impl PlannedRound {
     }
 }
 
+/// How much of a round's motion was executed.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ExecutedMotion {
+    /// Time during which the tool wiped [s].
+    pub contact_time: f64,
+    /// Length of the way of the arm's joints while the tool wiped, and in all [rad].
+    pub joint_movement: [f64; 2],
+    /// Way of the tool in contact, and in all [m].
+    pub distance: [f64; 2],
+}
+
 /// One round that is over: what was planned, executed and felt, and what follows.
 #[derive(Debug, Clone)]
 pub struct Round {
@@ -58,4 +69,32 @@ pub struct Round {
     pub interpretation: Interpretation,
     /// What follows.
     pub verdict: Verdict,
+}
+
+impl Round {
+    /// How much of the motion was executed: all of one that is complete, of another what was planned until it ended.
+    pub fn executed(&self) -> ExecutedMotion {
+        let PlannedRound { cell, followed, .. } = &self.motion;
+        let end = match self.execution.ending {
+            Ending::Complete => f64::INFINITY,
+            _ => self.execution.duration,
+        };
+        let wiped = self.motion.wiped();
+        let contact_time = followed.contact_time_until(end);
+        let share = |part: f64, whole: f64| {
+            if whole > 0.0 {
+                (part / whole).min(1.0)
+            } else {
+                0.0
+            }
+        };
+        ExecutedMotion {
+            contact_time,
+            joint_movement: followed.joint_movement_until(cell.arm_variables(), end),
+            distance: [
+                wiped.contact_distance() * share(contact_time, followed.contact_time()),
+                wiped.total_distance() * share(end, followed.duration()),
+            ],
+        }
+    }
 }

@@ -3,15 +3,15 @@
 use super::considered::{followed, unfollowed, within_reach};
 use super::stroke_watch::StrokeWatch;
 use super::{
-    Considered, Ending, Execution, Executor, MotionOrder, Observer, Performer, PlannedRound, Round,
-    RunConfig, RunError, RunEvent, unobserved,
+    AfterStop, Considered, Ending, Execution, Executor, MotionOrder, Observer, OwnStrategy,
+    Performer, PlannedRound, Round, RunConfig, RunError, RunEvent, check_score, unobserved,
 };
-use crate::follow::{Audit, Workcell, WorkcellConfig, audit, follow};
+use crate::follow::{Audit, Followed, Workcell, WorkcellConfig, audit, follow, retreat};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::interpret::{Belief, InterpretConfig, Interpretation, Interpreter, Look, TouchSample};
 use crate::plan::{
-    Plan, PlanConfig, Strategy, best_plan, best_subplan, best_subplan_of_candidates, is_gainful,
-    most_worth, plan_for_any, portfolio, predict,
+    Plan, PlanConfig, PlanError, Strategy, best_plan, best_subplan, best_subplan_of_candidates,
+    is_gainful, most_worth, plan_for_any, portfolio, predict,
 };
 use crate::recover::{
     PLANNING_DRAWS, Pace, RoundJudge, RoundOutcome, Verdict, believed_performance, is_done,
@@ -59,6 +59,7 @@ pub struct Session<'a> {
     belief: Belief,
     workcell: WorkcellConfig,
     given: Option<Plan>,
+    own: Option<OwnStrategy<'a>>,
     goal: Option<GoalState>,
     judge: RoundJudge,
     state: State,
@@ -66,6 +67,10 @@ pub struct Session<'a> {
     /// What was seen before the first round, if anything looked; `None` before.
     first_look: Option<Option<Observation>>,
     is_stopped: bool,
+    /// Where the joints stand as far as known, all n variables [rad or m]; `None` before anything was measured.
+    stands: Option<Vec<f64>>,
+    /// Whether the last motion ended amid it, so that the next begins with a retreat.
+    retreats: bool,
     /// Why the execution at hand broke off.
     failure: Option<RunError>,
 }
@@ -94,12 +99,15 @@ impl<'a> Session<'a> {
             task: task.clone(),
             workcell: config.workcell.clone(),
             given: None,
+            own: None,
             goal: None,
             judge: RoundJudge::new(config.target, config.pace),
             state: State::Begin,
             rounds: Vec::new(),
             first_look: None,
             is_stopped: false,
+            stands: None,
+            retreats: false,
             failure: None,
             config,
         }
@@ -127,6 +135,15 @@ impl<'a> Session<'a> {
     #[must_use]
     pub fn with_plan(self, given: Option<Plan>) -> Self {
         Self { given, ..self }
+    }
+
+    /// The same session with a strategy of the user's own, by which every round is planned that has no plan given.
+    #[must_use]
+    pub fn with_strategy(self, own: OwnStrategy<'a>) -> Self {
+        Self {
+            own: Some(own),
+            ..self
+        }
     }
 
     /// The plan of the round at hand, or of the last one.
@@ -287,6 +304,12 @@ impl<'a> Session<'a> {
         if self.config.sight.is_some() && self.first_look.is_none() {
             self.look_first(executor, observer)?;
         }
+        if let Some(stands) = executor.state()? {
+            self.stands = Some(stands);
+        }
+        if self.retreats && self.stands.is_none() {
+            return Err(RunError::UnknownState { round });
+        }
         let plan = match self.next_plan(observer) {
             Ok(None) => {
                 let last = self.rounds.last();
@@ -336,6 +359,10 @@ impl<'a> Session<'a> {
     /// A plan for what is not yet done; in later rounds none where none is predicted to bring anything.
     fn next_plan(&mut self, observer: &mut Observer<'_>) -> Result<Option<Plan>, RunError> {
         let (task, config) = (&self.task, &self.config);
+        if let (Some(own), None) = (&self.own, &self.given) {
+            let plan = own.plan(task, config.plan.lift_height)?;
+            return Ok(Some(plan).filter(|plan| self.goal.is_none() || is_gainful(task, plan)));
+        }
         let whole = match (self.given.take(), self.goal.as_ref()) {
             (Some(plan), _) => plan,
             (None, None) if config.plan.strategy.is_searched() => self.searched_plan(observer)?,
@@ -350,11 +377,24 @@ impl<'a> Session<'a> {
                 best_plan(task, &task.particles, &config.plan, variants)?
             }
             (None, Some(goal)) => {
+                let treated = task.treatment.and_then(|_| self.belief.median_passes());
+                let is_treated = treated.is_some();
                 let task = &Task {
-                    particles: self.belief.draws(PLANNING_DRAWS, task.seed)?,
+                    particles: match treated {
+                        Some(places) => places,
+                        None => self.belief.draws(PLANNING_DRAWS, task.seed)?,
+                    },
                     ..task.clone()
                 };
-                let open = unfinished(task, goal)?;
+                let mut open = unfinished(task, goal)?;
+                if is_treated {
+                    // A round goes only where it is believed that something is missing.
+                    if open.is_empty() {
+                        return Ok(None);
+                    }
+                    // What is done is to get no more than it may.
+                    open = task.particles.clone();
+                }
                 let left = PlanConfig {
                     strategy: Strategy::for_what_is_left(task.action),
                     seed: task.seed,
@@ -365,7 +405,11 @@ impl<'a> Session<'a> {
                     Pace::Whole if config.plan.strategy.is_searched() => {
                         self.searched_plan(observer)?
                     }
-                    Pace::Whole => best_plan(task, &open, &left, count)?,
+                    Pace::Whole => match best_plan(task, &open, &left, count) {
+                        // What is missing lies where another pass would give too many to what is done.
+                        Err(PlanError::NoFreeNode { .. }) if is_treated => return Ok(None),
+                        plan => plan?,
+                    },
                     Pace::Greedy => best_subplan_of_candidates(task, &open, &left, count)?,
                 };
                 return Ok(Some(plan).filter(|plan| is_gainful(task, plan)));
@@ -441,7 +485,7 @@ impl<'a> Session<'a> {
             &self.workcell,
         )?;
         let nodes = plan.strokes.iter().map(|stroke| stroke.nodes.len()).sum();
-        let followed = follow(
+        let mut followed = follow(
             task,
             &plan,
             &cell,
@@ -455,6 +499,10 @@ impl<'a> Session<'a> {
                 });
             },
         )?;
+        if let (true, Some(from)) = (self.retreats, &self.stands) {
+            let (height, config) = (plan.lift_height, &self.config.follow);
+            followed = followed.preceded_by(retreat(task, &cell, from, height, config)?);
+        }
         let wiped = Plan {
             strokes: followed.strokes.clone(),
             ..plan.clone()
@@ -511,9 +559,23 @@ impl<'a> Session<'a> {
         executor: &mut dyn Executor,
         observer: &mut Observer<'_>,
     ) -> Result<Stage, RunError> {
+        if planned.number == 1 {
+            // Later ones are gainful.
+            check_score(
+                &planned.prediction,
+                planned.task.action,
+                self.config.min_score,
+            )?;
+        }
         if observer(&RunEvent::Executing(&planned)).is_break() {
             self.state = State::Audited(planned, audit);
             return Ok(Stage::Audited);
+        }
+        if let Some(stands) = executor.state()? {
+            self.stands = Some(stands);
+        }
+        if let Some(stands) = &self.stands {
+            begins_at(stands, &planned, self.config.start_tolerance)?;
         }
         let mut interpreter = Interpreter::new(&planned.task, &InterpretConfig::of(&planned.task))?;
         let order = MotionOrder {
@@ -527,7 +589,7 @@ impl<'a> Session<'a> {
         let mut watch = (self.config.end_strokes_early).then(|| StrokeWatch::new(&planned.task));
         let mut ended_early = None;
         let mut felt: Option<f64> = None;
-        let mut at = planned.cell.ready().to_vec();
+        let mut at: Vec<f64> = Vec::new();
         let executed = executor.execute(&order, &mut |sample| {
             let touch = TouchSample {
                 time: sample.time,
@@ -539,8 +601,9 @@ impl<'a> Session<'a> {
                 return ControlFlow::Break(());
             }
             felt = Some(sample.time);
-            if sample.positions.len() == at.len() {
-                at.copy_from_slice(sample.positions);
+            if !sample.positions.is_empty() {
+                at.clear();
+                at.extend_from_slice(sample.positions);
             }
             let flow = observer(&RunEvent::Sample(sample));
             if flow.is_continue()
@@ -555,7 +618,7 @@ impl<'a> Session<'a> {
         let executed = match (executed, refused) {
             (_, Some(error)) => Err(error.into()),
             (Err(error), None) => Err(error.into()),
-            (Ok(execution), None) => positions_of_all(execution, &planned),
+            (Ok(execution), None) => positions_of_all(execution, &planned.cell, planned.number),
         };
         let mut execution = match (executed, felt) {
             (Ok(execution), _) => execution,
@@ -591,10 +654,16 @@ impl<'a> Session<'a> {
         let goal = self.goal_of(&planned.plan);
         let mut interpretation = interpreter.conclude(&planned.believed, &goal)?;
         // An executor that broke off is asked nothing more.
-        if let Some(sight) = self.config.sight
-            && self.failure.is_none()
-            && let Some(observation) = executor.observe(&planned.task)?
-        {
+        let sight = self.config.sight.filter(|_| self.failure.is_none());
+        let seen = match sight.map(|_| executor.observe(&planned.task)).transpose() {
+            Ok(seen) => seen.flatten(),
+            // What was executed is judged by touch, and kept.
+            Err(error) => {
+                self.failure = Some(error.into());
+                None
+            }
+        };
+        if let (Some(sight), Some(observation)) = (sight, seen) {
             let _ = observer(&RunEvent::Observed {
                 round,
                 observation: &observation,
@@ -627,9 +696,16 @@ impl<'a> Session<'a> {
             is_done: is_done(&interpretation.belief, &goal, &next.surface, next.seed)?,
             is_protective_stop: matches!(execution.ending, Ending::ProtectiveStop { .. }),
         });
-        let was_stopped = execution.ending == Ending::Stopped;
+        let was_stopped = match &execution.ending {
+            Ending::Stopped => self.is_stopped || self.config.after_stop == AfterStop::Wait,
+            Ending::ProtectiveStop { .. } => self.config.after_stop == AfterStop::Wait,
+            Ending::Complete | Ending::Early { .. } => false,
+        };
+        let stands = execution.positions.clone();
+        self.stands = Some(stands).filter(|stands| !stands.is_empty());
+        self.retreats = execution.ending != Ending::Complete;
         self.belief = interpretation.belief.clone();
-        self.workcell.world_from_robot = Some(standing(&planned.cell, &execution, &self.config));
+        self.workcell.world_from_robot = Some(standing(&planned, &execution, &self.config));
         self.task = next;
         let round = Round {
             motion: planned,
@@ -653,13 +729,16 @@ impl<'a> Session<'a> {
     }
 }
 
-/// An execution that tells the position of every joint.
-fn positions_of_all(execution: Execution, planned: &PlannedRound) -> Result<Execution, RunError> {
-    let (found, expected) = (execution.positions.len(), planned.cell.robot().dof());
-    if found == expected {
+/// Checks that an execution tells the position of every joint, or of none.
+fn positions_of_all(
+    execution: Execution,
+    cell: &Workcell,
+    round: usize,
+) -> Result<Execution, RunError> {
+    let (found, expected) = (execution.positions.len(), cell.robot().dof());
+    if found == expected || found == 0 {
         return Ok(execution);
     }
-    let round = planned.number;
     Err(RunError::Positions {
         round,
         found,
@@ -667,12 +746,55 @@ fn positions_of_all(execution: Execution, planned: &PlannedRound) -> Result<Exec
     })
 }
 
-/// Where the robot stands after an execution.
-fn standing(cell: &Workcell, execution: &Execution, config: &RunConfig) -> Pose {
+/// Checks that the robot stands where its motion begins.
+fn begins_at(stands: &[f64], planned: &PlannedRound, limit: f64) -> Result<(), RunError> {
+    let PlannedRound {
+        number: round,
+        cell,
+        followed,
+        ..
+    } = planned;
+    let Some(start) = followed.sample(0.0) else {
+        return Ok(());
+    };
+    let (found, expected) = (stands.len(), start.q.len());
+    if found != expected {
+        return Err(RunError::Positions {
+            round: *round,
+            found,
+            expected,
+        });
+    }
+    let distances = stands.iter().zip(&start.q).map(|(a, b)| (a - b).abs());
+    let farthest = distances.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+    match farthest {
+        Some((i, distance)) if distance > limit => {
+            let joint = cell.robot().variable(i);
+            Err(RunError::Start {
+                round: *round,
+                joint: joint.name.clone(),
+                distance,
+                limit,
+                unit: joint.kind.unit(),
+            })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Where the robot stands after an execution; where its joints are not measured, as planned.
+fn standing(planned: &PlannedRound, execution: &Execution, config: &RunConfig) -> Pose {
+    let PlannedRound { cell, followed, .. } = planned;
     let Some(base) = cell.base() else {
         return *cell.world_from_root();
     };
-    let q = &execution.positions;
+    let measured = Some(&execution.positions)
+        .filter(|q| !q.is_empty())
+        .cloned();
+    let as_planned = |followed: &Followed| followed.sample(execution.duration).map(|at| at.q);
+    let q = measured
+        .or_else(|| as_planned(followed))
+        .unwrap_or_else(|| cell.ready().to_vec());
     let at = PlanarPose::new(Point2::new(q[base.x], q[base.y]), q[base.yaw]);
     let start = config
         .workcell

@@ -27,7 +27,11 @@ fn a_polish_has_its_passes_and_the_places_of_the_surface() {
     let preston = None;
     assert_eq!(
         task.treatment,
-        Some(Treatment::Polish { passes: 3, preston })
+        Some(Treatment::Polish {
+            passes: 3,
+            max_passes: 4,
+            preston
+        })
     );
     assert_eq!(task.goal(), Some(GoalState::Polished { passes: 3 }));
     assert_eq!(task.particles.len(), 40 * 30);
@@ -42,6 +46,11 @@ fn what_a_treatment_lacks_or_cannot_have_is_said() {
             r#"polish: key "passes" is missing"#,
         ),
         ("passes = 3", "passes = 0", "polish.passes"),
+        (
+            "passes = 3",
+            "passes = 3\nmax_passes = 2",
+            "polish.max_passes: 2 is fewer than the 3 passes asked for",
+        ),
         (
             "[polish]",
             "[perception]\nsenses = [\"touch\", \"sight\"]\n[polish]",

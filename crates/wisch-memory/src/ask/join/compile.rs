@@ -7,7 +7,7 @@ use super::value::{Pattern, Value};
 use crate::ask::intervals::Relation;
 use crate::ask::streams::Knowledge;
 use crate::ask::term::Term;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Properties that hold the other way round of others, where one side is known: left to the engine.
 const WITH_INVERSE: [&str; 4] = [
@@ -28,6 +28,8 @@ pub struct Compiler<'a> {
     goals: usize,
     /// Whether a variable may become another name of a second.
     may_alias: bool,
+    /// Variables of the goals that follow the block being compiled.
+    later: HashSet<String>,
 }
 
 impl<'a> Compiler<'a> {
@@ -39,6 +41,7 @@ impl<'a> Compiler<'a> {
             bound: Vec::new(),
             goals: 0,
             may_alias: true,
+            later: HashSet::new(),
         }
     }
 
@@ -58,7 +61,14 @@ impl<'a> Compiler<'a> {
         }
         let before = self.bound.clone();
         let mut goals = Vec::with_capacity(terms.len());
-        for term in terms {
+        let outer = self.later.clone();
+        for (place, term) in terms.iter().enumerate() {
+            self.later.clone_from(&outer);
+            for after in &terms[place + 1..] {
+                names_in(after, &mut self.later);
+            }
+            // The engine says which variable has to be bound.
+            (!self.depends_on_order(term)).then_some(())?;
             if let Some(goal) = self.goal(term)? {
                 for variable in binds(&goal) {
                     self.bound[variable] = true;
@@ -66,8 +76,31 @@ impl<'a> Compiler<'a> {
                 goals.push(goal);
             }
         }
+        self.later = outer;
         let is_bound = |variable: usize| before.get(variable).copied().unwrap_or_default();
         Some(ordered(goals, is_bound, &self.known.catalogue))
+    }
+
+    /// Whether the answers of a goal would be others if a variable were bound that only a later goal binds.
+    fn depends_on_order(&self, term: &Term) -> bool {
+        let (mut of, mut own) = (HashSet::new(), HashSet::new());
+        match term.parts() {
+            Some(("\\+" | "number", [of_goal])) => names_in(of_goal, &mut of),
+            Some(("forall", [one, other])) => {
+                names_in(one, &mut of);
+                names_in(other, &mut of);
+            }
+            Some(("findall" | "aggregate_all", [template, goals, _])) => {
+                names_in(goals, &mut of);
+                names_in(template, &mut own);
+            }
+            _ => return false,
+        }
+        let is_open = |name: &String| {
+            let number = self.numbers.get(name);
+            number.is_none_or(|number| !self.bound[*number])
+        };
+        (of.difference(&own)).any(|name| self.later.contains(name) && is_open(name))
     }
 
     /// A block of which nothing is bound afterwards.
@@ -539,6 +572,19 @@ fn binds(goal: &Goal) -> Vec<usize> {
         other => found = other.variables(),
     }
     found
+}
+
+/// Adds the names of the variables of a term.
+fn names_in(term: &Term, found: &mut HashSet<String>) {
+    match term {
+        Term::Variable(name) => {
+            found.insert(name.clone());
+        }
+        Term::Compound(_, items) | Term::List(items) => {
+            items.iter().for_each(|item| names_in(item, found));
+        }
+        Term::Atom(_) | Term::Integer(_) | Term::Float(_) => {}
+    }
 }
 
 /// Whether there is no variable in a term.

@@ -292,12 +292,19 @@ impl<'s> Solver<'s> {
             let Some([from, to]) = catalogue.interval(id) else {
                 continue;
             };
-            let pairs = [
-                (event, Value::Individual(id)),
-                (start, Value::Float(from)),
-                (end, Value::Float(to)),
-            ];
-            go_on!(self.candidate(&pairs, u64::from(id), next));
+            // A time that is asked for need not be written as it is stored: 1 is 1.0.
+            let mut pairs = vec![(event, Value::Individual(id))];
+            let mut is_then = true;
+            for (pattern, time) in [(start, from), (end, to)] {
+                match self.instance(pattern).and_then(|value| value.as_number()) {
+                    #[allow(clippy::float_cmp, reason = "what is asked for")]
+                    Some(asked) => is_then &= asked == time,
+                    None => pairs.push((pattern, Value::Float(time))),
+                }
+            }
+            if is_then {
+                go_on!(self.candidate(&pairs, u64::from(id), next));
+            }
         }
         Ok(Flow::Continue)
     }

@@ -199,6 +199,10 @@ impl<'s> Solver<'s> {
                 self.only_if(comparison.holds(left, right), next)
             }
             Goal::Same(left, right) => match (self.instance(left), self.instance(right)) {
+                (Some(left), Some(right)) => {
+                    let is_same = self.are_same(&left, &right).ok_or(Stop::Declined)?;
+                    self.only_if(is_same, next)
+                }
                 (Some(value), _) => self.candidate(&[(right, value)], 0, next),
                 (None, Some(value)) => self.candidate(&[(left, value)], 0, next),
                 (None, None) => Err(Stop::Declined),
@@ -309,6 +313,33 @@ impl<'s> Solver<'s> {
             return Err(Stop::Declined);
         }
         Ok(())
+    }
+
+    /// Whether two values are the same as the engine's `same/2` has it; `None` where names have to be looked up.
+    fn are_same(&self, left: &Value, right: &Value) -> Option<bool> {
+        if left.is_same(right, &self.known.catalogue) {
+            return Some(true);
+        }
+        if let (Some(left), Some(right)) = (left.as_number(), right.as_number()) {
+            #[allow(clippy::float_cmp, reason = "what is asked for")]
+            return Some(left == right);
+        }
+        let may_name = |value: &Value| match value {
+            Value::Individual(_) | Value::Shared(_) => true,
+            Value::Term(Term::Atom(_)) => true,
+            Value::Term(Term::Compound(colon, _)) => colon == ":",
+            _ => false,
+        };
+        let has_prefix = |value: &Value| match value {
+            Value::Individual(_) | Value::Shared(_) => true,
+            Value::Term(Term::Atom(name)) => name.contains(':'),
+            _ => true,
+        };
+        let is_full = |value: &Value| matches!(value, Value::Individual(_) | Value::Shared(_));
+        if !may_name(left) || !may_name(right) || (is_full(left) && is_full(right)) {
+            return Some(false);
+        }
+        (!has_prefix(left) && !has_prefix(right)).then_some(false)
     }
 
     fn bind(&mut self, variable: usize, value: Value) {

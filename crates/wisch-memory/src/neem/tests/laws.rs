@@ -87,7 +87,11 @@ fn individuals() -> impl Strategy<Value = Vec<Individual>> {
 }
 
 fn episodes() -> impl Strategy<Value = EpisodeRecord> {
-    let origin = prop_oneof![Just(Origin::Simulated), ".{0,6}".prop_map(Origin::Imported)];
+    let origin = prop_oneof![
+        Just(Origin::Simulated),
+        ".{0,6}".prop_map(Origin::Executor),
+        ".{0,6}".prop_map(Origin::Imported)
+    ];
     let rounds = prop::collection::vec(numbers(), 0..3);
     let head = ("[A-Za-z0-9-]{1,8}", ".{0,6}", intervals(), origin);
     (head, ".{0,6}", any::<u64>(), rounds, individuals()).prop_map(

@@ -40,7 +40,6 @@ export class Ask {
   private readonly result = el("div", { class: "s-answers", "aria-live": "polite" });
   private readonly button: HTMLButtonElement;
   private asking: AbortController | null = null;
-  private answers: Answers | null = null;
 
   constructor(private readonly actions: AskActions) {
     this.button = el("button", { class: "w-button s-primary", type: "button", click: () => (this.asking ? this.asking.abort() : void this.ask()) }, "Ask");
@@ -67,6 +66,19 @@ export class Ask {
     }
   }
 
+  /** Fills in a query that an address holds. It may write into the memory, so it waits for the person to ask it. */
+  propose(query: string): void {
+    this.asking?.abort();
+    this.asking = null;
+    say(this.button, "Ask");
+    this.completer.close();
+    this.field.value = query;
+    this.fault.hidden = true;
+    this.examples.open = false;
+    this.actions.clear();
+    this.result.replaceChildren(el("p", { class: "s-remark" }, "This query comes from the page's address and was not asked yet: Ask runs it."));
+  }
+
   /** Asks what stands in the field, and shows what the answers show. */
   async ask(): Promise<void> {
     const query = this.field.value.trim();
@@ -80,16 +92,20 @@ export class Ask {
     this.result.replaceChildren(el("p", { class: "w-quiet" }, "Asking \u2026"));
     this.actions.asked(query);
     try {
-      this.answers = await ask(query, asking.signal);
-      this.list(this.answers);
-      if (episodesOf(this.answers, null).length && this.hasView(this.answers)) this.actions.show(this.answers, null, null);
+      const answers = await ask(query, asking.signal);
+      this.list(answers);
+      if (episodesOf(answers, null).length && this.hasView(answers)) this.actions.show(answers, null, null);
       else this.actions.clear();
     } catch (error) {
+      // Another query may stand in the field by now.
+      if (this.asking !== asking) return;
       this.result.replaceChildren();
       if (!asking.signal.aborted) this.complain(error instanceof Refused ? error.fault : { message: String(error) });
     } finally {
-      this.asking = null;
-      say(this.button, "Ask");
+      if (this.asking === asking) {
+        this.asking = null;
+        say(this.button, "Ask");
+      }
     }
   }
 

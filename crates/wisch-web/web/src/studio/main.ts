@@ -135,10 +135,7 @@ class Studio {
     else if (place.time !== null && Math.abs(place.time - this.stage.time) > 0.06) this.stage.shown[0]!.view.seek(place.time);
     if (query && query !== before.query) {
       this.open("ask");
-      this.ask.field.value = query;
-      await this.ask.ask();
-      // Whoever gives a time as well means that.
-      if (place.time !== null) this.stage.shown[0]?.view.seek(place.time);
+      this.ask.propose(query);
     }
   }
 

@@ -188,11 +188,23 @@ export const overview = async (find: string): Promise<Overview> =>
 
 export const vocabulary = async (): Promise<Vocabulary> => (await (await request("api/vocabulary")).json()) as Vocabulary;
 
-/** JSON lines of an episode. */
-export async function recordingOf(id: string): Promise<string> {
+/** Hands over the JSON lines of an episode's recording as they come: the text is never held as a whole. */
+export async function readRecording(id: string, take: (line: string) => void): Promise<void> {
   const response = await request(`api/episodes/${encodeURIComponent(id)}/recording`);
   try {
-    return await response.text();
+    const decoder = new TextDecoder();
+    const reader = response.body!.getReader();
+    let rest = "";
+    for (let next = await reader.read(); !next.done; next = await reader.read()) {
+      const text = decoder.decode(next.value, { stream: true });
+      const end = text.lastIndexOf("\n");
+      if (end >= 0) {
+        for (const line of (rest + text.slice(0, end)).split("\n")) take(line);
+        rest = "";
+      }
+      rest += text.slice(end + 1);
+    }
+    take(rest + decoder.decode());
   } catch {
     throw new Refused({ message: "The recording of this episode is broken: it cannot be unpacked. wisch memory verify says what else is." }, 0);
   }

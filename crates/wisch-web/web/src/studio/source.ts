@@ -1,6 +1,6 @@
 // Where recordings come from: episodes that are kept, and runs that go on.
 import { Recording } from "../store.ts";
-import { recordingOf } from "./server.ts";
+import { readRecording } from "./server.ts";
 
 /** Most recordings that are kept for a later look. */
 const MOST_KEPT = 4;
@@ -15,8 +15,15 @@ const kept = new Map<string, Recording>();
 export async function episode(id: string): Promise<Recording> {
   const known = kept.get(id);
   kept.delete(id);
-  const recording = known ?? Recording.parse(await recordingOf(id));
+  const recording = known ?? (await read(id));
   keep(id, recording);
+  return recording;
+}
+
+async function read(id: string): Promise<Recording> {
+  const recording = new Recording();
+  await readRecording(id, (line) => recording.applyLine(line));
+  recording.close();
   return recording;
 }
 

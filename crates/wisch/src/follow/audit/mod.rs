@@ -2,12 +2,14 @@
 //!
 //! Nothing here knows how the motion was found or timed: positions are read off the timed motion, the tool's pose
 //! is computed from the robot model by kinematics of the audit's own, and limits are the robot model's. Shared
-//! are only data, and the collision model, which is tested by itself (`robot/clearance`). Between samples the
+//! are only data, and the collision model, which is tested by itself (`robot/clearance`); whether anything is in the target surface
+//! is seen without it (`surface.rs`). Between samples the
 //! motion of every body is bounded, so that "clear" holds at every time and not only at the samples.
 
 mod dynamics;
 mod kinematics;
 mod line;
+mod surface;
 mod trajectory;
 
 pub use trajectory::{CheckConfig, End, Rate, TrajectoryFault, trajectory_faults};
@@ -22,6 +24,7 @@ use crate::represent::Task;
 use crate::robot::{Joint, LimitFault, RobotError, RobotModel};
 use dynamics::joint_efforts;
 use line::{Line, off_grip, world_from_tool};
+use surface::{SurfaceCheck, SurfaceFault};
 
 /// Period at which limits and clearance are looked at [s].
 const PERIOD: f64 = 0.01;
@@ -97,6 +100,36 @@ pub enum MotionFault {
         /// Their distance [m]; negative inside.
         distance: f64,
     },
+    /// Robot, hand or tool is in the target surface or has passed through it, or the tool is behind it.
+    #[error(
+        "at {time:.3} s: {body:?} is {depth:.4} m below the surface {surface:?}, at ({:.3}, {:.3}) m of it",
+        place[0], place[1]
+    )]
+    ThroughSurface {
+        /// When it is deepest [s].
+        time: f64,
+        /// Link or tool.
+        body: String,
+        /// The surface.
+        surface: String,
+        /// How far its lowest point is below the surface [m].
+        depth: f64,
+        /// Where, in the surface frame [m].
+        place: [f64; 2],
+    },
+    /// The tool is pressed where the surface has a hole.
+    #[error(
+        "at {time:.3} s: the tool is pressed over a hole of the surface {surface:?}, at ({:.3}, {:.3}) m of it",
+        place[0], place[1]
+    )]
+    OverHole {
+        /// When first [s].
+        time: f64,
+        /// The surface.
+        surface: String,
+        /// Where the tool centre point is, in the surface frame [m].
+        place: [f64; 2],
+    },
     /// The tool leaves its line.
     #[error("motion {motion}: the tool leaves its line by {position:.5} m and {rotation:.5} rad")]
     OffLine {
@@ -150,7 +183,9 @@ fn named(fault: &TrajectoryFault, joint: &Option<String>) -> String {
 }
 
 /// Checks every motion: limits of position, velocity and acceleration of every joint, those that follow others
-/// included, efforts for the robot's own weight and inertia, clearance at every time, the tool's line, the second hand's grip, joints between motions, and that the base stands still while the tool is down.
+/// included, efforts for the robot's own weight and inertia, clearance at every time, the tool's line, the second hand's grip, joints
+/// between motions, that the base stands still while the tool is down, that nothing but the pad in contact is in the target surface
+/// or behind it, and that the tool is pressed over no hole.
 ///
 /// # Errors
 /// If the motions are not of this robot.
@@ -162,6 +197,7 @@ pub fn audit(
 ) -> Result<Audit, FollowError> {
     let robot = cell.robot();
     let moving = MovingJoints::new(cell)?;
+    let surface = SurfaceCheck::new(cell, task, config);
     let mut audit = Audit {
         line: LineDeviation::default(),
         grip: GripDeviation::default(),
@@ -190,6 +226,10 @@ pub fn audit(
         efforts(motion, &samples, cell, &mut audit.faults);
         clearance(motion, &samples, cell, &mut audit)?;
         base(number, motion.phase, &samples, cell, &mut audit.faults);
+        let surface_faults = surface
+            .iter()
+            .flat_map(|check| check.faults(motion, &samples));
+        (audit.faults).extend(surface_faults.map(|fault| before_surface(fault, motion, task)));
         let samples = self::samples(&motion.trajectory, LINE_PERIOD);
         grip(motion, &samples, cell, &mut audit);
         on_line(number, motion, &samples, cell, task, config, &mut audit);
@@ -463,6 +503,30 @@ fn on_line(
             position,
             rotation,
         });
+    }
+}
+
+/// A fault before the target surface, in the time of all motions.
+fn before_surface(fault: SurfaceFault, motion: &Motion, task: &Task) -> MotionFault {
+    let surface = task.surface.name.clone();
+    match fault {
+        SurfaceFault::Through {
+            time,
+            body,
+            depth,
+            place,
+        } => MotionFault::ThroughSurface {
+            time: motion.start + time,
+            body,
+            surface,
+            depth,
+            place: place.into(),
+        },
+        SurfaceFault::OverHole { time, place } => MotionFault::OverHole {
+            time: motion.start + time,
+            surface,
+            place: place.into(),
+        },
     }
 }
 

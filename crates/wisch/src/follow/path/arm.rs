@@ -77,7 +77,7 @@ impl<'a> Arm<'a> {
     /// The same arm for a plan, which may turn the tool on purpose even where it does not push.
     pub fn following(self, plan: &Plan) -> Self {
         Self {
-            keeps_heading: self.keeps_heading || plan.strategy.is_searched(),
+            keeps_heading: self.keeps_heading || plan.strategy.turns_tool(),
             ..self
         }
     }
@@ -244,6 +244,52 @@ impl<'a> Arm<'a> {
             self.task.surface.world_from_surface.inverse() * self.base_from_world.inverse();
         let tool = (surface_from_base * base_from_tool).translation.vector;
         Some(Point2::new(tool.x, tool.y))
+    }
+
+    /// How high the tool centre point is over the surface [m].
+    pub fn height(&self, q: &JointPositions) -> Option<f64> {
+        let leading = &q[..self.leading()];
+        let kinematics = (self.cell.ik().chain()).forward_kinematics(leading).ok()?;
+        let base_from_tool = kinematics.base_from_tip() * self.cell.tip_from_tool();
+        let surface_from_base =
+            self.task.surface.world_from_surface.inverse() * self.base_from_world.inverse();
+        Some((surface_from_base * base_from_tool).translation.z)
+    }
+
+    /// The configurations in which the tool rises along the surface's normal, turned as it is; `from` left out.
+    ///
+    /// `way`: how far [m], more than 0.
+    pub fn risen(
+        &self,
+        from: &JointPositions,
+        way: f64,
+    ) -> Result<Vec<JointPositions>, Obstruction> {
+        let leading = &from[..self.leading()];
+        let kinematics = (self.cell.ik().chain()).forward_kinematics(leading);
+        let kinematics = kinematics.map_err(|_| Obstruction::unreachable())?;
+        let base_from_tool = kinematics.base_from_tip() * self.cell.tip_from_tool();
+        let base_from_surface =
+            self.base_from_world.rotation * self.task.surface.world_from_surface.rotation;
+        let up = base_from_surface * Vector3::z();
+        let count = (way / self.config.step).ceil().max(1.0) as usize;
+        let mut path = Vec::with_capacity(count);
+        let mut at = *from;
+        for i in 1..=count {
+            let risen = up * (way * i as f64 / count as f64);
+            let target = nalgebra::Translation3::from(risen) * base_from_tool;
+            let (leading, second) = at.split_at(self.leading());
+            let outcome =
+                (self.cell.ik()).solve_from(&target, RotationGoal::Full, leading, &self.ik);
+            let next = self.held(&self.solved(outcome)?, second)?;
+            if self.jumps(&at, &next) {
+                return Err(self.jump(&at, &next));
+            }
+            path.push(next);
+            at = next;
+        }
+        (self.is_free_along(from, &path, AllowedContact::Surface))
+            .map_err(|broken| broken.obstruction)?;
+        Ok(path)
     }
 
     /// How the tool is turned about the surface's normal [rad].

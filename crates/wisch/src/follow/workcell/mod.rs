@@ -3,12 +3,14 @@
 mod grasp;
 mod group;
 pub(super) mod second_arm;
+mod target_surface;
 
 pub use group::{PlanarBase, PlanningGroup};
 pub use second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE, SecondArm};
 
 use crate::follow::{FollowError, FollowerLimit, JointLimit, JointLimits, ToolPose};
-use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
+use crate::geometry::{PlanarPose, Point2, Point3, Polygon, Pose, Vector3};
+use crate::plan::Plan;
 use crate::represent::{SceneObject, ScenePart, Task};
 use crate::robot::{
     CollisionModel, IkConfig, IkSolver, Joint, JointKind, LinkId, Range, RobotModel, Srdf,
@@ -17,6 +19,8 @@ use grasp::{relaxed, tip_from_tool, without_rim};
 use group::{READY_STATE, hand_and_holder, planar_base, put_in, standing_links};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::collections::BTreeSet;
+pub(in crate::follow) use target_surface::HandBelow;
+use target_surface::{TargetSurface, ToolMount, hand_below, is_tool_behind};
 
 /// How far a base may stand off the plane of its floor before that is an error [m, rad].
 const FLOOR_TOLERANCE: f64 = 1e-6;
@@ -32,7 +36,7 @@ const TOOL_RIM: f64 = 2.8e-3;
 pub enum AllowedContact {
     /// Nothing, as in free motion.
     None,
-    /// The object that carries the surface.
+    /// The target surface and the object that carries it.
     Surface,
 }
 
@@ -97,8 +101,10 @@ pub struct Workcell {
 impl Workcell {
     /// The robot before the scene of a task, with the task's tool in its hand.
     ///
-    /// While it wipes, the tool may touch the object that carries the surface; otherwise nothing may
-    /// touch anything.
+    /// While it wipes, comes down or lifts off, the tool may touch the target surface and the object that carries it; otherwise
+    /// nothing may touch anything. The surface is an obstacle whether or not the scene has an object that carries it, and
+    /// the tool keeps out of the space behind it, unless that is where it waits in the ready posture. A surface that lies in
+    /// the plane of the floor may be driven on.
     ///
     /// # Errors
     /// A group or link that does not exist, a group whose base hangs on joints that are no planar
@@ -202,6 +208,26 @@ impl Workcell {
             });
             model.add_obstacles(placed)?;
         }
+        let tool_mount = ToolMount {
+            world_from_root,
+            tip,
+            tip_from_tool,
+        };
+        let waits_behind = is_tool_behind(task, &robot.forward_kinematics(&ready)?, &tool_mount);
+        let is_taken = |name: &str| {
+            let bodies = [tool.as_str(), core.as_str()];
+            let mut objects = named.iter().map(|(name, _)| name.as_str());
+            bodies.contains(&name) || objects.any(|known| known == name)
+        };
+        let unused = |name: &str| {
+            let mut name = unlike(&robot, name);
+            while is_taken(&name) {
+                name.push_str(" (target)");
+            }
+            name
+        };
+        let models = &mut [&mut collisions, &mut in_contact, &mut slim];
+        let surface = TargetSurface::add(task, &root_from_world, &unused, waits_behind, models)?;
         for (name, object) in &named {
             for link in on_wheels.iter().filter(|_| is_below_floor(object)) {
                 for model in [&mut collisions, &mut in_contact, &mut slim] {
@@ -214,7 +240,32 @@ impl Workcell {
                 slim.allow(&core, name)?;
             }
         }
-        let obstacles = named.into_iter().map(|(name, _)| name).collect();
+        let is_floor =
+            is_below_floor_plane(&task.surface.world_from_surface, &task.surface.outline);
+        for link in on_wheels.iter().filter(|_| is_floor) {
+            for model in [&mut collisions, &mut in_contact, &mut slim] {
+                model.allow(link, &surface.face)?;
+            }
+        }
+        for name in [Some(&surface.face), surface.behind.as_ref()]
+            .into_iter()
+            .flatten()
+        {
+            in_contact.allow(&tool, name)?;
+            slim.allow(&tool, name)?;
+            slim.allow(&core, name)?;
+        }
+        if let Some(behind) = &surface.behind {
+            for link in robot.links() {
+                for model in [&mut collisions, &mut in_contact, &mut slim] {
+                    model.allow(&link.name, behind)?;
+                }
+            }
+        }
+        let obstacles = (named.into_iter().map(|(name, _)| name))
+            .chain([surface.face])
+            .chain(surface.behind)
+            .collect();
         let arm_collisions = collisions.for_variables(&arm_variables);
         let arm_collisions_in_contact = slim.for_variables(&arm_variables);
         let base_variables = base.map_or(vec![], |base| vec![base.x, base.y, base.yaw]);
@@ -335,6 +386,22 @@ impl Workcell {
         self.obstacles.contains(name)
     }
 
+    /// The part of the hand that would be below the target surface wherever the tool touches it at the nodes of a plan; `None`
+    /// where the hand is free of it somewhere.
+    pub(in crate::follow) fn hand_below(
+        &self,
+        task: &Task,
+        plan: &Plan,
+    ) -> Result<Option<HandBelow>, FollowError> {
+        let tool = ToolMount {
+            world_from_root: self.world_from_root,
+            tip: self.tip,
+            tip_from_tool: self.tip_from_tool,
+        };
+        let kinematics = self.robot.forward_kinematics(&self.ready)?;
+        Ok(hand_below(task, plan, &self.robot, &kinematics, &tool))
+    }
+
     /// Pose of the tool in the world where it is said to be on the surface.
     pub fn world_from_tool(task: &Task, pose: &ToolPose) -> Pose {
         let PlanarPose { position, heading } = pose.surface_from_tool;
@@ -406,6 +473,12 @@ fn grip_with_second_hand(
         *ready = first;
     }
     Ok(())
+}
+
+/// Whether no point of an outline is above the floor on which the base moves.
+fn is_below_floor_plane(world_from_surface: &Pose, outline: &Polygon) -> bool {
+    let mut corners = outline.outer().iter();
+    corners.all(|p| (world_from_surface * Point3::new(p.x, p.y, 0.0)).z <= FLOOR_TOLERANCE)
 }
 
 /// Whether no point of an object is above the floor on which the base moves.

@@ -1,6 +1,7 @@
 //! COLLADA: the triangles of the instanced visual scene, in metres.
 
 use super::{MAX_TRIANGLES, Mesh, MeshError, Point3};
+use crate::geometry::triangulation::cut_face;
 use nalgebra::{Matrix4, Rotation3, Translation3, Unit, Vector3};
 use roxmltree::{Document, Error, Node, ParsingOptions};
 use std::collections::HashMap;
@@ -423,11 +424,12 @@ fn read_primitive(
                     let polygon = rest.split_at_checked(size);
                     let (polygon, after) = polygon
                         .ok_or_else(|| fault(p, "it has fewer indices than <vcount> counts"))?;
-                    add_fan(soup, polygon);
+                    add_face(soup, polygon);
                     rest = after;
                 }
             }
-            _ => add_fan(soup, rest),
+            "trifans" => soup.extend((2..rest.len()).map(|i| [rest[0], rest[i - 1], rest[i]])),
+            _ => add_face(soup, rest),
         }
         if soup.len() > MAX_TRIANGLES {
             return Err(MeshError::TooManyTriangles { count: soup.len() });
@@ -436,9 +438,10 @@ fn read_primitive(
     Ok(())
 }
 
-/// Appends a convex polygon as triangles about its first corner.
-fn add_fan(soup: &mut Soup, polygon: &[Point3]) {
-    soup.extend((2..polygon.len()).map(|i| [polygon[0], polygon[i - 1], polygon[i]]));
+/// Appends a plane polygon, convex or not, as triangles.
+fn add_face(soup: &mut Soup, polygon: &[Point3]) {
+    let triangles = cut_face(polygon);
+    soup.extend(triangles.iter().map(|t| t.map(|i| polygon[i])));
 }
 
 /// The target of a reference within the document.

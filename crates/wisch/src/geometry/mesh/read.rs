@@ -3,9 +3,10 @@
 //! STL and OBJ are parsed by the `mesh-loader` crate after checks that bound what it allocates.
 //! COLLADA is read here (`collada.rs`): mesh-loader 0.1.13 does not return from a `<Name_array>`,
 //! panics or aborts on inconsistent counts, ignores node transforms under 1 cm and misplaces
-//! nested nodes.
+//! nested nodes. Concave faces of an OBJ are cut into triangles before mesh-loader sees them (`obj_faces.rs`): it cuts every
+//! face as a fan.
 
-use super::{MAX_TRIANGLES, Mesh, MeshError, Point3, collada};
+use super::{MAX_TRIANGLES, Mesh, MeshError, Point3, collada, obj_faces};
 use std::io;
 use std::path::Path;
 
@@ -160,7 +161,14 @@ fn parse_obj(bytes: &[u8]) -> Result<Mesh, MeshError> {
         return Err(MeshError::TooManyTriangles { count: triangles });
     }
     let no_material_files = |_: &Path| io::Result::<Vec<u8>>::Err(io::ErrorKind::NotFound.into());
-    from_scene(mesh_loader::obj::from_slice(bytes, None, no_material_files))
+    let read = |bytes: &[u8]| {
+        from_scene(mesh_loader::obj::from_slice(bytes, None, |path: &Path| {
+            no_material_files(path)
+        }))
+    };
+    // The file as it is first, so that errors name its lines.
+    let mesh = read(bytes)?;
+    obj_faces::with_concave_faces_cut(bytes).map_or(Ok(mesh), |cut| read(&cut))
 }
 
 fn checked_parts(what: &'static str, count: usize) -> Result<(), MeshError> {

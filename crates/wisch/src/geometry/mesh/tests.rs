@@ -286,6 +286,94 @@ fn collada_reads_polygons_strips_and_fans() {
     }
 }
 
+/// The corners of an L, 0.1 m less 0.05 m square [m], from one of them on.
+fn l_from(first: usize) -> Vec<[f64; 2]> {
+    let l = [[-1, -1], [1, -1], [1, 0], [0, 0], [0, 1], [-1, 1]];
+    let turned = (0..6).map(|i| l[(first + i) % 6]);
+    turned
+        .map(|corner| corner.map(|c| 0.05 * f64::from(c)))
+        .collect()
+}
+
+/// A pad with a face of six corners below and above, in an OBJ with absolute or relative indices.
+fn l_obj(first: usize, is_relative: bool) -> String {
+    let mut text = String::from("o pad\n");
+    for z in [0.0, 0.03] {
+        for [x, y] in l_from(first) {
+            writeln!(text, "v {x} {y} {z}").expect("strings take all");
+        }
+    }
+    let index = |i: i32| if is_relative { i - 12 } else { i + 1 };
+    let face = |corners: &[i32]| {
+        let words = corners.iter().map(|&i| format!(" {}//", index(i)));
+        format!("f{}\n", words.collect::<String>())
+    };
+    text += &face(&[5, 4, 3, 2, 1, 0]);
+    text += &face(&[6, 7, 8, 9, 10, 11]);
+    for i in 0..6 {
+        let next = (i + 1) % 6;
+        text += &face(&[i, next, next + 6, i + 6]);
+    }
+    text
+}
+
+/// The same in COLLADA, as a list of polygons or as polygons one by one.
+fn l_collada(first: usize, element: &str) -> String {
+    let flat = l_from(first);
+    let vertices = [0.0, 0.03]
+        .iter()
+        .flat_map(|&z| flat.iter().map(move |&[x, y]| Point3::new(x, y, z)));
+    let pad = Mesh::new(vertices.collect(), vec![[0, 1, 2]]).expect("valid");
+    let sides = (0..6).map(|i| vec![i, (i + 1) % 6, (i + 1) % 6 + 6, i + 6]);
+    let faces: Vec<Vec<usize>> = [vec![5, 4, 3, 2, 1, 0], vec![6, 7, 8, 9, 10, 11]]
+        .into_iter()
+        .chain(sides)
+        .collect();
+    let words = |face: &Vec<usize>| face.iter().map(|i| format!("{i} ")).collect::<String>();
+    let body = if element == "polygons" {
+        let faces = faces.iter().map(|face| format!("<p>{}</p>", words(face)));
+        faces.collect::<String>()
+    } else {
+        let counts: String = faces
+            .iter()
+            .map(|face| format!("{} ", face.len()))
+            .collect();
+        let words: String = faces.iter().map(words).collect();
+        format!("<vcount>{counts}</vcount><p>{words}</p>")
+    };
+    let document = collada(&pad, 1.0, PLAIN_NODE);
+    let begin = document.find("<triangles").expect("it has triangles");
+    let end = document.find("</triangles>").expect("they end") + "</triangles>".len();
+    let element = format!(
+        r##"<{element} count="8"><input semantic="VERTEX" source="#v" offset="0"/>{body}</{element}>"##
+    );
+    format!("{}{element}{}", &document[..begin], &document[end..])
+}
+
+#[test]
+fn a_concave_face_is_the_same_pad_whichever_corner_its_file_begins_with() {
+    for first in 0..6 {
+        let objs = [false, true].map(|is_relative| (l_obj(first, is_relative), MeshFormat::Obj));
+        let colladas = ["polylist", "polygons"]
+            .map(|element| (l_collada(first, element), MeshFormat::Collada));
+        for (text, format) in objs.into_iter().chain(colladas) {
+            let mesh = parse(text, format).expect("valid");
+            assert!(mesh.is_watertight());
+            // OBJ is read in single precision.
+            assert!(
+                (volume(&mesh) - 0.000_225).abs() < 1e-9,
+                "{}",
+                volume(&mesh)
+            );
+            let footprint = crate::geometry::footprint(&mesh, 0.005).expect("it has one");
+            assert!(
+                (footprint.area() - 0.0075).abs() < 1e-8,
+                "{first} {format:?}"
+            );
+        }
+    }
+}
+
 #[test]
 fn faults_name_mesh_place_and_limit() {
     let stl = box_mesh().to_binary_stl();

@@ -6,7 +6,7 @@ use super::parameter_sampling::MemberParameters;
 use super::performance::PerformanceDistribution;
 use crate::interpret::contact::StiffnessBelief;
 use crate::interpret::error::InterpretError;
-use crate::represent::{GoalState, ParticleDistribution, ParticleError, Surface};
+use crate::represent::{Fate, GoalState, ParticleDistribution, ParticleError, Surface};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
@@ -196,6 +196,41 @@ impl Belief {
         let members = self.members(count, seed);
         let particles: Vec<_> = members.iter().flat_map(|dirt| dirt.iter()).collect();
         ParticleDistribution::with_fates(&particles)
+    }
+
+    /// The places of a surface that is treated, each with the median over the members of its passes: what is as likely as
+    /// not to be missing is missing. `None` where members disagree on where the places are.
+    pub fn median_passes(&self) -> Option<ParticleDistribution> {
+        let [first, others @ ..] = &self.replays[..] else {
+            return None;
+        };
+        let is_alike = |other: &ParticleDistribution| {
+            other.len() == first.len()
+                && (0..first.len()).all(|i| other.position(i) == first.position(i))
+        };
+        if !others.iter().all(is_alike) {
+            return None;
+        }
+        let passes: Vec<Vec<f64>> = (self.replays.iter())
+            .map(|member| member.iter().map(|(_, fate)| fate.passes()).collect())
+            .collect();
+        let half = self.weights.iter().sum::<f64>() / 2.0;
+        let median = |i: usize| {
+            let mut at: Vec<(f64, f64)> = (passes.iter().zip(&self.weights))
+                .map(|(member, weight)| (member[i], *weight))
+                .collect();
+            at.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let mut sum = 0.0;
+            let found = at.iter().find(|(_, weight)| {
+                sum += weight;
+                sum >= half
+            });
+            found.map_or(0.0, |(passes, _)| *passes)
+        };
+        let places: Vec<_> = (0..first.len())
+            .map(|i| (first.position(i), Fate::Treated { passes: median(i) }))
+            .collect();
+        ParticleDistribution::with_fates(&places).ok()
     }
 
     /// The dirt of several members, drawn by weight; of certainty just the one.

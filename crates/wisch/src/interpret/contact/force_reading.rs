@@ -374,11 +374,16 @@ fn sensor_axes(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> Sensor
 fn clock_offset(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> f64 {
     let [farthest, step, least] = CLOCKS;
     let time = |i: usize| 0.5 * (pieces[i].time[0] + pieces[i].time[1]);
+    // No more than the usual force of contact counts: a push or a blow says nothing of the clock.
+    let (resting, _) = bias_and_noise(pieces, free, SensorAxes::Surface);
+    let sizes = on.iter().map(|&i| ((pieces[i].force - resting).norm(), f64::from(pieces[i].samples)));
+    let usual = median(sizes.collect());
+    let clipped = |i: usize| (pieces[i].force - resting).cap_magnitude(usual);
     // Integral of the force over time, at the middle of each piece.
     let mut integral = vec![Vector3::zeros(); pieces.len()];
     for i in 1..pieces.len() {
         let lasts = time(i) - time(i - 1);
-        integral[i] = integral[i - 1] + (pieces[i].force + pieces[i - 1].force) * (0.5 * lasts);
+        integral[i] = integral[i - 1] + (clipped(i) + clipped(i - 1)) * (0.5 * lasts);
     }
     let at = |when: f64| {
         let next = pieces.partition_point(|piece| 0.5 * (piece.time[0] + piece.time[1]) < when);

@@ -3,7 +3,8 @@
 use super::draft::Draft;
 use crate::geometry::{Bounds2, Edge, PlanarPose, Point2, Region};
 use crate::plan::FreeSpace;
-use crate::plan::objective::{EdgeMargin, LOSS, RISK};
+use crate::plan::objective::{EdgeMargin, RISK};
+use crate::plan::predict::LOSS;
 use crate::random::normal_pair;
 use crate::represent::{
     GoalState, ParticleDistribution, ParticleField, Performance, Task, ToolMotion,

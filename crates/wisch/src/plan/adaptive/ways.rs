@@ -91,7 +91,7 @@ impl<'a> KnownWays<'a> {
         if let Some(&is_clear) = self.legs.get(&key) {
             return is_clear;
         }
-        let is_clear = self.march(a, b);
+        let is_clear = self.space.surface().carries_between(a, b) && self.march(a, b);
         self.legs.insert(key, is_clear);
         is_clear
     }

@@ -1,0 +1,167 @@
+//! `wisch memory import`, and the pages of logs, in a real temporary directory.
+
+use crate::interpret::{believed, folder};
+use crate::program::wisch;
+use serde_json::Value as Json;
+use std::fs;
+use std::path::Path;
+use wisch::geometry::Pose;
+use wisch_memory::{EpisodeRecord, Individual, Memory, Value};
+
+fn import(folder: &Path, more: &[&str]) -> (i32, String, String) {
+    let args = [
+        "memory",
+        "import",
+        "log.mcap",
+        "--task",
+        "task.toml",
+        "--start-s",
+        "1795309772",
+    ];
+    wisch(folder, &[&args[..], more].concat())
+}
+
+fn individual<'a>(record: &'a EpisodeRecord, class: &str) -> &'a Individual {
+    let mut those = record.individuals.iter().filter(|one| one.class == class);
+    those.next().expect(class)
+}
+
+#[test]
+fn a_log_that_is_imported_twice_is_one_episode() {
+    let folder = folder(believed());
+    let folder = folder.path();
+    let (code, first, _) = import(folder, &["--json"]);
+    assert_eq!(code, 0, "{first}");
+    // Another name of the same file.
+    fs::rename(folder.join("log.mcap"), folder.join("other.mcap")).unwrap();
+    fs::copy(folder.join("other.mcap"), folder.join("log.mcap")).unwrap();
+    let (code, again, err) = import(folder, &["--json"]);
+    assert_eq!((code, err.as_str()), (0, ""), "{again}");
+    assert_eq!(first, again, "it is the same episode");
+    let (code, out, _) = import(folder, &[]);
+    assert!(code == 0 && out.contains("nothing was added"), "{out}");
+    let memory = Memory::open(&folder.join("episodes")).unwrap();
+    assert_eq!(memory.episodes().unwrap().len(), 1);
+    // Read otherwise, it would be another episode of the same wiping.
+    let (code, _, err) = import(folder, &["--wrench-sign", "by-tool"]);
+    let id = &memory.episodes().unwrap()[0];
+    assert_eq!(code, 2, "{err}");
+    assert!(
+        err.contains(id.as_str()) && err.contains("memory forget"),
+        "{err}"
+    );
+    // Another log is another episode.
+    let mut other = fs::read_to_string(folder.join("task.toml")).unwrap();
+    other.push_str("\n# Another task file.\n");
+    let table = "t,x,y,z,qx,qy,qz,qw,fx,fy,fz\n0,0.6,0.1,0.9,0,0,0,1,0,0,0\n1,0.6,0.1,0.9,0,0,0,1,0,0,0\n2,0.6,0.1,0.9,0,0,0,1,0,0,0\n";
+    fs::write(folder.join("air.csv"), table).unwrap();
+    let args = [
+        "memory",
+        "import",
+        "air.csv",
+        "--task",
+        "task.toml",
+        "--start-s",
+        "1795309772",
+        "--max-gap-s",
+        "2",
+    ];
+    let (code, out, err) = wisch(folder, &args);
+    assert_eq!(code, 0, "{out}{err}");
+    assert_eq!(memory.episodes().unwrap().len(), 2);
+}
+
+#[test]
+fn the_doubts_of_a_log_are_kept_and_what_cannot_be_told_is_no_failure() {
+    // The tool wiped a hand's breadth above where the task has the surface.
+    let folder = folder(Pose::translation(0.6, 0.1, 0.85));
+    let folder = folder.path();
+    let (_, out, _) = wisch(
+        folder,
+        &["interpret", "log.mcap", "--task", "task.toml", "--json"],
+    );
+    let told: Json = serde_json::from_str(&out).expect("one object");
+    let doubts = told["doubts"].as_array().expect("doubts");
+    assert!(!doubts.is_empty(), "{told}");
+    let (code, out, _) = import(folder, &["--json"]);
+    assert_eq!(code, 0, "{out}");
+    let record: EpisodeRecord = serde_json::from_str(&out).expect("a record");
+    let round = individual(&record, "semco:WipingRound");
+    let kept = match round.values.get("semco:doubt") {
+        Some(Value::Text(text)) => text.as_str(),
+        other => panic!("{other:?}"),
+    };
+    for doubt in doubts {
+        assert!(kept.contains(doubt.as_str().unwrap()), "{kept}: {doubt}");
+    }
+    let action = individual(&record, "semco:WipingAction");
+    for one in [round, action] {
+        assert!(
+            !one.relations.contains_key("soma:hasExecutionState"),
+            "{one:?}"
+        );
+        assert!(!one.values.contains_key("semco:performance"), "{one:?}");
+    }
+    let memory = Memory::open(&folder.join("episodes")).unwrap();
+    let episode = memory.episode(&record.id).unwrap();
+    let interpretation = episode.attachment("round-1/interpretation.json").unwrap();
+    let interpretation: Json = serde_json::from_slice(&interpretation).expect("JSON");
+    assert_eq!(interpretation["doubts"], told["doubts"]);
+    assert_eq!(interpretation["log"]["remarks"], told["log"]["remarks"]);
+    let (_, listed, _) = wisch(folder, &["memory", "list"]);
+    assert!(
+        listed.contains("cannot be told") && !listed.contains(" 0.0 %"),
+        "{listed}"
+    );
+    let (_, _, err) = wisch(folder, &["memory", "forget", &record.id]);
+    assert_eq!(err, "");
+    let (_, _, err) = import(folder, &[]);
+    assert!(err.contains("note: "), "what is doubted is said: {err}");
+}
+
+#[test]
+fn a_log_its_interpretation_and_its_episode_have_a_page() {
+    let folder = folder(believed());
+    let folder = folder.path();
+    let (code, out, err) = wisch(
+        folder,
+        &[
+            "interpret",
+            "log.mcap",
+            "--task",
+            "task.toml",
+            "--out",
+            "told",
+        ],
+    );
+    assert_eq!((code, err.as_str()), (0, ""), "{out}");
+    let (_, out, _) = import(folder, &["--json"]);
+    let record: EpisodeRecord = serde_json::from_str(&out).expect("a record");
+    for what in ["told", "log.mcap", &record.id] {
+        let task: &[&str] = if what == "log.mcap" {
+            &["--task", "task.toml"]
+        } else {
+            &[]
+        };
+        let args = [&["report", what, "--out", "page.html"], task].concat();
+        let (code, out, err) = wisch(folder, &args);
+        assert_eq!((code, err.as_str()), (0, ""), "{what}: {out}");
+        let page = fs::read_to_string(folder.join("page.html")).unwrap();
+        for part in [
+            "<!DOCTYPE html>",
+            "path over the surface",
+            "Normal force",
+            "fitted plane",
+            "still to be wiped",
+            "performance",
+        ] {
+            assert!(page.contains(part), "{what}: no {part:?}");
+        }
+        assert!(!page.contains("NaN"), "{what}");
+        fs::remove_file(folder.join("page.html")).unwrap();
+    }
+    let (code, _, err) = wisch(folder, &["report", "log.mcap"]);
+    assert!(code == 2 && err.contains("--task"), "{err}");
+    let (code, _, err) = wisch(folder, &["report", "nothing"]);
+    assert!(code == 2 && err.contains("there is no episode"), "{err}");
+}

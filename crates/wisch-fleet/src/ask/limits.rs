@@ -1,0 +1,216 @@
+//! What a statement may take: time, memory, and depth of its text.
+
+use super::statement::depth;
+use crate::store::FleetError;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// Deepest statement. A thread's stack of [`STACK`] holds the planner's recursion over it.
+const DEEPEST: usize = 1000;
+/// Stack of each thread that plans or answers statements [bytes]. The system gives memory only to what is used of it.
+pub const STACK: usize = 256 << 20;
+/// How often time and memory are measured.
+const LOOK_AGAIN: Duration = Duration::from_millis(20);
+/// A statement that does not end by itself when its time is over is ended with the program after this.
+const GRACE: Duration = Duration::from_secs(5);
+/// Exit code of an error.
+const EXIT_ERROR: i32 = 2;
+
+/// What a statement may take.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Limits {
+    /// Longest time, from planning it to its last row.
+    pub time: Duration,
+    /// Most memory of the program [bytes]. Half of it is for sorting, grouping and joining; what sorts and groups more
+    /// puts it on disk.
+    pub memory: usize,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            time: Duration::from_secs(300),
+            memory: 4096 << 20,
+        }
+    }
+}
+
+impl Limits {
+    /// Returns what sorting, grouping and joining may take [bytes].
+    pub(super) fn pool(&self) -> usize {
+        self.memory / 2
+    }
+
+    /// Runs a statement's work within its time.
+    ///
+    /// # Errors
+    /// What the work ends in, or that its time is over.
+    pub async fn within<T>(
+        &self,
+        work: impl Future<Output = Result<T, FleetError>>,
+    ) -> Result<T, FleetError> {
+        match tokio::time::timeout(self.time, work).await {
+            Ok(done) => done,
+            Err(_) => Err(FleetError::Asked(self.late())),
+        }
+    }
+
+    fn late(&self) -> String {
+        let limit = self.time.as_secs_f64();
+        format!("the statement takes longer than {limit} s: --timeout allows more")
+    }
+
+    fn large(&self) -> String {
+        let limit = self.memory >> 20;
+        format!("the statement takes more than {limit} MB of memory: --memory-limit allows more")
+    }
+}
+
+/// Checks that a statement is not too deep for the planner.
+///
+/// # Errors
+/// If it is.
+pub(super) fn check(sql: &str) -> Result<(), FleetError> {
+    let found = depth(sql);
+    if found <= DEEPEST {
+        return Ok(());
+    }
+    Err(FleetError::Asked(format!(
+        "the statement has {found} operators, brackets and joined tables, at most {DEEPEST} are planned: \
+         use IN (…) for long lists, or several statements"
+    )))
+}
+
+/// Ends the program with an error once a statement takes too much: what functions make of a row is in no pool, and what
+/// does not wait for anything cannot be broken off.
+#[derive(Debug)]
+pub struct Watch {
+    limits: Limits,
+    begun: Instant,
+    /// When the statement has to be over [ms since `begun`]; 0: there is none.
+    deadline: AtomicU64,
+    /// Folders that go with the program.
+    folders: Mutex<Vec<PathBuf>>,
+}
+
+impl Watch {
+    /// Begins to watch this program.
+    pub fn begin(limits: Limits) -> Arc<Self> {
+        let watch = Arc::new(Self {
+            limits,
+            begun: Instant::now(),
+            deadline: AtomicU64::new(0),
+            folders: Mutex::default(),
+        });
+        let watching = Arc::clone(&watch);
+        thread::spawn(move || watching.watch());
+        watch
+    }
+
+    /// Has a folder removed if the program is ended.
+    pub fn remove_at_end(&self, folder: PathBuf) {
+        self.folders().push(folder);
+    }
+
+    /// Runs a statement's work within its limits.
+    ///
+    /// # Errors
+    /// What the work ends in, or that its time is over.
+    pub async fn within<T>(
+        &self,
+        work: impl Future<Output = Result<T, FleetError>>,
+    ) -> Result<T, FleetError> {
+        let deadline = self.begun.elapsed() + self.limits.time + GRACE;
+        let deadline = u64::try_from(deadline.as_millis()).unwrap_or(u64::MAX);
+        self.deadline.store(deadline, Ordering::Relaxed);
+        let done = self.limits.within(work).await;
+        self.deadline.store(0, Ordering::Relaxed);
+        done
+    }
+
+    fn watch(&self) {
+        loop {
+            thread::sleep(LOOK_AGAIN);
+            let deadline = self.deadline.load(Ordering::Relaxed);
+            if deadline == 0 {
+                continue;
+            }
+            let what = if self.begun.elapsed() > Duration::from_millis(deadline) {
+                self.limits.late()
+            } else if resident().is_some_and(|bytes| bytes > self.limits.memory) {
+                self.limits.large()
+            } else {
+                continue;
+            };
+            for folder in self.folders().iter() {
+                let _ = std::fs::remove_dir_all(folder);
+            }
+            eprintln!("error: {what}");
+            std::process::exit(EXIT_ERROR);
+        }
+    }
+
+    fn folders(&self) -> std::sync::MutexGuard<'_, Vec<PathBuf>> {
+        self.folders.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Returns the memory that this program has now [bytes], where the system tells it.
+fn resident() -> Option<usize> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status
+        .lines()
+        .find_map(|line| line.strip_prefix("VmRSS:"))?;
+    let kilobytes: usize = line.trim().strip_suffix(" kB")?.trim().parse().ok()?;
+    Some(kilobytes * 1024)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_statement_that_is_too_deep_is_refused_with_its_depth() {
+        let chain = |links: usize| format!("SELECT 1{}", "+1".repeat(links));
+        assert!(check(&chain(999)).is_ok());
+        let error = check(&chain(1000)).unwrap_err().to_string();
+        assert!(
+            error.contains("1001") && error.contains("at most 1000"),
+            "{error}"
+        );
+    }
+
+    #[tokio::test]
+    async fn a_statement_that_takes_too_long_is_given_up() {
+        let limits = Limits {
+            time: Duration::from_millis(10),
+            ..Limits::default()
+        };
+        let error = limits
+            .within(std::future::pending::<Result<(), FleetError>>())
+            .await;
+        let error = error.unwrap_err().to_string();
+        assert!(
+            error.contains("0.01 s") && error.contains("--timeout"),
+            "{error}"
+        );
+        assert!(
+            limits
+                .within(async { Ok(1) })
+                .await
+                .is_ok_and(|one| one == 1)
+        );
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn memory_is_measured() {
+        let before = resident().unwrap();
+        let large = vec![1_u8; 64 << 20];
+        assert!(resident().unwrap() > before + (32 << 20));
+        assert!(large.iter().all(|byte| *byte == 1));
+    }
+}

@@ -1,0 +1,264 @@
+//! A child process with its own process group: its lines, and its end.
+
+use super::printable::{printable, printed};
+use std::io::{self, BufRead, BufReader, Read, Write};
+use std::process::{Child, ChildStderr, ChildStdin, Command, ExitStatus, Stdio};
+use std::sync::Mutex;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
+use std::time::{Duration, Instant};
+
+/// Longest line that is read [bytes].
+const MAX_LINE: u64 = 1 << 20;
+/// Longest piece of a child's standard error that is copied at once [bytes].
+const MAX_ERROR_LINE: u64 = 1 << 14;
+/// Lines that may wait to be taken in.
+const QUEUE: usize = 64;
+/// How often a child that says nothing is looked at.
+const POLL: Duration = Duration::from_millis(20);
+/// How long what a child has said is waited for once it has ended.
+const LAST_WORDS: Duration = Duration::from_millis(200);
+/// A process group has this long to end after SIGTERM.
+const TERMINATION: Duration = Duration::from_millis(300);
+
+/// What comes from a child next.
+pub(super) enum Heard {
+    Line(String),
+    /// Nothing more will come, and why.
+    Over(String),
+    /// Nothing until the deadline.
+    Nothing,
+}
+
+/// The process groups that were started and have not been ended.
+static GROUPS: Mutex<Vec<u32>> = Mutex::new(Vec::new());
+
+/// Ends every executor that this program started with SIGKILL, with all that they started: for a program that is about to
+/// leave without dropping them.
+pub fn kill_executors() {
+    let groups = GROUPS.lock().map(|groups| groups.clone());
+    for group in groups.unwrap_or_default() {
+        signal_group(group, true);
+    }
+}
+
+#[cfg(unix)]
+fn signal_group(group: u32, is_kill: bool) {
+    use rustix::process::{Pid, Signal, kill_process_group};
+    let signal = if is_kill { Signal::KILL } else { Signal::TERM };
+    if let Some(pid) = i32::try_from(group).ok().and_then(Pid::from_raw) {
+        let _ = kill_process_group(pid, signal);
+    }
+}
+
+#[cfg(not(unix))]
+fn signal_group(_group: u32, _is_kill: bool) {}
+
+/// A child process, with whatever it starts.
+#[derive(Debug)]
+pub(super) struct ChildGroup {
+    child: Child,
+    /// `None` once nothing more is to be said.
+    input: Option<Sender<Vec<u8>>>,
+    lines: Receiver<Result<String, String>>,
+    /// Closed when all of its standard error is copied.
+    errors: Option<Receiver<()>>,
+    ended: Option<ExitStatus>,
+}
+
+impl ChildGroup {
+    pub fn start(program: &str, arguments: &[String]) -> io::Result<Self> {
+        let mut command = Command::new(program);
+        command
+            .args(arguments)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+        // Ctrl-C reaches this program alone, which tells the child to stop; and a wrapper ends with what it wraps.
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut command, 0);
+        let mut child = command.spawn()?;
+        if let Ok(mut groups) = GROUPS.lock() {
+            groups.push(child.id());
+        }
+        let (sender, lines) = sync_channel(QUEUE);
+        if let Some(output) = child.stdout.take() {
+            std::thread::spawn(move || read_lines(BufReader::new(output), &sender));
+        }
+        let (input, messages) = channel();
+        if let Some(stdin) = child.stdin.take() {
+            std::thread::spawn(move || write_lines(stdin, &messages));
+        }
+        let errors = child.stderr.take().map(|stderr| {
+            let (open, copied) = channel::<()>();
+            std::thread::spawn(move || {
+                copy_errors(stderr);
+                drop(open);
+            });
+            copied
+        });
+        Ok(Self {
+            child,
+            input: Some(input),
+            lines,
+            errors,
+            ended: None,
+        })
+    }
+
+    /// Says a line. A child that no longer listens has ended, which is found out when it is listened to.
+    pub fn say(&self, line: Vec<u8>) {
+        let _ = self.input.as_ref().map(|input| input.send(line));
+    }
+
+    /// Waits for a line; looks meanwhile whether to go on.
+    pub fn hear(&mut self, deadline: Instant, mut goes_on: impl FnMut() -> bool) -> Heard {
+        loop {
+            let left = deadline.saturating_duration_since(Instant::now());
+            match self.lines.recv_timeout(left.min(POLL)) {
+                Ok(Ok(line)) => return Heard::Line(line),
+                Ok(Err(problem)) => return Heard::Over(problem),
+                Err(RecvTimeoutError::Disconnected) => {
+                    let since = Instant::now();
+                    while !self.has_ended() && since.elapsed() < LAST_WORDS {
+                        std::thread::sleep(POLL);
+                    }
+                    return Heard::Over(self.end_in_words());
+                }
+                // What it started may keep its standard output open.
+                Err(RecvTimeoutError::Timeout) if self.has_ended() => {
+                    return match self.lines.recv_timeout(LAST_WORDS) {
+                        Ok(Ok(line)) => Heard::Line(line),
+                        Ok(Err(problem)) => Heard::Over(problem),
+                        Err(_) => Heard::Over(self.end_in_words()),
+                    };
+                }
+                Err(RecvTimeoutError::Timeout) if left.is_zero() || !goes_on() => {
+                    return Heard::Nothing;
+                }
+                Err(RecvTimeoutError::Timeout) => {}
+            }
+        }
+    }
+
+    fn has_ended(&mut self) -> bool {
+        if self.ended.is_none() {
+            self.ended = self.child.try_wait().ok().flatten();
+        }
+        self.ended.is_some()
+    }
+
+    fn end_in_words(&self) -> String {
+        match self.ended {
+            Some(status) => format!("it ended before it was done ({status})"),
+            None => "it ended before it was done: it closed its standard output".to_owned(),
+        }
+    }
+
+    /// Closes its input, which says that nothing more is asked, and ends the child and all that it started: by themselves
+    /// within a time, then by SIGTERM, then by SIGKILL.
+    pub fn end(&mut self, patience: Duration) {
+        self.input = None;
+        self.wait(patience, Self::has_ended);
+        if !self.is_gone() {
+            self.signal(false);
+            self.wait(TERMINATION, Self::is_gone);
+        }
+        if !self.is_gone() {
+            self.signal(true);
+            // A process that is killed is gone as soon as the system comes to it.
+            self.wait(LAST_WORDS, Self::is_gone);
+        }
+        let group = self.child.id();
+        if let Ok(mut groups) = GROUPS.lock() {
+            groups.retain(|known| *known != group);
+        }
+        if let Some(errors) = self.errors.take() {
+            let _ = errors.recv_timeout(LAST_WORDS);
+        }
+    }
+
+    fn wait(&mut self, patience: Duration, is_over: impl Fn(&mut Self) -> bool) {
+        let since = Instant::now();
+        while !is_over(self) && since.elapsed() < patience {
+            // A child that is full of words ends once they are taken.
+            while self.lines.try_recv().is_ok() {}
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    /// Whether neither the child nor anything that it started is left.
+    #[cfg(unix)]
+    fn is_gone(&mut self) -> bool {
+        use rustix::process::{Pid, test_kill_process_group};
+        self.has_ended() && test_kill_process_group(Pid::from_child(&self.child)).is_err()
+    }
+
+    #[cfg(not(unix))]
+    fn is_gone(&mut self) -> bool {
+        self.has_ended()
+    }
+
+    fn signal(&mut self, is_kill: bool) {
+        if cfg!(unix) {
+            signal_group(self.child.id(), is_kill);
+        } else {
+            let _ = self.child.kill();
+        }
+    }
+}
+
+/// Writes what is to be said until nothing more is, or nobody listens. A child that does not listen holds up this
+/// thread and no other.
+fn write_lines(mut stdin: ChildStdin, messages: &Receiver<Vec<u8>>) {
+    for message in messages {
+        if stdin
+            .write_all(&message)
+            .and_then(|()| stdin.flush())
+            .is_err()
+        {
+            return;
+        }
+    }
+}
+
+/// Hands lines on until the child or the receiver is gone.
+fn read_lines(mut output: impl BufRead, sender: &SyncSender<Result<String, String>>) {
+    loop {
+        let mut line = Vec::new();
+        let read = Read::take(&mut output, MAX_LINE + 1).read_until(b'\n', &mut line);
+        let line = match read {
+            Ok(0) => return,
+            Ok(_) if line.len() as u64 > MAX_LINE => {
+                Err(format!("a line exceeds the limit of {MAX_LINE} bytes"))
+            }
+            Ok(_) => String::from_utf8(line).map_err(|_| "a line is not UTF-8 text".to_owned()),
+            Err(error) => Err(error.to_string()),
+        };
+        let is_over = line.is_err();
+        if sender.send(line).is_err() || is_over {
+            return;
+        }
+    }
+}
+
+/// Copies a child's standard error to this program's, line by line, so that no control character reaches a terminal.
+fn copy_errors(stderr: ChildStderr) {
+    let mut stderr = BufReader::new(stderr);
+    loop {
+        let mut line = Vec::new();
+        match Read::take(&mut stderr, MAX_ERROR_LINE).read_until(b'\n', &mut line) {
+            Ok(0) | Err(_) => return,
+            Ok(_) => {
+                let text = String::from_utf8_lossy(&line);
+                let shown = printed(text.trim_end_matches(['\n', '\r']));
+                // Nobody may be listening.
+                let _ = writeln!(io::stderr().lock(), "{shown}");
+            }
+        }
+    }
+}
+
+/// The beginning of a line, for messages.
+pub(super) fn shortened(line: &str) -> String {
+    format!("\"{}\"", printable(line.trim_end(), 80))
+}

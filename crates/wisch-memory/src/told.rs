@@ -1,0 +1,136 @@
+//! The file beside the episodes in which statements of people are kept, a line each.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::path::Path;
+
+/// The file that they are kept in.
+pub const FILE: &str = "told.jsonl";
+
+/// One statement: subject, property, and a name or a value.
+pub type Statement = (String, String, serde_json::Value);
+
+/// Removes what was told of an episode from its memory; the file in which that is done stands aside.
+///
+/// # Errors
+/// What the system says; then nothing is removed.
+pub fn forget_episode(memory: &Path, id: &str, aside: &Path) -> io::Result<()> {
+    let path = memory.join(FILE);
+    if !path.exists() {
+        return Ok(());
+    }
+    let held = locked(&path)?;
+    let text = fs::read_to_string(&path)?;
+    let is_of_it = |name: &str| {
+        let episode = individual_of(name).and_then(|local| {
+            let (_, rest) = local.split_once('_')?;
+            Some(rest.rsplit_once('-')?.0)
+        });
+        episode == Some(id)
+    };
+    let whole = &text[..whole_lines(text.as_bytes())];
+    let stays = |line: &&str| match parse(line) {
+        Ok((subject, _, object)) => !is_of_it(&subject) && !object.as_str().is_some_and(is_of_it),
+        // What cannot be read is told when it is read.
+        Err(_) => true,
+    };
+    let left: String = whole
+        .lines()
+        .filter(stays)
+        .map(|line| format!("{line}\n"))
+        .collect();
+    if left.len() == whole.len() {
+        return Ok(());
+    }
+    // The new file takes the place of the old one at once; who waits for the old one's lock opens the new one.
+    let mut new = File::create(aside)?;
+    new.write_all(left.as_bytes())?;
+    new.set_permissions(held.metadata()?.permissions())?;
+    new.sync_all()?;
+    fs::rename(aside, &path)
+}
+
+/// The local name of what may be an individual of an episode: `Class_episode-place`.
+pub fn individual_of(name: &str) -> Option<&str> {
+    let local = name.strip_prefix("semco:")?;
+    let (class, rest) = local.split_once('_')?;
+    let (episode, place) = rest.rsplit_once('-')?;
+    let is_one = class.starts_with(|c: char| c.is_ascii_uppercase())
+        && !episode.is_empty()
+        && !place.is_empty()
+        && place.chars().all(|c| c.is_ascii_digit());
+    is_one.then_some(local)
+}
+
+/// Reads a statement off its line.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn parse(line: &str) -> Result<Statement, String> {
+    let statement: Statement = serde_json::from_str(line).map_err(|error| error.to_string())?;
+    let (subject, property, object) = &statement;
+    match object {
+        serde_json::Value::String(_) | serde_json::Value::Number(_) => Ok(statement),
+        other => Err(format!(
+            "{property} of {subject} is {other}; expected a name, a text or a finite number"
+        )),
+    }
+}
+
+/// The length of the lines that end [bytes]: a program that was killed may have left part of one behind.
+pub fn whole_lines(text: &[u8]) -> usize {
+    text.iter()
+        .rposition(|byte| *byte == b'\n')
+        .map_or(0, |place| place + 1)
+}
+
+/// Adds lines to a file, all or none.
+pub fn append(file: &Path, lines: &str) -> io::Result<()> {
+    let mut open = locked(file)?;
+    let mut before = Vec::new();
+    open.read_to_end(&mut before)?;
+    let whole = whole_lines(&before) as u64;
+    open.set_len(whole)?;
+    open.seek(SeekFrom::Start(whole))?;
+    let written = open
+        .write_all(lines.as_bytes())
+        .and_then(|()| open.sync_all());
+    written.inspect_err(|_| {
+        // A part of a line would be passed over by the next who reads; part of the lines would not.
+        let _ = open.set_len(whole);
+    })
+}
+
+/// The file, made if it is not there, under a lock that ends with it: others may tell something to the same memory.
+fn locked(file: &Path) -> io::Result<File> {
+    loop {
+        let mut options = OpenOptions::new();
+        let open: File = options
+            .create(true)
+            .truncate(false)
+            .read(true)
+            .write(true)
+            .open(file)?;
+        open.lock()?;
+        // Another file may have taken its place meanwhile.
+        if is_still(&open, file)? {
+            return Ok(open);
+        }
+    }
+}
+
+#[cfg(unix)]
+fn is_still(open: &File, file: &Path) -> io::Result<bool> {
+    use std::os::unix::fs::MetadataExt;
+    let identity = |meta: &fs::Metadata| (meta.dev(), meta.ino());
+    match fs::metadata(file) {
+        Ok(now) => Ok(identity(&now) == identity(&open.metadata()?)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(false),
+        Err(error) => Err(error),
+    }
+}
+
+#[cfg(not(unix))]
+fn is_still(_: &File, _: &Path) -> io::Result<bool> {
+    Ok(true)
+}

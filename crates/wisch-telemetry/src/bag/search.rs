@@ -1,0 +1,323 @@
+//! Which topic of a bag holds the poses or forces that are looked for.
+
+use super::clocks::Offset;
+use super::locator::{Found, Locator};
+use super::topic::{AXES_KEY, ROLE_KEY, START_KEY};
+use crate::error::ReadFault;
+use crate::options::{Clock, TopicChoice};
+use crate::quantity::{Quantity, QuantityError};
+use crate::ros2::{MessageError, Schema, Value};
+use crate::track::{Track, seconds};
+use mcap::Channel;
+use std::collections::{BTreeMap, HashMap};
+use std::rc::Rc;
+use wisch::represent::UnknownName;
+
+/// Fields of larger messages that are meant where several hold the quantity: the measured ones of libfranka's state.
+const MEASURED_FIELDS: [&str; 2] = ["o_t_ee", "o_f_ext_hat_k"];
+
+/// What a message says, with both of its times.
+struct Stamped<Q> {
+    stamp: i64,
+    log_time: i64,
+    number: usize,
+    /// The file that it stands in.
+    part: usize,
+    value: Result<Q, QuantityError>,
+}
+
+/// Something that may be what is looked for.
+pub(super) struct Candidate<Q> {
+    topic: String,
+    /// The field of a larger message; empty where the topic's messages are nothing else.
+    pub field: String,
+    frame: String,
+    child: String,
+    pub says: Says,
+    entries: Vec<Stamped<Q>>,
+}
+
+/// What the writer says about a channel.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Says {
+    is_meant: bool,
+    pub axes: Option<String>,
+    pub start: Option<i64>,
+}
+
+/// A field of a channel's messages, and how it is read.
+pub(super) type Located<Q> = (String, Rc<Locator<Q>>);
+
+/// Looks for one quantity.
+pub(super) struct Search<Q> {
+    /// A topic and a field of it, or nothing.
+    pub named: Option<(String, String)>,
+    role: &'static str,
+    candidates: Vec<Candidate<Q>>,
+    /// How many messages of each topic were seen.
+    seen: HashMap<String, usize>,
+    /// The first fault of each topic; it matters only if the topic is chosen.
+    faults: BTreeMap<String, ReadFault>,
+}
+
+impl<Q: Quantity> Search<Q> {
+    pub fn new(choice: &TopicChoice, role: &'static str) -> Self {
+        let named = match choice {
+            TopicChoice::Sole => None,
+            TopicChoice::Named(name) => {
+                let (topic, field) = name.split_once(':').unwrap_or((name, ""));
+                Some((topic.to_owned(), field.to_owned()))
+            }
+        };
+        Self {
+            named,
+            role,
+            candidates: Vec::new(),
+            seen: HashMap::new(),
+            faults: BTreeMap::new(),
+        }
+    }
+
+    /// Whether this channel was asked for by name.
+    pub fn names(&self, channel: &Channel<'_>) -> bool {
+        (self.named.as_ref()).is_some_and(|(topic, _)| *topic == channel.topic)
+    }
+
+    /// Whether this channel may be it.
+    pub fn wants(&self, channel: &Channel<'_>) -> bool {
+        self.named.is_none() || self.names(channel)
+    }
+
+    /// Where the messages of a channel hold the quantity.
+    pub fn locators(
+        &self,
+        channel: &Channel<'_>,
+        schema: &Schema,
+    ) -> Result<Vec<Located<Q>>, ReadFault> {
+        if !self.wants(channel) {
+            return Ok(Vec::new());
+        }
+        let field = self.named.as_ref().map_or("", |(_, field)| field);
+        let located = match Locator::find(schema, field) {
+            Some(locator) => vec![(field.to_owned(), locator)],
+            None if field.is_empty() => Locator::find_within(schema),
+            None => Vec::new(),
+        };
+        if located.is_empty() && self.names(channel) {
+            let kind = channel.schema.as_ref().map(|schema| schema.name.clone());
+            return Err(ReadFault::NotThere {
+                topic: channel.topic.clone(),
+                kind: kind.unwrap_or_default(),
+                field: field.to_owned(),
+                what: Q::NAME,
+            });
+        }
+        let shared = |(field, locator)| (field, Rc::new(locator));
+        Ok(located.into_iter().map(shared).collect())
+    }
+
+    /// Takes what a message says in.
+    pub fn take(
+        &mut self,
+        channel: &Channel<'_>,
+        located: &[Located<Q>],
+        message: &Result<Value, MessageError>,
+        log_time: i64,
+        part: usize,
+    ) {
+        if located.is_empty() || self.faults.contains_key(&channel.topic) {
+            return;
+        }
+        let number = self.count(&channel.topic);
+        let message = match message {
+            Ok(message) => message,
+            Err(error) => {
+                let fault = ReadFault::Message {
+                    topic: channel.topic.clone(),
+                    number,
+                    error: error.clone(),
+                };
+                self.faults.insert(channel.topic.clone(), fault);
+                return;
+            }
+        };
+        for (field, locator) in located {
+            for found in locator.read(message) {
+                let candidate = self.candidate(channel, field, &found);
+                candidate.entries.push(Stamped {
+                    stamp: found.stamp,
+                    log_time,
+                    number,
+                    part,
+                    value: found.value,
+                });
+            }
+        }
+    }
+
+    /// The number of a topic's next message, from 1.
+    fn count(&mut self, topic: &str) -> usize {
+        if let Some(count) = self.seen.get_mut(topic) {
+            *count += 1;
+            return *count;
+        }
+        self.seen.insert(topic.to_owned(), 1);
+        1
+    }
+
+    fn candidate(
+        &mut self,
+        channel: &Channel<'_>,
+        field: &str,
+        found: &Found<'_, Q>,
+    ) -> &mut Candidate<Q> {
+        let known = (self.candidates.iter())
+            .position(|known| known.topic == channel.topic && known.field == field);
+        let index = known.unwrap_or_else(|| {
+            let says = |key| channel.metadata.get(key).cloned();
+            self.candidates.push(Candidate {
+                topic: channel.topic.clone(),
+                field: field.to_owned(),
+                frame: found.frame.to_owned(),
+                child: found.child.to_owned(),
+                says: Says {
+                    is_meant: says(ROLE_KEY).as_deref() == Some(self.role),
+                    axes: says(AXES_KEY),
+                    start: says(START_KEY).and_then(|start| start.parse().ok()),
+                },
+                entries: Vec::new(),
+            });
+            self.candidates.len() - 1
+        });
+        &mut self.candidates[index]
+    }
+
+    /// The one that is meant; nothing where none is there.
+    pub fn choose(
+        &mut self,
+        topics: &BTreeMap<String, String>,
+    ) -> Result<Option<Candidate<Q>>, ReadFault> {
+        let index = match &self.named {
+            Some((topic, _)) if !topics.contains_key(topic) => {
+                let known = topics.keys().map(String::as_str);
+                return Err(ReadFault::Unknown(UnknownName::new("topic", topic, known)));
+            }
+            _ => self.preferred()?,
+        };
+        let Some(index) = index else {
+            // The messages that might have been it may have been no messages.
+            return match self.faults.pop_first() {
+                Some((_, fault)) => Err(fault),
+                None => Ok(None),
+            };
+        };
+        let chosen = self.candidates.swap_remove(index);
+        match self.faults.remove(&chosen.topic) {
+            Some(fault) => Err(fault),
+            None => Ok(Some(chosen)),
+        }
+    }
+
+    fn preferred(&self) -> Result<Option<usize>, ReadFault> {
+        let preferences: [fn(&Candidate<Q>) -> bool; 4] = [
+            |candidate| candidate.says.is_meant,
+            // Who says it in messages of its own means it more than a part of something else.
+            |candidate| candidate.field.is_empty(),
+            |candidate| MEASURED_FIELDS.contains(&candidate.field.as_str()),
+            |_| true,
+        ];
+        for preferred in preferences {
+            if let Some(index) = self.sole(preferred)? {
+                return Ok(Some(index));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The only candidate of some kind, if there is any.
+    fn sole(&self, is_one: fn(&Candidate<Q>) -> bool) -> Result<Option<usize>, ReadFault> {
+        let those: Vec<usize> = (0..self.candidates.len())
+            .filter(|&index| is_one(&self.candidates[index]))
+            .collect();
+        match those.as_slice() {
+            [] => Ok(None),
+            [one] => Ok(Some(*one)),
+            many => Err(ReadFault::Several {
+                what: Q::NAME,
+                topics: many
+                    .iter()
+                    .map(|&index| self.candidates[index].name())
+                    .collect(),
+            }),
+        }
+    }
+}
+
+/// That a clock was aligned by adding some nanoseconds to its times, in words.
+pub(super) fn aligned(name: &str, shift: i64) -> String {
+    format!(
+        "the clock of {name} is {:+.3} s off that of the poses by the times of recording, and is aligned with it (--time log takes the times of recording alone)",
+        -seconds(shift)
+    )
+}
+
+impl<Q: Quantity> Candidate<Q> {
+    /// Its topic and field.
+    pub fn name(&self) -> String {
+        match self.field.as_str() {
+            "" => self.topic.clone(),
+            field => format!("{}:{field}", self.topic),
+        }
+    }
+
+    /// By how much its stamps are ahead of the recorder's clock.
+    pub fn offset(&self, clock: Clock) -> Offset {
+        let stamped = self.entries.iter().filter(|entry| entry.stamp != 0);
+        let ahead = stamped.map(|entry| entry.stamp.saturating_sub(entry.log_time));
+        match clock {
+            Clock::Log => Offset::NONE,
+            Clock::Header => Offset::of(ahead.collect()).unwrap_or(Offset::NONE),
+        }
+    }
+
+    /// What it says over time, by some clock and shifted by some nanoseconds.
+    pub fn into_track(
+        self,
+        clock: Clock,
+        shift: i64,
+        window: f64,
+        remarks: &mut Vec<String>,
+    ) -> Result<Track<Q>, ReadFault> {
+        let offset = self.offset(clock);
+        let mut track = Track::new(self.name(), window);
+        track.frame = self.frame;
+        track.child = self.child;
+        let count = self.entries.len();
+        let (mut unstamped, mut part) = (0, 0);
+        for entry in self.entries {
+            if entry.part != part {
+                part = entry.part;
+                track.begin_part();
+            }
+            let time = match clock {
+                Clock::Header if entry.stamp != 0 => entry.stamp,
+                _ => entry.log_time.saturating_add(offset.median),
+            };
+            unstamped += usize::from(entry.stamp == 0 && entry.log_time != 0);
+            let place = || format!("topic {}, message {}", self.topic, entry.number);
+            track.push(time.saturating_add(shift), entry.value, place)?;
+        }
+        if unstamped > 0 && clock == Clock::Header {
+            remarks.push(format!(
+                "{unstamped} of {count} messages of {} bear no stamp: their time of recording counts",
+                track.name
+            ));
+        }
+        if shift != 0 {
+            remarks.push(aligned(&track.name, shift));
+        }
+        let track = track.finish()?;
+        remarks.extend(track.reordering());
+        Ok(track)
+    }
+}

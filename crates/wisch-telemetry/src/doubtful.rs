@@ -1,0 +1,128 @@
+//! Logs whose numbers are so far from any wiping that their units are in doubt.
+
+use super::options::LogOptions;
+use wisch::interpret::TouchSample;
+
+/// The slowest rate of samples that shows what a tool does [s].
+const LONG_PERIOD: f64 = 1.0;
+/// The fastest that robots wipe, and the slowest that a log is made of [m/s].
+const SPEEDS: [f64; 2] = [1e-3, 10.0];
+/// The shortest way that says something of a speed [m].
+const LEAST_WAY: f64 = 0.02;
+/// The farthest that a tool is from what it wipes [m].
+const FAR: f64 = 10.0;
+/// How near it is where its unit is right [m].
+const NEAR: f64 = 3.0;
+/// The largest force that a robot that wipes measures [N].
+const MOST_FORCE: f64 = 2000.0;
+
+/// Smaller units that a length may have: size [m] and name.
+const LENGTHS: [(f64, &str); 2] = [(1e-3, "millimetres"), (1e-6, "micrometres")];
+
+/// What is absurd about a log, in words, with what would make it plausible.
+pub(crate) fn doubts(samples: &[TouchSample], options: &LogOptions) -> Vec<String> {
+    let mut doubts = Vec::new();
+    let steps = || samples.windows(2).map(|pair| (&pair[0], &pair[1]));
+    let way = |a: &TouchSample, b: &TouchSample| {
+        (b.world_from_tool.translation.vector - a.world_from_tool.translation.vector).norm()
+    };
+    if let Some(period) = median(steps().map(|(a, b)| b.time - a.time))
+        && period > LONG_PERIOD
+    {
+        doubts.push(format!(
+            "a sample every {period:.3} s is too few to follow a tool: are the times in s? (--time-unit-s)"
+        ));
+    }
+    let distance = |unit: f64| {
+        let positions = samples
+            .iter()
+            .map(|sample| sample.world_from_tool.translation.vector);
+        let at = options.world_from_surface.translation.vector;
+        median(positions.map(|position| (position * unit - at).norm())).unwrap_or(0.0)
+    };
+    let far = distance(1.0);
+    if far > FAR {
+        let unit = LENGTHS.iter().find(|(unit, _)| distance(*unit) < NEAR);
+        let advice = match unit {
+            Some((unit, name)) => format!(
+                "in {name} (--length-unit-m {}) it would be {:.2} m",
+                unit * options.length_unit.unwrap_or(1.0),
+                distance(*unit)
+            ),
+            None => "are surface.position_m and --world-from-log right?".to_owned(),
+        };
+        doubts.push(format!("the tool is {far:.1} m from the surface: {advice}"));
+    }
+    let moved: f64 = steps().map(|(a, b)| way(a, b)).sum();
+    let moves = steps().filter(|(a, b)| way(a, b) > 0.0);
+    let speed = median(moves.map(|(a, b)| way(a, b) / (b.time - a.time)));
+    if let Some(speed) = speed
+        .filter(|speed| moved > LEAST_WAY && far <= FAR && !(SPEEDS[0]..=SPEEDS[1]).contains(speed))
+    {
+        doubts.push(format!(
+            "the tool moves with {speed:.1e} m/s: are times in s (--time-unit-s, --rate) and lengths in m (--length-unit-m)?"
+        ));
+    }
+    let force = median(samples.iter().map(|sample| sample.force.norm()));
+    if let Some(force) = force.filter(|force| *force > MOST_FORCE) {
+        doubts.push(format!(
+            "forces of {force:.0} N: are they in N? (--force-unit-n)"
+        ));
+    }
+    doubts
+}
+
+/// The median of some numbers; nothing of none.
+fn median(numbers: impl Iterator<Item = f64>) -> Option<f64> {
+    let mut numbers: Vec<f64> = numbers.collect();
+    if numbers.is_empty() {
+        return None;
+    }
+    let middle = numbers.len() / 2;
+    let (_, median, _) = numbers.select_nth_unstable_by(middle, f64::total_cmp);
+    Some(*median)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use wisch::geometry::{Pose, Vector3};
+
+    /// A tool that goes 0.1 m/s for 10 s on a surface 0.8 m from the world's origin, in other units.
+    fn log(time_unit: f64, length_unit: f64, force: f64) -> Vec<String> {
+        let sample = |tick: u32| {
+            let time = f64::from(tick) / 25.0;
+            let position = Vector3::new(0.1 * time, 0.0, 0.8) / length_unit;
+            let pose = Pose::translation(position.x, position.y, position.z);
+            TouchSample::new(time / time_unit, pose, Vector3::z() * force)
+        };
+        let samples: Vec<TouchSample> = (0..250).map(sample).collect();
+        let options = LogOptions {
+            world_from_surface: Pose::translation(0.5, 0.0, 0.8),
+            ..LogOptions::default()
+        };
+        doubts(&samples, &options)
+    }
+
+    #[test]
+    fn absurd_units_are_named_and_plausible_ones_are_not() {
+        assert_eq!(log(1.0, 1.0, 10.0), [] as [String; 0]);
+        let one = |mut doubts: Vec<String>| {
+            assert!(!doubts.is_empty());
+            doubts.swap_remove(0)
+        };
+        let millimetres = one(log(1.0, 1e-3, 10.0));
+        assert!(
+            millimetres.contains("--length-unit-m 0.001) it would be 0."),
+            "{millimetres}"
+        );
+        let micrometres = one(log(1.0, 1e-6, 10.0));
+        assert!(
+            micrometres.contains("--length-unit-m 0.000001)"),
+            "{micrometres}"
+        );
+        assert!(one(log(1e-3, 1.0, 10.0)).starts_with("a sample every 40.000 s"));
+        assert!(one(log(1e3, 1.0, 10.0)).starts_with("the tool moves with 1.0e2 m/s"));
+        assert!(one(log(1.0, 1.0, 1e4)).starts_with("forces of 10000 N"));
+    }
+}

@@ -1,0 +1,543 @@
+//! Which columns of a table hold its times, poses and forces.
+
+use super::known::{CONTEXT, FORCES, SENSOR_CONTEXT, indexed_base, is_prefix};
+use super::names::{Name, Unit, UnitKind};
+use crate::error::ReadFault;
+use crate::options::{Axes, LogOptions, OrientationForm, WrenchSign};
+use std::ops::Range;
+use wisch::represent::UnknownName;
+
+/// What our columns of time, position and force are called.
+const TIME: &str = "t";
+const POSITION: [&str; 3] = ["x", "y", "z"];
+const FORCE: [&str; 3] = ["fx", "fy", "fz"];
+
+/// Names of columns of times, the likeliest first.
+const TIMES: [&str; 14] = [
+    TIME,
+    "time",
+    "timestamp",
+    "time_stamp",
+    "stamp",
+    "header_stamp",
+    "field_header_stamp",
+    "ros_time",
+    "unix_time",
+    "robot_time",
+    "elapsed_time",
+    "elapsed",
+    "datetime",
+    "date_time",
+];
+
+/// A column that is read.
+#[derive(Debug, Clone)]
+pub(super) struct Column {
+    /// Our name.
+    pub ours: &'static str,
+    /// Its index in the table.
+    pub index: usize,
+    pub kind: UnitKind,
+    /// The unit that its name states.
+    pub unit: Option<Unit>,
+    /// Whether its unit was stated and is known.
+    pub is_unit_known: bool,
+}
+
+/// Which columns are read: that of the times unless a rate stands for it, then position, orientation and force.
+#[derive(Debug, Clone)]
+pub(super) struct Layout {
+    pub columns: Vec<Column>,
+    pub form: OrientationForm,
+    /// In whose axes the force is, and who does it, where the names of its columns say it.
+    pub axes: Option<Axes>,
+    pub sign: Option<WrenchSign>,
+    /// How the columns were found, in words.
+    pub remarks: Vec<String>,
+}
+
+impl Layout {
+    /// Finds the columns by the names of all of them.
+    pub fn of(texts: &[String], options: &LogOptions) -> Result<Self, ReadFault> {
+        let mut finder = Finder {
+            texts,
+            names: texts.iter().map(|text| Name::of(text)).collect(),
+            renamed: &options.columns,
+            remarks: Vec::new(),
+        };
+        finder.check_renamed()?;
+        let mut columns = Vec::new();
+        if options.rate.is_none() {
+            columns.push(finder.time()?);
+        }
+        let force = finder.force()?;
+        let (form, turn) = finder.orientation(options.orientation)?;
+        columns.extend(finder.position(form, &turn)?);
+        columns.extend(turn);
+        // libfranka and UR's controllers say in their manuals whose axes and which sign their forces have.
+        let known = FORCES.iter().find(|known| {
+            let name = &finder.names[force[0].index];
+            name.bases().any(|base| indexed_base(base, known.base, 0))
+        });
+        let (axes, sign) = known.map_or((None, None), |known| (Some(known.axes), Some(known.sign)));
+        columns.extend(force);
+        if let Some(known) = known {
+            let by = match known.sign {
+                WrenchSign::OnTool => "on the tool",
+                WrenchSign::ByTool => "by the tool",
+            };
+            finder.remarks.push(format!(
+                "forces of {} are {by}, in the axes of the {}, by their manual",
+                known.robot,
+                known.axes.as_str()
+            ));
+        }
+        Ok(Self {
+            columns,
+            form,
+            axes,
+            sign,
+            remarks: finder.remarks,
+        })
+    }
+
+    /// The indices of all columns in the table.
+    pub fn indices(&self) -> Vec<usize> {
+        self.columns.iter().map(|column| column.index).collect()
+    }
+
+    /// Whether there is a column of times.
+    pub fn has_time(&self) -> bool {
+        self.columns[0].kind == UnitKind::Time
+    }
+
+    /// The columns of a kind of unit, which follow one another.
+    pub fn of_kind(&self, kind: UnitKind) -> Range<usize> {
+        let is_one = |column: &Column| column.kind == kind;
+        let start = self.columns.iter().position(is_one).unwrap_or(0);
+        start..start + self.columns.iter().filter(|column| is_one(column)).count()
+    }
+
+    /// The columns of angles.
+    pub fn angles(&self) -> Range<usize> {
+        self.of_kind(UnitKind::Angle)
+    }
+}
+
+/// Finds columns by their names.
+struct Finder<'a> {
+    texts: &'a [String],
+    names: Vec<Name>,
+    renamed: &'a [(String, String)],
+    remarks: Vec<String>,
+}
+
+impl Finder<'_> {
+    /// Every name that is renamed must be one of ours.
+    fn check_renamed(&self) -> Result<(), ReadFault> {
+        let turns = OrientationForm::ALL.iter().flat_map(|form| form.names());
+        let ours: Vec<&str> = std::iter::once(TIME)
+            .chain(POSITION)
+            .chain(turns.copied())
+            .chain(FORCE)
+            .collect();
+        match (self.renamed.iter()).find(|(name, _)| !ours.contains(&name.as_str())) {
+            Some((name, _)) => Err(unknown(name, ours.into_iter())),
+            None => Ok(()),
+        }
+    }
+
+    fn column(&self, ours: &'static str, index: usize, kind: UnitKind) -> Column {
+        let unit = self.names[index].without_unit.as_ref();
+        // "qx_m" ends with no unit of what it holds; "x [furlong]" does, if with none that is known.
+        let unit = unit.map(|(_, unit)| unit.clone());
+        let unit = unit.filter(|unit| unit.is_apart || kind.size_of(&unit.text).is_some());
+        Column {
+            ours,
+            index,
+            kind,
+            unit,
+            is_unit_known: false,
+        }
+    }
+
+    /// The table's name of one of our columns, if the options give it.
+    fn renaming(&self, ours: &str) -> Option<&str> {
+        let found = self.renamed.iter().find(|(name, _)| name == ours);
+        found.map(|(_, theirs)| theirs.as_str())
+    }
+
+    /// The only column of a name: as it stands, or else but for its case and unit.
+    fn sole(&self, name: &str) -> Result<Option<usize>, ReadFault> {
+        let sought = Name::of(name);
+        let is_close = |index: &usize| {
+            let candidate = &self.names[*index];
+            candidate.whole == sought.whole || candidate.is(&sought.whole).is_some()
+        };
+        let indices = 0..self.texts.len();
+        let exact: Vec<usize> = indices
+            .clone()
+            .filter(|&k| self.texts[k] == name.trim())
+            .collect();
+        let found = if exact.is_empty() {
+            indices.filter(is_close).collect()
+        } else {
+            exact
+        };
+        match found[..] {
+            [] => Ok(None),
+            [one] => Ok(Some(one)),
+            [first, second, ..] => Err(ReadFault::DuplicateColumn {
+                name: name.to_owned(),
+                columns: [first, second].map(|index| (index + 1, self.texts[index].clone())),
+            }),
+        }
+    }
+
+    /// Columns by our names, or by what the options call them.
+    fn by_our_names<const N: usize>(
+        &self,
+        ours: [&'static str; N],
+        kind: UnitKind,
+    ) -> Result<[Option<Column>; N], ReadFault> {
+        let mut columns = [const { None }; N];
+        for (column, ours) in columns.iter_mut().zip(ours) {
+            let renamed = self.renaming(ours);
+            let name = renamed.unwrap_or(ours);
+            let index = self.sole(name)?;
+            if index.is_none() && renamed.is_some() {
+                return Err(unknown(name, self.texts.iter().map(String::as_str)));
+            }
+            *column = index.map(|index| self.column(ours, index, kind));
+        }
+        Ok(columns)
+    }
+
+    fn time(&mut self) -> Result<Column, ReadFault> {
+        if self.renaming(TIME).is_some() {
+            let [time] = self.by_our_names([TIME], UnitKind::Time)?;
+            return time.ok_or_else(|| self.missing(TIME));
+        }
+        let mut found = Vec::new();
+        for name in TIMES {
+            found.extend(self.sole(name)?);
+        }
+        let Some(&first) = found.first() else {
+            return Err(ReadFault::NoTime {
+                columns: self.texts.to_vec(),
+            });
+        };
+        if let Some(second) = found.get(1) {
+            let [first, second] = [first, *second].map(|index| &self.texts[index]);
+            self.remarks.push(format!(
+                "times by column {first:?}; there is {second:?}, too"
+            ));
+        }
+        Ok(self.column(TIME, first, UnitKind::Time))
+    }
+
+    fn force(&mut self) -> Result<Vec<Column>, ReadFault> {
+        let plain = self.by_our_names(FORCE, UnitKind::Force)?;
+        if let Some(columns) = self.complete(plain, FORCE)? {
+            return Ok(columns);
+        }
+        let kinds = ["f", "force", "forces"];
+        let mut families = self.families(FORCE, POSITION, UnitKind::Force, |prefix| {
+            is_prefix(prefix, &kinds, &[&CONTEXT, &SENSOR_CONTEXT])
+        });
+        if let Some(known) = FORCES
+            .iter()
+            .find_map(|known| self.indexed(known.base, &[0, 1, 2], &FORCE, UnitKind::Force))
+        {
+            families.push(known);
+        }
+        self.one_of("force", families, &FORCE)
+    }
+
+    fn orientation(
+        &mut self,
+        chosen: Option<OrientationForm>,
+    ) -> Result<(OrientationForm, Vec<Column>), ReadFault> {
+        let forms = OrientationForm::ALL.into_iter();
+        for form in forms.filter(|form| chosen.is_none_or(|chosen| chosen == *form)) {
+            let ours = form.names();
+            let is_renamed = ours.iter().any(|name| self.renaming(name).is_some());
+            // Letters alone may stand for anything; beside a position and after the same prefix they are KUKA's.
+            let may_be_plain = form != OrientationForm::Abc || chosen.is_some();
+            if is_renamed || may_be_plain {
+                let plain: Vec<Option<Column>> = (ours.iter())
+                    .map(|ours| {
+                        Ok(self
+                            .by_our_names([*ours], form.kind())?
+                            .into_iter()
+                            .flatten()
+                            .next())
+                    })
+                    .collect::<Result<_, ReadFault>>()?;
+                if plain.iter().all(Option::is_some) {
+                    self.say_assumed(form, chosen);
+                    return Ok((form, plain.into_iter().flatten().collect()));
+                }
+                if is_renamed {
+                    let missing = ours.iter().zip(&plain).find(|(_, column)| column.is_none());
+                    return Err(self.missing(missing.map_or(ours[0], |(name, _)| name)));
+                }
+            }
+        }
+        let mut found: Vec<(OrientationForm, Vec<Vec<Column>>)> = Vec::new();
+        for form in OrientationForm::ALL {
+            if chosen.is_none_or(|chosen| chosen == form) {
+                let families = self.turns(form, chosen);
+                if !families.is_empty() {
+                    found.push((form, families));
+                }
+            }
+        }
+        match found.pop() {
+            None => {
+                let form = chosen.unwrap_or(OrientationForm::Quaternion);
+                self.one_of("orientation", Vec::new(), form.names())
+                    .map(|columns| (form, columns))
+            }
+            Some((form, families)) if found.is_empty() => {
+                let columns = self.one_of("orientation", families, form.names())?;
+                self.say_assumed(form, chosen);
+                Ok((form, columns))
+            }
+            Some(last) => {
+                found.push(last);
+                let families = found.into_iter().flat_map(|(_, families)| families);
+                self.one_of("orientation", families.collect(), &["qx"])
+                    .map(|columns| (OrientationForm::Quaternion, columns))
+            }
+        }
+    }
+
+    /// The columns that may state an orientation in some form, by what others call them.
+    fn turns(&self, form: OrientationForm, chosen: Option<OrientationForm>) -> Vec<Vec<Column>> {
+        let (ours, kind) = (form.names(), form.kind());
+        match form {
+            OrientationForm::Quaternion => {
+                let kinds = [
+                    "q",
+                    "quat",
+                    "quaternion",
+                    "orientation",
+                    "ori",
+                    "rot",
+                    "rotation",
+                ];
+                let leaves = ["x", "y", "z", "w"];
+                let ours = [ours[0], ours[1], ours[2], ours[3]];
+                self.families(ours, leaves, kind, |prefix| {
+                    is_prefix(prefix, &kinds, &[&CONTEXT])
+                })
+            }
+            OrientationForm::RotationVector => {
+                let kinds = ["r", "rv", "rotvec", "rot_vec", "rotation_vector"];
+                let names = [ours[0], ours[1], ours[2]];
+                let mut families = self.families(names, POSITION, kind, |prefix| {
+                    is_prefix(prefix, &kinds, &[&CONTEXT])
+                });
+                families.extend(self.indexed("actual_tcp_pose", &[3, 4, 5], ours, kind));
+                families
+            }
+            OrientationForm::RollPitchYaw => {
+                let kinds = ["", "rpy", "euler", "orientation", "ori", "rot", "rotation"];
+                let names = [ours[0], ours[1], ours[2]];
+                let mut families = self.families(names, names, kind, |prefix| {
+                    is_prefix(prefix, &kinds, &[&CONTEXT])
+                });
+                if chosen == Some(form) && families.is_empty() {
+                    // Who says that the angles are these may call them by their axes.
+                    families = self.families(names, POSITION, kind, |prefix| {
+                        is_prefix(prefix, &["r", "rot", "rpy", "euler"], &[&CONTEXT])
+                    });
+                }
+                families
+            }
+            OrientationForm::Abc => {
+                let names = [ours[0], ours[1], ours[2]];
+                self.families(names, names, kind, |prefix| {
+                    let is_ours = is_prefix(prefix, &["", "pos", "position"], &[&CONTEXT]);
+                    is_ours
+                        && POSITION
+                            .iter()
+                            .all(|leaf| self.has(&format!("{prefix}{leaf}")))
+                })
+            }
+            OrientationForm::Matrix => {
+                let indices: Vec<usize> = (0..16).collect();
+                self.indexed("o_t_ee", &indices, ours, kind)
+                    .into_iter()
+                    .collect()
+            }
+        }
+    }
+
+    fn position(
+        &mut self,
+        form: OrientationForm,
+        turn: &[Column],
+    ) -> Result<Vec<Column>, ReadFault> {
+        let plain = self.by_our_names(POSITION, UnitKind::Length)?;
+        if let Some(columns) = self.complete(plain, POSITION)? {
+            return Ok(columns);
+        }
+        if form == OrientationForm::Matrix {
+            // The last column of the matrix.
+            let columns = POSITION.into_iter().zip(&turn[12..]);
+            let columns =
+                columns.map(|(ours, column)| self.column(ours, column.index, UnitKind::Length));
+            return Ok(columns.collect());
+        }
+        let kinds = ["", "p", "pos", "position", "translation"];
+        let mut families = self.families(POSITION, POSITION, UnitKind::Length, |prefix| {
+            is_prefix(prefix, &kinds, &[&CONTEXT])
+        });
+        families.extend(self.indexed("actual_tcp_pose", &[0, 1, 2], &POSITION, UnitKind::Length));
+        self.one_of("position", families, &POSITION)
+    }
+
+    /// Columns of our names, if all are there; an error if some were renamed and others are missing.
+    fn complete<const N: usize>(
+        &self,
+        columns: [Option<Column>; N],
+        ours: [&'static str; N],
+    ) -> Result<Option<Vec<Column>>, ReadFault> {
+        if columns.iter().all(Option::is_some) {
+            return Ok(Some(columns.into_iter().flatten().collect()));
+        }
+        if ours.iter().any(|name| self.renaming(name).is_some()) {
+            let missing = ours
+                .iter()
+                .zip(&columns)
+                .find(|(_, column)| column.is_none());
+            return Err(self.missing(missing.map_or(ours[0], |(name, _)| name)));
+        }
+        Ok(None)
+    }
+
+    /// Whether there is a column of a name, its unit left out.
+    fn has(&self, base: &str) -> bool {
+        self.names.iter().any(|name| name.is(base).is_some())
+    }
+
+    /// Every set of columns whose names are the same prefix before some leaves.
+    fn families<const N: usize>(
+        &self,
+        ours: [&'static str; N],
+        leaves: [&str; N],
+        kind: UnitKind,
+        is_meant: impl Fn(&str) -> bool,
+    ) -> Vec<Vec<Column>> {
+        let mut prefixes: Vec<&str> = Vec::new();
+        for base in self.names.iter().flat_map(Name::bases) {
+            if let Some(prefix) = base.strip_suffix(leaves[0])
+                && !prefixes.contains(&prefix)
+                && is_meant(prefix)
+            {
+                prefixes.push(prefix);
+            }
+        }
+        let family = |prefix: &&str| {
+            let columns = ours.iter().zip(leaves).map(|(ours, leaf)| {
+                let base = format!("{prefix}{leaf}");
+                let mut found =
+                    (0..self.names.len()).filter(|&k| self.names[k].is(&base).is_some());
+                let index = found.next()?;
+                found
+                    .next()
+                    .is_none()
+                    .then(|| self.column(ours, index, kind))
+            });
+            columns.collect::<Option<Vec<Column>>>()
+        };
+        prefixes.iter().filter_map(family).collect()
+    }
+
+    /// The columns of an array with some indices.
+    fn indexed(
+        &self,
+        base: &str,
+        indices: &[usize],
+        ours: &[&'static str],
+        kind: UnitKind,
+    ) -> Option<Vec<Column>> {
+        let columns = indices.iter().zip(ours).map(|(&index, ours)| {
+            let is_it = |name: &Name| name.bases().any(|name| indexed_base(name, base, index));
+            let mut found = (0..self.names.len()).filter(|&k| is_it(&self.names[k]));
+            let first = found.next()?;
+            found
+                .next()
+                .is_none()
+                .then(|| self.column(ours, first, kind))
+        });
+        columns.collect()
+    }
+
+    /// The only set of columns that was found; without any, the first of our names that is not there is at fault.
+    fn one_of(
+        &mut self,
+        what: &'static str,
+        families: Vec<Vec<Column>>,
+        ours: &[&'static str],
+    ) -> Result<Vec<Column>, ReadFault> {
+        let listed = |columns: &[Column]| {
+            let names = columns
+                .iter()
+                .map(|column| self.texts[column.index].as_str());
+            names.collect::<Vec<_>>().join(", ")
+        };
+        match &families[..] {
+            [] => {
+                let is_missing = |name: &&&str| matches!(self.sole(name), Ok(None));
+                Err(self.missing(ours.iter().find(is_missing).unwrap_or(&ours[0])))
+            }
+            [one] => {
+                let said = format!("{what} by columns {}", listed(one));
+                self.remarks.push(said);
+                Ok(families.into_iter().flatten().collect())
+            }
+            many => Err(ReadFault::SeveralColumns {
+                what,
+                columns: many.iter().map(|family| listed(family)).collect(),
+            }),
+        }
+    }
+
+    /// That the form of an orientation is assumed, where names leave it open.
+    fn say_assumed(&mut self, form: OrientationForm, chosen: Option<OrientationForm>) {
+        let is_known = self
+            .names
+            .iter()
+            .any(|name| indexed_base(&name.whole, "actual_tcp_pose", 3));
+        if form == OrientationForm::RotationVector && chosen.is_none() && !is_known {
+            self.remarks.push(
+                "the orientation is taken for a rotation vector; --orientation states another form"
+                    .to_owned(),
+            );
+        }
+    }
+
+    fn missing(&self, ours: &str) -> ReadFault {
+        unknown(
+            self.renaming(ours).unwrap_or(ours),
+            self.texts.iter().map(String::as_str),
+        )
+    }
+}
+
+impl OrientationForm {
+    /// The kind of unit that its numbers have.
+    const fn kind(self) -> UnitKind {
+        match self {
+            Self::Quaternion | Self::Matrix => UnitKind::None,
+            Self::RotationVector | Self::RollPitchYaw | Self::Abc => UnitKind::Angle,
+        }
+    }
+}
+
+fn unknown<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> ReadFault {
+    ReadFault::Unknown(UnknownName::new("column", name, known))
+}

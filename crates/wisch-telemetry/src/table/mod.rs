@@ -1,0 +1,332 @@
+//! Logs as tables: text with a line of names, or columns with names in a binary file.
+
+mod cell;
+mod delimited;
+mod known;
+mod layout;
+mod names;
+mod orientation;
+mod source;
+mod times;
+
+use self::cell::Cell;
+use self::layout::Layout;
+use self::names::UnitKind;
+use self::source::Source;
+use self::times::Instant;
+use super::error::ReadFault;
+use super::frames::Frames;
+use super::options::{LogOptions, OrientationForm};
+use super::quantity::{Quantity, QuantityError};
+use super::track::{JointPositions, RawLog, Track};
+use wisch::geometry::Vector3;
+
+/// Above this angle in radians, numbers that should be angles are degrees [1].
+const MOST_RADIANS: f64 = 2.0 * std::f64::consts::PI + 0.01;
+
+/// Above this distance from their origin [m], positions beside KUKA's angles are millimetres: no arm reaches so far.
+const MOST_METRES: f64 = 20.0;
+
+/// Reads a table: text whose lines are comments, names, perhaps units, and numbers.
+pub(crate) fn read(bytes: &[u8], options: &LogOptions) -> Result<RawLog, ReadFault> {
+    let (source, layout) = Source::open(bytes, options)?;
+    let mut table = Table {
+        scales: vec![1.0; layout.columns.len()],
+        remarks: layout.remarks.clone(),
+        has_units_line: false,
+        source,
+        layout,
+        options,
+    };
+    table.read_units()?;
+    let times = table.survey()?;
+    table.collect(&times)
+}
+
+/// Takes a row of numbers: its number and its cells.
+type TakeNumbers<'a> = dyn FnMut(usize, &[Cell<'_>]) -> Result<(), ReadFault> + 'a;
+
+/// A table with what its columns mean.
+struct Table<'a> {
+    source: Source<'a>,
+    layout: Layout,
+    options: &'a LogOptions,
+    /// By what the numbers of each column that is read are to be multiplied; of times, the unit [s].
+    scales: Vec<f64>,
+    /// Whether the first row states units.
+    has_units_line: bool,
+    remarks: Vec<String>,
+}
+
+impl Table<'_> {
+    /// Takes the units from the names and from a line of units, but for those that the options give.
+    fn read_units(&mut self) -> Result<(), ReadFault> {
+        let indices = self.layout.indices();
+        let mut first: Vec<String> = Vec::new();
+        let mut is_units = false;
+        self.source.each(&indices, &mut |_, cells| {
+            is_units = !cells.is_empty()
+                && cells
+                    .iter()
+                    .zip(&self.layout.columns)
+                    .all(|(cell, column)| {
+                        let is_time = column.kind == UnitKind::Time && Instant::of(cell).is_some();
+                        !is_time && cell.number().is_none()
+                    });
+            first = cells.iter().map(|cell| cell.text().to_owned()).collect();
+            Ok(false)
+        })?;
+        self.has_units_line = is_units;
+        let (mut by_line, mut by_name, mut unknown) = (Vec::new(), Vec::new(), Vec::new());
+        for (index, column) in self.layout.columns.iter_mut().enumerate() {
+            let given = match column.kind {
+                UnitKind::Time => self.options.time_unit,
+                UnitKind::Length => self.options.length_unit,
+                UnitKind::Force => self.options.force_unit,
+                UnitKind::Angle | UnitKind::None => None,
+            };
+            // What the options give, `understood` applies to lengths and forces.
+            if let (Some(unit), UnitKind::Time) = (given, column.kind) {
+                self.scales[index] = unit;
+            }
+            if given.is_some() || column.kind == UnitKind::None {
+                continue;
+            }
+            let stated = first.get(index).filter(|_| is_units);
+            let stated = stated.map(|text| text.trim_matches(['[', ']', '(', ')']).trim());
+            let (text, list) = match (stated.filter(|text| !text.is_empty()), &column.unit) {
+                (Some(text), _) => (text.to_owned(), &mut by_line),
+                (None, Some(unit)) => (unit.text.clone(), &mut by_name),
+                (None, None) => continue,
+            };
+            let said = format!("{} in {text}", column.ours);
+            match column.kind.size_of(&text) {
+                Some(size) => {
+                    self.scales[index] = size;
+                    column.is_unit_known = true;
+                    list.push(said);
+                }
+                None => unknown.push(said),
+            }
+        }
+        let mut say = |what: &str, list: Vec<String>| {
+            if !list.is_empty() {
+                self.remarks.push(format!("{what}: {}", list.join(", ")));
+            }
+        };
+        say("by its line of units", by_line);
+        say("by its names of columns", by_name);
+        say(
+            "its units name what is not known and was taken for SI units",
+            unknown,
+        );
+        Ok(())
+    }
+
+    /// Calls `take` with the number of each row of numbers and its cells of some of the columns that are read.
+    fn each(&self, columns: &[usize], take: &mut TakeNumbers<'_>) -> Result<(), ReadFault> {
+        let indices: Vec<usize> = (columns.iter())
+            .map(|&column| self.layout.columns[column].index)
+            .collect();
+        let mut is_units = self.has_units_line;
+        self.source.each(&indices, &mut |row, cells| {
+            if !std::mem::take(&mut is_units) {
+                take(row, cells)?;
+            }
+            Ok(true)
+        })
+    }
+
+    /// Goes through the table once for its times [ns] and for the units that only the size of its numbers tells.
+    fn survey(&mut self) -> Result<Vec<Option<i64>>, ReadFault> {
+        let layout = &self.layout;
+        let angles = layout.angles();
+        let lengths = layout.of_kind(UnitKind::Length);
+        let time = layout.of_kind(UnitKind::Time);
+        let wanted: Vec<usize> = time
+            .clone()
+            .chain(angles.clone())
+            .chain(lengths.clone())
+            .collect();
+        let mut instants = Vec::new();
+        let mut rows = Vec::new();
+        let [mut largest_angle, mut largest_length] = [0.0_f64; 2];
+        let (first_angle, first_length) = (time.len(), time.len() + angles.len());
+        self.each(&wanted, &mut |row, cells| {
+            let largest = |cells: &[Cell<'_>], most: f64| {
+                let sizes = cells.iter().filter_map(Cell::number).map(f64::abs);
+                sizes.filter(|size| size.is_finite()).fold(most, f64::max)
+            };
+            largest_angle = largest(&cells[first_angle..first_length], largest_angle);
+            largest_length = largest(&cells[first_length..], largest_length);
+            rows.push(row);
+            match cells[..first_angle].first() {
+                None | Some(Cell::Empty) => instants.push(None),
+                Some(cell) => match Instant::of(cell) {
+                    Some(instant) => instants.push(Some(instant)),
+                    None => return Err(self.not_a_number(row, wanted[0], cell)),
+                },
+            }
+            Ok(())
+        })?;
+        self.assume_angles(largest_angle);
+        let is_kuka = self.layout.form == OrientationForm::Abc;
+        let is_given = (lengths.clone()).any(|column| self.layout.columns[column].is_unit_known);
+        if is_kuka
+            && largest_length > MOST_METRES
+            && !is_given
+            && self.options.length_unit.is_none()
+        {
+            for column in lengths {
+                self.scales[column] = 1e-3;
+            }
+            self.remarks.push(format!(
+                "positions are taken for millimetres, as one beside the angles A, B, C is {largest_length:.0}; --length-unit-m states another unit"
+            ));
+        }
+        if let Some(rate) = self.options.rate {
+            self.remarks
+                .push(format!("times by --rate: {rate} samples per second"));
+            return Ok(times::at_rate(rows.len(), rate)
+                .into_iter()
+                .map(Some)
+                .collect());
+        }
+        let given = time.clone().next().filter(|&column| {
+            self.options.time_unit.is_some() || self.layout.columns[column].is_unit_known
+        });
+        let given = given.map(|column| self.scales[column]);
+        let scaled = times::scaled(&instants, given)
+            .map_err(|fault| fault.at(|index| self.source.place(rows[index])))?;
+        self.remarks.extend(scaled.remarks);
+        Ok(scaled.times)
+    }
+
+    /// Turns angles into radians where no unit is stated.
+    fn assume_angles(&mut self, largest: f64) {
+        let angles = self.layout.angles();
+        let is_stated = (angles.clone()).any(|column| self.layout.columns[column].is_unit_known);
+        let are_degrees = match self.layout.form {
+            _ if angles.is_empty() || is_stated => return,
+            OrientationForm::Abc => true,
+            _ => largest > MOST_RADIANS,
+        };
+        if are_degrees {
+            let first = &self.layout.columns[angles.start].ours;
+            let last = &self.layout.columns[angles.end - 1].ours;
+            self.remarks.push(match self.layout.form {
+                OrientationForm::Abc => format!("angles {first} to {last} are taken for degrees"),
+                _ => format!(
+                    "angles {first} to {last} are taken for degrees, as one is {largest:.1}"
+                ),
+            });
+            for column in angles {
+                self.scales[column] = std::f64::consts::PI / 180.0;
+            }
+        }
+    }
+
+    /// Goes through the table again for its poses and forces.
+    fn collect(mut self, times: &[Option<i64>]) -> Result<RawLog, ReadFault> {
+        let window = self.options.reorder_window;
+        let mut poses = Track::new("the table's pose".to_owned(), window);
+        let mut wrenches = Track::new("the table's force".to_owned(), window);
+        let first = usize::from(self.layout.has_time());
+        let wanted: Vec<usize> = (first..self.layout.columns.len()).collect();
+        let pose_len = 3 + self.layout.form.names().len();
+        let (mut without_time, mut number) = (0_usize, 0);
+        self.each(&wanted, &mut |row, cells| {
+            let time = times.get(number).copied().flatten();
+            number += 1;
+            let place = || self.source.place(row);
+            let (pose, force) = cells.split_at(pose_len);
+            let pose = self.numbers(row, first, pose)?;
+            let force = self.numbers(row, first + pose_len, force)?;
+            let Some(time) = time else {
+                without_time += 1;
+                return Ok(());
+            };
+            let form = self.layout.form;
+            if let Some(pose) = pose {
+                let pose = pose.and_then(|numbers| orientation::pose(form, &numbers));
+                poses.push(time, pose, place)?;
+            }
+            if let Some(force) = force {
+                wrenches.push(
+                    time,
+                    force.and_then(|numbers| Vector3::from_numbers(&numbers)),
+                    place,
+                )?;
+            }
+            Ok(())
+        })?;
+        if without_time > 0 {
+            self.remarks.push(format!(
+                "left out: {without_time} of {number} rows, which bear no time"
+            ));
+        }
+        let (poses, wrenches) = (poses.finish()?, wrenches.finish()?);
+        if poses.entries.is_empty() && wrenches.entries.is_empty() {
+            return Err(ReadFault::Empty);
+        }
+        self.remarks
+            .extend(poses.reordering().or_else(|| wrenches.reordering()));
+        if self.source.has_decimal_commas() {
+            self.remarks
+                .push("commas are taken for decimal points".to_owned());
+        }
+        let unfinished = self.source.is_cut_off();
+        if unfinished {
+            self.remarks
+                .push("left out: the last line, which ends in its middle".to_owned());
+        }
+        Ok(RawLog {
+            poses,
+            wrenches,
+            frames: Frames::default(),
+            joints: JointPositions::default(),
+            task: None,
+            round: None,
+            looks: [None, None],
+            axes: self.layout.axes.map(|axes| axes.as_str().to_owned()),
+            sign: self.layout.sign,
+            remarks: self.remarks,
+            start: None,
+            unfinished,
+        })
+    }
+
+    /// The numbers of a quantity in SI units from column `first` of those that are read on; nothing where all its cells
+    /// are empty.
+    fn numbers(
+        &self,
+        row: usize,
+        first: usize,
+        cells: &[Cell<'_>],
+    ) -> Result<Option<Result<Vec<f64>, QuantityError>>, ReadFault> {
+        if cells.iter().all(|cell| matches!(cell, Cell::Empty)) {
+            return Ok(None);
+        }
+        let mut numbers = Vec::with_capacity(cells.len());
+        let mut missing = None;
+        for (column, cell) in (first..).zip(cells) {
+            match (cell, cell.number()) {
+                (_, Some(number)) => numbers.push(number * self.scales[column]),
+                (Cell::Empty, None) => missing = Some(self.layout.columns[column].ours),
+                (_, None) => return Err(self.not_a_number(row, column, cell)),
+            }
+        }
+        Ok(Some(match missing {
+            Some(name) => Err(QuantityError::Missing { name }),
+            None => Ok(numbers),
+        }))
+    }
+
+    fn not_a_number(&self, row: usize, column: usize, cell: &Cell<'_>) -> ReadFault {
+        ReadFault::NotANumber {
+            place: self.source.place(row),
+            column: self.source.names()[self.layout.columns[column].index].clone(),
+            text: cell.text().to_owned(),
+        }
+    }
+}

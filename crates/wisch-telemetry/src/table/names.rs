@@ -1,0 +1,226 @@
+//! Names of columns, and the units in them.
+
+/// What a column's unit is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum UnitKind {
+    Time,
+    Length,
+    Force,
+    Angle,
+    /// A number without a unit, as those of a quaternion.
+    None,
+}
+
+/// A unit as a name states it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Unit {
+    pub text: String,
+    /// Whether brackets or a slash part it from the name; the last word of a name may be something else.
+    pub is_apart: bool,
+}
+
+/// Units of time [s], length [m], force [N] and angle [rad] that a name or a line of units may state.
+const TIME_UNITS: [(&str, f64); 13] = [
+    ("s", 1.0),
+    ("sec", 1.0),
+    ("seconds", 1.0),
+    ("ms", 1e-3),
+    ("msec", 1e-3),
+    ("milliseconds", 1e-3),
+    ("us", 1e-6),
+    ("µs", 1e-6),
+    ("usec", 1e-6),
+    ("ns", 1e-9),
+    ("nsec", 1e-9),
+    ("min", 60.0),
+    ("h", 3600.0),
+];
+const LENGTH_UNITS: [(&str, f64); 6] = [
+    ("m", 1.0),
+    ("cm", 1e-2),
+    ("mm", 1e-3),
+    ("um", 1e-6),
+    ("µm", 1e-6),
+    ("in", 0.0254),
+];
+const FORCE_UNITS: [(&str, f64); 6] = [
+    ("N", 1.0),
+    ("kN", 1e3),
+    ("mN", 1e-3),
+    ("kp", 9.80665),
+    ("kgf", 9.80665),
+    ("lbf", 4.448_221_615_260_5),
+];
+const ANGLE_UNITS: [(&str, f64); 5] = [
+    ("rad", 1.0),
+    ("deg", DEGREE),
+    ("degree", DEGREE),
+    ("degrees", DEGREE),
+    ("°", DEGREE),
+];
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// Units that end a name after an underscore; shorter or rarer ones may be anything there.
+const SUFFIXES: [&str; 14] = [
+    "s", "sec", "ms", "us", "ns", "m", "cm", "mm", "um", "n", "kn", "mn", "rad", "deg",
+];
+
+impl UnitKind {
+    /// The size of a unit of this kind in SI units, if it is known.
+    pub fn size_of(self, text: &str) -> Option<f64> {
+        let known: &[(&str, f64)] = match self {
+            Self::Time => &TIME_UNITS,
+            Self::Length => &LENGTH_UNITS,
+            Self::Force => &FORCE_UNITS,
+            Self::Angle => &ANGLE_UNITS,
+            Self::None => &[],
+        };
+        // There are two micro signs.
+        let text = text.replace('μ', "µ");
+        let exact = known.iter().find(|(name, _)| *name == text);
+        let found = exact.or_else(|| {
+            known
+                .iter()
+                .find(|(name, _)| name.eq_ignore_ascii_case(&text))
+        });
+        found.map(|(_, size)| *size)
+    }
+}
+
+/// A name of a column as names are compared: lower case, its words joined by single underscores.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Name {
+    /// The whole name.
+    pub whole: String,
+    /// The name without a unit that ends it, and the unit.
+    pub without_unit: Option<(String, Unit)>,
+}
+
+impl Name {
+    /// Takes a name apart: `x [mm]`, `fx (N)`, `x / mm` and `tcp_x_mm` end with units, `O_T_EE[12]` with an index.
+    pub fn of(text: &str) -> Self {
+        let text = text.trim().trim_start_matches('%');
+        let (head, bracketed) = bracketed(text);
+        if let Some(unit) = bracketed {
+            return Self {
+                whole: words(text),
+                without_unit: Some((
+                    words(head),
+                    Unit {
+                        text: unit.to_owned(),
+                        is_apart: true,
+                    },
+                )),
+            };
+        }
+        let whole = words(text);
+        let suffixed = whole.rsplit_once('_');
+        let without_unit =
+            suffixed
+                .filter(|(_, last)| SUFFIXES.contains(last))
+                .map(|(head, last)| {
+                    (
+                        head.to_owned(),
+                        Unit {
+                            text: last.to_owned(),
+                            is_apart: false,
+                        },
+                    )
+                });
+        Self {
+            whole,
+            without_unit,
+        }
+    }
+
+    /// The unit, if the name without it is `base`.
+    pub fn is(&self, base: &str) -> Option<Option<&Unit>> {
+        if self.whole == base {
+            return Some(None);
+        }
+        let (without, unit) = self.without_unit.as_ref()?;
+        (without == base).then_some(Some(unit))
+    }
+
+    /// The name, and the name without its unit.
+    pub fn bases(&self) -> impl Iterator<Item = &str> {
+        let without = self.without_unit.as_ref().map(|(name, _)| name.as_str());
+        std::iter::once(self.whole.as_str()).chain(without)
+    }
+}
+
+/// What stands before a unit in brackets or after a slash at the end, and the unit; an index in brackets is none.
+fn bracketed(text: &str) -> (&str, Option<&str>) {
+    for [open, close] in [['[', ']'], ['(', ')']] {
+        if let Some((head, unit)) =
+            (text.strip_suffix(close)).and_then(|rest| rest.rsplit_once(open))
+        {
+            let unit = unit.trim();
+            let is_unit = !unit.is_empty() && unit.parse::<usize>().is_err();
+            return if is_unit && !head.trim().is_empty() {
+                (head, Some(unit))
+            } else {
+                (text, None)
+            };
+        }
+    }
+    let Some((head, unit)) = text.rsplit_once('/') else {
+        return (text, None);
+    };
+    let kinds = [
+        UnitKind::Time,
+        UnitKind::Length,
+        UnitKind::Force,
+        UnitKind::Angle,
+    ];
+    let is_unit = kinds.iter().any(|kind| kind.size_of(unit.trim()).is_some());
+    // A path, as /tool/pose/position/x, has more of them.
+    if is_unit && !head.trim().is_empty() && !head.contains('/') {
+        (head, Some(unit.trim()))
+    } else {
+        (text, None)
+    }
+}
+
+/// The words of a name in lower case, joined by underscores.
+fn words(text: &str) -> String {
+    let lower = text.to_lowercase();
+    let words = lower.split(|c: char| !c.is_alphanumeric());
+    words
+        .filter(|word| !word.is_empty())
+        .collect::<Vec<_>>()
+        .join("_")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_and_indices_end_names() {
+        let cases = [
+            ("x [mm]", "x", Some("mm")),
+            ("fx (N)", "fx", Some("N")),
+            ("x/mm", "x", Some("mm")),
+            ("x / µm", "x", Some("µm")),
+            ("TCP_x_mm", "tcp_x", Some("mm")),
+            ("Time [s]", "time", Some("s")),
+            ("timestamp_ns", "timestamp", Some("ns")),
+            ("O_T_EE[12]", "o_t_ee_12", None),
+            ("/tool/pose/position/x", "tool_pose_position_x", None),
+            ("%time", "time", None),
+            ("field.header.stamp", "field_header_stamp", None),
+        ];
+        for (text, base, unit) in cases {
+            let name = Name::of(text);
+            let stated = name
+                .is(base)
+                .map(|unit| unit.map(|unit| unit.text.as_str()));
+            assert_eq!(stated, Some(unit), "{text}: {name:?}");
+        }
+        assert_eq!(UnitKind::Force.size_of("kN"), Some(1e3));
+        assert_eq!(UnitKind::Force.size_of("n"), Some(1.0));
+        assert_eq!(UnitKind::Length.size_of("μm"), Some(1e-6));
+        assert_eq!(UnitKind::Length.size_of("s"), None);
+    }
+}

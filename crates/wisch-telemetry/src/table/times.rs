@@ -1,0 +1,309 @@
+//! Times of a table: counts of some unit, dates, or a rate.
+
+use super::cell::Cell;
+use crate::error::ReadFault;
+use crate::ros2::NANOSECONDS_PER_SECOND;
+use jiff::civil::DateTime;
+use jiff::{Timestamp, civil, tz::TimeZone};
+
+/// Longest time that a table may tell [s]: with nanoseconds, what an integer holds.
+const MAX_TIME: f64 = 9e9;
+
+/// Units that the size of times may tell, the largest first: their size [s] and name.
+const UNITS: [(f64, &str); 4] = [
+    (1.0, "seconds"),
+    (1e-3, "milliseconds"),
+    (1e-6, "microseconds"),
+    (1e-9, "nanoseconds"),
+];
+
+/// Seconds since 1970 in the years 1990 to 2100.
+const SINCE_1970: [f64; 2] = [6.3e8, 4.1e9];
+
+/// From this step on, steps of seconds are too long for samples, and the unit is a smaller one [s].
+const LONG_STEP: f64 = 2.0;
+
+/// The longest step between samples of a unit that is assumed [s]: 5 samples per second.
+const USUAL_STEP: f64 = 0.2;
+
+/// A time as a cell states it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Instant {
+    /// A whole number of some unit.
+    Whole(i64),
+    /// A number of some unit.
+    Real(f64),
+    /// A date or time of day, in nanoseconds since 1970 or midnight; whether it bears a time zone.
+    Date(i64, bool),
+}
+
+impl Instant {
+    /// Reads a cell.
+    pub fn of(cell: &Cell<'_>) -> Option<Self> {
+        let text = cell.text();
+        if let Ok(whole) = text.parse() {
+            return Some(Self::Whole(whole));
+        }
+        match text.parse() {
+            Ok(real) => Some(Self::Real(real)),
+            Err(_) => date(text).map(|(time, has_zone)| Self::Date(time, has_zone)),
+        }
+    }
+
+    fn count(self) -> f64 {
+        match self {
+            Self::Whole(count) => count as f64,
+            Self::Real(count) => count,
+            Self::Date(nanoseconds, _) => nanoseconds as f64 / NANOSECONDS_PER_SECOND as f64,
+        }
+    }
+
+    /// Nanoseconds of a count of some unit [s].
+    fn nanoseconds(self, unit: f64) -> Option<i64> {
+        let per_unit = unit * NANOSECONDS_PER_SECOND as f64;
+        match self {
+            Self::Date(time, _) => Some(time),
+            Self::Whole(count) if per_unit.fract() == 0.0 => {
+                let time = i128::from(count) * per_unit as i128;
+                let limit = MAX_TIME as i128 * i128::from(NANOSECONDS_PER_SECOND);
+                (time.abs() <= limit).then_some(time as i64)
+            }
+            _ => {
+                let seconds = self.count() * unit;
+                let is_within = seconds.is_finite() && seconds.abs() <= MAX_TIME;
+                is_within.then(|| (seconds * NANOSECONDS_PER_SECOND as f64).round() as i64)
+            }
+        }
+    }
+}
+
+/// Nanoseconds since 1970, or since midnight, and whether a zone is stated.
+fn date(text: &str) -> Option<(i64, bool)> {
+    if let Ok(time) = text.parse::<Timestamp>() {
+        return Some((i64::try_from(time.as_nanosecond()).ok()?, true));
+    }
+    if let Ok(time) = text.parse::<DateTime>()
+        && text.contains([':', 'T'])
+    {
+        let time = time.to_zoned(TimeZone::UTC).ok()?.timestamp();
+        return Some((i64::try_from(time.as_nanosecond()).ok()?, false));
+    }
+    let time = text
+        .parse::<civil::Time>()
+        .ok()
+        .filter(|_| text.contains(':'))?;
+    let midnight = civil::Time::midnight();
+    let since = time.duration_since(midnight);
+    Some((i64::try_from(since.as_nanos()).ok()?, false))
+}
+
+/// Times of rows that follow one another at a rate [Hz], in nanoseconds.
+pub(super) fn at_rate(count: usize, rate: f64) -> Vec<i64> {
+    let period = NANOSECONDS_PER_SECOND as f64 / rate;
+    (0..count)
+        .map(|index| (index as f64 * period).round() as i64)
+        .collect()
+}
+
+/// Times in nanoseconds, and what was assumed of their unit, in words.
+#[derive(Debug)]
+pub(super) struct Scaled {
+    pub times: Vec<Option<i64>>,
+    pub remarks: Vec<String>,
+}
+
+/// A time that no log bears, by its index.
+#[derive(Debug)]
+pub(super) struct TimeFault {
+    index: usize,
+    time: f64,
+}
+
+impl TimeFault {
+    /// The fault of a log, with the place of an index in words.
+    pub fn at(self, place: impl Fn(usize) -> String) -> ReadFault {
+        ReadFault::Time {
+            place: place(self.index),
+            time: self.time,
+            limit: MAX_TIME,
+        }
+    }
+}
+
+/// Brings times into nanoseconds, by a given unit [s] or by one that their size tells.
+pub(super) fn scaled(
+    instants: &[Option<Instant>],
+    given: Option<f64>,
+) -> Result<Scaled, TimeFault> {
+    let (unit, remark) = match given {
+        Some(unit) => (unit, None),
+        None => assumed_unit(instants),
+    };
+    let mut times = Vec::with_capacity(instants.len());
+    for (index, instant) in instants.iter().enumerate() {
+        let time = instant.map(|instant| {
+            instant.nanoseconds(unit).ok_or(TimeFault {
+                index,
+                time: instant.count() * unit,
+            })
+        });
+        times.push(time.transpose()?);
+    }
+    let lacks_zone = instants
+        .iter()
+        .flatten()
+        .any(|instant| matches!(instant, Instant::Date(_, false)));
+    let zone = lacks_zone
+        .then(|| "dates and times of day are taken for UTC, as they bear no zone".to_owned());
+    Ok(Scaled {
+        times,
+        remarks: remark.into_iter().chain(zone).collect(),
+    })
+}
+
+/// The unit of times [s] that their size and steps tell, and what is to be said of it.
+fn assumed_unit(instants: &[Option<Instant>]) -> (f64, Option<String>) {
+    let is_count = |instant: &Instant| !matches!(instant, Instant::Date(..));
+    let counts = instants
+        .iter()
+        .flatten()
+        .filter(|instant| is_count(instant));
+    let counts: Vec<f64> = counts.map(|instant| instant.count()).collect();
+    let (Some(&first), step) = (counts.first(), median_step(&counts)) else {
+        return (1.0, None);
+    };
+    for (unit, name) in UNITS {
+        let is_date = (SINCE_1970[0]..=SINCE_1970[1]).contains(&(first * unit));
+        // The clock of a controller may count since it was switched on.
+        if is_date && step.is_none_or(|step| step * unit < LONG_STEP) {
+            let said =
+                format!("times are taken for {name} since 1970; --time-unit-s states another unit");
+            return (unit, (unit < 1.0).then_some(said));
+        }
+    }
+    let Some(step) = step.filter(|step| *step >= LONG_STEP) else {
+        return (1.0, None);
+    };
+    let fits = |&&(unit, _): &&(f64, &str)| step * unit <= USUAL_STEP;
+    let Some((unit, name)) = UNITS.iter().find(fits) else {
+        return (1.0, None);
+    };
+    let said = format!(
+        "times are taken for {name}, as {step} s from sample to sample would be long; --time-unit-s states another unit"
+    );
+    (*unit, Some(said))
+}
+
+/// The median of the steps forward.
+fn median_step(counts: &[f64]) -> Option<f64> {
+    let steps = counts.windows(2).map(|pair| pair[1] - pair[0]);
+    let mut steps: Vec<f64> = steps
+        .filter(|step| *step > 0.0 && step.is_finite())
+        .collect();
+    if steps.is_empty() {
+        return None;
+    }
+    let middle = steps.len() / 2;
+    let (_, median, _) = steps.select_nth_unstable_by(middle, f64::total_cmp);
+    Some(*median)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scaled_texts(texts: &[&str]) -> (Vec<i64>, Vec<String>) {
+        let instants: Vec<Option<Instant>> = (texts.iter())
+            .map(|text| Some(Instant::of(&Cell::Text((*text).into())).unwrap()))
+            .collect();
+        let scaled = scaled(&instants, None).unwrap();
+        (scaled.times.into_iter().flatten().collect(), scaled.remarks)
+    }
+
+    #[test]
+    fn units_are_told_from_the_size_of_times() {
+        let second = NANOSECONDS_PER_SECOND as i64;
+        // Each pair is 40 ms apart.
+        for (texts, start, word) in [
+            (["0", "0.04"], 0, None),
+            (["0", "40"], 0, Some("milliseconds")),
+            (["5000000", "5040000"], 5 * second, Some("microseconds")),
+            (["1000", "40001000"], 1000, Some("nanoseconds")),
+            // Twenty minutes since the controller was switched on.
+            (
+                ["1200000000000", "1200040000000"],
+                1200 * second,
+                Some("nanoseconds, as"),
+            ),
+            (
+                ["1760000000.0", "1760000000.04"],
+                1_760_000_000 * second,
+                None,
+            ),
+            (
+                ["1760000000000", "1760000000040"],
+                1_760_000_000 * second,
+                Some("milliseconds since 1970"),
+            ),
+            (
+                ["1760000000000000", "1760000000040000"],
+                1_760_000_000 * second,
+                Some("microseconds since 1970"),
+            ),
+            (
+                ["1760000000000000000", "1760000000040000000"],
+                1_760_000_000 * second,
+                Some("nanoseconds since 1970"),
+            ),
+            (
+                ["2025-10-09T08:53:20Z", "2025-10-09T08:53:20.040Z"],
+                1_760_000_000 * second,
+                None,
+            ),
+            (
+                [
+                    "2025-10-09 10:53:20.000+02:00",
+                    "2025-10-09 10:53:20.040+02:00",
+                ],
+                1_760_000_000 * second,
+                None,
+            ),
+            (
+                ["2025-10-09 08:53:20", "2025-10-09 08:53:20.04"],
+                1_760_000_000 * second,
+                Some("UTC"),
+            ),
+            (["08:53:20.00", "08:53:20.04"], 32_000 * second, Some("UTC")),
+        ] {
+            let (times, remarks) = scaled_texts(&texts);
+            assert!((times[0] - start).abs() < 1000, "{texts:?}: {times:?}");
+            assert!(
+                (times[1] - times[0] - 40_000_000).abs() < 1000,
+                "{texts:?}: {times:?}"
+            );
+            match word {
+                Some(word) => assert!(remarks[0].contains(word), "{remarks:?}"),
+                None => assert!(remarks.is_empty(), "{texts:?}: {remarks:?}"),
+            }
+        }
+    }
+
+    #[test]
+    fn times_that_no_log_bears_are_refused_and_others_are_no_dates() {
+        let refused = scaled(&[Some(Instant::Real(1e300)), None], None).unwrap_err();
+        let shown = refused
+            .at(|index| format!("line {}", index + 2))
+            .to_string();
+        assert!(
+            shown.starts_with("line 2: a time of 1000000000000000"),
+            "{shown}"
+        );
+        for text in ["zero", "", "1e", "2025", "10:53"] {
+            let instant = Instant::of(&Cell::Text(text.into()));
+            assert!(
+                !matches!(instant, Some(Instant::Date(..))) || text == "10:53",
+                "{text}: {instant:?}"
+            );
+        }
+    }
+}

@@ -1,0 +1,358 @@
+//! Tables as other programs write them.
+
+use super::{in_folder, refused};
+use std::fmt::Write;
+use std::fs;
+use wisch::geometry::Vector3;
+use wisch_telemetry::{Axes, AxesSource, Log, LogOptions, OrientationForm, read};
+
+/// A tool that goes 0.1 m/s along x at a height of 0.8 m with a turn by 0.5 rad about z and is pressed with 10 N, at 25 Hz.
+const COUNT: usize = 250;
+
+fn time(tick: usize) -> f64 {
+    tick as f64 / 25.0
+}
+
+/// A table with names and, from the time [s] and x [m] of a sample, its line.
+fn table(names: &str, line: impl Fn(f64, f64) -> String) -> String {
+    let mut text = format!("{names}\n");
+    for tick in 0..COUNT {
+        writeln!(text, "{}", line(time(tick), 0.1 * time(tick))).unwrap();
+    }
+    text
+}
+
+fn read_text(text: &str, options: &LogOptions) -> Log {
+    let (folder, _) = in_folder();
+    let path = folder.path().join("log.csv");
+    fs::write(&path, text).unwrap();
+    read(&path, options).unwrap()
+}
+
+fn refused_text(text: &str, options: &LogOptions) -> String {
+    let (folder, _) = in_folder();
+    let path = folder.path().join("log.csv");
+    fs::write(&path, text).unwrap();
+    refused(&path, options)
+}
+
+/// The motion of [`table`], and its force in the axes of the log as it acts on the tool.
+fn assert_is_it(log: &Log, what: &str) {
+    assert_eq!(log.samples.len(), COUNT, "{what}: {:?}", log.remarks);
+    for (tick, sample) in log.samples.iter().enumerate() {
+        assert!(
+            (sample.time - time(tick)).abs() < 1e-6,
+            "{what}: {}",
+            sample.time
+        );
+        let at = Vector3::new(0.1 * time(tick), 0.0, 0.8);
+        let position = sample.world_from_tool.translation.vector;
+        assert!((position - at).norm() < 1e-6, "{what}: {position}");
+        let turn = sample.world_from_tool.rotation.scaled_axis();
+        assert!((turn - Vector3::z() * 0.5).norm() < 1e-5, "{what}: {turn}");
+        assert!(
+            (sample.force - Vector3::z() * 10.0).norm() < 1e-6,
+            "{what}: {}",
+            sample.force
+        );
+    }
+}
+
+const NAMES: &str = "t,x,y,z,qx,qy,qz,qw,fx,fy,fz";
+
+fn plain(t: f64, x: f64) -> String {
+    format!(
+        "{t},{x},0,0.8,0,0,{},{},0,0,10",
+        0.25_f64.sin(),
+        0.25_f64.cos()
+    )
+}
+
+#[test]
+fn dialects_of_text_are_read() {
+    let base = table(NAMES, plain);
+    let semicolons = base.replace(',', ";").replace('.', ",");
+    let list = table("t,x,y,z,qx,qy,qz,qw,joints,fx,fy,fz", |t, x| {
+        plain(t, x).replacen(",0,0,10", ",\"[0.1, 0.2]\",0,0,10", 1)
+    });
+    let cases = [
+        ("as ours", base.clone()),
+        ("comment", format!("# recorded, by somebody\n\n{base}")),
+        ("title", format!("Log of the arm\n{base}")),
+        ("decimal commas", semicolons.clone()),
+        ("decimal commas and tabs", semicolons.replace(';', "\t")),
+        ("spaces", base.replace(',', "  ")),
+        ("quoted list", list),
+        (
+            "quoted",
+            format!(
+                "\"{}\"\n{}",
+                NAMES.replace(',', "\",\""),
+                base.split_once('\n').unwrap().1
+            ),
+        ),
+        (
+            "upper case",
+            format!(
+                "{}\n{}",
+                NAMES.to_uppercase(),
+                base.split_once('\n').unwrap().1
+            ),
+        ),
+        ("ends of lines", base.replace('\n', "\r\n")),
+        ("names behind a hash", format!("# {base}")),
+        ("cut off", format!("{base}9.99,1.0,0")),
+    ];
+    for (what, text) in cases {
+        let log = read_text(&text, &LogOptions::default());
+        assert_is_it(&log, what);
+        let is_said = !log.remarks.is_empty();
+        assert_eq!(
+            is_said,
+            what.contains("commas") || what == "cut off",
+            "{what}: {:?}",
+            log.remarks
+        );
+    }
+}
+
+#[test]
+fn units_in_names_are_read_and_said() {
+    let in_units = |t: f64, x: f64| {
+        let turn = format!("0,0,{},{}", 0.25_f64.sin(), 0.25_f64.cos());
+        format!("{},{},0,800,{turn},0,0,0.01", 1e3 * t, 1e3 * x)
+    };
+    for names in [
+        "t [ms],x [mm],y [mm],z [mm],qx,qy,qz,qw,fx [kN],fy [kN],fz [kN]",
+        "time_ms,tcp_x_mm,tcp_y_mm,tcp_z_mm,qx,qy,qz,qw,fx (kN),fy (kN),fz (kN)",
+        "Time (ms),Pos_X / mm,Pos_Y / mm,Pos_Z / mm,QX,QY,QZ,QW,Force X [kN],Force Y [kN],Force Z [kN]",
+    ] {
+        let log = read_text(&table(names, in_units), &LogOptions::default());
+        assert_is_it(&log, names);
+        let said = log.remarks.join("; ");
+        assert!(
+            said.contains("t in ms, x in mm, y in mm, z in mm, fx in kN"),
+            "{said}"
+        );
+    }
+    // What the options say goes before.
+    let options = LogOptions {
+        time_unit: Some(1e-3),
+        length_unit: Some(1e-3),
+        force_unit: Some(1e3),
+        ..LogOptions::default()
+    };
+    let text = table(
+        "t [s],x [m],y [m],z [m],qx,qy,qz,qw,fx [N],fy [N],fz [N]",
+        in_units,
+    );
+    assert_is_it(&read_text(&text, &options), "by options");
+}
+
+#[test]
+fn tables_of_known_robots_are_read_by_themselves() {
+    let by_index = |base: &str, count: usize| {
+        let names: Vec<String> = (0..count).map(|k| format!("{base}{k}")).collect();
+        names.join(",")
+    };
+    let ur = format!(
+        "timestamp,{},{}",
+        by_index("actual_TCP_pose_", 6),
+        by_index("actual_TCP_force_", 6)
+    );
+    let log = read_text(
+        &table(&ur, |t, x| {
+            format!("{},{x},0,0.8,0,0,0.5,0,0,10,0,0,0", 5000.0 + t)
+        }),
+        &LogOptions::default(),
+    );
+    assert_is_it(&log, "UR");
+    assert_eq!((log.axes, log.axes_source), (Axes::Log, AxesSource::Logged));
+
+    let franka = |bracket: [&str; 2]| {
+        let name = |base: &str, k: usize| format!("{base}{}{k}{}", bracket[0], bracket[1]);
+        let pose: Vec<String> = (0..16).map(|k| name("O_T_EE", k)).collect();
+        let desired: Vec<String> = (0..16).map(|k| name("O_T_EE_d", k)).collect();
+        let force: Vec<String> = (0..6).map(|k| name("O_F_ext_hat_K", k)).collect();
+        format!(
+            "time,{},{},{}",
+            pose.join(","),
+            desired.join(","),
+            force.join(",")
+        )
+    };
+    let (sin, cos) = 0.5_f64.sin_cos();
+    for bracket in [["[", "]"], ["_", ""], ["", ""]] {
+        let nothing = ["0"; 16].join(",");
+        let line = |t: f64, x: f64| {
+            format!(
+                "{t},{cos},{sin},0,0,{},{cos},0,0,0,0,1,0,{x},0,0.8,1,{nothing},0,0,-10,0,0,0",
+                -sin
+            )
+        };
+        let log = read_text(&table(&franka(bracket), line), &LogOptions::default());
+        assert_is_it(&log, "libfranka");
+        let said = log.remarks.join("; ");
+        assert!(said.contains("(O_F_ext_hat_K) are by the tool"), "{said}");
+    }
+
+    // KUKA: millimetres and degrees.
+    let kuka =
+        |t: f64, x: f64| format!("{t},{},0,800,{},0,0,0,0,10", 1e3 * x, 0.5_f64.to_degrees());
+    let log = read_text(
+        &table("t,X,Y,Z,A,B,C,Fx,Fy,Fz", kuka),
+        &LogOptions::default(),
+    );
+    assert_is_it(&log, "KUKA");
+    let said = log.remarks.join("; ");
+    assert!(
+        said.contains("a to c are taken for degrees") && said.contains("millimetres"),
+        "{said}"
+    );
+}
+
+#[test]
+fn orientations_are_read_in_every_form() {
+    let degrees = 0.5_f64.to_degrees();
+    let form = |form: OrientationForm| LogOptions {
+        orientation: Some(form),
+        ..LogOptions::default()
+    };
+    let cases = [
+        ("rx,ry,rz", "0,0,0.5".to_owned(), LogOptions::default()),
+        (
+            "roll,pitch,yaw",
+            "0,0,0.5".to_owned(),
+            LogOptions::default(),
+        ),
+        (
+            "roll_deg,pitch_deg,yaw_deg",
+            format!("0,0,{degrees}"),
+            LogOptions::default(),
+        ),
+        (
+            "roll,pitch,yaw",
+            format!("0,0,{degrees}"),
+            LogOptions::default(),
+        ),
+        (
+            "rx,ry,rz",
+            "0,0,0.5".to_owned(),
+            form(OrientationForm::RollPitchYaw),
+        ),
+        (
+            "a,b,c",
+            format!("{degrees},0,0"),
+            form(OrientationForm::Abc),
+        ),
+        (
+            "a [rad],b [rad],c [rad]",
+            "0.5,0,0".to_owned(),
+            form(OrientationForm::Abc),
+        ),
+    ];
+    for (names, turn, options) in cases {
+        let names = format!("t,x,y,z,{names},fx,fy,fz");
+        let text = table(&names, |t, x| format!("{t},{x},0,0.8,{turn},0,0,10"));
+        assert_is_it(&read_text(&text, &options), &names);
+    }
+}
+
+#[test]
+fn times_of_other_units_and_a_rate_stand_for_seconds() {
+    let line = |time: String, x: f64| plain(0.0, x).replacen('0', &time, 1);
+    let start = 1_760_000_000_u64;
+    let nanoseconds = table(NAMES, |t, x| {
+        line(
+            format!("{start}{:09}", (t * 1e9).round() as u64 % 1_000_000_000),
+            x,
+        )
+        .replacen(&format!("{start}"), &format!("{}", start + t as u64), 1)
+    });
+    let log = read_text(&nanoseconds, &LogOptions::default());
+    assert_is_it(&log, "nanoseconds");
+    assert_eq!(log.start, 1_760_000_000_000_000_000);
+    let milliseconds = table(NAMES, |t, x| line(format!("{}", (t * 1e3).round()), x));
+    let log = read_text(&milliseconds, &LogOptions::default());
+    assert_is_it(&log, "milliseconds");
+    assert!(
+        log.remarks[0].contains("taken for milliseconds"),
+        "{:?}",
+        log.remarks
+    );
+    let dates = table(NAMES, |t, x| {
+        line(format!("2025-10-09T08:53:{:06.3}Z", 20.0 + t), x)
+    });
+    let log = read_text(&dates, &LogOptions::default());
+    assert_is_it(&log, "dates");
+    assert_eq!(log.start, 1_760_000_000_000_000_000);
+
+    let without = table(&NAMES[2..], |_, x| plain(0.0, x)[2..].to_owned());
+    let shown = refused_text(&without, &LogOptions::default());
+    assert!(
+        shown.starts_with(": no column holds the time; there are: x, y, z"),
+        "{shown}"
+    );
+    let options = LogOptions {
+        rate: Some(25.0),
+        ..LogOptions::default()
+    };
+    assert_is_it(&read_text(&without, &options), "by rate");
+}
+
+#[test]
+fn lines_out_of_order_are_sorted_and_empty_cells_are_filled_in() {
+    let mut lines: Vec<String> = table(NAMES, plain).lines().map(str::to_owned).collect();
+    lines.swap(20, 40);
+    let log = read_text(&lines.join("\n"), &LogOptions::default());
+    assert_is_it(&log, "swapped");
+    assert!(
+        log.remarks[0].contains("came up to 0.800 s late"),
+        "{:?}",
+        log.remarks
+    );
+    // Every other line bears no force, as where two rates are joined.
+    let tick = |t: f64| (t * 25.0).round() as usize;
+    let joined = table(NAMES, |t, x| {
+        match tick(t) % 2 == 1 && tick(t) + 1 < COUNT {
+            true => plain(t, x).replace(",0,0,10", ",,,"),
+            false => plain(t, x),
+        }
+    });
+    assert_is_it(&read_text(&joined, &LogOptions::default()), "joined");
+}
+
+#[test]
+fn tables_that_can_be_misread_are_refused_with_the_place() {
+    let good = table(NAMES, plain);
+    let line = plain(20.0, 2.0);
+    let cases = [
+        (
+            format!("# c\n\n{good}# d\n{},1\n", line),
+            ": line 255: it has 12 values, but there are 11 names",
+        ),
+        (
+            format!("{good}{}", &line[..9]) + "\n",
+            ": line 252: it has ",
+        ),
+        (
+            format!("# c\n{NAMES},X\n{line},1\n").replacen("t,x,", "t,X,", 1),
+            ": two columns may be \"x\": number 2 \"X\" and number 12 \"X\"",
+        ),
+        (
+            table(
+                "t,left_x,left_y,left_z,tcp_x,tcp_y,tcp_z,tool_x,tool_y,tool_z,qx,qy,qz,qw,fx,fy,fz",
+                |t, x| format!("{t},{x},0,0,{x},0,0,{x},0,0,0,0,0,1,0,0,1"),
+            ),
+            ": 2 sets of columns may be the position: tcp_x, tcp_y, tcp_z; tool_x, tool_y, tool_z",
+        ),
+        (
+            format!("{good}{}\n", line.replacen("0.8", "O.8", 1)),
+            ": line 252, column \"z\": \"O.8\" is no number",
+        ),
+    ];
+    for (text, expected) in cases {
+        let shown = refused_text(&text, &LogOptions::default());
+        assert!(shown.starts_with(expected), "{shown}");
+    }
+}

@@ -1,0 +1,107 @@
+// The page of the studio on a document that only keeps what it is given: what it asks of its server, and when.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { startStudio } from "../src/studio/main.ts";
+import { readRecording } from "../src/studio/server.ts";
+
+class Fake extends EventTarget {
+  children = [];
+  dataset = {};
+  style = {};
+  value = "";
+  hidden = false;
+  own = "";
+  attributes = new Map();
+  classList = { add() {}, remove() {}, toggle() {} };
+  setAttribute(name, value) { this.attributes.set(name, value); }
+  removeAttribute(name) { this.attributes.delete(name); }
+  toggleAttribute() {}
+  append(...children) { this.children.push(...children); }
+  replaceChildren(...children) { this.children = children; }
+  querySelector() { return null; }
+  querySelectorAll() { return []; }
+  focus() {}
+  click() { this.dispatchEvent(new Event("click")); }
+  get textContent() { return this.own + this.children.map((child) => (typeof child === "string" ? child : child.textContent)).join(""); }
+  set textContent(text) {
+    this.own = text;
+    this.children = [];
+  }
+  /** This element and all in it. */
+  *all() {
+    yield this;
+    for (const child of this.children) if (child instanceof Fake) yield* child.all();
+  }
+}
+
+const OVERVIEW = { memory: "episodes", list: { episodes: [], total: 0, broken: [] }, runs: [], scenarios: [], limits: { answers: 1, seconds: 1 } };
+const WORDS = { predicates: [], builtins: [], classes: [], properties: [], individuals: [], examples: [] };
+const ANSWERS = { columns: [], rows: [[]], about: [[]], holds: true, more: false, seconds: 0, printed: "", remarks: [], view: null };
+
+/** Opens the page at an address; what it asked the memory. */
+async function open(hash) {
+  const asked = [];
+  const window = new EventTarget();
+  Object.assign(globalThis, {
+    window, addEventListener: window.addEventListener.bind(window), location: { hash, pathname: "/" },
+    document: Object.assign(new Fake(), { documentElement: new Fake(), createElement: () => new Fake(), createElementNS: () => new Fake() }),
+    history: { replaceState() {}, pushState() {} },
+    matchMedia: () => Object.assign(new EventTarget(), { matches: false }),
+    EventSource: class extends EventTarget {},
+    fetch: async (path, { body } = {}) => {
+      if (path === "api/ask") asked.push(JSON.parse(body).query);
+      return Response.json(path === "api/ask" ? ANSWERS : path === "api/vocabulary" ? WORDS : OVERVIEW);
+    },
+  });
+  const root = new Fake();
+  startStudio(root);
+  const rest = () => new Promise((done) => setTimeout(done, 20));
+  await rest();
+  const find = (wanted) => [...root.all()].find(wanted);
+  return { asked, root, rest, find, go: async (to) => {
+    location.hash = to;
+    window.dispatchEvent(new Event("hashchange"));
+    await rest();
+  } };
+}
+
+const TELL = "tell(has_type(x, semco:'Sponge'))";
+
+test("a query of an address is filled in, and asked when the person asks it", async () => {
+  const page = await open(`#q=${encodeURIComponent(TELL)}`);
+  const field = page.find(({ attributes }) => attributes.get("aria-label") === "Query in Prolog");
+  assert.equal(field.value, TELL);
+  assert.deepEqual(page.asked, []);
+  assert.match(page.root.textContent, /was not asked yet/);
+  page.find((one) => one.textContent === "Ask" && one.attributes.get("class")?.includes("s-primary")).click();
+  await page.rest();
+  assert.deepEqual(page.asked, [TELL]);
+  assert.doesNotMatch(page.root.textContent, /was not asked yet/);
+});
+
+test("nor is one asked that an address comes to hold later", async () => {
+  const page = await open("");
+  await page.go(`#q=${encodeURIComponent(TELL)}`);
+  const field = page.find(({ attributes }) => attributes.get("aria-label") === "Query in Prolog");
+  assert.equal(field.value, TELL);
+  assert.deepEqual(page.asked, []);
+});
+
+test("a recording is read line by line, wherever its pieces end", async () => {
+  const text = '{"piece":"head","title":"Küche"}\n{"piece":"samples"}\n{"piece":"ended"}';
+  const bytes = new TextEncoder().encode(text);
+  for (const size of [1, 2, 7, bytes.length]) {
+    const pieces = [];
+    for (let at = 0; at < bytes.length; at += size) pieces.push(bytes.slice(at, at + size));
+    globalThis.fetch = async () => new Response(new ReadableStream({
+      pull(controller) {
+        const piece = pieces.shift();
+        if (piece) controller.enqueue(piece);
+        else controller.close();
+      },
+    }));
+    const lines = [];
+    await readRecording("20261122-010000-abcd", (line) => lines.push(line));
+    assert.deepEqual(lines, text.split("\n"));
+  }
+});

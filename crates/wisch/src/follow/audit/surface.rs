@@ -1,0 +1,389 @@
+//! Whether robot, hand and tool stay on their side of the target surface, and the tool is pressed on nothing but it: by the
+//! audit's own kinematics and geometry, not by the collision model.
+
+use super::kinematics::{Frame, moved_by};
+use crate::follow::{FollowConfig, Motion, Phase, TrajectorySample, Workcell};
+use crate::geometry::{Bounds2, Edge, Mesh, Point2, Point3, Vector3, encloses};
+use crate::represent::Task;
+use nalgebra::UnitQuaternion;
+
+/// How deep a body may be in the surface [m]: for rounding.
+const DEPTH_TOLERANCE: f64 = 1e-4;
+/// How far behind the surface the tool must not be [m].
+const BEHIND: f64 = 1.0;
+/// How far the tool centre point may be over a hole while the tool is pressed [m]: twice what it may be off its line.
+const HOLE_TOLERANCE: f64 = 2e-3;
+
+/// A rigid body: the shapes of a link, or the tool.
+struct Body {
+    name: String,
+    link: usize,
+    /// In the frame of the link [m].
+    mesh: Mesh,
+    /// A ball round it, in the frame of the link [m].
+    middle: Point3,
+    reach: f64,
+}
+
+/// The bodies of a work cell before its target surface.
+pub(super) struct SurfaceCheck<'a> {
+    task: &'a Task,
+    cell: &'a Workcell,
+    surface_from_root: Frame,
+    bounds: Bounds2,
+    /// Links that variables move, but for those that stand on a floor that is the surface.
+    links: Vec<Body>,
+    /// The tool while nothing presses it, and while it wipes.
+    relaxed: Body,
+    pressed: Body,
+    /// How far points of the tool may be below the surface while it wipes [m].
+    pressed_depth: f64,
+    /// Whether the tool waits behind the surface, so that it has to come out of there.
+    waits_behind: bool,
+}
+
+/// What is wrong before the surface; times are those of the motion [s], places in the surface frame.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum SurfaceFault {
+    /// A body is in the surface, has passed through it, or is the tool behind it.
+    Through {
+        time: f64,
+        body: String,
+        depth: f64,
+        place: Point2,
+    },
+    /// The tool is pressed over a hole.
+    OverHole { time: f64, place: Point2 },
+}
+
+/// The deepest place at which a body is in the surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Penetration {
+    depth: f64,
+    place: Point2,
+}
+
+impl Body {
+    fn new(name: &str, link: usize, mesh: Mesh) -> Self {
+        let (low, high) = mesh.bounds();
+        let middle = nalgebra::center(&low, &high);
+        let vertices = mesh.vertices().iter();
+        Self {
+            name: name.to_owned(),
+            link,
+            reach: vertices.map(|p| (p - middle).norm()).fold(0.0, f64::max),
+            middle,
+            mesh,
+        }
+    }
+
+    /// The corners in the frame of the surface [m].
+    fn placed(&self, surface_from_link: &Frame) -> Vec<Vector3> {
+        let vertices = self.mesh.vertices().iter();
+        vertices.map(|p| surface_from_link.point(p)).collect()
+    }
+}
+
+impl<'a> SurfaceCheck<'a> {
+    pub fn new(cell: &'a Workcell, task: &'a Task, config: &FollowConfig) -> Option<Self> {
+        let robot = cell.robot();
+        let surface_from_world = task.surface.world_from_surface.inverse();
+        let surface_from_root = Frame::from_pose(&(surface_from_world * cell.world_from_root()));
+        let tool = |mesh: &Mesh| {
+            let name = &task.tool.name;
+            Body::new(
+                name,
+                cell.tip().index(),
+                mesh.transformed(cell.tip_from_tool()),
+            )
+        };
+        let depth = task.interaction.compression_depth_m;
+        let mut check = Self {
+            bounds: Bounds2::of(task.surface.outline.outer().iter().copied())?,
+            links: Vec::new(),
+            relaxed: tool(&hanging(&task.tool.mesh, depth)),
+            pressed: tool(&task.tool.mesh),
+            pressed_depth: leaning_depth(task) + depth + may_be_off(&task.tool.mesh, config),
+            waits_behind: false,
+            surface_from_root,
+            task,
+            cell,
+        };
+        let stands_on_it = check.standing_on_surface();
+        let mut moves = vec![false; robot.links().len()];
+        for joint in robot.joints() {
+            let own = joint.drive.terms.iter().any(|&(_, factor)| factor != 0.0);
+            moves[joint.child.index()] = moves[joint.parent.index()] || own;
+        }
+        for (i, link) in robot.links().iter().enumerate() {
+            if !moves[i] || stands_on_it[i] {
+                continue;
+            }
+            let meshes = link
+                .collision
+                .iter()
+                .filter_map(|shape| shape.mesh_in_link());
+            check
+                .links
+                .extend(meshes.map(|mesh| Body::new(&link.name, i, mesh)));
+        }
+        let frames = check.frames(cell.ready());
+        let tool = &check.relaxed;
+        let waiting = check.behind(tool, &frames[tool.link], DEPTH_TOLERANCE);
+        check.waits_behind = waiting.is_some();
+        Some(check)
+    }
+
+    /// Of each link whether it stands on the surface: only the base moves it, over a floor that the surface is part of.
+    fn standing_on_surface(&self) -> Vec<bool> {
+        let robot = self.cell.robot();
+        let mut stands = vec![false; robot.links().len()];
+        let world_from_surface = Frame::from_pose(&self.task.surface.world_from_surface);
+        let mut corners = self.task.surface.outline.outer().iter();
+        let is_floor = corners
+            .all(|p| world_from_surface.point(&Point3::new(p.x, p.y, 0.0)).z <= DEPTH_TOLERANCE);
+        let Some(base) = self.cell.base().filter(|_| is_floor) else {
+            return stands;
+        };
+        stands[robot.root().index()] = true;
+        for joint in robot.joints() {
+            let mut terms = joint.drive.terms.iter();
+            let own = terms.all(|(variable, _)| [base.x, base.y, base.yaw].contains(variable));
+            stands[joint.child.index()] = stands[joint.parent.index()] && own;
+        }
+        stands
+    }
+
+    /// Every link in the frame of the surface, at the positions of all n variables [rad or m].
+    fn frames(&self, q: &[f64]) -> Vec<Frame> {
+        let robot = self.cell.robot();
+        let mut frames = vec![self.surface_from_root; robot.links().len()];
+        // A parent comes before its children.
+        for joint in robot.joints() {
+            frames[joint.child.index()] = frames[joint.parent.index()].then(&moved_by(joint, q));
+        }
+        frames
+    }
+
+    /// The faults of a motion, the deepest of each body.
+    pub fn faults(&self, motion: &Motion, samples: &[TrajectorySample]) -> Vec<SurfaceFault> {
+        let touches = matches!(motion.phase, Phase::Wipe(_) | Phase::Lower | Phase::Lift);
+        let (tool, tool_depth) = match touches {
+            true => (&self.pressed, self.pressed_depth),
+            false => (&self.relaxed, DEPTH_TOLERANCE),
+        };
+        let bodies: Vec<(&Body, f64)> = (self.links.iter().map(|body| (body, DEPTH_TOLERANCE)))
+            .chain([(tool, tool_depth)])
+            .collect();
+        let mut worst: Vec<Option<(f64, Penetration)>> = vec![None; bodies.len()];
+        let mut over_hole: Option<(f64, Point2)> = None;
+        let mut before: Option<Vec<Frame>> = None;
+        for sample in samples {
+            let frames = self.frames(&sample.q);
+            for (i, &(body, depth)) in bodies.iter().enumerate() {
+                let now = &frames[body.link];
+                let earlier = before.as_ref().map(|before| &before[body.link]);
+                let mut found = self.penetration(body, earlier, now, depth);
+                if found.is_none() && !self.waits_behind && i + 1 == bodies.len() {
+                    found = self.behind(body, now, depth);
+                }
+                let Some(found) = found else { continue };
+                if worst[i].is_none_or(|(_, known)| found.depth > known.depth) {
+                    worst[i] = Some((sample.time, found));
+                }
+            }
+            if over_hole.is_none() && matches!(motion.phase, Phase::Wipe(_)) {
+                over_hole = self.over_hole(&frames).map(|place| (sample.time, place));
+            }
+            before = Some(frames);
+        }
+        let through = bodies.iter().zip(worst).filter_map(|((body, _), worst)| {
+            let (time, Penetration { depth, place }) = worst?;
+            Some(SurfaceFault::Through {
+                time,
+                body: body.name.clone(),
+                depth,
+                place,
+            })
+        });
+        let over_hole = over_hole.map(|(time, place)| SurfaceFault::OverHole { time, place });
+        through.chain(over_hole).collect()
+    }
+
+    /// Where a body is deeper in the surface than it may be, or has passed through it since the sample before.
+    fn penetration(
+        &self,
+        body: &Body,
+        earlier: Option<&Frame>,
+        now: &Frame,
+        may_be_deep: f64,
+    ) -> Option<Penetration> {
+        let side = |frame: &Frame| {
+            let middle = frame.point(&body.middle);
+            let is_beside = middle.x + body.reach < self.bounds.min.x
+                || middle.x - body.reach > self.bounds.max.x
+                || middle.y + body.reach < self.bounds.min.y
+                || middle.y - body.reach > self.bounds.max.y;
+            let height = middle.z + may_be_deep;
+            (height.abs() > body.reach || is_beside).then_some(height > 0.0)
+        };
+        let (side_now, side_before) = (side(now), earlier.and_then(side));
+        if side_now.is_some() && (earlier.is_none() || side_now == side_before) {
+            return None;
+        }
+        let corners = body.placed(now);
+        if let Some(found) = self.section(&body.mesh, &corners, may_be_deep) {
+            return Some(found);
+        }
+        // What is on the other side now has passed through, if it did so within the outline.
+        let earlier = body.placed(earlier?);
+        let mut passed = corners.iter().zip(&earlier).filter_map(|(now, earlier)| {
+            let [before, after] = [earlier.z + may_be_deep, now.z + may_be_deep];
+            if (before < 0.0) == (after < 0.0) {
+                return None;
+            }
+            let at = earlier + (now - earlier) * (before / (before - after));
+            let place = Point2::new(at.x, at.y);
+            self.task
+                .surface
+                .outline
+                .contains(place)
+                .then_some(Penetration {
+                    depth: -now.z.min(earlier.z),
+                    place,
+                })
+        });
+        passed.next()
+    }
+
+    /// The section of a mesh with the plane as far below the surface as the body may be, if it meets the outline.
+    fn section(&self, mesh: &Mesh, corners: &[Vector3], may_be_deep: f64) -> Option<Penetration> {
+        let height = |i: u32| corners[i as usize].z + may_be_deep;
+        let lowest = corners.iter().map(|p| p.z).fold(f64::INFINITY, f64::min);
+        let highest = corners
+            .iter()
+            .map(|p| p.z)
+            .fold(f64::NEG_INFINITY, f64::max);
+        if lowest + may_be_deep >= 0.0 || highest + may_be_deep <= 0.0 {
+            return None;
+        }
+        let mut section: Vec<Edge> = Vec::new();
+        for triangle in mesh.triangles() {
+            let mut crossings = [0, 1, 2].into_iter().filter_map(|side| {
+                let (a, b) = (triangle[side], triangle[(side + 1) % 3]);
+                let (low, high) = if height(a) < height(b) {
+                    (a, b)
+                } else {
+                    (b, a)
+                };
+                if !(height(low) < 0.0 && height(high) >= 0.0) {
+                    return None;
+                }
+                let share = height(low) / (height(low) - height(high));
+                let (low, high) = (corners[low as usize], corners[high as usize]);
+                let at = low + (high - low) * share;
+                Some(Point2::new(at.x, at.y))
+            });
+            if let (Some(start), Some(end)) = (crossings.next(), crossings.next()) {
+                section.push(Edge { start, end });
+            }
+        }
+        let outline = &self.task.surface.outline;
+        let meets = |edge: &Edge| {
+            outline.contains(edge.start) || outline.edges().any(|border| cross(edge, &border))
+        };
+        let place = match section.iter().find(|edge| meets(edge)) {
+            Some(edge) => edge.start,
+            // The section may be round all of the surface.
+            None => {
+                let corner = *outline.outer().first()?;
+                encloses(section.iter().copied(), corner).then_some(corner)?
+            }
+        };
+        Some(Penetration {
+            depth: -lowest,
+            place,
+        })
+    }
+
+    /// Where the tool is behind the surface, deeper than it may be.
+    fn behind(&self, tool: &Body, frame: &Frame, may_be_deep: f64) -> Option<Penetration> {
+        let middle = frame.point(&tool.middle).z;
+        if middle - tool.reach > -may_be_deep || middle + tool.reach < -BEHIND {
+            return None;
+        }
+        let mut corners = tool.placed(frame).into_iter();
+        corners.find_map(|at| {
+            let place = Point2::new(at.x, at.y);
+            let is_behind = (-BEHIND..-may_be_deep).contains(&at.z);
+            (is_behind && self.task.surface.outline.contains(place)).then_some(Penetration {
+                depth: -at.z,
+                place,
+            })
+        })
+    }
+
+    /// Where the tool centre point is over a hole of the surface, farther from its border than it may be off its line.
+    fn over_hole(&self, frames: &[Frame]) -> Option<Point2> {
+        let outline = &self.task.surface.outline;
+        if outline.holes().is_empty() || self.task.interaction.gap_m > 0.0 {
+            return None;
+        }
+        let tool =
+            frames[self.cell.tip().index()].then(&Frame::from_pose(self.cell.tip_from_tool()));
+        let place = Point2::new(tool.origin.x, tool.origin.y);
+        let mut holes = outline.holes().iter();
+        let is_over = holes.any(|hole| {
+            let edges = || {
+                (0..hole.len()).map(|i| Edge {
+                    start: hole[i],
+                    end: hole[(i + 1) % hole.len()],
+                })
+            };
+            encloses(edges(), place) && edges().all(|edge| edge.distance(place) > HOLE_TOLERANCE)
+        });
+        is_over.then_some(place)
+    }
+}
+
+/// A tool that nothing presses, whose underside lies as far below the tool centre point as it gives way when it wipes [m].
+fn hanging(mesh: &Mesh, compression_depth: f64) -> Mesh {
+    let lowered = |p: &Point3| {
+        let share = (1.0 - p.z / (2.0 * compression_depth)).clamp(0.0, 1.0);
+        Point3::new(p.x, p.y, p.z - compression_depth * share)
+    };
+    if compression_depth <= 0.0 {
+        return mesh.clone();
+    }
+    let vertices = mesh.vertices().iter().map(lowered).collect();
+    Mesh::new(vertices, mesh.triangles().to_vec()).unwrap_or_else(|_| mesh.clone())
+}
+
+/// How far below its contact plane a tool reaches, upright or leaning as far as it may [m].
+fn leaning_depth(task: &Task) -> f64 {
+    let upright = UnitQuaternion::identity();
+    let leans = task.tool.tilt.map_or(vec![upright], |tilt| {
+        let range = [tilt.range.min_rad, tilt.range.max_rad];
+        let turned = range.map(|angle| UnitQuaternion::from_axis_angle(&tilt.axis_in_tool, angle));
+        [vec![upright], turned.to_vec()].concat()
+    });
+    let vertices = task.tool.mesh.vertices();
+    let lowest = |lean: &UnitQuaternion<f64>| {
+        let heights = vertices.iter().map(|p| (lean * p).z);
+        heights.fold(0.0, f64::min)
+    };
+    -leans.iter().map(lowest).fold(0.0, f64::min)
+}
+
+/// How far a point of the tool may be off its place where the tool is as far off its line as it may be [m].
+fn may_be_off(mesh: &Mesh, config: &FollowConfig) -> f64 {
+    let vertices = mesh.vertices().iter();
+    let across = vertices.map(|p| p.coords.norm()).fold(0.0, f64::max);
+    DEPTH_TOLERANCE + config.line_tolerance + config.turn_tolerance * across
+}
+
+/// Whether two edges cross.
+fn cross(a: &Edge, b: &Edge) -> bool {
+    let side = |edge: &Edge, p: Point2| (edge.end - edge.start).perp(&(p - edge.start));
+    side(a, b.start) * side(a, b.end) < 0.0 && side(b, a.start) * side(b, a.end) < 0.0
+}

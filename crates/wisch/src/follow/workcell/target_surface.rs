@@ -1,0 +1,172 @@
+//! The target surface as an obstacle: to the robot and its hand always, to the tool wherever it is not to touch it.
+
+use crate::follow::FollowError;
+use crate::geometry::{Point2, Point3, Pose, Vector3};
+use crate::plan::Plan;
+use crate::represent::Task;
+use crate::robot::{CollisionModel, JointKind, Kinematics, LinkId, RobotModel};
+use nalgebra::{Translation3, UnitQuaternion};
+use std::f64::consts::TAU;
+
+/// How thick the surface is taken to be [m]: nothing is known of what carries it, so that it is no more than a sheet.
+const THICKNESS: f64 = 1e-3;
+/// How far behind the surface the tool does not go either [m]: nothing says what is there.
+const BEHIND: f64 = 1.0;
+/// How far the hand may reach below the tool's contact plane before it counts as below the surface [m].
+const HAND_TOLERANCE: f64 = 1e-3;
+/// Most points of the hand by which its places are judged: the deepest.
+const HAND_POINTS: usize = 64;
+/// Directions of the tool that are tried for a place where the hand beside it hangs over the border.
+const HAND_YAWS: usize = 16;
+
+/// The surface and the space behind it, as obstacles of collision models.
+pub(super) struct TargetSurface {
+    /// Name of the surface itself among the obstacles.
+    pub face: String,
+    /// Name of the space behind it, which only the tool keeps out of; `None` where the tool waits there.
+    pub behind: Option<String>,
+}
+
+impl TargetSurface {
+    /// Adds the surface of a task to models of a robot with its tool. `names` makes a name that nothing else has.
+    ///
+    /// # Errors
+    /// An outline without area, or geometry that no collision check takes.
+    pub fn add(
+        task: &Task,
+        root_from_world: &Pose,
+        names: &dyn Fn(&str) -> String,
+        waits_behind: bool,
+        models: &mut [&mut CollisionModel],
+    ) -> Result<Self, FollowError> {
+        let surface = &task.surface;
+        let root_from_surface = root_from_world * surface.world_from_surface;
+        let face = names(&format!("surface {}", surface.name));
+        let behind = names(&format!("space behind surface {}", surface.name));
+        let mut solids = vec![(face.as_str(), surface.solid_below(THICKNESS))];
+        if !waits_behind {
+            solids.push((behind.as_str(), surface.solid_below(BEHIND)));
+        }
+        for (name, solid) in solids {
+            let solid = solid.map_err(FollowError::Surface)?;
+            for model in &mut *models {
+                model.add_obstacle(name, root_from_surface, &solid)?;
+            }
+        }
+        Ok(Self {
+            face,
+            behind: (!waits_behind).then_some(behind),
+        })
+    }
+}
+
+/// Whether the tool is behind the surface in a posture, as far as the surface reaches.
+pub(super) fn is_tool_behind(task: &Task, kinematics: &Kinematics<'_>, tool: &ToolMount) -> bool {
+    let root_from_tool = kinematics.world_from_link(tool.tip) * tool.tip_from_tool;
+    let surface_from_root = task.surface.world_from_surface.inverse() * tool.world_from_root;
+    let surface_from_tool = surface_from_root * root_from_tool;
+    let is_behind = |vertex: &Point3| {
+        let at = surface_from_tool * vertex;
+        (-BEHIND..0.0).contains(&at.z) && task.surface.outline.contains(at.xy())
+    };
+    task.tool.mesh.vertices().iter().any(is_behind)
+}
+
+/// Where the robot holds the tool.
+pub(super) struct ToolMount {
+    pub world_from_root: Pose,
+    pub tip: LinkId,
+    pub tip_from_tool: Pose,
+}
+
+/// Part of the hand that is below the surface wherever the tool touches it.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::follow) struct HandBelow {
+    pub link: String,
+    /// How far it reaches below the tool's contact plane [m].
+    pub depth: f64,
+}
+
+/// The part of the hand that would be below the surface at every node of a plan, whichever way the tool is turned and leans;
+/// `None` where the hand is free somewhere, or the plan has no nodes.
+pub(super) fn hand_below(
+    task: &Task,
+    plan: &Plan,
+    robot: &RobotModel,
+    kinematics: &Kinematics<'_>,
+    tool: &ToolMount,
+) -> Option<HandBelow> {
+    let tool_from_root = (kinematics.world_from_link(tool.tip) * tool.tip_from_tool).inverse();
+    let hand: Vec<(LinkId, Vec<Point3>)> = hand_links(robot, tool.tip)
+        .into_iter()
+        .map(|link| {
+            let tool_from_link = tool_from_root * kinematics.world_from_link(link);
+            let shapes = robot.links()[link.index()].collision.iter();
+            let meshes = shapes.filter_map(|shape| shape.mesh_in_link());
+            let points = meshes.flat_map(|mesh| mesh.vertices().to_vec());
+            (link, points.map(|point| tool_from_link * point).collect())
+        })
+        .collect();
+    let tilts: Vec<UnitQuaternion<f64>> = match task.tool.tilt {
+        None => vec![UnitQuaternion::identity()],
+        Some(tilt) => [0.0, tilt.range.min_rad, tilt.range.max_rad]
+            .map(|angle| UnitQuaternion::from_axis_angle(&tilt.axis_in_tool, angle))
+            .to_vec(),
+    };
+    let mut worst: Option<HandBelow> = None;
+    for tilt in tilts {
+        let mut below: Vec<(Point3, LinkId)> = Vec::new();
+        for (link, points) in &hand {
+            let leaning = points.iter().map(|point| tilt * point);
+            below.extend(
+                leaning
+                    .filter(|p| p.z < -HAND_TOLERANCE)
+                    .map(|p| (p, *link)),
+            );
+        }
+        below.sort_by(|a, b| a.0.z.total_cmp(&b.0.z));
+        below.truncate(HAND_POINTS);
+        let &(deepest, link) = below.first()?;
+        let is_over_border = |node: Point2| {
+            (0..HAND_YAWS).any(|i| {
+                let yaw = i as f64 / HAND_YAWS as f64 * TAU;
+                let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw);
+                let surface_from_tool =
+                    Pose::from_parts(Translation3::new(node.x, node.y, 0.0), turn);
+                let outline = &task.surface.outline;
+                (below.iter()).all(|(p, _)| !outline.contains((surface_from_tool * p).xy()))
+            })
+        };
+        let mut nodes = plan.graph.nodes.iter();
+        if plan.graph.nodes.is_empty() || nodes.any(|node| is_over_border(node.position)) {
+            return None;
+        }
+        worst.get_or_insert(HandBelow {
+            link: robot.links()[link.index()].name.clone(),
+            depth: -deepest.z,
+        });
+    }
+    worst
+}
+
+/// The links that move with the tool: those fixed to the tip, and all that these hold.
+fn hand_links(robot: &RobotModel, tip: LinkId) -> Vec<LinkId> {
+    let mut first = tip;
+    for joint in robot.joints_above(tip) {
+        if joint.kind != JointKind::Fixed {
+            break;
+        }
+        first = joint.parent;
+    }
+    let mut is_held = vec![false; robot.links().len()];
+    is_held[first.index()] = true;
+    let mut links = vec![first];
+    // A parent comes before its children.
+    for joint in robot.joints() {
+        if is_held[joint.parent.index()] {
+            is_held[joint.child.index()] = true;
+            links.push(joint.child);
+        }
+    }
+    links
+}

@@ -1,0 +1,450 @@
+//! Strokes that come from outside, as arrays or in a file: whether the tool can make them, and the plan that they are.
+
+use super::{FreeSpace, Node, NodeRole, Plan, PlanError, SemanticDirectedGraph, Strategy, Stroke};
+use crate::geometry::{Bounds2, Mesh, PlanarPose, Point2};
+use crate::represent::{Action, GoalState, Ground, OccupiedArea, SURFACE_SKIN, Task};
+use parry3d_f64::math::{Pose as ParryPose, Rotation, Vector};
+use parry3d_f64::query::intersection_test;
+use parry3d_f64::shape::{ConvexPolyhedron, Cuboid, TriMesh};
+
+/// How far beyond the outer border the tool centre point may be, over the shorter side of the tool, or its length where the surface
+/// is treated [1]: a quarter of the tool
+/// still lies on the surface, and keeps it from tipping.
+const OVERHANG: f64 = 0.25;
+/// How far off a place may be before it counts as off the surface, or a part of a way as over a hole [m]: for rounding.
+const TOLERANCE: f64 = 1e-6;
+/// Steps of a stroke at which the tool is held against the scene [m], and the turn between them [rad].
+const STEP: f64 = 0.005;
+const TURN: f64 = 0.05;
+/// How high above the surface the tool is held against the scene [m]; what it touches higher up, a robot finds when it follows.
+const HEIGHT: f64 = 0.05;
+
+/// Why the tool cannot make a stroke. Strokes and poses count from 0.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum StrokeFault {
+    /// A stroke has no pose.
+    #[error("strokes[{stroke}] has no pose; a stroke has one at least")]
+    Empty {
+        /// The stroke.
+        stroke: usize,
+    },
+    /// A number is not finite.
+    #[error("strokes[{stroke}], pose {pose}: a number is not finite")]
+    NotFinite {
+        /// The stroke.
+        stroke: usize,
+        /// The pose.
+        pose: usize,
+    },
+    /// The tool meets an object of the scene.
+    #[error(
+        "strokes[{stroke}] leads the tool through {object:?} at ({x:.3}, {y:.3}) m of the surface, after pose {pose}; end the stroke before it and begin another behind it"
+    )]
+    Obstacle {
+        /// The stroke.
+        stroke: usize,
+        /// The pose before.
+        pose: usize,
+        /// The object.
+        object: String,
+        /// Where the tool centre point is, in the surface frame [m].
+        x: f64,
+        /// The same along y.
+        y: f64,
+    },
+    /// The tool would be pressed over a hole.
+    #[error(
+        "strokes[{stroke}] presses the tool over a hole of the surface for {length:.3} m about ({x:.3}, {y:.3}) m, after pose {pose}; end the stroke before the hole and begin another behind it"
+    )]
+    Hole {
+        /// The stroke.
+        stroke: usize,
+        /// The pose before.
+        pose: usize,
+        /// Way over the hole [m].
+        length: f64,
+        /// The middle of that way, in the surface frame [m].
+        x: f64,
+        /// The same along y.
+        y: f64,
+    },
+    /// The tool is off the surface.
+    #[error(
+        "strokes[{stroke}] leaves the surface by {distance:.3} m at ({x:.3}, {y:.3}) m, after pose {pose}; the tool centre point may be {limit:.3} m beyond its border"
+    )]
+    OffSurface {
+        /// The stroke.
+        stroke: usize,
+        /// The pose before.
+        pose: usize,
+        /// How far it is from the surface there [m].
+        distance: f64,
+        /// How far it may be [m].
+        limit: f64,
+        /// Where, in the surface frame [m].
+        x: f64,
+        /// The same along y.
+        y: f64,
+    },
+}
+
+/// A stroke that leaves the surface as it may.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StrokeOverBorder {
+    /// The stroke, from 0.
+    pub stroke: usize,
+    /// How far the tool centre point goes beyond the border [m].
+    pub distance: f64,
+    /// Whether it skims over an edge over which the task lets it.
+    pub skims: bool,
+}
+
+/// Says which strokes leave the surface, a sentence for skims and one for others; nothing where none does.
+pub fn describe_over_border(strokes: &[StrokeOverBorder]) -> Vec<String> {
+    let sentence = |skims: bool, how: &str| {
+        let some: Vec<_> = strokes.iter().filter(|one| one.skims == skims).collect();
+        let first = some.first()?.stroke;
+        let farthest = some.iter().map(|one| one.distance).fold(0.0, f64::max);
+        let who = match some.len() {
+            1 => format!("strokes[{first}] leaves"),
+            count => format!("{count} strokes, strokes[{first}] first, leave"),
+        };
+        Some(format!(
+            "{who} the surface by at most {farthest:.3} m {how}"
+        ))
+    };
+    let skims = sentence(true, "over a skim edge, as a skim does");
+    let others = sentence(false, "at its border, where part of the tool stays on it");
+    skims.into_iter().chain(others).collect()
+}
+
+/// Checks strokes against the scene, the holes and the border of a task's surface: the first that the tool cannot make, or else
+/// those that leave the surface as they may.
+///
+/// Where the tool's collision sphere is clear of the scene, so is the tool; elsewhere its footprint is moved along the stroke.
+///
+/// # Errors
+/// [`PlanError::Stroke`], or geometry that the libraries refuse.
+pub fn check_strokes(task: &Task, strokes: &[Stroke]) -> Result<Vec<StrokeOverBorder>, PlanError> {
+    let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
+    let space = FreeSpace::new(&task.surface, &meshes, task.tool.collision_radius())?;
+    let check = Check {
+        obstacles: obstacles(task, &meshes)?,
+        tool: tool_body(task),
+        space,
+        task,
+    };
+    let mut over_border = Vec::new();
+    for (number, stroke) in strokes.iter().enumerate() {
+        over_border.extend(check.stroke(number, &stroke.poses)?);
+    }
+    Ok(over_border)
+}
+
+/// The plan that consists of strokes from outside, each the poses of the tool from touching down to lifting off, in the surface
+/// frame; between poses the tool goes straight and turns evenly.
+///
+/// Each pose becomes a node of the plan's graph. A collect without a goal in the task collects where the last stroke ends.
+/// `lift_height`: how high the tool is lifted between strokes [m].
+///
+/// # Errors
+/// A stroke that the tool cannot make, see [`check_strokes`], or a treatment of which the task does not say how much.
+pub fn plan_of_strokes(
+    task: &Task,
+    strokes: &[Vec<PlanarPose>],
+    lift_height: f64,
+) -> Result<Plan, PlanError> {
+    if let Some(stroke) = strokes.iter().position(Vec::is_empty) {
+        return Err(StrokeFault::Empty { stroke }.into());
+    }
+    let last = strokes.iter().flatten().last().map(|pose| pose.position);
+    let goal = match (task.goal(), task.action) {
+        (Some(goal), _) => goal,
+        (None, Action::Collect) => GoalState::Collected {
+            center: last.unwrap_or_else(Point2::origin),
+            radius: task.tool.collision_radius(),
+        },
+        (None, action) => return Err(PlanError::NoTreatment { action }),
+    };
+    let mut nodes = Vec::new();
+    let mut edges = Vec::new();
+    let moves_dirt = matches!(task.action, Action::Collect | Action::Skim);
+    let strokes: Vec<Stroke> = (strokes.iter())
+        .map(|poses| {
+            let first = nodes.len();
+            nodes.extend(poses.iter().enumerate().map(|(i, pose)| Node {
+                position: pose.position,
+                role: match moves_dirt && i + 1 == poses.len() {
+                    true => NodeRole::Goal,
+                    false => NodeRole::Coverage,
+                },
+            }));
+            edges.extend((first + 1..nodes.len()).map(|to| (to - 1, to)));
+            Stroke {
+                nodes: (first..nodes.len()).collect(),
+                poses: poses.clone(),
+            }
+        })
+        .collect();
+    check_strokes(task, &strokes)?;
+    Ok(Plan {
+        strategy: Strategy::Own,
+        strokes,
+        graph: SemanticDirectedGraph {
+            nodes,
+            edges,
+            goal,
+            max_edge_length: None,
+            unreachable: Vec::new(),
+        },
+        collision_radius: task.tool.collision_radius(),
+        unreachable_share: 0.0,
+        tool_start: task.tool_start,
+        lift_height,
+    })
+}
+
+/// A coordinate to the nanometre: what rounding leaves of zero is zero [m].
+fn shown(coordinate: f64) -> f64 {
+    (coordinate * 1e9).round() / 1e9 + 0.0
+}
+
+/// An object above the surface, by its triangles and the area on which it stands.
+struct Obstacle {
+    name: String,
+    triangles: Option<TriMesh>,
+    stands_on: OccupiedArea,
+}
+
+fn obstacles(task: &Task, meshes: &[Mesh]) -> Result<Vec<Obstacle>, PlanError> {
+    let obstacle = |(object, mesh): (&crate::represent::SceneObject, &Mesh)| {
+        let clipped = mesh.clipped_above(SURFACE_SKIN).into_iter().flatten();
+        let corners: Vec<Vector> = clipped.map(|p| Vector::new(p.x, p.y, p.z)).collect();
+        let triangles: Vec<[u32; 3]> = (0..corners.len() as u32 / 3)
+            .map(|i| [3 * i, 3 * i + 1, 3 * i + 2])
+            .collect();
+        let mesh_above = (!triangles.is_empty()).then(|| TriMesh::new(corners, triangles));
+        Ok(Obstacle {
+            name: object.name.clone(),
+            triangles: (mesh_above.transpose()).map_err(|e| PlanError::Scene(e.to_string()))?,
+            stands_on: OccupiedArea::of([mesh]),
+        })
+    };
+    task.obstacles().zip(meshes).map(obstacle).collect()
+}
+
+/// What of the tool is near the surface: the hull of its footprint, as high as the tool, from the surface's skin on.
+fn tool_body(task: &Task) -> Option<ConvexPolyhedron> {
+    let (_, high) = task.tool.mesh.bounds();
+    let top = high.z.clamp(2.0 * SURFACE_SKIN, HEIGHT);
+    let corners = task.tool.footprint.edges().map(|edge| edge.start);
+    let points: Vec<Vector> = corners
+        .flat_map(|p| [SURFACE_SKIN, top].map(|z| Vector::new(p.x, p.y, z)))
+        .collect();
+    ConvexPolyhedron::from_convex_hull(&points)
+}
+
+struct Check<'a> {
+    task: &'a Task,
+    space: FreeSpace,
+    obstacles: Vec<Obstacle>,
+    tool: Option<ConvexPolyhedron>,
+}
+
+impl Check<'_> {
+    fn stroke(
+        &self,
+        stroke: usize,
+        poses: &[PlanarPose],
+    ) -> Result<Option<StrokeOverBorder>, StrokeFault> {
+        // A file may hold strokes without poses, which do nothing.
+        if poses.is_empty() {
+            return Ok(None);
+        }
+        for (pose, PlanarPose { position, heading }) in poses.iter().enumerate() {
+            if ![position.x, position.y, *heading]
+                .iter()
+                .all(|n| n.is_finite())
+            {
+                return Err(StrokeFault::NotFinite { stroke, pose });
+            }
+        }
+        let mut over_border: Option<StrokeOverBorder> = None;
+        let single = [poses[0], poses[0]];
+        let legs: Vec<[PlanarPose; 2]> = match poses.len() {
+            1 => vec![single],
+            _ => poses.windows(2).map(|leg| [leg[0], leg[1]]).collect(),
+        };
+        for (pose, leg) in legs.iter().enumerate() {
+            if let Some(found) = self.carried(stroke, pose, leg)? {
+                let distance = found.distance.max(over_border.map_or(0.0, |o| o.distance));
+                over_border = Some(StrokeOverBorder { distance, ..found });
+            }
+            self.clear(stroke, pose, leg)?;
+        }
+        Ok(over_border)
+    }
+
+    /// Whether the surface carries the tool on a leg, or how far the tool leaves it as it may.
+    fn carried(
+        &self,
+        stroke: usize,
+        pose: usize,
+        [from, to]: &[PlanarPose; 2],
+    ) -> Result<Option<StrokeOverBorder>, StrokeFault> {
+        let surface = &self.task.surface;
+        let along = to.position - from.position;
+        let mut farthest: Option<StrokeOverBorder> = None;
+        for part in surface.parts_of_way(from.position, to.position) {
+            let [begin, end] = part.shares;
+            let at = |share: f64| from.position + along * share;
+            match part.ground {
+                Ground::Surface => {}
+                Ground::Hole(_) => {
+                    let length = (end - begin) * along.norm();
+                    let middle = at((begin + end) / 2.0);
+                    let is_on_border = surface
+                        .outline
+                        .edges()
+                        .any(|edge| edge.distance(middle) <= TOLERANCE);
+                    if !is_on_border {
+                        return Err(StrokeFault::Hole {
+                            stroke,
+                            pose,
+                            length,
+                            x: shown(middle.x),
+                            y: shown(middle.y),
+                        });
+                    }
+                }
+                Ground::Beyond => {
+                    // The distance from a convex border is greatest at an end; within a notch it may be greatest between.
+                    let places = [begin, (begin + end) / 2.0, end].map(at);
+                    let excess = |place: &Point2| {
+                        let (distance, limit, _) = self.beyond(*place);
+                        distance - limit
+                    };
+                    let farther = |a: &Point2, b: &Point2| excess(a).total_cmp(&excess(b));
+                    let Some(place) = places.into_iter().max_by(farther) else {
+                        continue;
+                    };
+                    let (distance, limit, skims) = self.beyond(place);
+                    if distance > limit + TOLERANCE {
+                        return Err(StrokeFault::OffSurface {
+                            stroke,
+                            pose,
+                            distance,
+                            limit,
+                            x: shown(place.x),
+                            y: shown(place.y),
+                        });
+                    }
+                    let is_farther = farthest.is_none_or(|known| known.distance < distance);
+                    if distance > TOLERANCE && is_farther {
+                        farthest = Some(StrokeOverBorder {
+                            stroke,
+                            distance,
+                            skims,
+                        });
+                    }
+                }
+            }
+        }
+        Ok(farthest)
+    }
+
+    /// How far a place beyond the border is from it [m], how far it may be, and whether that is because a skim goes over an edge.
+    fn beyond(&self, place: Point2) -> (f64, f64, bool) {
+        let surface = &self.task.surface;
+        let edges: Vec<_> = surface.outline.edges().collect();
+        let distances = edges.iter().map(|edge| edge.distance(place));
+        let distance = distances.fold(f64::INFINITY, f64::min);
+        let skim = surface.skim_edges.iter().filter_map(|&i| edges.get(i));
+        let to_skim_edge = skim
+            .map(|edge| edge.distance(place))
+            .fold(f64::INFINITY, f64::min);
+        let may_skim = self.task.tool.collision_radius();
+        if self.task.action == Action::Skim && to_skim_edge <= may_skim + TOLERANCE {
+            return (to_skim_edge, may_skim, true);
+        }
+        let size = self
+            .task
+            .tool
+            .footprint
+            .bounds()
+            .map(|bounds| bounds.size());
+        let size = size.unwrap_or(self.task.tool.area_of_effect);
+        // Lanes lead the tool over the border along its length.
+        let side = if self.task.action.treats() {
+            size.x
+        } else {
+            size.min()
+        };
+        (distance, OVERHANG * side, false)
+    }
+
+    /// Whether the tool meets nothing on a leg.
+    fn clear(
+        &self,
+        stroke: usize,
+        pose: usize,
+        [from, to]: &[PlanarPose; 2],
+    ) -> Result<(), StrokeFault> {
+        if self.obstacles.is_empty() || self.is_sphere_clear(from.position, to.position) {
+            return Ok(());
+        }
+        let along = to.position - from.position;
+        let turn = to.heading - from.heading;
+        let steps = (along.norm() / STEP).max(turn.abs() / TURN).ceil().max(1.0);
+        for step in 0..=steps as usize {
+            let share = step as f64 / steps;
+            let place = from.position + along * share;
+            let heading = from.heading + turn * share;
+            if let Some(object) = self.met_at(place, heading) {
+                return Err(StrokeFault::Obstacle {
+                    stroke,
+                    pose,
+                    object: object.to_owned(),
+                    x: shown(place.x),
+                    y: shown(place.y),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the collision sphere is clear all along.
+    fn is_sphere_clear(&self, from: Point2, to: Point2) -> bool {
+        self.space.is_clear(from) && self.space.is_clear_between(from, to)
+    }
+
+    /// The object that the tool meets at a pose.
+    fn met_at(&self, place: Point2, heading: f64) -> Option<&str> {
+        let turn = Rotation::from_rotation_z(heading);
+        let surface_from_tool = ParryPose::from_parts(Vector::new(place.x, place.y, 0.0), turn);
+        let meets = |obstacle: &&Obstacle| {
+            let is_inside = obstacle.stands_on.contains(place);
+            let meets = |triangles: &TriMesh| {
+                let origin = ParryPose::identity();
+                let met = match &self.tool {
+                    Some(tool) => intersection_test(&origin, triangles, &surface_from_tool, tool),
+                    None => {
+                        let bounds = self.task.tool.footprint.bounds();
+                        let half =
+                            bounds.map_or(self.task.tool.area_of_effect, |b: Bounds2| b.size());
+                        let half = Vector::new(half.x / 2.0, half.y / 2.0, HEIGHT / 2.0);
+                        intersection_test(
+                            &origin,
+                            triangles,
+                            &surface_from_tool,
+                            &Cuboid::new(half),
+                        )
+                    }
+                };
+                met.is_ok_and(|met| met.intersecting)
+            };
+            is_inside || obstacle.triangles.as_ref().is_some_and(meets)
+        };
+        self.obstacles.iter().find(meets).map(|o| o.name.as_str())
+    }
+}

@@ -1,0 +1,49 @@
+//! A strategy of the user's own: a function that gives the strokes for a task.
+
+use crate::geometry::PlanarPose;
+use crate::plan::{Plan, PlanError, plan_of_strokes};
+use crate::represent::Task;
+use std::fmt;
+use std::sync::Arc;
+
+/// What the function gives: strokes as for [`plan_of_strokes`], or why there are none.
+type OwnStrokes = Result<Vec<Vec<PlanarPose>>, String>;
+
+/// A function that gives the strokes of a round; its plan is checked as any that comes from outside.
+///
+/// ```
+/// use wisch::geometry::{PlanarPose, Point2};
+/// use wisch::represent::Task;
+/// use wisch::run::{OwnStrategy, Session};
+/// # fn with_own(task: &Task) {
+/// // One stroke along x through the middle of the surface.
+/// let middle = OwnStrategy::new(|_: &Task| {
+///     Ok(vec![[-0.1, 0.1].map(|x| PlanarPose::new(Point2::new(x, 0.0), 0.0)).to_vec()])
+/// });
+/// let session = Session::new(task, Default::default()).with_strategy(middle);
+/// # }
+/// ```
+#[derive(Clone)]
+pub struct OwnStrategy<'a>(Arc<dyn Fn(&Task) -> OwnStrokes + Send + Sync + 'a>);
+
+impl<'a> OwnStrategy<'a> {
+    /// The strategy of a function. It is given the task of the round, whose particles lie where they are estimated to lie by now.
+    pub fn new(strokes: impl Fn(&Task) -> OwnStrokes + Send + Sync + 'a) -> Self {
+        Self(Arc::new(strokes))
+    }
+
+    /// The function's plan for a task. `lift_height`: how high the tool is lifted between strokes [m].
+    ///
+    /// # Errors
+    /// [`PlanError::OwnStrategy`] with what the function says, or a stroke that the tool cannot make.
+    pub fn plan(&self, task: &Task, lift_height: f64) -> Result<Plan, PlanError> {
+        let strokes = (self.0)(task).map_err(PlanError::OwnStrategy)?;
+        plan_of_strokes(task, &strokes, lift_height)
+    }
+}
+
+impl fmt::Debug for OwnStrategy<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("OwnStrategy")
+    }
+}
