@@ -22,9 +22,11 @@ const HOW: &str = "there is no Prolog engine: cargo build -p wisch-prolog makes 
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let loaded = load_task(TASK.as_ref(), &LoadOptions::default())?;
     let (task, board) = (&loaded.task, loaded.task.surface.world_from_surface);
-    let touches = [0.0, 0.5, 1.0, 1.5, 2.0].map(|time| {
-        let world_from_tool = board * Pose::translation(0.1 * time - 0.1, -0.06, 0.0);
-        TouchSample::new(time, world_from_tool, task.surface_reaction())
+    // A second in the air, which shows the bias of the force, two along the board, and one in the air.
+    let touches: [TouchSample; 400] = std::array::from_fn(|i| {
+        let down = f64::from(u8::from((100..300).contains(&i)));
+        let tool = board * Pose::translation(1e-3 * i as f64 - 0.2, -0.06, 0.05 * (1.0 - down));
+        TouchSample::new(0.01 * i as f64, tool, task.surface_reaction() * down)
     });
     let goal = task.goal().ok_or("the task leaves its goal open")?;
     let believed = Belief::certain(task.particles.clone());
@@ -34,7 +36,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let folder = tempfile::tempdir()?;
     let memory = Memory::create(folder.path())?;
     let header = EpisodeHeader::new(0.0, 0.85, task.seed, "tutorial");
-    let record = remember_log(&header, "a log", 2.0, task, &goal, &told);
+    let record = remember_log(&header, "a log", 4.0, task, &goal, &told);
     memory.begin(&header.id)?.commit(&record)?;
 
     let engine = EngineCommand::find().ok_or(HOW)?;

@@ -1,7 +1,9 @@
 //! Polishing and painting: passes over places against closed forms, lanes, and their goals; and tools that hover.
 
 use wisch::geometry::{PlanarPose, Point2, Polygon, Pose, Region, Vector2, Vector3};
-use wisch::interpret::{Belief, Diagnosis, InterpretConfig, TouchSample, interpret};
+use wisch::interpret::{
+    Belief, Diagnosis, InterpretConfig, Interpretation, TouchSample, Uncertainty, interpret,
+};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, Strategy, best_plan, plan, predict};
 use wisch::recover::unfinished;
 use wisch::represent::{
@@ -279,11 +281,18 @@ fn stroke(task: &Task, height: f64, force: f64) -> Vec<TouchSample> {
 }
 
 fn estimated(task: &Task, samples: &[TouchSample]) -> (Diagnosis, f64) {
-    let believed = Belief::certain(task.particles.clone());
-    let config = InterpretConfig::of(task);
-    let goal = task.goal().unwrap();
-    let found = interpret(samples, task, &believed, &goal, &config).unwrap();
+    let found = read(task, samples, Uncertainty::default());
     (found.diagnosis, found.performance.mean)
+}
+
+fn read(task: &Task, samples: &[TouchSample], uncertainty: Uncertainty) -> Interpretation {
+    let believed = Belief::certain(task.particles.clone());
+    let config = InterpretConfig {
+        uncertainty,
+        ..InterpretConfig::of(task)
+    };
+    let goal = task.goal().unwrap();
+    interpret(samples, task, &believed, &goal, &config).unwrap()
 }
 
 #[test]
@@ -293,11 +302,14 @@ fn a_pass_that_is_not_pressed_is_none() {
         press_force_n: 10.0,
         ..interaction()
     };
-    let (found, share) = estimated(&task, &stroke(&task, 0.0, 10.0));
-    assert_eq!(found, Diagnosis::Localized);
-    assert!(share > 0.8, "{share}");
-    let (_, share) = estimated(&task, &stroke(&task, 0.0, 1.0));
-    assert!(share < 0.1, "{share}");
+    let pressed = read(&task, &stroke(&task, 0.0, 10.0), Uncertainty::NONE);
+    assert_eq!(pressed.diagnosis, Diagnosis::Localized);
+    assert!(pressed.performance.mean > 0.8, "{:?}", pressed.performance);
+    let weak = read(&task, &stroke(&task, 0.0, 1.0), Uncertainty::NONE);
+    assert!(weak.performance.mean < 0.1, "{:?}", weak.performance);
+    // Without free motion, and with another force than declared, nothing can be told.
+    let weak = read(&task, &stroke(&task, 0.0, 1.0), Uncertainty::default());
+    assert!(!weak.can_be_told());
 }
 
 #[test]
@@ -316,8 +328,9 @@ fn a_tool_that_hovers_is_believed_by_where_it_was_and_nothing_is_felt() {
     assert!(near > 0.9, "{near}");
     let (found, far) = estimated(&task, &stroke(&task, 0.05, 0.0));
     assert_eq!((found, far), (Diagnosis::Hovering, 0.0));
-    // One that should touch and feels nothing does nothing.
+    // Of one that should touch and feels nothing, nothing can be told: its force may be misread.
     task.interaction.gap_m = 0.0;
-    let (found, share) = estimated(&task, &stroke(&task, 0.0, 0.0));
-    assert_eq!((found, share), (Diagnosis::NoContact, 0.0));
+    let found = read(&task, &stroke(&task, 0.0, 0.0), Uncertainty::default());
+    assert_eq!(found.diagnosis, Diagnosis::NoContact);
+    assert!(!found.can_be_told() && found.performance.high > 0.9);
 }

@@ -160,8 +160,8 @@ impl InterpretationRecord {
     ) -> Self {
         let performance = interpretation.performance;
         let is_collision = |event: &&Event| event.kind == EventKind::Collision;
-        let is_cut = interpretation.observation.is_none()
-            && interpretation.doubts.iter().any(Doubt::is_cut);
+        let is_cut =
+            interpretation.observation.is_none() && interpretation.doubts.iter().any(Doubt::is_cut);
         let (verdict, reason) = verdict(interpretation, target_performance);
         Self {
             format: INTERPRETATION_FORMAT,
@@ -242,8 +242,8 @@ fn verdict(interpretation: &Interpretation, target: f64) -> (&'static str, Strin
     match judge_log(interpretation, target) {
         Verdict::GoalMet => ("met", claim),
         Verdict::CannotBeTold => {
-            let decisive =
-                (interpretation.doubts.iter()).filter(|doubt| doubt.is_decisive() || doubt.is_cut());
+            let decisive = (interpretation.doubts.iter())
+                .filter(|doubt| doubt.is_decisive() || doubt.is_cut());
             let causes: Vec<String> = decisive.map(ToString::to_string).collect();
             ("cannot be told", causes.join("; "))
         }

@@ -1,9 +1,7 @@
 //! From the log of some other robot to the record of an episode.
 
 use super::log::Span;
-use super::{
-    EpisodeHeader, RoundContext, class_of, describe_touch, goal_of, state, things_of,
-};
+use super::{EpisodeHeader, RoundContext, class_of, describe_touch, goal_of, state, things_of};
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin};
 use wisch::interpret::Interpretation;
 use wisch::recover::{Verdict, judge_log};

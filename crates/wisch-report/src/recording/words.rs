@@ -149,7 +149,8 @@ fn follows(round: &Round, target: f64) -> String {
             "The motion that would wipe again fails its check, and is not executed.".to_owned()
         }
         Verdict::CannotBeTold => {
-            "Whether the goal is met cannot be told: the log does not say what was wiped.".to_owned()
+            "Whether the goal is met cannot be told: the log does not say what was wiped."
+                .to_owned()
         }
         Verdict::UnknowableByTouch => format!(
             "Whether the goal is met, touch cannot tell ({claim}), and wiping again would not change that."

@@ -201,9 +201,15 @@ impl fmt::Display for Doubt {
                     force / declared
                 )?;
                 if matters > MOST_BY_SCALE {
-                    write!(f, ", and what that wiped depends on whether the declared force or the scale of the measured one is right")?;
+                    write!(
+                        f,
+                        ", and what that wiped depends on whether the declared force or the scale of the measured one is right"
+                    )?;
                 }
-                write!(f, ": set interaction.press_force_n if {force:.1} N is the nominal force")
+                write!(
+                    f,
+                    ": set interaction.press_force_n if {force:.1} N is the nominal force"
+                )
             }
             Self::SignTurned => write!(
                 f,
@@ -310,7 +316,8 @@ impl LogEvidence<'_> {
         let Some((_, plane)) = &self.classified.plane else {
             // What presses at one height for long is a surface, not a hand.
             let far_off = far_off(path, self.config);
-            doubts.extend(far_off.or(led).or_else(|| self.nothing_felt()));
+            let felt = far_off.or(led).or_else(|| self.scattered());
+            doubts.extend(felt.or_else(|| self.nothing_felt()));
             return doubts;
         };
         doubts.extend(led);
@@ -343,7 +350,11 @@ impl LogEvidence<'_> {
             (travel < radius, Doubt::HardlySliding { travel, radius }),
             (share > MOST_BESIDE, Doubt::PressedBeside { share }),
         ];
-        doubts.extend(all.into_iter().filter(|(is_so, _)| *is_so).map(|(_, doubt)| doubt));
+        doubts.extend(
+            all.into_iter()
+                .filter(|(is_so, _)| *is_so)
+                .map(|(_, doubt)| doubt),
+        );
         doubts
     }
 
@@ -358,6 +369,18 @@ impl LogEvidence<'_> {
             None => piece.mean_height.abs() <= NEAR,
         };
         self.pieces.iter().map(is_low).collect()
+    }
+
+    /// Where the tool pressed as it should near the surface, but its contacts lie on no plane at all.
+    fn scattered(&self) -> Option<Doubt> {
+        let is_pressed = |piece: &&PathPiece| {
+            piece.normalized_force >= self.config.confident_share
+                && piece.height.abs() <= self.config.search_height_m
+        };
+        let confident = self.classified.path.iter().filter(is_pressed).count();
+        let inliers = 0;
+        (confident >= self.config.plane.min_points)
+            .then_some(Doubt::Scattered { inliers, confident })
     }
 
     fn nothing_felt(&self) -> Option<Doubt> {
@@ -402,16 +425,16 @@ impl LogEvidence<'_> {
             }),
         };
         let declared = self.declared.nominal_force();
-        let is_other = |force: &f64| {
-            let ratio = force / declared;
-            ratio > OTHER_FORCE || ratio < 1.0 / OTHER_FORCE
-        };
-        let otherwise = (reading.pressed.filter(is_other))
+        let reference = reading.reference_force(declared);
+        let ratio = reference / declared;
+        let is_other = ratio > OTHER_FORCE || ratio < 1.0 / OTHER_FORCE;
+        let otherwise = is_other
+            .then_some(reference)
             .map(|force| Doubt::PressedOtherwise {
-            force,
-            declared,
-            matters: 0.0,
-        });
+                force,
+                declared,
+                matters: 0.0,
+            });
         let offset = reading.clock_offset;
         let clocks = (offset != 0.0).then_some(Doubt::ClocksApart { offset });
         turned.into_iter().chain(otherwise).chain(clocks)

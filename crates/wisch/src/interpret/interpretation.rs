@@ -62,8 +62,8 @@ impl Interpretation {
     /// Whether the log, or what was seen afterwards, says what was wiped. If not, the belief holds what is possible, and
     /// the doubts say why, the most likely cause first.
     pub fn can_be_told(&self) -> bool {
-        let is_felt = self.diagnosis != Diagnosis::NoContact
-            && !self.doubts.iter().any(Doubt::is_decisive);
+        let is_felt =
+            self.diagnosis != Diagnosis::NoContact && !self.doubts.iter().any(Doubt::is_decisive);
         is_felt || self.observation.is_some()
     }
 

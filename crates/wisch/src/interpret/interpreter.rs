@@ -3,8 +3,8 @@
 use super::belief::{Belief, ContactEvidence, Exposure, Replay};
 use super::config::InterpretConfig;
 use super::contact::{
-    ClassifiedPath, ContactClassifier, Downsampler, FittedPlane, ForceReading,
-    MeasuredStiffness, PlaneFit, StiffnessBelief, TouchSample, middle,
+    ClassifiedPath, ContactClassifier, Downsampler, FittedPlane, ForceReading, MeasuredStiffness,
+    PlaneFit, StiffnessBelief, TouchSample, middle,
 };
 use super::doubt::{Doubt, LogEvidence};
 use super::error::InterpretError;
@@ -161,7 +161,11 @@ impl Interpreter {
             }
         }
         let is_unscaled = |doubt: &Doubt| !matches!(doubt, Doubt::PressedOtherwise { .. });
-        if understood.doubts.iter().any(|doubt| doubt.is_decisive() && is_unscaled(doubt)) {
+        if understood
+            .doubts
+            .iter()
+            .any(|doubt| doubt.is_decisive() && is_unscaled(doubt))
+        {
             distribution = distribution.or_unknown(self.config.uncertainty.misread_share);
         }
         let Understood {
@@ -224,6 +228,7 @@ impl Interpreter {
             surface: &self.surface,
             reach: self.reach(),
             config: &config,
+            most_share: (self.config.nominal_force() / reference).max(1.0),
         };
         let classified = classifier.classify(pieces);
         let believed_from_real = classified
@@ -255,9 +260,8 @@ impl Interpreter {
         let is_low = (classified.plane.is_none() && config.gap_m == 0.0)
             .then(|| evidence.is_low())
             .unwrap_or_default();
-        let is_other_surface = |doubt: &Doubt| {
-            matches!(doubt, Doubt::PressedFarOff { .. } | Doubt::Curved { .. })
-        };
+        let is_other_surface =
+            |doubt: &Doubt| matches!(doubt, Doubt::PressedFarOff { .. } | Doubt::Curved { .. });
         if doubts.iter().any(is_other_surface) {
             // What is felt off the plane is a surface, and no hand.
             events.retain(|event| !event.kind.is_by_hand());

@@ -159,7 +159,11 @@ impl Uncertainty {
             ),
             ("uncertainty.kept_share", &mut self.kept_share, share),
             ("uncertainty.redraw_share", &mut self.redraw_share, depth),
-            ("uncertainty.rescaled_share", &mut self.rescaled_share, share),
+            (
+                "uncertainty.rescaled_share",
+                &mut self.rescaled_share,
+                share,
+            ),
             ("uncertainty.misread_share", &mut self.misread_share, share),
             ("uncertainty.model_share", &mut self.model_share, share),
         ]

@@ -8,5 +8,6 @@ pub use next_task::{
     unfinished,
 };
 pub use verdict::{
-    Claim, FALSE_BY, FALSE_CLAIMS, LEAST_PROGRESS, Pace, RoundJudge, RoundOutcome, Verdict, is_claimable, judge_log,
+    Claim, FALSE_BY, FALSE_CLAIMS, LEAST_PROGRESS, Pace, RoundJudge, RoundOutcome, Verdict,
+    is_claimable, judge_log,
 };

@@ -3,9 +3,7 @@
 use super::log::{DEPTH, PRESS, STEEP, Script, task};
 use super::{events, interpreted, interpreted_with};
 use wisch::geometry::{Point2, Vector3};
-use wisch::interpret::{
-    Diagnosis, Doubt, EventKind, InterpretConfig, Interpretation, TouchSample,
-};
+use wisch::interpret::{Diagnosis, Doubt, EventKind, InterpretConfig, Interpretation, TouchSample};
 use wisch::represent::Task;
 
 /// What the script's log says if its forces are others, each given in the axes of the surface [N] with its time [s].
@@ -31,7 +29,11 @@ fn changed(
 
 fn assert_holds(interpretation: &Interpretation, truth: f64, what: &str) {
     let estimate = interpretation.performance;
-    assert!(interpretation.can_be_told(), "{what}: {:?}", interpretation.doubts);
+    assert!(
+        interpretation.can_be_told(),
+        "{what}: {:?}",
+        interpretation.doubts
+    );
     assert!(
         (estimate.low - 0.01..=estimate.high + 0.01).contains(&truth),
         "{what}: {truth} of {estimate:?}, {:?}",
@@ -47,17 +49,35 @@ fn contact_is_found_at_any_force_and_the_force_is_said() {
         let is_open = scale < 0.5;
         assert_eq!(found.can_be_told(), !is_open, "{scale}: {:?}", found.doubts);
         let estimate = found.performance;
-        assert!(estimate.low < truth && truth < estimate.high + 0.01, "{scale}: {estimate:?}");
+        assert!(
+            estimate.low < truth && truth < estimate.high + 0.01,
+            "{scale}: {estimate:?}"
+        );
         // Pressed so softly, it matters whether the force is what it says.
         assert!(!is_open || estimate.low < 0.3, "{scale}: {estimate:?}");
         let pressed = found.pressed_force.unwrap();
-        assert!((pressed / (scale * PRESS) - 1.0).abs() < 0.05, "{scale}: {pressed}");
+        assert!(
+            (pressed / (scale * PRESS) - 1.0).abs() < 0.05,
+            "{scale}: {pressed}"
+        );
         assert_eq!(events(&found, EventKind::Contact).len(), 3, "{scale}");
-        let others = found.events.iter().filter(|event| event.kind != EventKind::Contact);
-        assert_eq!(others.filter(|event| !event.kind.is_phase()).count(), 0, "{scale}");
-        let is_said = (found.doubts.iter())
-            .any(|doubt| matches!(doubt, Doubt::PressedOtherwise { .. }));
-        assert_eq!(is_said, !(0.84..1.2).contains(&scale), "{scale}: {:?}", found.doubts);
+        let others = found
+            .events
+            .iter()
+            .filter(|event| event.kind != EventKind::Contact);
+        assert_eq!(
+            others.filter(|event| !event.kind.is_phase()).count(),
+            0,
+            "{scale}"
+        );
+        let is_said =
+            (found.doubts.iter()).any(|doubt| matches!(doubt, Doubt::PressedOtherwise { .. }));
+        assert_eq!(
+            is_said,
+            !(0.84..1.2).contains(&scale),
+            "{scale}: {:?}",
+            found.doubts
+        );
     }
 }
 
@@ -71,8 +91,15 @@ fn a_bias_of_any_size_changes_nothing() {
         Vector3::new(40.0, -40.0, 40.0),
     ] {
         let found = read(&Script::default(), |_, force| force + bias);
-        assert!((found.force_bias - bias.z).abs() < 0.2, "{bias}: {}", found.force_bias);
-        assert!((found.performance.mean - plain.performance.mean).abs() < 0.01, "{bias}");
+        assert!(
+            (found.force_bias - bias.z).abs() < 0.2,
+            "{bias}: {}",
+            found.force_bias
+        );
+        assert!(
+            (found.performance.mean - plain.performance.mean).abs() < 0.01,
+            "{bias}"
+        );
         assert_eq!(found.events.len(), plain.events.len(), "{bias}");
         assert_eq!(found.doubts, [], "{bias}");
     }
@@ -81,7 +108,9 @@ fn a_bias_of_any_size_changes_nothing() {
 #[test]
 fn a_wrench_of_the_other_sign_or_of_another_frame_is_read_and_said() {
     let truth = interpreted(&Script::default()).performance.mean;
-    let turned = read(&Script::default(), |_, force| -force + Vector3::new(3.0, 0.0, 5.0));
+    let turned = read(&Script::default(), |_, force| {
+        -force + Vector3::new(3.0, 0.0, 5.0)
+    });
     assert_holds(&turned, truth, "sign");
     assert_eq!(turned.doubts, [Doubt::SignTurned]);
     let side = read(&Script::default(), |_, force| {
@@ -141,7 +170,10 @@ fn near_the_surface_without_contact_nothing_can_be_told() {
     assert!(matches!(found.doubts[..], [Doubt::NothingFelt { closest, .. }] if closest < 1e-3));
     let wiped = interpreted(&Script::default()).performance.mean;
     let estimate = found.performance;
-    assert!(estimate.low < 0.05 && estimate.high > wiped - 0.05, "{estimate:?}");
+    assert!(
+        estimate.low < 0.05 && estimate.high > wiped - 0.05,
+        "{estimate:?}"
+    );
 }
 
 #[test]
@@ -153,7 +185,11 @@ fn a_log_without_free_motion_tells_nothing() {
         .filter(|sample| (start..end).contains(&sample.time))
         .collect();
     let found = interpreted_with(&samples, &task, &InterpretConfig::of(&task));
-    assert!(found.doubts.contains(&Doubt::NoFreeMotion), "{:?}", found.doubts);
+    assert!(
+        found.doubts.contains(&Doubt::NoFreeMotion),
+        "{:?}",
+        found.doubts
+    );
     assert!(!found.can_be_told());
     let estimate = found.performance;
     assert!(estimate.high - estimate.low > 0.5, "{estimate:?}");
@@ -211,14 +247,23 @@ fn contacts_on_a_cylinder_are_told_with_radius_and_axis() {
         assert!((told / radius - 1.0).abs() < 0.2, "{radius}: {told}");
         assert!((axis - 90.0).abs() < 10.0 && is_convex, "{radius}: {axis}");
         assert!(!found.can_be_told());
-        assert!(!found.events.iter().any(|event| event.kind.is_by_hand()), "{radius}");
+        assert!(
+            !found.events.iter().any(|event| event.kind.is_by_hand()),
+            "{radius}"
+        );
     }
     let concave = interpreted(&Script {
         surface: |place| -crest(Point2::new(place.y + 0.3 * place.x, 0.0), 1.0),
         ..Script::default()
     });
     assert!(
-        matches!(concave.doubts[0], Doubt::Curved { is_convex: false, .. }),
+        matches!(
+            concave.doubts[0],
+            Doubt::Curved {
+                is_convex: false,
+                ..
+            }
+        ),
         "{:?}",
         concave.doubts
     );

@@ -123,7 +123,8 @@ pub(super) fn scattered(
 /// The log alone does not say which of two things is so: that the tool really pressed so much, or that the sensor or the
 /// task has another scale and the force was the one meant.
 pub(super) fn force_factor(config: &InterpretConfig, ratio: f64, member: u64) -> f64 {
-    let is_rescaled = keyed_uniform(config.seed ^ SCALES, member, 0) < config.uncertainty.rescaled_share;
+    let is_rescaled =
+        keyed_uniform(config.seed ^ SCALES, member, 0) < config.uncertainty.rescaled_share;
     if is_rescaled { 1.0 } else { ratio }
 }
 

@@ -72,7 +72,10 @@ impl PerformanceDistribution {
         }
         let step = probability / f64::from(UNKNOWN_STEPS + 1);
         let unknown = (0..=UNKNOWN_STEPS).map(|i| (f64::from(i) / f64::from(UNKNOWN_STEPS), step));
-        let known = self.shares.iter().map(|(share, weight)| (*share, weight * (1.0 - probability)));
+        let known = self
+            .shares
+            .iter()
+            .map(|(share, weight)| (*share, weight * (1.0 - probability)));
         Self::of_shares(known.chain(unknown), self.deviation)
     }
 

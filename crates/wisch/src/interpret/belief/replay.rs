@@ -72,7 +72,12 @@ impl Replay<'_> {
             };
             state.activation.begin_log(slip);
             let factor = force_factor(self.config, self.force_ratio, member as u64);
-            let after = self.once(scattered.as_ref().unwrap_or(dirt), motions, factor, &mut state);
+            let after = self.once(
+                scattered.as_ref().unwrap_or(dirt),
+                motions,
+                factor,
+                &mut state,
+            );
             (after, state)
         });
         Belief::continued(members.collect(), weights, self.stiffness)
@@ -80,7 +85,11 @@ impl Replay<'_> {
 
     /// Mean performance of the members that take the force of the log for another scale less that of the others, without
     /// its sign [1].
-    pub(in crate::interpret) fn difference_by_scale(&self, belief: &Belief, goal: &GoalState) -> f64 {
+    pub(in crate::interpret) fn difference_by_scale(
+        &self,
+        belief: &Belief,
+        goal: &GoalState,
+    ) -> f64 {
         // Weight and weighted performance of either kind.
         let mut sums = [[0.0; 2]; 2];
         for (member, (dirt, weight)) in belief.replays().iter().zip(belief.weights()).enumerate() {

@@ -41,6 +41,8 @@ pub(in crate::interpret) struct ContactClassifier<'a> {
     /// Largest distance of the footprint from the tool centre point [m].
     pub(in crate::interpret) reach: f64,
     pub(in crate::interpret) config: &'a InterpretConfig,
+    /// Largest f′ that is told apart [1]: that of the declared force, if the log's own nominal force is smaller.
+    pub(in crate::interpret) most_share: f64,
 }
 
 impl ContactClassifier<'_> {
@@ -103,7 +105,7 @@ impl ContactClassifier<'_> {
             heading: piece.heading,
             normal_force,
             tangential_force: force.xy().norm(),
-            normalized_force: share.clamp(0.0, 1.0),
+            normalized_force: share.clamp(0.0, self.most_share),
             height,
             slope: plane.map_or_else(Vector2::zeros, |plane| slope(piece, &plane.normal())),
             touch,

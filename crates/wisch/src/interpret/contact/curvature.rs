@@ -85,7 +85,8 @@ fn contacts(
     for piece in pieces {
         let place = piece.position.xy();
         let is_new = (contacts.last()).is_none_or(|(last, _)| (place - last).norm() >= TRAVEL);
-        let is_within = surface.outline.contains(place) && border(place) >= config.redraw_length_m / 2.0;
+        let is_within =
+            surface.outline.contains(place) && border(place) >= config.redraw_length_m / 2.0;
         if is_new && is_within && config.normalized(-piece.force.z) >= PRESSING {
             let spring_back = (piece.force.z - config.nominal_force()) / stiffness;
             contacts.push((place, piece.mean_height + spring_back));
@@ -134,10 +135,12 @@ impl Quadric {
         let count = contacts.len() as f64;
         let sum: Vector2 = contacts.iter().map(|(place, _)| place.coords).sum();
         let middle = Point2::from(sum / count);
-        let spread = contacts.iter().fold(Matrix2::zeros(), |spread, (place, _)| {
-            let d = place - middle;
-            spread + d * d.transpose() / count
-        });
+        let spread = contacts
+            .iter()
+            .fold(Matrix2::zeros(), |spread, (place, _)| {
+                let d = place - middle;
+                spread + d * d.transpose() / count
+            });
         if spread.symmetric_eigen().eigenvalues.min() < LEAST_SPREAD * LEAST_SPREAD {
             return None;
         }

@@ -41,8 +41,10 @@ const MOST_VARIATION: f64 = 0.6;
 const LEAST_ALIGNED: f64 = 0.5;
 /// How much less the force varies in one frame than in the other for the bias to be constant in that one [1].
 const FRAME_PREFERENCE: f64 = 0.5;
-/// Forces over the nominal one between which the tool pressed as it should [1]: within what a force controller keeps to.
-const AS_DECLARED: [f64; 2] = [0.85, 1.2];
+/// Forces over the declared one between which the tool pressed as it should [1], and the share of its pressing from which on
+/// that counts: the band of (10) then finds enough.
+const AS_DECLARED: [f64; 2] = [0.9, 1.1];
+const LEAST_AS_DECLARED: f64 = 0.05;
 /// Noise of single pieces over the nominal force above which forces are averaged [1], and the longest time over which
 /// they are [s].
 const NOISE_SHARE: f64 = 0.06;
@@ -50,8 +52,10 @@ const LONGEST_MEAN: f64 = 0.3;
 /// Farthest that the clocks of force and position are apart [s], the step of the search, and the least offset that is
 /// taken off.
 const CLOCKS: [f64; 3] = [3.0, 0.02, 0.08];
-/// By which factor the force of contact stands out more once the clocks are aligned [1].
+/// By which factor the force of contact stands out more once the clocks are aligned [1], and how much of the usual force
+/// of contact then stands out at least: a hand that pushes now and then has no clock.
 const CLOCK_GAIN: f64 = 1.1;
+const CLOCK_CONTRAST: f64 = 0.8;
 
 /// Axes in which the force of a log is constant in free motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -108,6 +112,8 @@ pub(in crate::interpret) struct ForceReading {
     pub(in crate::interpret) direction: PressDirection,
     /// Force with which the tool mostly pressed while it slid [N]; nothing where no contact was found by geometry.
     pub(in crate::interpret) pressed: Option<f64>,
+    /// Whether it pressed with the declared force for some of the time at least.
+    is_as_declared: bool,
     /// By how long the force's clock is behind the position's [s]; 0 where they agree.
     pub(in crate::interpret) clock_offset: f64,
     /// Whether the log shows free motion, so that its bias is known.
@@ -125,7 +131,9 @@ impl ForceReading {
         if config.gap_m > 0.0 {
             return by_height;
         }
-        let slides: Vec<bool> = (0..pieces.len()).map(|i| is_sliding(pieces, i, config)).collect();
+        let slides: Vec<bool> = (0..pieces.len())
+            .map(|i| is_sliding(pieces, i, config))
+            .collect();
         let planes = sliding_planes(pieces, &slides, config);
         let near = |plane: &&PlaneFit| plane.height.abs() <= config.search_height_m;
         let lowest = (planes.iter().filter(near)).min_by(|a, b| a.height.total_cmp(&b.height));
@@ -167,6 +175,7 @@ impl ForceReading {
             noise,
             direction: PressDirection::Outward,
             pressed: None,
+            is_as_declared: true,
             clock_offset: 0.0,
             has_free_motion: known.is_some(),
             lowest: None,
@@ -202,16 +211,26 @@ impl ForceReading {
             noise,
             direction,
             pressed: None,
+            is_as_declared: true,
             clock_offset: contact.clock_offset,
             has_free_motion: true,
             lowest: None,
         };
-        let pressing = contact.on.iter().map(|&i| {
-            let piece = &pieces[i];
-            (reading.force(piece, piece.force).z, f64::from(piece.samples))
-        });
         let least = LEAST_FORCE[0] * contact.step.norm();
-        reading.pressed = mode(pressing.filter(|(force, _)| *force > least).collect());
+        let pressing = |some: &[usize]| -> Vec<f64> {
+            let forces = some
+                .iter()
+                .map(|&i| reading.force(&pieces[i], pieces[i].force).z);
+            forces.filter(|force| *force > least).collect()
+        };
+        let [low, high] = AS_DECLARED.map(|share| share * scene.config.nominal_force());
+        let near = pressing(&contact.near);
+        let as_declared = near.iter().filter(|force| (low..=high).contains(force));
+        let least_count = LEAST_AS_DECLARED * near.len() as f64;
+        let is_as_declared = as_declared.count() as f64 >= least_count;
+        let pressed = mode(pressing(&contact.on));
+        reading.is_as_declared = is_as_declared;
+        reading.pressed = pressed;
         reading
     }
 
@@ -258,9 +277,8 @@ impl ForceReading {
 
     /// Force that counts as the nominal one of this log [N]: the declared one, unless the tool pressed with another.
     pub(in crate::interpret) fn reference_force(&self, declared: f64) -> f64 {
-        let [least, most] = AS_DECLARED.map(|share| share * declared);
         match self.pressed {
-            Some(pressed) if !(least..=most).contains(&pressed) => pressed,
+            Some(pressed) if !self.is_as_declared => pressed,
             _ => declared,
         }
     }
@@ -280,6 +298,8 @@ struct SlidingContact {
     /// Pieces that slide on the plane, and calm ones above it.
     on: Vec<usize>,
     free: Vec<usize>,
+    /// Pieces that slide on it, or as far off as the tool gives way under another force.
+    near: Vec<usize>,
     /// Mean force on the plane less that above it, in the sensor's axes [N].
     step: Vector3,
     /// The surface's normal in the axes of the tool, as a mean over the contact.
@@ -305,6 +325,10 @@ impl Scene<'_> {
         let free: Vec<usize> = (indices())
             .filter(|&i| self.calm[i] && distances[i] > clear)
             .collect();
+        let reach = SLIDING_DISTANCE + self.config.nominal_compression();
+        let near: Vec<usize> = indices()
+            .filter(|&i| self.slides[i] && distances[i].abs() <= reach)
+            .collect();
         if on.len() < self.config.plane.min_points || free.len() < MIN_CALM {
             return None;
         }
@@ -312,7 +336,9 @@ impl Scene<'_> {
         let pieces = shifted(self.pieces, clock_offset);
         let axes = sensor_axes(&pieces, &on, &free);
         let (bias, _) = bias_and_noise(&pieces, &free, axes);
-        let forces = on.iter().map(|&i| axes.of(&pieces[i], pieces[i].force) - bias);
+        let forces = on
+            .iter()
+            .map(|&i| axes.of(&pieces[i], pieces[i].force) - bias);
         let forces: Vec<Vector3> = forces.collect();
         let step = forces.iter().sum::<Vector3>() / forces.len() as f64;
         let size = step.norm();
@@ -344,6 +370,7 @@ impl Scene<'_> {
             weight: pressed * on.iter().map(|&i| lasts(&pieces, i)).sum::<f64>(),
             on,
             free,
+            near,
         })
     }
 }
@@ -354,7 +381,9 @@ fn sensor_axes(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> Sensor
     let variation = |axes: SensorAxes| {
         let (bias, _) = bias_and_noise(pieces, free, axes);
         let of = |some: &[usize]| {
-            let forces = some.iter().map(|&i| axes.of(&pieces[i], pieces[i].force) - bias);
+            let forces = some
+                .iter()
+                .map(|&i| axes.of(&pieces[i], pieces[i].force) - bias);
             let forces: Vec<Vector3> = forces.collect();
             let mean = forces.iter().sum::<Vector3>() / forces.len() as f64;
             let squares = forces.iter().map(|force| (force - mean).norm_squared());
@@ -376,7 +405,12 @@ fn clock_offset(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> f64 {
     let time = |i: usize| 0.5 * (pieces[i].time[0] + pieces[i].time[1]);
     // No more than the usual force of contact counts: a push or a blow says nothing of the clock.
     let (resting, _) = bias_and_noise(pieces, free, SensorAxes::Surface);
-    let sizes = on.iter().map(|&i| ((pieces[i].force - resting).norm(), f64::from(pieces[i].samples)));
+    let sizes = on.iter().map(|&i| {
+        (
+            (pieces[i].force - resting).norm(),
+            f64::from(pieces[i].samples),
+        )
+    });
     let usual = median(sizes.collect());
     let clipped = |i: usize| (pieces[i].force - resting).cap_magnitude(usual);
     // Integral of the force over time, at the middle of each piece.
@@ -413,7 +447,13 @@ fn clock_offset(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> f64 {
     let best = offsets.map(|offset| (contrast(offset), offset));
     let best = best.max_by(|a, b| (a.0.total_cmp(&b.0)).then(b.1.abs().total_cmp(&a.1.abs())));
     match best {
-        Some((most, offset)) if offset.abs() >= least && most > CLOCK_GAIN * aligned => offset,
+        Some((most, offset))
+            if offset.abs() >= least
+                && most > CLOCK_GAIN * aligned
+                && most > CLOCK_CONTRAST * usual =>
+        {
+            offset
+        }
         _ => 0.0,
     }
 }
@@ -561,16 +601,17 @@ fn neighbours(pieces: &[MeasuredPiece], i: usize) -> Option<[usize; 2]> {
 fn bias_and_noise(pieces: &[MeasuredPiece], free: &[usize], axes: SensorAxes) -> (Vector3, f64) {
     let of = |i: usize| axes.of(&pieces[i], pieces[i].force);
     let weight = |i: usize| f64::from(pieces[i].samples);
-    let bias = Vector3::from_fn(|row, _| {
-        median(free.iter().map(|&i| (of(i)[row], weight(i))).collect())
-    });
+    let bias =
+        Vector3::from_fn(|row, _| median(free.iter().map(|&i| (of(i)[row], weight(i))).collect()));
     let sizes = free.iter().map(|&i| ((of(i) - bias).norm(), weight(i)));
     (bias, NOISE_BY_MEDIAN * median(sizes.collect()))
 }
 
 /// How long a piece lasts, up to the next [s].
 fn lasts(pieces: &[MeasuredPiece], i: usize) -> f64 {
-    let end = pieces.get(i + 1).map_or(pieces[i].time[1], |next| next.time[0]);
+    let end = pieces
+        .get(i + 1)
+        .map_or(pieces[i].time[1], |next| next.time[0]);
     (end - pieces[i].time[0]).min(LONGEST_MEAN)
 }
 
@@ -599,17 +640,18 @@ fn median(mut weighed: Vec<(f64, f64)>) -> f64 {
 
 /// Standard deviation of values with weights about a middle, by the median of their distances from it.
 fn spread(weighed: Vec<(f64, f64)>, middle: f64) -> f64 {
-    let distances = weighed.into_iter().map(|(value, weight)| ((value - middle).abs(), weight));
+    let distances = weighed
+        .into_iter()
+        .map(|(value, weight)| ((value - middle).abs(), weight));
     1.4826 * median(distances.collect())
 }
 
 /// The value about which most of the weight lies: halves of the sample with the least width, one in the other (Robertson and
 /// Cryer, 1974). Nothing of no values.
-fn mode(weighed: Vec<(f64, f64)>) -> Option<f64> {
-    let mut values: Vec<f64> = weighed.into_iter().map(|(value, _)| value).collect();
+fn mode(mut values: Vec<f64>) -> Option<f64> {
     values.sort_unstable_by(f64::total_cmp);
     let mut part = &values[..];
-    // Below a tenth of a newton or of the sample, which half is the narrower is chance.
+    // Of an eighth of the sample, which half is the narrower is chance.
     while part.len() > 8.max(values.len() / 8) {
         let half = part.len().div_ceil(2);
         let width = |first: usize| part[first + half - 1] - part[first];

@@ -51,7 +51,8 @@ pub struct PathPiece {
     pub normal_force: f64,
     /// Mean size of the force along the surface [N].
     pub tangential_force: f64,
-    /// f′ in [0, 1] (9).
+    /// f′ (9), at least 0: over the nominal force, or over that with which the tool mostly pressed in this log if it is
+    /// another. At most 1, or the declared nominal force over that one if it is smaller.
     pub normalized_force: f64,
     /// Mean distance of the tool centre point from the fitted plane, positive outside [m]; from the believed
     /// surface where no plane was found. A tool that gives way touches from its compression depth down.
