@@ -106,7 +106,8 @@ fn the_humanoid_follows_the_board() {
     );
     let motions = following["motions"].as_array().expect("a list");
     let ends = motions.last().expect("a motion")["end_s"].as_f64();
-    assert_eq!(ends, Some(number("execution_time_s")));
+    // What is executed lasts to the end of the controller's period.
+    assert!((ends.unwrap() - number("execution_time_s")).abs() < 2e-3);
 
     let message = json(&result.join("trajectories/trajectory.json"));
     let from_yaml = blocks(&read(&result.join("trajectories/trajectory.yaml")));

@@ -25,8 +25,8 @@ pub(super) fn summary(prepared: &Prepared, results: &Results, out: &Path) -> Sum
     let execution = LoopSummary::new(results.rounds.iter().map(summary_of_round).collect());
     let [in_contact, in_all] = match &execution {
         Some(rounds) => [
-            rounds.total(|round| round.distance_in_contact_m),
-            rounds.total(|round| round.distance_total_m),
+            rounds.total(|round| round.distance_in_contact_m) + 0.0,
+            rounds.total(|round| round.distance_total_m) + 0.0,
         ],
         None => [plan.contact_distance(), plan.total_distance()],
     };

@@ -543,11 +543,18 @@ impl<'a> Session<'a> {
             round: *number,
             audit: &audit,
         });
-        if audit.faults.is_empty() {
+        let is_empty = followed.strokes.is_empty();
+        if audit.faults.is_empty() && !is_empty {
             self.state = State::Audited(planned, audit);
             return Ok(Stage::Audited);
         }
-        let ended = self.end(Some(Verdict::UnsafeMotion), observer);
+        // A motion without a stroke moves nothing, and nothing is ordered of the robot.
+        let verdict = if audit.faults.is_empty() {
+            Verdict::NoWay
+        } else {
+            Verdict::UnsafeMotion
+        };
+        let ended = self.end(Some(verdict), observer);
         self.state = State::Ended(Some(Box::new((*planned, audit))));
         Ok(ended)
     }
