@@ -4,6 +4,7 @@ use crate::args::GlobalArgs;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::time::Duration;
+use wisch::source_location::visible;
 
 /// How often the spinner turns.
 const TICK: Duration = Duration::from_millis(100);
@@ -42,7 +43,8 @@ impl Progress {
 
     /// Says what is being done now.
     pub fn say(&self, what: impl Into<std::borrow::Cow<'static, str>>) {
-        self.spinner.set_message(what);
+        let what = what.into();
+        self.spinner.set_message(visible(&what).into_owned());
     }
 }
 

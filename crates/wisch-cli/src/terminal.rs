@@ -6,6 +6,7 @@ use std::ffi::OsString;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::atomic::{AtomicBool, Ordering};
+use wisch::source_location::visible;
 
 /// How a command that worked ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,6 +24,9 @@ static QUIET: AtomicBool = AtomicBool::new(false);
 /// Whether one machine-readable result is asked for.
 static JSON: AtomicBool = AtomicBool::new(false);
 
+/// Whether a result was printed.
+static PRINTED: AtomicBool = AtomicBool::new(false);
+
 const EXIT_DONE: u8 = 0;
 const EXIT_GOAL_NOT_MET: u8 = 1;
 const EXIT_ERROR: u8 = 2;
@@ -36,9 +40,10 @@ pub fn run(args: &[OsString], program: impl FnOnce() -> Result<Outcome, Failure>
             .location()
             .map_or_else(String::new, |at| format!(" at {}:{}", at.file(), at.line()));
         let cause = info.payload_as_str().unwrap_or("no message");
-        complain(&format!(
-            "internal error{place}: {cause}\n  help: this is a fault of wisch, not of your files; please report it"
-        ));
+        let error = format!("internal error{place}: {cause}");
+        let help = "this is a fault of wisch, not of your files; please report it";
+        print_json_error(&error, Some(help));
+        complain(&visible(&format!("{error}\n  help: {help}")));
     }));
     // Unwinding, unlike leaving from the hook, lets unfinished output folders be removed.
     match panic::catch_unwind(AssertUnwindSafe(program)) {
@@ -83,9 +88,10 @@ pub fn complain_of(failure: &Failure) {
     };
     print_json_error(&failure.to_string(), failure.help());
     let help = failure.help().map_or_else(String::new, |help| {
-        format!("\n  {green}help:{plain} {help}")
+        format!("\n  {green}help:{plain} {}", visible(help))
     });
-    complain(&format!("{red}error:{plain} {failure}{help}"));
+    let sentence = failure.to_string();
+    complain(&format!("{red}error:{plain} {}{help}", visible(&sentence)));
 }
 
 /// Ends the program with the help that was asked for, or with what is wrong with the command line.
@@ -98,9 +104,9 @@ pub fn refuse(error: &clap::Error) -> ! {
     error.exit()
 }
 
-/// Where one machine-readable result is asked for, prints the error as that.
+/// Where one machine-readable result is asked for and none was printed, prints the error as that.
 fn print_json_error(error: &str, help: Option<&str>) {
-    if JSON.load(Ordering::Relaxed) {
+    if JSON.load(Ordering::Relaxed) && !PRINTED.load(Ordering::Relaxed) {
         // Whoever reads it may have gone away.
         let _ = print(&format!(
             "{}\n",
@@ -109,8 +115,10 @@ fn print_json_error(error: &str, help: Option<&str>) {
     }
 }
 
-/// Prints to standard output. A reader that has gone away, as `head` does, is no error.
+/// Prints to standard output, without control characters. A reader that has gone away, as `head` does, is no error.
 pub fn print(text: &str) -> Result<(), Failure> {
+    PRINTED.store(true, Ordering::Relaxed);
+    let text = visible(text);
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
@@ -123,7 +131,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
 /// Tells people something besides the results, on standard error, unless only errors are asked for.
 pub fn remark(text: &str) {
     if !QUIET.load(Ordering::Relaxed) {
-        complain(&format!("note: {text}"));
+        complain(&format!("note: {}", visible(text)));
     }
 }
 

@@ -16,6 +16,7 @@ mod lock_files;
 mod memory;
 mod memory_faults;
 mod memory_import;
+mod plain_output;
 mod plans;
 mod program;
 mod recording;
@@ -25,5 +26,6 @@ mod rounds;
 mod signals;
 #[cfg(unix)]
 mod studio;
+mod units;
 mod wipings;
 mod wrong_inputs;

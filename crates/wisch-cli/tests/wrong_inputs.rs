@@ -182,7 +182,7 @@ fn toml_cases() -> Vec<Case> {
             "10^9 particles",
             "count = 80",
             "count = 1000000000",
-            &["count = 1000000000 is outside its limits", "20000000"],
+            &["count = 1000000000 is outside its limits", "5000000"],
         ),
         task(
             "no particles",

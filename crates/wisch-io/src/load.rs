@@ -5,7 +5,7 @@ use crate::digest::InputDigest;
 use crate::error::Error;
 use crate::particles::{ParticleSource, observed_in_image, observed_in_list};
 use crate::robots::Robot;
-use crate::task_file::{Intent, TaskFile};
+use crate::task_file::{Intent, TaskFile, unit_remarks};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use wisch::follow::FollowConfig;
@@ -50,7 +50,8 @@ pub struct LoadedTask {
     pub text: String,
     /// The task file.
     pub file: TaskFile,
-    /// What had to be assumed of a tool, medium or interaction that the file defines: a sentence each.
+    /// What had to be assumed of a tool, medium or interaction that the file defines, and what is most likely in other units: a
+    /// sentence each.
     pub assumptions: Vec<String>,
     /// The task.
     pub task: Task,
@@ -287,6 +288,7 @@ pub fn task_of_text(
     )?;
     let steep = let_slide(&mut task, &knowledge);
     assumptions.extend(steep.map(|steep| steep.to_string()));
+    assumptions.extend(unit_remarks(&task));
     let real_places = file.real_places(&task, &mut |path| taken_in(path, files(path)))?;
     let mut inputs = inputs.into_inner();
     inputs.add("action", chosen.action.as_str());

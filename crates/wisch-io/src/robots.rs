@@ -6,7 +6,10 @@ use crate::error::Error;
 use crate::task_file::RobotDescription;
 use include_dir::{Dir, include_dir};
 use std::path::{Path, PathBuf};
-use wisch::robot::{Appearance, CapabilityMap, RobotHash, RobotModel, Srdf};
+use wisch::robot::{
+    ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, Appearance, CapabilityMap, Diagnostic, DiagnosticKind,
+    JointKind, READY_STATE, RobotHash, RobotModel, Severity, Srdf,
+};
 use wisch::run::Performer;
 use wisch::source_location::UnknownName;
 
@@ -66,6 +69,64 @@ impl Robot {
             srdf: self.srdf.as_ref(),
             map: self.map.as_ref(),
         }
+    }
+
+    /// What is to be said before it is used, a sentence each: what is most likely in other units, what its SRDF has of another
+    /// robot, and what had to be assumed of it.
+    ///
+    /// ```
+    /// # let urdf = concat!(env!("CARGO_MANIFEST_DIR"), "/../../robots/arm7.urdf");
+    /// assert!(wisch_io::Robot::load(urdf)?.remarks().is_empty());
+    /// # Ok::<(), wisch_io::Error>(())
+    /// ```
+    pub fn remarks(&self) -> Vec<String> {
+        let is_told = |found: &&Diagnostic| {
+            let is_unit = matches!(
+                found.kind,
+                DiagnosticKind::Units | DiagnosticKind::MeshScale
+            );
+            is_unit || found.kind == DiagnosticKind::Srdf && found.severity == Severity::Warning
+        };
+        let passed_over = self.srdf.iter().flat_map(|srdf| &srdf.passed_over);
+        let found = self.model.diagnostics().iter().chain(passed_over);
+        let mut remarks: Vec<String> = found.filter(is_told).map(Diagnostic::to_string).collect();
+        let model = &self.model;
+        let rates = [
+            (JointKind::Revolute, "rad", ASSUMED_TURN_RATES),
+            (JointKind::Prismatic, "m", ASSUMED_SLIDE_RATES),
+        ];
+        for (kind, unit, [velocity, acceleration]) in rates {
+            for (what, unit, assumed) in [
+                ("velocity", format!("{unit}/s"), velocity),
+                ("acceleration", format!("{unit}/s2"), acceleration),
+            ] {
+                let joints: Vec<&str> = (0..model.dof())
+                    .map(|i| model.variable(i))
+                    .filter(|joint| joint.kind == kind)
+                    .filter(|joint| match what {
+                        "velocity" => joint.limits.velocity.is_none(),
+                        _ => joint.limits.acceleration.is_none(),
+                    })
+                    .map(|joint| joint.name.as_str())
+                    .collect();
+                if !joints.is_empty() {
+                    remarks.push(format!(
+                        "robot {:?}: its URDF gives no {what} limit for {}: {assumed} {unit} is assumed",
+                        model.name(),
+                        joints.join(", ")
+                    ));
+                }
+            }
+        }
+        if let Some(srdf) = &self.srdf
+            && !(srdf.states.iter()).any(|state| state.name.starts_with(READY_STATE))
+        {
+            remarks.push(format!(
+                "robot {:?}: its SRDF has no posture \"{READY_STATE}\": motions begin in the middle of the joints' limits",
+                model.name()
+            ));
+        }
+        remarks
     }
 
     /// Reads what it looks like: of its files as they are now.

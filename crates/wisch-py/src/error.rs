@@ -140,14 +140,14 @@ fn of_task(error: &TaskError) -> Details {
             },
             _ => at(place),
         },
-        TaskError::MeshTooLarge {
+        TaskError::MeshScale {
             at: place,
             extent,
-            limit,
+            limits: [least, most],
             ..
         } => Details {
             value: Some(extent.to_string()),
-            limit: Some(limit.to_string()),
+            limit: Some(format!("{least} to {most}")),
             ..at(place)
         },
         TaskError::Schema { at: place, found } => Details {

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use wisch::geometry::Point2;
 use wisch::represent::Tool;
+use wisch::source_location::visible;
 
 /// Space round the drawing, as a share of the collision sphere's diameter.
 const MARGIN: f64 = 0.1;
@@ -77,7 +78,8 @@ fn round_length(length: f64) -> f64 {
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
+    visible(text)
+        .replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")
 }

@@ -1,5 +1,6 @@
 //! Where a text says something, and what to answer when it names something unknown.
 
+use std::borrow::Cow;
 use std::fmt;
 
 /// A place in a text that was handed in, printed as `file:line:column`.
@@ -36,6 +37,33 @@ impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}:{}", self.file, self.line, self.column)
     }
+}
+
+/// A text with its control characters, and those that turn the direction of writing, as `\u` and four hexadecimal digits, but for
+/// line breaks and tabs: what a stranger's file holds moves no cursor and hides nothing. JSON stays the same value.
+///
+/// ```
+/// use wisch::source_location::visible;
+/// assert_eq!(visible("a cup\n"), "a cup\n");
+/// assert_eq!(visible("\u{1b}[2Jcup"), "\\u001b[2Jcup");
+/// ```
+pub fn visible(text: &str) -> Cow<'_, str> {
+    let is_plain = |c: char| {
+        let turns = matches!(c, '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}');
+        matches!(c, '\n' | '\t') || !(c.is_control() || turns)
+    };
+    if text.chars().all(is_plain) {
+        return Cow::Borrowed(text);
+    }
+    let mut shown = String::with_capacity(text.len() + 16);
+    for c in text.chars() {
+        if is_plain(c) {
+            shown.push(c);
+        } else {
+            shown += &format!("\\u{:04x}", u32::from(c));
+        }
+    }
+    Cow::Owned(shown)
 }
 
 /// A name that nothing known bears, with the nearest that is known.

@@ -12,6 +12,7 @@ mod house;
 mod ik;
 mod interpret;
 mod learn;
+mod limits;
 mod plan;
 mod robot;
 mod scenarios;

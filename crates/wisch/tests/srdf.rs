@@ -2,7 +2,7 @@
 
 use crate::clearance::{HUMANOID, committed, robot, srdf};
 use proptest::prelude::*;
-use wisch::robot::{CollisionModel, Srdf};
+use wisch::robot::{CollisionModel, Severity, Srdf};
 
 #[test]
 fn the_shipped_srdf_files_are_valid() {
@@ -93,11 +93,6 @@ fn faults_of_an_srdf_are_found_and_placed() {
             "arm.srdf:3:40: <joint value=\"NaN\">: expected a number",
         ),
         (
-            "link_2\"",
-            "link_99\"",
-            "arm.srdf:4:3: unknown link \"link_99\"; nearest: link_",
-        ),
-        (
             "</group_state>",
             "<joint name=\"joint_1\" value=\"0\"/></group_state>",
             "arm.srdf:3:75: joint \"joint_1\" is there twice",
@@ -115,6 +110,44 @@ fn faults_of_an_srdf_are_found_and_placed() {
             .to_string();
         assert!(message.starts_with(expected), "{message}\n{expected}");
     }
+}
+
+#[test]
+fn pairs_and_postures_that_harm_no_group_are_passed_over() {
+    let robot = robot("arm7");
+    for (good, bad, expected, severity) in [
+        (
+            "link_2\"",
+            "link_99\"",
+            "arm.srdf:4:3: robot: unknown link \"link_99\"; nearest: link_",
+            Severity::Warning,
+        ),
+        (
+            "  <disable",
+            "<group name=\"hand\"><joint name=\"finger\"/></group><group_state name=\"open\" group=\"hand\"><joint name=\"finger\" value=\"0\"/></group_state>  <disable",
+            "arm.srdf:4:50: robot: posture \"open\": the robot has no joint \"finger\"",
+            Severity::Note,
+        ),
+        (
+            "  <disable",
+            "<group_state name=\"folded\" group=\"\"/>  <disable",
+            "arm.srdf:4:1: robot: posture \"folded\": it is of no group",
+            Severity::Note,
+        ),
+    ] {
+        let text = ARM.replacen(good, bad, 1);
+        let srdf = Srdf::parse("arm.srdf", &text, &robot).unwrap();
+        assert_eq!(srdf.states.len(), 1);
+        let [found] = &srdf.passed_over[..] else {
+            panic!("{:?}", srdf.passed_over);
+        };
+        assert!(found.to_string().starts_with(expected), "{found}");
+        assert_eq!(found.severity, severity);
+        assert!(Srdf::check("arm.srdf", &text, &robot).contains(found));
+    }
+    // The posture in which the robot waits is read as it is meant, or not at all.
+    let ready = ARM.replace("\"home\" group=\"arm\"", "\"ready\" group=\"arm\"");
+    Srdf::parse("arm.srdf", &ready.replace("joint_1", "joint_9"), &robot).unwrap_err();
 }
 
 #[test]

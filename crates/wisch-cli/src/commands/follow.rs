@@ -4,6 +4,7 @@ use super::prepare::Prepared;
 use super::words::percent;
 use crate::args::{RobotArgs, TaskArgs};
 use crate::failure::Failure;
+use crate::terminal::remark;
 use wisch::follow::{
     AbandonedNode, Audit, FollowConfig, FollowError, Followed, Workcell, WorkcellConfig, follow,
 };
@@ -161,11 +162,11 @@ fn no_robot(args: &RobotArgs) -> Result<(), Failure> {
     }
 }
 
-/// The robot, as it is described.
+/// The robot, as it is described; says what is odd about it and what is assumed of it.
 pub fn performer(chosen: &Chosen<'_>, task_args: &TaskArgs) -> Result<Robot, Failure> {
     let Chosen { record, args } = chosen;
     let task_file = &task_args.task;
-    Robot::read(
+    let robot = Robot::read(
         &record.description,
         task_file,
         args.map.as_deref(),
@@ -174,7 +175,9 @@ pub fn performer(chosen: &Chosen<'_>, task_args: &TaskArgs) -> Result<Robot, Fai
     .map_err(|error| match args.robot {
         Some(_) => Failure::from(error),
         None => Failure::from(error).within(task_file),
-    })
+    })?;
+    robot.remarks().iter().for_each(|text| remark(text));
+    Ok(robot)
 }
 
 /// Which part of the robot wipes, and where the robot stands.

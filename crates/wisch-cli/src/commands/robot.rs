@@ -6,7 +6,11 @@ use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
 use serde::Serialize;
 use std::path::PathBuf;
-use wisch::robot::{Appearance, Diagnostic, RobotModel, Severity, Srdf, Subject, check};
+use wisch::robot::{
+    Appearance, Diagnostic, DiagnosticKind, GroupState, READY_STATE, RobotModel, Severity, Srdf,
+    Subject, check,
+};
+use wisch::source_location::Place;
 use wisch_io::{read_text, robot_meshes};
 
 /// The schema of the object that `--json` prints.
@@ -78,6 +82,7 @@ pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome
             let text = read_text(&path)?;
             let name = path.display().to_string();
             findings.extend(Srdf::check(&name, &text, robot));
+            findings.extend(no_ready(&name, &text, robot));
             Some(name)
         }
         _ => None,
@@ -115,6 +120,21 @@ pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome
             ),
         })),
     }
+}
+
+/// A note on an SRDF without the posture in which the robot waits.
+fn no_ready(name: &str, text: &str, robot: &RobotModel) -> Option<Diagnostic> {
+    let srdf = Srdf::parse(name, text, robot).ok()?;
+    let is_ready = |state: &GroupState| state.name.starts_with(READY_STATE);
+    (!srdf.states.iter().any(is_ready)).then(|| Diagnostic {
+        severity: Severity::Note,
+        at: Place::at_offset(name, text, 0),
+        subject: Subject::Robot,
+        kind: DiagnosticKind::Srdf,
+        value: format!("no posture is named \"{READY_STATE}\""),
+        limit: "a <group_state> of that name, in which motions begin and end".to_owned(),
+        advice: "add one; without it they begin in the middle of the joints' limits".to_owned(),
+    })
 }
 
 /// The SRDF that is named, or lies beside the URDF.

@@ -29,6 +29,9 @@ use wisch_io::{Found, Leftover, Replaceable};
 use wisch_io::{PlanRecord, read_text};
 use wisch_report::EffectFrames;
 
+/// Most particles of a run: the least members of a belief take 2 GiB for so many.
+const MOST_IN_A_RUN: usize = 1_000_000;
+
 /// How far to go.
 #[derive(Debug, Clone, Copy)]
 enum Extent<'a> {
@@ -99,6 +102,10 @@ fn work(
     extent: Extent<'_>,
     global: &GlobalArgs,
 ) -> Result<Outcome, Failure> {
+    if results.json && extent.has_events_on_stdout() {
+        let failure = Failure::new("--json and --events - both take standard output");
+        return Err(failure.with_help("write the events to a file: --events FILE"));
+    }
     let progress = Progress::start(global);
     progress.say("reading the task");
     let mut task_args = in_evaluations(task_args)?;
@@ -121,6 +128,14 @@ fn work(
                 .with_help("add a [robot] table to the task, or name a robot with --robot")
         })?),
     };
+    let particles = prepared.task.particles.len();
+    if matches!(extent, Extent::Run(..)) && chosen.is_some() && particles > MOST_IN_A_RUN {
+        let problem = format!(
+            "{particles} particles exceed the limit of {MOST_IN_A_RUN} for a run, whose belief holds them many times"
+        );
+        let failure = prepared.failure(task_args, problem);
+        return Err(failure.with_help("plan, predict and follow take more"));
+    }
     let given = plan_file
         .map(|path| given_plan(path, &mut prepared))
         .transpose()?;

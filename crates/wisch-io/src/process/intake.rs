@@ -3,7 +3,7 @@
 use super::printable::printable;
 use serde::Deserialize;
 use wisch::geometry::{Point2, Polygon, Pose, Region, Vector3};
-use wisch::represent::{MAX_PARTICLES, Observation};
+use wisch::represent::{MAX_DETECTIONS, Observation};
 use wisch::run::{
     Ending, Execution, MotionOrder, SampleSink, StopCause, TelemetrySample, TrajectoryClock, Wrench,
 };
@@ -171,11 +171,11 @@ impl ObservationRecord {
     /// The observation.
     ///
     /// # Errors
-    /// A number that is none or farther away than anything can be seen, more detections than there may be particles, a
+    /// A number that is none or farther away than anything can be seen, more than [`MAX_DETECTIONS`] detections, a
     /// polygon without three corners, or polygons with more corners than are looked at.
     pub fn into_observation(self) -> Result<Observation, String> {
         let counts = [
-            ("detections", self.detections.len(), MAX_PARTICLES),
+            ("detections", self.detections.len(), MAX_DETECTIONS),
             (
                 "corners of hidden polygons",
                 self.hidden.iter().map(Vec::len).sum(),

@@ -263,10 +263,7 @@ impl TaskFile {
         let at = interaction
             .as_ref()
             .map_or(&self.tool_at, |overrides| &overrides.at);
-        let unknown = |error: KnowledgeError| TaskError::Knowledge {
-            at: at.clone(),
-            error: Box::new(error),
-        };
+        let unknown = |error: KnowledgeError| self.unknown(error, at);
         let known = match knowledge.interaction(tool, medium, surface) {
             Ok(known) => Some(known.clone()),
             Err(KnowledgeError::NoInteraction { .. }) => None,

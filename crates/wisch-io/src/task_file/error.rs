@@ -96,7 +96,7 @@ pub enum TaskError {
         problem: String,
     },
     /// The knowledge base does not have what the task asks for.
-    #[error("{at}: {error}")]
+    #[error("{at}: {error}{}", or_define(error))]
     Knowledge {
         /// Where the task asks for it.
         at: Place,
@@ -124,20 +124,18 @@ pub enum TaskError {
         error: MeshError,
     },
     /// A mesh that was most likely drawn in other units.
-    #[error(
-        "{at}: mesh {file:?} is {extent:.0} m long, above the limit of {limit} m: it is probably in millimetres, use scale = {scale}"
-    )]
-    MeshTooLarge {
+    #[error("{at}: mesh {file:?} is {extent} m long, expected {} m to {} m: {advice}", limits[0], limits[1])]
+    MeshScale {
         /// Where the task names it.
         at: Place,
         /// Its path.
         file: String,
         /// Its longest side after scaling [m].
         extent: f64,
-        /// The greatest it may be [m].
-        limit: f64,
-        /// The scale that would make it a drawing in millimetres.
-        scale: f64,
+        /// The least and the greatest that it may be [m].
+        limits: [f64; 2],
+        /// In which unit it probably is, and what to do.
+        advice: String,
     },
     /// The tool leaves no footprint.
     #[error("{at}: tool {tool:?}: {error}")]
@@ -159,6 +157,19 @@ pub enum TaskError {
         #[source]
         error: ParticleSourceError,
     },
+}
+
+/// How a task file says itself what the knowledge base does not have.
+fn or_define(error: &KnowledgeError) -> &'static str {
+    let KnowledgeError::Unknown(unknown) = error else {
+        return "";
+    };
+    match unknown.kind {
+        "tool" => "; or give footprint_m or mesh, which defines it here",
+        "medium" => "; or give kind, which defines it here",
+        "surface" => "; or give friction, which defines it here",
+        _ => "",
+    }
 }
 
 fn in_table(table: &str) -> String {

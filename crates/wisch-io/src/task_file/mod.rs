@@ -20,13 +20,14 @@ pub use disturbance::{FrictionChange, Moment, Push};
 pub use error::TaskError;
 pub use execution::{CameraRecord, DirtRecord, ExecutionRecord, Perception, RealDirt};
 pub use resolve::ReadFile;
+pub(crate) use resolve::unit_remarks;
 
 use crate::particles::ParticleSource;
 use definitions::Definitions;
 use wisch::follow::WorkcellConfig;
 use wisch::geometry::{Point2, Pose, Vector3};
 use wisch::plan::HeadingRule;
-use wisch::represent::{Action, ScenePart, Surface, Task, Treatment};
+use wisch::represent::{Action, KnowledgeError, ScenePart, Surface, Task, Treatment};
 use wisch::run::{AfterStop, Pace};
 use wisch::source_location::Place;
 
@@ -168,6 +169,27 @@ enum Shape {
     Sphere { radius: f64 },
     Capsule { radius: f64, height: f64 },
     Mesh { at: Place, file: String, scale: f64 },
+}
+
+impl TaskFile {
+    /// What the knowledge base does not have, at the place where the file names it; `elsewhere` is the place of what has none
+    /// of its own.
+    fn unknown(&self, error: KnowledgeError, elsewhere: &Place) -> TaskError {
+        let kind = match &error {
+            KnowledgeError::Unknown(unknown) => unknown.kind,
+            _ => "",
+        };
+        let at = match kind {
+            "tool" => &self.tool_at,
+            "medium" => &self.medium_at,
+            "surface" => &self.surface.at,
+            _ => elsewhere,
+        };
+        TaskError::Knowledge {
+            at: at.clone(),
+            error: Box::new(error),
+        }
+    }
 }
 
 impl TaskFile {

@@ -3,13 +3,13 @@
 use super::{Frame, ObjectRecord, RealDirt, Shape, TaskError, TaskFile};
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
 use wisch::geometry::{
-    Bounds2, Mesh, MeshError, MeshFormat, Point2, Point3, Polygon, RIGID_DEPTH, Region, Vector2,
-    Vector3, footprint,
+    Bounds2, LikelyUnit, Mesh, MeshError, MeshFormat, Point2, Point3, Polygon, RIGID_DEPTH, Region,
+    Vector2, Vector3, footprint,
 };
 use wisch::represent::{
-    Action, DirtArea, Interaction, KnowledgeBase, KnowledgeError, OccupiedArea,
-    ParticleDistribution, SceneObject, ScenePart, Task, Tool, ToolEntry, ToolMesh, Treatment,
-    cluster_particles, surface_cells, uniform_particles,
+    Action, DirtArea, Interaction, KnowledgeBase, OccupiedArea, ParticleDistribution, SceneObject,
+    ScenePart, Task, Tool, ToolEntry, ToolMesh, Treatment, cluster_particles, surface_cells,
+    uniform_particles,
 };
 use wisch::source_location::Place;
 
@@ -18,10 +18,14 @@ pub type ReadFile<'a> = dyn FnMut(&str) -> Result<Vec<u8>, String> + 'a;
 
 /// Segments round cylinders, spheres and capsules: a rim of 1 m radius is off by 2 mm.
 const SEGMENTS: u32 = 48;
-/// Nothing that stands round a wiping robot is larger [m].
-const MAX_MESH_EXTENT: f64 = 20.0;
-/// What turns a drawing in millimetres into metres.
-const METRES_PER_MILLIMETRE: f64 = 1e-3;
+/// Longest side of what stands round a wiping robot, at least and at most, and at most as a rule [m].
+const OBJECT_EXTENT: [f64; 2] = [1e-3, 20.0];
+const USUAL_OBJECT: f64 = 5.0;
+/// Longest side of a tool, at least and at most, and at least as a rule [m].
+const TOOL_EXTENT: [f64; 2] = [5e-3, 3.0];
+const USUAL_TOOL: f64 = 0.03;
+/// A mesh of the scene is told if it is longer than the surface so many times over.
+const PER_SURFACE: f64 = 10.0;
 
 impl TaskFile {
     /// The task for an action with a tool on a medium, which a goal leaves open: the mesh and the
@@ -50,22 +54,12 @@ impl TaskFile {
         knowledge_assets: &mut ReadFile<'_>,
     ) -> Result<Task, TaskError> {
         let surface = self.surface.surface.clone();
-        let known_at = |place: &Place| {
-            let at = place.clone();
-            move |error: KnowledgeError| TaskError::Knowledge {
-                at,
-                error: Box::new(error),
-            }
-        };
-        (knowledge.surface(&surface.name)).map_err(known_at(&self.surface.at))?;
-        knowledge
-            .medium(medium)
-            .map_err(known_at(&self.medium_at))?;
         let tool_at = &self.tool_at;
-        let entry = knowledge.tool(tool).map_err(known_at(tool_at))?;
-        let interaction = knowledge
-            .interaction(tool, medium, &surface.name)
-            .map_err(known_at(tool_at))?;
+        let unknown = |error| self.unknown(error, tool_at);
+        knowledge.surface(&surface.name).map_err(unknown)?;
+        knowledge.medium(medium).map_err(unknown)?;
+        let entry = knowledge.tool(tool).map_err(unknown)?;
+        let interaction = (knowledge.interaction(tool, medium, &surface.name)).map_err(unknown)?;
         if !interaction.actions.contains(&action) {
             let known: Vec<_> = interaction.actions.iter().map(|a| a.as_str()).collect();
             return Err(TaskError::Inconsistent {
@@ -94,6 +88,13 @@ impl TaskFile {
                 error,
             })?,
         };
+        if let ToolMesh::InKnowledge(file) | ToolMesh::BesideTask(file) = &entry.mesh {
+            let advice = "save the mesh in metres";
+            let usual = [USUAL_TOOL, TOOL_EXTENT[1]];
+            scale_of_mesh(&mesh, (file, tool_at), TOOL_EXTENT, usual, |_| {
+                advice.to_owned()
+            })?;
+        }
         let tool = resolved_tool(entry, mesh, interaction, tool_at)?;
         let scene = self.scene(assets)?;
         let mut task = Task {
@@ -251,6 +252,60 @@ fn parsed_mesh(assets: &mut ReadFile<'_>, at: &Place, file: &str) -> Result<Mesh
     })
 }
 
+/// Whether the longest side of a mesh is within its limits [m]; if not, the error says in which unit it probably is, one in which it
+/// is as long as is usual, and by `how` what to do about a factor to metres.
+fn scale_of_mesh(
+    mesh: &Mesh,
+    (file, at): (&str, &Place),
+    limits: [f64; 2],
+    usual: [f64; 2],
+    how: impl FnOnce(f64) -> String,
+) -> Result<(), TaskError> {
+    let [least, most] = limits;
+    let extent = mesh.extent();
+    if (least..=most).contains(&extent) {
+        return Ok(());
+    }
+    let [usually_least, usually_most] = usual;
+    let advice = match LikelyUnit::of(extent, usually_least, usually_most) {
+        Some(unit) => format!("{unit}; {}", how(unit.metres)),
+        None => "correct its scale".to_owned(),
+    };
+    Err(TaskError::MeshScale {
+        at: at.clone(),
+        file: file.to_owned(),
+        extent: rounded(extent),
+        limits,
+        advice,
+    })
+}
+
+/// A number as one writes it, without what rounding leaves.
+fn rounded(number: f64) -> f64 {
+    format!("{number:.4e}").parse().unwrap_or(number)
+}
+
+/// What is most likely drawn in other units although it is within the limits, a sentence each: objects much larger than the surface.
+pub(crate) fn unit_remarks(task: &Task) -> Vec<String> {
+    let bounds = Bounds2::of(task.surface.outline.outer().iter().copied());
+    let surface = bounds.map_or(0.0, |bounds| bounds.size().max());
+    let limit = (PER_SURFACE * surface).max(USUAL_OBJECT);
+    let large = (task.scene.iter()).filter(|object| object.mesh.extent() > limit);
+    large
+        .map(|object| {
+            let extent = object.mesh.extent();
+            let unit = LikelyUnit::of(extent, OBJECT_EXTENT[0], USUAL_OBJECT);
+            let unit = unit.map_or(String::new(), |unit| {
+                format!(": if it should be smaller, {unit}")
+            });
+            format!(
+                "scene object {:?} is {extent:.1} m long, the surface {surface:.2} m{unit}",
+                object.name
+            )
+        })
+        .collect()
+}
+
 impl ObjectRecord {
     fn mesh(&self, assets: &mut ReadFile<'_>) -> Result<Mesh, TaskError> {
         let built = match &self.shape {
@@ -263,16 +318,11 @@ impl ObjectRecord {
                 let scaled = |point: &Point3| point * *scale;
                 let vertices = mesh.vertices().iter().map(scaled).collect();
                 let mesh = Mesh::new(vertices, mesh.triangles().to_vec());
-                if let Ok(mesh) = &mesh
-                    && mesh.extent() > MAX_MESH_EXTENT
-                {
-                    return Err(TaskError::MeshTooLarge {
-                        at: at.clone(),
-                        file: file.clone(),
-                        extent: mesh.extent(),
-                        limit: MAX_MESH_EXTENT,
-                        scale: scale * METRES_PER_MILLIMETRE,
-                    });
+                if let Ok(mesh) = &mesh {
+                    let usual = [OBJECT_EXTENT[0], USUAL_OBJECT];
+                    scale_of_mesh(mesh, (file, at), OBJECT_EXTENT, usual, |metres| {
+                        format!("use scale = {}", rounded(scale * metres))
+                    })?;
                 }
                 mesh
             }

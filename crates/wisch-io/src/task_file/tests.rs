@@ -476,7 +476,7 @@ fn what_a_task_defines_must_hold_together() {
             "\"Felt pad\"",
             "5:8: tool.name: \"Felt pad\" is no name of something new",
         ),
-        ("kind = \"powder\"", "", "15:1: unknown medium \"sawdust\""),
+        ("kind = \"powder\"", "", "9:8: unknown medium \"sawdust\""),
         (
             "kind = \"powder\"",
             "kind = \"liquid\"\ngrain_size_m = [0.1, 0.1]",

@@ -18,14 +18,18 @@ const ALTERNATIVES: [&[&str]; 4] = [
 pub(super) struct Source<'a> {
     name: &'a str,
     text: &'a str,
+    /// Where its lines start [byte]: a scene of many objects asks for many places.
+    lines: Vec<usize>,
     settings: &'a [(String, String)],
 }
 
 impl<'a> Source<'a> {
     pub(super) fn new(name: &'a str, text: &'a str, settings: &'a [(String, String)]) -> Self {
+        let breaks = text.match_indices('\n').map(|(at, _)| at + 1);
         Self {
             name,
             text,
+            lines: std::iter::once(0).chain(breaks).collect(),
             settings,
         }
     }
@@ -34,7 +38,11 @@ impl<'a> Source<'a> {
     pub(super) fn place(&self, offset: usize) -> Place {
         let mut start = self.text.len() + 1;
         if offset < start {
-            return Place::at_offset(self.name, self.text, offset);
+            let before = self.lines.partition_point(|&line| line <= offset) - 1;
+            let line = &self.text[self.lines[before]..];
+            let mut place = Place::at_offset(self.name, line, offset - self.lines[before]);
+            place.line += before;
+            return place;
         }
         for (key, value) in self.settings {
             if offset < start + value.len() + 1 {

@@ -17,6 +17,13 @@ pub const RIGID_DEPTH: f64 = 1e-4;
 /// Most edges a footprint may have; a mesh that leaves more is refused.
 pub const MAX_FOOTPRINT_EDGES: usize = 100_000;
 
+/// Rings that are joined at once, and edges that this may leave: some of a batch are inside those of the next.
+const BATCH: usize = 250;
+/// Pairs of rings whose bounds overlap up to which all are joined at once, and pairs that are looked at to find that out.
+const FEW_OVERLAPS: usize = 2_000_000;
+const MOST_COMPARED: usize = 200_000_000;
+const MOST_BATCH_EDGES: usize = 4 * MAX_FOOTPRINT_EDGES;
+
 /// Pieces and holes below this area are dropped [m²]: a thousandth of a square millimetre.
 const MIN_AREA: f64 = 1e-9;
 
@@ -130,7 +137,7 @@ pub fn footprint(mesh: &Mesh, compression_depth: f64) -> Result<Region, Footprin
                 .flatten(),
         );
     }
-    let region = simplified(union(&cover, FillRule::NonZero));
+    let region = simplified(union_of_many(cover)?);
     let edges = region.edges().count();
     match edges {
         0 if gaps > 0 => Err(FootprintError::Open {
@@ -251,6 +258,68 @@ impl Segments {
         }
         chain
     }
+}
+
+/// The area that rings fill which run counter-clockwise, holes clockwise, as [`union`].
+///
+/// Of many rings that cross each other everywhere, the crossings alone would fill the memory: those of a batch are joined first, then
+/// batches two by two, so that what is covered already no longer counts.
+///
+/// # Errors
+/// If what a batch leaves has more edges than a footprint may have by far.
+fn union_of_many(rings: Vec<Ring>) -> Result<Vec<Vec<Ring>>, FootprintError> {
+    if !overlap_often(&rings) {
+        return Ok(union(&rings, FillRule::NonZero));
+    }
+    let mut batches: Vec<Vec<Ring>> = rings.chunks(BATCH).map(<[Ring]>::to_vec).collect();
+    loop {
+        let joined = batches.iter().map(|rings| {
+            let rings: Vec<Ring> = union(rings, FillRule::NonZero)
+                .into_iter()
+                .flatten()
+                .collect();
+            let edges = rings.iter().map(Vec::len).sum();
+            if edges > MOST_BATCH_EDGES {
+                return Err(FootprintError::TooManyEdges { edges });
+            }
+            Ok(rings)
+        });
+        let joined = joined.collect::<Result<Vec<_>, _>>()?;
+        batches = joined.chunks(2).map(<[Vec<Ring>]>::concat).collect();
+        if let [last] = &batches[..] {
+            return Ok(union(last, FillRule::NonZero));
+        }
+    }
+}
+
+/// Whether the bounds of more than [`FEW_OVERLAPS`] pairs of rings overlap, or it takes too long to count them.
+fn overlap_often(rings: &[Ring]) -> bool {
+    let bounds = |ring: &Ring| {
+        let [mut low, mut high] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        for point in ring {
+            for axis in 0..2 {
+                low[axis] = low[axis].min(point[axis]);
+                high[axis] = high[axis].max(point[axis]);
+            }
+        }
+        [low, high]
+    };
+    let mut bounds: Vec<[[f64; 2]; 2]> = rings.iter().map(bounds).collect();
+    bounds.sort_by(|a, b| a[0][0].total_cmp(&b[0][0]));
+    let (mut compared, mut overlaps) = (0, 0);
+    for (i, [low, high]) in bounds.iter().enumerate() {
+        for [other_low, other_high] in &bounds[i + 1..] {
+            if other_low[0] > high[0] {
+                break;
+            }
+            compared += 1;
+            overlaps += usize::from(other_low[1] <= high[1] && low[1] <= other_high[1]);
+        }
+        if overlaps > FEW_OVERLAPS || compared > MOST_COMPARED {
+            return true;
+        }
+    }
+    false
 }
 
 /// The area that the rings fill, as shapes of rings: outer ring counter-clockwise, then holes.

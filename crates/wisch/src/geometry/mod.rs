@@ -2,19 +2,23 @@
 
 mod footprint;
 mod mesh;
+mod point_grid;
 mod polygon;
 mod pose;
 mod triangulation;
+mod units;
 
 pub use footprint::{
     FootprintError, MAX_FOOTPRINT_EDGES, MIN_COMPRESSION_DEPTH, RIGID_DEPTH, footprint,
 };
 pub(crate) use mesh::{MAX_ATTRIBUTES, most_attributes};
 pub use mesh::{MAX_COORDINATE, MAX_TRIANGLES, Mesh, MeshError, MeshFormat};
+pub(crate) use point_grid::PointGrid;
 pub(crate) use polygon::encloses;
 pub use polygon::{Bounds2, Edge, Polygon, Region};
 pub use pose::{PlanarPose, Pose, wrap_angle};
 pub(crate) use triangulation::prism_below;
+pub use units::LikelyUnit;
 
 /// A point in a plane [m].
 pub type Point2 = nalgebra::Point2<f64>;

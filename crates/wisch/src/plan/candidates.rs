@@ -1,6 +1,6 @@
 //! Candidate plans for the same dirt, of which the predicted effect chooses one.
 
-use super::planner::covering;
+use super::planner::{covering, some_of};
 use super::subplans::{best_of, composed, space_of};
 use super::{CoverageStrategy, FreeSpace, Plan, PlanConfig, PlanError};
 use crate::represent::{Action, ParticleDistribution, Task};
@@ -11,6 +11,9 @@ const BANDWIDTHS: [f64; 9] = [0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.7, 2.0, 2.6];
 
 /// Corners of the surface at which strokes are begun.
 const MAX_CORNERS: usize = 8;
+
+/// Candidates are compared by their effect on no more particles than this: a random choice of more.
+pub(super) const MOST_COMPARED: usize = 5000;
 
 /// Candidate plans of a coverage strategy, at least one: the first `count` settings.
 ///
@@ -51,9 +54,10 @@ pub fn best_subplan_of_candidates(
     count: usize,
 ) -> Result<Plan, PlanError> {
     let space = space_of(task)?;
+    let task = &some_to_compare(task);
     let plans = varied_plans(
         task,
-        to_plan_on,
+        &some_of(to_plan_on, MOST_COMPARED),
         &space,
         config.strategy.covering(),
         config,
@@ -102,5 +106,17 @@ fn varied_plans(
     match failure {
         Some(error) if plans.is_empty() => Err(error),
         _ => Ok(plans),
+    }
+}
+
+/// The task with as much of its dirt as candidates are compared by; all of a surface that is treated.
+pub(super) fn some_to_compare(task: &Task) -> Task {
+    let most = match task.action.treats() {
+        true => usize::MAX,
+        false => MOST_COMPARED,
+    };
+    Task {
+        particles: some_of(&task.particles, most),
+        ..task.clone()
     }
 }

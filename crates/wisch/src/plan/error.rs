@@ -1,6 +1,6 @@
 //! Why a task cannot be planned.
 
-use super::{StrokeFault, TourError};
+use super::{MAX_NODES, StrokeFault, TourError};
 use crate::represent::Action;
 
 /// Why no plan could be made.
@@ -15,6 +15,20 @@ pub enum PlanError {
         surface: String,
         /// d_s [m].
         diameter: f64,
+    },
+    /// A surface that is too large for its tool.
+    #[error(
+        "surface \"{surface}\": {count} nodes {pitch:.4} m apart exceed the limit of {MAX_NODES}; {advice}"
+    )]
+    TooManyNodes {
+        /// Name of the surface.
+        surface: String,
+        /// How many nodes cover it.
+        count: usize,
+        /// Their distance [m].
+        pitch: f64,
+        /// What to do.
+        advice: &'static str,
     },
     /// The goal node given by the user cannot be taken.
     #[error(

@@ -42,12 +42,13 @@ impl SemanticDirectedGraph {
         self.nodes[node].position
     }
 
-    /// The node that `node` leads to, in a tree.
-    pub fn successor(&self, node: usize) -> Option<usize> {
-        self.edges
-            .iter()
-            .find(|(from, _)| *from == node)
-            .map(|&(_, to)| to)
+    /// For each node the one that it leads to, in a tree.
+    pub(crate) fn successors(&self) -> Vec<Option<usize>> {
+        let mut successors = vec![None; self.nodes.len()];
+        for &(from, to) in &self.edges {
+            successors[from].get_or_insert(to);
+        }
+        successors
     }
 
     /// Whether a particle lies within `radius` r_s [m] of a connected node or of an edge.

@@ -6,7 +6,8 @@
 
 use super::objective::objective;
 use super::{
-    FreeSpace, Node, NodeRole, Plan, PlanConfig, PlanError, SemanticDirectedGraph, Strategy, Stroke,
+    FreeSpace, MAX_NODES, Node, NodeRole, Plan, PlanConfig, PlanError, SemanticDirectedGraph,
+    Strategy, Stroke,
 };
 use crate::geometry::{PlanarPose, Point2, Vector2};
 use crate::represent::{Action, Fate, GoalState, Ground, Task, Treatment};
@@ -39,10 +40,17 @@ pub(super) fn lanes(
             action: task.action,
         });
     };
-    let plans = [0.0, FRAC_PI_2].map(|heading| {
-        let direction = Lanes::new(task, space, goal, heading, config.search.margin_m);
-        assembled(task, space, goal, config, direction.strokes())
-    });
+    let directions = [0.0, FRAC_PI_2]
+        .map(|heading| Lanes::new(task, space, goal, heading, config.search.margin_m));
+    if let Some(count) = (directions.iter().map(Lanes::most_nodes)).find(|&most| most > MAX_NODES) {
+        return Err(PlanError::TooManyNodes {
+            surface: task.surface.name.clone(),
+            count,
+            pitch: NODE_PITCH * space.radius(),
+            advice: "take a wider tool, fewer passes or a part of the surface",
+        });
+    }
+    let plans = directions.map(|lanes| assembled(task, space, goal, config, lanes.strokes()));
     let [along_x, along_y] = plans;
     let [x, y] = [&along_x, &along_y].map(|plan| (objective(task, plan), plan.contact_distance()));
     let is_along_y = y.0 > x.0 || y.0 == x.0 && y.1 < x.1;
@@ -149,6 +157,38 @@ impl<'a> Lanes<'a> {
         middles
     }
 
+    /// How many nodes the lanes have at most.
+    fn most_nodes(&self) -> usize {
+        let extent = |of: fn(&Open) -> f64| {
+            let all = self.open.iter().map(of);
+            let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
+                (low.min(at), high.max(at))
+            });
+            (high - low).max(0.0)
+        };
+        let lanes = (extent(|open| open.across) / self.strip).ceil().max(1.0);
+        let length = extent(|open| open.along) + self.tool.x;
+        let of_lane = (length / (NODE_PITCH * self.space.radius())).ceil() + 1.0;
+        let passes = self.open.iter().map(|open| open.missing).max().unwrap_or(0);
+        (lanes * of_lane * f64::from(passes)) as usize
+    }
+
+    /// For each lane the places that it goes over: a place belongs to the nearest lane, of two equally near ones to the first.
+    fn places_by_lane(&self, middles: &[f64]) -> Vec<Vec<Open>> {
+        let mut by_lane = vec![Vec::new(); middles.len()];
+        let pitch = middles.get(1).map_or(1.0, |second| second - middles[0]);
+        for open in &self.open {
+            let about = ((open.across - middles[0]) / pitch).round() as usize;
+            let near = about.saturating_sub(1)..(about + 2).min(middles.len());
+            let distance = |lane: usize| (open.across - middles[lane]).abs();
+            let nearest = near.min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
+            if let Some(lane) = nearest.filter(|&lane| distance(lane) <= self.tool.y / 2.0) {
+                by_lane[lane].push(*open);
+            }
+        }
+        by_lane
+    }
+
     /// How far across its lane a pass of several is shifted [m]: by the width in which lanes overlap, so that what one pass
     /// goes over twice, the next goes over once.
     fn shift(&self, pass: u32, passes: u32) -> f64 {
@@ -165,19 +205,10 @@ impl<'a> Lanes<'a> {
     /// The tool's poses, stroke by stroke.
     fn strokes(mut self) -> Vec<Vec<PlanarPose>> {
         let middles = self.middles();
+        let places = self.places_by_lane(&middles);
         let mut strokes: Vec<Vec<PlanarPose>> = Vec::new();
         let mut at = self.start.x;
-        for (i, &across) in middles.iter().enumerate() {
-            let nearest = |open: &&Open| {
-                let distance = |middle: f64| (open.across - middle).abs();
-                let others = middles.iter().enumerate();
-                distance(across) <= self.tool.y / 2.0
-                    && others.into_iter().all(|(j, &other)| {
-                        distance(across) < distance(other)
-                            || distance(across) == distance(other) && i <= j
-                    })
-            };
-            let mut of_lane: Vec<Open> = self.open.iter().filter(nearest).copied().collect();
+        for (&across, mut of_lane) in middles.iter().zip(places) {
             let surface = self.space.surface();
             let is_carried = |at| !matches!(surface.ground(at), Ground::Hole(_));
             of_lane.retain(|open| {

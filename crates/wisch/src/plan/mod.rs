@@ -23,7 +23,7 @@ mod tree;
 pub use candidates::best_subplan_of_candidates;
 pub use clearance::FreeSpace;
 pub use coverage::{
-    CoverageStrategy, DensityMap, KdeConfig, RrtConfig, data_bandwidth, grid, kde, rrt,
+    CoverageStrategy, DensityMap, KdeConfig, MAX_NODES, RrtConfig, data_bandwidth, grid, kde, rrt,
 };
 pub use error::PlanError;
 pub use given_strokes::{

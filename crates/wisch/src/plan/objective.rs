@@ -1,11 +1,11 @@
 //! The objective by which plans for the same dirt are compared: their predicted effect.
 
 use super::predict::LOSS;
-use super::{Plan, predict};
+use super::{Plan, Stroke};
 use crate::geometry::{Edge, Point2, Polygon, Pose, Vector2};
 use crate::represent::{
-    Fate, GoalState, HEAP_DEPTH, ParticleDistribution, ParticleField, Performance, Surface, Task,
-    heap_depth, heap_slide,
+    Effect, EffectModel, Fate, GoalState, HEAP_DEPTH, ParticleDistribution, ParticleField,
+    Performance, Surface, Task, heap_depth, heap_slide,
 };
 
 /// How many particles at the goal one takes back that comes right to an edge; within the margin in proportion.
@@ -42,11 +42,24 @@ pub(super) fn objective(task: &Task, plan: &Plan) -> i64 {
         &plan.graph.goal,
         plan.collision_radius,
     );
-    let prediction = predict(task, plan, |progress| {
-        margin.pass(progress.field);
-    });
+    let effect = plan.graph.goal.action().effect();
+    let mut field = ParticleField::new(&task.particles);
+    let mut model = EffectModel::new(&task.tool.footprint, effect);
+    let mut touched = Vec::new();
+    for motion in plan.strokes.iter().flat_map(Stroke::motions) {
+        touched.clear();
+        model.apply_where(&mut field, &task.surface, &motion, |particle, _| {
+            touched.push(particle);
+            true
+        });
+        // Only what is pushed comes near an edge.
+        if effect == Effect::Push {
+            margin.pass_of(&field, touched.iter().copied());
+        }
+    }
+    let performance = Performance::of(&field.distribution(), &plan.graph.goal, &task.surface);
     let risk = RISK * margin.nearness() + margin.beyond(&plan.graph.goal, &task.surface.outline);
-    counted(&prediction.performance) - risk.round() as i64
+    counted(&performance) - risk.round() as i64
 }
 
 /// Of some plans for the dirt of a task that with the best predicted effect; of equal ones that with the shortest way in
@@ -115,12 +128,7 @@ impl EdgeMargin {
         }
     }
 
-    /// Takes in where the particles lie after a motion.
-    pub(super) fn pass(&mut self, after: &ParticleField) {
-        self.pass_of(after, 0..self.before.len());
-    }
-
-    /// The same where only these may have moved since the last time; one may be named twice.
+    /// Takes in where these particles lie after a motion; no others have moved; one may be named twice.
     pub(super) fn pass_of(
         &mut self,
         after: &ParticleField,

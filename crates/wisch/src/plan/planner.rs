@@ -6,16 +6,27 @@ use super::lanes::lanes;
 use super::objective::best_by_objective;
 use super::tree::{branches, forest};
 use super::{
-    CostMatrix, CoverageStrategy, FreeSpace, HeadingRule, Node, NodeRole, Plan, PlanError,
-    SemanticDirectedGraph, Strategy, Stroke, TourConfig, predict, shortest_path_from,
+    CostMatrix, CoverageStrategy, FreeSpace, HeadingRule, MAX_TOUR_NODES, Node, NodeRole, Plan,
+    PlanError, SemanticDirectedGraph, Strategy, Stroke, TourConfig, TourError, predict,
+    shortest_path_from,
 };
-use crate::geometry::{Edge, Point2};
+use crate::geometry::{Bounds2, Edge, Point2};
 use crate::represent::{Action, GoalState, ParticleDistribution, Task};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
 /// Headings are chosen by their effect on no more particles than this.
 const CHOSEN_BY: usize = 2000;
+
+/// Nodes of a tile of a tour that is made of tiles.
+const TILE_NODES: usize = 500;
+/// Random kicks per node of such a tile, of which there are many.
+const TILE_KICKS: usize = 5;
+
+/// Where a goal is chosen by trying, nodes times goals that are tried at most, which is what that takes time by; and how many
+/// goals are tried however many nodes there are.
+const TRIED_GOAL_NODES: usize = 250_000;
+const FEWEST_GOALS: usize = 9;
 
 /// How nodes are placed and the tool is lifted; what is to be done with what is said by the task.
 #[derive(Debug, Clone, PartialEq)]
@@ -87,7 +98,7 @@ pub(super) fn covering(
         tool_reach: task.tool.reach(),
         seed: config.seed,
         bandwidth: config.bandwidth,
-    });
+    })?;
     if coverage.is_empty() && !particles.is_empty() {
         return Err(PlanError::NoFreeNode {
             surface: task.surface.name.clone(),
@@ -161,7 +172,11 @@ pub fn cheapest_chains(
     let nodes: Vec<Point2> = (nodes.iter())
         .map(|&node| plan.graph.position(node))
         .collect();
-    tour(&space, &nodes, start, cost, lift, seed)
+    let config = TourConfig {
+        seed,
+        ..TourConfig::default()
+    };
+    tour(&space, &nodes, start, cost, lift, &config)
 }
 
 /// Absorb: an open tour from the node nearest the tool; paper §3.2.
@@ -201,10 +216,86 @@ fn nearest_tour(
     seed: u64,
 ) -> Result<Vec<Vec<usize>>, PlanError> {
     let length = |i: usize, j: usize| (nodes[i] - nodes[j]).norm();
+    if nodes.len() > MAX_TOUR_NODES {
+        return tour_by_tiles(space, nodes, from, lift_height, seed);
+    }
+    let config = TourConfig {
+        seed,
+        ..TourConfig::default()
+    };
     match nearest(nodes, from) {
-        Some(start) => tour(space, nodes, start, length, 2.0 * lift_height, seed),
+        Some(start) => tour(space, nodes, start, length, 2.0 * lift_height, &config),
         None => Ok(Vec::new()),
     }
+}
+
+/// A tour of more nodes than one may have: tiles of at most [`TILE_NODES`] nodes are passed in columns to and fro, and each
+/// has a tour of its own from the node nearest to where the one before ends (after Karp, 1977). Time is proportional to the
+/// number of nodes.
+fn tour_by_tiles(
+    space: &FreeSpace,
+    nodes: &[Point2],
+    from: Point2,
+    lift_height: f64,
+    seed: u64,
+) -> Result<Vec<Vec<usize>>, PlanError> {
+    let mut at = from;
+    let mut chains: Vec<Vec<usize>> = Vec::new();
+    for tile in tiles(nodes, from) {
+        let places: Vec<Point2> = tile.iter().map(|&node| nodes[node]).collect();
+        let length = |i: usize, j: usize| (places[i] - places[j]).norm();
+        let Some(start) = nearest(&places, at) else {
+            continue;
+        };
+        let config = TourConfig {
+            kicks_per_node: TILE_KICKS,
+            seed,
+        };
+        for chain in tour(space, &places, start, length, 2.0 * lift_height, &config)? {
+            let chain: Vec<usize> = chain.into_iter().map(|place| tile[place]).collect();
+            let (Some(&first), Some(&last)) = (chain.first(), chain.last()) else {
+                continue;
+            };
+            at = nodes[last];
+            match chains.last_mut() {
+                Some(before)
+                    if (before.last())
+                        .is_some_and(|&end| space.is_clear_between(nodes[end], nodes[first])) =>
+                {
+                    before.extend(chain);
+                }
+                _ => chains.push(chain),
+            }
+        }
+    }
+    Ok(chains)
+}
+
+/// Numbers of nodes in tiles of neighbours, in columns to and fro from the corner nearest to a place.
+fn tiles(nodes: &[Point2], from: Point2) -> Vec<Vec<usize>> {
+    let Some(bounds) = Bounds2::of(nodes.iter().copied()) else {
+        return Vec::new();
+    };
+    let (size, center) = (bounds.size(), bounds.center());
+    let count = nodes.len().div_ceil(TILE_NODES);
+    let columns = (count as f64 * size.x / size.y.max(1e-9)).sqrt().round();
+    let columns = (columns as usize).clamp(1, count);
+    let per_column = nodes.len().div_ceil(columns);
+    let [away_x, away_y] =
+        [from.x <= center.x, from.y <= center.y].map(|is_low| if is_low { 1.0 } else { -1.0 });
+    let by = |key: &dyn Fn(usize) -> f64, numbers: &mut [usize]| {
+        numbers.sort_by(|&a, &b| key(a).total_cmp(&key(b)).then(a.cmp(&b)));
+    };
+    let mut numbers: Vec<usize> = (0..nodes.len()).collect();
+    by(&|node| away_x * nodes[node].x, &mut numbers);
+    let mut tiles = Vec::new();
+    for (column, numbers) in numbers.chunks_mut(per_column).enumerate() {
+        let up = if column % 2 == 0 { away_y } else { -away_y };
+        by(&|node| up * nodes[node].y, numbers);
+        let per_tile = numbers.len().div_ceil(numbers.len().div_ceil(TILE_NODES));
+        tiles.extend(numbers.chunks(per_tile).map(<[usize]>::to_vec));
+    }
+    tiles
 }
 
 /// An open tour of all nodes from one of them, cut where the tool is lifted.
@@ -217,8 +308,12 @@ fn tour(
     start: usize,
     cost: impl Fn(usize, usize) -> f64,
     lift: f64,
-    seed: u64,
+    config: &TourConfig,
 ) -> Result<Vec<Vec<usize>>, PlanError> {
+    if nodes.len() > MAX_TOUR_NODES {
+        let count = nodes.len();
+        return Err(TourError::TooManyNodes { count }.into());
+    }
     let mut clear = vec![true; nodes.len() * nodes.len()];
     let costs = CostMatrix::from_fn(nodes.len(), |i, j| {
         let cost = cost(i, j);
@@ -230,11 +325,7 @@ fn tour(
             2.0 * cost + lift
         }
     })?;
-    let config = TourConfig {
-        seed,
-        ..TourConfig::default()
-    };
-    let order = shortest_path_from(&costs, start, &config)?;
+    let order = shortest_path_from(&costs, start, config)?;
     let chains = order.chunk_by(|&a, &b| clear[a * nodes.len() + b]);
     Ok(chains.map(<[usize]>::to_vec).collect())
 }
@@ -264,7 +355,8 @@ fn collect(
     Ok(rooted(task, config, space, nodes, &[goal], state))
 }
 
-/// Collect without a given goal: the node with the best predicted performance, then the shortest way.
+/// Collect without a given goal: the node with the best predicted performance, then the shortest way. Of many nodes, some
+/// that are evenly spread among them are tried, fewer the more there are.
 fn best_collect(
     task: &Task,
     config: &PlanConfig,
@@ -272,7 +364,10 @@ fn best_collect(
     nodes: &[Point2],
 ) -> Result<Plan, PlanError> {
     let mut best: Option<((usize, f64), Plan)> = None;
-    for &goal in nodes {
+    let apart = nodes
+        .len()
+        .div_ceil((TRIED_GOAL_NODES / nodes.len().max(1)).max(FEWEST_GOALS));
+    for &goal in nodes.iter().step_by(apart.max(1)) {
         let plan = collect(task, config, space, nodes.to_vec(), goal)?;
         let achieved = predict(task, &plan, |_| ()).performance.achieved;
         let distance = plan.contact_distance();

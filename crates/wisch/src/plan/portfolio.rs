@@ -1,7 +1,7 @@
 //! Plans by any strategy, and the choice among them.
 
 use super::adaptive::{Judge, searched, worth as worth_to};
-use super::candidates::candidate_plans;
+use super::candidates::{MOST_COMPARED, candidate_plans, some_to_compare};
 use super::objective::best_by_objective;
 use super::planner::{covering, some_of};
 use super::subplans::space_of;
@@ -175,9 +175,14 @@ pub fn best_plan(
     match config.strategy {
         Strategy::Coverage(_) | Strategy::Lanes => {
             let strategy = config.strategy.covering();
-            let plans = candidate_plans(task, to_plan_on, &space, strategy, config, count)?;
-            let plan = best_by_objective(task, plans)
-                .map_or_else(|| covering(task, &space, strategy, config), Ok)?;
+            let few = some_to_compare(task);
+            let some = match task.action.treats() {
+                true => to_plan_on.clone(),
+                false => some_of(to_plan_on, MOST_COMPARED),
+            };
+            let plans = candidate_plans(&few, &some, &space, strategy, config, count)?;
+            let plan = best_by_objective(&few, plans)
+                .map_or_else(|| covering(&few, &space, strategy, config), Ok)?;
             let on = Task {
                 particles: to_plan_on.clone(),
                 ..task.clone()

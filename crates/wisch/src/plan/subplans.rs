@@ -10,6 +10,8 @@ use crate::represent::{GoalState, Task};
 const TOUR_SUBPLAN: f64 = 6.0;
 /// Of so many particles a subplan has to gain one to be worth its way.
 const GAIN: usize = 250;
+/// Nodes of a tree from which subplans begin, at most: of more, some that are evenly spread.
+const MAX_BEGINNINGS: usize = 500;
 /// Subplans of a plan that is made of nothing else, at most.
 const MAX_SUBPLANS: usize = 24;
 
@@ -106,14 +108,19 @@ fn best_among(task: &Task, plan: &Plan, strokes: &[Stroke]) -> Option<Found> {
 fn subplans(plan: &Plan, task: &Task, space: &FreeSpace) -> Vec<Stroke> {
     let graph = &plan.graph;
     let chains: Vec<Vec<usize>> = match graph.goal {
-        GoalState::Collected { .. } | GoalState::Skimmed => (0..graph.nodes.len())
-            .flat_map(|node| {
-                let way = way_to_goal(graph, node);
-                let straight = straight_way(graph, &way, space);
-                std::iter::once(way).chain(straight)
-            })
-            .filter(|chain| chain.len() > 1)
-            .collect(),
+        GoalState::Collected { .. } | GoalState::Skimmed => {
+            let successors = graph.successors();
+            let apart = graph.nodes.len().div_ceil(MAX_BEGINNINGS).max(1);
+            (0..graph.nodes.len())
+                .step_by(apart)
+                .flat_map(|node| {
+                    let way = way_to_goal(&successors, node);
+                    let straight = straight_way(graph, &way, space);
+                    std::iter::once(way).chain(straight)
+                })
+                .filter(|chain| chain.len() > 1)
+                .collect()
+        }
         GoalState::Polished { .. } | GoalState::Emitted { .. } => return plan.strokes.clone(),
         GoalState::Absorbed => {
             let longest = TOUR_SUBPLAN * plan.collision_radius;
@@ -127,8 +134,8 @@ fn subplans(plan: &Plan, task: &Task, space: &FreeSpace) -> Vec<Stroke> {
 }
 
 /// From a node along the tree's edges to its root.
-fn way_to_goal(graph: &SemanticDirectedGraph, node: usize) -> Vec<usize> {
-    std::iter::successors(Some(node), |&at| graph.successor(at)).collect()
+fn way_to_goal(successors: &[Option<usize>], node: usize) -> Vec<usize> {
+    std::iter::successors(Some(node), |&at| successors[at]).collect()
 }
 
 /// From a way's first node straight to its last, where that is another way and nothing stands between.
@@ -240,7 +247,7 @@ mod tests {
     #[test]
     fn a_way_ends_at_the_root() {
         let graph = chain(&[0.25, 0.25]);
-        assert_eq!(way_to_goal(&graph, 0), [0, 1, 2]);
-        assert_eq!(way_to_goal(&graph, 2), [2]);
+        assert_eq!(way_to_goal(&graph.successors(), 0), [0, 1, 2]);
+        assert_eq!(way_to_goal(&graph.successors(), 2), [2]);
     }
 }

@@ -1,7 +1,7 @@
 //! Minimum spanning trees rooted in one or several goals: policies of collect and skim; paper §3.2.
 
 use super::FreeSpace;
-use crate::geometry::Point2;
+use crate::geometry::{Bounds2, Point2, PointGrid};
 use petgraph::unionfind::UnionFind;
 
 /// A forest that leads every connected node to one of the roots.
@@ -14,44 +14,73 @@ pub(super) struct Forest {
     pub(super) edge_length: f64,
 }
 
+/// Most pairs of nodes that are looked at: more than 6000 nodes have, so that up to there no edge is overlooked.
+const MOST_PAIRS: usize = 20_000_000;
+/// How much longer the edges of the next band may be [1].
+const BAND: f64 = 1.5;
+
 /// Kruskal's algorithm from a virtual root that joins all `roots` at no cost.
 ///
 /// The edges of a minimum spanning tree are the shortest that connect, so allowing edges longer than
 /// `max_length` only where the tree would fall apart is what it does by itself. An edge to a goal beyond
 /// the border counts less the r_s by which the goal lies outside: particles are pushed no further than
 /// the border, and by full lengths hardly any tree would start from a goal of its own.
+///
+/// Edges are looked at in bands of growing length, and only between parts that are still apart: that takes
+/// n log n time on a grid of n nodes. What [`MOST_PAIRS`] pairs do not join is unreachable.
 pub(super) fn forest(
     space: &FreeSpace,
     nodes: &[Point2],
     roots: &[usize],
     max_length: f64,
 ) -> Forest {
-    let mut pairs: Vec<(f64, usize, usize)> = (0..nodes.len())
-        .flat_map(|i| (i + 1..nodes.len()).map(move |j| (i, j)))
-        .map(|(i, j)| {
-            let outside = |node: usize| !space.surface().outline.contains(nodes[node]);
-            let beyond = if outside(i) || outside(j) {
-                space.radius()
-            } else {
-                0.0
-            };
-            ((nodes[i] - nodes[j]).norm() - beyond, i, j)
-        })
-        .collect();
-    pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-    let mut joined: UnionFind<usize> = UnionFind::new(nodes.len());
+    let mut joined = Joined::of(nodes.len());
     for pair in roots.windows(2) {
         joined.union(pair[0], pair[1]);
     }
+    let outline = &space.surface().outline;
+    let is_outside: Vec<bool> = nodes.iter().map(|node| !outline.contains(*node)).collect();
+    let length = |i: usize, j: usize| {
+        let beyond = if is_outside[i] || is_outside[j] {
+            space.radius()
+        } else {
+            0.0
+        };
+        (nodes[i] - nodes[j]).norm() - beyond
+    };
+    let longest = Bounds2::of(nodes.iter().copied()).map_or(0.0, |bounds| bounds.size().norm());
+    let grid = PointGrid::of(nodes, max_length.max(f64::MIN_POSITIVE));
     let mut neighbours = vec![Vec::new(); nodes.len()];
     let mut edge_length = max_length;
-    for (length, i, j) in pairs {
-        if !joined.equiv(i, j) && space.is_clear_between(nodes[i], nodes[j]) {
-            joined.union(i, j);
-            neighbours[i].push(j);
-            neighbours[j].push(i);
-            edge_length = edge_length.max(length);
+    let mut looked_at = 0;
+    let [mut least, mut most] = [f64::NEG_INFINITY, max_length];
+    while joined.parts > 1 && least < longest && looked_at < MOST_PAIRS {
+        let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
+        // A pair of two parts has an end outside the largest.
+        let largest = joined.largest();
+        for i in (0..nodes.len()).filter(|&i| joined.part(i) != largest) {
+            grid.within(nodes[i], most + space.radius(), |j, _| {
+                let is_new = j > i || joined.part(j) == largest;
+                if !is_new || joined.part(i) == joined.part(j) || looked_at >= MOST_PAIRS {
+                    return;
+                }
+                let length = length(i, j);
+                if length > least && length <= most {
+                    pairs.push((length, i.min(j), i.max(j)));
+                    looked_at += 1;
+                }
+            });
         }
+        pairs.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        for (length, i, j) in pairs {
+            if joined.part(i) != joined.part(j) && space.is_clear_between(nodes[i], nodes[j]) {
+                joined.union(i, j);
+                neighbours[i].push(j);
+                neighbours[j].push(i);
+                edge_length = edge_length.max(length);
+            }
+        }
+        [least, most] = [most, BAND * most];
     }
     let mut parent = vec![None; nodes.len()];
     let mut reached = vec![false; nodes.len()];
@@ -90,17 +119,16 @@ pub(super) fn branches(
     for to in parent.iter().flatten() {
         pending[*to] += 1;
     }
-    let mut leaves: Vec<usize> = (0..nodes.len())
-        .filter(|&i| pending[i] == 0 && parent[i].is_some())
-        .collect();
+    let mut leaves = PointGrid::new(leaf_cell(nodes));
+    for leaf in (0..nodes.len()).filter(|&i| pending[i] == 0 && parent[i].is_some()) {
+        leaves.insert(leaf, nodes[leaf]);
+    }
     let mut tool = start;
     let mut branches = Vec::new();
-    while let Some(nearest) = (0..leaves.len()).min_by(|&a, &b| {
-        let distance = |i: usize| (nodes[leaves[i]] - tool).norm();
-        distance(a).total_cmp(&distance(b))
-    }) {
-        let mut branch = vec![leaves.remove(nearest)];
-        let mut at = branch[0];
+    while let Some(leaf) = leaves.nearest(tool) {
+        leaves.remove(leaf, nodes[leaf]);
+        let mut branch = vec![leaf];
+        let mut at = leaf;
         while let Some(next) = parent[at] {
             branch.push(next);
             pending[next] -= 1;
@@ -113,4 +141,119 @@ pub(super) fn branches(
         branches.push(branch);
     }
     branches
+}
+
+/// Side of cells of which each holds about one node [m].
+fn leaf_cell(nodes: &[Point2]) -> f64 {
+    let size = Bounds2::of(nodes.iter().copied()).map_or(1.0, |bounds| bounds.size().max());
+    (size / (nodes.len().max(1) as f64).sqrt()).max(1e-6)
+}
+
+/// Nodes joined to parts, and how large the parts are.
+struct Joined {
+    parts_of: UnionFind<usize>,
+    sizes: Vec<usize>,
+    parts: usize,
+}
+
+impl Joined {
+    fn of(count: usize) -> Self {
+        Self {
+            parts_of: UnionFind::new(count),
+            sizes: vec![1; count],
+            parts: count,
+        }
+    }
+
+    fn part(&self, node: usize) -> usize {
+        self.parts_of.find(node)
+    }
+
+    fn union(&mut self, a: usize, b: usize) {
+        let size = self.sizes[self.part(a)] + self.sizes[self.part(b)];
+        if self.parts_of.union(a, b) {
+            let part = self.part(a);
+            self.sizes[part] = size;
+            self.parts -= 1;
+        }
+    }
+
+    /// The part with the most nodes.
+    fn largest(&self) -> usize {
+        let size = |node: &usize| {
+            (
+                self.sizes[self.part(*node)],
+                std::cmp::Reverse(self.part(*node)),
+            )
+        };
+        let node = (0..self.sizes.len()).max_by_key(size).unwrap_or(0);
+        self.part(node)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Mesh, Polygon, Pose, Vector2, Vector3};
+    use crate::represent::Surface;
+
+    fn space(walls: &[Mesh]) -> FreeSpace {
+        let surface = Surface {
+            name: "floor".into(),
+            outline: Polygon::rectangle(Vector2::new(100.0, 100.0)),
+            world_from_surface: Pose::identity(),
+            skim_edges: vec![],
+        };
+        FreeSpace::new(&surface, walls, 0.1).unwrap()
+    }
+
+    fn wall(at: [f64; 2], size: [f64; 2]) -> Mesh {
+        let mesh = Mesh::cuboid(Vector3::new(size[0], size[1], 1.0)).unwrap();
+        mesh.transformed(&Pose::translation(at[0], at[1], 0.5))
+    }
+
+    fn cells(columns: usize, rows: usize) -> Vec<Point2> {
+        let cell = |i: usize| Point2::new((i % columns) as f64, (i / columns) as f64) * 0.1;
+        (0..columns * rows).map(cell).collect()
+    }
+
+    #[test]
+    fn a_tree_of_sixty_thousand_cells_has_an_edge_less_than_nodes() {
+        let nodes = cells(300, 200);
+        let forest = forest(&space(&[]), &nodes, &[0], 0.2);
+        assert_eq!(forest.unreachable, [0_usize; 0]);
+        assert_eq!(forest.parent.iter().flatten().count(), nodes.len() - 1);
+        let edges = forest.parent.iter().enumerate();
+        let length: f64 = edges
+            .filter_map(|(i, parent)| Some((nodes[i] - nodes[(*parent)?]).norm()))
+            .sum();
+        // A spanning tree of square cells is as many pitches long as it has edges.
+        assert!(
+            (length - 0.1 * (nodes.len() - 1) as f64).abs() < 1e-6,
+            "{length}"
+        );
+        let branches = branches(&nodes, &forest.parent, Point2::origin());
+        let edges: usize = branches.iter().map(|branch| branch.len() - 1).sum();
+        assert_eq!(edges, nodes.len() - 1);
+    }
+
+    #[test]
+    fn distant_groups_are_joined_by_the_shortest_edge_between_them() {
+        let mut nodes = cells(3, 3);
+        nodes.extend(
+            cells(3, 3)
+                .iter()
+                .map(|node| node + Vector2::new(20.0, 0.0)),
+        );
+        let forest = forest(&space(&[]), &nodes, &[0], 0.2);
+        assert_eq!(forest.unreachable, [0_usize; 0]);
+        assert!((forest.edge_length - 19.8).abs() < 1e-9);
+    }
+
+    #[test]
+    fn nodes_behind_a_wall_without_a_gap_are_unreachable() {
+        let nodes = [0.0, 0.1, 1.0].map(|x| Point2::new(x, 0.0));
+        let forest = forest(&space(&[wall([0.5, 0.0], [0.1, 90.0])]), &nodes, &[0], 0.2);
+        assert_eq!(forest.unreachable, [2]);
+    }
 }

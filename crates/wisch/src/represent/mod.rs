@@ -28,7 +28,7 @@ pub use knowledge::{
 };
 pub use metrics::{GoalState, Performance, THICKNESS_TOLERANCE};
 pub use motion::ToolMotion;
-pub use observation::{Observation, SensorModel, Sight};
+pub use observation::{MAX_DETECTIONS, Observation, SensorModel, Sight};
 pub use occupied_area::{OccupiedArea, SURFACE_SKIN};
 pub use particles::{Fate, MAX_PARTICLES, ParticleDistribution, ParticleError, ParticleTally};
 pub use scene::{SceneObject, ScenePart};

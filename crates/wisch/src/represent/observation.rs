@@ -3,6 +3,9 @@
 use super::GrainSize;
 use crate::geometry::{Point2, Point3, Polygon, Pose, Region};
 
+/// Most detections that an executor may hand over for one look.
+pub const MAX_DETECTIONS: usize = 100_000;
+
 /// What was seen of a surface at one moment, in the frame of the believed surface.
 ///
 /// Nothing is known of what lies in [`Self::hidden`]; elsewhere, a particle that is not among the detections was

@@ -2,8 +2,8 @@
 
 use crate::geometry::Point2;
 
-/// Most particles a distribution may hold.
-pub const MAX_PARTICLES: usize = 20_000_000;
+/// Most particles a distribution may hold: planning and predicting takes some 300 bytes for each.
+pub const MAX_PARTICLES: usize = 5_000_000;
 
 /// Where a particle is: on the surface, in a tool, or over an edge; or how much a place of the surface was treated. Only the
 /// effect model changes it.

@@ -36,7 +36,7 @@ pub use clearance::{
 pub use description::{
     Appearance, Collision, Diagnostic, DiagnosticKind, DisabledPair, Group, GroupState, Ignored,
     JointMimic, JointMotion, JointTransform, MAX_DEPTH, MAX_LINKS, MAX_MESH_EXTENT, MAX_SHAPES,
-    MAX_URDF_BYTES, Severity, Shape, Srdf, Subject, Visual, check, joint_transforms,
+    MAX_URDF_BYTES, READY_STATE, Severity, Shape, Srdf, Subject, Visual, check, joint_transforms,
 };
 pub use dynamics::{Dynamics, MIN_INERTIA};
 pub use error::RobotError;
@@ -44,6 +44,6 @@ pub(crate) use frame::z_to;
 pub use ik::{IkConfig, IkOutcome, IkSolver, JointPositions, MAX_TARGET_DISTANCE, RotationGoal};
 pub use kinematics::Kinematics;
 pub use model::{
-    Body, Drive, Joint, JointId, JointKind, LimitFault, Link, LinkId, Range, RobotModel,
-    SingleJointLimits,
+    ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, Body, Drive, Joint, JointId, JointKind, LimitFault,
+    Link, LinkId, Range, RobotModel, SingleJointLimits,
 };

@@ -162,6 +162,12 @@ impl Range {
     }
 }
 
+/// Velocity [rad/s] and acceleration [rad/s²] that are assumed of a joint that turns and has no such limits: those of the
+/// paper's arm (§3.4).
+pub const ASSUMED_TURN_RATES: [f64; 2] = [1.0, 10.0];
+/// The same of a joint that slides: those of the paper's mobile base (§3.4) [m/s], [m/s²].
+pub const ASSUMED_SLIDE_RATES: [f64; 2] = [0.5, 1.0];
+
 /// The limits of a joint; what is `None` is not limited.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SingleJointLimits {

@@ -20,7 +20,7 @@ fn a_fault_is_refused_with_its_place() {
         (
             count,
             "count = 0",
-            "14:9: particles.count = 0 is outside its limits: at least 1 and at most 20000000",
+            "14:9: particles.count = 0 is outside its limits: at least 1 and at most 5000000",
         ),
         (
             count,
@@ -332,7 +332,7 @@ fn what_the_knowledge_or_a_file_lacks_is_refused_with_its_place() {
         ),
         (
             mesh("long.stl", ""),
-            "17:17: mesh \"long.stl\" is 300 m long, above the limit of 20 m: it is probably in millimetres, use scale = 0.001",
+            "17:17: mesh \"long.stl\" is 300 m long, expected 0.001 m to 20 m: it is probably in millimetres: multiply by 0.001; use scale = 0.001",
         ),
         (
             mesh("none.stl", ""),

@@ -1,7 +1,7 @@
 //! What is to be timed: waypoints and the limits of the joints.
 
 use super::{MAX_WAYPOINTS, TimingError};
-use crate::robot::Drive;
+use crate::robot::{ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, Drive};
 
 /// Waypoints in joint space, joined by straight segments; to be followed from rest to rest.
 #[derive(Debug, Clone, PartialEq)]
@@ -155,8 +155,8 @@ impl JointLimit {
             name: name.into(),
             lower,
             upper,
-            velocity: 1.0,
-            acceleration: 10.0,
+            velocity: ASSUMED_TURN_RATES[0],
+            acceleration: ASSUMED_TURN_RATES[1],
         }
     }
 
@@ -171,8 +171,8 @@ impl JointLimit {
             name: name.into(),
             lower: f64::NEG_INFINITY,
             upper: f64::INFINITY,
-            velocity: 0.5,
-            acceleration: 1.0,
+            velocity: ASSUMED_SLIDE_RATES[0],
+            acceleration: ASSUMED_SLIDE_RATES[1],
         }
     }
 }

@@ -2,12 +2,8 @@
 
 use crate::follow::FollowError;
 use crate::geometry::Vector3;
-use crate::robot::{JointKind, LinkId, RobotModel, Srdf};
+use crate::robot::{JointKind, LinkId, READY_STATE, RobotModel, Srdf};
 use crate::source_location::UnknownName;
-
-/// Name of the SRDF's state in which the arm waits and travels. A state of this name with `_` and the tool's
-/// name after it goes before, for tools that need a posture of their own.
-pub(in crate::follow) const READY_STATE: &str = "ready";
 
 /// A base that moves over the floor: the variables of its position and heading in the root frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

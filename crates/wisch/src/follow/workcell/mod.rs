@@ -13,10 +13,11 @@ use crate::geometry::{PlanarPose, Point2, Point3, Polygon, Pose, Vector3};
 use crate::plan::Plan;
 use crate::represent::{SceneObject, ScenePart, Task};
 use crate::robot::{
-    CollisionModel, IkConfig, IkSolver, Joint, JointKind, LinkId, Range, RobotModel, Srdf,
+    CollisionModel, IkConfig, IkSolver, Joint, JointKind, LinkId, READY_STATE, Range, RobotModel,
+    Srdf,
 };
 use grasp::{relaxed, tip_from_tool, without_rim};
-use group::{READY_STATE, hand_and_holder, planar_base, put_in, standing_links};
+use group::{hand_and_holder, planar_base, put_in, standing_links};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::collections::BTreeSet;
 pub(in crate::follow) use target_surface::HandBelow;

@@ -14,7 +14,7 @@
 //! there was.
 
 use super::ensemble::{Belief, MemberState};
-use crate::geometry::Point2;
+use crate::geometry::{Point2, PointGrid};
 use crate::random::normal_pair;
 use crate::represent::{
     Effect, Fate, GoalState, Observation, ParticleDistribution, Sight, Surface,
@@ -23,6 +23,7 @@ use rand::RngExt;
 use rand::seq::SliceRandom;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use rayon::prelude::*;
+use std::collections::HashMap;
 
 /// Below this share of the members, those that carry the weight are resampled [1].
 const RESAMPLE_BELOW: f64 = 0.5;
@@ -34,8 +35,17 @@ const NEIGHBOURHOOD: f64 = 0.02;
 const ANYWHERE: f64 = 0.05;
 /// A particle within so many standard deviations of a detection may be the one detected [1].
 const MATCHED: f64 = 3.0;
+/// Particles near a detection of which the nearest is taken; of more, some are passed over.
+const MOST_MATCHES: usize = 256;
 /// Where dirt is counted: elsewhere than the goal wants it, and where it does.
 const REGIONS: usize = 2;
+/// Detections times particles of all members up to which those near each other are counted one by one.
+const MOST_PAIRS: usize = 100_000_000;
+/// Particles of all members after a look, unless that leaves too few members.
+const MOST_PARTICLES: usize = 1 << 22;
+const FEWEST_MEMBERS: usize = 16;
+/// Exponents beyond which a likelihood is computed by its logarithm.
+const LARGEST_EXPONENT: f64 = 600.0;
 /// Streams of random numbers.
 const STREAM: u64 = 0x7369_6768_0000_0000;
 
@@ -60,6 +70,8 @@ impl Belief {
     /// Before anything was wiped, a look says how much dirt there is; afterwards, what is gone is what there was less what
     /// is left.
     ///
+    /// Of very many detections fewer members are kept: all of them together have no more than about four million particles.
+    ///
     /// What is known for certain is not looked for: certainty stays what it is. Who sees nothing learns nothing.
     #[must_use]
     pub fn seen(&self, look: &Look<'_>) -> Self {
@@ -71,11 +83,12 @@ impl Belief {
         let weighted = self.reweighted(weights);
         let count = weighted.replays().len();
         let is_even = 1.0 / squares >= RESAMPLE_BELOW * count as f64;
-        let (chosen, weights) = if is_even {
+        let kept = count.min(look.most_members(self));
+        let (chosen, weights) = if is_even && kept == count {
             ((0..count).collect(), weighted.weights().to_vec())
         } else {
-            let chosen = weighted.systematic(count, look.seed ^ STREAM);
-            (chosen, vec![1.0 / count as f64; count])
+            let chosen = weighted.systematic(kept, look.seed ^ STREAM);
+            (chosen, vec![1.0 / kept as f64; kept])
         };
         let believed = Intensity::of(&weighted, look);
         let is_first = !weighted.was_wiped();
@@ -108,12 +121,25 @@ impl Intensity {
         let mut expected = 0.0;
         let detections = &look.observation.detections;
         let mut near = vec![0.0; detections.len()];
-        let grid = Grid::new(detections, NEIGHBOURHOOD);
-        for (member, weight) in belief.replays().iter().zip(belief.weights()) {
-            for place in member.remaining() {
+        let particles: usize = belief.replays().iter().map(ParticleDistribution::len).sum();
+        let is_exact = particles.saturating_mul(detections.len()) <= MOST_PAIRS;
+        let places = (belief.replays().iter().zip(belief.weights()))
+            .flat_map(|(member, weight)| member.remaining().map(move |place| (place, *weight)));
+        if is_exact {
+            let grid = PointGrid::of(detections, NEIGHBOURHOOD);
+            for (place, weight) in places {
                 expected += weight;
-                grid.within(place, NEIGHBOURHOOD, |index| near[index] += weight);
+                grid.within(place, NEIGHBOURHOOD, |index, _| near[index] += weight);
             }
+        } else {
+            let mut counted = Counted::default();
+            for (place, weight) in places {
+                expected += weight;
+                counted.add(place, weight);
+            }
+            near = (detections.par_iter())
+                .map(|place| counted.near(*place))
+                .collect();
         }
         let floor = ANYWHERE * expected.max(1.0) / area;
         let real = |near: &f64| {
@@ -127,6 +153,14 @@ impl Intensity {
 }
 
 impl Look<'_> {
+    /// How many members a belief may have after the look: each may have as many particles as before and as were detected.
+    fn most_members(&self, belief: &Belief) -> usize {
+        let members = belief.replays().len();
+        let before: usize = belief.replays().iter().map(ParticleDistribution::len).sum();
+        let each = before / members + self.observation.detections.len();
+        (MOST_PARTICLES / each.max(1)).max(FEWEST_MEMBERS)
+    }
+
     /// Whether dirt on the surface is where the goal wants it.
     fn is_met_at(&self, place: Point2) -> bool {
         self.goal.is_met_by(place, Fate::OnSurface, self.surface)
@@ -192,7 +226,7 @@ impl Look<'_> {
         }
         let mut real = [const { Vec::new() }; REGIONS];
         let radius = (MATCHED * self.sight.sensor.position_error_m).max(1e-6);
-        let grid = Grid::new(&at, radius);
+        let mut grid = PointGrid::of(&at, radius / 2.0);
         let mut is_taken = vec![false; visible.len()];
         let mut found = Vec::new();
         for (place, probability) in self.observation.detections.iter().zip(&believed.real) {
@@ -201,15 +235,9 @@ impl Look<'_> {
             }
             let there = self.scattered(*place, random);
             real[usize::from(self.is_met_at(*place))].push(there);
-            let mut nearest: Option<(f64, usize)> = None;
-            grid.within(*place, radius, |index| {
-                let distance = (at[index] - place).norm();
-                if !is_taken[index] && nearest.is_none_or(|(least, _)| distance < least) {
-                    nearest = Some((distance, index));
-                }
-            });
-            match nearest {
-                Some((_, index)) => {
+            match grid.nearest_within(*place, radius, MOST_MATCHES) {
+                Some(index) => {
+                    grid.remove(index, at[index]);
                     is_taken[index] = true;
                     particles[visible[index]].0 = there;
                 }
@@ -318,6 +346,10 @@ impl Look<'_> {
         // So many may be missed that more are out of the question, by the prior.
         let most = most.min((left + 5.0 * deviation).max(0.0) as usize + 1);
         let mut weights = Vec::with_capacity(most + 1);
+        let place = random.random::<f64>();
+        if -(seen as f64 + 1.0) * libm::log(1.0 - miss) > LARGEST_EXPONENT {
+            return missed_of_many((left, deviation), (seen, miss), most, place);
+        }
         // (seen + k over k) (1 - p)^k, up to what does not depend on k.
         let (mut likelihood, mut sum) = (1.0, 0.0);
         let nearest = (left - seen as f64).max(0.0).round();
@@ -329,7 +361,7 @@ impl Look<'_> {
             weights.push(sum);
             likelihood *= miss * (seen + missed + 1) as f64 / (missed + 1) as f64;
         }
-        let place = random.random::<f64>() * sum;
+        let place = place * sum;
         weights.partition_point(|sum| *sum <= place).min(most)
     }
 
@@ -365,49 +397,64 @@ impl Look<'_> {
     }
 }
 
-/// Points by square cells, to find those near a place.
-struct Grid<'a> {
-    points: &'a [Point2],
-    cell: f64,
-    /// Points of each cell, by cell: sorted.
-    cells: Vec<((i64, i64), usize)>,
+/// [`Look::missed_of`] by logarithms, for counts whose likelihood no number holds; `place` in [0, 1) chooses.
+fn missed_of_many(
+    (left, deviation): (f64, f64),
+    (seen, miss): (usize, f64),
+    most: usize,
+    place: f64,
+) -> usize {
+    let mut exponent = 0.0;
+    let mut exponents = Vec::with_capacity(most + 1);
+    for missed in 0..=most {
+        let off = ((seen + missed) as f64 - left) / deviation;
+        exponents.push(exponent - 0.5 * off * off);
+        exponent += libm::log(miss * (seen + missed + 1) as f64 / (missed + 1) as f64);
+    }
+    let greatest = exponents.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let mut sum = 0.0;
+    let sums: Vec<f64> = (exponents.iter())
+        .map(|exponent| {
+            sum += libm::exp(exponent - greatest);
+            sum
+        })
+        .collect();
+    sums.partition_point(|partial| *partial <= place * sum)
+        .min(most)
 }
 
-impl<'a> Grid<'a> {
-    fn new(points: &'a [Point2], cell: f64) -> Self {
-        let mut cells: Vec<_> = (points.iter().enumerate())
-            .map(|(index, point)| (Self::cell(*point, cell), index))
-            .collect();
-        cells.sort_unstable();
-        Self {
-            points,
-            cell,
-            cells,
-        }
+/// Weights of places by square cells: of very many places, those near another are counted cell by cell.
+#[derive(Default)]
+struct Counted {
+    cells: HashMap<[i64; 2], f64>,
+}
+
+impl Counted {
+    /// Side of a cell [m].
+    const CELL: f64 = NEIGHBOURHOOD / 8.0;
+
+    fn add(&mut self, place: Point2, weight: f64) {
+        *self.cells.entry(Self::cell(place)).or_default() += weight;
     }
 
-    fn cell(point: Point2, cell: f64) -> (i64, i64) {
-        (
-            (point.x / cell).floor() as i64,
-            (point.y / cell).floor() as i64,
-        )
+    /// The weight of the cells whose middle is in the neighbourhood of a place.
+    fn near(&self, place: Point2) -> f64 {
+        let reach = (NEIGHBOURHOOD / Self::CELL) as i64 + 1;
+        let [x, y] = Self::cell(place);
+        let cells = (x - reach..=x + reach)
+            .flat_map(|column| (y - reach..=y + reach).map(move |row| [column, row]));
+        let is_near = |[column, row]: &[i64; 2]| {
+            let middle = Point2::new(*column as f64 + 0.5, *row as f64 + 0.5) * Self::CELL;
+            (middle - place).norm() <= NEIGHBOURHOOD
+        };
+        (cells.filter(is_near))
+            .filter_map(|cell| self.cells.get(&cell))
+            .sum()
     }
 
-    /// Calls with every point at most this far from a place; `radius` is at most a cell.
-    fn within(&self, place: Point2, radius: f64, mut call: impl FnMut(usize)) {
-        let (x, y) = Self::cell(place, self.cell);
-        for column in x - 1..=x + 1 {
-            let begin = self
-                .cells
-                .partition_point(|(cell, _)| *cell < (column, y - 1));
-            for ((at, row), index) in &self.cells[begin..] {
-                if *at != column || *row > y + 1 {
-                    break;
-                }
-                if (self.points[*index] - place).norm() <= radius {
-                    call(*index);
-                }
-            }
-        }
+    fn cell(place: Point2) -> [i64; 2] {
+        // What is detected farther off is nowhere near any surface.
+        const MOST: f64 = 1e15;
+        [place.x, place.y].map(|along| (along / Self::CELL).floor().clamp(-MOST, MOST) as i64)
     }
 }

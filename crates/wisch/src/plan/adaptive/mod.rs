@@ -12,7 +12,7 @@ mod ways;
 
 use super::{FreeSpace, Node, NodeRole, Plan, PlanConfig, SemanticDirectedGraph, Strategy, Stroke};
 use crate::geometry::{PlanarPose, Point2};
-use crate::represent::{GoalState, ParticleDistribution, Task};
+use crate::represent::{EffectModel, GoalState, ParticleDistribution, Task, ToolMotion};
 use draft::{Draft, Mutator};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
@@ -35,6 +35,10 @@ const POLISHING: f64 = 0.4;
 const POLISHING_TEMPERATURE: f64 = 3e-3;
 /// Steps that lead nowhere for each that is judged, at most.
 const MAX_REFUSED: usize = 8;
+/// Beyond this many strokes, a draft begins without those that meet no dirt.
+const MANY_STROKES: usize = 200;
+/// Steps that are simulated for each plan that is judged, at most on average: plans of thousands of strokes are tried less often.
+const MAX_STEPS: usize = 1000;
 
 /// The best plan for dirt that may lie like any of these, which the search finds from these plans on the same whatever the number of
 /// threads. A plan that is only mended leads to none of these places [m].
@@ -56,7 +60,7 @@ pub(super) fn searched(
     let judge = Judge::new(task, dirt, space, search.margin_m, config.max_distance).searching();
     let mut starts: Vec<(Value, Draft)> = begun_with
         .iter()
-        .map(|plan| Draft::of(plan).without(avoid))
+        .map(|plan| without_idle(Draft::of(plan).without(avoid), &judge))
         .map(|draft| (Trials::new(&judge, &draft.goal).value(&draft), draft))
         .collect();
     starts.sort_by(|a, b| b.0.worth.total_cmp(&a.0.worth));
@@ -100,6 +104,32 @@ pub(super) fn searched(
     best.map(|(_, draft)| assembled(pattern, draft))
 }
 
+/// A draft of very many strokes without those that meet no dirt of any world: a grid over a floor has mostly such.
+fn without_idle(mut draft: Draft, judge: &Judge<'_>) -> Draft {
+    if draft.strokes.len() <= MANY_STROKES {
+        return draft;
+    }
+    let task = judge.task();
+    let mut meets = vec![false; draft.strokes.len()];
+    for world in judge.worlds() {
+        let mut model = EffectModel::new(&task.tool.footprint, draft.goal.action().effect());
+        let mut field = world.field.clone();
+        for (poses, meets) in draft.strokes.iter().zip(&mut meets) {
+            for pair in poses.windows(2) {
+                let [from, to] = [pair[0], pair[1]];
+                let motion = ToolMotion { from, to };
+                model.apply_where(&mut field, &task.surface, &motion, |_, _| {
+                    *meets = true;
+                    true
+                });
+            }
+        }
+    }
+    let mut meets = meets.into_iter();
+    draft.strokes.retain(|_| meets.next().unwrap_or(true));
+    draft
+}
+
 /// What a plan is worth to the search, in shares of the dirt [1].
 pub(super) fn worth(judge: &Judge<'_>, plan: &Plan) -> f64 {
     let draft = Draft::exactly(plan);
@@ -120,7 +150,8 @@ fn annealed(
     trials.keep();
     let cold = TEMPERATURES[1];
     let (mut judged, mut refused) = (0, 0);
-    while judged < budget && refused < MAX_REFUSED * budget {
+    let most_steps = MAX_STEPS * budget * judge.worlds().len();
+    while judged < budget && refused < MAX_REFUSED * budget && trials.simulated() < most_steps {
         let Some(draft) = mutator.neighbour(&now.1, &now.0.left) else {
             refused += 1;
             continue;

@@ -12,8 +12,9 @@ const LANDING: f64 = 0.005;
 /// Depth of a heap of all particles, over the radius of the collision sphere: between what the belief draws and
 /// [`HEAP_DEPTH`](crate::represent::HEAP_DEPTH) [1].
 const HEAP: f64 = 0.2;
-/// States are kept so many steps apart.
+/// States are kept this many steps apart, or farther in drafts of very many steps: so many states at most.
 const APART: usize = 4;
+const MOST_STATES: usize = 256;
 
 /// What the tool does at once: a motion in contact, or none where it only touches down.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,6 +62,8 @@ pub(super) struct Trials<'a> {
     models: Vec<EffectModel>,
     kept: Rollout,
     tried: Rollout,
+    /// Steps that were simulated so far, over all worlds.
+    simulated: usize,
 }
 
 impl<'a> Trials<'a> {
@@ -95,7 +98,13 @@ impl<'a> Trials<'a> {
                 states: begin.collect(),
             },
             tried: Rollout::default(),
+            simulated: 0,
         }
+    }
+
+    /// Steps that were simulated so far, over all worlds.
+    pub(super) fn simulated(&self) -> usize {
+        self.simulated
     }
 
     /// What a draft is worth on average.
@@ -110,6 +119,7 @@ impl<'a> Trials<'a> {
             .map(|((world, model), before)| {
                 let shared = before.partition_point(|(at, _)| *at <= common);
                 let mut known = before[..shared].to_vec();
+                self.simulated += steps.len() - known.last().map_or(0, |(at, _)| *at);
                 let state = rolled_out(model, (self.judge.task(), world), &steps, &mut known);
                 states.push(known);
                 state
@@ -136,10 +146,11 @@ fn rolled_out(
     let (from, state) = states.last().expect("that before all steps");
     let (from, mut state) = (*from, State::clone(state));
     model.resume_after(steps[..from].iter().filter(|step| step.lifts).count() as u32);
+    let apart = APART.max(steps.len().div_ceil(MOST_STATES));
     for (at, step) in steps.iter().enumerate().skip(from) {
         // Amid a stroke a tool that pushes may carry something, which is no part of a state.
         let is_whole = state.margin.is_none() || at == 0 || steps[at - 1].lifts;
-        if at > from && at % APART == 0 && is_whole {
+        if at > from && at % apart == 0 && is_whole {
             states.push((at, Rc::new(state.clone())));
         }
         if let Some(mut motion) = step.motion {

@@ -15,8 +15,7 @@ pub(super) fn free_cells(space: &FreeSpace, pitch: f64) -> Vec<Point2> {
     let Some(bounds) = Bounds2::of(space.surface().outline.outer().iter().copied()) else {
         return Vec::new();
     };
-    let cells = |length: f64| ((length / pitch) as usize).max(1);
-    let (columns, rows) = (cells(bounds.size().x), cells(bounds.size().y));
+    let [columns, rows] = shape(&bounds, pitch);
     let center = bounds.center();
     let offset = |i: usize, count: usize| (i as f64 - (count as f64 - 1.0) / 2.0) * pitch;
     (0..rows)
@@ -29,4 +28,16 @@ pub(super) fn free_cells(space: &FreeSpace, pitch: f64) -> Vec<Point2> {
         })
         .filter(|&node| space.is_free(node))
         .collect()
+}
+
+/// How many square cells of this pitch [m] the surface's bounding box has, free or not.
+pub(super) fn cell_count(space: &FreeSpace, pitch: f64) -> usize {
+    let bounds = Bounds2::of(space.surface().outline.outer().iter().copied());
+    bounds.map_or(0, |bounds| shape(&bounds, pitch).iter().product())
+}
+
+/// Cells along x and along y.
+fn shape(bounds: &Bounds2, pitch: f64) -> [usize; 2] {
+    let cells = |length: f64| ((length / pitch) as usize).max(1);
+    [cells(bounds.size().x), cells(bounds.size().y)]
 }

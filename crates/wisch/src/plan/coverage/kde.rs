@@ -1,6 +1,6 @@
 //! Kernel density estimation (2): nodes on the peaks of the particle density.
 
-use crate::geometry::{Bounds2, Point2, Vector2};
+use crate::geometry::{Bounds2, Point2, PointGrid, Vector2};
 use crate::plan::FreeSpace;
 
 /// Samples of the density per bandwidth.
@@ -192,19 +192,21 @@ pub fn kde(space: &FreeSpace, particles: &[Point2], config: &KdeConfig) -> Vec<P
         .filter(|(_, place)| space.is_free(*place))
         .collect();
     places.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut out_of_reach: Vec<Point2> = particles.to_vec();
+    let mut out_of_reach = PointGrid::of(particles, config.reach);
     let mut nodes: Vec<Point2> = Vec::new();
+    let mut placed = PointGrid::new(2.0 * radius);
     for clearance in [2.0 * radius, radius] {
         for &(_, place) in &places {
-            if out_of_reach.is_empty() {
+            if out_of_reach.len() == 0 {
                 return nodes;
             }
-            let reached = |p: &Point2| (p - place).norm() <= config.reach;
-            if nodes.iter().all(|node| (node - place).norm() >= clearance)
-                && out_of_reach.iter().any(reached)
+            let is_too_near = |_, node: Point2| (node - place).norm() < clearance;
+            if !placed.any_within(place, clearance, is_too_near)
+                && out_of_reach.any_within(place, config.reach, |_, _| true)
             {
+                placed.insert(nodes.len(), place);
                 nodes.push(place);
-                out_of_reach.retain(|p| !reached(p));
+                out_of_reach.remove_within(place, config.reach);
             }
         }
     }

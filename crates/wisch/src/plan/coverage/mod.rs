@@ -4,14 +4,18 @@ mod grid;
 mod kde;
 mod rrt;
 
+use grid::cell_count;
 pub use grid::grid;
 pub use kde::{DensityMap, KdeConfig, data_bandwidth, kde};
 pub use rrt::{RrtConfig, rrt};
 
-use super::FreeSpace;
+use super::{FreeSpace, PlanError};
 use crate::geometry::Point2;
 use crate::represent::UnknownName;
 use std::str::FromStr;
+
+/// Most nodes by which a surface is covered, as many as cells r_s apart of its bounding box: 20 m x 20 m for a sponge.
+pub const MAX_NODES: usize = 100_000;
 
 /// How nodes are spread over the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -43,8 +47,22 @@ impl CoverageStrategy {
     }
 
     /// The nodes that it places, in the surface frame [m].
-    pub(super) fn nodes(self, input: &CoverageInput<'_>) -> Vec<Point2> {
-        match self {
+    ///
+    /// # Errors
+    /// [`PlanError::TooManyNodes`] before any is placed.
+    pub(super) fn nodes(self, input: &CoverageInput<'_>) -> Result<Vec<Point2>, PlanError> {
+        let pitch = input.space.radius();
+        let count = cell_count(input.space, pitch);
+        Ok(match self {
+            Self::Grid | Self::Rrt if count > MAX_NODES => {
+                let surface = input.space.surface().name.clone();
+                return Err(PlanError::TooManyNodes {
+                    surface,
+                    count,
+                    pitch,
+                    advice: "take a wider tool, plan a part of the surface, or take the strategy kde, which goes where the dirt lies",
+                });
+            }
             Self::Grid => grid(input.space),
             Self::Rrt => rrt(
                 input.space,
@@ -62,7 +80,7 @@ impl CoverageStrategy {
                     reach: input.tool_reach,
                 },
             ),
-        }
+        })
     }
 }
 

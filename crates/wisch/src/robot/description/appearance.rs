@@ -173,7 +173,8 @@ fn visuals(
             }
         };
         let known = report.diagnostics.len();
-        let loaded = load(link, &shape, meshes, report);
+        // What it is drawn with has no part in what the robot does: no limit by its reach.
+        let loaded = load(link, &shape, 0.0, meshes, report);
         // Nothing is computed from it, so that none of it is more than a note.
         for diagnostic in &mut report.diagnostics[known..] {
             diagnostic.severity = Severity::Note;

@@ -3,7 +3,11 @@
 use super::collision::{Collision, load_shapes};
 use super::diagnostics::{Diagnostics, words};
 use super::elements::{Urdf, UrdfInertial, UrdfJoint, UrdfLimit};
-use crate::robot::{Diagnostic, DiagnosticKind, RobotError, Severity, Subject};
+use super::units;
+use crate::robot::{
+    ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, Diagnostic, DiagnosticKind, RobotError, Severity,
+    Subject,
+};
 use crate::source_location::UnknownName;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -69,7 +73,9 @@ impl Checked {
         drop_mimics_of_fixed(&mut urdf, &mut report);
         mimics(&urdf, &mut report);
         inertias(&urdf, &mut report);
-        let collision = load_shapes(&urdf, meshes, &mut report);
+        let reach = units::reach(&urdf);
+        units::check(&urdf, reach, &mut report);
+        let collision = load_shapes(&urdf, reach, meshes, &mut report);
         let mut diagnostics = report.diagnostics;
         diagnostics.sort_by_key(|f| (f.at.line, f.at.column));
         Ok(Self {
@@ -250,6 +256,15 @@ fn joint_alone(j: &UrdfJoint, urdf: &Urdf, report: &mut Diagnostics) {
 
 fn limits(j: &UrdfJoint, follows: bool, report: &mut Diagnostics) {
     let unit = if j.kind == "prismatic" { "m" } else { "rad" };
+    if let Some([lower, upper]) = j.soft_limits {
+        let w = words(
+            format!("its safety controller keeps it within {lower} and {upper} {unit}"),
+            "soft limits inside the hard ones",
+            "these are its limits here; remove <safety_controller> to use the hard ones",
+        );
+        let kind = DiagnosticKind::Limit;
+        report.add(Severity::Note, kind, joint(&j.name), j.at, w);
+    }
     let force = if j.kind == "prismatic" { "N" } else { "Nm" };
     let limit = j.limit.unwrap_or_default();
     let UrdfLimit { lower, upper, .. } = limit;
@@ -298,28 +313,45 @@ fn limits(j: &UrdfJoint, follows: bool, report: &mut Diagnostics) {
     if follows {
         return;
     }
+    let [velocity, acceleration] = match j.kind.as_str() {
+        "prismatic" => ASSUMED_SLIDE_RATES,
+        _ => ASSUMED_TURN_RATES,
+    };
     let rates = [
         (
             "velocity",
             limit.velocity,
             format!("{unit}/s"),
             Severity::Warning,
+            Some(velocity),
         ),
-        ("effort", limit.effort, force.to_owned(), Severity::Warning),
+        (
+            "effort",
+            limit.effort,
+            force.to_owned(),
+            Severity::Warning,
+            None,
+        ),
         (
             "acceleration",
             limit.acceleration,
             format!("{unit}/s2"),
             Severity::Note,
+            Some(acceleration),
         ),
     ];
-    for (what, value, unit, severity) in rates {
+    for (what, value, unit, severity, assumed) in rates {
         match value {
             None => {
                 let w = words(
                     format!("it has no finite {what} limit"),
                     format!("{what} above 0 {unit}"),
-                    format!("add <limit {what}>; without it none is kept"),
+                    match assumed {
+                        Some(assumed) => {
+                            format!("add <limit {what}>; without it {assumed} {unit} is assumed")
+                        }
+                        None => format!("add <limit {what}>; without it none is kept"),
+                    },
                 );
                 report.add(
                     severity,

@@ -2,12 +2,26 @@
 
 use super::diagnostics::{Diagnostics, words};
 use super::elements::{Urdf, UrdfGeometry, UrdfShape};
-use crate::geometry::{Mesh, MeshFormat, Point3, Pose, Vector3};
+use crate::geometry::{LikelyUnit, Mesh, MeshFormat, Point3, Pose, Vector3};
 use crate::robot::{DiagnosticKind, Severity, Subject};
 use nalgebra::{Translation3, UnitQuaternion};
 
-/// Longest a mesh may be before it is taken for one in millimetres [m].
+/// Longest a mesh may be before it is taken for one in millimetres, whatever the robot [m].
 pub const MAX_MESH_EXTENT: f64 = 20.0;
+/// The same over the reach of the robot [1], and the least that this comes to [m]: a cell's walls are part of some URDFs.
+const MESH_PER_REACH: f64 = 3.0;
+const LEAST_MESH_LIMIT: f64 = 2.0;
+/// Shortest a mesh of a link is [m].
+const MIN_MESH_EXTENT: f64 = 1e-3;
+
+/// Longest a mesh of a robot of this reach [m] may be [m].
+fn mesh_limit(reach: f64) -> f64 {
+    if reach > 0.0 {
+        (MESH_PER_REACH * reach).clamp(LEAST_MESH_LIMIT, MAX_MESH_EXTENT)
+    } else {
+        MAX_MESH_EXTENT
+    }
+}
 
 /// How far a sphere may be from the end of a cylinder, in place and radius, to make it a capsule [m].
 const CAPSULE_TOLERANCE: f64 = 1e-6;
@@ -77,9 +91,10 @@ impl Collision {
     }
 }
 
-/// The shapes of every link, in the order of the links; what cannot be had is reported.
+/// The shapes of every link, in the order of the links; what cannot be had is reported. `reach` is the robot's [m].
 pub(in crate::robot) fn load_shapes(
     urdf: &Urdf,
+    reach: f64,
     meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
     report: &mut Diagnostics,
 ) -> Vec<Vec<Collision>> {
@@ -119,7 +134,7 @@ pub(in crate::robot) fn load_shapes(
         let shapes = link
             .shapes
             .iter()
-            .filter_map(|shape| load(&link.name, shape, meshes, report))
+            .filter_map(|shape| load(&link.name, shape, reach, meshes, report))
             .collect();
         all.push(with_capsules(shapes));
     }
@@ -129,6 +144,7 @@ pub(in crate::robot) fn load_shapes(
 pub(super) fn load(
     link: &str,
     shape: &UrdfShape,
+    reach: f64,
     meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
     report: &mut Diagnostics,
 ) -> Option<Collision> {
@@ -157,11 +173,28 @@ pub(super) fn load(
                     return None;
                 }
             };
-            if mesh.extent() > MAX_MESH_EXTENT {
+            let (extent, most) = (mesh.extent(), mesh_limit(reach));
+            if !(MIN_MESH_EXTENT..=most).contains(&extent) {
+                let unit = LikelyUnit::of(extent, MIN_MESH_EXTENT, most.min(LEAST_MESH_LIMIT));
                 let w = words(
-                    format!("mesh {file:?} is {:.1} m long", mesh.extent()),
-                    format!("at most {MAX_MESH_EXTENT} m"),
-                    "it is probably in millimetres: use scale=\"0.001 0.001 0.001\"",
+                    format!("mesh {file:?} is {extent:.3e} m long"),
+                    match extent > most {
+                        true if reach > 0.0 => {
+                            format!("at most {most:.1} m on a robot of {reach:.2} m reach")
+                        }
+                        true => format!("at most {most} m"),
+                        false => format!("at least {MIN_MESH_EXTENT} m"),
+                    },
+                    unit.map_or("correct the scale".to_owned(), |unit| {
+                        let [x, y, z] = (scale * unit.metres).into();
+                        format!(
+                            "it is probably in {}: use scale=\"{} {} {}\"",
+                            unit.name,
+                            rounded(x),
+                            rounded(y),
+                            rounded(z)
+                        )
+                    }),
                 );
                 report.add(
                     Severity::Warning,
@@ -178,6 +211,11 @@ pub(super) fn load(
         link_from_shape: shape.link_from_shape,
         shape: solid,
     })
+}
+
+/// A factor as one writes it, without what rounding leaves.
+fn rounded(factor: f64) -> f64 {
+    format!("{factor:.6e}").parse().unwrap_or(factor)
 }
 
 fn read_mesh(

@@ -90,6 +90,8 @@ pub enum DiagnosticKind {
     Mesh,
     /// A mesh that was most likely drawn in other units.
     MeshScale,
+    /// Lengths, masses or angles that were most likely given in other units.
+    Units,
     /// Visual geometry that cannot be read.
     Visual,
     /// An SRDF that is none of this robot's, or says what cannot be.
@@ -117,6 +119,7 @@ impl DiagnosticKind {
             Self::CollisionMissing => "collision-missing",
             Self::Mesh => "mesh",
             Self::MeshScale => "mesh-scale",
+            Self::Units => "units",
             Self::Visual => "visual",
             Self::Srdf => "srdf",
         }

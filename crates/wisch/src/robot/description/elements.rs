@@ -53,6 +53,8 @@ pub(in crate::robot) struct UrdfJoint {
     pub parent_from_joint: Pose,
     pub axis: Vector3,
     pub limit: Option<UrdfLimit>,
+    /// The limits of its safety controller, where those are narrower; `limit` has them already.
+    pub soft_limits: Option<[f64; 2]>,
 }
 
 #[derive(Clone, Copy, Default)]

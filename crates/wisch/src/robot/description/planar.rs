@@ -52,6 +52,7 @@ pub(in crate::robot) fn split(joint: UrdfJoint) -> (Vec<UrdfJoint>, Vec<UrdfLink
         },
         axis: plane * kinds[i].1,
         limit: Some(kinds[i].2),
+        soft_limits: None,
     });
     let links = between.iter().map(|name| UrdfLink {
         name: name.clone(),

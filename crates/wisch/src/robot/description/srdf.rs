@@ -1,6 +1,6 @@
 //! What a URDF does not say: groups of joints, named postures, links that may touch. MoveIt's format.
 
-use super::diagnostics::{Diagnostics, words};
+use super::diagnostics::{Diagnostics, Words, words};
 use super::urdf::{Reader, elements};
 use crate::robot::{
     Diagnostic, DiagnosticKind, Joint, JointKind, LinkId, RobotError, RobotModel, Severity, Subject,
@@ -8,6 +8,10 @@ use crate::robot::{
 use crate::source_location::{Place, UnknownName};
 use roxmltree::Node;
 use std::collections::BTreeSet;
+
+/// Name of the state in which the arm waits and travels. A state of this name with `_` and the tool's name after it goes
+/// before, for tools that need a posture of their own.
+pub const READY_STATE: &str = "ready";
 
 /// Most groups.
 const MAX_GROUPS: usize = 1000;
@@ -45,6 +49,9 @@ pub struct Srdf {
     /// Groups that are not read: those of links, of other groups, or of joints that are no chain. Virtual and passive
     /// joints and end effectors are passed over.
     pub ignored: Vec<Ignored>,
+    /// What is passed over without harm to the groups that wipe: pairs with a link that the robot does not have (a warning), and
+    /// postures of joints that are fixed, absent or of no group (a note).
+    pub passed_over: Vec<Diagnostic>,
     /// The robot that the text says it is of, if that is not this one, and where it says so [byte].
     other_robot: Option<(usize, String)>,
 }
@@ -110,8 +117,8 @@ impl Srdf {
     /// Reads an SRDF of a robot; `name` is used in messages.
     ///
     /// # Errors
-    /// If the text is no SRDF or larger than is read, or names a link, joint or group that does not
-    /// exist; if a chain's tip does not hang on its base; if two groups, or two postures of a group,
+    /// If the text is no SRDF or larger than is read; if a group names a link, or a posture of a chain a joint, that does not
+    /// exist, or a posture a group; if a chain's tip does not hang on its base; if two groups, or two postures of a group,
     /// have one name; or if a posture is outside the position limits.
     pub fn parse(name: &str, text: &str, robot: &RobotModel) -> Result<Self, RobotError> {
         let (srdf, faults) = Self::read(name, text, robot)?;
@@ -119,8 +126,8 @@ impl Srdf {
     }
 
     /// Everything that is wrong with an SRDF or odd in it: an error for each reason for which
-    /// [`Srdf::parse`] refuses the text, an unknown name once; a warning if it says that it is another robot's; a note
-    /// on each group that is not read. `name` is used in messages.
+    /// [`Srdf::parse`] refuses the text, an unknown name once; a warning if it says that it is another robot's, and on links of
+    /// pairs that the robot does not have; a note on each group and posture that is not read. `name` is used in messages.
     ///
     /// ```
     /// # use wisch::robot::RobotModel;
@@ -163,6 +170,7 @@ impl Srdf {
             let subject = Subject::Robot;
             report.add(Severity::Warning, DiagnosticKind::Srdf, subject, at, w);
         }
+        report.diagnostics.extend(srdf.passed_over);
         for Ignored { at, what } in srdf.ignored {
             report.diagnostics.push(Diagnostic {
                 severity: Severity::Note,
@@ -212,6 +220,17 @@ impl Srdf {
         srdf.groups.append(&mut of_joints);
         let mut states = BTreeSet::new();
         for node in elements(root, "group_state") {
+            if let Some(why) = srdf.why_no_posture(node, robot) {
+                let name = node.attribute("name").unwrap_or_default();
+                let w = words(
+                    format!("posture {name:?}: {why}"),
+                    "joints that move, of a group",
+                    "fine if it is for other programs: it is passed over",
+                );
+                let found = noted(Severity::Note, reader.at(node), w);
+                srdf.passed_over.push(found);
+                continue;
+            }
             match reader.state(node, &groups, robot) {
                 Ok(state) if states.insert((state.group.clone(), state.name.clone())) => {
                     srdf.states.push(state);
@@ -223,6 +242,7 @@ impl Srdf {
                 Err(fault) => faults.push(fault),
             }
         }
+        let mut stale = BTreeSet::new();
         for node in elements(root, "disable_collisions") {
             let link = |attribute| reader.link_of(node, attribute, robot);
             match (link("link1"), link("link2")) {
@@ -231,7 +251,26 @@ impl Srdf {
                     b,
                     reason: node.attribute("reason").unwrap_or_default().to_owned(),
                 }),
-                (a, b) => faults.extend(a.err().into_iter().chain(b.err())),
+                (a, b) => {
+                    for fault in a.err().into_iter().chain(b.err()) {
+                        match fault {
+                            RobotError::UnknownAt { at, unknown } => {
+                                let is_same = |fault: &RobotError| matches!(fault, RobotError::UnknownAt { unknown: known, .. } if known.name == unknown.name);
+                                let is_told = faults.iter().any(is_same);
+                                if !is_told && stale.insert(unknown.name.clone()) {
+                                    let w = words(
+                                        unknown.to_string(),
+                                        format!("a link of robot {:?}", robot.name()),
+                                        "pairs with it are passed over: remove them, or give the SRDF of this robot",
+                                    );
+                                    let found = noted(Severity::Warning, at, w);
+                                    srdf.passed_over.push(found);
+                                }
+                            }
+                            fault => faults.push(fault),
+                        }
+                    }
+                }
             }
         }
         Ok((srdf, faults))
@@ -255,6 +294,32 @@ impl Srdf {
         let found = self.states.iter().find(|state| state.name == name);
         let known = self.states.iter().map(|state| state.name.as_str());
         found.ok_or_else(|| unknown("group state", name, known))
+    }
+
+    /// Why a posture is none of a group that wipes and cannot be taken; `None` where it is to be read. A joint that a chain's
+    /// posture or the ready one names wrongly stays a fault, as the robot would start elsewhere.
+    fn why_no_posture(&self, node: Node, robot: &RobotModel) -> Option<String> {
+        let name = node.attribute("name").map_or("", str::trim);
+        let group = node.attribute("group").map_or("", str::trim);
+        if name.starts_with(READY_STATE) {
+            return None;
+        }
+        if group.is_empty() {
+            return Some("it is of no group".to_owned());
+        }
+        if self.groups.iter().any(|known| known.name == group) {
+            return None;
+        }
+        elements(node, "joint").find_map(|joint| {
+            let name = joint.attribute("name")?.trim();
+            match robot.joint(name) {
+                Ok(id) if robot.joints()[id.index()].kind == JointKind::Fixed => {
+                    Some(format!("joint {name:?} is fixed"))
+                }
+                Ok(_) => None,
+                Err(_) => Some(format!("the robot has no joint {name:?}")),
+            }
+        })
     }
 
     fn ignore(&mut self, reader: &Reader, node: Node, what: String) {
@@ -300,6 +365,19 @@ impl Srdf {
         }
         self.groups.push(Group { name, base, tip });
         Ok(None)
+    }
+}
+
+/// What is odd in an SRDF and no fault.
+fn noted(severity: Severity, at: Place, words: Words) -> Diagnostic {
+    Diagnostic {
+        severity,
+        at,
+        subject: Subject::Robot,
+        kind: DiagnosticKind::Srdf,
+        value: words.value,
+        limit: words.limit,
+        advice: words.advice,
     }
 }
 

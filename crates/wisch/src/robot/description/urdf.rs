@@ -59,6 +59,7 @@ impl Urdf {
             joints: Vec::new(),
             mimics: Vec::new(),
         };
+        reader.refuse_xacro(root)?;
         for node in root.children().filter(Node::is_element) {
             match node.tag_name().name() {
                 "link" => urdf.links.push(reader.link(node)?),
@@ -154,6 +155,25 @@ impl<'a> Reader<'a> {
         }
         let problem = format!("expected <robot>, found <{}>", root.tag_name().name());
         Err(self.fault(root, problem))
+    }
+
+    /// # Errors
+    /// If some element is one that xacro replaces by others: what it would make is the robot.
+    fn refuse_xacro(&self, root: Node) -> Result<(), RobotError> {
+        let is_xacro = |node: &Node| {
+            let namespace = node.tag_name().namespace();
+            namespace.is_some_and(|namespace| namespace.contains("xacro"))
+        };
+        match root.descendants().filter(Node::is_element).find(is_xacro) {
+            Some(node) => {
+                let name = node.tag_name().name();
+                let problem = format!(
+                    "<xacro:{name}> is not expanded; expected plain URDF: xacro robot.xacro > robot.urdf expands it"
+                );
+                Err(self.fault(node, problem))
+            }
+            None => Ok(()),
+        }
     }
 
     pub fn too_large(&self, what: &'static str, value: usize, limit: usize) -> RobotError {
@@ -380,17 +400,46 @@ impl<'a> Reader<'a> {
             })
         };
         let mimic = element(node, "mimic").map(mimic).transpose()?;
+        let kind = self.name(node, "type")?;
+        let mut limit = element(node, "limit").map(limit).transpose()?;
+        let soft_limits = match (&mut limit, element(node, "safety_controller")) {
+            (Some(limit), Some(soft)) if matches!(kind.as_str(), "revolute" | "prismatic") => {
+                self.narrow(limit, soft)?
+            }
+            _ => None,
+        };
         let joint = UrdfJoint {
             at: node.range().start,
-            kind: self.name(node, "type")?,
+            kind,
             parent: end("parent")?,
             child: end("child")?,
             parent_from_joint: self.origin(node)?,
             axis: Vector3::from(axis),
-            limit: element(node, "limit").map(limit).transpose()?,
+            limit,
+            soft_limits,
             name,
         };
         Ok((joint, mimic))
+    }
+
+    /// Narrows position limits to the soft ones of a safety controller, within which a controller keeps the joint; returns those if
+    /// they are narrower. Without a range of its own it has none: absent soft limits count as 0 and 0.
+    fn narrow(&self, limit: &mut UrdfLimit, soft: Node) -> Result<Option<[f64; 2]>, RobotError> {
+        let lower = self.limit(soft, "soft_lower_limit")?;
+        let upper = self.limit(soft, "soft_upper_limit")?;
+        let (Some(lower), Some(upper)) = (lower, upper) else {
+            return Ok(None);
+        };
+        let narrowed = [
+            limit.lower.map_or(lower, |hard| hard.max(lower)),
+            limit.upper.map_or(upper, |hard| hard.min(upper)),
+        ];
+        let is_narrower = limit.lower != Some(narrowed[0]) || limit.upper != Some(narrowed[1]);
+        if lower >= upper || narrowed[0] >= narrowed[1] || !is_narrower {
+            return Ok(None);
+        }
+        [limit.lower, limit.upper] = narrowed.map(Some);
+        Ok(Some(narrowed))
     }
 
     fn sum_mimic(&self, node: Node) -> Result<UrdfMimic, RobotError> {

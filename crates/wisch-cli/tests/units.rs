@@ -1,0 +1,284 @@
+//! Tools, objects and robots in other units, and values that are assumed: told, never taken in silence.
+
+use crate::program::{folder_with, wisch};
+use std::fs;
+use std::path::Path;
+use wisch::geometry::{Mesh, Vector3};
+
+/// An arm of six joints: lengths over a metre, masses over a kilogram, the attributes of its limits, and more in its last link.
+struct Arm {
+    length: f64,
+    mass: f64,
+    rates: &'static str,
+    tip: &'static str,
+}
+
+const ARM: Arm = Arm {
+    length: 1.0,
+    mass: 1.0,
+    rates: "velocity=\"2\" acceleration=\"10\" effort=\"100\"",
+    tip: "",
+};
+
+impl Arm {
+    fn urdf(&self) -> String {
+        let Self {
+            length,
+            mass,
+            rates,
+            tip,
+        } = self;
+        let inertia = 0.01 * mass;
+        let mut text = "<robot name=\"arm\"><link name=\"l0\"/>".to_owned();
+        for i in 1..=6 {
+            let more = if i == 6 { tip } else { &"" };
+            let axis = if i % 2 == 1 { "0 0 1" } else { "0 1 0" };
+            text += &format!(
+                "<link name=\"l{i}\"><inertial><mass value=\"{}\"/><inertia ixx=\"{inertia}\" iyy=\"{inertia}\" izz=\"{inertia}\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>\
+                 <collision><geometry><sphere radius=\"{}\"/></geometry></collision>{more}</link>\
+                 <joint name=\"a{i}\" type=\"revolute\"><parent link=\"l{}\"/><child link=\"l{i}\"/><origin xyz=\"0 0 {}\"/><axis xyz=\"{axis}\"/>\
+                 <limit lower=\"-2.5\" upper=\"2.5\" {rates}/></joint>",
+                3.0 * mass,
+                0.04 * length,
+                i - 1,
+                0.15 * length
+            );
+        }
+        text + "</robot>"
+    }
+}
+
+const READY: &str = "<robot name=\"arm\"><group name=\"arm\"><chain base_link=\"l0\" tip_link=\"l6\"/></group>\
+    <group_state name=\"ready\" group=\"arm\"><joint name=\"a2\" value=\"0.5\"/></group_state></robot>";
+
+/// What `wisch check` says of the shipped board with this robot, and what `wisch robot check` does.
+fn told(arm: &Arm, srdf: &str) -> (String, String) {
+    let folder = folder_with("arm-board.toml");
+    let mesh = Mesh::cuboid(Vector3::new(15.0, 15.0, 8.0)).unwrap();
+    fs::write(folder.path().join("nut.stl"), mesh.to_binary_stl()).unwrap();
+    fs::write(folder.path().join("arm.urdf"), arm.urdf()).unwrap();
+    fs::write(folder.path().join("arm.srdf"), srdf).unwrap();
+    let (_, _, check) = wisch(
+        folder.path(),
+        &["check", "task.toml", "--robot", "arm.urdf"],
+    );
+    let (_, report, error) = wisch(folder.path(), &["robot", "check", "arm.urdf"]);
+    (check, report + &error)
+}
+
+#[test]
+fn an_arm_in_metres_kilograms_and_radians_raises_no_remark() {
+    let (check, report) = told(&ARM, READY);
+    assert!(!check.contains("note:"), "{check}");
+    assert!(report.contains("nothing is missing or odd"), "{report}");
+}
+
+#[test]
+fn what_is_odd_or_assumed_of_a_robot_is_told_by_both_checks() {
+    let nut = "<collision><geometry><mesh filename=\"nut.stl\"/></geometry></collision>";
+    let no_ready = READY.replace("\"ready\"", "\"home\"");
+    let stale = READY.replace(
+        "</robot>",
+        "<disable_collisions link1=\"l6\" link2=\"gripper_base\"/></robot>",
+    );
+    let cases = [
+        (
+            Arm {
+                length: 1000.0,
+                ..ARM
+            },
+            READY,
+            "probably in millimetres: multiply by 0.001",
+        ),
+        (
+            Arm { length: 1e6, ..ARM },
+            READY,
+            "probably in micrometres: multiply by 0.000001",
+        ),
+        (
+            Arm {
+                mass: 1000.0,
+                ..ARM
+            },
+            READY,
+            "probably in grams: multiply masses and inertias by 0.001",
+        ),
+        (
+            Arm { tip: nut, ..ARM },
+            READY,
+            "use scale=\"0.001 0.001 0.001\"",
+        ),
+        (
+            Arm {
+                rates: "velocity=\"2\" effort=\"100\"",
+                ..ARM
+            },
+            READY,
+            "10 rad/s2 is assumed",
+        ),
+        (
+            Arm {
+                rates: "effort=\"100\"",
+                ..ARM
+            },
+            READY,
+            "1 rad/s is assumed",
+        ),
+        (ARM, &*no_ready, "no posture"),
+        (ARM, &*stale, "unknown link \"gripper_base\""),
+    ];
+    for (arm, srdf, expected) in cases {
+        let (check, report) = told(&arm, srdf);
+        assert!(check.contains(expected), "{expected}: check: {check}");
+        assert!(
+            report.contains(expected),
+            "{expected}: robot check: {report}"
+        );
+    }
+}
+
+#[test]
+fn degrees_and_square_millimetres_are_told() {
+    let text = ARM.urdf();
+    for (from, to, expected) in [
+        (
+            "lower=\"-2.5\" upper=\"2.5\"",
+            "lower=\"-170\" upper=\"170\"",
+            "probably in degrees",
+        ),
+        (
+            "ixx=\"0.01\" iyy=\"0.01\" izz=\"0.01\"",
+            "ixx=\"1e4\" iyy=\"1e4\" izz=\"1e4\"",
+            "kg mm2",
+        ),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("arm.urdf"), text.replace(from, to)).unwrap();
+        let (code, report, _) = wisch(folder.path(), &["robot", "check", "arm.urdf"]);
+        assert_eq!(code, 1, "{report}");
+        assert!(report.contains(expected), "{report}");
+    }
+}
+
+#[test]
+fn soft_limits_are_kept_and_told() {
+    let text = ARM.urdf().replacen(
+        "effort=\"100\"/></joint>",
+        "effort=\"100\"/><safety_controller soft_lower_limit=\"-1\" soft_upper_limit=\"4\" k_velocity=\"1\"/></joint>",
+        1,
+    );
+    let robot =
+        wisch::robot::RobotModel::from_urdf(
+            "arm.urdf",
+            &text,
+            &mut |_| Err("no meshes".to_owned()),
+        );
+    let robot = robot.unwrap();
+    let limits = robot.variable(0).limits.position.unwrap();
+    assert_eq!([limits.lower, limits.upper], [-1.0, 2.5]);
+    let told = robot.diagnostics()[0].to_string();
+    assert!(told.contains("keeps it within -1 and 2.5 rad"), "{told}");
+}
+
+#[test]
+fn xacro_that_is_not_expanded_is_an_error_at_its_place() {
+    let folder = folder_with("arm-board.toml");
+    let text = "<?xml version=\"1.0\"?>\n<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\" name=\"cell\">\n  \
+        <link name=\"world\"/>\n  <xacro:include filename=\"arm.xacro\"/>\n</robot>\n";
+    fs::write(folder.path().join("cell.urdf"), text).unwrap();
+    for args in [
+        &["robot", "check", "cell.urdf"][..],
+        &["check", "task.toml", "--robot", "cell.urdf"],
+        &["robot", "map", "cell.urdf", "--samples", "100"],
+    ] {
+        let (code, _, error) = wisch(folder.path(), args);
+        assert_eq!(code, 2, "{args:?}: {error}");
+        assert!(
+            error.contains("cell.urdf:4:3: <xacro:include> is not expanded"),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn a_posture_of_a_finger_that_is_fixed_absent_or_of_no_group_is_a_note() {
+    let fixed = "<link name=\"finger_link\"/><joint name=\"finger\" type=\"fixed\"><parent link=\"l6\"/><child link=\"finger_link\"/></joint></robot>";
+    let of_group = "<group name=\"gripper\"><joint name=\"finger\"/></group><group_state name=\"open\" group=\"gripper\"><joint name=\"finger\" value=\"0\"/></group_state></robot>";
+    let of_none = "<group_state name=\"folded\" group=\"\"><joint name=\"a2\" value=\"0\"/></group_state></robot>";
+    for (text, state, expected) in [
+        (
+            ARM.urdf().replace("</robot>", fixed),
+            of_group,
+            "joint \"finger\" is fixed",
+        ),
+        (ARM.urdf(), of_group, "the robot has no joint \"finger\""),
+        (ARM.urdf(), of_none, "it is of no group"),
+    ] {
+        let folder = folder_with("arm-board.toml");
+        fs::write(folder.path().join("arm.urdf"), text).unwrap();
+        fs::write(
+            folder.path().join("arm.srdf"),
+            READY.replace("</robot>", state),
+        )
+        .unwrap();
+        let (code, report, error) = wisch(folder.path(), &["robot", "check", "arm.urdf"]);
+        assert_eq!(code, 0, "{report}{error}");
+        assert!(report.contains(expected), "{report}");
+    }
+}
+
+/// The check of a task whose tool is a mesh of this size [m].
+fn check_of_tool(folder: &Path, size: Vector3) -> (i32, String, String) {
+    let mesh = Mesh::cuboid(size).unwrap();
+    fs::write(folder.join("pad.stl"), mesh.to_binary_stl()).unwrap();
+    let settings = ["tool.name=pad", "tool.mesh=pad.stl"];
+    let args = [
+        "check",
+        "task.toml",
+        "--robot",
+        "none",
+        "--set",
+        settings[0],
+        "--set",
+        settings[1],
+    ];
+    wisch(folder, &args)
+}
+
+#[test]
+fn tools_in_other_units_are_refused_with_the_unit_and_the_factor() {
+    let folder = folder_with("arm-board.toml");
+    let size = Vector3::new(0.07, 0.11, 0.05);
+    let (code, out, error) = check_of_tool(folder.path(), size);
+    assert_eq!(code, 0, "{out}{error}");
+    for (scale, expected) in [
+        (1e3, "in millimetres: multiply by 0.001"),
+        (1e2, "in centimetres: multiply by 0.01"),
+        (1e-3, "scaled twice: multiply by 1000"),
+    ] {
+        let (code, _, error) = check_of_tool(folder.path(), size * scale);
+        assert_eq!(code, 2, "{error}");
+        assert!(error.contains(expected), "{error}");
+        assert!(error.contains("mesh \"pad.stl\""), "{error}");
+    }
+}
+
+#[test]
+fn an_object_that_dwarfs_the_surface_is_told() {
+    let folder = folder_with("arm-board.toml");
+    let cup = Mesh::cuboid(Vector3::new(15.0, 15.0, 8.0)).unwrap();
+    fs::write(folder.path().join("cup.stl"), cup.to_binary_stl()).unwrap();
+    let path = folder.path().join("task.toml");
+    let text = fs::read_to_string(&path).unwrap();
+    let object = "\n[[scene]]\nname = \"nut\"\nmesh = { file = \"cup.stl\" }\nposition_m = [50.0, 50.0, 0.0]\n";
+    fs::write(&path, text + object).unwrap();
+    let (_, _, error) = wisch(folder.path(), &["check", "task.toml", "--robot", "none"]);
+    assert!(
+        error.contains("note: scene object \"nut\" is 15.0 m long"),
+        "{error}"
+    );
+    assert!(
+        error.contains("in millimetres: multiply by 0.001"),
+        "{error}"
+    );
+}
