@@ -186,7 +186,7 @@ impl<'a> BagReader<'a> {
         if is_by_tool {
             let field = &wrench.field;
             remarks.push(format!(
-                "forces of libfranka ({field}) are by the tool, by its manual"
+                "forces of libfranka ({field}) are taken to be by the tool; --wrench-sign says otherwise"
             ));
         }
         let wrenches: Track<Vector3> = wrench.into_track(clock, shift, window, &mut remarks)?;

@@ -74,7 +74,7 @@ impl Layout {
         let (form, turn) = finder.orientation(options.orientation)?;
         columns.extend(finder.position(form, &turn)?);
         columns.extend(turn);
-        // libfranka and UR's controllers say in their manuals whose axes and which sign their forces have.
+        // The names of libfranka's and UR's columns tell whose axes and which sign their forces have, by the logs at hand.
         let known = FORCES.iter().find(|known| {
             let name = &finder.names[force[0].index];
             name.bases().any(|base| indexed_base(base, known.base, 0))
@@ -87,7 +87,7 @@ impl Layout {
                 WrenchSign::ByTool => "by the tool",
             };
             finder.remarks.push(format!(
-                "forces of {} are {by}, in the axes of the {}, by their manual",
+                "forces of {} are taken to be {by}, in the axes of the {}",
                 known.robot,
                 known.axes.as_str()
             ));
