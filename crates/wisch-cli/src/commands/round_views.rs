@@ -49,10 +49,10 @@ pub fn input<'a>(
     })
 }
 
-/// The rounds, one line each, for people.
+/// The rounds for people: a line each, then one for each doubt about its log.
 pub fn rounds_in_words(done: &[Done], target: f64) -> Vec<(&'static str, String)> {
     done.iter()
-        .map(|done| {
+        .flat_map(|done| {
             let round = &done.round;
             let interpretation = &round.interpretation;
             let estimate = &interpretation.performance;
@@ -97,10 +97,12 @@ pub fn rounds_in_words(done: &[Done], target: f64) -> Vec<(&'static str, String)
                 text += &format!(" ({claim}; a camera would tell)");
             }
             let number = round.motion.number;
-            (
-                if number == 1 { "rounds" } else { "" },
-                format!("{number}: {text}"),
-            )
+            let name = if number == 1 { "rounds" } else { "" };
+            let doubts = interpretation
+                .doubts
+                .iter()
+                .map(|doubt| ("", format!("   {doubt}")));
+            std::iter::once((name, format!("{number}: {text}"))).chain(doubts)
         })
         .collect()
 }
