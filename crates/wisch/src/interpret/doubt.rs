@@ -427,7 +427,7 @@ impl LogEvidence<'_> {
         let declared = self.declared.nominal_force();
         let reference = reading.reference_force(declared);
         let ratio = reference / declared;
-        let is_other = ratio > OTHER_FORCE || ratio < 1.0 / OTHER_FORCE;
+        let is_other = !(1.0 / OTHER_FORCE..=OTHER_FORCE).contains(&ratio);
         let otherwise = is_other
             .then_some(reference)
             .map(|force| Doubt::PressedOtherwise {

@@ -257,9 +257,11 @@ impl Interpreter {
             config: &config,
         };
         let doubts = evidence.doubts();
-        let is_low = (classified.plane.is_none() && config.gap_m == 0.0)
-            .then(|| evidence.is_low())
-            .unwrap_or_default();
+        let is_low = if classified.plane.is_none() && config.gap_m == 0.0 {
+            evidence.is_low()
+        } else {
+            Vec::new()
+        };
         let is_other_surface =
             |doubt: &Doubt| matches!(doubt, Doubt::PressedFarOff { .. } | Doubt::Curved { .. });
         if doubts.iter().any(is_other_surface) {

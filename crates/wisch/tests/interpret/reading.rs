@@ -215,6 +215,9 @@ fn a_log_that_begins_in_contact_says_that_it_may_be_cut() {
     }
 }
 
+/// The height of a surface over a place.
+type Height = fn(Point2) -> f64;
+
 /// A convex cylinder about the surface's y with its crest at x = 0.
 fn crest(place: Point2, radius: f64) -> f64 {
     (radius * radius - place.x * place.x).sqrt() - radius
@@ -222,7 +225,7 @@ fn crest(place: Point2, radius: f64) -> f64 {
 
 #[test]
 fn contacts_on_a_cylinder_are_told_with_radius_and_axis() {
-    let surfaces: [(f64, fn(Point2) -> f64); 4] = [
+    let surfaces: [(f64, Height); 4] = [
         (0.5, |place| crest(place, 0.5)),
         (1.0, |place| crest(place, 1.0)),
         (2.5, |place| crest(place, 2.5)),
