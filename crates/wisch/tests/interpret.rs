@@ -8,6 +8,8 @@ mod effects;
 mod events_found;
 #[path = "interpret/log.rs"]
 pub mod log;
+#[path = "interpret/random.rs"]
+mod random;
 #[path = "interpret/reading.rs"]
 mod reading;
 #[path = "interpret/uncertain.rs"]

@@ -498,7 +498,7 @@ fn surface_in_words(record: &InterpretationRecord) -> String {
     let (Some(plane), Some(tilt), Some(offset)) =
         (&record.plane, record.plane_tilt_rad, record.plane_offset_m)
     else {
-        let advice = "are surface.position_m and --world-from-log right? see --wrench-frame and --wrench-sign as well";
+        let advice = "are surface.position_m and --world-from-log right?";
         return format!("not found: no contact ({advice})");
     };
     let tilt = match plane.tilt_directions {

@@ -193,7 +193,10 @@ fn tables_of_known_robots_are_read_by_themselves() {
         let log = read_text(&table(&franka(bracket), line), &LogOptions::default());
         assert_is_it(&log, "libfranka");
         let said = log.remarks.join("; ");
-        assert!(said.contains("(O_F_ext_hat_K) are by the tool"), "{said}");
+        assert!(
+            said.contains("(O_F_ext_hat_K) are taken to be by the tool"),
+            "{said}"
+        );
     }
 
     // KUKA: millimetres and degrees.

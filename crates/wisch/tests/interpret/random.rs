@@ -1,0 +1,149 @@
+//! One wipe as many robots would log it: force, bias, sign, frame, noise, clock, rate, pose of the surface and length drawn
+//! at random.
+//!
+//! `WISCH_LOGS=2000 cargo test --workspace --test main interpret::random` reads as many logs.
+
+use super::log::{BOARD, STEEP, Script, task};
+use super::{interpreted, interpreted_with};
+use rand::RngExt;
+use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
+use wisch::geometry::{Point2, Pose, Vector3};
+use wisch::interpret::{InterpretConfig, TouchSample};
+use wisch::represent::Task;
+
+/// How many logs are read if `WISCH_LOGS` does not say so, and the seed of the first.
+const COUNT: u64 = 100;
+const FIRST_SEED: u64 = 1000;
+
+/// By how much an interval may miss what was so.
+const MOST_MISSED: f64 = 0.1;
+
+/// At least this share of the logs is answered.
+const LEAST_ANSWERED: f64 = 0.8;
+
+/// What differs from the log that the task expects.
+#[derive(Debug)]
+struct Difference {
+    scale: f64,
+    /// Added in the axes of the sensor [N].
+    bias: Vector3,
+    is_turned: bool,
+    /// Which axis of the sensor is along the surface's normal: 0 its z, 1 against its z, 2 its x.
+    frame: u8,
+    noise: f64,
+    /// By how much the forces are late [s].
+    late: f64,
+    rate: f64,
+    /// How high the real surface is above the believed one [m], and how far it leans [rad] about which axis.
+    height: f64,
+    lean: f64,
+    about: f64,
+    /// The part of the log that is there.
+    part: [f64; 2],
+    /// How many of the strokes were made.
+    strokes: usize,
+}
+
+impl Difference {
+    fn draw(random: &mut ChaCha8Rng) -> Self {
+        let mut between = |low: f64, high: f64| low + (high - low) * random.random::<f64>();
+        Self {
+            scale: between(0.3_f64.ln(), 3.0_f64.ln()).exp(),
+            bias: Vector3::from_fn(|_, _| between(-40.0, 40.0)),
+            is_turned: between(0.0, 1.0) < 0.5,
+            frame: between(0.0, 3.0) as u8,
+            noise: between(0.0, 2.0),
+            late: (between(-1.0, 1.0) * 0.5 * between(0.0, 2.0).floor()).clamp(-0.5, 0.5),
+            rate: between(10.0_f64.ln(), 1000.0_f64.ln()).exp(),
+            height: between(-0.015, 0.015),
+            lean: between(0.0, 3.0_f64.to_radians()),
+            about: between(0.0, std::f64::consts::TAU),
+            part: [[0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [0.0, 0.5], [0.5, 1.0]]
+                [between(0.0, 5.0) as usize],
+            strokes: 1 + between(0.0, 5.0) as usize,
+        }
+    }
+
+    fn script(&self) -> Script {
+        let rows: Vec<f64> = (0..5).map(|row| 0.05 * (f64::from(row) - 2.0)).collect();
+        let along = 0.5 * BOARD[0] - 0.04;
+        let strokes = (rows.iter().enumerate().take(self.strokes)).map(|(row, &y)| {
+            let way = if row % 2 == 0 { along } else { -along };
+            [Point2::new(-way, y), Point2::new(way, y)]
+        });
+        Script {
+            strokes: strokes.collect(),
+            rate: self.rate,
+            force_noise: 0.0,
+            ..Script::default()
+        }
+    }
+
+    fn samples(&self, task: &Task, random: &mut ChaCha8Rng) -> Vec<TouchSample> {
+        let plain = self.script().samples(task);
+        let surface = task.surface.world_from_surface;
+        let axis = Vector3::new(self.about.cos(), self.about.sin(), 0.0) * self.lean;
+        let lean = Pose::new(Vector3::z() * self.height, axis);
+        let count = plain.len() as f64;
+        let shift = (self.late * self.rate).round() as i64;
+        let mut samples = Vec::new();
+        for (index, sample) in plain.iter().enumerate() {
+            let at = index as f64 / count;
+            // The noise is drawn for all, so that a part of a log is a part of the same log.
+            let noise = Vector3::from_fn(|_, _| {
+                ((0..6).map(|_| random.random::<f64>()).sum::<f64>() - 3.0) * 2.0_f64.sqrt()
+            });
+            if at < self.part[0] || at >= self.part[1] {
+                continue;
+            }
+            let felt = (index as i64 - shift).clamp(0, plain.len() as i64 - 1);
+            let force = surface.rotation.inverse() * plain[felt as usize].force;
+            let force = lean.rotation * force * self.scale;
+            let force = if self.is_turned { -force } else { force } + noise * self.noise;
+            let force = match self.frame {
+                0 => force,
+                1 => Vector3::new(force.x, -force.y, -force.z),
+                _ => Vector3::new(force.z, force.y, -force.x),
+            };
+            samples.push(TouchSample {
+                world_from_tool: surface * lean * surface.inverse() * sample.world_from_tool,
+                force: surface.rotation * (force + self.bias),
+                ..*sample
+            });
+        }
+        samples
+    }
+}
+
+#[test]
+fn no_log_of_another_robot_is_read_wrongly_without_a_word() {
+    let count = std::env::var("WISCH_LOGS").map_or(COUNT, |count| count.parse().unwrap());
+    let task = task(80, STEEP);
+    let config = InterpretConfig::of(&task);
+    let (mut wrong, mut answered) = (Vec::new(), 0);
+    for seed in FIRST_SEED..FIRST_SEED + count {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let difference = Difference::draw(&mut random);
+        // What the strokes wiped, by the same law.
+        let plain = Script {
+            rate: 1000.0,
+            ..difference.script()
+        };
+        let truth = interpreted(&plain).performance.mean;
+        let found = interpreted_with(&difference.samples(&task, &mut random), &task, &config);
+        let estimate = found.performance;
+        let missed = (estimate.low - truth).max(truth - estimate.high);
+        answered += u64::from(found.can_be_told());
+        if missed > MOST_MISSED && found.doubts.is_empty() {
+            wrong.push((seed, truth, estimate, difference));
+        }
+    }
+    let share = answered as f64 / count as f64;
+    println!(
+        "{count} logs: {} wrong without a word, {:.1} % answered",
+        wrong.len(),
+        100.0 * share
+    );
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert!(share >= LEAST_ANSWERED, "{share}");
+}
