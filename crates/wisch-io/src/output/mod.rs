@@ -379,7 +379,7 @@ fn is_result_file(name: &str) -> bool {
     ];
     let is_bag = name.starts_with("round-") && name.ends_with(".mcap");
     let is_picture = name.ends_with(".svg") || name.ends_with(".png");
-    fixed.contains(&name) || is_bag || is_picture
+    fixed.contains(&of_first_round(name).as_str()) || is_bag || is_picture
 }
 
 const OTHER_FILE: &str = "choose another file with --out";
@@ -396,4 +396,27 @@ fn refused(path: &Path, problem: impl ToString, help: &'static str) -> Error {
 
 fn cannot_write(path: &Path, error: &io::Error) -> Error {
     refused(path, format!("cannot write there: {error}"), OTHER_FOLDER)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_files_of_every_round_are_results() {
+        let names = [
+            PLAN_FILE,
+            FOLLOWING_FILE,
+            TRAJECTORY_JSON_FILE,
+            TRAJECTORY_YAML_FILE,
+            TCP_PATH_FILE,
+        ];
+        for name in names {
+            assert!(is_result_file(name), "{name}");
+            let later = of_round(name, 12);
+            assert!(is_result_file(&later), "{later}");
+            assert_eq!(of_first_round(&later), name);
+        }
+        assert!(!is_result_file("notes-round-2.txt"));
+    }
 }

@@ -220,7 +220,7 @@ impl Interpreter {
 
     fn understood(&self) -> Understood {
         let measured = self.downsampler.pieces();
-        let reading = ForceReading::of(measured, &self.config);
+        let reading = ForceReading::of(measured, &self.surface, &self.config);
         let pieces = &reading.applied(measured, &self.config);
         let reference = reading.reference_force(self.config.nominal_force());
         let config = self.config.with_reference_force(reference);

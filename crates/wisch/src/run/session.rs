@@ -478,12 +478,15 @@ impl<'a> Session<'a> {
     fn followed(&self, plan: Plan, observer: &mut Observer<'_>) -> Result<PlannedRound, RunError> {
         let performer = self.performer.ok_or(RunError::NoRobot)?;
         let (task, round) = (&self.task, self.number());
-        let cell = Workcell::new(
+        let mut cell = Workcell::new(
             performer.robot.clone(),
             performer.srdf,
             task,
             &self.workcell,
         )?;
+        if let Some(stands) = &self.stands {
+            cell = cell.with_turns_of(stands);
+        }
         let nodes = plan.strokes.iter().map(|stroke| stroke.nodes.len()).sum();
         let mut followed = follow(
             task,

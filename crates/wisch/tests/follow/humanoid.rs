@@ -1,5 +1,6 @@
 //! The humanoid at the chopping board.
 
+use std::f64::consts::TAU;
 use wisch::follow::{FollowConfig, Followed, Phase, Workcell, WorkcellConfig, follow};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan};
 use wisch::represent::{Action, Task};
@@ -57,6 +58,38 @@ fn the_humanoid_wipes_the_whole_chopping_board_with_its_base_still() {
         wipes += usize::from(motion.phase.is_contact());
     }
     assert!(wipes > 0);
+}
+
+#[test]
+fn a_base_that_has_turned_round_begins_with_the_turns_that_it_counts() {
+    let (file, task) = shipped("chopping-board", Action::Collect);
+    let plan = planned(&file, &task);
+    let humanoid = humanoid();
+    let config = WorkcellConfig {
+        world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
+        ..WorkcellConfig::default()
+    };
+    let cell = Workcell::new(humanoid.model, Some(&humanoid.srdf), &task, &config).unwrap();
+    let base = cell.base().unwrap();
+    let mut stands = cell.ready().to_vec();
+    stands[base.yaw] -= 2.0 * TAU - 0.01;
+    let cell = cell.with_turns_of(&stands);
+    let map = humanoid.map.as_ref();
+    let config = FollowConfig::default();
+    let followed = follow(&task, &plan, &cell, map, &config, &mut |_| ()).unwrap();
+
+    assert_eq!(faults(&task, &plan, &cell, &followed), [] as [String; 0]);
+    let headings: Vec<f64> = (followed.motions.iter())
+        .flat_map(|motion| motion.trajectory.samples(0.02))
+        .map(|sample| sample.q[base.yaw])
+        .collect();
+    assert!((headings[0] - stands[base.yaw]).abs() < 0.05);
+    // Nowhere does it turn round for nothing.
+    assert!(
+        headings
+            .windows(2)
+            .all(|pair| (pair[1] - pair[0]).abs() < 0.1)
+    );
 }
 
 /// The largest share of its velocity and of its acceleration limit that each joint of the robot uses in a motion,

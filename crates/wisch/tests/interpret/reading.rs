@@ -2,7 +2,7 @@
 
 use super::log::{DEPTH, PRESS, STEEP, Script, task};
 use super::{events, interpreted, interpreted_with};
-use wisch::geometry::{Point2, Vector3};
+use wisch::geometry::{Point2, Pose, Vector3};
 use wisch::interpret::{Diagnosis, Doubt, EventKind, InterpretConfig, Interpretation, TouchSample};
 use wisch::represent::Task;
 
@@ -276,4 +276,41 @@ fn contacts_on_a_cylinder_are_told_with_radius_and_axis() {
         ..Script::default()
     });
     assert_eq!(weak.doubts, [], "compressed by {DEPTH} m at most");
+}
+
+#[test]
+fn travel_below_the_surface_beside_it_is_no_contact_of_the_other_sign() {
+    let task = task(80, STEEP);
+    let script = Script {
+        strokes: vec![[Point2::new(-0.10, 0.0), Point2::new(0.10, 0.0)]],
+        rate: 100.0,
+        ..Script::default()
+    };
+    let plain = script.samples(&task);
+    let truth = interpreted(&script).performance.mean;
+    // Before and after it, the tool travels beside the board, lower than the board lies.
+    let surface = task.surface.world_from_surface;
+    let beside = |begin: f64| {
+        (0..400).map(move |k| {
+            let time = f64::from(k) / 100.0;
+            let place = Vector3::new(0.4 + 0.05 * time, 0.3, -0.05);
+            TouchSample::new(begin + time, surface * Pose::from(place), Vector3::zeros())
+        })
+    };
+    let end = plain.last().unwrap().time + 4.5;
+    let samples: Vec<TouchSample> = beside(0.0)
+        .chain(plain.iter().map(|sample| TouchSample {
+            time: sample.time + 4.25,
+            ..*sample
+        }))
+        .chain(beside(end))
+        .collect();
+    let found = interpreted_with(&samples, &task, &InterpretConfig::of(&task));
+    assert!(
+        !found.doubts.contains(&Doubt::SignTurned),
+        "{:?}",
+        found.doubts
+    );
+    assert_holds(&found, truth, "beside");
+    assert!((found.pressed_force.unwrap() / PRESS - 1.0).abs() < 0.1);
 }

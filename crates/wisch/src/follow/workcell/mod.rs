@@ -20,6 +20,7 @@ use grasp::{relaxed, tip_from_tool, without_rim};
 use group::{hand_and_holder, planar_base, put_in, standing_links};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::collections::BTreeSet;
+use std::f64::consts::TAU;
 pub(in crate::follow) use target_surface::HandBelow;
 use target_surface::{TargetSurface, ToolMount, hand_below, is_tool_behind};
 
@@ -414,6 +415,20 @@ impl Workcell {
             UnitQuaternion::from_axis_angle(&t.axis_in_tool, pose.tilt)
         });
         task.surface.world_from_surface * upright * lean
+    }
+
+    /// Counts the whole turns of a base on wheels as the robot does, so that no motion begins with turns that bring it
+    /// nowhere.
+    ///
+    /// `stands`: all n variables as the robot was measured [rad or m].
+    pub fn with_turns_of(mut self, stands: &[f64]) -> Self {
+        if let Some(base) = self.base
+            && let Some(heading) = stands.get(base.yaw)
+        {
+            let turns = ((heading - self.ready[base.yaw]) / TAU).round();
+            self.ready[base.yaw] += turns * TAU;
+        }
+        self
     }
 
     /// The variables with the base standing somewhere.

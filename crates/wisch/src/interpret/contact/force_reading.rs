@@ -9,6 +9,7 @@ use super::downsampling::MeasuredPiece;
 use super::plane::{PlaneFit, fit_plane};
 use crate::geometry::{Point3, Vector3};
 use crate::interpret::config::{InterpretConfig, PlaneConfig};
+use crate::represent::Surface;
 use nalgebra::UnitQuaternion;
 
 /// Time on either side over which velocities are compared [s]: inertia of the hand is not bias.
@@ -30,6 +31,11 @@ const LEAST_ON_PLANE: f64 = 0.05;
 const SLIDING_DISTANCE: f64 = 2e-3;
 /// Least distance above a plane at which the tool is free of it [m].
 const FREE_DISTANCE: f64 = 8e-3;
+/// How much sliding beside the believed surface counts for contact, over that above it [1].
+const BESIDE: f64 = 1e-3;
+/// Share of the sliding that lies above the believed surface, at least, where contact is to be read in other axes than
+/// declared [1].
+const LEAST_OVER: f64 = 0.5;
 /// The force of contact over the spread of what is felt in the air, at least [1].
 const LEAST_SIGNIFICANCE: f64 = 2.0;
 /// The force of contact over the nominal one, at least [1], and in newtons.
@@ -123,8 +129,12 @@ pub(in crate::interpret) struct ForceReading {
 }
 
 impl ForceReading {
-    /// Reads the forces of these pieces.
-    pub(in crate::interpret) fn of(pieces: &[MeasuredPiece], config: &InterpretConfig) -> Self {
+    /// Reads the forces of these pieces over this believed surface.
+    pub(in crate::interpret) fn of(
+        pieces: &[MeasuredPiece],
+        surface: &Surface,
+        config: &InterpretConfig,
+    ) -> Self {
         let smooth = smoothed(pieces, config);
         let calm: Vec<bool> = (0..pieces.len()).map(|i| is_calm(pieces, i)).collect();
         let by_height = Self::by_height(&smooth, &calm, config);
@@ -134,13 +144,21 @@ impl ForceReading {
         let slides: Vec<bool> = (0..pieces.len())
             .map(|i| is_sliding(pieces, i, config))
             .collect();
-        let planes = sliding_planes(pieces, &slides, config);
+        // By themselves first: a plane through strokes and through travel beside the surface is none.
+        let over: Vec<bool> = (pieces.iter().zip(&slides))
+            .map(|(piece, slides)| *slides && surface.outline.contains(piece.position.xy()))
+            .collect();
+        let mut planes = sliding_planes(pieces, &over, config);
+        if over != slides {
+            planes.extend(sliding_planes(pieces, &slides, config));
+        }
         let near = |plane: &&PlaneFit| plane.height.abs() <= config.search_height_m;
         let lowest = (planes.iter().filter(near)).min_by(|a, b| a.height.total_cmp(&b.height));
         let scene = Scene {
             pieces: &smooth,
             calm: &calm,
             slides: &slides,
+            surface,
             config,
         };
         let contact = (planes.iter())
@@ -289,6 +307,7 @@ struct Scene<'a> {
     pieces: &'a [MeasuredPiece],
     calm: &'a [bool],
     slides: &'a [bool],
+    surface: &'a Surface,
     config: &'a InterpretConfig,
 }
 
@@ -310,6 +329,16 @@ struct SlidingContact {
 }
 
 impl Scene<'_> {
+    /// How long a piece lasts above the believed surface [s].
+    fn over_surface(&self, i: usize) -> f64 {
+        let place = self.pieces[i].position.xy();
+        if self.surface.outline.contains(place) {
+            lasts(self.pieces, i)
+        } else {
+            0.0
+        }
+    }
+
     fn contact(&self, plane: &PlaneFit) -> Option<SlidingContact> {
         let distances: Vec<f64> = (self.pieces.iter())
             .map(|piece| {
@@ -362,12 +391,21 @@ impl Scene<'_> {
         let normal: Vector3 = (on.iter())
             .map(|&i| pieces[i].surface_from_tool.inverse() * Vector3::z())
             .sum();
-        (is_steady && is_clear).then(|| SlidingContact {
+        let normal = normal.normalize();
+        let is_outward = along.dot(&match axes {
+            SensorAxes::Surface => Vector3::z(),
+            SensorAxes::Tool => normal,
+        }) >= LEAST_ALIGNED;
+        let lasts: f64 = on.iter().map(|&i| lasts(&pieces, i)).sum();
+        let over: f64 = on.iter().map(|&i| self.over_surface(i)).sum();
+        // Beside the surface a tool also travels below it: seen from there, what it feels on the surface is free motion.
+        let is_possible = is_outward || over >= LEAST_OVER * lasts;
+        (is_steady && is_clear && is_possible).then(|| SlidingContact {
             axes,
             step,
-            normal_in_tool: normal.normalize(),
+            normal_in_tool: normal,
             clock_offset,
-            weight: pressed * on.iter().map(|&i| lasts(&pieces, i)).sum::<f64>(),
+            weight: pressed * (over + BESIDE * (lasts - over)),
             on,
             free,
             near,
