@@ -79,6 +79,27 @@ impl Difference {
         }
     }
 
+    /// What was wiped, by the same law. What is cut while the tool is in the air is a whole log of fewer strokes: nothing
+    /// in it tells that there were others.
+    fn wiped(&self, task: &Task, config: &InterpretConfig) -> f64 {
+        let plain = Script {
+            rate: 1000.0,
+            ..self.script()
+        };
+        let samples = plain.samples(task);
+        let [begin, end] = self.part.map(|at| (at * samples.len() as f64) as usize);
+        let is_pressed = |index: usize| {
+            let sample = samples.get(index.saturating_sub(1));
+            sample.is_some_and(|sample| sample.force.norm() > 0.0)
+        };
+        if is_pressed(begin) || is_pressed(end) {
+            return interpreted(&plain).performance.mean;
+        }
+        interpreted_with(&samples[begin..end], task, config)
+            .performance
+            .mean
+    }
+
     fn samples(&self, task: &Task, random: &mut ChaCha8Rng) -> Vec<TouchSample> {
         let plain = self.script().samples(task);
         let surface = task.surface.world_from_surface;
@@ -124,12 +145,7 @@ fn no_log_of_another_robot_is_read_wrongly_without_a_word() {
     for seed in FIRST_SEED..FIRST_SEED + count {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let difference = Difference::draw(&mut random);
-        // What the strokes wiped, by the same law.
-        let plain = Script {
-            rate: 1000.0,
-            ..difference.script()
-        };
-        let truth = interpreted(&plain).performance.mean;
+        let truth = difference.wiped(&task, &config);
         let found = interpreted_with(&difference.samples(&task, &mut random), &task, &config);
         let estimate = found.performance;
         let missed = (estimate.low - truth).max(truth - estimate.high);
