@@ -86,6 +86,16 @@ fn weight_is_taken_off_in_every_orientation() {
     );
     assert_is_contact(&turned, "in the sensor's axes");
     assert!(turned.remarks[1].starts_with("--payload-centre is not used"));
+    // Zeroed while the tool hung below, upright: z of the sensor points down.
+    let down = UnitQuaternion::from_euler_angles(std::f64::consts::PI, 0.0, 0.0);
+    let zeroed = LogOptions {
+        logged_from_sensor: Some(down),
+        force_bias: Some(Vector3::new(0.0, 0.0, -WEIGHT)),
+        ..payload(1.0, Vector3::zeros())
+    };
+    let shown =
+        |contact, turn| (turn * down).inverse() * (contact + weight) - down.inverse() * weight;
+    assert_is_contact(&log(shown, &zeroed), "zeroed");
     // In the world's axes the weight is a bias, whose sign is that of the measured force.
     let world = LogOptions {
         axes: AxesChoice::Given(Axes::World),
