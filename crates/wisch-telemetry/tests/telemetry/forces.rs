@@ -93,8 +93,9 @@ fn weight_is_taken_off_in_every_orientation() {
         force_bias: Some(Vector3::new(0.0, 0.0, -WEIGHT)),
         ..payload(1.0, Vector3::zeros())
     };
-    let shown =
-        |contact, turn| (turn * down).inverse() * (contact + weight) - down.inverse() * weight;
+    let shown = |contact: Vector3, turn: UnitQuaternion<f64>| {
+        (turn * down).inverse() * (contact + weight) - down.inverse() * weight
+    };
     assert_is_contact(&log(shown, &zeroed), "zeroed");
     // In the world's axes the weight is a bias, whose sign is that of the measured force.
     let world = LogOptions {
