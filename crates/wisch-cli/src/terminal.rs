@@ -36,6 +36,9 @@ pub fn run(args: &[OsString], program: impl FnOnce() -> Result<Outcome, Failure>
     let mut asked = args.iter().skip(1).take_while(|arg| *arg != "--");
     JSON.store(asked.any(|arg| arg == "--json"), Ordering::Relaxed);
     panic::set_hook(Box::new(|info| {
+        if wisch_telemetry::catches_panics() {
+            return;
+        }
         let place = info
             .location()
             .map_or_else(String::new, |at| format!(" at {}:{}", at.file(), at.line()));

@@ -495,6 +495,26 @@ fn wrong_inputs_are_told_with_what_to_do() {
         ),
         (
             "log.mcap",
+            &["--force-scale", "-2"],
+            &["--force-scale", "-2", "it is not above 0"],
+        ),
+        (
+            "log.mcap",
+            &["--force-bias", "0", "inf", "0"],
+            &["--force-bias", "it is not finite"],
+        ),
+        (
+            "log.mcap",
+            &["--payload-mass", "-1"],
+            &["--payload-mass", "it is below 0"],
+        ),
+        (
+            "log.mcap",
+            &["--payload-centre", "0", "0", "0.1"],
+            &["--payload-mass"],
+        ),
+        (
+            "log.mcap",
             &["--pose-offset", "0", "0", "0", "0", "nan", "0"],
             &["it is not finite"],
         ),

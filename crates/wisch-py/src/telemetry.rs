@@ -12,7 +12,7 @@ use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::TouchSample;
 use wisch::run::{TelemetrySample, Wrench};
 use wisch_telemetry::{
-    Axes, AxesChoice, LogOptions, OrientationForm, TopicChoice, WrenchSign,
+    Axes, AxesChoice, LogOptions, OrientationForm, Payload, TopicChoice, WrenchSign,
 };
 
 /// Columns that grow sample by sample.
@@ -235,10 +235,10 @@ pub fn touches(
     samples.collect()
 }
 
-/// Reads a log: a ROS 2 bag (MCAP), a folder with the parts of one, or a table of numbers under a line of names. Options are
-/// those of `wisch interpret`.
+/// Reads a log: a ROS 2 bag (MCAP), a folder with the parts of one, or a table (text with a line of names, Parquet,
+/// Arrow or npz). Options are those of `wisch interpret`.
 #[pyfunction]
-#[pyo3(signature = (path, *, pose_topic = None, wrench_topic = None, columns = None, wrench_frame = None, wrench_sign = None, orientation = None, rate_hz = None, force_unit_n = None, length_unit_m = None, time_unit_s = None, pose_frame = None, world_from_log = None, world_from_surface = None, pose_offset = None, max_gap_s = 0.1))]
+#[pyo3(signature = (path, *, pose_topic = None, wrench_topic = None, columns = None, wrench_frame = None, wrench_sign = None, force_bias_n = None, force_scale = None, payload_mass_kg = None, payload_centre_m = None, orientation = None, rate_hz = None, force_unit_n = None, length_unit_m = None, time_unit_s = None, pose_frame = None, world_from_log = None, world_from_surface = None, pose_offset = None, max_gap_s = 0.1))]
 #[expect(clippy::too_many_arguments, reason = "Python names them")]
 pub fn read_log(
     py: Python<'_>,
@@ -248,6 +248,10 @@ pub fn read_log(
     columns: Option<&Bound<'_, PyDict>>,
     wrench_frame: Option<&str>,
     wrench_sign: Option<&str>,
+    force_bias_n: Option<[f64; 3]>,
+    force_scale: Option<f64>,
+    payload_mass_kg: Option<f64>,
+    payload_centre_m: Option<[f64; 3]>,
     orientation: Option<&str>,
     rate_hz: Option<f64>,
     force_unit_n: Option<f64>,
@@ -268,6 +272,12 @@ pub fn read_log(
         rate: rate_hz,
         pose_frame,
         max_gap: max_gap_s,
+        force_bias: force_bias_n.map(Vector3::from),
+        force_scale,
+        payload: payload_mass_kg.map(|mass| Payload {
+            mass,
+            centre: payload_centre_m.map_or_else(Vector3::zeros, Vector3::from),
+        }),
         ..LogOptions::default()
     };
     for (ours, theirs) in columns.into_iter().flatten() {

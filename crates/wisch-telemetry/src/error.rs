@@ -85,6 +85,16 @@ pub enum ReadFault {
     /// The system refuses.
     #[error("{0}")]
     System(std::io::Error),
+    /// An option that cannot be.
+    #[error("{option}: {value} is not {limit}")]
+    Option {
+        /// As the command line calls it.
+        option: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it has to be.
+        limit: &'static str,
+    },
     /// It is another kind of file.
     #[error(
         "this is no bag: it begins with bytes {found}, and an MCAP file with 89 4d 43 41 50 30 0d 0a"
@@ -329,6 +339,59 @@ pub enum ReadFault {
     /// A table that its reader refuses.
     #[error("{0}")]
     Csv(String),
+    /// A table in a binary file that is damaged, or not of those that are read.
+    #[error("the {kind} file cannot be read: {error}")]
+    Table {
+        /// What kind of file it is.
+        kind: &'static str,
+        /// What is wrong.
+        error: String,
+    },
+    /// A table with more rows than are read.
+    #[error("the table has {rows} rows, and the limit is {limit}")]
+    TooManyRows {
+        /// How many it has, or at least has.
+        rows: usize,
+        /// The limit.
+        limit: usize,
+    },
+    /// What is too long when it is unpacked.
+    #[error("{what} is {len} bytes long when unpacked, and the limit is {limit} bytes")]
+    Unpacked {
+        /// The column, array or batch of rows.
+        what: String,
+        /// Its length [bytes].
+        len: u64,
+        /// The limit [bytes].
+        limit: u64,
+    },
+    /// Columns of different lengths.
+    #[error(
+        "column {:?} has {} rows, but column {:?} has {}",
+        .columns[0], .rows[0], .columns[1], .rows[1]
+    )]
+    Rows {
+        /// Their names.
+        columns: [String; 2],
+        /// How many rows each has.
+        rows: [usize; 2],
+    },
+    /// A column of what is no number, time or text.
+    #[error("column {column:?} holds {kind}, and only numbers, times and text are read")]
+    ColumnType {
+        /// Its name.
+        column: String,
+        /// What it holds.
+        kind: String,
+    },
+    /// A table in which something is missing that may be in a column that is not read.
+    #[error("{fault}; lists, records and objects are not read: {}", listed(.columns))]
+    BesideUnread {
+        /// What is missing.
+        fault: Box<ReadFault>,
+        /// The names of those columns.
+        columns: Vec<String>,
+    },
     /// A time that no log bears.
     #[error("{place}: a time of {time} s is not within {limit} s of 0")]
     Time {

@@ -4,6 +4,7 @@ use super::bag::{BagReader, FRAME_SURFACE, FRAME_WORLD, Unzstd, active_path};
 use super::doubtful::doubts;
 use super::error::{ReadError, ReadFault, RecordingKind};
 use super::frames::Chain;
+use super::measured::Correction;
 use super::options::{Axes, AxesChoice, LogOptions, WrenchSign};
 use super::quantity::QuantityError;
 use super::table;
@@ -100,6 +101,7 @@ pub fn read(path: &Path, options: &LogOptions) -> Result<Log, ReadError> {
         file: path.display().to_string(),
         fault,
     };
+    let correction = Correction::of(options).map_err(|fault| within(path, fault))?;
     let parts = parts(path).map_err(|error| within(path, ReadFault::System(error)))?;
     for part in &parts {
         check_is_file(part).map_err(|fault| within(part, fault))?;
@@ -119,7 +121,7 @@ pub fn read(path: &Path, options: &LogOptions) -> Result<Log, ReadError> {
     } else {
         bytes(path).and_then(|bytes| table::read(&bytes, options))
     };
-    raw.and_then(|raw| understood(raw, options))
+    raw.and_then(|raw| understood(raw, correction, options))
         .map_err(|fault| within(path, fault))
 }
 
@@ -243,16 +245,16 @@ fn is_bag(path: &Path) -> std::io::Result<bool> {
 }
 
 /// Poses and forces together, in the task's world.
-fn understood(raw: RawLog, options: &LogOptions) -> Result<Log, ReadFault> {
+fn understood(raw: RawLog, correction: Correction, options: &LogOptions) -> Result<Log, ReadFault> {
     let pairs = paired(&raw.poses, &raw.wrenches, options.max_gap)?;
     let world = World::of(&raw, options)?;
     let sensor = Sensor::of(&raw, options)?;
     let start = raw.start.unwrap_or(pairs[0].0);
     let length = options.length_unit.unwrap_or(1.0);
     let force_unit = options.force_unit.unwrap_or(1.0);
-    let scale = match options.sign.or(raw.sign).unwrap_or(WrenchSign::OnTool) {
-        WrenchSign::OnTool => force_unit,
-        WrenchSign::ByTool => -force_unit,
+    let sign = match options.sign.or(raw.sign).unwrap_or(WrenchSign::OnTool) {
+        WrenchSign::OnTool => 1.0,
+        WrenchSign::ByTool => -1.0,
     };
     let sample = |&(time, mut log_from_logged, force): &(i64, Pose, Vector3)| {
         log_from_logged.translation.vector *= length;
@@ -268,10 +270,11 @@ fn understood(raw: RawLog, options: &LogOptions) -> Result<Log, ReadFault> {
                 world_from_log.rotation * log_from_sensor.rotation
             }
         };
+        let force = correction.unbiased(force * force_unit) * sign;
         Some(TouchSample {
             time: seconds(time.saturating_sub(start)),
             world_from_tool: world_from_logged * options.logged_from_tool,
-            force: world_from_axes * sensor.turned * (force * scale),
+            force: correction.without_weight(world_from_axes * sensor.turned * force),
         })
     };
     let samples: Vec<TouchSample> = pairs.iter().filter_map(sample).collect();
@@ -289,6 +292,7 @@ fn understood(raw: RawLog, options: &LogOptions) -> Result<Log, ReadFault> {
         .remarks
         .iter()
         .cloned()
+        .chain(correction.remarks)
         .chain(doubts(&samples, options))
         .collect();
     Ok(Log {

@@ -1,7 +1,7 @@
 //! How a log is to be understood: its topics, frames, signs and units.
 
 use nalgebra::UnitQuaternion;
-use wisch::geometry::Pose;
+use wisch::geometry::{Pose, Vector3};
 use wisch::robot::JointTransform;
 
 /// Which topic of a bag is meant.
@@ -60,6 +60,15 @@ pub enum WrenchSign {
     OnTool,
     /// The tool to the surroundings.
     ByTool,
+}
+
+/// What hangs behind a force sensor: the tool and what holds it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Payload {
+    /// Its mass [kg].
+    pub mass: f64,
+    /// Its centre of mass in the frame whose pose the log gives [m]. It matters to torques alone.
+    pub centre: Vector3,
 }
 
 /// Which time of a bag's messages counts.
@@ -134,6 +143,13 @@ pub struct LogOptions {
     pub axes: AxesChoice,
     /// Who does it to whom; `None` as the names of a table's columns say, or the surroundings to the tool.
     pub sign: Option<WrenchSign>,
+    /// What the sensor shows without any force, in the axes, with the sign and before all else that is done to the force
+    /// [N].
+    pub force_bias: Option<Vector3>,
+    /// Factor on the measured force without its bias [1].
+    pub force_scale: Option<f64>,
+    /// What the sensor weighs along with the force; gravity is along the world's −z. `None` takes nothing off.
+    pub payload: Option<Payload>,
     /// The numbers by which a table states orientations; `None` as the names of its columns say.
     pub orientation: Option<OrientationForm>,
     /// Which time of a bag's messages counts.
@@ -177,6 +193,9 @@ impl Default for LogOptions {
             columns: Vec::new(),
             axes: AxesChoice::AsLogged,
             sign: None,
+            force_bias: None,
+            force_scale: None,
+            payload: None,
             orientation: None,
             clock: Clock::Header,
             reorder_window: 5.0,

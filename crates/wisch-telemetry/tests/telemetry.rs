@@ -1,6 +1,8 @@
 //! Bags as they are written and read: whole, cut off, damaged, and of other writers.
 
+mod columns;
 mod damage;
+mod forces;
 mod foreign;
 #[path = "../examples/demo_bag/shown.rs"]
 mod shown;

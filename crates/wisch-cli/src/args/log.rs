@@ -30,7 +30,7 @@ pub struct InterpretArgs {
 /// A log, and what was being done.
 #[derive(Debug, Args)]
 pub struct LoggedArgs {
-    /// Log: a bag (.mcap, .mcap.zstd), a folder with the parts of one, or a table (CSV)
+    /// Log: a bag (.mcap, .mcap.zstd), a folder with the parts of one, or a table (CSV, Parquet, Arrow or Feather, npz)
     #[arg(value_name = "LOG", value_hint = ValueHint::AnyPath)]
     pub log: PathBuf,
     /// Task file of what was executed
@@ -78,6 +78,19 @@ pub struct LogArgs {
     /// Sign convention: force acting on the tool, or exerted by the tool [default: as the log says, or on-tool]
     #[arg(long, value_name = "SIGN", value_parser = sign_parser())]
     pub wrench_sign: Option<WrenchSign>,
+    /// What the sensor shows without any force [N]: taken off the measured force before all else, in its own axes
+    #[arg(long, num_args = 3, value_names = AXIS_NAMES, allow_negative_numbers = true, value_parser = finite)]
+    pub force_bias: Vec<f64>,
+    /// Factor on the measured force, its bias taken off
+    #[arg(long, value_name = "FACTOR", allow_negative_numbers = true, value_parser = positive)]
+    pub force_scale: Option<f64>,
+    /// Mass of what hangs behind the force sensor [kg]: its weight, along the world's -z, is taken off the force as each
+    /// pose turns it
+    #[arg(long, value_name = "KG", allow_negative_numbers = true, value_parser = not_negative)]
+    pub payload_mass: Option<f64>,
+    /// Its centre of mass in the logged frame [m]; it matters to torques, which are not read [default: 0 0 0]
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true, value_parser = finite, requires = "payload_mass")]
+    pub payload_centre: Vec<f64>,
     /// How a table states orientations [default: as its names of columns say]
     #[arg(long, value_name = "FORM", value_parser = orientation_parser())]
     pub orientation: Option<OrientationForm>,
@@ -132,6 +145,8 @@ pub struct LogArgs {
 
 /// What six numbers of a pose are.
 const POSE_NAMES: [&str; 6] = ["X", "Y", "Z", "ROLL", "PITCH", "YAW"];
+/// What three numbers of a force are.
+const AXIS_NAMES: [&str; 3] = ["FX", "FY", "FZ"];
 /// What three numbers of a turn are.
 const TURN_NAMES: [&str; 3] = ["ROLL", "PITCH", "YAW"];
 
@@ -179,6 +194,20 @@ fn unit(text: &str) -> Result<f64, String> {
 
 /// From nanoseconds to kilometres: what a unit of a log may be in SI units.
 const UNIT_LIMITS: [f64; 2] = [1e-9, 1e9];
+
+fn positive(text: &str) -> Result<f64, String> {
+    match finite(text)? {
+        number if number > 0.0 => Ok(number),
+        _ => Err("it is not above 0".to_owned()),
+    }
+}
+
+fn not_negative(text: &str) -> Result<f64, String> {
+    match finite(text)? {
+        number if number >= 0.0 => Ok(number),
+        _ => Err("it is below 0".to_owned()),
+    }
+}
 
 fn finite(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {

@@ -11,7 +11,7 @@ use crate::progress::Progress;
 use crate::terminal::{Outcome, print};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
-use wisch::geometry::Pose;
+use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::{EventKind, InterpretConfig, Interpretation, Look, interpret as conclude};
 use wisch::represent::{GoalState, ParticleDistribution};
 use wisch::robot::joint_transforms;
@@ -21,7 +21,7 @@ use wisch_io::{
 };
 use wisch_io::{InterpretationRecord, LogRecord, particles_to_csv};
 use wisch_telemetry::{
-    AxesChoice, AxesSource, Log, LogOptions, ReadFault, RecordingKind, TopicChoice, read,
+    AxesChoice, AxesSource, Log, LogOptions, Payload, ReadFault, RecordingKind, TopicChoice, read,
 };
 
 /// Reads the log, interprets it, and writes what it says.
@@ -295,6 +295,12 @@ fn log_options(args: &LogArgs, prepared: &Prepared) -> Result<LogOptions, Failur
         columns: args.csv_columns.clone(),
         axes: (args.wrench_frame).map_or(AxesChoice::AsLogged, AxesChoice::Given),
         sign: args.wrench_sign,
+        force_bias: vector(&args.force_bias),
+        force_scale: args.force_scale,
+        payload: args.payload_mass.map(|mass| Payload {
+            mass,
+            centre: vector(&args.payload_centre).unwrap_or_else(Vector3::zeros),
+        }),
         orientation: args.orientation,
         clock: args.time,
         reorder_window: args.reorder_s,
@@ -314,6 +320,14 @@ fn log_options(args: &LogArgs, prepared: &Prepared) -> Result<LogOptions, Failur
         world_from_surface: prepared.task.surface.world_from_surface,
         max_gap: args.max_gap_s,
     })
+}
+
+/// A vector of three numbers, if they are given.
+fn vector(numbers: &[f64]) -> Option<Vector3> {
+    match *numbers {
+        [x, y, z] => Some(Vector3::new(x, y, z)),
+        _ => None,
+    }
 }
 
 /// A pose of six numbers, if they are given.
@@ -372,6 +386,15 @@ fn advice(fault: &ReadFault, log: &Path) -> Option<String> {
         }
         ReadFault::StillFrame { .. } => {
             "--pose-topic /tf:FRAME names another frame".to_owned()
+        }
+        ReadFault::BesideUnread { .. } => {
+            "write a column for each number, or say with --csv-columns what the columns are called".to_owned()
+        }
+        ReadFault::Table { .. } | ReadFault::ColumnType { .. } => {
+            "write the table anew, or as text (CSV)".to_owned()
+        }
+        ReadFault::TooManyRows { .. } | ReadFault::Unpacked { .. } => {
+            "read a part of it, or fewer samples per second".to_owned()
         }
         ReadFault::NoFile { .. } => "write it to a file first".to_owned(),
         _ => return None,

@@ -660,6 +660,10 @@ def read_log(
     columns: Mapping[str, str] | None = None,
     wrench_frame: Literal["world", "log", "tool", "surface"] | None = None,
     wrench_sign: Literal["on-tool", "by-tool"] | None = None,
+    force_bias_n: Sequence[float] | None = None,
+    force_scale: float | None = None,
+    payload_mass_kg: float | None = None,
+    payload_centre_m: Sequence[float] | None = None,
     orientation: Literal["quaternion", "rotation-vector", "rpy", "abc", "matrix"] | None = None,
     rate_hz: float | None = None,
     force_unit_n: float | None = None,
@@ -671,7 +675,8 @@ def read_log(
     pose_offset: ArrayLike | None = None,
     max_gap_s: float = 0.1,
 ) -> Telemetry:
-    """Read a log: a ROS 2 bag (MCAP), a folder with the parts of one, or a table of numbers under a line of names.
+    """Read a log: a ROS 2 bag (MCAP), a folder with the parts of one, or a table: text with a line of names, Parquet,
+    Arrow or npz.
 
     Options are those of ``wisch interpret``; poses are (7).
     """

@@ -7,22 +7,34 @@ use std::borrow::Cow;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Cell<'a> {
     Empty,
+    Real(f64),
+    Whole(i64),
+    /// Nanoseconds since 1970, and whether they are in UTC.
+    Date(i64, bool),
     /// Text, its decimal point a point.
     Text(Cow<'a, str>),
 }
 
 impl Cell<'_> {
-    /// The text of a cell.
-    pub fn text(&self) -> &str {
+    /// The cell as text.
+    pub fn text(&self) -> Cow<'_, str> {
         match self {
-            Self::Empty => "",
-            Self::Text(text) => text,
+            Self::Empty => "".into(),
+            Self::Real(number) => number.to_string().into(),
+            Self::Whole(number) => number.to_string().into(),
+            Self::Date(time, _) => format!("{time} ns since 1970").into(),
+            Self::Text(text) => Cow::Borrowed(text),
         }
     }
 
     /// Its number, if it is one.
     pub fn number(&self) -> Option<f64> {
-        self.text().parse().ok()
+        match self {
+            Self::Empty | Self::Date(..) => None,
+            Self::Real(number) => Some(*number),
+            Self::Whole(number) => Some(*number as f64),
+            Self::Text(text) => text.parse().ok(),
+        }
     }
 }
 

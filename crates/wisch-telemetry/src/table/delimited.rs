@@ -296,7 +296,7 @@ mod tests {
         table.each(&wanted, &mut |line, cells| {
             rows.push((
                 line,
-                cells.iter().map(|cell| cell.text().to_owned()).collect(),
+                cells.iter().map(|cell| cell.text().into_owned()).collect(),
             ));
             Ok(true)
         })?;

@@ -1,13 +1,19 @@
 //! Logs as tables: text with a line of names, or columns with names in a binary file.
 
+mod arrow_file;
 mod cell;
+mod columnar;
 mod delimited;
 mod known;
 mod layout;
 mod names;
+mod npz;
 mod orientation;
+mod parquet_file;
 mod source;
 mod times;
+
+pub use self::columnar::catches_panics;
 
 use self::cell::Cell;
 use self::layout::Layout;
@@ -27,7 +33,7 @@ const MOST_RADIANS: f64 = 2.0 * std::f64::consts::PI + 0.01;
 /// Above this distance from their origin [m], positions beside KUKA's angles are millimetres: no arm reaches so far.
 const MOST_METRES: f64 = 20.0;
 
-/// Reads a table: text whose lines are comments, names, perhaps units, and numbers.
+/// Reads a table: text whose lines are comments, names, perhaps units, and numbers; or a binary file of columns.
 pub(crate) fn read(bytes: &[u8], options: &LogOptions) -> Result<RawLog, ReadFault> {
     let (source, layout) = Source::open(bytes, options)?;
     let mut table = Table {
@@ -65,7 +71,7 @@ impl Table<'_> {
         let mut first: Vec<String> = Vec::new();
         let mut is_units = false;
         self.source.each(&indices, &mut |_, cells| {
-            is_units = !cells.is_empty()
+            is_units = (cells.iter()).any(|cell| !matches!(cell, Cell::Empty))
                 && cells
                     .iter()
                     .zip(&self.layout.columns)
@@ -73,7 +79,7 @@ impl Table<'_> {
                         let is_time = column.kind == UnitKind::Time && Instant::of(cell).is_some();
                         !is_time && cell.number().is_none()
                     });
-            first = cells.iter().map(|cell| cell.text().to_owned()).collect();
+            first = cells.iter().map(|cell| cell.text().into_owned()).collect();
             Ok(false)
         })?;
         self.has_units_line = is_units;
@@ -326,7 +332,7 @@ impl Table<'_> {
         ReadFault::NotANumber {
             place: self.source.place(row),
             column: self.source.names()[self.layout.columns[column].index].clone(),
-            text: cell.text().to_owned(),
+            text: cell.text().into_owned(),
         }
     }
 }

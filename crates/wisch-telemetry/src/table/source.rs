@@ -1,19 +1,33 @@
 //! Tables of any format, as rows of cells.
 
 use super::cell::TakeRow;
+use super::columnar::{Columnar, Heads, Values, guarded};
 use super::delimited::Delimited;
 use super::layout::Layout;
+use super::{arrow_file, npz, parquet_file};
 use crate::error::ReadFault;
 use crate::options::LogOptions;
 
 /// A table of some format.
 pub(super) enum Source<'a> {
     Text(Delimited<'a>),
+    Columns(Columnar),
 }
 
 impl<'a> Source<'a> {
-    /// Opens a table and finds its columns.
+    /// Opens a table, whose first bytes tell its format, and finds its columns.
     pub fn open(bytes: &'a [u8], options: &LogOptions) -> Result<(Self, Layout), ReadFault> {
+        if bytes.starts_with(parquet_file::MAGIC) {
+            let (kind, open) = (parquet_file::KIND, parquet_file::open);
+            return Self::columns(kind, || open(bytes), parquet_file::read, options);
+        }
+        if arrow_file::is_one(bytes) {
+            let (kind, open) = (arrow_file::KIND, arrow_file::open);
+            return Self::columns(kind, || open(bytes), arrow_file::read, options);
+        }
+        if bytes.starts_with(npz::MAGIC) {
+            return Self::columns(npz::KIND, || npz::open(bytes), npz::read, options);
+        }
         let text = std::str::from_utf8(bytes).map_err(|error| ReadFault::NotText {
             byte: error.valid_up_to(),
         })?;
@@ -21,10 +35,36 @@ impl<'a> Source<'a> {
         Ok((Self::Text(table), layout))
     }
 
+    /// Reads those columns of a file that the names of all tell to be wanted.
+    fn columns<File>(
+        kind: &'static str,
+        open: impl FnOnce() -> Result<(Heads, File), ReadFault>,
+        read: impl FnOnce(&File, &[usize]) -> Result<Vec<Values>, ReadFault>,
+        options: &LogOptions,
+    ) -> Result<(Self, Layout), ReadFault> {
+        let (heads, file) = guarded(kind, open)?;
+        let layout = Layout::of(&heads.names, options).map_err(|fault| {
+            if heads.unread.is_empty() {
+                return fault;
+            }
+            ReadFault::BesideUnread {
+                fault: Box::new(fault),
+                columns: heads.unread,
+            }
+        })?;
+        let mut indices = layout.indices();
+        indices.sort_unstable();
+        indices.dedup();
+        let values = guarded(kind, || read(&file, &indices))?;
+        let table = Columnar::of(heads.names, &indices, values)?;
+        Ok((Self::Columns(table), layout))
+    }
+
     /// The names of all columns.
     pub fn names(&self) -> &[String] {
         match self {
             Self::Text(table) => table.names(),
+            Self::Columns(table) => &table.names,
         }
     }
 
@@ -32,6 +72,7 @@ impl<'a> Source<'a> {
     pub fn each(&self, wanted: &[usize], take: &mut TakeRow<'_>) -> Result<(), ReadFault> {
         match self {
             Self::Text(table) => table.each(wanted, take),
+            Self::Columns(table) => table.each(wanted, take),
         }
     }
 
@@ -39,20 +80,17 @@ impl<'a> Source<'a> {
     pub fn place(&self, row: usize) -> String {
         match self {
             Self::Text(_) => format!("line {row}"),
+            Self::Columns(_) => format!("row {row}"),
         }
     }
 
     /// Whether commas were read as decimal points.
     pub fn has_decimal_commas(&self) -> bool {
-        match self {
-            Self::Text(table) => table.has_decimal_commas(),
-        }
+        matches!(self, Self::Text(table) if table.has_decimal_commas())
     }
 
     /// Whether the table ends in the middle of a row.
     pub fn is_cut_off(&self) -> bool {
-        match self {
-            Self::Text(table) => table.is_cut_off(),
-        }
+        matches!(self, Self::Text(table) if table.is_cut_off())
     }
 }

@@ -40,7 +40,13 @@ pub(super) enum Instant {
 impl Instant {
     /// Reads a cell.
     pub fn of(cell: &Cell<'_>) -> Option<Self> {
-        let text = cell.text();
+        let text = match cell {
+            Cell::Empty => return None,
+            Cell::Real(count) => return Some(Self::Real(*count)),
+            Cell::Whole(count) => return Some(Self::Whole(*count)),
+            Cell::Date(time, in_utc) => return Some(Self::Date(*time, *in_utc)),
+            Cell::Text(text) => text,
+        };
         if let Ok(whole) = text.parse() {
             return Some(Self::Whole(whole));
         }

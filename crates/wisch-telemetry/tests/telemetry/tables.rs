@@ -7,14 +7,14 @@ use wisch::geometry::Vector3;
 use wisch_telemetry::{Axes, AxesSource, Log, LogOptions, OrientationForm, read};
 
 /// A tool that goes 0.1 m/s along x at a height of 0.8 m with a turn by 0.5 rad about z and is pressed with 10 N, at 25 Hz.
-const COUNT: usize = 250;
+pub(super) const COUNT: usize = 250;
 
-fn time(tick: usize) -> f64 {
+pub(super) fn time(tick: usize) -> f64 {
     tick as f64 / 25.0
 }
 
 /// A table with names and, from the time [s] and x [m] of a sample, its line.
-fn table(names: &str, line: impl Fn(f64, f64) -> String) -> String {
+pub(super) fn table(names: &str, line: impl Fn(f64, f64) -> String) -> String {
     let mut text = format!("{names}\n");
     for tick in 0..COUNT {
         writeln!(text, "{}", line(time(tick), 0.1 * time(tick))).unwrap();
@@ -37,7 +37,7 @@ fn refused_text(text: &str, options: &LogOptions) -> String {
 }
 
 /// The motion of [`table`], and its force in the axes of the log as it acts on the tool.
-fn assert_is_it(log: &Log, what: &str) {
+pub(super) fn assert_is_it(log: &Log, what: &str) {
     assert_eq!(log.samples.len(), COUNT, "{what}: {:?}", log.remarks);
     for (tick, sample) in log.samples.iter().enumerate() {
         assert!(
@@ -58,9 +58,9 @@ fn assert_is_it(log: &Log, what: &str) {
     }
 }
 
-const NAMES: &str = "t,x,y,z,qx,qy,qz,qw,fx,fy,fz";
+pub(super) const NAMES: &str = "t,x,y,z,qx,qy,qz,qw,fx,fy,fz";
 
-fn plain(t: f64, x: f64) -> String {
+pub(super) fn plain(t: f64, x: f64) -> String {
     format!(
         "{t},{x},0,0.8,0,0,{},{},0,0,10",
         0.25_f64.sin(),

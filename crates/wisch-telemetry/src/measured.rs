@@ -1,0 +1,103 @@
+//! What a force sensor shows beside the force that the surroundings do to the tool: a bias, a wrong scale, and the weight
+//! of what hangs behind it.
+
+use super::error::ReadFault;
+use super::options::LogOptions;
+use wisch::geometry::Vector3;
+
+/// The acceleration of free fall [m/s²], which is along the world's −z.
+const FREE_FALL: f64 = 9.806_65;
+
+/// What is taken off a measured force.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Correction {
+    /// In the axes and with the sign in which the force is measured [N].
+    bias: Vector3,
+    /// Factor on what remains [1].
+    scale: f64,
+    /// Of what hangs behind the sensor, in the task's world [N].
+    weight: Vector3,
+    /// What is done, in words.
+    pub remarks: Vec<String>,
+}
+
+impl Correction {
+    /// What the options say.
+    ///
+    /// # Errors
+    /// Numbers that no sensor has.
+    pub fn of(options: &LogOptions) -> Result<Self, ReadFault> {
+        let mut remarks = Vec::new();
+        if let Some(bias) = options.force_bias {
+            check("--force-bias", bias.as_slice(), FINITE, f64::is_finite)?;
+            remarks.push(format!(
+                "by --force-bias, ({}, {}, {}) N are taken off the measured force, in its own axes",
+                bias.x, bias.y, bias.z
+            ));
+        }
+        if let Some(scale) = options.force_scale {
+            let is_scale = |scale: f64| scale.is_finite() && scale > 0.0;
+            check("--force-scale", &[scale], "finite and above 0", is_scale)?;
+            remarks.push(format!(
+                "by --force-scale, the measured force is multiplied by {scale}"
+            ));
+        }
+        let mut weight = Vector3::zeros();
+        if let Some(payload) = &options.payload {
+            let is_mass = |mass: f64| mass.is_finite() && mass >= 0.0;
+            let (mass, centre) = (payload.mass, payload.centre);
+            check("--payload-mass", &[mass], "finite and at least 0", is_mass)?;
+            check(
+                "--payload-centre",
+                centre.as_slice(),
+                FINITE,
+                f64::is_finite,
+            )?;
+            weight = Vector3::z() * (-FREE_FALL * mass);
+            remarks.push(format!(
+                "by --payload-mass, the weight of {mass} kg behind the sensor is taken off the force as each pose turns it: {:.2} N along the world's -z",
+                weight.norm()
+            ));
+            if centre != Vector3::zeros() {
+                remarks.push(
+                    "--payload-centre is not used: it matters to torques, which are not read"
+                        .to_owned(),
+                );
+            }
+        }
+        Ok(Self {
+            bias: options.force_bias.unwrap_or_else(Vector3::zeros),
+            scale: options.force_scale.unwrap_or(1.0),
+            weight,
+            remarks,
+        })
+    }
+
+    /// A force [N] as a right sensor would measure it, in the same axes and with the same sign.
+    pub fn unbiased(&self, measured: Vector3) -> Vector3 {
+        (measured - self.bias) * self.scale
+    }
+
+    /// A force on the tool, in the task's world [N], without the weight of what hangs behind the sensor.
+    pub fn without_weight(&self, force: Vector3) -> Vector3 {
+        force - self.weight
+    }
+}
+
+const FINITE: &str = "finite";
+
+fn check(
+    option: &'static str,
+    numbers: &[f64],
+    limit: &'static str,
+    is_right: impl Fn(f64) -> bool,
+) -> Result<(), ReadFault> {
+    match numbers.iter().find(|&&number| !is_right(number)) {
+        Some(&value) => Err(ReadFault::Option {
+            option,
+            value,
+            limit,
+        }),
+        None => Ok(()),
+    }
+}

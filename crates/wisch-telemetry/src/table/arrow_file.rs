@@ -1,0 +1,338 @@
+//! Tables in Arrow's format between processes: files (Feather) and streams.
+
+use super::columnar::{Heads, MISSING, Texts, Values, check_rows, check_unpacked, damaged};
+use crate::error::ReadFault;
+use arrow_array::cast::AsArray;
+use arrow_array::types::{
+    ArrowPrimitiveType, DurationMicrosecondType, DurationMillisecondType, DurationNanosecondType,
+    DurationSecondType, Float16Type, Float32Type, Float64Type, Int8Type, Int16Type, Int32Type,
+    Int64Type, TimestampMicrosecondType, TimestampMillisecondType, TimestampNanosecondType,
+    TimestampSecondType, UInt8Type, UInt16Type, UInt32Type, UInt64Type,
+};
+use arrow_array::{Array, ArrayRef};
+use arrow_buffer::Buffer;
+use arrow_ipc::convert::fb_to_schema;
+use arrow_ipc::reader::read_record_batch;
+use arrow_ipc::{Endianness, Message, MessageHeader, RecordBatch, root_as_message};
+use arrow_schema::{ArrowError, DataType, SchemaRef, TimeUnit};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// What it is called.
+pub(super) const KIND: &str = "Arrow";
+
+/// What a file begins and ends with.
+const MAGIC: &[u8] = b"ARROW1";
+
+/// Zeros fill a file from its magic bytes to its messages, to a multiple of 8 bytes.
+const HEAD_LEN: usize = 8;
+const ZEROS: [u8; 8] = [0; 8];
+
+/// What a file of Feather's first version begins with, which is another format.
+const FEATHER_1: &[u8] = b"FEA1";
+
+/// What each message of a stream begins with.
+const CONTINUATION: [u8; 4] = [0xff; 4];
+
+/// How messages pack what they hold where the length that goes before says that they do not.
+const NOT_PACKED: i64 = -1;
+
+/// Whether a table is one of Arrow's.
+pub(super) fn is_one(bytes: &[u8]) -> bool {
+    bytes.starts_with(MAGIC) || bytes.starts_with(FEATHER_1) || bytes.starts_with(&CONTINUATION)
+}
+
+/// A file after its schema, and the places of its columns among the fields of the schema.
+pub(super) struct ArrowTable<'a> {
+    messages: Messages<'a>,
+    schema: SchemaRef,
+    fields: Vec<usize>,
+}
+
+/// Reads the names of the columns.
+pub(super) fn open(bytes: &[u8]) -> Result<(Heads, ArrowTable<'_>), ReadFault> {
+    let mut messages = Messages::of(bytes)?;
+    let schema = messages.next().transpose()?;
+    let schema = schema.and_then(|(message, _)| message.header_as_schema());
+    let schema = schema.ok_or_else(|| damaged(KIND, "it does not begin with a schema"))?;
+    if schema.endianness() != Endianness::Little {
+        return Err(damaged(
+            KIND,
+            "its numbers are big-endian, which is not read",
+        ));
+    }
+    let schema = Arc::new(fb_to_schema(schema));
+    let (mut heads, mut fields) = (Heads::default(), Vec::new());
+    for (index, field) in schema.fields().iter().enumerate() {
+        if field.data_type().is_nested() {
+            heads.unread.push(field.name().clone());
+        } else {
+            heads.names.push(field.name().clone());
+            fields.push(index);
+        }
+    }
+    let table = ArrowTable {
+        messages,
+        schema,
+        fields,
+    };
+    Ok((heads, table))
+}
+
+/// Reads some columns.
+pub(super) fn read(table: &ArrowTable<'_>, indices: &[usize]) -> Result<Vec<Values>, ReadFault> {
+    let fields: Vec<usize> = indices.iter().map(|&index| table.fields[index]).collect();
+    let mut columns = Vec::with_capacity(fields.len());
+    for &field in &fields {
+        let field = table.schema.field(field);
+        columns.push(
+            empty(field.data_type()).ok_or_else(|| ReadFault::ColumnType {
+                column: field.name().clone(),
+                kind: field.data_type().to_string(),
+            })?,
+        );
+    }
+    let mut rows = 0_usize;
+    for message in table.messages.clone() {
+        let (message, body) = message?;
+        // What dictionaries hold is not read.
+        if message.header_type() == MessageHeader::DictionaryBatch {
+            continue;
+        }
+        let batch = message.header_as_record_batch();
+        let batch = batch.ok_or_else(|| damaged(KIND, "a message holds no rows"))?;
+        rows = rows.saturating_add(usize::try_from(batch.length()).unwrap_or(usize::MAX));
+        check_rows(rows)?;
+        check_buffers(&batch, body)?;
+        let read = read_record_batch(
+            &Buffer::from(body.to_vec()),
+            batch,
+            table.schema.clone(),
+            &HashMap::new(),
+            Some(&fields),
+            &message.version(),
+        )
+        .map_err(fault)?;
+        for ((array, values), &field) in read.columns().iter().zip(&mut columns).zip(&fields) {
+            append(array, table.schema.field(field).name(), values)?;
+        }
+    }
+    Ok(columns)
+}
+
+fn fault(error: ArrowError) -> ReadFault {
+    damaged(KIND, error)
+}
+
+/// The messages of a file or stream, one after the other, each with what it holds.
+#[derive(Debug, Clone)]
+struct Messages<'a> {
+    rest: &'a [u8],
+}
+
+impl<'a> Messages<'a> {
+    fn of(bytes: &'a [u8]) -> Result<Self, ReadFault> {
+        if bytes.starts_with(FEATHER_1) {
+            let error = "version 1 of Feather is not read; write version 2";
+            return Err(damaged(KIND, error));
+        }
+        if !bytes.starts_with(MAGIC) {
+            return Ok(Self { rest: bytes });
+        }
+        // A file is a stream, and behind it where each message is, how long that is, and the magic bytes again.
+        let rest = bytes.get(HEAD_LEN..).and_then(|rest| {
+            let (rest, len) = rest.strip_suffix(MAGIC)?.split_last_chunk()?;
+            let len = usize::try_from(i32::from_le_bytes(*len)).ok()?;
+            rest.get(..rest.len().checked_sub(len)?)
+        });
+        let mut rest = rest.ok_or_else(|| damaged(KIND, "it is cut off: its end is not there"))?;
+        while let Some(messages) = rest.strip_prefix(&ZEROS) {
+            rest = messages;
+        }
+        Ok(Self { rest })
+    }
+
+    fn read(&mut self) -> Option<Result<(Message<'a>, &'a [u8]), ReadFault>> {
+        let rest = self.rest.strip_prefix(&CONTINUATION).unwrap_or(self.rest);
+        if rest.is_empty() || rest.starts_with(&[0; 4]) {
+            return None;
+        }
+        let taken = |rest: &'a [u8]| -> Option<(&'a [u8], &'a [u8])> {
+            let (len, rest) = rest.split_first_chunk()?;
+            rest.split_at_checked(usize::try_from(i32::from_le_bytes(*len)).ok()?)
+        };
+        let cut = || damaged(KIND, "a message is cut off");
+        let Some((head, rest)) = taken(rest) else {
+            return Some(Err(cut()));
+        };
+        let message = match root_as_message(head) {
+            Ok(message) => message,
+            Err(error) => return Some(Err(damaged(KIND, error))),
+        };
+        let body = usize::try_from(message.bodyLength()).ok();
+        let Some((body, rest)) = body.and_then(|len| rest.split_at_checked(len)) else {
+            return Some(Err(cut()));
+        };
+        self.rest = rest;
+        Some(Ok((message, body)))
+    }
+}
+
+impl<'a> Iterator for Messages<'a> {
+    type Item = Result<(Message<'a>, &'a [u8]), ReadFault>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let message = self.read();
+        if !matches!(message, Some(Ok(_))) {
+            self.rest = &[];
+        }
+        message
+    }
+}
+
+/// Checks that what rows lie in is there, and how long it is unpacked: the reader takes both as they are said.
+fn check_buffers(batch: &RecordBatch<'_>, body: &[u8]) -> Result<(), ReadFault> {
+    let cut = || damaged(KIND, "a column of some rows is cut off");
+    let is_packed = batch.compression().is_some();
+    let mut unpacked = 0_u64;
+    for buffer in batch.buffers().into_iter().flatten() {
+        let [start, len] = [buffer.offset(), buffer.length()].map(usize::try_from);
+        let (start, len) = (start.map_err(|_| cut())?, len.map_err(|_| cut())?);
+        let end = start.checked_add(len).ok_or_else(cut)?;
+        let bytes = body.get(start..end).ok_or_else(cut)?;
+        let said = bytes.first_chunk().map(|said| i64::from_le_bytes(*said));
+        let len = match said.filter(|&said| is_packed && said != NOT_PACKED) {
+            Some(said) => u64::try_from(said).map_err(|_| cut())?,
+            None => len as u64,
+        };
+        unpacked = unpacked.saturating_add(len);
+    }
+    check_unpacked("a batch of rows", unpacked)
+}
+
+/// No values yet of a column, if its type is read.
+fn empty(kind: &DataType) -> Option<Values> {
+    Some(match kind {
+        DataType::Float16 | DataType::Float32 | DataType::Float64 | DataType::Duration(_) => {
+            Values::Reals(Vec::new())
+        }
+        DataType::Int8
+        | DataType::Int16
+        | DataType::Int32
+        | DataType::Int64
+        | DataType::UInt8
+        | DataType::UInt16
+        | DataType::UInt32
+        | DataType::UInt64 => Values::Whole(Vec::new()),
+        DataType::Timestamp(_, zone) => Values::Dates(Vec::new(), zone.is_some()),
+        DataType::Utf8 | DataType::LargeUtf8 | DataType::Utf8View => {
+            Values::Texts(Texts::default())
+        }
+        _ => return None,
+    })
+}
+
+/// Appends the values of some rows.
+fn append(array: &ArrayRef, name: &str, values: &mut Values) -> Result<(), ReadFault> {
+    let is_appended = match values {
+        Values::Reals(reals) => append_reals(array, reals),
+        Values::Whole(whole) => append_whole(array, whole),
+        Values::Dates(dates, _) => append_dates(array, dates),
+        Values::Texts(texts) => return append_texts(array, name, texts),
+    };
+    is_appended.ok_or_else(|| damaged(KIND, "some rows have another type than the schema"))
+}
+
+fn append_reals(array: &ArrayRef, reals: &mut Vec<f64>) -> Option<()> {
+    let missing = f64::NAN;
+    match array.data_type() {
+        DataType::Float16 => each::<Float16Type, _>(array, reals, missing, |n| n.to_f64()),
+        DataType::Float32 => each::<Float32Type, _>(array, reals, missing, f64::from),
+        DataType::Float64 => each::<Float64Type, _>(array, reals, missing, |n| n),
+        DataType::Duration(unit) => {
+            let size = 1e-9 * nanoseconds(*unit) as f64;
+            let in_seconds = |n: i64| n as f64 * size;
+            match unit {
+                TimeUnit::Second => {
+                    each::<DurationSecondType, _>(array, reals, missing, in_seconds)
+                }
+                TimeUnit::Millisecond => {
+                    each::<DurationMillisecondType, _>(array, reals, missing, in_seconds)
+                }
+                TimeUnit::Microsecond => {
+                    each::<DurationMicrosecondType, _>(array, reals, missing, in_seconds)
+                }
+                TimeUnit::Nanosecond => {
+                    each::<DurationNanosecondType, _>(array, reals, missing, in_seconds)
+                }
+            }
+        }
+        _ => None,
+    }
+}
+
+fn append_whole(array: &ArrayRef, whole: &mut Vec<i64>) -> Option<()> {
+    match array.data_type() {
+        DataType::Int8 => each::<Int8Type, _>(array, whole, MISSING, i64::from),
+        DataType::Int16 => each::<Int16Type, _>(array, whole, MISSING, i64::from),
+        DataType::Int32 => each::<Int32Type, _>(array, whole, MISSING, i64::from),
+        DataType::Int64 => each::<Int64Type, _>(array, whole, MISSING, |n| n),
+        DataType::UInt8 => each::<UInt8Type, _>(array, whole, MISSING, i64::from),
+        DataType::UInt16 => each::<UInt16Type, _>(array, whole, MISSING, i64::from),
+        DataType::UInt32 => each::<UInt32Type, _>(array, whole, MISSING, i64::from),
+        DataType::UInt64 => each::<UInt64Type, _>(array, whole, MISSING, |n| {
+            i64::try_from(n).unwrap_or(i64::MAX)
+        }),
+        _ => None,
+    }
+}
+
+fn append_dates(array: &ArrayRef, dates: &mut Vec<i64>) -> Option<()> {
+    let DataType::Timestamp(unit, _) = array.data_type() else {
+        return None;
+    };
+    let size = nanoseconds(*unit);
+    let date = |n: i64| n.saturating_mul(size);
+    match unit {
+        TimeUnit::Second => each::<TimestampSecondType, _>(array, dates, MISSING, date),
+        TimeUnit::Millisecond => each::<TimestampMillisecondType, _>(array, dates, MISSING, date),
+        TimeUnit::Microsecond => each::<TimestampMicrosecondType, _>(array, dates, MISSING, date),
+        TimeUnit::Nanosecond => each::<TimestampNanosecondType, _>(array, dates, MISSING, date),
+    }
+}
+
+/// A unit of time [ns].
+const fn nanoseconds(unit: TimeUnit) -> i64 {
+    match unit {
+        TimeUnit::Second => 1_000_000_000,
+        TimeUnit::Millisecond => 1_000_000,
+        TimeUnit::Microsecond => 1000,
+        TimeUnit::Nanosecond => 1,
+    }
+}
+
+/// Appends each value of an array of numbers, `missing` where there is none.
+fn each<T: ArrowPrimitiveType, V: Copy>(
+    array: &ArrayRef,
+    values: &mut Vec<V>,
+    missing: V,
+    of: impl Fn(T::Native) -> V,
+) -> Option<()> {
+    let numbers = array.as_primitive_opt::<T>()?.iter();
+    values.extend(numbers.map(|number| number.map_or(missing, &of)));
+    Some(())
+}
+
+fn append_texts(array: &ArrayRef, name: &str, texts: &mut Texts) -> Result<(), ReadFault> {
+    let mut push = |text: Option<&str>| texts.push(name, text.unwrap_or_default());
+    if let Some(array) = array.as_string_opt::<i32>() {
+        return array.iter().try_for_each(&mut push);
+    }
+    if let Some(array) = array.as_string_opt::<i64>() {
+        return array.iter().try_for_each(&mut push);
+    }
+    match array.as_string_view_opt() {
+        Some(array) => array.iter().try_for_each(push),
+        None => Err(damaged(KIND, "some rows have another type than the schema")),
+    }
+}
