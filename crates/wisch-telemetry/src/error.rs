@@ -347,6 +347,11 @@ pub enum ReadFault {
         /// What is wrong.
         error: String,
     },
+    /// A table in Arrow's format, and a build that does not read it.
+    #[error(
+        "it is a table in Arrow's format, which is read by builds with the feature \"arrow\" only (cargo build --features wisch-cli/arrow); to_parquet() of pandas writes the same as Parquet"
+    )]
+    NoArrow,
     /// A table with more rows than are read.
     #[error("the table has {rows} rows, and the limit is {limit}")]
     TooManyRows {

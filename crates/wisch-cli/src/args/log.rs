@@ -30,7 +30,7 @@ pub struct InterpretArgs {
 /// A log, and what was being done.
 #[derive(Debug, Args)]
 pub struct LoggedArgs {
-    /// Log: a bag (.mcap, .mcap.zstd), a folder with the parts of one, or a table (CSV, Parquet, Arrow or Feather, npz)
+    /// Log: a bag (.mcap, .mcap.zstd), a folder with the parts of one, or a table (CSV, Parquet, npz; Arrow or Feather with the feature "arrow")
     #[arg(value_name = "LOG", value_hint = ValueHint::AnyPath)]
     pub log: PathBuf,
     /// Task file of what was executed

@@ -1,5 +1,6 @@
 //! Tables in Arrow's format between processes: files (Feather) and streams.
 
+use super::arrow::{CONTINUATION, FEATHER_1, MAGIC};
 use super::columnar::{Heads, MISSING, Texts, Values, check_rows, check_unpacked, damaged};
 use crate::error::ReadFault;
 use arrow_array::cast::AsArray;
@@ -21,26 +22,12 @@ use std::sync::Arc;
 /// What it is called.
 pub(super) const KIND: &str = "Arrow";
 
-/// What a file begins and ends with.
-const MAGIC: &[u8] = b"ARROW1";
-
 /// Zeros fill a file from its magic bytes to its messages, to a multiple of 8 bytes.
 const HEAD_LEN: usize = 8;
 const ZEROS: [u8; 8] = [0; 8];
 
-/// What a file of Feather's first version begins with, which is another format.
-const FEATHER_1: &[u8] = b"FEA1";
-
-/// What each message of a stream begins with.
-const CONTINUATION: [u8; 4] = [0xff; 4];
-
 /// How messages pack what they hold where the length that goes before says that they do not.
 const NOT_PACKED: i64 = -1;
-
-/// Whether a table is one of Arrow's.
-pub(super) fn is_one(bytes: &[u8]) -> bool {
-    bytes.starts_with(MAGIC) || bytes.starts_with(FEATHER_1) || bytes.starts_with(&CONTINUATION)
-}
 
 /// A file after its schema, and the places of its columns among the fields of the schema.
 pub(super) struct ArrowTable<'a> {

@@ -1,5 +1,7 @@
 //! Logs as tables: text with a line of names, or columns with names in a binary file.
 
+mod arrow;
+#[cfg(feature = "arrow")]
 mod arrow_file;
 mod cell;
 mod columnar;

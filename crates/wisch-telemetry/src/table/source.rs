@@ -1,10 +1,12 @@
 //! Tables of any format, as rows of cells.
 
+#[cfg(feature = "arrow")]
+use super::arrow_file;
 use super::cell::TakeRow;
 use super::columnar::{Columnar, Heads, Values, guarded};
 use super::delimited::Delimited;
 use super::layout::Layout;
-use super::{arrow_file, npz, parquet_file};
+use super::{arrow, npz, parquet_file};
 use crate::error::ReadFault;
 use crate::options::LogOptions;
 
@@ -21,9 +23,14 @@ impl<'a> Source<'a> {
             let (kind, open) = (parquet_file::KIND, parquet_file::open);
             return Self::columns(kind, || open(bytes), parquet_file::read, options);
         }
-        if arrow_file::is_one(bytes) {
+        #[cfg(feature = "arrow")]
+        if arrow::is_one(bytes) {
             let (kind, open) = (arrow_file::KIND, arrow_file::open);
             return Self::columns(kind, || open(bytes), arrow_file::read, options);
+        }
+        #[cfg(not(feature = "arrow"))]
+        if arrow::is_one(bytes) {
+            return Err(ReadFault::NoArrow);
         }
         if bytes.starts_with(npz::MAGIC) {
             return Self::columns(npz::KIND, || npz::open(bytes), npz::read, options);

@@ -400,7 +400,7 @@ impl Scene<'_> {
         let over: f64 = on.iter().map(|&i| self.over_surface(i)).sum();
         // Beside the surface a tool also travels below it: seen from there, what it feels on the surface is free motion.
         let is_possible = is_outward || over >= LEAST_OVER * lasts;
-        (is_steady && is_clear && is_possible).then(|| SlidingContact {
+        (is_steady && is_clear && is_possible).then_some(SlidingContact {
             axes,
             step,
             normal_in_tool: normal,
