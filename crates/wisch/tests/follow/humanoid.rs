@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use wisch::follow::{FollowConfig, Followed, Phase, Workcell, WorkcellConfig, follow};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan};
 use wisch::represent::{Action, Task};
+use wisch::robot::CapabilityMap;
 use wisch_io::{LoadOptions, TaskFile, load_task};
 use wisch_testkit::{faults, humanoid};
 
@@ -30,8 +31,8 @@ pub fn planned(file: &TaskFile, task: &Task) -> Plan {
     plan(task, &config).unwrap()
 }
 
-#[test]
-fn the_humanoid_wipes_the_whole_chopping_board_with_its_base_still() {
+/// The humanoid before the chopping board, what it is to wipe, and where it reaches.
+fn at_the_board() -> (Task, Plan, Workcell, Option<CapabilityMap>) {
     let (file, task) = shipped("chopping-board", Action::Collect);
     let plan = planned(&file, &task);
     let humanoid = humanoid();
@@ -40,9 +41,14 @@ fn the_humanoid_wipes_the_whole_chopping_board_with_its_base_still() {
         ..WorkcellConfig::default()
     };
     let cell = Workcell::new(humanoid.model, Some(&humanoid.srdf), &task, &config).unwrap();
-    let map = humanoid.map.as_ref();
+    (task, plan, cell, humanoid.map)
+}
+
+#[test]
+fn the_humanoid_wipes_the_whole_chopping_board_with_its_base_still() {
+    let (task, plan, cell, map) = at_the_board();
     let config = FollowConfig::default();
-    let followed = follow(&task, &plan, &cell, map, &config, &mut |_| ()).unwrap();
+    let followed = follow(&task, &plan, &cell, map.as_ref(), &config, &mut |_| ()).unwrap();
 
     assert_eq!(followed.abandoned, []);
     assert_eq!(faults(&task, &plan, &cell, &followed), [] as [String; 0]);
@@ -62,21 +68,13 @@ fn the_humanoid_wipes_the_whole_chopping_board_with_its_base_still() {
 
 #[test]
 fn a_base_that_has_turned_round_begins_with_the_turns_that_it_counts() {
-    let (file, task) = shipped("chopping-board", Action::Collect);
-    let plan = planned(&file, &task);
-    let humanoid = humanoid();
-    let config = WorkcellConfig {
-        world_from_robot: file.robot().and_then(|robot| robot.world_from_robot),
-        ..WorkcellConfig::default()
-    };
-    let cell = Workcell::new(humanoid.model, Some(&humanoid.srdf), &task, &config).unwrap();
+    let (task, plan, cell, map) = at_the_board();
     let base = cell.base().unwrap();
     let mut stands = cell.ready().to_vec();
     stands[base.yaw] -= 2.0 * TAU - 0.01;
     let cell = cell.with_turns_of(&stands);
-    let map = humanoid.map.as_ref();
     let config = FollowConfig::default();
-    let followed = follow(&task, &plan, &cell, map, &config, &mut |_| ()).unwrap();
+    let followed = follow(&task, &plan, &cell, map.as_ref(), &config, &mut |_| ()).unwrap();
 
     assert_eq!(faults(&task, &plan, &cell, &followed), [] as [String; 0]);
     let headings: Vec<f64> = (followed.motions.iter())
