@@ -98,14 +98,14 @@ fn can_mount() -> bool {
     can
 }
 
-/// `WISCH_DISKS=200` tries as many sizes.
+/// `WISCH_DISKS` says how many sizes are tried, if not 200.
 #[cfg(target_os = "linux")]
 #[test]
 fn on_a_disk_that_is_full_at_any_write_a_log_is_imported_whole_or_not_at_all() {
     if !can_mount() {
         return;
     }
-    let count: usize = std::env::var("WISCH_DISKS").map_or(8, |count| count.parse().unwrap());
+    let count: usize = std::env::var("WISCH_DISKS").map_or(200, |count| count.parse().unwrap());
     let folder = crate::interpret::folder(crate::interpret::believed());
     let folder = folder.path();
     fs::create_dir(folder.join("disk")).unwrap();
