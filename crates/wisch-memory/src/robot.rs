@@ -1,10 +1,9 @@
 //! The robot of an episode, so that frames can be computed when its files have long changed.
 
-use crate::store::{Episode, EpisodeWriter, MemoryError};
+use crate::store::{Episode, EpisodeWriter, MemoryError, URDF_FILE};
 use std::collections::BTreeMap;
 use wisch::robot::RobotModel;
 
-pub(crate) const URDF_FILE: &str = "robot.urdf";
 const SRDF_FILE: &str = "robot.srdf";
 /// Says which file holds which mesh.
 const MESHES_FILE: &str = "robot-meshes.json";

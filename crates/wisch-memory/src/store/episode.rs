@@ -1,11 +1,10 @@
 //! An episode that is there.
 
-use super::RECORD_FILE;
 use super::error::{MemoryError, at};
 use super::sums::{FileSum, SUMS_FILE, Sums};
+use super::{RECORD_FILE, URDF_FILE};
 use crate::observations::RoundObservations;
 use crate::record::EpisodeRecord;
-use crate::robot::URDF_FILE;
 use crate::telemetry::Telemetry;
 use std::fs::{self, File};
 use std::io::Seek;

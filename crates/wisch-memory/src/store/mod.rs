@@ -40,6 +40,8 @@ use std::path::{Path, PathBuf};
 
 /// An episode's record in its folder.
 pub const RECORD_FILE: &str = "episode.json";
+/// The robot of an episode.
+pub(crate) const URDF_FILE: &str = "robot.urdf";
 
 /// Longest name of an episode [characters]; file systems take 255 bytes.
 const MAX_ID_LEN: usize = 80;
