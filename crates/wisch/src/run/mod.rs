@@ -13,6 +13,7 @@ mod order;
 mod own_strategy;
 mod round;
 mod session;
+mod stance;
 mod stroke_watch;
 mod telemetry;
 mod trajectory_clock;

@@ -1,13 +1,13 @@
 //! The loop itself: one session, one stage at a time.
 
 use super::considered::{followed, unfollowed, within_reach};
+use super::stance::{begins_at, positions_of_all, standing};
 use super::stroke_watch::StrokeWatch;
 use super::{
     AfterStop, Considered, Ending, Execution, Executor, MotionOrder, Observer, OwnStrategy,
     Performer, PlannedRound, Round, RunConfig, RunError, RunEvent, check_score, unobserved,
 };
-use crate::follow::{Audit, Followed, Workcell, WorkcellConfig, audit, follow, retreat};
-use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
+use crate::follow::{Audit, Workcell, WorkcellConfig, audit, follow, retreat};
 use crate::interpret::{Belief, InterpretConfig, Interpretation, Interpreter, Look, TouchSample};
 use crate::plan::{
     Plan, PlanConfig, PlanError, Strategy, best_plan, best_subplan, best_subplan_of_candidates,
@@ -18,7 +18,6 @@ use crate::recover::{
     next_task, recovery_candidates, unfinished,
 };
 use crate::represent::{GoalState, Observation, ParticleDistribution, Task};
-use nalgebra::{Translation3, UnitQuaternion};
 use std::ops::ControlFlow;
 
 /// Where a session has come to.
@@ -737,81 +736,4 @@ impl<'a> Session<'a> {
         self.state = State::Begin;
         Ok(Stage::Judged)
     }
-}
-
-/// Checks that an execution tells the position of every joint, or of none.
-fn positions_of_all(
-    execution: Execution,
-    cell: &Workcell,
-    round: usize,
-) -> Result<Execution, RunError> {
-    let (found, expected) = (execution.positions.len(), cell.robot().dof());
-    if found == expected || found == 0 {
-        return Ok(execution);
-    }
-    Err(RunError::Positions {
-        round,
-        found,
-        expected,
-    })
-}
-
-/// Checks that the robot stands where its motion begins.
-fn begins_at(stands: &[f64], planned: &PlannedRound, limit: f64) -> Result<(), RunError> {
-    let PlannedRound {
-        number: round,
-        cell,
-        followed,
-        ..
-    } = planned;
-    let Some(start) = followed.sample(0.0) else {
-        return Ok(());
-    };
-    let (found, expected) = (stands.len(), start.q.len());
-    if found != expected {
-        return Err(RunError::Positions {
-            round: *round,
-            found,
-            expected,
-        });
-    }
-    let distances = stands.iter().zip(&start.q).map(|(a, b)| (a - b).abs());
-    let farthest = distances.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
-    match farthest {
-        Some((i, distance)) if distance > limit => {
-            let joint = cell.robot().variable(i);
-            Err(RunError::Start {
-                round: *round,
-                joint: joint.name.clone(),
-                distance,
-                limit,
-                unit: joint.kind.unit(),
-            })
-        }
-        _ => Ok(()),
-    }
-}
-
-/// Where the robot stands after an execution; where its joints are not measured, as planned.
-fn standing(planned: &PlannedRound, execution: &Execution, config: &RunConfig) -> Pose {
-    let PlannedRound { cell, followed, .. } = planned;
-    let Some(base) = cell.base() else {
-        return *cell.world_from_root();
-    };
-    let measured = Some(&execution.positions)
-        .filter(|q| !q.is_empty())
-        .cloned();
-    let as_planned = |followed: &Followed| followed.sample(execution.duration).map(|at| at.q);
-    let q = measured
-        .or_else(|| as_planned(followed))
-        .unwrap_or_else(|| cell.ready().to_vec());
-    let at = PlanarPose::new(Point2::new(q[base.x], q[base.y]), q[base.yaw]);
-    let start = config
-        .workcell
-        .world_from_robot
-        .unwrap_or_else(Pose::identity);
-    Pose::from_parts(
-        Translation3::new(at.position.x, at.position.y, start.translation.z),
-        UnitQuaternion::from_axis_angle(&Vector3::z_axis(), at.heading),
-    )
 }
