@@ -203,11 +203,7 @@ impl ForceReading {
     fn by_contact(contact: &SlidingContact, scene: &Scene<'_>) -> Self {
         let pieces = shifted(scene.pieces, contact.clock_offset);
         let (bias, noise) = bias_and_noise(&pieces, &contact.free, contact.axes);
-        let normal = match contact.axes {
-            SensorAxes::Surface => Vector3::z(),
-            SensorAxes::Tool => contact.normal_in_tool,
-        };
-        let outward = contact.step.normalize();
+        let (normal, outward) = (contact.normal, contact.step.normalize());
         let aligned = outward.dot(&normal);
         // Of a force that lies along the normal, friction is what leans it: it is not turned away.
         let (direction, turn) = if aligned >= LEAST_ALIGNED {
@@ -321,24 +317,14 @@ struct SlidingContact {
     near: Vec<usize>,
     /// Mean force on the plane less that above it, in the sensor's axes [N].
     step: Vector3,
-    /// The surface's normal in the axes of the tool, as a mean over the contact.
-    normal_in_tool: Vector3,
+    /// The believed surface's normal in the sensor's axes; in those of the tool, as a mean over the contact.
+    normal: Vector3,
     clock_offset: f64,
     /// How much it speaks for contact: force times time [N s].
     weight: f64,
 }
 
 impl Scene<'_> {
-    /// How long a piece lasts above the believed surface [s].
-    fn over_surface(&self, i: usize) -> f64 {
-        let place = self.pieces[i].position.xy();
-        if self.surface.outline.contains(place) {
-            lasts(self.pieces, i)
-        } else {
-            0.0
-        }
-    }
-
     fn contact(&self, plane: &PlaneFit) -> Option<SlidingContact> {
         let distances: Vec<f64> = (self.pieces.iter())
             .map(|piece| {
@@ -388,24 +374,22 @@ impl Scene<'_> {
         let pressed = median(pressing.clone());
         let is_steady = spread(pressing, pressed) <= MOST_VARIATION * pressed;
         let is_clear = pressed >= LEAST_SIGNIFICANCE * spread(resting, 0.0);
-        let normal: Vector3 = (on.iter())
-            .map(|&i| pieces[i].surface_from_tool.inverse() * Vector3::z())
-            .sum();
-        let normal = normal.normalize();
-        let is_outward = along.dot(&match axes {
-            SensorAxes::Surface => Vector3::z(),
-            SensorAxes::Tool => normal,
-        }) >= LEAST_ALIGNED;
-        let lasts: f64 = on.iter().map(|&i| lasts(&pieces, i)).sum();
-        let over: f64 = on.iter().map(|&i| self.over_surface(i)).sum();
+        let normals = on.iter().map(|&i| axes.of(&pieces[i], Vector3::z()));
+        let normal = normals.sum::<Vector3>().normalize();
+        let is_over = |i: usize| self.surface.outline.contains(pieces[i].position.xy());
+        let [mut over, mut beside] = [0.0; 2];
+        for &i in &on {
+            *(if is_over(i) { &mut over } else { &mut beside }) += lasts(&pieces, i);
+        }
         // Beside the surface a tool also travels below it: seen from there, what it feels on the surface is free motion.
-        let is_possible = is_outward || over >= LEAST_OVER * lasts;
+        let is_outward = along.dot(&normal) >= LEAST_ALIGNED;
+        let is_possible = is_outward || over >= LEAST_OVER * (over + beside);
         (is_steady && is_clear && is_possible).then_some(SlidingContact {
             axes,
             step,
-            normal_in_tool: normal,
+            normal,
             clock_offset,
-            weight: pressed * (over + BESIDE * (lasts - over)),
+            weight: pressed * (over + BESIDE * beside),
             on,
             free,
             near,
