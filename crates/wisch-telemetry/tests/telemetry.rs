@@ -4,9 +4,12 @@ mod columns;
 mod damage;
 mod forces;
 mod foreign;
+mod foreign_bag;
+mod order;
 #[path = "../examples/demo_bag/shown.rs"]
 mod shown;
 mod tables;
+mod transforms;
 #[path = "../examples/demo_bag/wiping.rs"]
 mod wiping;
 

@@ -1,0 +1,164 @@
+//! Bags in parts, out of order, packed, and with clocks of their own.
+
+use super::foreign_bag::{Foreign, QUARTER, UPRIGHT, assert_ramp};
+use super::{in_folder, refused};
+use std::fs;
+use std::path::Path;
+use wisch_telemetry::{Clock, LogOptions, read};
+
+#[test]
+fn a_folder_of_parts_is_one_log() {
+    let (folder, _) = in_folder();
+    for (part, name) in ["a_2.mcap", "a_10.mcap"].into_iter().enumerate() {
+        let mut bag = Foreign::create(&folder.path().join(name));
+        let (pose, wrench) = (bag.poses("/p"), bag.wrenches("/w"));
+        for time in [0, 10] {
+            let time = 1000 + 20 * part as u64 + time;
+            bag.put(pose, time, time, "base", ([0.0; 3], QUARTER));
+            bag.put(wrench, time, time, "base", ([0.0; 3], [0.0; 3]));
+        }
+        bag.finish();
+    }
+    assert_eq!(
+        read(folder.path(), &LogOptions::default())
+            .unwrap()
+            .samples
+            .len(),
+        4
+    );
+    let empty = tempfile::tempdir().unwrap();
+    assert_eq!(
+        refused(empty.path(), &LogOptions::default()),
+        ": the folder holds no .mcap file"
+    );
+}
+
+/// A tool that goes 0.1 m/s along x and is pressed with 1 N per second, every 10 ms; who writes it may say each message's
+/// time of recording and stamps of pose and force [ms].
+fn ramp(path: &Path, times: impl IntoIterator<Item = [u64; 4]>) {
+    let mut bag = Foreign::create(path);
+    let (pose, wrench) = (bag.poses("/tool/pose"), bag.wrenches("/ft"));
+    for [true_time, log_time, pose_stamp, wrench_stamp] in times {
+        let seconds = true_time as f64 / 1000.0;
+        let at = [0.1 * seconds, 0.0, 0.0];
+        bag.put(pose, log_time, pose_stamp, "base", (at, UPRIGHT));
+        let force = [0.0, 0.0, seconds];
+        bag.put(wrench, log_time, wrench_stamp, "base", (force, [0.0; 3]));
+    }
+    bag.finish();
+}
+
+#[test]
+fn messages_are_put_into_the_order_of_their_stamps() {
+    let (_folder, path) = in_folder();
+    let mut times: Vec<u64> = (1000..=2000).step_by(10).collect();
+    times.swap(20, 50);
+    ramp(&path, times.iter().map(|&time| [time; 4]));
+    let log = read(&path, &LogOptions::default()).unwrap();
+    assert_ramp(&log, 101);
+    assert!(
+        log.remarks[0].ends_with(
+            "of /tool/pose came up to 0.300 s late and were put into the order of time (limit 5 s)"
+        ),
+        "{:?}",
+        log.remarks
+    );
+    // Within a shorter window that is a clock that went back.
+    let narrow = LogOptions {
+        reorder_window: 0.1,
+        ..LogOptions::default()
+    };
+    let shown = refused(&path, &narrow);
+    assert!(shown.contains("its time of 1.21 s is"), "{shown}");
+}
+
+#[test]
+fn parts_of_a_bag_may_overlap() {
+    let (folder, _) = in_folder();
+    // The later part begins before the earlier one ends, by more than the window.
+    let parts = [(0..60), (40..101)];
+    for (index, part) in parts.into_iter().enumerate() {
+        let name = format!("split_{index}.mcap");
+        let times = part.map(|tick| [100_000 + 1000 * tick; 4]);
+        ramp(&folder.path().join(name), times);
+    }
+    let log = read(folder.path(), &LogOptions::default()).unwrap();
+    assert_ramp(&log, 101);
+    assert_eq!(log.repeated, 40, "twenty poses and forces stand in both");
+}
+
+#[test]
+fn stamps_that_are_missing_are_taken_from_the_recording() {
+    let (_folder, path) = in_folder();
+    let stamp = |time: u64| {
+        if time.is_multiple_of(50) {
+            0
+        } else {
+            time + 300
+        }
+    };
+    let times = (1000..=2000).step_by(10);
+    ramp(
+        &path,
+        times.map(|time| [time, time, stamp(time), time + 300]),
+    );
+    let log = read(&path, &LogOptions::default()).unwrap();
+    assert_ramp(&log, 101);
+    assert!(
+        log.remarks
+            .iter()
+            .any(|said| said.starts_with("21 of 101 messages of /tool/pose bear no stamp")),
+        "{:?}",
+        log.remarks
+    );
+}
+
+#[test]
+fn a_sensor_with_a_clock_of_its_own_is_aligned() {
+    let (_folder, path) = in_folder();
+    let times = || (1000..=2000).step_by(10);
+    ramp(
+        &path,
+        times().map(|time| [time, time, time, time + 7_000_300]),
+    );
+    let log = read(&path, &LogOptions::default()).unwrap();
+    assert_ramp(&log, 101);
+    assert!(
+        log.remarks[0].starts_with("the clock of /ft is +7000.300 s off that of the poses"),
+        "{:?}",
+        log.remarks
+    );
+    // The times of recording alone need no alignment, whatever the stamps say.
+    let recorded = LogOptions {
+        clock: Clock::Log,
+        ..LogOptions::default()
+    };
+    ramp(&path, times().map(|time| [time, time, 3 * time, 5]));
+    let log = read(&path, &recorded).unwrap();
+    assert_ramp(&log, 101);
+    assert_eq!(log.remarks, [] as [String; 0]);
+}
+
+#[test]
+fn bags_that_are_packed_as_a_whole_or_by_message_are_read() {
+    let (folder, path) = in_folder();
+    ramp(&path, (1000..=2000).step_by(10).map(|time| [time; 4]));
+    let plain = fs::read(&path).unwrap();
+    let level = ruzstd::encoding::CompressionLevel::Fastest;
+    let packed = ruzstd::encoding::compress_to_vec(plain.as_slice(), level);
+    fs::remove_file(&path).unwrap();
+    let name = folder.path().join("bag_0.mcap.zstd");
+    fs::write(&name, packed).unwrap();
+    for path in [&name, folder.path()] {
+        assert_ramp(&read(path, &LogOptions::default()).unwrap(), 101);
+    }
+    let mut bag = Foreign::create(&path);
+    for message in mcap::MessageStream::new(&plain).unwrap() {
+        let mut message = message.unwrap();
+        let packed = ruzstd::encoding::compress_to_vec(&*message.data, level);
+        message.data = packed.into();
+        bag.bag.write(&message).unwrap();
+    }
+    bag.finish();
+    assert_ramp(&read(&path, &LogOptions::default()).unwrap(), 101);
+}
