@@ -201,9 +201,10 @@ Examples:
   wisch interpret log.parquet --task board.toml --force-bias 0.3 -1.2 4 --payload-mass 1.1
 
 A log is a ROS 2 bag (MCAP), a folder with the parts of one, or a table: text with a line of names,
-Parquet, Arrow (Feather 2, or a stream) or NumPy's npz, told by the first bytes. A bag that is being
-written, or whose writer was killed (NAME.mcap.active), is read as far as it goes. Writes
-interpretation.json and particles/particles-estimated.csv.
+Parquet or NumPy's npz, recognised by its first bytes; builds with the feature arrow also read Arrow
+(Feather 2, or a stream). A bag that is being written, or whose writer was killed
+(NAME.mcap.active), is read as far as it goes. Writes interpretation.json and
+particles/particles-estimated.csv.
 
 Exit codes: 0 the estimated performance reaches the task's target, 1 it does not, 2 an error.")]
     Interpret(Box<InterpretArgs>),

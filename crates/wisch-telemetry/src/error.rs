@@ -348,9 +348,7 @@ pub enum ReadFault {
         error: String,
     },
     /// A table in Arrow's format, and a build that does not read it.
-    #[error(
-        "it is a table in Arrow's format, which is read by builds with the feature \"arrow\" only (cargo build --features wisch-cli/arrow); to_parquet() of pandas writes the same as Parquet"
-    )]
+    #[error("it is a table in Arrow's format, which this build does not read")]
     NoArrow,
     /// A table with more rows than are read.
     #[error("the table has {rows} rows, and the limit is {limit}")]

@@ -396,6 +396,9 @@ fn advice(fault: &ReadFault, log: &Path) -> Option<String> {
         ReadFault::TooManyRows { .. } | ReadFault::Unpacked { .. } => {
             "read a part of it, or fewer samples per second".to_owned()
         }
+        ReadFault::NoArrow => {
+            "write it as Parquet (DataFrame.to_parquet in pandas), or build wisch with --features arrow".to_owned()
+        }
         ReadFault::NoFile { .. } => "write it to a file first".to_owned(),
         _ => return None,
     })

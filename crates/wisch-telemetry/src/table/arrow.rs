@@ -1,4 +1,4 @@
-//! How Arrow's format is told, whether it is read or not.
+//! Recognises Arrow files and streams by their first bytes; builds that do not read them name the format.
 
 /// What a file begins and ends with.
 pub(super) const MAGIC: &[u8] = b"ARROW1";
