@@ -5,6 +5,7 @@ import { metres } from "./particles.ts";
 import { surfacePicture } from "./picture.ts";
 import type { Dots } from "./picture.ts";
 import type { Recording } from "./store.ts";
+import { goalState } from "./words.ts";
 
 const NAMES: Record<string, string> = {
   believed: "believed before", estimated: "estimated after", actual: "true after", seen: "seen",
@@ -47,9 +48,9 @@ export class Story {
     const judged = rounds.findLast((round) => round.judged) ?? null;
     say(this.title, head?.title || "Recording");
     const planned = rounds.length > 0 && rounds.every(({ plan }) => plan.kind === "planned");
-    const state = ended ? (ended.met ? "met" : "unmet") : live ? "live" : planned ? "planned" : "broken";
+    const state = ended ? goalState(ended.met, ended.verdict) : live ? "live" : planned ? "planned" : "broken";
     this.badge.dataset.state = state;
-    say(this.badge, { met: ended?.verdict ?? "goal met", unmet: ended?.verdict ?? "stopped", live: "running", planned: "planned only", broken: "broke off" }[state]);
+    say(this.badge, { met: ended?.verdict ?? "goal met", unmet: ended?.verdict ?? "stopped", unknown: ended?.verdict ?? "", live: "running", planned: "planned only", broken: "broke off" }[state]);
     const story = ended?.story;
     const happened = story?.happened ?? (live ? stages.at(-1)?.words ?? "The run begins." : judged
       ? `The run broke off after round ${judged.number}: ${judged.judged!.verdict}.` : planned ? `Planned, not executed: ${percent(rounds.at(-1)!.plan.predicted)} is predicted.` : rounds.length ? "The recording ends before a round was judged." : "The recording holds no round.");

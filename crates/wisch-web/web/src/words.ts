@@ -12,6 +12,13 @@ const sentences = (list: readonly string[]) => el("ul", { class: "w-sentences" }
 
 export const estimateText = ({ mean, low, high }: Estimate): string => `${percent(mean)} (90\u202f%: ${percent(low)} to ${percent(high)})`;
 
+/** Verdicts that are neither success nor failure. */
+const UNKNOWN = ["cannot be told", "unknowable by touch"];
+
+/** Whether the goal was met, as it is coloured; null stands for a run that somebody stopped. */
+export const goalState = (met: boolean, verdict: string | null): "met" | "unmet" | "unknown" =>
+  met ? "met" : UNKNOWN.includes(verdict ?? "") ? "unknown" : "unmet";
+
 const row = (label: string, value: string) => [el("dt", {}, label), el("dd", {}, value)];
 
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);

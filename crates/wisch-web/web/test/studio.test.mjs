@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { startStudio } from "../src/studio/main.ts";
 import { readRecording } from "../src/studio/server.ts";
+import { badge } from "../src/studio/side.ts";
 
 class Fake extends EventTarget {
   children = [];
@@ -104,4 +105,14 @@ test("a recording is read line by line, wherever its pieces end", async () => {
     await readRecording("20261122-010000-abcd", (line) => lines.push(line));
     assert.deepEqual(lines, text.split("\n"));
   }
+});
+
+test("an episode of which nothing can be told is neither met nor missed", () => {
+  const state = (met, verdict, performance) => badge({ met, verdict, performance }).attributes.get("data-state");
+  assert.equal(state(true, "goal met", 0.97), "met");
+  assert.equal(state(false, "no progress", 0.4), "unmet");
+  assert.equal(state(false, "cannot be told", 0.4), "unknown");
+  assert.equal(state(false, "cannot be told", null), "unknown");
+  assert.equal(state(false, "unknowable by touch", 0.9), "unknown");
+  assert.equal(state(false, null, null), "none");
 });

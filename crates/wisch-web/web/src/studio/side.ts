@@ -1,5 +1,6 @@
 // The left side: what can be looked at.
 import { el, fixed, percent, say } from "../dom.ts";
+import { goalState } from "../words.ts";
 import { clearRun } from "./server.ts";
 import type { Listed, LiveRun, Overview } from "./server.ts";
 import { write } from "./address.ts";
@@ -131,8 +132,9 @@ export class Side {
 
 /** Whether the goal was met, in a word. */
 export function badge({ met, verdict, performance }: Pick<Listed, "met" | "verdict" | "performance">): HTMLElement {
-  const state = met ? "met" : performance === null ? "none" : "unmet";
-  return el("span", { class: "s-badge", "data-state": state, title: verdict ?? "" }, { met: "met", unmet: "not met", none: "\u2013" }[state]);
+  const judged = goalState(met, verdict);
+  const state = judged === "unmet" && performance === null ? "none" : judged;
+  return el("span", { class: "s-badge", "data-state": state, title: verdict ?? "" }, { met: "met", unmet: "not met", unknown: "unknown", none: "\u2013" }[state]);
 }
 
 const hourOf = (date: Date): string => date.toLocaleTimeString([], { hour: "2-digit", minute: "2-digit" });

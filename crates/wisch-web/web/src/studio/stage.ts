@@ -4,6 +4,7 @@ import { el, percent, say } from "../dom.ts";
 import { Story } from "../story.ts";
 import { mountView } from "../view.ts";
 import type { View } from "../view.ts";
+import { goalState } from "../words.ts";
 import type { Recording } from "../store.ts";
 import { write } from "./address.ts";
 import { stopRun } from "./server.ts";
@@ -179,14 +180,13 @@ class Head {
     const { recording, live, id } = this.source;
     say(this.title, recording.head?.title ?? id);
     const judged = recording.rounds.findLast((round) => round.judged)?.judged;
-    const met = recording.ended?.met;
-    const verdict = recording.ended ? recording.ended.verdict ?? "stopped" : "";
+    const { ended } = recording;
     const parts: Node[] = [];
     if (judged) {
       const { mean, low, high } = judged.estimate;
       parts.push(el("b", { title: "estimated performance, 90 % interval" }, percent(mean), el("small", {}, ` ${percent(low)} \u2013 ${percent(high)}`)));
     }
-    if (verdict) parts.push(el("span", { class: "s-badge", "data-state": !recording.ended!.verdict ? "none" : met ? "met" : "unmet" }, verdict));
+    if (ended) parts.push(el("span", { class: "s-badge", "data-state": ended.verdict ? goalState(ended.met, ended.verdict) : "none" }, ended.verdict ?? "stopped"));
     this.result.replaceChildren(...parts);
     const connection = live?.connection ?? "ended";
     this.connection.dataset.state = connection;
