@@ -4,7 +4,7 @@
     wisch run scenarios/chopping-board.toml --out out/board
     python peers/trajectory.py out/board
 
-Both files must hold the same moveit_msgs/msg/RobotTrajectory: exactly the fields of its messages, each
+The file must hold the same moveit_msgs/msg/RobotTrajectory as YAML and as JSON: exactly the fields of its messages, each
 of its type (YAML 1.1 reads 6e-6 as a text), as many values as joints, times that grow, and unit
 quaternions. Before that, each rule is shown a trajectory that breaks it.
 """
@@ -121,9 +121,9 @@ def check_the_checker(sound):
 
 
 def main(folder):
-    folder = pathlib.Path(folder)
-    from_yaml = yaml.safe_load((folder / "trajectory.yaml").read_text())
-    from_json = json.loads((folder / "trajectory.json").read_text())
+    path = pathlib.Path(folder) / "trajectories" / "trajectory.json"
+    from_yaml = yaml.safe_load(path.read_text())
+    from_json = json.loads(path.read_text())
     faults = faults_of(from_yaml, from_json)
     for fault in faults[:20]:
         print(f"{folder}: {fault}")

@@ -136,8 +136,8 @@ Examples:
   wisch follow board.toml --plan out/board/plan.json --robot my_arm.urdf --group manipulator
   wisch follow board.toml --json | jq '.execution_time_s, .abandoned_nodes'
 
-Writes into trajectories/: trajectory.yaml and trajectory.json (moveit_msgs/RobotTrajectory: a
-JointTrajectory, and a MultiDOFJointTrajectory for a base that moves), tcp-path.csv and following.json.
+Writes into trajectories/: trajectory.json (moveit_msgs/RobotTrajectory: a JointTrajectory, and a
+MultiDOFJointTrajectory for a base that moves; it is YAML too), tcp-path.csv and following.json.
 
 Exit codes: 0 the predicted performance reaches the task's target, 1 it does not, 2 an error.")]
     Follow(FollowArgs),

@@ -25,7 +25,7 @@ pub use output::{
     FOLLOWING_FILE, Found, INTERPRETATION_FILE, Leftover, OutputFile, OutputFolder,
     PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE,
     PLAN_FILE, RECORDING_FILE, REPORT_FILE, ROUNDS_FILE, Replaceable, TCP_PATH_FILE,
-    TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE, of_round, path_in_results,
+    TRAJECTORY_FILE, of_round, path_in_results,
 };
 pub use particles::{
     MaskSource, ParticleSource, ParticleSourceError, csv_particles, mask_particles,

@@ -15,7 +15,7 @@ use wisch_io::RoundSummary;
 use wisch_io::{
     FOLLOWING_FILE, OutputFolder, PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE,
     PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE, RECORDING_FILE, REPORT_FILE,
-    ROUNDS_FILE, TCP_PATH_FILE, TRAJECTORY_JSON_FILE, TRAJECTORY_YAML_FILE, of_round,
+    ROUNDS_FILE, TCP_PATH_FILE, TRAJECTORY_FILE, of_round,
 };
 use wisch_io::{
     FollowedRecord, PlanRecord, RobotTrajectory, particles_to_csv, planned_path_csv, tcp_path_csv,
@@ -24,6 +24,7 @@ use wisch_report::{self as report, EffectFrames, ReportInput, ShownMotion};
 use wisch_web::report_page;
 
 /// Pixels per unit of a picture's own size.
+#[cfg(feature = "png")]
 const PNG_SCALE: f32 = 2.0;
 
 /// Longest name of a folder that is derived from a task's [characters]; file systems take 255 bytes.
@@ -126,10 +127,8 @@ fn write_motion(
     let record = FollowedRecord::new(cell.robot().name(), followed, faults.collect());
     folder.write(&name(FOLLOWING_FILE), json(&record)?)?;
     let trajectory = RobotTrajectory::new(followed, cell);
-    let line = serde_json::to_string(&trajectory).map_err(internal)?;
-    folder.write(&name(TRAJECTORY_JSON_FILE), line + "\n")?;
-    let yaml = trajectory.to_yaml().map_err(internal)?;
-    folder.write(&name(TRAJECTORY_YAML_FILE), yaml)?;
+    let message = trajectory.to_json().map_err(internal)?;
+    folder.write(&name(TRAJECTORY_FILE), message)?;
     let path = tcp_path_csv(followed, cell, &prepared.task.interaction);
     folder.write(&name(TCP_PATH_FILE), path)?;
     Ok(())
@@ -160,8 +159,11 @@ fn write_figures(
     };
     for (name, svg) in report::pictures(&input) {
         folder.write(&format!("{name}.svg"), &svg)?;
-        let png = report::rasterize(&svg, PNG_SCALE).map_err(internal)?;
-        folder.write(&format!("{name}.png"), png)?;
+        #[cfg(feature = "png")]
+        folder.write(
+            &format!("{name}.png"),
+            report::rasterize(&svg, PNG_SCALE).map_err(internal)?,
+        )?;
     }
     Ok(())
 }

@@ -30,9 +30,9 @@ pub const PARTICLES_AFTER_FILE: &str = "particles-after.csv";
 /// How the robot follows the plan.
 pub const FOLLOWING_FILE: &str = "following.json";
 /// The robot's motion as a ROS 2 message.
-pub const TRAJECTORY_JSON_FILE: &str = "trajectory.json";
-/// The same as YAML.
-pub const TRAJECTORY_YAML_FILE: &str = "trajectory.yaml";
+pub const TRAJECTORY_FILE: &str = "trajectory.json";
+/// The same as YAML, in results of earlier versions.
+const OLD_TRAJECTORY_FILE: &str = "trajectory.yaml";
 /// The tool's path as a table.
 pub const TCP_PATH_FILE: &str = "tcp-path.csv";
 /// All that its report shows, as JSON lines.
@@ -49,13 +49,8 @@ fn room(name: &str) -> &'static str {
         "telemetry"
     } else if name.starts_with("particles-") {
         "particles"
-    } else if [
-        FOLLOWING_FILE,
-        TRAJECTORY_JSON_FILE,
-        TRAJECTORY_YAML_FILE,
-        TCP_PATH_FILE,
-    ]
-    .contains(&of_first_round(name).as_str())
+    } else if [FOLLOWING_FILE, TRAJECTORY_FILE, TCP_PATH_FILE]
+        .contains(&of_first_round(name).as_str())
     {
         "trajectories"
     } else {
@@ -371,8 +366,8 @@ fn is_result_file(name: &str) -> bool {
         PARTICLES_BEFORE_FILE,
         PARTICLES_AFTER_FILE,
         FOLLOWING_FILE,
-        TRAJECTORY_JSON_FILE,
-        TRAJECTORY_YAML_FILE,
+        TRAJECTORY_FILE,
+        OLD_TRAJECTORY_FILE,
         TCP_PATH_FILE,
         RECORDING_FILE,
         REPORT_FILE,
@@ -407,8 +402,8 @@ mod tests {
         let names = [
             PLAN_FILE,
             FOLLOWING_FILE,
-            TRAJECTORY_JSON_FILE,
-            TRAJECTORY_YAML_FILE,
+            TRAJECTORY_FILE,
+            OLD_TRAJECTORY_FILE,
             TCP_PATH_FILE,
         ];
         for name in names {

@@ -161,44 +161,16 @@ impl RobotTrajectory {
         }
     }
 
-    /// The message as YAML that `ros2 topic pub` and `yaml.safe_load` read: block style, one point a line.
+    /// The message as JSON in one line, which `yaml.safe_load` and `ros2 topic pub` read as YAML too.
     ///
     /// # Errors
     /// If a number is not finite.
-    pub fn to_yaml(&self) -> serde_json::Result<String> {
-        let mut yaml = String::new();
-        let mut part = |name: &str,
-                        header: &Header,
-                        names: &[String],
-                        points: Vec<String>|
-         -> serde_json::Result<()> {
-            let _ = writeln!(yaml, "{name}:");
-            let _ = writeln!(yaml, "  header: {}", flow(header)?);
-            let _ = writeln!(yaml, "  joint_names: {}", flow(names)?);
-            let none = if points.is_empty() { " []" } else { "" };
-            let _ = writeln!(yaml, "  points:{none}");
-            for point in points {
-                let _ = writeln!(yaml, "  - {point}");
-            }
-            Ok(())
-        };
-        let joints = &self.joint_trajectory;
-        let points = joints.points.iter().map(flow);
-        part(
-            "joint_trajectory",
-            &joints.header,
-            &joints.joint_names,
-            points.collect::<serde_json::Result<_>>()?,
-        )?;
-        let base = &self.multi_dof_joint_trajectory;
-        let points = base.points.iter().map(flow);
-        part(
-            "multi_dof_joint_trajectory",
-            &base.header,
-            &base.joint_names,
-            points.collect::<serde_json::Result<_>>()?,
-        )?;
-        Ok(yaml)
+    pub fn to_json(&self) -> serde_json::Result<String> {
+        let mut text = Vec::new();
+        let mut serializer = serde_json::Serializer::with_formatter(&mut text, WithPoint);
+        self.serialize(&mut serializer)?;
+        text.push(b'\n');
+        Ok(String::from_utf8_lossy(&text).into_owned())
     }
 }
 
@@ -211,13 +183,6 @@ impl serde_json::ser::Formatter for WithPoint {
         let point = if digits.contains('.') { "" } else { ".0" };
         write!(writer, "{digits}{point}")
     }
-}
-
-fn flow(value: &(impl Serialize + ?Sized)) -> serde_json::Result<String> {
-    let mut text = Vec::new();
-    let mut serializer = serde_json::Serializer::with_formatter(&mut text, WithPoint);
-    value.serialize(&mut serializer)?;
-    Ok(String::from_utf8_lossy(&text).into_owned())
 }
 
 /// The tool centre point in the world over time with what the controller is to do there.

@@ -8,6 +8,7 @@ pub(crate) mod legend;
 mod numbers;
 mod palette;
 mod panel;
+#[cfg(any(test, feature = "png"))]
 mod png;
 pub(crate) mod surface;
 mod view;
@@ -19,5 +20,6 @@ pub(crate) use legend::Entry;
 pub(crate) use numbers::{decimals, grouped, metres, percent, px, range, tick_step};
 pub(crate) use palette::{BANDS, page_rules};
 pub(crate) use panel::{GAP, Panel, WIDTH, inset, short};
+#[cfg(any(test, feature = "png"))]
 pub use png::{PictureError, rasterize};
 pub(crate) use view::{Pen, View};
