@@ -159,7 +159,7 @@ impl PyImpedanceController {
     /// Where it is commanded, the press into the surface included, (7).
     #[getter]
     fn world_from_commanded<'py>(&self, py: Python<'py>) -> PyResult<Vector<'py>> {
-        self.told(|told| pose_array(py, &told.world_from_commanded))
+        self.told(|told| pose_array(py, &told.desired.world_from_tool))
     }
 
     /// What the controller asks of the tool: force [N] and moment [Nm] in the axes of the world, (6).

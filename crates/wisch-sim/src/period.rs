@@ -2,18 +2,15 @@
 
 use crate::camera::hidden_by;
 use crate::grains::GrainBodies;
-use crate::plant::{GRAVITY, Plant, Wielded, firm_load, tool_load};
+use crate::plant::{GRAVITY, Plant, TOOL_MASS, Wielded, firm_load};
 use crate::treated::TreatedSurface;
 use crate::{Dirt, GroundTruth, SimulationError, SimulationSettings, Spread};
-use nalgebra::{Matrix6xX, Vector6};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
-use wisch::control::{
-    ControlConfig, Desired, ImpedanceController, Measured, MomentumObserver, Posture, pressed_in,
-};
-use wisch::follow::{Followed, FollowerLimit, Motion, TrajectorySample, Workcell};
+use wisch::control::{Command, ControlConfig, MotionController};
+use wisch::follow::{Followed, FollowerLimit, Workcell};
 use wisch::geometry::{Point3, Pose, Vector3};
 use wisch::random::normal;
 use wisch::represent::Task;
@@ -72,7 +69,6 @@ struct Simulation<'a> {
     settings: &'a SimulationSettings,
     /// With when they begin [s].
     pushes: Vec<(f64, Push)>,
-    /// Whether a hand pressed on the tool in the period before.
     /// Whether a hand touched the tool, and robot or tool something in the scene, in the period before.
     was_touched: bool,
     was_obstructed: bool,
@@ -82,32 +78,19 @@ struct Simulation<'a> {
     grains: GrainBodies,
     treated: Option<TreatedSurface>,
     dirt: Dirt,
-    articulation: Articulation,
-    /// As measured, as it is (where that differs), and as planned.
-    state: ArticulationState,
+    controller: MotionController,
+    /// The joints as they are, where the encoders say something else.
     actual: ArticulationState,
-    planned: ArticulationState,
-    controller: ImpedanceController,
-    observer: MomentumObserver,
-    /// The moving joint that carries the tool, and the tool in its frame: as believed, and as it is.
-    carrier: usize,
-    joint_from_tool: Pose,
+    /// The real tool in the frame of the moving joint that carries it.
     joint_from_real_tool: Pose,
-    jacobian: Matrix6xX<f64>,
-    /// All of the robot's variables, as planned.
-    planned_sample: TrajectorySample,
-    /// The articulation's variables: as planned, as they are, and as measured.
-    planned_q: [Vec<f64>; 3],
+    /// The articulation's variables: as they are, and as measured.
     actual_q: Vec<f64>,
     /// Where the joints' play has left their encoders.
     dragged: Vec<f64>,
     q: Vec<f64>,
     qd: Vec<f64>,
-    /// What the drives give of what the controller asks for, and at most [Nm or N].
-    efforts: Vec<f64>,
-    effort_limits: Vec<f64>,
     joint_efforts: Vec<f64>,
-    /// All of the robot's variables, as they are.
+    /// All of the robot's variables, as measured.
     robot_q: Vec<f64>,
     robot_qd: Vec<f64>,
     robot_efforts: Vec<f64>,
@@ -139,57 +122,27 @@ impl<'a> Simulation<'a> {
             followed,
         } = *order;
         let robot = cell.robot();
+        let controller = MotionController::new(task, cell, followed, TOOL_MASS, config)?;
+        let controller = controller.ok_or_else(|| SimulationError::NothingMoves {
+            robot: robot.name().to_owned(),
+        })?;
+        let articulation = controller.articulation();
         let start = (followed.sample(0.0)).map_or_else(|| cell.ready().to_vec(), |s| s.q);
-        let chain = cell.ik().chain().variables();
-        let base = cell
-            .base()
-            .map_or(vec![], |base| vec![base.x, base.y, base.yaw]);
-        let moving: Vec<bool> = (0..robot.dof())
-            .map(|i| chain.contains(&i) || base.contains(&i) || varies(followed, i, start[i]))
-            .collect();
-        let loaded = |load| {
-            let loads = [(cell.tip(), load)];
-            Articulation::new(robot, cell.world_from_root(), &start, &moving, &loads)
-        };
-        let articulation = loaded(tool_load(cell, task))?;
-        let compliant: Vec<usize> = (0..articulation.dof())
-            .filter(|&i| {
-                let variable = articulation.variables()[i];
-                chain.contains(&variable) && !base.contains(&variable)
-            })
-            .collect();
-        let (Some(carrier), joint_from_tip) = articulation.carrier(cell.tip()) else {
-            return Err(SimulationError::NothingMoves {
-                robot: robot.name().to_owned(),
-            });
-        };
-        let joint_from_tool = joint_from_tip * cell.tip_from_tool();
-        let tool = Wielded::new(cell, task, &settings.tool);
-        let joint_from_real_tool = joint_from_tip * tool.tip_from_tool;
         let q: Vec<f64> = articulation.variables().iter().map(|&i| start[i]).collect();
-        let firm = loaded(firm_load(&tool))?;
-        let mut plant = Plant::new(cell, task, &tool, settings, &firm, &compliant, &q, config)?;
+        let tool = Wielded::new(cell, task, &settings.tool);
+        let (_, joint_from_tip) = articulation.carrier(cell.tip());
+        let moving: Vec<bool> = (0..robot.dof())
+            .map(|i| articulation.variables().contains(&i))
+            .collect();
+        let loads = [(cell.tip(), firm_load(&tool))];
+        let firm = Articulation::new(robot, cell.world_from_root(), &start, &moving, &loads)?;
+        let compliant = controller.own_compliant();
+        let mut plant = Plant::new(cell, task, &tool, settings, &firm, compliant, &q, config)?;
         let treated = TreatedSurface::of(task, &tool, settings);
         let none = Dirt::default();
         // Places of the surface are no bodies.
         let loose = if treated.is_some() { &none } else { dirt };
         let grains = GrainBodies::new(&mut plant, loose, task, &tool, settings);
-        let [state, actual, planned] = [(); 3].map(|()| articulation.state());
-        let limits = compliant.iter().map(|&k| {
-            let limits = &robot.variable(articulation.variables()[k]).limits;
-            limits
-                .effort
-                .filter(|most| *most > 0.0)
-                .unwrap_or(f64::INFINITY)
-        });
-        let limits: Vec<f64> = limits.collect();
-        let observer = MomentumObserver::new(&compliant, articulation.dof(), config.observer_gain);
-        let surface = &task.surface.world_from_surface;
-        let range = |k: &usize| robot.variable(articulation.variables()[*k]).limits.position;
-        let ranges = compliant.iter().map(range).collect();
-        let interaction = &task.interaction;
-        let controller = ImpedanceController::new(compliant, ranges, interaction, surface, config);
-        let count = articulation.dof();
         let schedule = settings.schedule(round, followed);
         let mut friction_changes = schedule.friction_changes;
         friction_changes.reverse();
@@ -208,27 +161,15 @@ impl<'a> Simulation<'a> {
             was_obstructed: false,
             friction_changes,
             plant,
-            tool,
             grains,
             treated,
             dirt: dirt.clone(),
-            state,
-            actual,
-            planned,
-            controller,
-            observer,
-            carrier,
-            joint_from_tool,
-            joint_from_real_tool,
-            jacobian: Matrix6xX::zeros(count),
-            planned_sample: TrajectorySample::at_rest(&start),
-            planned_q: [q.clone(), vec![0.0; count], vec![0.0; count]],
-            qd: vec![0.0; count],
+            actual: articulation.state(),
+            joint_from_real_tool: joint_from_tip * tool.tip_from_tool,
+            qd: vec![0.0; q.len()],
             actual_q: q.clone(),
             dragged: q.clone(),
             q,
-            efforts: vec![0.0; limits.len()],
-            effort_limits: limits,
             joint_efforts: vec![0.0; articulation.joints().len()],
             robot_qd: vec![0.0; start.len()],
             robot_efforts: vec![0.0; start.len()],
@@ -252,7 +193,8 @@ impl<'a> Simulation<'a> {
                 obstructions: Vec::new(),
                 hidden: Vec::new(),
             },
-            articulation,
+            tool,
+            controller,
         })
     }
 
@@ -266,59 +208,34 @@ impl<'a> Simulation<'a> {
         self.plant.read(&mut self.actual_q, &mut self.qd);
         self.check()?;
         self.measure_joints();
-        let articulation = &self.articulation;
-        articulation.evaluate(&mut self.state, &self.q, &self.qd, GRAVITY);
-        let is_seen = self.settings.sensing.sees_joints();
-        if !is_seen {
-            articulation.evaluate(&mut self.actual, &self.actual_q, &self.qd, GRAVITY);
-        }
-        let actual = if is_seen { &self.state } else { &self.actual };
-        let world_from_real_tool = actual.pose(self.carrier) * self.joint_from_real_tool;
-        let desired = self.desired(time);
-        let world_from_tool = self.state.pose(self.carrier) * self.joint_from_tool;
-        let tool = world_from_tool.translation.vector.into();
-        let (state, carrier) = (&self.state, self.carrier);
-        self.articulation
-            .jacobian(state, carrier, tool, &mut self.jacobian);
-        let external =
-            self.observer
-                .update(&self.state, &self.qd, &self.efforts, self.config.period);
-        let measured = Measured {
-            q: &self.q,
-            qd: &self.qd,
-            world_from_tool,
-            jacobian: &self.jacobian,
-        };
-        let [q, qd, qdd] = &self.planned_q;
-        let posture = Posture { q, qd, qdd };
-        let command = self
-            .controller
-            .command(&self.state, &measured, &desired, &posture);
-        let wrench = command.ok_or(SimulationError::NoInertia { time })?;
-        let felt = self.controller.external_wrench(external);
-        let asked = self.controller.efforts().iter().zip(&self.effort_limits);
-        for (effort, (asked, most)) in self.efforts.iter_mut().zip(asked) {
-            *effort = asked.clamp(-most, *most);
-        }
-        if let Some(cause) = self.stop_cause(&desired, &world_from_tool) {
+        let command = self.command(time)?;
+        if let Some(cause) = self.stop_cause(&command) {
             return Ok(Some(Ending::ProtectiveStop { time, cause }));
         }
-        let flow = self.record(time, &desired, world_from_tool, wrench, felt, sample);
+        let flow = self.record(time, &command, sample);
 
         // What joints that follow others will need, the planned acceleration included.
-        let [_, _, qdd] = &self.planned_q;
-        let actual = if is_seen {
-            &mut self.state
+        let is_seen = self.settings.sensing.sees_joints();
+        if is_seen {
+            self.controller.inverse_dynamics();
         } else {
-            &mut self.actual
+            let articulation = self.controller.articulation();
+            let [_, _, qdd] = self.controller.planned_variables();
+            articulation.evaluate(&mut self.actual, &self.actual_q, &self.qd, GRAVITY);
+            articulation.inverse_dynamics(&mut self.actual, &self.qd, qdd, GRAVITY);
+        }
+        let actual = if is_seen {
+            self.controller.state()
+        } else {
+            &self.actual
         };
-        self.articulation
-            .inverse_dynamics(actual, &self.qd, qdd, GRAVITY);
+        let world_from_real_tool =
+            actual.pose(self.controller.carrier()) * self.joint_from_real_tool;
         self.plant.drive(
             actual,
-            self.controller.compliant(),
-            &self.efforts,
-            &self.planned_q,
+            self.controller.own_compliant(),
+            self.controller.efforts(),
+            self.controller.planned_variables(),
             &mut self.joint_efforts,
         );
         let real_tool = world_from_real_tool.translation.vector.into();
@@ -336,7 +253,7 @@ impl<'a> Simulation<'a> {
         note(&mut self.truth.obstructions, time, obstructed);
         self.grains
             .settle(&mut self.plant, &mut self.dirt, self.task);
-        self.observe_truth(time, &desired, &world_from_real_tool, is_pushed, &wrench);
+        self.observe_truth(&command, &world_from_real_tool, is_pushed);
         Ok(flow.is_break().then_some(Ending::Stopped))
     }
 
@@ -373,15 +290,27 @@ impl<'a> Simulation<'a> {
         measured
     }
 
+    /// What the controller asks for, from what is measured.
+    fn command(&mut self, time: f64) -> Result<Command, SimulationError> {
+        self.motion = self.followed.index_at(time);
+        for (k, &i) in (self.controller.articulation().variables().iter()).enumerate() {
+            self.robot_q[i] = self.q[k];
+            self.robot_qd[i] = self.qd[k];
+        }
+        let measured = (&self.robot_q, &self.robot_qd);
+        (self.controller)
+            .command(self.task, self.followed, time, measured.0, measured.1)
+            .ok_or(SimulationError::NoInertia { time })
+    }
+
     /// Whether the robot has to stop itself.
-    fn stop_cause(&self, desired: &Desired, world_from_tool: &Pose) -> Option<StopCause> {
-        let told = desired.world_from_tool.translation.vector;
-        let distance = (told - world_from_tool.translation.vector).norm();
+    fn stop_cause(&self, command: &Command) -> Option<StopCause> {
+        let distance = command.error().norm();
         if distance > MAX_ASTRAY {
             let limit = MAX_ASTRAY;
             return Some(StopCause::Astray { distance, limit });
         }
-        let moving = self.articulation.variables();
+        let moving = self.controller.articulation().variables();
         let velocity_of = |variable: usize| {
             let k = moving.iter().position(|&moving| moving == variable);
             k.map_or(0.0, |k| self.qd[k])
@@ -390,8 +319,8 @@ impl<'a> Simulation<'a> {
             return Some(cause);
         }
         let limits = self.cell.limits().joints();
-        for &k in self.controller.compliant() {
-            let i = self.articulation.variables()[k];
+        for &k in self.controller.own_compliant() {
+            let i = moving[k];
             let joint = self.cell.robot().variable(i);
             let limit = MAX_OVERSPEED * limits[i].velocity;
             if self.qd[k].abs() > limit {
@@ -423,7 +352,7 @@ impl<'a> Simulation<'a> {
                 || !velocity.is_finite()
                 || !self.actual_q[i].is_finite()
             {
-                let variable = self.articulation.variables()[i];
+                let variable = self.controller.articulation().variables()[i];
                 return Err(SimulationError::Diverged {
                     time: self.time,
                     joint: self.cell.robot().variable(variable).name.clone(),
@@ -435,77 +364,32 @@ impl<'a> Simulation<'a> {
         Ok(())
     }
 
-    /// Where the tool shall be at a time, the press into the surface included.
-    fn desired(&mut self, time: f64) -> Desired {
-        let motions: &[Motion] = &self.followed.motions;
-        while motions
-            .get(self.motion + 1)
-            .is_some_and(|next| next.start <= time)
-        {
-            self.motion += 1;
-        }
-        if let Some(motion) = motions.get(self.motion) {
-            let since = time - motion.start;
-            motion
-                .trajectory
-                .sample_into(since, &mut self.planned_sample);
-        }
-        let planned = &self.planned_sample;
-        for (k, &i) in self.articulation.variables().iter().enumerate() {
-            self.planned_q[0][k] = planned.q[i];
-            self.planned_q[1][k] = planned.qd[i];
-            self.planned_q[2][k] = planned.qdd[i];
-        }
-        self.articulation
-            .locate(&mut self.planned, &self.planned_q[0]);
-        let mut world_from_tool = self.planned.pose(self.carrier) * self.joint_from_tool;
-        let tool: Point3 = world_from_tool.translation.vector.into();
-        let (state, carrier) = (&self.planned, self.carrier);
-        self.articulation
-            .jacobian(state, carrier, tool, &mut self.jacobian);
-        let mut velocity = Vector6::zeros();
-        for (k, &i) in (0..).zip(&self.planned_q[1]) {
-            velocity += self.jacobian.column(k) * i;
-        }
-        let phase = motions.get(self.motion).map(|motion| motion.phase);
-        world_from_tool = pressed_in(world_from_tool, phase, self.task, self.config);
-        Desired {
-            world_from_tool,
-            velocity,
-        }
-    }
-
     /// Hands out what is measured.
     fn record(
         &mut self,
         time: f64,
-        desired: &Desired,
-        world_from_tool: Pose,
-        controller: Wrench,
-        felt: Wrench,
+        command: &Command,
         sample: &mut SampleSink<'_>,
     ) -> ControlFlow<()> {
         let Some(motion) = self.followed.motions.get(self.motion) else {
             return ControlFlow::Break(());
         };
-        let external = self.measure_force(time, felt);
-        for (k, &i) in self.articulation.variables().iter().enumerate() {
-            self.robot_q[i] = self.q[k];
-            self.robot_qd[i] = self.qd[k];
-            self.robot_efforts[i] = self.state.bias()[k];
+        let external = self.measure_force(time, command.external);
+        let variables = self.controller.articulation().variables();
+        for (&i, bias) in variables.iter().zip(self.controller.state().bias()) {
+            self.robot_efforts[i] = *bias;
         }
-        let compliant = self.controller.compliant().iter();
-        for (&k, effort) in compliant.zip(&self.efforts) {
-            self.robot_efforts[self.articulation.variables()[k]] = *effort;
+        for (i, effort) in (self.controller.compliant()).zip(self.controller.efforts()) {
+            self.robot_efforts[i] = *effort;
         }
         sample(&TelemetrySample {
             time,
             positions: &self.robot_q,
             velocities: &self.robot_qd,
             efforts: &self.robot_efforts,
-            world_from_commanded: desired.world_from_tool,
-            world_from_tool,
-            controller,
+            world_from_commanded: command.desired.world_from_tool,
+            world_from_tool: command.world_from_tool,
+            controller: command.controller,
             external,
             motion: self.motion,
             phase: motion.phase,
@@ -540,7 +424,7 @@ impl<'a> Simulation<'a> {
             }
             let direction = push.force / size;
             let mut yielding = 0.0;
-            for (column, qd) in self.jacobian.column_iter().zip(&self.qd) {
+            for (column, qd) in self.controller.jacobian().column_iter().zip(&self.qd) {
                 let moved = Vector3::new(column[0], column[1], column[2]);
                 yielding += qd * moved.dot(&direction);
             }
@@ -559,17 +443,12 @@ impl<'a> Simulation<'a> {
     }
 
     /// What really happened in this period.
-    fn observe_truth(
-        &mut self,
-        time: f64,
-        desired: &Desired,
-        world_from_tool: &Pose,
-        is_pushed: bool,
-        wrench: &Wrench,
-    ) {
+    fn observe_truth(&mut self, command: &Command, world_from_tool: &Pose, is_pushed: bool) {
+        let (time, desired) = (self.time, &command.desired);
         let is_wiping = self.is_wiping();
         let truth = &mut self.truth;
-        truth.max_controller_force = truth.max_controller_force.max(wrench.force.norm());
+        let force = command.controller.force.norm();
+        truth.max_controller_force = truth.max_controller_force.max(force);
         let speed = desired.velocity.fixed_rows::<3>(0).norm();
         let slides = is_wiping && speed > SLIDING && !is_pushed;
         if !slides {
@@ -599,8 +478,9 @@ impl<'a> Simulation<'a> {
     fn finish(mut self, ending: Ending) -> Result<(Execution, GroundTruth), SimulationError> {
         if self.settings.camera.is_some_and(|camera| camera.arm_hides) {
             let mut positions = self.robot_q.clone();
-            for (k, &i) in self.articulation.variables().iter().enumerate() {
-                positions[i] = self.actual_q[k];
+            let variables = self.controller.articulation().variables();
+            for (&i, actual) in variables.iter().zip(&self.actual_q) {
+                positions[i] = *actual;
             }
             let surface = &self.task.surface.world_from_surface;
             self.truth.hidden = hidden_by(
@@ -620,16 +500,6 @@ impl<'a> Simulation<'a> {
         };
         Ok((execution, self.truth))
     }
-}
-
-/// Whether a variable of the robot moves at all.
-fn varies(followed: &Followed, variable: usize, start: f64) -> bool {
-    let ends = followed.motions.iter().flat_map(|motion| {
-        let duration = motion.trajectory.duration();
-        [0.25, 0.5, 0.75, 1.0].map(|share| motion.trajectory.sample(share * duration))
-    });
-    ends.into_iter()
-        .any(|sample| (sample.q[variable] - start).abs() > 1e-9)
 }
 
 /// A joint that follows others and is too fast, by the velocities of the robot's variables [rad/s or m/s].

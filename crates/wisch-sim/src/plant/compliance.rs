@@ -10,10 +10,8 @@ use rapier3d_f64::dynamics::{
 };
 use rapier3d_f64::math as engine;
 use rapier3d_f64::pipeline::PhysicsWorld;
-use wisch::control::tool_load as load_of;
-use wisch::follow::Workcell;
+use wisch::control::tool_load;
 use wisch::geometry::{Point2, Pose, Vector3};
-use wisch::represent::Task;
 use wisch::robot::Body;
 
 /// Thickness of the tool's plate at least and at most [m]: so much that it is never pushed out on the far
@@ -24,6 +22,8 @@ const FIRM_MASS: f64 = 0.1;
 const PLATE_MASS: f64 = 0.05;
 /// Mass of a link that only stands between two joints of the tool [kg].
 const LINK_MASS: f64 = 2e-3;
+/// Mass of a tool, as the controller believes it [kg].
+pub(crate) const TOOL_MASS: f64 = FIRM_MASS + PLATE_MASS + 2.0 * LINK_MASS;
 /// Damping of the tool's compliance, as a damping ratio of the mass that an arm presses with [1, kg].
 const TOOL_DAMPING: [f64; 2] = [0.2, 5.0];
 /// Least stiffness against rocking, for tools as narrow as a blade [Nm/rad].
@@ -143,13 +143,7 @@ pub(super) fn compliance(
     Ok((bodies[2], bodies, handle))
 }
 
-/// The load that the tool is believed to be to the robot, in the frame of the link that holds it.
-pub(crate) fn tool_load(cell: &Workcell, task: &Task) -> Body {
-    let mass = FIRM_MASS + PLATE_MASS + 2.0 * LINK_MASS;
-    load_of(cell.tip_from_tool(), task.tool.area_of_effect, mass)
-}
-
 /// The load that the real one is, without its plate and the links that carry the plate, which are bodies of their own.
 pub(crate) fn firm_load(tool: &Wielded) -> Body {
-    load_of(&tool.tip_from_tool, tool.area_of_effect, FIRM_MASS)
+    tool_load(&tool.tip_from_tool, tool.area_of_effect, FIRM_MASS)
 }

@@ -8,7 +8,7 @@ mod drives;
 mod shapes;
 mod wielded;
 
-pub(super) use compliance::{firm_load, tool_load};
+pub(super) use compliance::{TOOL_MASS, firm_load};
 pub(super) use wielded::Wielded;
 
 use self::compliance::{compliance, foam_springs, plate_thickness};

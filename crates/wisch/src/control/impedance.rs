@@ -26,7 +26,7 @@ const POSTURE_DAMPING: f64 = 0.7;
 const END_STOP_RATE: f64 = 200.0;
 
 /// Where the tool shall be, and how fast it shall move there.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Desired {
     /// Where the tool shall be, the press into the surface included.
     pub world_from_tool: Pose,

@@ -56,12 +56,19 @@ pub fn tool_load(tip_from_tool: &Pose, extent: Vector2, mass: f64) -> Body {
 pub struct Command {
     /// Where the tool is, by forward kinematics.
     pub world_from_tool: Pose,
-    /// Where it is commanded, the press into the surface included.
-    pub world_from_commanded: Pose,
+    /// Where it shall be and how it shall move, the press into the surface included.
+    pub desired: Desired,
     /// f_c: what the controller asks of the tool, saturated.
     pub controller: Wrench,
     /// f_ext: what the surroundings do to it, as observed.
     pub external: Wrench,
+}
+
+impl Command {
+    /// From where the tool is to where it is commanded, in the world [m].
+    pub fn error(&self) -> Vector3 {
+        self.desired.world_from_tool.translation.vector - self.world_from_tool.translation.vector
+    }
 }
 
 /// Drives a robot along a motion by torques, compliantly; all room it needs is taken at the start.
@@ -155,8 +162,46 @@ impl MotionController {
 
     /// The robot's variables that are compliant, in the order of [`Self::efforts`].
     pub fn compliant(&self) -> impl Iterator<Item = usize> + '_ {
-        let own = self.controller.compliant().iter();
+        let own = self.own_compliant().iter();
         own.map(|&k| self.articulation.variables()[k])
+    }
+
+    /// The same as indices into the articulation's variables.
+    pub fn own_compliant(&self) -> &[usize] {
+        self.controller.compliant()
+    }
+
+    /// The joints that move, with the tool in the hand.
+    pub const fn articulation(&self) -> &Articulation {
+        &self.articulation
+    }
+
+    /// The articulation as measured at the last command.
+    pub const fn state(&self) -> &ArticulationState {
+        &self.state
+    }
+
+    /// The moving joint that carries the tool.
+    pub const fn carrier(&self) -> usize {
+        self.carrier
+    }
+
+    /// The tool's twist in the world per velocity of each of the articulation's variables, as measured (6 × variables).
+    pub const fn jacobian(&self) -> &Matrix6xX<f64> {
+        &self.jacobian
+    }
+
+    /// Positions, velocities and accelerations of the articulation's variables as planned for the last command's time.
+    pub const fn planned_variables(&self) -> &[Vec<f64>; 3] {
+        &self.planned_q
+    }
+
+    /// Adds to the state the efforts of every joint for the planned accelerations, as
+    /// [`Articulation::inverse_dynamics`] does.
+    pub fn inverse_dynamics(&mut self) {
+        let [_, _, qdd] = &self.planned_q;
+        self.articulation
+            .inverse_dynamics(&mut self.state, &self.qd, qdd, GRAVITY);
     }
 
     /// What the drives of the compliant variables are to give, within their limits [Nm or N].
@@ -215,7 +260,7 @@ impl MotionController {
         }
         Some(Command {
             world_from_tool,
-            world_from_commanded: desired.world_from_tool,
+            desired,
             controller,
             external,
         })

@@ -269,8 +269,13 @@ impl Followed {
 
     /// The motion that runs at a time [s]: the first before the start, the last after the end.
     pub fn motion_at(&self, time: f64) -> Option<&Motion> {
+        self.motions.get(self.index_at(time))
+    }
+
+    /// The index of that motion.
+    pub fn index_at(&self, time: f64) -> usize {
         let next = self.motions.partition_point(|motion| motion.start <= time);
-        self.motions.get(next.saturating_sub(1))
+        next.saturating_sub(1)
     }
 
     /// The state of all n variables at a time [s]; at rest before the start and after the end.
