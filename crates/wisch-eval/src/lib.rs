@@ -4,8 +4,8 @@
 //! what disturbs it. [`WorldCase::evaluate`] lets the method wipe in it, asks three simpler ways to believe on the very
 //! same rounds, and holds each against what is so. [`Calibration`] sums up many worlds. [`ScenarioRun`] is a shipped scenario
 //! in its own world, with a seed. [`WipingScore`] is a task that is planned, followed or executed once: the paper's
-//! Table 1 ([`Table1Case`]) is made of such runs, and so are sweeps over any keys of a task ([`Axis`]). Which seeds serve
-//! what is fixed: [`SeedUse`].
+//! Table 1 ([`Table1Case`]) is made of such runs, and so are sweeps over any keys of a task ([`Axis`]). What seeds
+//! are for: [`SeedUse`].
 
 mod baselines;
 mod interval;
@@ -27,7 +27,7 @@ mod world;
 pub use baselines::Baselines;
 pub use interval::binomial_interval;
 pub use picture::Picture;
-pub use protocol::{ProtocolError, SeedUse};
+pub use protocol::SeedUse;
 pub use pushes::PushCounts;
 pub use quantity::{Quantity, Statistics, Summary, summary};
 pub use scenario::{Quartiles, ScenarioRound, ScenarioRun, ScenarioScores};

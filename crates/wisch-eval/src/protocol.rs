@@ -5,12 +5,12 @@ const DEMONSTRATION: [u64; 2] = [1, 999];
 const CHOICE: [u64; 2] = [1_000, 4_999];
 const PUBLICATION: u64 = 10_000;
 
-/// What seeds are for. A figure that is published comes from seeds on which nothing was chosen.
+/// What this project uses seeds for. A figure that it publishes comes from seeds on which nothing was chosen.
 ///
 /// ```
 /// use wisch_eval::SeedUse;
-/// assert_eq!(SeedUse::of(1_000, 500), Ok(SeedUse::Choice));
-/// assert!(SeedUse::of(4_900, 200).is_err());
+/// assert_eq!(SeedUse::of(1_000, 500), SeedUse::Choice);
+/// assert_eq!(SeedUse::of(4_900, 200), SeedUse::Mixed);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SeedUse {
@@ -20,45 +20,23 @@ pub enum SeedUse {
     Choice,
     /// From 10,000 on: published figures, each block once.
     Publication,
-}
-
-/// Seeds that serve no use, or several.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum ProtocolError {
-    /// A block that reaches beyond its use.
-    #[error(
-        "seeds {first} to {last} serve no single use: 1 to 999 are for tests and demonstrations, 1000 to 4999 for choosing constants, those from 10000 on for published figures"
-    )]
-    Mixed {
-        /// The first seed.
-        first: u64,
-        /// The last one.
-        last: u64,
-    },
-    /// No world at all.
-    #[error("an evaluation needs at least 1 world, not 0")]
-    Nothing,
+    /// Other seeds, or seeds of several uses.
+    Mixed,
 }
 
 impl SeedUse {
-    /// What a block of seeds is for.
-    ///
-    /// # Errors
-    /// A block that reaches beyond one use, or an empty one.
-    pub fn of(first: u64, count: u64) -> Result<Self, ProtocolError> {
-        let Some(more) = count.checked_sub(1) else {
-            return Err(ProtocolError::Nothing);
-        };
-        let last = first.saturating_add(more);
+    /// What `count` seeds from `first` on are for.
+    pub fn of(first: u64, count: u64) -> Self {
+        let last = first.saturating_add(count.saturating_sub(1));
         let within = |[least, most]: [u64; 2]| first >= least && last <= most;
         if within(DEMONSTRATION) {
-            Ok(Self::Demonstration)
+            Self::Demonstration
         } else if within(CHOICE) {
-            Ok(Self::Choice)
+            Self::Choice
         } else if within([PUBLICATION, u64::MAX]) {
-            Ok(Self::Publication)
+            Self::Publication
         } else {
-            Err(ProtocolError::Mixed { first, last })
+            Self::Mixed
         }
     }
 
@@ -68,6 +46,7 @@ impl SeedUse {
             Self::Demonstration => "demonstration",
             Self::Choice => "choice of constants",
             Self::Publication => "publication",
+            Self::Mixed => "of no single use",
         }
     }
 }
@@ -78,16 +57,11 @@ mod tests {
 
     #[test]
     fn every_block_has_one_use() {
-        assert_eq!(SeedUse::of(1, 999), Ok(SeedUse::Demonstration));
-        assert_eq!(SeedUse::of(4_999, 1), Ok(SeedUse::Choice));
-        assert_eq!(SeedUse::of(10_000, 1_000), Ok(SeedUse::Publication));
-        assert_eq!(SeedUse::of(1_000, 0), Err(ProtocolError::Nothing));
+        assert_eq!(SeedUse::of(1, 999), SeedUse::Demonstration);
+        assert_eq!(SeedUse::of(4_999, 1), SeedUse::Choice);
+        assert_eq!(SeedUse::of(10_000, 1_000), SeedUse::Publication);
         for (first, count) in [(0, 1), (999, 2), (4_999, 2), (9_999, 2), (5_000, 10)] {
-            let refused = SeedUse::of(first, count);
-            assert!(
-                matches!(refused, Err(ProtocolError::Mixed { .. })),
-                "{first}"
-            );
+            assert_eq!(SeedUse::of(first, count), SeedUse::Mixed, "{first}");
         }
     }
 }

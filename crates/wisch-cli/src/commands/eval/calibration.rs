@@ -29,7 +29,7 @@ struct CalibrationRecord {
 
 /// Evaluates worlds, and sums up all in the folder.
 pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    let provenance = Provenance::begin("wisch calibration", SCHEMA, args.first_seed, args.worlds)?;
+    let provenance = Provenance::begin("wisch calibration", SCHEMA, args.first_seed, args.worlds);
     let senses = match args.senses {
         SensesChoice::Touch => Senses::Touch,
         SensesChoice::Sight => Senses::TouchAndSight,

@@ -14,7 +14,7 @@ pub use table1::table1;
 
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
-use crate::terminal::{Outcome, print};
+use crate::terminal::{Outcome, print, remark};
 use serde::Serialize;
 use std::path::Path;
 use std::process::Command;
@@ -22,6 +22,9 @@ use wisch_eval::SeedUse;
 use wisch_io::OutputFile;
 
 /// What a record is and of what.
+/// What is said of seeds that serve no single use.
+const MIXED: &str = "these seeds serve no single use: this project takes 1 to 999 for demonstrations, 1000 to 4999 for choosing constants, and from 10000 on for published figures";
+
 #[derive(Debug, Serialize)]
 struct Provenance {
     format: &'static str,
@@ -35,16 +38,19 @@ struct Provenance {
 
 impl Provenance {
     /// Of so many worlds from a seed on; with the commit as it is now, as a checkout may have moved on at the end.
-    fn begin(format: &'static str, schema: u32, first: u64, worlds: u64) -> Result<Self, Failure> {
-        let serves = SeedUse::of(first, worlds).map_err(Failure::new)?;
-        Ok(Self {
+    fn begin(format: &'static str, schema: u32, first: u64, worlds: u64) -> Self {
+        let serves = SeedUse::of(first, worlds);
+        if serves == SeedUse::Mixed {
+            remark(MIXED);
+        }
+        Self {
             format,
             schema,
             version: env!("CARGO_PKG_VERSION"),
             commit: commit(),
-            seeds: [first, first + worlds - 1],
+            seeds: [first, first.saturating_add(worlds - 1)],
             seed_use: serves.as_str(),
-        })
+        }
     }
 
     fn in_words(&self, senses: &str) -> String {

@@ -25,7 +25,7 @@ struct ScenariosRecord {
 
 /// Wipes scenarios over many seeds, and sums up.
 pub fn scenarios(args: &ScenarioEvaluationArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    let provenance = Provenance::begin("wisch scenarios", SCHEMA, args.first_seed, args.worlds)?;
+    let provenance = Provenance::begin("wisch scenarios", SCHEMA, args.first_seed, args.worlds);
     let out = &args.out;
     let path = out.join("scenarios.json");
     if path.exists() {

@@ -31,7 +31,7 @@ struct SweepRecord {
 /// Evaluates runs, and sums up all in the folder.
 pub fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let (first, seeds) = (args.seeds.first_seed, args.seeds.seeds);
-    let provenance = Provenance::begin("wisch sweep", SCHEMA, first, seeds)?;
+    let provenance = Provenance::begin("wisch sweep", SCHEMA, first, seeds);
     let combinations = cells(&args.axes)
         .filter(|cells| (cells.len() as u64).saturating_mul(seeds) <= MAX_RUNS)
         .ok_or_else(|| Failure::new(format!("a sweep has at most {MAX_RUNS} runs")))?;
