@@ -1,6 +1,6 @@
 //! Logs of a tool that wipes, from whatever wrote them, as what the interpretation takes.
 
-use super::bag::{BagReader, FRAME_SURFACE, FRAME_WORLD, Unzstd, active_path};
+use super::bag::{BagReader, FRAME_SURFACE, FRAME_WORLD, active_path};
 use super::doubtful::doubts;
 use super::error::{ReadError, ReadFault, RecordingKind};
 use super::frames::Chain;
@@ -155,7 +155,9 @@ fn check_is_file(path: &Path) -> Result<(), ReadFault> {
 fn opened(path: &Path) -> Result<Box<dyn Read>, ReadFault> {
     let file = BufReader::new(File::open(path).map_err(ReadFault::System)?);
     if is_packed_bag(path) {
-        return Ok(Box::new(Unzstd::new(file).map_err(ReadFault::System)?));
+        return Ok(Box::new(
+            zstd::Decoder::new(file).map_err(ReadFault::System)?,
+        ));
     }
     Ok(Box::new(file))
 }

@@ -18,5 +18,4 @@ pub use observation::LookTime;
 pub(crate) use reader::BagReader;
 pub use scene::SceneShown;
 pub(crate) use topic::{FRAME_SURFACE, FRAME_WORLD};
-pub(crate) use unpack::Unzstd;
 pub use writer::{BagHead, BagWriter, active_path};
