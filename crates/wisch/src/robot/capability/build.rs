@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Most cells in the box of everything that might be reached.
-const MAX_CELLS: usize = 1 << 30;
+pub(super) const MAX_CELLS: usize = 1 << 30;
 
 /// Samples per stream of random numbers: threads take them as they come.
 const CHUNK: u64 = 4096;

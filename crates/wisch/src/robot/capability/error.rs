@@ -61,7 +61,9 @@ pub enum MapError {
         problem: String,
     },
     /// The map is of another version of the format.
-    #[error("{file}: capability map of format {found}, this program reads format {expected}")]
+    #[error(
+        "{file}: capability map of format {found}, this program reads format {expected}: wisch robot map builds it again"
+    )]
     Version {
         /// The name of the bytes.
         file: String,

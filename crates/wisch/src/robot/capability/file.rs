@@ -10,21 +10,21 @@
 //! | 8, 4, 8, 8, 4, 4 | config: voxel [m], frequency, samples, seed, starts, refinements |
 //! | 3 × 4, 3 × 4 | grid: first voxel, numbers of voxels |
 //! | 4 | number of rows that are not empty |
-//! | rest | rows and values, range-coded |
+//! | rest | rows and values, packed |
 //! | 16 | FNV-1a of all before |
 //!
 //! Numbers are little-endian; how rows and values are coded: `packing.rs`.
 
-use super::coder::MAX_BITS_PER_BYTE;
+use super::build::MAX_CELLS;
 use super::directions::Directions;
 use super::hash::Fnv;
 use super::packing::{pack, unpack};
-use super::{CapabilityMap, Grid, MapConfig, MapError, MapOrigin, RobotHash};
+use super::{CapabilityMap, FULL, Grid, MapConfig, MapError, MapOrigin, RobotHash};
 use crate::geometry::{Pose, Vector3};
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 
 const MAGIC: &[u8; 8] = b"wischmap";
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// Most bytes that are read as a map.
 pub const MAX_MAP_BYTES: usize = 64 << 20;
@@ -209,16 +209,14 @@ impl Reader<'_> {
         }
         let rows = self.u32()? as usize;
         let directions = Directions::new(config.frequency as usize);
-        // More voxels or cells than these bytes can stand for are not made room for.
-        let most = (self.bytes.len() + HASH_BYTES) as u64 * MAX_BITS_PER_BYTE as u64;
         let voxels = grid
             .counts
             .iter()
             .fold(1_u64, |v, &c| v.saturating_mul(c as u64));
         let cells = (rows as u64).saturating_mul(directions.count() as u64);
         for (what, value) in [("voxels", voxels), ("cells", cells)] {
-            if value > most {
-                return Err(format!("{value} {what}, its size allows {most}"));
+            if value > MAX_CELLS as u64 {
+                return Err(format!("{value} {what} exceed the limit of {MAX_CELLS}"));
             }
         }
         if grid.counts.contains(&0) {
@@ -234,7 +232,7 @@ impl Reader<'_> {
             ),
             config,
         };
-        let (rows, values) = unpack(self.bytes, &grid, &directions, rows)?;
+        let (rows, values) = unpack(self.bytes, &grid, directions.count(), rows, FULL)?;
         Ok(CapabilityMap {
             about,
             grid,
@@ -334,7 +332,7 @@ mod tests {
             (
                 ROWS,
                 &0_u32.to_le_bytes(),
-                "1 or more rows that are not empty, expected 0",
+                "1 rows that are not empty in 3 voxels, expected 0 in 3",
             ),
         ];
         for (at, with, message) in cases {
@@ -349,12 +347,12 @@ mod tests {
     }
 
     #[test]
-    fn no_room_is_made_for_more_than_the_bytes_can_hold() {
+    fn a_map_of_more_cells_than_are_ever_made_is_refused() {
         for at in [GRID + 12, ROWS] {
             let mut bytes = map().to_bytes();
             bytes[at..at + 4].copy_from_slice(&u32::MAX.to_le_bytes());
             let refused = read(&sealed(bytes)).map(|_| ()).unwrap_err().to_string();
-            assert!(refused.contains("its size allows"), "{refused}");
+            assert!(refused.contains("exceed the limit of"), "{refused}");
         }
     }
 

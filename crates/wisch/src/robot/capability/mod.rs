@@ -16,7 +16,6 @@
 mod arm;
 mod build;
 mod cells;
-mod coder;
 mod config;
 mod directions;
 mod error;
