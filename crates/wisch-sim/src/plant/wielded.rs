@@ -2,10 +2,8 @@
 
 use crate::RealTool;
 use nalgebra::{Translation3, UnitQuaternion};
-use petgraph::unionfind::UnionFind;
-use std::collections::BTreeMap;
 use wisch::follow::Workcell;
-use wisch::geometry::{Edge, Mesh, Point2, Point3, Polygon, Pose, Region, Vector2, Vector3};
+use wisch::geometry::{Edge, Point2, Point3, Polygon, Pose, Region, Vector2, Vector3};
 use wisch::represent::Task;
 
 /// What a rigid tool gives way by at nominal force all the same [m]: a contact of two stiff bodies is not resolved
@@ -51,7 +49,8 @@ impl Wielded {
         let polygons = task.tool.footprint.polygons().iter().map(polygon);
         let footprint = Region::new(polygons.collect());
         let area_of_effect = task.tool.area_of_effect * size;
-        let mut parts = parts(&task.tool.mesh);
+        // A stick does not make a cone of its broom.
+        let mut parts = task.tool.mesh.parts();
         for vertex in parts.iter_mut().flatten() {
             (vertex.x, vertex.y) = (vertex.x * size, vertex.y * size);
         }
@@ -89,26 +88,4 @@ impl Wielded {
 /// How far the tool is believed to give way at nominal force, as far as that is simulated [m].
 fn nominal_depth(task: &Task) -> f64 {
     task.interaction.compression_depth_m.max(LEAST_DEPTH)
-}
-
-/// The vertices of each connected part of a mesh: a stick does not make a cone of its broom.
-fn parts(mesh: &Mesh) -> Vec<Vec<Point3>> {
-    let key = |p: &Point3| [p.x, p.y, p.z].map(f64::to_bits);
-    let mut places: BTreeMap<[u64; 3], usize> = BTreeMap::new();
-    let at: Vec<usize> = (mesh.vertices().iter())
-        .map(|p| {
-            let next = places.len();
-            *places.entry(key(p)).or_insert(next)
-        })
-        .collect();
-    let mut sets = UnionFind::new(places.len());
-    for [a, b, c] in mesh.triangles() {
-        sets.union(at[*a as usize], at[*b as usize]);
-        sets.union(at[*a as usize], at[*c as usize]);
-    }
-    let mut parts: BTreeMap<usize, Vec<Point3>> = BTreeMap::new();
-    for (place, vertex) in at.iter().zip(mesh.vertices()) {
-        parts.entry(sets.find(*place)).or_default().push(*vertex);
-    }
-    parts.into_values().collect()
 }

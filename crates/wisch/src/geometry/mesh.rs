@@ -7,8 +7,8 @@ mod read;
 pub(crate) use collada::{MAX_ATTRIBUTES, most_attributes};
 pub use read::MeshFormat;
 
-use super::{Point3, Pose, Vector3};
-use std::collections::HashMap;
+use super::{DisjointSets, Point3, Pose, Vector3};
+use std::collections::{BTreeMap, HashMap};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Largest coordinate a mesh may hold, either sign [m].
@@ -322,6 +322,29 @@ impl Mesh {
         self.triangles
             .iter()
             .map(|t| t.map(|i| self.vertices[i as usize]))
+    }
+
+    /// The vertices of each part of the mesh that hangs together by its triangles, in the mesh's own frame [m].
+    /// Vertices at one place are one.
+    pub fn parts(&self) -> Vec<Vec<Point3>> {
+        let key = |p: &Point3| [p.x, p.y, p.z].map(f64::to_bits);
+        let mut places: BTreeMap<[u64; 3], usize> = BTreeMap::new();
+        let at: Vec<usize> = (self.vertices.iter())
+            .map(|p| {
+                let next = places.len();
+                *places.entry(key(p)).or_insert(next)
+            })
+            .collect();
+        let mut sets = DisjointSets::new(places.len());
+        for [a, b, c] in &self.triangles {
+            sets.union(at[*a as usize], at[*b as usize]);
+            sets.union(at[*a as usize], at[*c as usize]);
+        }
+        let mut parts: BTreeMap<usize, Vec<Point3>> = BTreeMap::new();
+        for (place, vertex) in at.iter().zip(&self.vertices) {
+            parts.entry(sets.find(*place)).or_default().push(*vertex);
+        }
+        parts.into_values().collect()
     }
 
     /// The same mesh in another frame: `other_from_mesh` maps this mesh's frame into it.

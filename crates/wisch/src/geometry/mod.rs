@@ -1,5 +1,6 @@
 //! Frames, poses, polygons, meshes, and the footprint that a tool's mesh leaves on a surface.
 
+mod disjoint_sets;
 mod footprint;
 mod mesh;
 mod point_grid;
@@ -8,6 +9,7 @@ mod pose;
 mod triangulation;
 mod units;
 
+pub(crate) use disjoint_sets::DisjointSets;
 pub use footprint::{
     FootprintError, MAX_FOOTPRINT_EDGES, MIN_COMPRESSION_DEPTH, RIGID_DEPTH, footprint,
 };

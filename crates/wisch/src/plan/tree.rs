@@ -1,8 +1,7 @@
 //! Minimum spanning trees rooted in one or several goals: policies of collect and skim; paper §3.2.
 
 use super::FreeSpace;
-use crate::geometry::{Bounds2, Point2, PointGrid};
-use petgraph::unionfind::UnionFind;
+use crate::geometry::{Bounds2, DisjointSets, Point2, PointGrid};
 
 /// A forest that leads every connected node to one of the roots.
 pub(super) struct Forest {
@@ -151,7 +150,7 @@ fn leaf_cell(nodes: &[Point2]) -> f64 {
 
 /// Nodes joined to parts, and how large the parts are.
 struct Joined {
-    parts_of: UnionFind<usize>,
+    parts_of: DisjointSets,
     sizes: Vec<usize>,
     parts: usize,
 }
@@ -159,7 +158,7 @@ struct Joined {
 impl Joined {
     fn of(count: usize) -> Self {
         Self {
-            parts_of: UnionFind::new(count),
+            parts_of: DisjointSets::new(count),
             sizes: vec![1; count],
             parts: count,
         }

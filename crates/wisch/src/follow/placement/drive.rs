@@ -3,7 +3,9 @@
 
 use crate::follow::{FollowConfig, Workcell};
 use crate::geometry::{PlanarPose, wrap_angle};
-use pathfinding::prelude::astar;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::collections::hash_map::{Entry, HashMap};
 use std::f64::consts::TAU;
 
 /// Pitch of the grid [m].
@@ -101,10 +103,75 @@ pub(in crate::follow) fn drive(
     };
     let estimate = |&node: &Node| cost(&pose(node), &to);
     let goal = Node::Cell([0, 0, 0]);
-    let (nodes, _) = astar(&Node::Start, successors, estimate, |node| *node == goal)?;
+    let nodes = cheapest(Node::Start, goal, successors, estimate)?;
     let path: Vec<PlanarPose> = nodes.into_iter().map(pose).collect();
     Some(straightened(path, is_free))
 }
+
+/// The cheapest way from one node to another, both included (Hart, Nilsson and Raphael, *A Formal Basis for the Heuristic
+/// Determination of Minimum Cost Paths*, 1968). `estimate` is never more than the cost to the goal.
+fn cheapest(
+    start: Node,
+    goal: Node,
+    successors: impl Fn(&Node) -> Vec<(Node, u64)>,
+    estimate: impl Fn(&Node) -> u64,
+) -> Option<Vec<Node>> {
+    let mut reached: HashMap<Node, (Option<Node>, u64)> = HashMap::from([(start, (None, 0))]);
+    let mut open = BinaryHeap::from([Open {
+        key: (Reverse(0), 0),
+        node: start,
+    }]);
+    while let Some(Open { key, node }) = open.pop() {
+        let (_, cost) = key;
+        if node == goal {
+            let parent = |node: &Node| reached[node].0;
+            let mut path: Vec<Node> = std::iter::successors(Some(goal), parent).collect();
+            path.reverse();
+            return Some(path);
+        }
+        // A cheaper way to it was found since.
+        if cost > reached[&node].1 {
+            continue;
+        }
+        for (next, step) in successors(&node) {
+            let cost = cost + step;
+            match reached.entry(next) {
+                Entry::Occupied(known) if known.get().1 <= cost => continue,
+                Entry::Occupied(mut known) => _ = known.insert((Some(node), cost)),
+                Entry::Vacant(new) => _ = new.insert((Some(node), cost)),
+            }
+            let key = (Reverse(cost + estimate(&next)), cost);
+            open.push(Open { key, node: next });
+        }
+    }
+    None
+}
+
+/// A node to look at: first that with the least cost through it, of these the farthest from the start.
+struct Open {
+    key: (Reverse<u64>, u64),
+    node: Node,
+}
+
+impl Ord for Open {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.key.cmp(&other.key)
+    }
+}
+
+impl PartialOrd for Open {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Open {
+    fn eq(&self, other: &Self) -> bool {
+        self.key == other.key
+    }
+}
+
+impl Eq for Open {}
 
 /// Leaves out every pose that can be left out.
 fn straightened(
