@@ -29,6 +29,10 @@ python *options:
 fleet *options:
     crates/wisch-fleet/check {{options}}
 
+# Package every crate that may be published, and build each from its package alone.
+package *options:
+    .ci/package {{options}}
+
 # Everything that must hold of a commit.
 ci:
     .ci/run

@@ -1,6 +1,19 @@
-//! Builds the crate anew when the knowledge or the robots that it carries change.
+//! Says where the knowledge, robots and scenarios lie that the crate carries: in the repository, or in a package, into which
+//! `.ci/package` puts them.
+
+use std::path::PathBuf;
 
 fn main() {
-    println!("cargo::rerun-if-changed=../../knowledge");
-    println!("cargo::rerun-if-changed=../../robots");
+    let manifest = PathBuf::from(std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
+    let packaged = manifest.join("shipped");
+    let shipped = if packaged.is_dir() {
+        packaged
+    } else {
+        manifest.join("../..")
+    };
+    println!("cargo::rustc-env=WISCH_SHIPPED={}", shipped.display());
+    for folder in ["knowledge", "robots", "scenarios"] {
+        let folder = shipped.join(folder);
+        println!("cargo::rerun-if-changed={}", folder.display());
+    }
 }

@@ -17,10 +17,10 @@ const MAX_FILE_LEN: u64 = 256 << 20;
 const LIKE: f64 = 0.6;
 
 /// The knowledge folder as it was when the program was built.
-static BUILT_IN: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../knowledge");
+static BUILT_IN: Dir = include_dir!("$WISCH_SHIPPED/knowledge");
 
 /// The shipped scenarios as they were when the program was built.
-static SCENARIOS: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../scenarios");
+static SCENARIOS: Dir = include_dir!("$WISCH_SHIPPED/scenarios");
 
 /// The file with the PDDL domain in a knowledge folder.
 const DOMAIN_FILE: &str = "wiping.pddl";

@@ -14,7 +14,7 @@ use wisch::run::Performer;
 use wisch::source_location::UnknownName;
 
 /// The robots folder as it was when the program was built.
-static BUILT_IN: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../robots");
+static BUILT_IN: Dir = include_dir!("$WISCH_SHIPPED/robots");
 
 /// What a capability map's file is called, beside its URDF.
 pub const MAP_EXTENSION: &str = "reach";

@@ -28,8 +28,8 @@ const PREFIXES: [(&str, &str); 8] = [
 ];
 
 /// The text of `ontology/semco.owl`, in RDF/XML.
-pub const SEMCO_OWL: &str = include_str!("../../../../ontology/semco.owl");
-const UPPER_OWL: &str = include_str!("../../../../ontology/upper.owl");
+pub const SEMCO_OWL: &str = include_str!("../../ontology/semco.owl");
+const UPPER_OWL: &str = include_str!("../../ontology/upper.owl");
 
 /// What a name stands for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -62,7 +62,7 @@ impl TermKind {
 
 /// What the ontology says of one name.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Term {
+pub struct OntologyTerm {
     /// What it stands for.
     pub kind: TermKind,
     /// Directly above it: classes of a class or individual, properties of a property.
@@ -96,7 +96,7 @@ pub struct Term {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ontology {
-    terms: BTreeMap<String, Term>,
+    terms: BTreeMap<String, OntologyTerm>,
     children: BTreeMap<String, Vec<String>>,
 }
 
@@ -169,7 +169,7 @@ impl Ontology {
     }
 
     /// Everything it names, by alphabet, with prefix.
-    pub fn terms(&self) -> impl Iterator<Item = (&str, &Term)> {
+    pub fn terms(&self) -> impl Iterator<Item = (&str, &OntologyTerm)> {
         self.terms.iter().map(|(name, term)| (name.as_str(), term))
     }
 
@@ -195,7 +195,7 @@ impl Ontology {
     }
 
     /// What is said of a name, if anything.
-    pub fn term(&self, name: &str) -> Option<&Term> {
+    pub fn term(&self, name: &str) -> Option<&OntologyTerm> {
         self.terms.get(name)
     }
 
