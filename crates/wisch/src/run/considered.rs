@@ -6,6 +6,7 @@ use crate::plan::{
 };
 use crate::represent::{ParticleDistribution, Task};
 use rayon::prelude::*;
+use std::sync::{Mutex, PoisonError};
 
 /// Share of the dirt that a second of motion is worth [1/s]: half a minute, about as long as it takes to wipe a board
 /// once, is worth one part in a hundred.
@@ -53,16 +54,18 @@ pub(super) fn unfollowed(task: &Task, portfolio: Portfolio) -> Vec<Considered> {
     considered.collect()
 }
 
-/// Each plan of a portfolio as the robot does it. Plans are followed side by side: the result is the same on any number
-/// of threads.
+/// Each plan of a portfolio as the robot does it, and the motion of the one that is worth most. Plans are followed side by
+/// side: the result is the same on any number of threads.
 pub(super) fn followed(
     task: &Task,
     dirt: &[ParticleDistribution],
     config: &PlanConfig,
     portfolio: Portfolio,
     follow: impl Fn(Plan) -> Result<PlannedRound, RunError> + Sync,
-) -> Vec<Considered> {
-    let considered = portfolio.into_par_iter().map(|(strategy, candidate)| {
+) -> (Vec<Considered>, Option<Box<PlannedRound>>) {
+    let best: Mutex<Option<Best>> = Mutex::new(None);
+    let considered = portfolio.into_par_iter().enumerate();
+    let considered = considered.map(|(index, (strategy, candidate))| {
         let (mut prediction, mut motion) = (None, None);
         let candidate = candidate.map_err(RunError::from).and_then(|candidate| {
             let (worth, round) = match strategy {
@@ -73,11 +76,21 @@ pub(super) fn followed(
                 duration: round.followed.duration(),
                 abandoned: round.followed.abandoned.len(),
             });
-            prediction = Some(round.prediction);
-            Ok(Candidate {
-                worth,
-                plan: round.plan,
-            })
+            prediction = Some(round.prediction.clone());
+            let plan = round.plan.clone();
+            let mut best = best.lock().unwrap_or_else(PoisonError::into_inner);
+            if best
+                .as_ref()
+                .is_none_or(|best| best.is_surpassed(worth, index))
+            {
+                let round = Box::new(round);
+                *best = Some(Best {
+                    worth,
+                    index,
+                    round,
+                });
+            }
+            Ok(Candidate { worth, plan })
         });
         Considered {
             strategy,
@@ -86,7 +99,22 @@ pub(super) fn followed(
             motion,
         }
     });
-    considered.collect()
+    let considered = considered.collect();
+    let best = best.into_inner().unwrap_or_else(PoisonError::into_inner);
+    (considered, best.map(|best| best.round))
+}
+
+/// The plan that is worth most so far: of several the first in the portfolio.
+struct Best {
+    worth: f64,
+    index: usize,
+    round: Box<PlannedRound>,
+}
+
+impl Best {
+    fn is_surpassed(&self, worth: f64, index: usize) -> bool {
+        worth > self.worth || (worth == self.worth && index < self.index)
+    }
 }
 
 /// What a plan is worth as the robot does it [1], and that.

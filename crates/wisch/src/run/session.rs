@@ -78,13 +78,31 @@ pub struct Session<'a> {
 #[derive(Debug)]
 enum State {
     Begin,
-    Planned(Plan),
+    Planned(NextPlan),
     Followed(Box<PlannedRound>),
     Audited(Box<PlannedRound>, Audit),
     Executed(Box<PlannedRound>, Audit, Execution, Box<Interpreter>),
     Interpreted(Box<PlannedRound>, Audit, Execution, Box<Interpretation>),
     /// With the motion that was not executed because of its faults, if that is why.
     Ended(Option<Box<(PlannedRound, Audit)>>),
+}
+
+/// What is to be done in a round.
+#[derive(Debug)]
+enum NextPlan {
+    /// A plan for which no motion was looked for yet.
+    Alone(Plan),
+    /// A plan that was chosen for its motion.
+    Followed(Box<PlannedRound>),
+}
+
+impl NextPlan {
+    fn plan(&self) -> &Plan {
+        match self {
+            Self::Alone(plan) => plan,
+            Self::Followed(planned) => &planned.plan,
+        }
+    }
 }
 
 impl<'a> Session<'a> {
@@ -148,7 +166,7 @@ impl<'a> Session<'a> {
     /// The plan of the round at hand, or of the last one.
     pub fn plan(&self) -> Option<&Plan> {
         match &self.state {
-            State::Planned(plan) => Some(plan),
+            State::Planned(next) => Some(next.plan()),
             _ => self.planned().map(|planned| &planned.plan),
         }
     }
@@ -249,7 +267,7 @@ impl<'a> Session<'a> {
         };
         let stage = match std::mem::replace(&mut self.state, State::Ended(None)) {
             State::Begin => self.plan_round(executor, &mut watch),
-            State::Planned(plan) => self.follow_round(plan, &mut watch),
+            State::Planned(next) => self.follow_round(next, &mut watch),
             State::Followed(planned) => self.audit_round(planned, &mut watch),
             State::Audited(planned, audit) => {
                 self.execute_round(planned, audit, executor, &mut watch)
@@ -309,19 +327,20 @@ impl<'a> Session<'a> {
         if self.retreats && self.stands.is_none() {
             return Err(RunError::UnknownState { round });
         }
-        let plan = match self.next_plan(observer) {
+        let next = match self.next_plan(observer) {
             Ok(None) => {
                 let last = self.rounds.last();
                 let verdict = last.map(|round| self.judge.without_gain(&round.interpretation));
                 return Ok(self.end(verdict, observer));
             }
-            Ok(Some(plan)) => plan,
+            Ok(Some(next)) => next,
             Err(_) if round > 1 => return Ok(self.end(Some(Verdict::NoWay), observer)),
             Err(error) => return Err(error),
         };
+        let plan = next.plan();
         self.goal.get_or_insert(plan.graph.goal);
-        let _ = observer(&RunEvent::Planned { round, plan: &plan });
-        self.state = State::Planned(plan);
+        let _ = observer(&RunEvent::Planned { round, plan });
+        self.state = State::Planned(next);
         Ok(Stage::Planned)
     }
 
@@ -356,14 +375,15 @@ impl<'a> Session<'a> {
     }
 
     /// A plan for what is not yet done; in later rounds none where none is predicted to bring anything.
-    fn next_plan(&mut self, observer: &mut Observer<'_>) -> Result<Option<Plan>, RunError> {
+    fn next_plan(&mut self, observer: &mut Observer<'_>) -> Result<Option<NextPlan>, RunError> {
         let (task, config) = (&self.task, &self.config);
         if let (Some(own), None) = (&self.own, &self.given) {
             let plan = own.plan(task, config.plan.lift_height)?;
-            return Ok(Some(plan).filter(|plan| self.goal.is_none() || is_gainful(task, plan)));
+            let is_wanted = self.goal.is_none() || is_gainful(task, &plan);
+            return Ok(is_wanted.then_some(NextPlan::Alone(plan)));
         }
         let whole = match (self.given.take(), self.goal.as_ref()) {
-            (Some(plan), _) => plan,
+            (Some(plan), _) => NextPlan::Alone(plan),
             (None, None) if config.plan.strategy.is_searched() => self.searched_plan(observer)?,
             (None, None) => {
                 let variants = if self.first_observation().is_some() {
@@ -373,7 +393,7 @@ impl<'a> Session<'a> {
                 } else {
                     config.variants
                 };
-                best_plan(task, &task.particles, &config.plan, variants)?
+                NextPlan::Alone(best_plan(task, &task.particles, &config.plan, variants)?)
             }
             (None, Some(goal)) => {
                 let treated = task.treatment.and_then(|_| self.belief.median_passes());
@@ -400,23 +420,25 @@ impl<'a> Session<'a> {
                     ..config.plan.clone()
                 };
                 let count = recovery_candidates(&task.tool.footprint);
-                let plan = match config.pace {
+                let next = match config.pace {
                     Pace::Whole if config.plan.strategy.is_searched() => {
                         self.searched_plan(observer)?
                     }
                     Pace::Whole => match best_plan(task, &open, &left, count) {
                         // What is missing lies where another pass would give too many to what is done.
                         Err(PlanError::NoFreeNode { .. }) if is_treated => return Ok(None),
-                        plan => plan?,
+                        plan => NextPlan::Alone(plan?),
                     },
-                    Pace::Greedy => best_subplan_of_candidates(task, &open, &left, count)?,
+                    Pace::Greedy => {
+                        NextPlan::Alone(best_subplan_of_candidates(task, &open, &left, count)?)
+                    }
                 };
-                return Ok(Some(plan).filter(|plan| is_gainful(task, plan)));
+                return Ok(Some(next).filter(|next| is_gainful(task, next.plan())));
             }
         };
         Ok(Some(match config.pace {
             Pace::Whole => whole,
-            Pace::Greedy => best_subplan(task, &whole)?,
+            Pace::Greedy => NextPlan::Alone(best_subplan(task, whole.plan())?),
         }))
     }
 
@@ -426,13 +448,21 @@ impl<'a> Session<'a> {
     /// # Errors
     /// Geometry that the libraries refuse.
     pub fn considered(&self) -> Result<Vec<Considered>, RunError> {
+        let (considered, _) = self.considered_with_best()?;
+        Ok(considered)
+    }
+
+    /// The same, and the motion of the plan that is worth most, if a robot is to follow it.
+    fn considered_with_best(
+        &self,
+    ) -> Result<(Vec<Considered>, Option<Box<PlannedRound>>), RunError> {
         let (task, dirt, config) = (&self.task, self.dirt(), &self.config.plan);
         let portfolio = portfolio(task, &dirt, config)?;
         Ok(match self.performer {
             Some(_) => followed(task, &dirt, config, portfolio, |plan| {
                 self.followed(plan, &mut unobserved)
             }),
-            None => unfollowed(task, portfolio),
+            None => (unfollowed(task, portfolio), None),
         })
     }
 
@@ -442,30 +472,45 @@ impl<'a> Session<'a> {
     }
 
     /// A plan for all that the belief holds possible; with the best of several, that which is worth most with the robot.
-    fn searched_plan(&self, observer: &mut Observer<'_>) -> Result<Plan, RunError> {
+    fn searched_plan(&self, observer: &mut Observer<'_>) -> Result<NextPlan, RunError> {
         let (task, dirt, config) = (&self.task, self.dirt(), &self.config.plan);
         if config.strategy == Strategy::Best {
-            let considered = self.considered()?;
+            let (considered, best) = self.considered_with_best()?;
             let _ = observer(&RunEvent::Considered {
                 round: self.number(),
                 considered: &considered,
             });
-            return most_worth(considered.into_iter().map(|one| one.candidate));
+            return Ok(match best {
+                Some(planned) => NextPlan::Followed(planned),
+                None => {
+                    NextPlan::Alone(most_worth(considered.into_iter().map(|one| one.candidate))?)
+                }
+            });
         }
         let plan = plan_for_any(task, &dirt, config)?;
         if self.performer.is_none() {
-            return Ok(plan);
+            return Ok(NextPlan::Alone(plan));
         }
-        within_reach(task, &dirt, config, plan, &|plan| {
-            self.followed(plan, &mut unobserved)
-        })
-        .map(|(_, round)| round.plan)
+        let follow = |plan| self.followed(plan, &mut unobserved);
+        let (_, round) = within_reach(task, &dirt, config, plan, &follow)?;
+        Ok(NextPlan::Followed(Box::new(round)))
     }
 
-    fn follow_round(&mut self, plan: Plan, observer: &mut Observer<'_>) -> Result<Stage, RunError> {
-        match self.followed(plan, observer) {
+    fn follow_round(
+        &mut self,
+        next: NextPlan,
+        observer: &mut Observer<'_>,
+    ) -> Result<Stage, RunError> {
+        let planned = match next {
+            NextPlan::Alone(plan) => self.followed(plan, observer).map(Box::new),
+            NextPlan::Followed(planned) => {
+                show_followed(&planned, observer);
+                Ok(planned)
+            }
+        };
+        match planned {
             Ok(planned) => {
-                self.state = State::Followed(Box::new(planned));
+                self.state = State::Followed(planned);
                 Ok(Stage::Followed)
             }
             Err(_) if self.number() > 1 => Ok(self.end(Some(Verdict::NoWay), observer)),
@@ -736,4 +781,29 @@ impl<'a> Session<'a> {
         self.state = State::Begin;
         Ok(Stage::Judged)
     }
+}
+
+/// Shows a motion that was found before as one that is found now.
+fn show_followed(planned: &PlannedRound, observer: &mut Observer<'_>) {
+    let PlannedRound {
+        number: round,
+        task,
+        plan,
+        ..
+    } = planned;
+    let nodes = plan.strokes.iter().map(|stroke| stroke.nodes.len()).sum();
+    let _ = observer(&RunEvent::Following {
+        round: *round,
+        passed: nodes,
+        nodes,
+    });
+    let wiped = planned.wiped();
+    predict(task, &wiped, |progress| {
+        let _ = observer(&RunEvent::Predicting {
+            round: *round,
+            task,
+            wiped: &wiped,
+            progress: *progress,
+        });
+    });
 }
