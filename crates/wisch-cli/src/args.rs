@@ -15,7 +15,7 @@ pub use eval::{
     CalibrationArgs, EvalCommand, JournalArgs, ScenarioEvaluationArgs, SensesChoice, SweepArgs,
     Table1Args,
 };
-pub use fleet::{PullArgs, PushArgs, SelectionArgs};
+pub use fleet::{MemoryPullArgs, MemoryPushArgs, SelectionArgs};
 pub use learn::LearnArgs;
 pub use log::{InterpretArgs, LogArgs, LoggedArgs};
 pub use memory::{

@@ -308,10 +308,6 @@ fn what_is_wrong_is_named_with_its_place() {
             "no-such-task: there is no such file",
         ),
         (
-            sweep(&["--set", "particles.count=1", "--first-seed", "998"]),
-            "seeds 998 to 1002 serve no single use",
-        ),
-        (
             vec!["eval", "table1", "--cells", "bord"],
             "\"bord\" is no cell of Table 1",
         ),

@@ -29,7 +29,7 @@ pub use interval::binomial_interval;
 pub use picture::Picture;
 pub use protocol::SeedUse;
 pub use pushes::PushCounts;
-pub use quantity::{Quantity, Statistics, Summary, summary};
+pub use quantity::{Quantity, QuantitySummary, Statistics, summary};
 pub use scenario::{Quartiles, ScenarioRound, ScenarioRun, ScenarioScores};
 pub use scores::{Calibration, ClaimCounts, GroupScores, LevelCoverage, MethodScores};
 pub use sweep::{Axis, AxisError, SweepCase, SweepCell, SweepRun, SweepSetup, cells, sweep_cells};
@@ -37,5 +37,5 @@ pub use table1::{PaperFigures, Table1Case, Table1Row, Table1Run, Table1Setup, ta
 pub use task_case::{TaskCase, UnknownCell};
 pub use trial::{BeliefScore, EvaluationError, LEVELS, RoundScore, WorldScore};
 pub use variants::Variant;
-pub use wiping::{ExecutionScore, Extent, MotionScore, WipingOptions, WipingScore};
-pub use world::{Disturbance, Mismatch, Senses, WorldCase};
+pub use wiping::{ExecutionScore, MotionScore, WipingExtent, WipingOptions, WipingScore};
+pub use world::{Disturbance, MismatchKind, Senses, WorldCase};

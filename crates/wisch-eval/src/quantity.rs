@@ -136,10 +136,10 @@ pub struct Statistics {
 }
 
 /// Each quantity that some of the runs have.
-pub type Summary = BTreeMap<Quantity, Statistics>;
+pub type QuantitySummary = BTreeMap<Quantity, Statistics>;
 
 /// Sums up runs.
-pub fn summary<'a>(scores: impl IntoIterator<Item = &'a WipingScore> + Clone) -> Summary {
+pub fn summary<'a>(scores: impl IntoIterator<Item = &'a WipingScore> + Clone) -> QuantitySummary {
     let of = |quantity: Quantity| {
         let values: Vec<f64> = (scores.clone().into_iter())
             .filter_map(|score| quantity.of(score))

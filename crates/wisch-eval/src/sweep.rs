@@ -1,7 +1,7 @@
 //! A task with each combination of some values of its keys, over seeds.
 
-use crate::quantity::{Summary, summary};
-use crate::wiping::{Extent, WipingOptions, WipingScore};
+use crate::quantity::{QuantitySummary, summary};
+use crate::wiping::{WipingExtent, WipingOptions, WipingScore};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::path::Path;
@@ -173,7 +173,7 @@ pub struct SweepSetup {
     /// The keys whose values change.
     pub keys: Vec<String>,
     /// How far each run is taken.
-    pub extent: Extent,
+    pub extent: WipingExtent,
 }
 
 /// One run of a sweep.
@@ -240,7 +240,7 @@ pub struct SweepCell {
     /// Runs in which the goal was claimed; `None` where nothing was executed.
     pub claimed: Option<usize>,
     /// What came of them.
-    pub summary: Summary,
+    pub summary: QuantitySummary,
 }
 
 /// The cells of some runs, those without any left out.

@@ -1,8 +1,8 @@
 //! The paper's Table 1: three surfaces, three actions, and how strokes are found; §3.4.
 
-use crate::quantity::{Quantity, Summary, summary};
+use crate::quantity::{Quantity, QuantitySummary, summary};
 use crate::task_case::TaskCase;
-use crate::wiping::{Extent, WipingOptions, WipingScore};
+use crate::wiping::{WipingExtent, WipingOptions, WipingScore};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use wisch::plan::{CoverageStrategy, Strategy};
@@ -129,7 +129,7 @@ pub struct Table1Case {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Table1Setup {
     /// How far each task is taken.
-    pub extent: Extent,
+    pub extent: WipingExtent,
     /// Whether a plan within the shortest of the paper's three ways is predicted too.
     pub is_limited: bool,
     /// Keys of every task that were set, with their values.
@@ -209,7 +209,7 @@ pub struct Table1Row {
     /// Whether the mean of the predicted performance reaches the paper's.
     pub is_reached: bool,
     /// Our figures.
-    pub ours: Summary,
+    pub ours: QuantitySummary,
 }
 
 /// The table of some runs, in whatever order: by action, surface and strategy as in the paper.
@@ -263,7 +263,7 @@ mod tests {
             picture: None,
         };
         let setup = Table1Setup {
-            extent: Extent::Planned,
+            extent: WipingExtent::Planned,
             is_limited: false,
             settings: Vec::new(),
             pictured_seed: 1,

@@ -9,12 +9,12 @@ use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Instant;
-use wisch::interpret::{EventKind, PerformanceDistribution, TouchSample};
+use wisch::interpret::{Belief, EventKind, PerformanceDistribution, TouchSample};
 use wisch::recover::Verdict;
-use wisch::represent::{GoalState, Observation};
-use wisch::run::{AfterStop, RunConfig, RunEvent, Session};
-use wisch_io::{LoadOptions, load_task};
-use wisch_sim::{SimulationSettings, Site, World};
+use wisch::represent::{GoalState, Observation, Sight, Task};
+use wisch::run::{AfterStop, Round, RunConfig, RunEvent, Session};
+use wisch_io::{LoadOptions, LoadedTask, load_task};
+use wisch_sim::{GroundTruth, SimulationSettings, Site, World};
 
 /// The shares of probability whose intervals are looked at [1].
 pub const LEVELS: [f64; 4] = [0.5, 0.8, 0.9, 0.95];
@@ -132,18 +132,7 @@ impl WorldCase {
         set: &[(String, String)],
     ) -> Result<WorldScore, String> {
         let begin = Instant::now();
-        let senses_key = match senses {
-            Senses::Touch => r#"["touch"]"#,
-            Senses::TouchAndSight => r#"["touch", "sight"]"#,
-        };
-        let perceived = ("perception.senses".to_owned(), senses_key.to_owned());
-        let options = LoadOptions {
-            settings: set.iter().cloned().chain([perceived]).collect(),
-            seed: Some(self.seed),
-            action: Some(self.task.action()),
-            ..LoadOptions::default()
-        };
-        let loaded = load_task(Path::new(self.task.scenario()), &options).map_err(words)?;
+        let loaded = self.load(senses, set)?;
         let robot = robot_of(&loaded)?;
         let calm = SimulationSettings::of(&loaded).map_err(words)?;
         let settings = self.settings(&calm, &loaded.task);
@@ -156,86 +145,151 @@ impl WorldCase {
         let site = Site::of(&loaded.task);
         let mut world = World::new(&site, settings, self.seed).map_err(words)?;
         let prior = loaded.belief();
-        let mut baselines = Baselines::new(&prior, &loaded.task);
         let session = Session::new(&loaded.task, config).with_belief(prior.clone());
         let mut session = session.with_robot(robot.performer());
-        let mut first_look = None;
-        let mut felt: Vec<Vec<TouchSample>> = Vec::new();
+        let mut record = SensesRecord::default();
         session
             .run(&mut world, &mut |event| {
-                match event {
-                    RunEvent::Executing(_) => felt.push(Vec::new()),
-                    RunEvent::Observed {
-                        round: 0,
-                        observation,
-                    } => first_look = Some(Observation::clone(observation)),
-                    RunEvent::Sample(sample) => {
-                        if let Some(round) = felt.last_mut() {
-                            let force = sample.external.force;
-                            round.push(TouchSample::new(
-                                sample.time,
-                                sample.world_from_tool,
-                                force,
-                            ));
-                        }
-                    }
-                    _ => (),
-                }
+                record.add(event);
                 ControlFlow::Continue(())
             })
             .map_err(words)?;
-        let mut before = prior;
-        if let Some(seen) = Seen::of(first_look.as_ref(), sight) {
-            // As the session does: a goal that is left to the planner is no place.
-            let goal = loaded.task.goal().unwrap_or(GoalState::Skimmed);
-            before = before.seen(&seen.look(&loaded.task, &goal));
-        }
-        let mut variants: Vec<VariantBelief<'_>> = (asked.iter())
-            .map(|variant| VariantBelief::new(variant, before.clone()))
-            .collect();
-        let mut rounds = Vec::new();
-        let mut goal: Option<GoalState> = None;
-        for ((round, truth), felt) in session.rounds().iter().zip(world.truth()).zip(&felt) {
-            let goal = *goal.get_or_insert(round.motion.plan.graph.goal);
-            let surface = &round.motion.task.surface;
-            let outcome = truth.performance(&goal, surface).map_err(words)?;
-            let outcome = outcome.ok_or("there is no dirt in this world")?;
-            let simpler = baselines.after(&round.motion, felt, &goal).map_err(words)?;
-            let observation = round.interpretation.observation.as_ref();
-            let after = |variant: &mut VariantBelief<'_>| {
-                let seen = Seen::of(observation, sight);
-                let belief = variant.after(&round.motion, felt, seen, &goal);
-                Ok(BeliefScore::of(&belief.map_err(words)?, outcome))
-            };
-            let others: Result<Vec<_>, String> = variants.iter_mut().map(after).collect();
-            let events = round.interpretation.events.iter();
-            let collisions = events.filter(|event| event.kind == EventKind::Collision);
-            let told: Vec<_> = collisions.map(|event| [event.start, event.end]).collect();
-            rounds.push(RoundScore {
-                outcome,
-                belief: BeliefScore::of(&round.interpretation.distribution, outcome),
-                prediction: simpler.prediction,
-                force_blind: BeliefScore::of(&simpler.force_blind, outcome),
-                paper: simpler.paper,
-                variants: others?,
-                pushes: PushCounts::of_round(
-                    round.execution.duration,
-                    &truth.pushes,
-                    &truth.obstructions,
-                    &told,
-                ),
-                verdict: round.verdict.as_str().to_owned(),
-                is_claimed: round.verdict == Verdict::GoalMet,
-            });
-        }
+        let first_observation = record.first_observation.as_ref();
+        let mut scorer = RoundScorer::new(&loaded.task, prior, asked, first_observation, sight);
+        let rounds = (session.rounds().iter())
+            .zip(world.truth())
+            .zip(&record.touch)
+            .map(|((round, truth), touch)| scorer.score(round, truth, touch));
         Ok(WorldScore {
             case: *self,
             senses,
             variants: asked.to_vec(),
             settings: set.to_vec(),
             target,
-            rounds,
+            rounds: rounds.collect::<Result<_, String>>()?,
             seconds: begin.elapsed().as_secs_f64(),
+        })
+    }
+
+    /// Loads the task with its seed, action, senses and these settings.
+    fn load(&self, senses: Senses, set: &[(String, String)]) -> Result<LoadedTask, String> {
+        let senses_key = match senses {
+            Senses::Touch => r#"["touch"]"#,
+            Senses::TouchAndSight => r#"["touch", "sight"]"#,
+        };
+        let perceived = ("perception.senses".to_owned(), senses_key.to_owned());
+        let options = LoadOptions {
+            settings: set.iter().cloned().chain([perceived]).collect(),
+            seed: Some(self.seed),
+            action: Some(self.task.action()),
+            ..LoadOptions::default()
+        };
+        load_task(Path::new(self.task.scenario()), &options).map_err(words)
+    }
+}
+
+/// What the robot perceived during a session.
+#[derive(Debug, Default)]
+struct SensesRecord {
+    /// The observation before the first round.
+    first_observation: Option<Observation>,
+    /// Touch samples of each executed round.
+    touch: Vec<Vec<TouchSample>>,
+}
+
+impl SensesRecord {
+    /// Adds what an event tells of the senses.
+    fn add(&mut self, event: &RunEvent<'_>) {
+        match event {
+            RunEvent::Executing(_) => self.touch.push(Vec::new()),
+            RunEvent::Observed {
+                round: 0,
+                observation,
+            } => self.first_observation = Some(Observation::clone(observation)),
+            RunEvent::Sample(sample) => {
+                if let Some(round) = self.touch.last_mut() {
+                    let force = sample.external.force;
+                    round.push(TouchSample::new(sample.time, sample.world_from_tool, force));
+                }
+            }
+            _ => (),
+        }
+    }
+}
+
+/// Scores the rounds of a session, in order, with the baselines and variants beside the method.
+struct RoundScorer<'a> {
+    sight: Option<Sight>,
+    baselines: Baselines,
+    variants: Vec<VariantBelief<'a>>,
+    /// The goal of the first round, which all rounds are scored by.
+    goal: Option<GoalState>,
+}
+
+impl<'a> RoundScorer<'a> {
+    /// A scorer before the first round; the variants start from the prior after the first observation.
+    fn new(
+        task: &Task,
+        prior: Belief,
+        variants: &'a [Variant],
+        first_observation: Option<&Observation>,
+        sight: Option<Sight>,
+    ) -> Self {
+        let baselines = Baselines::new(&prior, task);
+        let mut before = prior;
+        if let Some(seen) = Seen::of(first_observation, sight) {
+            // As the session does: a goal that is left to the planner is no place.
+            let goal = task.goal().unwrap_or(GoalState::Skimmed);
+            before = before.seen(&seen.look(task, &goal));
+        }
+        Self {
+            sight,
+            baselines,
+            variants: (variants.iter())
+                .map(|variant| VariantBelief::new(variant, before.clone()))
+                .collect(),
+            goal: None,
+        }
+    }
+
+    /// Scores the next round by its ground truth.
+    fn score(
+        &mut self,
+        round: &Round,
+        truth: &GroundTruth,
+        touch: &[TouchSample],
+    ) -> Result<RoundScore, String> {
+        let (motion, interpretation) = (&round.motion, &round.interpretation);
+        let goal = *self.goal.get_or_insert(motion.plan.graph.goal);
+        let outcome = truth.performance(&goal, &motion.task.surface);
+        let outcome = outcome
+            .map_err(words)?
+            .ok_or("there is no dirt in this world")?;
+        let simpler = (self.baselines.after(motion, touch, &goal)).map_err(words)?;
+        let seen = Seen::of(interpretation.observation.as_ref(), self.sight);
+        let score_variant = |variant: &mut VariantBelief<'_>| {
+            let belief = variant.after(motion, touch, seen, &goal);
+            Ok(BeliefScore::of(&belief.map_err(words)?, outcome))
+        };
+        let variants: Result<_, String> = self.variants.iter_mut().map(score_variant).collect();
+        let events = interpretation.events.iter();
+        let collisions = events.filter(|event| event.kind == EventKind::Collision);
+        let detected: Vec<_> = collisions.map(|event| [event.start, event.end]).collect();
+        Ok(RoundScore {
+            outcome,
+            belief: BeliefScore::of(&interpretation.distribution, outcome),
+            prediction: simpler.prediction,
+            force_blind: BeliefScore::of(&simpler.force_blind, outcome),
+            paper: simpler.paper,
+            variants: variants?,
+            pushes: PushCounts::of_round(
+                round.execution.duration,
+                &truth.pushes,
+                &truth.obstructions,
+                &detected,
+            ),
+            verdict: round.verdict.as_str().to_owned(),
+            is_claimed: round.verdict == Verdict::GoalMet,
         })
     }
 }

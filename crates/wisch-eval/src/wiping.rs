@@ -16,7 +16,7 @@ use wisch_sim::GroundTruth;
 /// How far a task is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Extent {
+pub enum WipingExtent {
     /// Planned and predicted, without a robot.
     Planned,
     /// Followed by the task's robot, and predicted for what it wipes.
@@ -25,7 +25,7 @@ pub enum Extent {
     Executed,
 }
 
-impl Extent {
+impl WipingExtent {
     /// In words.
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -40,7 +40,7 @@ impl Extent {
 #[derive(Debug, Clone, Copy)]
 pub struct WipingOptions {
     /// How far it goes.
-    pub extent: Extent,
+    pub extent: WipingExtent,
     /// Whether the dirt is planned for as if its places were certain, as in the paper's Table 1. What is executed is planned
     /// for what is believed.
     pub is_certain: bool,
@@ -153,9 +153,9 @@ impl WipingScore {
     pub fn of(scenario: &Path, load: &LoadOptions, options: WipingOptions) -> Result<Self, String> {
         let loaded = load_task(scenario, load).map_err(words)?;
         let mut score = match options.extent {
-            Extent::Planned => planned(&loaded, options)?,
-            Extent::Followed => followed(&loaded, options)?,
-            Extent::Executed => executed(&loaded, options)?,
+            WipingExtent::Planned => planned(&loaded, options)?,
+            WipingExtent::Followed => followed(&loaded, options)?,
+            WipingExtent::Executed => executed(&loaded, options)?,
         };
         if let Some(limit) = options.limit {
             let mut config = loaded.config.clone();

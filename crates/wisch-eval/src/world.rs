@@ -44,7 +44,7 @@ const NOISE: [f64; 2] = [0.0, 0.5];
 /// How a world differs from what the robot believes of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Mismatch {
+pub enum MismatchKind {
     /// Each grain lies where one draw of the belief has it, and moves as believed.
     AsBelieved,
     /// Grains are spread evenly, but drawn apart.
@@ -65,7 +65,7 @@ pub enum Mismatch {
     Footprint,
 }
 
-impl Mismatch {
+impl MismatchKind {
     /// All of them.
     pub const ALL: [Self; 9] = [
         Self::AsBelieved,
@@ -199,7 +199,7 @@ pub struct WorldCase {
     /// The task.
     pub task: TaskCase,
     /// How the world differs from the belief.
-    pub mismatch: Mismatch,
+    pub mismatch: MismatchKind,
     /// What disturbs it.
     pub disturbance: Disturbance,
 }
@@ -214,7 +214,7 @@ impl WorldCase {
         Self {
             seed,
             task: tasks[(mismatch + block) % tasks.len()],
-            mismatch: Mismatch::ALL[mismatch],
+            mismatch: MismatchKind::ALL[mismatch],
             disturbance: Disturbance::ALL[(digit(81, 3) + mismatch + digit(9, 9)) % 3],
         }
     }

@@ -20,15 +20,15 @@ Examples:
 Credentials come from the environment (AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY, AWS_ENDPOINT, AWS_REGION, …) or from
 ~/.aws/credentials. Exit codes: 0 done, 1 done but not as hoped (faults found, episodes left out), 2 error."
 )]
-pub struct Cli {
+pub struct FleetCli {
     /// What to do.
     #[command(subcommand)]
-    pub command: Command,
+    pub command: FleetCommand,
 }
 
 /// What to do.
 #[derive(Debug, Subcommand)]
-pub enum Command {
+pub enum FleetCommand {
     /// Ask: a statement, statements from a pipe, or one after the other at a prompt.
     #[command(after_help = "\
 Examples:

@@ -10,7 +10,7 @@ mod with {
     use crate::Outcome;
     use crate::args::{ExecutorArgs, SchedulerArgs};
     use std::io::{self, Write};
-    use wisch_fleet::ask::{Limits, Session, Source};
+    use wisch_fleet::ask::{SqlLimits, SqlSession, SqlSource};
     use wisch_fleet::cluster::{self, Address, ExecutorOptions, SchedulerOptions};
     use wisch_fleet::store::FleetError;
 
@@ -21,11 +21,11 @@ mod with {
 
     /// A session whose statements are answered there.
     pub async fn session(
-        sources: &[Source],
+        sources: &[SqlSource],
         url: &str,
-        limits: Limits,
-    ) -> Result<Session, FleetError> {
-        Session::on_cluster(sources, &Address::parse(url)?, limits).await
+        limits: SqlLimits,
+    ) -> Result<SqlSession, FleetError> {
+        SqlSession::on_cluster(sources, &Address::parse(url)?, limits).await
     }
 
     /// Runs a scheduler.
@@ -68,7 +68,7 @@ mod with {
 mod without {
     use crate::Outcome;
     use crate::args::{ExecutorArgs, SchedulerArgs};
-    use wisch_fleet::ask::{Limits, Session, Source};
+    use wisch_fleet::ask::{SqlLimits, SqlSession, SqlSource};
     use wisch_fleet::store::FleetError;
 
     fn missing<T>() -> Result<T, FleetError> {
@@ -84,10 +84,10 @@ mod without {
 
     /// None.
     pub async fn session(
-        _sources: &[Source],
+        _sources: &[SqlSource],
         _url: &str,
-        _limits: Limits,
-    ) -> Result<Session, FleetError> {
+        _limits: SqlLimits,
+    ) -> Result<SqlSession, FleetError> {
         missing()
     }
 

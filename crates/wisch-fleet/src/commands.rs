@@ -8,9 +8,9 @@ use serde::Serialize;
 use std::io::{self, IsTerminal, Read, Write};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
-use wisch_fleet::ask::{Form, Limits, Session, Source, Watch, views, write};
+use wisch_fleet::ask::{Form, SqlLimits, SqlSession, SqlSource, LimitWatch, views, write};
 use wisch_fleet::moves::{self, Filter, Local, Part, PushOptions};
-use wisch_fleet::store::{FleetError, Place, now};
+use wisch_fleet::store::{FleetError, StorePlace, now};
 use wisch_fleet::tables::TABLES;
 use wisch_memory::Memory;
 
@@ -48,7 +48,7 @@ pub async fn sql(args: &SqlArgs) -> Result<Outcome, FleetError> {
     };
     let mut sources = Vec::new();
     for url in &args.fleet {
-        sources.push(Source::open(Place::open(url)?).await?);
+        sources.push(SqlSource::open(StorePlace::open(url)?).await?);
     }
     // Kept until the end: rows of a memory that may not be written are in a folder of their own.
     let mut locals: Vec<Local> = Vec::new();
@@ -60,15 +60,15 @@ pub async fn sql(args: &SqlArgs) -> Result<Outcome, FleetError> {
         sources.append(&mut local.sources);
         locals.push(local);
     }
-    let limits = Limits {
+    let limits = SqlLimits {
         time: Duration::from_secs(args.timeout.into()),
         memory: (args.memory_limit as usize) << 20,
     };
     let session = match &args.cluster {
         Some(url) => clusters::session(&sources, url, limits).await?,
-        None => Session::with_limits(&sources, limits).await?,
+        None => SqlSession::with_limits(&sources, limits).await?,
     };
-    let watch = Watch::begin(limits);
+    let watch = LimitWatch::begin(limits);
     watch.remove_at_end(session.spill().to_path_buf());
     if session.shared() > 0 {
         let count = session.shared();
@@ -116,8 +116,8 @@ fn statements(text: &str) -> Vec<&str> {
 }
 
 async fn answer(
-    session: &Session,
-    watch: &Watch,
+    session: &SqlSession,
+    watch: &LimitWatch,
     statement: &str,
     form: &Form,
 ) -> Result<(), FleetError> {
@@ -133,7 +133,7 @@ async fn answer(
     Ok(())
 }
 
-async fn prompt(session: &Session, watch: &Watch, form: &Form) -> Result<Outcome, FleetError> {
+async fn prompt(session: &SqlSession, watch: &LimitWatch, form: &Form) -> Result<Outcome, FleetError> {
     let broken = |error: rustyline::error::ReadlineError| {
         at("terminal")(io::Error::other(error.to_string()))
     };
@@ -210,7 +210,7 @@ pub fn columns(args: &ListArgs) -> Result<Outcome, FleetError> {
 
 /// Pushes a memory.
 pub async fn push(args: &PushArgs) -> Result<Outcome, FleetError> {
-    let (memory, place) = (Memory::open(&args.memory)?, Place::open(&args.url)?);
+    let (memory, place) = (Memory::open(&args.memory)?, StorePlace::open(&args.url)?);
     let options = PushOptions {
         robot: args.robot.clone(),
     };
@@ -233,7 +233,7 @@ pub async fn push(args: &PushArgs) -> Result<Outcome, FleetError> {
 
 /// Pulls episodes.
 pub async fn pull(args: &PullArgs) -> Result<Outcome, FleetError> {
-    let place = Place::open(&args.url)?;
+    let place = StorePlace::open(&args.url)?;
     let memory = Memory::create(&args.memory)?;
     let filter = Filter {
         since: args.since,
@@ -281,7 +281,7 @@ pub async fn pull(args: &PullArgs) -> Result<Outcome, FleetError> {
 
 /// Compacts.
 pub async fn compact(args: &CompactArgs) -> Result<Outcome, FleetError> {
-    let place = Place::open(&args.url)?;
+    let place = StorePlace::open(&args.url)?;
     let mut compacted = moves::compact(&place).await?;
     let purged = moves::purge(&place, now() - args.older_than).await?;
     compacted.deleted = purged;
@@ -297,7 +297,7 @@ pub async fn compact(args: &CompactArgs) -> Result<Outcome, FleetError> {
 
 /// Takes old telemetry out.
 pub async fn retain(args: &RetainArgs) -> Result<Outcome, FleetError> {
-    let place = Place::open(&args.url)?;
+    let place = StorePlace::open(&args.url)?;
     let retained = moves::retain(&place, now() - args.keep_telemetry).await?;
     let said = format!(
         "{}: telemetry before {} is not kept any more ({} files, {}); wisch-fleet compact deletes it\n",
@@ -311,7 +311,7 @@ pub async fn retain(args: &RetainArgs) -> Result<Outcome, FleetError> {
 
 /// Looks for what is broken.
 pub async fn verify(args: &VerifyArgs) -> Result<Outcome, FleetError> {
-    let place = Place::open(&args.url)?;
+    let place = StorePlace::open(&args.url)?;
     let bar = bar("reading");
     let verified = moves::verify(&place, &mut |done, of| step(&bar, done, of)).await;
     bar.finish_and_clear();

@@ -4,7 +4,7 @@ mod args;
 mod clusters;
 mod commands;
 
-use args::{Cli, Command};
+use args::{FleetCli, FleetCommand};
 use clap::Parser;
 use std::io;
 use std::process::ExitCode;
@@ -21,7 +21,7 @@ enum Outcome {
 }
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let cli = FleetCli::parse();
     // Statements are trees, which DataFusion walks by recursion.
     let worked = thread::scope(|scope| {
         let main = thread::Builder::new().stack_size(STACK);
@@ -43,7 +43,7 @@ fn main() -> ExitCode {
     }
 }
 
-fn begin(command: &Command) -> Result<Outcome, FleetError> {
+fn begin(command: &FleetCommand) -> Result<Outcome, FleetError> {
     let mut runtime = tokio::runtime::Builder::new_multi_thread();
     let runtime = runtime.thread_stack_size(STACK).enable_all().build();
     runtime.map_err(system)?.block_on(run(command))
@@ -53,17 +53,17 @@ fn system(error: io::Error) -> FleetError {
     FleetError::Asked(format!("this program cannot run: {error}"))
 }
 
-async fn run(command: &Command) -> Result<Outcome, FleetError> {
+async fn run(command: &FleetCommand) -> Result<Outcome, FleetError> {
     match command {
-        Command::Sql(args) => commands::sql(args).await,
-        Command::Views(args) => commands::views(args),
-        Command::Columns(args) => commands::columns(args),
-        Command::Push(args) => commands::push(args).await,
-        Command::Pull(args) => commands::pull(args).await,
-        Command::Compact(args) => commands::compact(args).await,
-        Command::Retain(args) => commands::retain(args).await,
-        Command::Verify(args) => commands::verify(args).await,
-        Command::Scheduler(args) => clusters::scheduler(args).await,
-        Command::Executor(args) => clusters::executor(args).await,
+        FleetCommand::Sql(args) => commands::sql(args).await,
+        FleetCommand::Views(args) => commands::views(args),
+        FleetCommand::Columns(args) => commands::columns(args),
+        FleetCommand::Push(args) => commands::push(args).await,
+        FleetCommand::Pull(args) => commands::pull(args).await,
+        FleetCommand::Compact(args) => commands::compact(args).await,
+        FleetCommand::Retain(args) => commands::retain(args).await,
+        FleetCommand::Verify(args) => commands::verify(args).await,
+        FleetCommand::Scheduler(args) => clusters::scheduler(args).await,
+        FleetCommand::Executor(args) => clusters::executor(args).await,
     }
 }

@@ -4,8 +4,8 @@ use crate::records;
 use std::collections::BTreeMap;
 use std::path::Path;
 use wisch::follow::Phase;
-use wisch_fleet::ask::{Session, Source};
-use wisch_fleet::store::Place;
+use wisch_fleet::ask::{SqlSession, SqlSource};
+use wisch_fleet::store::StorePlace;
 use wisch_memory::{EpisodeRecord, Mark, Memory, TelemetryHead};
 
 pub const SEED: u64 = 7;
@@ -62,11 +62,11 @@ pub fn contents(memory: &Memory) -> BTreeMap<String, Vec<u8>> {
     all
 }
 
-pub fn place(folder: &Path) -> Place {
-    Place::open(folder.to_str().unwrap()).unwrap()
+pub fn place(folder: &Path) -> StorePlace {
+    StorePlace::open(folder.to_str().unwrap()).unwrap()
 }
 
-pub async fn session(place: &Place) -> Session {
-    let source = Source::open(place.clone()).await.unwrap();
-    Session::new(&[source]).await.unwrap()
+pub async fn session(place: &StorePlace) -> SqlSession {
+    let source = SqlSource::open(place.clone()).await.unwrap();
+    SqlSession::new(&[source]).await.unwrap()
 }

@@ -195,7 +195,7 @@ async fn a_damaged_archive_is_named_and_the_others_come() {
 
 #[test]
 fn credentials_in_a_url_are_refused_and_not_repeated() {
-    let error = wisch_fleet::store::Place::open("s3://key:secret@bucket/x").unwrap_err();
+    let error = wisch_fleet::store::StorePlace::open("s3://key:secret@bucket/x").unwrap_err();
     let text = error.to_string();
     assert!(
         text.contains("AWS_ACCESS_KEY_ID") && !text.contains("secret@"),

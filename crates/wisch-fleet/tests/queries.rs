@@ -5,10 +5,10 @@ use datafusion::arrow::array::{Array, AsArray, RecordBatch};
 use datafusion::arrow::compute::cast;
 use datafusion::arrow::datatypes::DataType;
 use std::collections::BTreeMap;
-use wisch_fleet::ask::Session;
+use wisch_fleet::ask::SqlSession;
 use wisch_fleet::moves::{Part, PushOptions, local, push};
 use wisch_memory::catalogue::entries;
-use wisch_memory::{Catalogue, EpisodeRecord, IndividualId, Node};
+use wisch_memory::{Catalogue, EpisodeRecord, IndividualId, CatalogueNode};
 
 /// Rows as texts; numbers in full.
 fn texts(batches: &[RecordBatch]) -> Vec<Vec<String>> {
@@ -54,7 +54,7 @@ fn number(catalogue: &Catalogue, property: &str, id: IndividualId) -> Option<f64
 
 fn thing(catalogue: &Catalogue, property: &str, id: IndividualId) -> String {
     match entries(catalogue.relations(property), id).first() {
-        Some((_, Node::Shared(place))) => {
+        Some((_, CatalogueNode::Shared(place))) => {
             let name = &catalogue.shared()[*place as usize];
             name.split_once(':').unwrap().1.to_owned()
         }
@@ -93,7 +93,7 @@ pub fn records() -> Vec<EpisodeRecord> {
     all
 }
 
-async fn asked(run: impl AsyncFn(&Session, &Catalogue)) {
+async fn asked(run: impl AsyncFn(&SqlSession, &Catalogue)) {
     let folder = tempfile::tempdir().unwrap();
     let records = records();
     let memory = memory(&folder.path().join("episodes"), &records);
@@ -105,7 +105,7 @@ async fn asked(run: impl AsyncFn(&Session, &Catalogue)) {
         .unwrap();
     run(&session(&fleet).await, &catalogue).await;
     let local = local(&memory, Part::Facts).await.unwrap();
-    run(&Session::new(&local.sources).await.unwrap(), &catalogue).await;
+    run(&SqlSession::new(&local.sources).await.unwrap(), &catalogue).await;
 }
 
 #[tokio::test]
@@ -310,7 +310,7 @@ async fn an_episode_of_two_sources_counts_once() {
     for memory in [&one, &other] {
         sources.extend(local(memory, Part::Facts).await.unwrap().sources);
     }
-    let session = Session::new(&sources).await.unwrap();
+    let session = SqlSession::new(&sources).await.unwrap();
     assert_eq!(session.shared(), 4);
     let found = session
         .rows("SELECT count(*) AS n, count(DISTINCT episode) AS m FROM episodes")
@@ -332,7 +332,7 @@ async fn rows_of_a_memory_follow_it() {
     let here = memory(folder.path(), &all[..4]);
     let count = async || {
         let local = local(&here, Part::Telemetry).await.unwrap();
-        let session = Session::new(&local.sources).await.unwrap();
+        let session = SqlSession::new(&local.sources).await.unwrap();
         texts(&session.rows("SELECT count(*) FROM episodes").await.unwrap())
     };
     assert_eq!(count().await, [["4"]]);

@@ -5,16 +5,16 @@ use datafusion::arrow::util::display::array_value_to_string;
 use datafusion::arrow::util::pretty::pretty_format_batches;
 use std::fs;
 use std::path::Path;
-use wisch_fleet::ask::Session;
+use wisch_fleet::ask::SqlSession;
 use wisch_fleet::moves::{Filter, PushOptions, compact, pull, purge, push, retain, verify};
-use wisch_fleet::store::{Place, Snapshot, now};
+use wisch_fleet::store::{StorePlace, Snapshot, now};
 use wisch_memory::Memory;
 
 fn quiet() -> impl FnMut(usize, usize) {
     |_, _| {}
 }
 
-async fn all_rows(session: &Session) -> String {
+async fn all_rows(session: &SqlSession) -> String {
     let mut text = String::new();
     for table in [
         "episodes",
@@ -69,7 +69,7 @@ async fn compaction_changes_no_answer_and_takes_nothing_from_who_reads() {
     assert_eq!((again.episodes, again.there), (0, 200));
 }
 
-async fn samples(fleet: &Place) -> String {
+async fn samples(fleet: &StorePlace) -> String {
     let rows = session(fleet)
         .await
         .rows("SELECT count(*) AS n FROM telemetry")
@@ -134,9 +134,9 @@ async fn what_a_newer_program_wrote_is_refused() {
             .await
             .unwrap();
         rewrite(&folder.path().join("fleet"), from, to);
-        let source = wisch_fleet::ask::Source::open(fleet).await;
+        let source = wisch_fleet::ask::SqlSource::open(fleet).await;
         let error = match source {
-            Ok(source) => Session::new(&[source]).await.err().unwrap(),
+            Ok(source) => SqlSession::new(&[source]).await.err().unwrap(),
             Err(error) => error,
         };
         assert!(
@@ -154,7 +154,7 @@ async fn every_version_that_ever_was_is_read() {
         ("version-1.0", "| 3      |"),
         ("version-1.0-lacking", "| 0      |"),
     ] {
-        let fleet = Place::open(fixtures.join(name).to_str().unwrap()).unwrap();
+        let fleet = StorePlace::open(fixtures.join(name).to_str().unwrap()).unwrap();
         let session = session(&fleet).await;
         let rows = session
             .rows("SELECT count(plane_tilt_rad) AS tilted FROM rounds")

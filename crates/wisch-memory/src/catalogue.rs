@@ -10,7 +10,7 @@ pub type IndividualId = u32;
 
 /// What a relation leads to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Node {
+pub enum CatalogueNode {
     /// An individual of an episode.
     Individual(IndividualId),
     /// Something that episodes share, such as a tool: its place in [`Catalogue::shared`].
@@ -30,7 +30,7 @@ pub struct Catalogue {
     of_class: Vec<Vec<IndividualId>>,
     values: Vec<Column>,
     texts: Vec<Vec<(IndividualId, String)>>,
-    relations: Vec<Vec<(IndividualId, Node)>>,
+    relations: Vec<Vec<(IndividualId, CatalogueNode)>>,
     left_out: Vec<String>,
 }
 
@@ -137,8 +137,8 @@ impl Catalogue {
                 let property = self.names.properties.number(property);
                 for object in objects {
                     let node = match object.strip_prefix('#').map(str::parse::<u32>) {
-                        Some(Ok(place)) => Node::Individual(first + place),
-                        _ => Node::Shared(self.names.shared.number(object)),
+                        Some(Ok(place)) => CatalogueNode::Individual(first + place),
+                        _ => CatalogueNode::Shared(self.names.shared.number(object)),
                     };
                     at(&mut self.relations, property).push((id, node));
                 }
@@ -189,7 +189,7 @@ impl Catalogue {
         kept.relations = (self.relations.iter())
             .map(|column| {
                 moved_entries(column, goes, |node| match *node {
-                    Node::Individual(id) => goes(id).map(Node::Individual),
+                    CatalogueNode::Individual(id) => goes(id).map(CatalogueNode::Individual),
                     shared => Some(shared),
                 })
             })
@@ -330,7 +330,7 @@ impl Catalogue {
     }
 
     /// All relations of a property, by subject.
-    pub fn relations(&self, property: &str) -> &[(IndividualId, Node)] {
+    pub fn relations(&self, property: &str) -> &[(IndividualId, CatalogueNode)] {
         let number = self.names.properties.find(property);
         number
             .and_then(|number| self.relations.get(number))

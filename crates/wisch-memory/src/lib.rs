@@ -20,7 +20,7 @@ pub mod telemetry;
 mod told;
 pub mod view;
 
-pub use catalogue::{Catalogue, IndividualId, Node};
+pub use catalogue::{Catalogue, CatalogueNode, IndividualId};
 pub use frames::{FrameError, Frames, PoseAt, RoundScene, Sampling, StoredPose};
 pub use id::{date_and_time, episode_id, local_date_and_time};
 pub use observations::{OBSERVATIONS_SCHEMA, ObservationFault, RoundObservations};

@@ -16,8 +16,8 @@ use wisch::geometry::{Point2, Polygon, Pose, Region};
 use wisch::represent::Observation;
 use wisch_memory::catalogue::entries;
 use wisch_memory::{
-    Catalogue, EpisodeRecord, Individual, IndividualId, Mark, Memory, MemoryError, Node, Origin,
-    RoundObservations, TelemetryHead, Value,
+    Catalogue, CatalogueNode, EpisodeRecord, Individual, IndividualId, Mark, Memory, MemoryError,
+    Origin, RoundObservations, TelemetryHead, Value,
 };
 
 /// Tells the child process where to write.
@@ -95,8 +95,8 @@ fn individual(catalogue: &Catalogue, id: IndividualId) -> String {
         }
         for (_, node) in entries(catalogue.relations(property), id) {
             let object = match *node {
-                Node::Individual(id) => catalogue.name(id),
-                Node::Shared(place) => catalogue.shared()[place as usize].clone(),
+                CatalogueNode::Individual(id) => catalogue.name(id),
+                CatalogueNode::Shared(place) => catalogue.shared()[place as usize].clone(),
             };
             said.push(format!("{property} {object}"));
         }

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use wisch_memory::Memory;
-use wisch_memory::ask::{Asker, Assertions, EngineCommand, Limits, TelemetryPredicates};
+use wisch_memory::ask::{AskLimits, Asker, Assertions, EngineCommand, TelemetryPredicates};
 
 /// How often a query is asked of an engine that knows it.
 const WARM: usize = 5;
@@ -30,9 +30,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let catalogue = Arc::new(memory.catalogue()?);
     let episodes = catalogue.episodes().len();
     println!("{episodes} episodes, opened in {:.1?}", begin.elapsed());
-    let limits = Limits {
+    let limits = AskLimits {
         answers: 100_000,
-        ..Limits::default()
+        ..AskLimits::default()
     };
     let telemetry = TelemetryPredicates::of(memory);
     let mut asker = Asker::new(command, limits, catalogue, telemetry, Assertions::default());

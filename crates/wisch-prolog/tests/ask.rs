@@ -14,8 +14,8 @@ use std::sync::{Arc, LazyLock};
 use std::time::Duration;
 use wisch_memory::Catalogue;
 use wisch_memory::ask::{
-    Answers, AskError, Asker, Assertions, EngineCommand, Limits, QueryFault, TelemetryPredicates,
-    predicates,
+    Answers, AskError, AskLimits, Asker, Assertions, EngineCommand, QueryFault,
+    TelemetryPredicates, predicates,
 };
 
 fn scryer() -> EngineCommand {
@@ -44,7 +44,7 @@ fn engines() -> Vec<EngineCommand> {
     [Some(scryer()), swi()].into_iter().flatten().collect()
 }
 
-fn asker_with(command: EngineCommand, limits: Limits) -> Asker {
+fn asker_with(command: EngineCommand, limits: AskLimits) -> Asker {
     let catalogue = Arc::new(Catalogue::of(&memory::episodes()));
     Asker::new(
         command,
@@ -58,7 +58,7 @@ fn asker_with(command: EngineCommand, limits: Limits) -> Asker {
 fn asker_of(command: EngineCommand, catalogue: Catalogue) -> Asker {
     Asker::new(
         command,
-        Limits::default(),
+        AskLimits::default(),
         Arc::new(catalogue),
         TelemetryPredicates::default(),
         Assertions::default(),
@@ -66,7 +66,7 @@ fn asker_of(command: EngineCommand, catalogue: Catalogue) -> Asker {
 }
 
 fn asker(command: EngineCommand) -> Asker {
-    asker_with(command, Limits::default())
+    asker_with(command, AskLimits::default())
 }
 
 /// Answers as text, in order.
@@ -463,7 +463,7 @@ fn unknown_names_are_errors_with_the_nearest_known_one() {
 #[test]
 fn a_runaway_ends_the_query_and_not_the_memory() {
     for command in engines() {
-        let limits = Limits {
+        let limits = AskLimits {
             time: Duration::from_secs(5),
             memory: 1 << 30,
             answers: 5,
@@ -610,9 +610,9 @@ fn long_queries_are_answered() {
         |goal: &dyn Fn(usize) -> String, count| (0..count).map(goal).collect::<Vec<_>>().join(", ");
     for command in engines() {
         // Were it compiled as one goal, Scryer Prolog would take a minute and more.
-        let limits = Limits {
+        let limits = AskLimits {
             time: Duration::from_secs(30),
-            ..Limits::default()
+            ..AskLimits::default()
         };
         let mut asker = asker_with(command, limits);
         assert!(

@@ -2,10 +2,10 @@
 
 use crate::arrays::{Vector, of_joints, pose_array, vector};
 use crate::error::{of_robot, plain, refused};
-use crate::motion::{Order, PyMotion};
+use crate::motion::{HeldOrder, PyMotion};
 use pyo3::prelude::*;
 use std::sync::{Arc, Mutex, PoisonError};
-use wisch::control::{Command, ControlConfig, MotionController, Wrench};
+use wisch::control::{ControlCommand, ControlConfig, MotionController, Wrench};
 
 /// What a tool weighs that nobody weighed [kg].
 const TOOL_MASS: f64 = 0.15;
@@ -13,13 +13,13 @@ const TOOL_MASS: f64 = 0.15;
 /// The whole-body impedance controller (8) with the observer of the external force, along a motion.
 #[pyclass(name = "ImpedanceController", module = "wisch", frozen)]
 pub struct PyImpedanceController {
-    order: Arc<Order>,
+    order: Arc<HeldOrder>,
     state: Mutex<State>,
 }
 
 struct State {
     controller: MotionController,
-    command: Option<Command>,
+    command: Option<ControlCommand>,
 }
 
 impl PyImpedanceController {
@@ -27,7 +27,7 @@ impl PyImpedanceController {
         look(&mut self.state.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    fn told<T>(&self, look: impl FnOnce(&Command) -> T) -> PyResult<T> {
+    fn told<T>(&self, look: impl FnOnce(&ControlCommand) -> T) -> PyResult<T> {
         self.with(|state| state.command.as_ref().map(look))
             .ok_or_else(|| plain("the controller has not been commanded yet"))
     }
@@ -130,7 +130,7 @@ impl PyImpedanceController {
             return Err(refused("time_s", time_s, "a finite number"));
         }
         let (q, qd) = (of_joints("q", q, dof)?, of_joints("qd", qd, dof)?);
-        let Order { task, followed, .. } = &*self.order;
+        let HeldOrder { task, followed, .. } = &*self.order;
         self.with(|state| {
             state.command = state.controller.command(task, followed, time_s, &q, &qd);
             if state.command.is_none() {

@@ -15,7 +15,7 @@ use wisch::run::{MotionOrder, PlannedRound, Setpoint};
 const PERIOD: f64 = 0.01;
 
 /// What a motion is made of, so that Python can keep it.
-pub struct Order {
+pub struct HeldOrder {
     pub round: usize,
     pub seed: u64,
     pub task: Task,
@@ -23,7 +23,7 @@ pub struct Order {
     pub followed: Followed,
 }
 
-impl Order {
+impl HeldOrder {
     /// As executors of the library are given it.
     pub fn borrowed(&self) -> MotionOrder<'_> {
         MotionOrder {
@@ -48,13 +48,13 @@ struct Columns {
 /// A motion that is to be executed, with all that a robot's driver needs of it.
 #[pyclass(name = "Motion", module = "wisch", frozen)]
 pub struct PyMotion {
-    pub order: Arc<Order>,
+    pub order: Arc<HeldOrder>,
     columns: PyOnceLock<Columns>,
 }
 
 impl PyMotion {
     pub fn of(order: &MotionOrder<'_>) -> Self {
-        Self::from_order(Order {
+        Self::from_order(HeldOrder {
             round: order.round,
             seed: order.seed,
             task: order.task.clone(),
@@ -73,7 +73,7 @@ impl PyMotion {
         })
     }
 
-    fn from_order(order: Order) -> Self {
+    fn from_order(order: HeldOrder) -> Self {
         Self {
             order: Arc::new(order),
             columns: PyOnceLock::new(),

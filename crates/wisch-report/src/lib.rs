@@ -62,13 +62,13 @@ pub use input::ReportInput;
 pub use log_page::{LogPageInput, log_page};
 pub use memory::{AnswersInput, answers_page};
 pub use motion::{
-    Contact, MotionInput, ParticleFrame, Phase, Placement, RatedPlace, ShownMotion, joint_plots,
-    placements_plan,
+    MotionInput, ParticleFrame, ShownContact, ShownMotion, ShownPhase, ShownPlace, ShownPlacement,
+    joint_plots, placements_plan,
 };
 pub use pictures::pictures;
 pub use prediction::frames::{EffectFrames, Frame};
 pub use recording::{
-    Outcome, PlannedOnly, RECORDING_SCHEMA, RecordingHead, RecordingWriter, RoundTruth,
+    PlannedOnly, RECORDING_SCHEMA, RecordingHead, RecordingWriter, RoundTruth, RunOutcome,
 };
 pub use rounds::{RoundView, RoundsInput};
 pub use table1::{

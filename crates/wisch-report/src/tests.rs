@@ -357,7 +357,7 @@ fn contours_of_one_particle_are_circles_of_the_radius_that_the_kernel_says() {
         min: Point2::new(-0.2, -0.2),
         max: Point2::new(0.2, 0.2),
     };
-    let map = wisch::plan::DensityMap::new(&[Point2::origin()], bounds, bandwidth);
+    let map = wisch::plan::CoverageDensity::new(&[Point2::origin()], bounds, bandwidth);
     let contours = Contours::new(&map);
     let rings = contours.rings(0.5 * contours.peak);
     assert_eq!(rings.len(), 1);
@@ -381,7 +381,7 @@ fn a_ring_of_contours_is_hollow() {
         min: Point2::new(-0.5, -0.5),
         max: Point2::new(0.5, 0.5),
     };
-    let map = wisch::plan::DensityMap::new(&ring, bounds, 0.08);
+    let map = wisch::plan::CoverageDensity::new(&ring, bounds, 0.08);
     let contours = Contours::new(&map);
     assert_eq!(contours.rings(0.5 * contours.peak).len(), 2);
 }

@@ -12,7 +12,7 @@ use wisch::represent::{Action, ParticleDistribution, Task};
 use wisch::run::{Execution, MotionOrder};
 use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_sim::{Dirt, SimulationSettings, execute};
-use wisch_testkit::{Robot, arm7 as the_arm7, humanoid as the_humanoid, scenario};
+use wisch_testkit::{ShippedRobot, arm7 as the_arm7, humanoid as the_humanoid, scenario};
 
 fn main() {
     divan::main();
@@ -32,7 +32,7 @@ struct Wiping {
 }
 
 /// A shipped scenario with so many grains.
-fn wiping(name: &str, grains: usize, robot: Robot) -> Wiping {
+fn wiping(name: &str, grains: usize, robot: ShippedRobot) -> Wiping {
     let options = LoadOptions {
         action: Some(Action::Collect),
         strategy: Some(CoverageStrategy::Kde.into()),

@@ -9,7 +9,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
-use wisch::control::{Command, ControlConfig, MotionController};
+use wisch::control::{ControlCommand, ControlConfig, MotionController};
 use wisch::follow::{Followed, FollowerLimit, Workcell};
 use wisch::geometry::{Point3, Pose, Vector3};
 use wisch::random::normal;
@@ -291,7 +291,7 @@ impl<'a> Simulation<'a> {
     }
 
     /// What the controller asks for, from what is measured.
-    fn command(&mut self, time: f64) -> Result<Command, SimulationError> {
+    fn command(&mut self, time: f64) -> Result<ControlCommand, SimulationError> {
         self.motion = self.followed.index_at(time);
         for (k, &i) in (self.controller.articulation().variables().iter()).enumerate() {
             self.robot_q[i] = self.q[k];
@@ -304,7 +304,7 @@ impl<'a> Simulation<'a> {
     }
 
     /// Whether the robot has to stop itself.
-    fn stop_cause(&self, command: &Command) -> Option<StopCause> {
+    fn stop_cause(&self, command: &ControlCommand) -> Option<StopCause> {
         let distance = command.error().norm();
         if distance > MAX_ASTRAY {
             let limit = MAX_ASTRAY;
@@ -368,7 +368,7 @@ impl<'a> Simulation<'a> {
     fn record(
         &mut self,
         time: f64,
-        command: &Command,
+        command: &ControlCommand,
         sample: &mut SampleSink<'_>,
     ) -> ControlFlow<()> {
         let Some(motion) = self.followed.motions.get(self.motion) else {
@@ -443,7 +443,7 @@ impl<'a> Simulation<'a> {
     }
 
     /// What really happened in this period.
-    fn observe_truth(&mut self, command: &Command, world_from_tool: &Pose, is_pushed: bool) {
+    fn observe_truth(&mut self, command: &ControlCommand, world_from_tool: &Pose, is_pushed: bool) {
         let (time, desired) = (self.time, &command.desired);
         let is_wiping = self.is_wiping();
         let truth = &mut self.truth;

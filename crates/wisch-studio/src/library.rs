@@ -5,7 +5,7 @@ use serde::Serialize;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use wisch_memory::catalogue::{EpisodeRow, entries};
-use wisch_memory::{Catalogue, IndividualId, Memory, MemoryError, Node, RECORDING_FILE};
+use wisch_memory::{Catalogue, CatalogueNode, IndividualId, Memory, MemoryError, RECORDING_FILE};
 
 /// Most episodes that are listed at once.
 pub const MOST_LISTED: usize = 500;
@@ -193,11 +193,11 @@ impl<'a> About<'a> {
     fn shared(&self, property: &str, id: IndividualId) -> Option<String> {
         let related = entries(self.catalogue.relations(property), id);
         related.iter().find_map(|(_, node)| match node {
-            Node::Shared(place) => {
+            CatalogueNode::Shared(place) => {
                 let name = self.catalogue.shared().get(*place as usize)?;
                 Some(local(name).to_owned())
             }
-            Node::Individual(_) => None,
+            CatalogueNode::Individual(_) => None,
         })
     }
 
@@ -205,8 +205,8 @@ impl<'a> About<'a> {
     fn task(&self, action: IndividualId) -> Option<String> {
         let related = entries(self.catalogue.relations("dul:executesTask"), action);
         related.iter().find_map(|(_, node)| match node {
-            Node::Individual(id) => Some(local(self.catalogue.class(*id)).to_owned()),
-            Node::Shared(_) => None,
+            CatalogueNode::Individual(id) => Some(local(self.catalogue.class(*id)).to_owned()),
+            CatalogueNode::Shared(_) => None,
         })
     }
 }

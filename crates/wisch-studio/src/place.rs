@@ -2,12 +2,12 @@
 
 mod tokens;
 
-use tokens::{Kind, Token, tokens};
+use tokens::{Token, TokenKind, tokens};
 use wisch_memory::ask::QueryFault;
 
 /// A part of a query's text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Place {
+pub struct ErrorPlace {
     /// From the text's begin, in UTF-16 units, as browsers count.
     pub offset: usize,
     /// In the same units.
@@ -19,7 +19,7 @@ pub struct Place {
 }
 
 /// Where a fault lies, as far as that can be told.
-pub fn place(fault: &QueryFault, query: &str) -> Option<Place> {
+pub fn place(fault: &QueryFault, query: &str) -> Option<ErrorPlace> {
     let tokens = tokens(query);
     let (start, end) = match fault {
         QueryFault::Unknown { kind, name, .. } if kind == "predicate" => {
@@ -35,15 +35,17 @@ pub fn place(fault: &QueryFault, query: &str) -> Option<Place> {
             syntax(&tokens, query)
         }
         QueryFault::Prolog { what } if what.starts_with("text after the full stop") => {
-            let stop = tokens.iter().position(|token| token.kind == Kind::Stop)?;
+            let stop = tokens
+                .iter()
+                .position(|token| token.kind == TokenKind::Stop)?;
             (tokens.get(stop + 1)?.start, query.trim_end().len())
         }
         _ => return None,
     };
-    Some(Place::of(query, start, end))
+    Some(ErrorPlace::of(query, start, end))
 }
 
-impl Place {
+impl ErrorPlace {
     /// Of bytes.
     fn of(query: &str, start: usize, end: usize) -> Self {
         let before = &query[..start];
@@ -61,7 +63,7 @@ impl Place {
 /// Where a predicate is called; one of this many arguments, if there is any.
 fn call(tokens: &[Token], query: &str, name: &str, arity: usize) -> Option<(usize, usize)> {
     let calls = tokens.iter().enumerate().filter(|(_, token)| {
-        matches!(token.kind, Kind::Name | Kind::Symbol) && token.value(query) == name
+        matches!(token.kind, TokenKind::Name | TokenKind::Symbol) && token.value(query) == name
     });
     let calls: Vec<(usize, &Token)> = calls.collect();
     let fits = calls
@@ -73,16 +75,16 @@ fn call(tokens: &[Token], query: &str, name: &str, arity: usize) -> Option<(usiz
 
 /// How many arguments stand in the brackets that open here.
 fn arguments(tokens: &[Token]) -> usize {
-    if tokens.first().map(|token| token.kind) != Some(Kind::Call) {
+    if tokens.first().map(|token| token.kind) != Some(TokenKind::Call) {
         return 0;
     }
     let (mut depth, mut commas) = (0, 0);
     for token in tokens {
         match token.kind {
-            Kind::Call | Kind::Open => depth += 1,
-            Kind::Close if depth == 1 => return commas + 1,
-            Kind::Close => depth -= 1,
-            Kind::Comma if depth == 1 => commas += 1,
+            TokenKind::Call | TokenKind::Open => depth += 1,
+            TokenKind::Close if depth == 1 => return commas + 1,
+            TokenKind::Close => depth -= 1,
+            TokenKind::Comma if depth == 1 => commas += 1,
             _ => {}
         }
     }
@@ -97,7 +99,7 @@ fn named(tokens: &[Token], query: &str, name: &str) -> Option<(usize, usize)> {
         None => (None, bare(name)),
     };
     let is = |token: &Token, wanted: &str| {
-        matches!(token.kind, Kind::Name | Kind::Number) && token.value(query) == wanted
+        matches!(token.kind, TokenKind::Name | TokenKind::Number) && token.value(query) == wanted
     };
     let mut found = None;
     for (place, token) in tokens.iter().enumerate() {
@@ -130,9 +132,9 @@ fn syntax(tokens: &[Token], query: &str) -> (usize, usize) {
         let place = (token.start, token.end);
         let text = &query[token.start..token.end];
         match token.kind {
-            Kind::Unfinished => return place,
-            Kind::Stop => break,
-            Kind::Name | Kind::Number | Kind::Text | Kind::Variable => {
+            TokenKind::Unfinished => return place,
+            TokenKind::Stop => break,
+            TokenKind::Name | TokenKind::Number | TokenKind::Text | TokenKind::Variable => {
                 let is_infix = tokens::is_word_operator(text);
                 let is_prefix = text == "\\+" || text == "dynamic";
                 match (begins, is_infix) {
@@ -142,34 +144,36 @@ fn syntax(tokens: &[Token], query: &str) -> (usize, usize) {
                 }
             }
             // A sign before a term, or between two; as a name where nothing follows it.
-            Kind::Symbol => {
+            TokenKind::Symbol => {
                 let next = tokens.get(number + 1).map(|next| next.kind);
                 let follows = !matches!(
                     next,
-                    None | Some(Kind::Comma | Kind::Close | Kind::Bar | Kind::Stop)
+                    None | Some(
+                        TokenKind::Comma | TokenKind::Close | TokenKind::Bar | TokenKind::Stop
+                    )
                 );
                 if !begins && !follows {
                     return place;
                 }
                 begins = follows;
-                if next == Some(Kind::Call) {
+                if next == Some(TokenKind::Call) {
                     begins = false;
                 }
             }
-            Kind::Comma | Kind::Bar => {
+            TokenKind::Comma | TokenKind::Bar => {
                 if begins {
                     return place;
                 }
                 begins = true;
             }
-            Kind::Call | Kind::Open => {
-                if token.kind == Kind::Open && !begins {
+            TokenKind::Call | TokenKind::Open => {
+                if token.kind == TokenKind::Open && !begins {
                     return place;
                 }
                 open.push((text, place));
                 begins = true;
             }
-            Kind::Close => {
+            TokenKind::Close => {
                 let fits = match open.pop() {
                     Some(("(", _)) => text == ")",
                     Some(("[", _)) => text == "]",
@@ -177,7 +181,7 @@ fn syntax(tokens: &[Token], query: &str) -> (usize, usize) {
                     _ => false,
                 };
                 let opened_just_now = number > 0
-                    && matches!(tokens[number - 1].kind, Kind::Open)
+                    && matches!(tokens[number - 1].kind, TokenKind::Open)
                     && matches!(text, "]" | "}");
                 if !fits || (begins && !opened_just_now) {
                     return place;

@@ -15,12 +15,12 @@ use std::time::{Duration, Instant, SystemTime};
 use tokio::sync::oneshot;
 use wisch_memory::Catalogue;
 use wisch_memory::ask::{
-    Answers, AskError, Asker, Assertions, EngineCommand, Limits, TelemetryPredicates, Term,
+    Answers, AskError, AskLimits, Asker, Assertions, EngineCommand, TelemetryPredicates, Term,
 };
 use wisch_memory::view::{Surroundings, gather};
 
 /// What a query may use, as `wisch ask` has it.
-pub const LIMITS: Limits = Limits {
+pub const LIMITS: AskLimits = AskLimits {
     time: Duration::from_secs(60),
     memory: 4096 << 20,
     answers: 1000,

@@ -28,7 +28,7 @@ const LAST_WORDS: u64 = 4096;
 /// What is to be run.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Order {
+pub struct StartOrder {
     /// A shipped task's name, or a task file of this machine.
     task: String,
     #[serde(default)]
@@ -72,7 +72,7 @@ impl Runs {
     }
 
     /// Begins a run, and gives its name when it can be watched.
-    pub async fn begin(&self, order: &Order, shipped: &[String]) -> Result<String, Refusal> {
+    pub async fn begin(&self, order: &StartOrder, shipped: &[String]) -> Result<String, Refusal> {
         let task = task(&order.task, shipped)?;
         let strategy = order.strategy.as_deref().map(strategy).transpose()?;
         if self.state().children.len() >= MOST_RUNS {

@@ -8,7 +8,7 @@ use crate::library::Library;
 use crate::live::{LiveFolder, LiveRun, RunState};
 use crate::questions::{LIMITS, Question, Questions};
 use crate::refusal::Refusal;
-use crate::runs::{Order, Runs};
+use crate::runs::{Runs, StartOrder};
 use crate::scenarios::{self, Scenario};
 use crate::stream::Tail;
 use crate::vocabulary::vocabulary;
@@ -363,7 +363,7 @@ async fn run_stream(
 
 async fn begin_run(
     State(rooms): State<Arc<Rooms>>,
-    order: Result<Json<Order>, JsonRejection>,
+    order: Result<Json<StartOrder>, JsonRejection>,
 ) -> Answer {
     let Json(order) = order.map_err(unreadable)?;
     let shipped: Vec<String> = rooms.scenarios.iter().map(|one| one.name.clone()).collect();

@@ -3,7 +3,8 @@
 use serde_json::{Value, json};
 use wisch_memory::Catalogue;
 use wisch_memory::view::{
-    Body, Colour, Dirt, DirtState, Emphasis, Figure, Plot, PlotData, ShownEpisode, Track, View,
+    Colour, DirtState, Emphasis, Figure, Plot, PlotData, ShownBody, ShownDirt, ShownEpisode, Track,
+    View,
 };
 
 /// Digits behind the point of lengths [m] and times.
@@ -60,7 +61,7 @@ fn track(track: &Track, (episode, round): (&str, usize)) -> Value {
     })
 }
 
-fn body(body: &Body, (episode, round): (&str, usize)) -> Value {
+fn body(body: &ShownBody, (episode, round): (&str, usize)) -> Value {
     let (kind, pose) = match &body.figure {
         Figure::Robot {
             world_from_tool, ..
@@ -82,7 +83,7 @@ fn body(body: &Body, (episode, round): (&str, usize)) -> Value {
     })
 }
 
-fn dirt(dirt: &Dirt, (episode, round): (&str, usize)) -> Value {
+fn dirt(dirt: &ShownDirt, (episode, round): (&str, usize)) -> Value {
     let positions = dirt.positions.iter().map(|at| [at.x, at.y].map(short));
     json!({
         "episode": episode,

@@ -2,7 +2,7 @@
 
 use crate::parts::{interaction, sponge, surface};
 use crate::problems::lost_nodes;
-use crate::shipped::{Robot, robot};
+use crate::shipped::{ShippedRobot, robot};
 use wisch::follow::{FollowConfig, Followed, Workcell, WorkcellConfig, audit};
 use wisch::geometry::{Mesh, Point2, Pose, Vector2, Vector3};
 use wisch::plan::{CoverageStrategy, HeadingRule, Plan, PlanConfig, plan};
@@ -12,7 +12,7 @@ use wisch::represent::{Action, ParticleDistribution, SceneObject, ScenePart, Sur
 const BOARD: [f64; 2] = [0.24, 0.18];
 
 /// The arm of seven joints.
-pub fn arm7() -> Robot {
+pub fn arm7() -> ShippedRobot {
     robot("arm7")
 }
 

@@ -1,7 +1,7 @@
 //! Random problems of following: a robot, a surface somewhere before it, things in the way.
 
 use crate::parts::{interaction, sponge};
-use crate::shipped::{AnyError, Robot};
+use crate::shipped::{AnyError, ShippedRobot};
 use nalgebra::{Translation3, UnitQuaternion};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -29,7 +29,7 @@ pub struct Problem {
 
 /// What became of a problem.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Outcome {
+pub enum SolvedProblem {
     /// Every node is passed.
     Whole,
     /// Some nodes are abandoned.
@@ -116,27 +116,31 @@ impl Problem {
     }
 
     /// Plans it, follows the plan and audits the motion.
-    pub fn outcome(&self, robots: &[Robot]) -> Outcome {
+    pub fn outcome(&self, robots: &[ShippedRobot]) -> SolvedProblem {
         match self.followed(&robots[self.robot]) {
-            Err(error) => Outcome::Refused(kind(&error.to_string())),
+            Err(error) => SolvedProblem::Refused(kind(&error.to_string())),
             Ok(Tried { motion, faults }) => {
                 match (faults.is_empty(), motion.abandoned.is_empty()) {
-                    (false, _) => Outcome::Faulty(faults),
-                    (true, true) => Outcome::Whole,
-                    (true, false) if motion.strokes.is_empty() => Outcome::NotAtAll,
-                    (true, false) => Outcome::Partly,
+                    (false, _) => SolvedProblem::Faulty(faults),
+                    (true, true) => SolvedProblem::Whole,
+                    (true, false) if motion.strokes.is_empty() => SolvedProblem::NotAtAll,
+                    (true, false) => SolvedProblem::Partly,
                 }
             }
         }
     }
 
     /// The motion and what is wrong with it.
-    pub fn followed(&self, robot: &Robot) -> Result<Tried, AnyError> {
+    pub fn followed(&self, robot: &ShippedRobot) -> Result<Tried, AnyError> {
         self.followed_with(robot, &FollowConfig::default())
     }
 
     /// The same, with another configuration.
-    pub fn followed_with(&self, robot: &Robot, config: &FollowConfig) -> Result<Tried, AnyError> {
+    pub fn followed_with(
+        &self,
+        robot: &ShippedRobot,
+        config: &FollowConfig,
+    ) -> Result<Tried, AnyError> {
         let plan = plan(&self.task, &self.plan)?;
         let cell = Workcell::new(
             robot.model.clone(),

@@ -23,7 +23,7 @@ pub fn scenario(name: &str) -> PathBuf {
 }
 
 /// A shipped robot.
-pub struct Robot {
+pub struct ShippedRobot {
     /// Its name.
     pub name: &'static str,
     /// What it is.
@@ -34,7 +34,7 @@ pub struct Robot {
     pub map: Option<CapabilityMap>,
 }
 
-impl Robot {
+impl ShippedRobot {
     /// The robot as a session takes it.
     pub const fn performer(&self) -> Performer<'_> {
         Performer {
@@ -49,7 +49,7 @@ impl Robot {
 ///
 /// # Panics
 /// When what is shipped cannot be read.
-pub fn robots() -> [Robot; 3] {
+pub fn robots() -> [ShippedRobot; 3] {
     ["arm7", "arm6", "humanoid"].map(robot)
 }
 
@@ -57,15 +57,15 @@ pub fn robots() -> [Robot; 3] {
 ///
 /// # Panics
 /// When what is shipped cannot be read.
-pub fn humanoid() -> Robot {
+pub fn humanoid() -> ShippedRobot {
     robot("humanoid")
 }
 
-pub(crate) fn robot(name: &'static str) -> Robot {
+pub(crate) fn robot(name: &'static str) -> ShippedRobot {
     let description = RobotDescription::Named(name.to_owned());
     let robot = wisch_io::Robot::read(&description, Path::new(""), None, &[]);
     let robot = robot.expect("what is shipped can be read");
-    Robot {
+    ShippedRobot {
         name,
         srdf: robot.srdf.expect("groups and postures are shipped"),
         model: robot.model,

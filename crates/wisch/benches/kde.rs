@@ -4,7 +4,7 @@ use divan::{Bencher, black_box};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use wisch::geometry::{Bounds2, Point2};
-use wisch::plan::{DensityMap, FreeSpace, KdeConfig, kde};
+use wisch::plan::{CoverageDensity, FreeSpace, KdeConfig, kde};
 use wisch_testkit::surface;
 
 fn main() {
@@ -26,7 +26,7 @@ fn points(count: usize) -> Vec<Point2> {
 fn density_map(bencher: Bencher, count: usize) {
     let points = points(count);
     let bounds = Bounds2::of(points.iter().copied()).unwrap();
-    bencher.bench(|| DensityMap::new(black_box(&points), bounds, BANDWIDTH));
+    bencher.bench(|| CoverageDensity::new(black_box(&points), bounds, BANDWIDTH));
 }
 
 #[divan::bench(args = [1_000, 100_000, 1_000_000])]

@@ -6,7 +6,7 @@ mod points;
 
 use std::time::Instant;
 use wisch::geometry::Bounds2;
-use wisch::plan::DensityMap;
+use wisch::plan::CoverageDensity;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let [path, bandwidth] = std::env::args()
@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let points = points::read(&path)?;
     let bounds = Bounds2::of(points.iter().copied()).ok_or("no points")?;
     let begin = Instant::now();
-    let map = DensityMap::new(&points, bounds, bandwidth.parse()?);
+    let map = CoverageDensity::new(&points, bounds, bandwidth.parse()?);
     eprintln!("{:.3}", begin.elapsed().as_secs_f64() * 1e3);
     let (columns, rows) = map.shape();
     for row in 0..rows {

@@ -11,7 +11,7 @@ use std::error::Error;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 use std::time::Instant;
-use wisch_testkit::{Outcome, Problem, Robot, robots};
+use wisch_testkit::{Problem, ShippedRobot, SolvedProblem, robots};
 
 /// Share of many problems that is followed at least, whole or in part: where all is refused, nothing is wrong either.
 const LEAST_FOLLOWED: f64 = 0.7;
@@ -19,7 +19,7 @@ const LEAST_FOLLOWED: f64 = 0.7;
 const MANY: usize = 100;
 
 /// A seed's robot and what became of it; nothing if it panicked.
-type Row = (usize, Option<Outcome>);
+type Row = (usize, Option<SolvedProblem>);
 
 fn main() -> Result<ExitCode, Box<dyn Error + Send + Sync>> {
     let mut arguments = std::env::args().skip(1);
@@ -41,11 +41,11 @@ fn main() -> Result<ExitCode, Box<dyn Error + Send + Sync>> {
     let mut sound = true;
     for (seed, (robot, outcome), _) in &outcomes {
         let row = match outcome {
-            Some(Outcome::Whole) => "1 followed whole".into(),
-            Some(Outcome::Partly) => "2 followed partly".into(),
-            Some(Outcome::NotAtAll) => "3 not at all".into(),
-            Some(Outcome::Refused(why)) => format!("4 refused: {why}"),
-            Some(Outcome::Faulty(faults)) => {
+            Some(SolvedProblem::Whole) => "1 followed whole".into(),
+            Some(SolvedProblem::Partly) => "2 followed partly".into(),
+            Some(SolvedProblem::NotAtAll) => "3 not at all".into(),
+            Some(SolvedProblem::Refused(why)) => format!("4 refused: {why}"),
+            Some(SolvedProblem::Faulty(faults)) => {
                 sound = false;
                 println!("seed {seed}: {} faults, first: {}", faults.len(), faults[0]);
                 "5 audit faults".into()
@@ -65,8 +65,9 @@ fn main() -> Result<ExitCode, Box<dyn Error + Send + Sync>> {
     for (row, [arm7, arm6, humanoid]) in &table {
         println!("{arm7:8} {arm6:8} {humanoid:8}  {}", &row[2..]);
     }
-    let is_followed =
-        |outcome: &Option<Outcome>| matches!(outcome, Some(Outcome::Whole | Outcome::Partly));
+    let is_followed = |outcome: &Option<SolvedProblem>| {
+        matches!(outcome, Some(SolvedProblem::Whole | SolvedProblem::Partly))
+    };
     let followed = (outcomes.iter())
         .filter(|(_, (_, outcome), _)| is_followed(outcome))
         .count();
@@ -84,12 +85,12 @@ fn main() -> Result<ExitCode, Box<dyn Error + Send + Sync>> {
     })
 }
 
-fn tried(seed: u64, robots: &[Robot]) -> Row {
+fn tried(seed: u64, robots: &[ShippedRobot]) -> Row {
     match Problem::random(seed) {
         Ok(problem) => {
             let outcome = catch_unwind(AssertUnwindSafe(|| problem.outcome(robots)));
             (problem.robot, outcome.ok())
         }
-        Err(error) => (0, Some(Outcome::Refused(error.to_string()))),
+        Err(error) => (0, Some(SolvedProblem::Refused(error.to_string()))),
     }
 }

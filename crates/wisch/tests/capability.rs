@@ -399,10 +399,10 @@ fn wrong_files_are_refused_with_what_is_wrong() {
         "a.map: no capability map: it ends too early"
     );
     let mut newer = bytes.clone();
-    newer[8] = 2;
+    newer[8] = 3;
     assert_eq!(
         refusal(&newer, robot),
-        "a.map: capability map of format 2, this program reads format 1"
+        "a.map: capability map of format 3, this program reads format 2: wisch robot map builds it again"
     );
     assert_eq!(
         refusal(&bytes[..bytes.len() - 1], robot),

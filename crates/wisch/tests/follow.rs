@@ -18,7 +18,7 @@ use wisch::geometry::{Point2, Polygon, Region};
 use wisch::plan::{CoverageStrategy, HeadingRule, Plan, PlanConfig, plan, predict};
 use wisch::represent::Action;
 use wisch::robot::Margins;
-use wisch_testkit::{Outcome, Problem, arm7, block, board, cell, faults, planned, robots};
+use wisch_testkit::{Problem, SolvedProblem, arm7, block, board, cell, faults, planned, robots};
 
 #[test]
 fn an_arm_follows_every_stroke_of_a_board_as_planned() {
@@ -326,20 +326,21 @@ const LEAST_FOLLOWED: usize = 19;
 fn random_problems_are_solved_without_faults() {
     let robots = robots();
     let seeds: Vec<u64> = (100..120).chain(ONCE_WRONG).collect();
-    let outcomes: Vec<(u64, &str, Outcome)> = (seeds.into_par_iter())
+    let outcomes: Vec<(u64, &str, SolvedProblem)> = (seeds.into_par_iter())
         .map(|seed| {
             let problem = Problem::random(seed).unwrap();
             let name = robots[problem.robot].name;
             (seed, name, problem.outcome(&robots))
         })
         .collect();
-    let is_faulty = |outcome: &Outcome| matches!(outcome, Outcome::Faulty(_));
+    let is_faulty = |outcome: &SolvedProblem| matches!(outcome, SolvedProblem::Faulty(_));
     let wrong: Vec<_> = outcomes.iter().filter(|(.., o)| is_faulty(o)).collect();
     assert!(wrong.is_empty(), "{wrong:?}");
     // Where all is refused, nothing is wrong either.
-    let is = |wanted: &[Outcome]| outcomes.iter().filter(|(.., o)| wanted.contains(o)).count();
-    let whole = is(&[Outcome::Whole]);
-    let followed = is(&[Outcome::Whole, Outcome::Partly]);
+    let is =
+        |wanted: &[SolvedProblem]| outcomes.iter().filter(|(.., o)| wanted.contains(o)).count();
+    let whole = is(&[SolvedProblem::Whole]);
+    let followed = is(&[SolvedProblem::Whole, SolvedProblem::Partly]);
     assert!(
         whole >= LEAST_WHOLE && followed >= LEAST_FOLLOWED,
         "{whole} whole, {followed} followed: {outcomes:?}"

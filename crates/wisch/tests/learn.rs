@@ -9,7 +9,8 @@ use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use wisch::geometry::Point2;
 use wisch::interpret::{Exposure, Touched};
 use wisch::learn::{
-    LEAST_PARTICLES, LearnConfig, LearnError, LearnedLaw, Lesson, SeenRound, Summary, learn,
+    LEAST_PARTICLES, LearnConfig, LearnError, LearnedLaw, Lesson, PosteriorSummary, SeenRound,
+    learn,
 };
 use wisch::random::normal_pair;
 use wisch::represent::{Effect, Interaction, LogNormal, LogNormalSpread, Observation, Redraw};
@@ -62,7 +63,7 @@ fn planted_parameters_are_recovered_from_twenty_episodes() {
             );
         }
         // ℓ shows only in how often weak contacts were too weak, and motions are a centimetre long.
-        let Summary {
+        let PosteriorSummary {
             mean, deviation, ..
         } = law.ln_redraw_length;
         assert!(deviation < 0.2, "{effect:?}: {law:?}");
@@ -124,7 +125,7 @@ fn coverage(first_seed: u64, repetitions: u64, count: u64, particles: usize) -> 
             redraw: (kept >= interaction.redraw.kept_share).then_some(length),
         };
         let law = learned(&interaction, &rounds(&begun.with(planted), seed, count));
-        let within = |summary: &Summary, value: f64| {
+        let within = |summary: &PosteriorSummary, value: f64| {
             let [low, high] = summary.interval;
             usize::from((low..=high).contains(&value))
         };

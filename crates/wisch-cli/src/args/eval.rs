@@ -5,7 +5,7 @@ use clap::{Args, Subcommand, ValueEnum, ValueHint};
 use std::path::PathBuf;
 use std::str::FromStr;
 use wisch::plan::Strategy;
-use wisch_eval::{Axis, Extent, TaskCase, Variant};
+use wisch_eval::{Axis, TaskCase, Variant, WipingExtent};
 
 /// What is evaluated.
 #[derive(Debug, Subcommand)]
@@ -92,11 +92,11 @@ pub struct ExtentArgs {
 
 impl ExtentArgs {
     /// How far.
-    pub const fn extent(self) -> Extent {
+    pub const fn extent(self) -> WipingExtent {
         match self {
-            Self { execute: true, .. } => Extent::Executed,
-            Self { follow: true, .. } => Extent::Followed,
-            Self { .. } => Extent::Planned,
+            Self { execute: true, .. } => WipingExtent::Executed,
+            Self { follow: true, .. } => WipingExtent::Followed,
+            Self { .. } => WipingExtent::Planned,
         }
     }
 }

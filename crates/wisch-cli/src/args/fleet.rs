@@ -55,7 +55,7 @@ impl SelectionArgs {
 
 /// Arguments of `memory push`.
 #[derive(Debug, Args)]
-pub struct PushArgs {
+pub struct MemoryPushArgs {
     /// The fleet: s3://BUCKET/PREFIX, file:///FOLDER or a folder
     pub url: String,
     /// The memory.
@@ -71,7 +71,7 @@ pub struct PushArgs {
 
 /// Arguments of `memory pull`.
 #[derive(Debug, Args)]
-pub struct PullArgs {
+pub struct MemoryPullArgs {
     /// The fleet: s3://BUCKET/PREFIX, file:///FOLDER or a folder
     pub url: String,
     /// The memory.

@@ -1,6 +1,6 @@
 //! Arguments of `memory`, and where runs are kept.
 
-use super::{LoggedArgs, PullArgs, PushArgs};
+use super::{LoggedArgs, MemoryPullArgs, MemoryPushArgs};
 use clap::{Args, Subcommand, ValueHint};
 use std::path::PathBuf;
 use wisch_memory::neem::NeemConfig;
@@ -77,13 +77,13 @@ Examples:
 
 The program wisch-fleet does it: what is there already is passed over, and what was cut off is gone on with. Credentials
 come from the environment (AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY, AWS_ENDPOINT, …) or from the usual files.")]
-    Push(PushArgs),
+    Push(MemoryPushArgs),
     /// Bring episodes of a fleet into this memory, byte for byte
     #[command(after_help = "\
 Examples:
   wisch memory pull s3://robots/fleet --since 2026-11-01 --class HumanCollision
   wisch memory pull /mnt/fleet --where \"performance <= 0.8\" --memory doubtful")]
-    Pull(PullArgs),
+    Pull(MemoryPullArgs),
 }
 
 /// Arguments of `memory import`.

@@ -17,8 +17,8 @@ use std::sync::Arc;
 use std::time::Duration;
 use tempfile::TempDir;
 use wisch_memory::ask::{
-    Answers, AskError, Asker, Assertions, Limits, Predicate, QueryFault, TelemetryPredicates, Term,
-    builtins, predicates,
+    Answers, AskError, AskLimits, Asker, Assertions, Predicate, QueryFault, TelemetryPredicates,
+    Term, builtins, predicates,
 };
 use wisch_memory::{Catalogue, Memory};
 
@@ -116,7 +116,7 @@ fn asker(
     catalogue: Arc<Catalogue>,
 ) -> Result<Asker, Failure> {
     let command = engine::find(args.engine, global)?;
-    let limits = Limits {
+    let limits = AskLimits {
         time: Duration::from_secs(args.timeout.into()),
         memory: u64::from(args.memory_limit) << 20,
         answers: args.limit as usize,

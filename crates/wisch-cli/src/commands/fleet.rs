@@ -1,7 +1,7 @@
 //! A fleet's memory. Who brings episodes there and back is a program of its own.
 
 use super::companion::Companion;
-use crate::args::{GlobalArgs, PullArgs, PushArgs, SelectionArgs};
+use crate::args::{GlobalArgs, MemoryPullArgs, MemoryPushArgs, SelectionArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, remark};
 use serde_json::Value;
@@ -16,7 +16,7 @@ const FLEET: Companion = Companion {
 };
 
 /// Brings the episodes of a memory into a fleet.
-pub fn push(args: &PushArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+pub fn push(args: &MemoryPushArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let memory: &OsStr = args.memory.memory.as_ref();
     let mut fleet = begin(global, ["push".as_ref(), memory, args.url.as_ref()])?;
     if let Some(robot) = &args.robot {
@@ -26,7 +26,7 @@ pub fn push(args: &PushArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
 }
 
 /// Brings episodes of a fleet into a memory.
-pub fn pull(args: &PullArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+pub fn pull(args: &MemoryPullArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let memory: &OsStr = args.memory.memory.as_ref();
     let mut fleet = begin(global, ["pull".as_ref(), args.url.as_ref(), memory])?;
     fleet.args(args.selection.to_arguments());

@@ -4,7 +4,7 @@ use super::episode::{PROGRAM, attach_task, begin_from, cannot_keep};
 use super::interpret::{Interpreted, interpret_log, task_args};
 use super::prepare::Prepared;
 use super::words::{counted, json, percent};
-use crate::args::{GlobalArgs, ImportArgs};
+use crate::args::{GlobalArgs, ImportArgs, LoggedArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, remark};
@@ -54,38 +54,59 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
         return known(&memory, &id, &reading, args, global);
     }
     let interpreted = interpret_log(source, &task_args, &mut prepared, None, &progress)?;
-    let Interpreted {
-        log,
-        goal,
-        interpretation,
-        record: interpreted_record,
-    } = &interpreted;
-    let samples = counted(log.samples.len(), "sample");
-
     progress.say("keeping the episode");
+    let record = keep(args, &memory, digest, (&prepared, &reading), &interpreted)?;
+    drop(progress);
+
+    let read = &interpreted.record;
+    // Where a plane was found, the remarks say the doubts.
+    let doubts = (read.doubts.iter()).filter(|_| read.plane.is_none());
+    for what in read.log.remarks.iter().chain(doubts) {
+        remark(what);
+    }
+    say(&record, args, global, |place| {
+        let verdict = verdict_of(&record);
+        let mean = interpreted.interpretation.performance.mean;
+        let estimate = match is_estimated(&record) {
+            true => format!("performance {} estimated ({verdict})", percent(mean)),
+            false => format!("the performance {verdict}"),
+        };
+        format!(
+            "{}: {} in {:.1} s, {estimate}\n  episode  {place}\n",
+            record.task,
+            counted(interpreted.log.samples.len(), "sample"),
+            duration_of(&interpreted.log),
+        )
+    })?;
+    Ok(Outcome::Done)
+}
+
+/// From the start of a log to its last sample [s].
+fn duration_of(log: &Log) -> f64 {
+    log.samples.last().map_or(0.0, |sample| sample.time)
+}
+
+/// Puts what was read and found into the memory, as one episode.
+fn keep(
+    args: &ImportArgs,
+    memory: &Memory,
+    digest: LogDigest,
+    (prepared, reading): (&Prepared, &str),
+    interpreted: &Interpreted,
+) -> Result<EpisodeRecord, Failure> {
+    let log = &interpreted.log;
     let start = (args.start_s).unwrap_or(log.start as f64 / NANOSECONDS_PER_SECOND);
     // The name comes from the log: whoever imports the same one at the same time meets this one.
-    let writer = begin_from(&memory, start, digest.hash as u16).map_err(|e| cannot_keep(&e))?;
+    let writer = begin_from(memory, start, digest.hash as u16).map_err(|e| cannot_keep(&e))?;
     let believed = prepared.task.surface.world_from_surface;
     let seen = RoundObservations {
         round: log.round,
         world_from_surface: log.world_from_surface.unwrap_or(believed),
         observations: log.observations.clone(),
     };
-    write_telemetry(&writer, log, &prepared, &seen).map_err(|error| cannot_keep(&error))?;
+    write_telemetry(&writer, log, prepared, &seen).map_err(|error| cannot_keep(&error))?;
     (writer.observations(1, &seen)).map_err(|error| cannot_keep(&error))?;
-    let attach = |name: &str, contents: &[u8]| {
-        let attached = writer.attach(name, contents);
-        attached.map_err(|error| cannot_keep(&error))
-    };
-    attach_task(&task_args, &prepared, &attach)?;
-    attach(READING_FILE, reading.as_bytes())?;
-    let estimated = interpreted.estimated(&prepared)?;
-    let name = format!("round-1/{PARTICLES_ESTIMATED_FILE}");
-    attach(&name, particles_to_csv(&estimated).as_bytes())?;
-    let name = format!("round-1/{INTERPRETATION_FILE}");
-    attach(&name, json(interpreted_record)?.as_bytes())?;
-    attach(REPORT_FILE, interpreted.page(&prepared).as_bytes())?;
+    attach(&writer, &args.source, (prepared, reading), interpreted)?;
     let header = EpisodeHeader {
         id: writer.id().to_owned(),
         start,
@@ -93,55 +114,51 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
         seed: prepared.config.seed,
         program: PROGRAM.to_owned(),
     };
-    let duration = log.samples.last().map_or(0.0, |sample| sample.time);
-    let name = source.log.file_name().unwrap_or(source.log.as_os_str());
-    let name = name.to_string_lossy();
+    let log_file = &args.source.log;
+    let name = log_file.file_name().unwrap_or(log_file.as_os_str());
     let mut record = remember_log(
         &header,
-        &name,
-        duration,
+        &name.to_string_lossy(),
+        duration_of(log),
         &prepared.task,
-        goal,
-        interpretation,
+        &interpreted.goal,
+        &interpreted.interpretation,
     );
-    let remarks = &interpreted_record.log.remarks;
+    let digest = digest.to_string();
     set_text(
         &mut record,
         "semco:WipingEpisode",
         "semco:logDigest",
-        digest.to_string(),
+        digest,
     );
+    let remarks = &interpreted.record.log.remarks;
     if !remarks.is_empty() {
-        set_text(
-            &mut record,
-            "semco:WipingRound",
-            "semco:logRemark",
-            remarks.join("; "),
-        );
+        let remarks = remarks.join("; ");
+        set_text(&mut record, "semco:WipingRound", "semco:logRemark", remarks);
     }
     (writer.commit(&record)).map_err(|error| cannot_keep(&error))?;
-    drop(progress);
+    Ok(record)
+}
 
-    // Where a plane was found, the remarks say the doubts.
-    let doubts = (interpreted_record.doubts.iter()).filter(|_| interpreted_record.plane.is_none());
-    for what in remarks.iter().chain(doubts) {
-        remark(what);
-    }
-    say(&record, args, global, |place| {
-        let verdict = verdict_of(&record);
-        let estimate = match is_estimated(&record) {
-            true => format!(
-                "performance {} estimated ({verdict})",
-                percent(interpretation.performance.mean)
-            ),
-            false => format!("the performance {verdict}"),
-        };
-        format!(
-            "{}: {samples} in {duration:.1} s, {estimate}\n  episode  {place}\n",
-            record.task
-        )
-    })?;
-    Ok(Outcome::Done)
+/// Attaches the task, how the log was understood, and what was found in it.
+fn attach(
+    writer: &EpisodeWriter,
+    source: &LoggedArgs,
+    (prepared, reading): (&Prepared, &str),
+    interpreted: &Interpreted,
+) -> Result<(), Failure> {
+    let attach = |name: &str, contents: &[u8]| {
+        let attached = writer.attach(name, contents);
+        attached.map_err(|error| cannot_keep(&error))
+    };
+    attach_task(&task_args(source), prepared, &attach)?;
+    attach(READING_FILE, reading.as_bytes())?;
+    let estimated = interpreted.estimated(prepared)?;
+    let name = format!("round-1/{PARTICLES_ESTIMATED_FILE}");
+    attach(&name, particles_to_csv(&estimated).as_bytes())?;
+    let name = format!("round-1/{INTERPRETATION_FILE}");
+    attach(&name, json(&interpreted.record)?.as_bytes())?;
+    attach(REPORT_FILE, interpreted.page(prepared).as_bytes())
 }
 
 /// How a log is understood, whatever it is called.

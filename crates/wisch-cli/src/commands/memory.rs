@@ -9,7 +9,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use wisch_memory::catalogue::{EpisodeRow, entries};
 use wisch_memory::{
-    Catalogue, EpisodeRecord, Individual, IndividualId, Memory, MemoryError, Node, Value,
+    Catalogue, CatalogueNode, EpisodeRecord, Individual, IndividualId, Memory, MemoryError, Value,
     local_date_and_time,
 };
 
@@ -79,7 +79,7 @@ impl<'a> Listed<'a> {
             let states = entries(catalogue.relations("soma:hasExecutionState"), action);
             match states.first() {
                 None => "cannot be told",
-                Some((_, Node::Shared(place)))
+                Some((_, CatalogueNode::Shared(place)))
                     if catalogue.shared()[*place as usize] == "soma:ExecutionState_Succeeded" =>
                 {
                     "met"

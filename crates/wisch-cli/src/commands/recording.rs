@@ -14,7 +14,7 @@ use wisch::robot::Appearance;
 use wisch::run::RunEvent;
 use wisch_io::Robot;
 use wisch_memory::live_place;
-use wisch_report::{Outcome, PlannedOnly, RecordingHead, RecordingWriter, RoundTruth};
+use wisch_report::{PlannedOnly, RecordingHead, RecordingWriter, RoundTruth, RunOutcome};
 
 /// A recording that is being written.
 pub struct RunRecording {
@@ -200,7 +200,7 @@ impl RunRecording {
         let predicted = (results.predicted.as_ref()).map_or(0.0, |(p, _)| p.performance.ratio());
         let last = results.rounds.last();
         self.writer.end(
-            &Outcome {
+            &RunOutcome {
                 task: &prepared.task,
                 target,
                 is_met: results.is_goal_met(target),

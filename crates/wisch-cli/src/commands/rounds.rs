@@ -11,6 +11,7 @@ use super::watch::{Recorder, Watch, bag_name};
 use super::words::{counted, internal, json};
 use crate::args::LoopArgs;
 use crate::failure::Failure;
+use crate::progress::Progress;
 use crate::terminal::remark;
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -20,7 +21,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 use wisch::plan::Plan;
-use wisch::run::{Executor, NoExecutor, Recording, Stage};
+use wisch::represent::Observation;
+use wisch::run::{Executor, NoExecutor, Recording, Round, RunEvent, Session, Stage};
 use wisch_io::{EventWriter, ExecutedBy, PlanRecord, ProcessExecutor, Robot};
 use wisch_sim::{Checkpoints, GroundTruth, KeptRound, Site, World};
 use wisch_telemetry::WriteError;
@@ -44,7 +46,6 @@ pub fn execute(
     stop: Option<&Arc<AtomicBool>>,
 ) -> Result<Executed, Failure> {
     let Job {
-        task_args,
         prepared,
         folder,
         progress,
@@ -52,27 +53,13 @@ pub fn execute(
     } = *job;
     let (_, robot) = job.robot.ok_or_else(|| internal("there is no robot"))?;
     let mut episode = EpisodeRecorder::begin(args, &folder.state())?;
-    let mut recording = match (args.live, episode.id()) {
+    let recording = match (args.live, episode.id()) {
         (true, Some(id)) => RunRecording::begin_live(job, &args.memory.memory, id)?,
         _ => RunRecording::begin(job)?,
     };
-    let is_stopped = || stop.is_some_and(|stop| stop.load(Ordering::SeqCst));
-    let config = job.config(Some(args));
-    let is_given = given.is_some();
-    let checkpoints = Checkpoints::new(
-        &folder.state(),
-        identity(prepared, robot, args, given.as_ref())?,
-    );
-    let kept: Vec<KeptRound> = if folder.found().is_taken_over {
-        let rounds = (1..).zip(checkpoints.read());
-        let whole = rounds.take_while(|(number, _)| folder.place(&bag_name(*number)).is_file());
-        let kept: Vec<KeptRound> = whole.map(|(_, kept)| kept).collect();
-        let bags: Vec<String> = (1..=kept.len()).map(bag_name).collect();
-        folder.keep_only(&bags)?;
-        kept
-    } else {
-        Vec::new()
-    };
+    let identity = identity(prepared, robot, args, given.as_ref())?;
+    let checkpoints = Checkpoints::new(&folder.state(), identity);
+    let kept = rounds_of_killed_run(job, &checkpoints)?;
     if kept.is_empty() {
         episode.resume_nothing();
     }
@@ -86,83 +73,37 @@ pub fn execute(
         Some(_) => None,
     };
     let executed_s: Vec<f64> = kept.iter().map(|round| round.executing_s).collect();
-    let first_look = kept.first().and_then(|round| round.first_look.clone());
-    let (recorded, truth) = kept.into_iter().map(|r| (r.recorded, r.truth)).unzip();
-    let mut executor = match &args.executor {
-        Some(command) => Executing::Process(start(command, args.timeout, stop)?),
-        None => {
-            let (task, reality) = (&prepared.task, prepared.reality.clone());
-            let world = World::new(&Site::of(task), reality, task.seed)
-                .map_err(|error| prepared.failure(task_args, error))?
-                .after(truth);
-            Executing::World(Box::new(Recording::new(first_look, recorded, world)))
-        }
-    };
-    let mut events = (args.events.as_deref())
+    let mut executor = executing(job, args, kept, stop)?;
+    let events = (args.events.as_deref())
         .map(|path| Ok::<_, Failure>((path, event_writer(path)?)))
         .transpose()?;
-
-    let mut watch = Watch::new(job);
-    let mut recorder = Recorder::new(job, checkpoints, executed_s.len(), args.realtime);
-    let mut session = job.session(config, given);
-    let mut no_bag: Option<Failure> = None;
-    let mut is_ended = false;
+    let mut sinks = Sinks {
+        watch: Watch::new(job),
+        recorder: Recorder::new(job, checkpoints, executed_s.len(), args.realtime),
+        recording,
+        episode,
+        events,
+        no_bag: None,
+        is_ended: false,
+        stop,
+    };
+    let is_given = given.is_some();
+    let mut session = job.session(job.config(Some(args)), given);
     let result = loop {
         let finished = session.rounds().len();
-        let stage = session.step(executor.as_dyn(), &mut |event| {
-            watch.see(event)?;
-            watch.flow(recording.see(event))?;
-            if let Some((path, writer)) = &mut events
-                && let Err(error) = writer.write(event)
-            {
-                // Whoever read them has gone: the round is ended in order, and kept.
-                let gone = watch.flow(Err(no_event(path, &error)));
-                events = None;
-                is_ended |= gone.is_break();
-            }
-            recorder.round_of(event);
-            episode.see(event);
-            if !recorder.is_taken_over()
-                && let Err(failure) = recorder.see(event).map_err(cannot_write)
-            {
-                // An episode does not depend on the results, nor on where they go.
-                if !episode.is_kept() {
-                    return watch.flow(Err(failure));
-                }
-                recorder.give_up();
-                no_bag.get_or_insert(failure);
-            }
-            // What was begun is ended in order, and all have seen it by now.
-            if is_ended || is_stopped() {
-                return ControlFlow::Break(());
-            }
-            ControlFlow::Continue(())
-        });
+        let stage = session.step(executor.as_dyn(), &mut |event| sinks.see(event));
         // One that broke off is no round to go on from.
         if stage.is_ok()
             && let [.., round] = &session.rounds()[finished..]
         {
             let number = round.motion.number;
             if let Some(seconds) = executed_s.get(finished) {
-                watch.round(number).times.executing_s = *seconds;
-            } else if let (None, None, Some(truth)) =
-                (&watch.failure, &no_bag, executor.truth().last())
+                sinks.watch.round(number).times.executing_s = *seconds;
+            } else if let Some(truth) = executor.truth().last()
+                && sinks.checkpoint(round, session.first_observation(), truth)?
+                && let Some(count) = &kept_count
             {
-                let seconds = watch.round(number).times.executing_s;
-                let look = session.first_observation();
-                if let Err(error) = recorder.checkpoints.keep(round, look, truth, seconds) {
-                    let place = folder.state();
-                    let failure =
-                        Failure::new(format!("{}: cannot write there: {error}", place.display()))
-                            .with_help("choose another folder with --out");
-                    if !episode.is_kept() {
-                        return Err(failure);
-                    }
-                    recorder.give_up();
-                    no_bag = Some(failure);
-                } else if let Some(count) = &kept_count {
-                    count.store(number, Ordering::SeqCst);
-                }
+                count.store(number, Ordering::SeqCst);
             }
         }
         match stage {
@@ -171,94 +112,235 @@ pub fn execute(
             Err(error) => break Err(error),
         }
     };
-    if let Err(failure) = recorder.end().map_err(cannot_write) {
-        no_bag.get_or_insert(failure);
+    if let Err(failure) = sinks.recorder.end().map_err(cannot_write) {
+        sinks.no_bag.get_or_insert(failure);
     }
     // The child that was told to stop is gone before the results are written.
     executor.end();
     let failed = result.err().map(|error| job.failed(error));
-    let broken = watch.failure.take().or(failed);
-    if session.rounds().is_empty()
-        && let Some(failure) = broken
-    {
-        return Err(failure);
+    let finished = session.rounds().len();
+    let broken = match sinks.watch.failure.take().or(failed) {
+        Some(failure) if finished == 0 => return Err(failure),
+        broken => broken,
+    };
+    sinks.say_if_interrupted(finished, progress)?;
+    let first_look = session.first_observation().cloned();
+    let mut results = results(job, args, session, executor.truth(), &mut sinks.watch)?;
+    if is_given {
+        results.planning_time_s = None;
     }
-    if is_stopped() && session.rounds().is_empty() {
-        return Err(Failure::new(
-            "ended before the first round was over, so nothing is kept",
-        ));
+    sinks.end(job, first_look, broken, results)
+}
+
+/// The rounds of a killed run that are whole; their bags stay in the folder.
+fn rounds_of_killed_run(
+    job: &Job<'_>,
+    checkpoints: &Checkpoints,
+) -> Result<Vec<KeptRound>, Failure> {
+    let folder = job.folder;
+    if !folder.found().is_taken_over {
+        return Ok(Vec::new());
     }
-    if is_stopped() {
-        let count = counted(session.rounds().len(), "round");
-        progress.aside(|| remark(&format!("interrupted: {count} kept, as far as executed")));
+    let rounds = (1..).zip(checkpoints.read());
+    let whole = rounds.take_while(|(number, _)| folder.place(&bag_name(*number)).is_file());
+    let kept: Vec<KeptRound> = whole.map(|(_, kept)| kept).collect();
+    let bags: Vec<String> = (1..=kept.len()).map(bag_name).collect();
+    folder.keep_only(&bags)?;
+    Ok(kept)
+}
+
+/// What executes the motions: the program of `--executor`, or a simulated world after the rounds of a killed run.
+fn executing(
+    job: &Job<'_>,
+    args: &LoopArgs,
+    kept: Vec<KeptRound>,
+    stop: Option<&Arc<AtomicBool>>,
+) -> Result<Executing, Failure> {
+    if let Some(command) = &args.executor {
+        return Ok(Executing::Process(start(command, args.timeout, stop)?));
     }
+    let prepared = job.prepared;
+    let first_look = kept.first().and_then(|round| round.first_look.clone());
+    let (recorded, truth) = kept.into_iter().map(|r| (r.recorded, r.truth)).unzip();
+    let (task, reality) = (&prepared.task, prepared.reality.clone());
+    let world = World::new(&Site::of(task), reality, task.seed)
+        .map_err(|error| prepared.failure(job.task_args, error))?
+        .after(truth);
+    let recording = Recording::new(first_look, recorded, world);
+    Ok(Executing::World(Box::new(recording)))
+}
+
+/// What came of the rounds.
+fn results(
+    job: &Job<'_>,
+    args: &LoopArgs,
+    session: Session<'_>,
+    truth: &[GroundTruth],
+    watch: &mut Watch<'_>,
+) -> Result<Results, Failure> {
+    let prepared = job.prepared;
     let following = Following::of(&session, watch.round(1).times.following_s);
     let (planned, _) = (session.first()).ok_or_else(|| internal("no round was planned"))?;
     let (plan, prediction) = (planned.plan.clone(), planned.prediction.clone());
     let task = planned.task.clone();
     let planning_s = watch.round(1).times.planning_s;
     let predicted = Some((prediction, watch.round(1).effect(&task, &planned.wiped())));
-    let first_look = session.first_observation().cloned();
     let executed_by = match &args.executor {
         Some(_) => ExecutedBy::Executor,
         None => ExecutedBy::SimulatedWorld,
     };
-    let done = (session.into_rounds().into_iter())
-        .enumerate()
-        .map(|(i, round)| {
-            let watched = std::mem::take(watch.round(round.motion.number));
-            Done::new(
-                round,
-                executor.truth().get(i),
-                watched,
-                executed_by,
-                prepared,
-            )
-            .map_err(|error| prepared.failure(task_args, error))
-        });
+    let done = session.into_rounds().into_iter().enumerate();
+    let done = done.map(|(i, round)| {
+        let watched = std::mem::take(watch.round(round.motion.number));
+        Done::new(round, truth.get(i), watched, executed_by, prepared)
+            .map_err(|error| prepared.failure(job.task_args, error))
+    });
     let rounds: Vec<Done> = done.collect::<Result<_, Failure>>()?;
     let later = prepared.reality.pushes.iter().map(|push| push.round);
     let later = later.filter(|_| args.executor.is_none());
     for round in later.filter(|round| *round > rounds.len()) {
         let count = counted(rounds.len(), "round");
         let text = format!("the push of round {round} did not happen: the run ended after {count}");
-        progress.aside(|| remark(&text));
+        job.progress.aside(|| remark(&text));
     }
-    let mut results = Results {
+    Ok(Results {
         task,
         plan,
-        planning_time_s: (!is_given).then_some(planning_s),
+        planning_time_s: Some(planning_s),
         following,
         predicted,
         considered: None,
         rounds,
         recording: Vec::new(),
-    };
-    results.recording = recording.end(prepared, &results)?;
-    let attached = packed(&results.recording)?;
-    let rounds = &results.rounds;
-    let kept = episode.commit(
-        rounds,
-        first_look,
-        prepared,
-        task_args,
-        &robot.files,
-        &attached,
-    );
-    let name = kept
-        .as_ref()
-        .ok()
-        .and_then(|kept| kept.as_ref()?.place.file_name()?.to_str());
-    recording.leave(prepared, &results, name);
-    if let Some(failure) = no_bag {
-        say_where(&kept);
-        return Err(failure);
-    }
-    Ok(Executed {
-        results,
-        kept,
-        broken,
     })
+}
+
+/// What looks on while the loop runs, and keeps something of it.
+struct Sinks<'a> {
+    watch: Watch<'a>,
+    recorder: Recorder<'a>,
+    recording: RunRecording,
+    episode: EpisodeRecorder,
+    events: Option<(&'a Path, EventWriter<Box<dyn Write>>)>,
+    /// Why the results go without bags, if they do.
+    no_bag: Option<Failure>,
+    /// Whether a reader of the events that has gone asks for an end in order.
+    is_ended: bool,
+    /// Whether somebody asks for one.
+    stop: Option<&'a Arc<AtomicBool>>,
+}
+
+impl Sinks<'_> {
+    fn is_stopped(&self) -> bool {
+        self.stop.is_some_and(|stop| stop.load(Ordering::SeqCst))
+    }
+
+    /// Says that somebody ended the run after so many rounds; that there is none is an error.
+    fn say_if_interrupted(&self, rounds: usize, progress: &Progress) -> Result<(), Failure> {
+        if !self.is_stopped() {
+            return Ok(());
+        }
+        if rounds == 0 {
+            return Err(Failure::new(
+                "ended before the first round was over, so nothing is kept",
+            ));
+        }
+        let count = counted(rounds, "round");
+        progress.aside(|| remark(&format!("interrupted: {count} kept, as far as executed")));
+        Ok(())
+    }
+
+    /// Shows an event to all of them; whether the loop goes on.
+    fn see(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
+        self.watch.see(event)?;
+        self.watch.flow(self.recording.see(event))?;
+        if let Some((path, writer)) = &mut self.events
+            && let Err(error) = writer.write(event)
+        {
+            // Whoever read them has gone: the round is ended in order, and kept.
+            let gone = self.watch.flow(Err(no_event(path, &error)));
+            self.events = None;
+            self.is_ended |= gone.is_break();
+        }
+        self.recorder.round_of(event);
+        self.episode.see(event);
+        if !self.recorder.is_taken_over()
+            && let Err(failure) = self.recorder.see(event).map_err(cannot_write)
+            && let Err(failure) = self.go_on_without_bag(failure)
+        {
+            return self.watch.flow(Err(failure));
+        }
+        // What was begun is ended in order, and all have seen it by now.
+        if self.is_ended || self.is_stopped() {
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// An episode does not depend on the results, nor on where they go: with one the loop goes on.
+    fn go_on_without_bag(&mut self, failure: Failure) -> Result<(), Failure> {
+        if !self.episode.is_kept() {
+            return Err(failure);
+        }
+        self.recorder.give_up();
+        self.no_bag.get_or_insert(failure);
+        Ok(())
+    }
+
+    /// Keeps what a killed run can be resumed with after a round; whether there is such a thing now.
+    fn checkpoint(
+        &mut self,
+        round: &Round,
+        first_look: Option<&Observation>,
+        truth: &GroundTruth,
+    ) -> Result<bool, Failure> {
+        if self.watch.failure.is_some() || self.no_bag.is_some() {
+            return Ok(false);
+        }
+        let seconds = self.watch.round(round.motion.number).times.executing_s;
+        let checkpoints = &mut self.recorder.checkpoints;
+        let Err(error) = checkpoints.keep(round, first_look, truth, seconds) else {
+            return Ok(true);
+        };
+        let place = self.recorder.folder.state();
+        let failure = Failure::new(format!("{}: cannot write there: {error}", place.display()))
+            .with_help("choose another folder with --out");
+        self.go_on_without_bag(failure)?;
+        Ok(false)
+    }
+
+    /// Ends the recording with what came of the run, and puts the episode into the memory.
+    fn end(
+        self,
+        job: &Job<'_>,
+        first_look: Option<Observation>,
+        broken: Option<Failure>,
+        mut results: Results,
+    ) -> Result<Executed, Failure> {
+        let (_, robot) = job.robot.ok_or_else(|| internal("there is no robot"))?;
+        let (prepared, mut recording) = (job.prepared, self.recording);
+        results.recording = recording.end(prepared, &results)?;
+        let kept = self.episode.commit(
+            &results.rounds,
+            first_look,
+            prepared,
+            job.task_args,
+            &robot.files,
+            &packed(&results.recording)?,
+        );
+        let kept_in = kept.as_ref().ok().and_then(Option::as_ref);
+        let name = kept_in.and_then(|kept| kept.place.file_name()?.to_str());
+        recording.leave(prepared, &results, name);
+        if let Some(failure) = self.no_bag {
+            say_where(&kept);
+            return Err(failure);
+        }
+        Ok(Executed {
+            results,
+            kept,
+            broken,
+        })
+    }
 }
 
 /// Says where an episode is kept whose results are not.

@@ -1,13 +1,14 @@
 //! `wisch run`, `wisch plan`, `wisch predict` and `wisch follow`: the stages, and the folder with their results.
 
 use super::budget::in_evaluations;
+use super::episode::KeptEpisode;
 use super::follow::{Chosen, Following, performer};
 use super::interrupt::end_in_order;
 use super::job::{Job, Results};
 use super::prepare::Prepared;
 use super::recording::RunRecording;
 use super::results::{out_folder, write};
-use super::rounds::{Executed, execute, say_where};
+use super::rounds::{Executed, Kept, execute, say_where};
 use super::summary::{in_words, summary};
 use super::watch::Watch;
 use super::words::{counted, internal};
@@ -32,6 +33,9 @@ use wisch_report::EffectFrames;
 /// Most particles of a run: the least members of a belief take 2 GiB for so many.
 const MOST_IN_A_RUN: usize = 1_000_000;
 
+/// What is said where the operator has to act.
+const WAITS: &str = "the robot was stopped, and waits for its operator; with execution.after_stop = \"retreat\" the task goes on by itself";
+
 /// How far to go.
 #[derive(Debug, Clone, Copy)]
 enum Extent<'a> {
@@ -49,6 +53,20 @@ enum Extent<'a> {
 }
 
 impl Extent<'_> {
+    const fn is_run(&self) -> bool {
+        matches!(self, Self::Run(..))
+    }
+
+    /// What the name of the folder ends in.
+    const fn suffix(&self, has_robot: bool) -> &'static str {
+        match self {
+            Self::Run(..) if has_robot => "",
+            Self::Run(..) | Self::Predict => "-predicted",
+            Self::Follow(_) => "-followed",
+            Self::Plan { .. } => "-planned",
+        }
+    }
+
     /// Whether standard output is taken by events, among which words have no place.
     fn has_events_on_stdout(&self) -> bool {
         matches!(self, Self::Run(_, rounds) if rounds.events.as_deref() == Some(Path::new("-")))
@@ -115,63 +133,19 @@ fn work(
     let task_args = &task_args;
     let mut prepared = Prepared::read(task_args)?;
     let any_robot = RobotArgs::default();
-    // Which plan is the best is a question of how long the robot takes.
-    let is_weighed = matches!(extent, Extent::Plan { explain: true, .. })
-        || prepared.config.strategy == Strategy::Best;
-    let chosen = match extent {
-        Extent::Plan { .. } if is_weighed => Chosen::new(&any_robot, &prepared)?,
-        Extent::Plan { .. } | Extent::Predict => None,
-        Extent::Run(args, _) => Chosen::new(args, &prepared)?,
-        Extent::Follow(args) => Some(Chosen::new(args, &prepared)?.ok_or_else(|| {
-            prepared
-                .failure(task_args, "there is no robot to follow the plan")
-                .with_help("add a [robot] table to the task, or name a robot with --robot")
-        })?),
-    };
-    let particles = prepared.task.particles.len();
-    if matches!(extent, Extent::Run(..)) && chosen.is_some() && particles > MOST_IN_A_RUN {
-        let problem = format!(
-            "{particles} particles exceed the limit of {MOST_IN_A_RUN} for a run, whose belief holds them many times"
-        );
-        let failure = prepared.failure(task_args, problem);
-        return Err(failure.with_help("plan, predict and follow take more"));
-    }
+    let chosen = choose_robot(extent, &any_robot, task_args, &prepared)?;
     let given = plan_file
         .map(|path| given_plan(path, &mut prepared))
         .transpose()?;
-    let done = match (extent, &chosen) {
-        (Extent::Run(..), Some(_)) => "",
-        (Extent::Run(..) | Extent::Predict, _) => "-predicted",
-        (Extent::Follow(_), _) => "-followed",
-        (Extent::Plan { .. }, _) => "-planned",
-    };
-    let out = out_folder(results, &prepared, done);
+    let out = out_folder(results, &prepared, extent.suffix(chosen.is_some()));
     // From before there is anything on the disk that an end would leave there.
     let stop = match extent {
         Extent::Run(_, rounds) if rounds.executor.is_some() || rounds.live => Some(end_in_order()?),
         _ => None,
     };
     // Before the long part: nobody likes to wait for "permission denied".
-    let leftover = match extent {
-        Extent::Run(_, rounds) if rounds.resume => Leftover::TakeOver,
-        _ => Leftover::Remove,
-    };
-    let replaceable = match (extent, &chosen) {
-        (Extent::Run(..), Some(_)) => Replaceable::All,
-        _ if results.force => Replaceable::All,
-        _ => Replaceable::AllButRuns,
-    };
-    let folder = OutputFolder::begin(&out, leftover, replaceable)?;
-    if !global.quiet {
-        progress.aside(|| say_what_was_found(folder.found(), leftover));
-    }
-    if leftover == Leftover::TakeOver && folder.found().is_finished {
-        return Err(Failure::new(format!(
-            "{}: there is nothing to resume: the killed run was complete, and its results stand there",
-            out.display()
-        ))
-        .with_help("without --resume, wisch run begins anew"));
-    }
+    let is_replacing_all = results.force || (extent.is_run() && chosen.is_some());
+    let folder = begin_folder(&out, extent, is_replacing_all, (&progress, global))?;
 
     let robot = (chosen.as_ref())
         .map(|chosen| {
@@ -217,35 +191,19 @@ fn work(
 
     let summary = summary(&prepared, &results_of, &out);
     if results.json {
-        print(&format!(
-            "{}\n",
-            serde_json::to_string(&summary).map_err(internal)?
-        ))?;
+        let line = serde_json::to_string(&summary).map_err(internal)?;
+        print(&(line + "\n"))?;
     } else if !global.quiet && !extent.has_events_on_stdout() {
         print(&in_words(&summary, &results_of.rounds, &out))?;
-        if let Ok(Some(kept)) = &episode {
-            print(&format!("  {:<18} {}\n", "episode", kept.place.display()))?;
-        }
+        print(&episode_in_words(&episode))?;
     }
     // The results are there by now, whatever became of the episode.
     if let Some(kept) = episode? {
-        for what in &kept.remarks {
-            remark(what);
-        }
-        if !kept.without.is_empty() {
-            return Err(Failure::new(format!(
-                "{}: the episode is kept without {}",
-                kept.place.display(),
-                kept.without.join(", nor ")
-            ))
-            .with_help("queries of telemetry leave it out; wisch memory forget ID removes it"));
-        }
+        remark_on(&kept)?;
     }
     let is_interrupted = stop.is_some_and(|stop| stop.load(Ordering::SeqCst));
     if waits_for_the_operator(&results_of) && !is_interrupted {
-        remark(
-            "the robot was stopped, and waits for its operator; with execution.after_stop = \"retreat\" the task goes on by itself",
-        );
+        remark(WAITS);
     }
     let is_met = results_of.is_goal_met(prepared.file.target_performance());
     Ok(if is_met {
@@ -253,6 +211,90 @@ fn work(
     } else {
         Outcome::GoalNotMet
     })
+}
+
+/// The robot that is to follow, where one is needed. Which plan is the best is a question of how long a robot takes.
+fn choose_robot<'a>(
+    extent: Extent<'a>,
+    any: &'a RobotArgs,
+    task_args: &TaskArgs,
+    prepared: &Prepared,
+) -> Result<Option<Chosen<'a>>, Failure> {
+    let is_weighed = matches!(extent, Extent::Plan { explain: true, .. })
+        || prepared.config.strategy == Strategy::Best;
+    let chosen = match extent {
+        Extent::Plan { .. } if is_weighed => Chosen::new(any, prepared)?,
+        Extent::Plan { .. } | Extent::Predict => None,
+        Extent::Run(args, _) | Extent::Follow(args) => Chosen::new(args, prepared)?,
+    };
+    if matches!(extent, Extent::Follow(_)) && chosen.is_none() {
+        return Err(prepared
+            .failure(task_args, "there is no robot to follow the plan")
+            .with_help("add a [robot] table to the task, or name a robot with --robot"));
+    }
+    let particles = prepared.task.particles.len();
+    if extent.is_run() && chosen.is_some() && particles > MOST_IN_A_RUN {
+        let problem = format!(
+            "{particles} particles exceed the limit of {MOST_IN_A_RUN} for a run, whose belief holds them many times"
+        );
+        let failure = prepared.failure(task_args, problem);
+        return Err(failure.with_help("plan, predict and follow take more"));
+    }
+    Ok(chosen)
+}
+
+/// The folder of the results, with what a killed run left there if that is to go on.
+fn begin_folder(
+    out: &Path,
+    extent: Extent<'_>,
+    is_replacing_all: bool,
+    (progress, global): (&Progress, &GlobalArgs),
+) -> Result<OutputFolder, Failure> {
+    let leftover = match extent {
+        Extent::Run(_, rounds) if rounds.resume => Leftover::TakeOver,
+        _ => Leftover::Remove,
+    };
+    let replaceable = if is_replacing_all {
+        Replaceable::All
+    } else {
+        Replaceable::AllButRuns
+    };
+    let folder = OutputFolder::begin(out, leftover, replaceable)?;
+    if !global.quiet {
+        progress.aside(|| say_what_was_found(folder.found(), leftover));
+    }
+    if leftover == Leftover::TakeOver && folder.found().is_finished {
+        return Err(Failure::new(format!(
+            "{}: there is nothing to resume: the killed run was complete, and its results stand there",
+            out.display()
+        ))
+        .with_help("without --resume, wisch run begins anew"));
+    }
+    Ok(folder)
+}
+
+/// Where the episode is kept, if it is.
+fn episode_in_words(kept: &Kept) -> String {
+    match kept {
+        Ok(Some(kept)) => format!("  {:<18} {}\n", "episode", kept.place.display()),
+        _ => String::new(),
+    }
+}
+
+/// Says what there is to say of an episode that was kept; what it lacks is an error.
+fn remark_on(kept: &KeptEpisode) -> Result<(), Failure> {
+    for what in &kept.remarks {
+        remark(what);
+    }
+    if kept.without.is_empty() {
+        return Ok(());
+    }
+    Err(Failure::new(format!(
+        "{}: the episode is kept without {}",
+        kept.place.display(),
+        kept.without.join(", nor ")
+    ))
+    .with_help("queries of telemetry leave it out; wisch memory forget ID removes it"))
 }
 
 /// Whether a person or a safety system ended the last round, and nothing followed.

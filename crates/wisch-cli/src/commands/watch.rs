@@ -112,7 +112,7 @@ impl<'a> Watch<'a> {
 
 /// Writes what is measured: a bag of each round, and what a killed run can be resumed with.
 pub struct Recorder<'a> {
-    folder: &'a OutputFolder,
+    pub folder: &'a OutputFolder,
     progress: &'a Progress,
     pub checkpoints: Checkpoints,
     /// Rounds that an earlier run executed and recorded.

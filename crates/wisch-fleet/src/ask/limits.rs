@@ -21,7 +21,7 @@ const EXIT_ERROR: i32 = 2;
 
 /// What a statement may take.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Limits {
+pub struct SqlLimits {
     /// Longest time, from planning it to its last row.
     pub time: Duration,
     /// Most memory of the program [bytes]. Half of it is for sorting, grouping and joining; what sorts and groups more
@@ -29,7 +29,7 @@ pub struct Limits {
     pub memory: usize,
 }
 
-impl Default for Limits {
+impl Default for SqlLimits {
     fn default() -> Self {
         Self {
             time: Duration::from_secs(300),
@@ -38,7 +38,7 @@ impl Default for Limits {
     }
 }
 
-impl Limits {
+impl SqlLimits {
     /// Returns what sorting, grouping and joining may take [bytes].
     pub(super) fn pool(&self) -> usize {
         self.memory / 2
@@ -87,8 +87,8 @@ pub(super) fn check(sql: &str) -> Result<(), FleetError> {
 /// Ends the program with an error once a statement takes too much: what functions make of a row is in no pool, and what
 /// does not wait for anything cannot be broken off.
 #[derive(Debug)]
-pub struct Watch {
-    limits: Limits,
+pub struct LimitWatch {
+    limits: SqlLimits,
     begun: Instant,
     /// When the statement has to be over [ms since `begun`]; 0: there is none.
     deadline: AtomicU64,
@@ -96,9 +96,9 @@ pub struct Watch {
     folders: Mutex<Vec<PathBuf>>,
 }
 
-impl Watch {
+impl LimitWatch {
     /// Begins to watch this program.
-    pub fn begin(limits: Limits) -> Arc<Self> {
+    pub fn begin(limits: SqlLimits) -> Arc<Self> {
         let watch = Arc::new(Self {
             limits,
             begun: Instant::now(),
@@ -185,9 +185,9 @@ mod tests {
 
     #[tokio::test]
     async fn a_statement_that_takes_too_long_is_given_up() {
-        let limits = Limits {
+        let limits = SqlLimits {
             time: Duration::from_millis(10),
-            ..Limits::default()
+            ..SqlLimits::default()
         };
         let error = limits
             .within(std::future::pending::<Result<(), FleetError>>())

@@ -7,6 +7,6 @@ mod session;
 mod statement;
 pub mod views;
 
-pub use limits::{Limits, STACK, Watch};
+pub use limits::{SqlLimits, STACK, LimitWatch};
 pub use output::{Form, write};
-pub use session::{Session, Source};
+pub use session::{SqlSession, SqlSource};

@@ -1,11 +1,11 @@
 //! A table of a fleet, for DataFusion: the files that the log names, without those that what is asked rules out.
 
-use crate::store::{FileEntry, Place};
+use crate::store::{FileEntry, StorePlace};
 use crate::tables::Table;
 use crate::tables::file::VERSION;
 use async_trait::async_trait;
 use datafusion::arrow::datatypes::{DataType, Field, Schema, SchemaRef};
-use datafusion::catalog::{Session, TableProvider};
+use datafusion::catalog::{SqlSession, TableProvider};
 use datafusion::common::pruning::PrunableStatistics;
 use datafusion::common::stats::Precision;
 use datafusion::common::{
@@ -67,7 +67,7 @@ impl FleetTable {
     /// A file that a newer program wrote.
     pub(super) fn new<'a>(
         schema: SchemaRef,
-        place: &Place,
+        place: &StorePlace,
         store: ObjectStoreUrl,
         files: impl Iterator<Item = &'a FileEntry>,
     ) -> Result<Self> {
@@ -149,7 +149,7 @@ impl FleetTable {
     }
 
     /// The files that may hold rows for which all this is true.
-    fn needed(&self, state: &dyn Session, filters: &[Expr]) -> Result<Vec<&(Path, FileEntry)>> {
+    fn needed(&self, state: &dyn SqlSession, filters: &[Expr]) -> Result<Vec<&(Path, FileEntry)>> {
         let filter = conjunction(filters.to_vec()).filter(|_| !self.files.is_empty());
         let Some(filter) = filter else {
             return Ok(self.files.iter().collect());
@@ -193,7 +193,7 @@ impl TableProvider for FleetTable {
 
     async fn scan(
         &self,
-        state: &dyn Session,
+        state: &dyn SqlSession,
         projection: Option<&Vec<usize>>,
         filters: &[Expr],
         limit: Option<usize>,

@@ -1,11 +1,11 @@
 //! What a statement is run in: the tables of all sources, and the views.
 
-use super::limits::{Limits, check};
+use super::limits::{SqlLimits, check};
 use super::provider::{FleetTable, schema_in_memory};
 use super::views;
 #[cfg(feature = "cluster")]
 use crate::cluster::{Address, on_cluster};
-use crate::store::{FleetError, Place, Snapshot};
+use crate::store::{FleetError, StorePlace, Snapshot};
 use crate::tables::{TABLES, Table};
 use datafusion::arrow::array::{RecordBatch, StringArray};
 use datafusion::arrow::compute::cast;
@@ -27,29 +27,29 @@ const BUILT_ROWS_AT_ONCE: usize = 10_000_000;
 
 /// Where episodes are.
 #[derive(Debug, Clone)]
-pub struct Source {
+pub struct SqlSource {
     /// The place.
-    pub place: Place,
+    pub place: StorePlace,
     /// What counts of it.
     pub snapshot: Snapshot,
 }
 
-impl Source {
+impl SqlSource {
     /// A fleet as it is now.
     ///
     /// # Errors
     /// What the store says, or a log that cannot be read.
-    pub async fn open(place: Place) -> Result<Self, FleetError> {
+    pub async fn open(place: StorePlace) -> Result<Self, FleetError> {
         let snapshot = Snapshot::read(&place).await?;
         Ok(Self { place, snapshot })
     }
 }
 
 /// Tables and views that can be asked.
-pub struct Session {
+pub struct SqlSession {
     context: SessionContext,
     texts: Texts,
-    limits: Limits,
+    limits: SqlLimits,
     /// Where what does not fit into the memory is put.
     spill: TempDir,
     /// Episodes that more than one source has; those of the first count.
@@ -78,20 +78,20 @@ impl Texts {
     }
 }
 
-impl Session {
+impl SqlSession {
     /// Over all these sources. An episode that several have is taken from the first.
     ///
     /// # Errors
     /// A source that cannot be read.
-    pub async fn new(sources: &[Source]) -> Result<Self, FleetError> {
-        Self::with_limits(sources, Limits::default()).await
+    pub async fn new(sources: &[SqlSource]) -> Result<Self, FleetError> {
+        Self::with_limits(sources, SqlLimits::default()).await
     }
 
     /// The same with other limits than the default ones.
     ///
     /// # Errors
     /// The same.
-    pub async fn with_limits(sources: &[Source], limits: Limits) -> Result<Self, FleetError> {
+    pub async fn with_limits(sources: &[SqlSource], limits: SqlLimits) -> Result<Self, FleetError> {
         Self::over(sources, Texts::Views, limits).await
     }
 
@@ -101,9 +101,9 @@ impl Session {
     /// A source that cannot be read, or no scheduler.
     #[cfg(feature = "cluster")]
     pub async fn on_cluster(
-        sources: &[Source],
+        sources: &[SqlSource],
         cluster: &Address,
-        limits: Limits,
+        limits: SqlLimits,
     ) -> Result<Self, FleetError> {
         cluster.reach().await?;
         let mut session = Self::over(sources, Texts::Plain, limits).await?;
@@ -112,7 +112,7 @@ impl Session {
         Ok(session)
     }
 
-    async fn over(sources: &[Source], texts: Texts, limits: Limits) -> Result<Self, FleetError> {
+    async fn over(sources: &[SqlSource], texts: Texts, limits: SqlLimits) -> Result<Self, FleetError> {
         let mut config = SessionConfig::new()
             .with_information_schema(true)
             .with_target_partitions(thread::available_parallelism().map_or(1, usize::from));
@@ -150,7 +150,7 @@ impl Session {
         Ok(session)
     }
 
-    fn add(&self, number: usize, source: &Source) -> Result<(), FleetError> {
+    fn add(&self, number: usize, source: &SqlSource) -> Result<(), FleetError> {
         let store = ObjectStoreUrl::parse(format!("fleet{number}://"))?;
         let base = url::Url::parse(store.as_str()).map_err(|error| FleetError::Url {
             url: store.to_string(),

@@ -4,7 +4,7 @@ const TEXT: &str = include_str!("../views.sql");
 
 /// A view.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct View {
+pub struct SqlView {
     /// Its name.
     pub name: &'static str,
     /// What it means, line by line.
@@ -14,13 +14,13 @@ pub struct View {
 }
 
 /// All of them, in their order: later ones may build on earlier ones.
-pub fn all() -> impl Iterator<Item = View> {
+pub fn all() -> impl Iterator<Item = SqlView> {
     TEXT.split_inclusive(";\n").filter_map(|part| {
         let begin = part.find("CREATE VIEW ")?;
         let statement = part[begin..].trim_end().trim_end_matches(';');
         let name = statement.split_whitespace().nth(2)?;
         let about = part[..begin].trim();
-        Some(View {
+        Some(SqlView {
             name,
             // What stands before an empty line is about the file.
             about: about.rsplit("\n\n").next().unwrap_or(about),
@@ -29,7 +29,7 @@ pub fn all() -> impl Iterator<Item = View> {
     })
 }
 
-impl View {
+impl SqlView {
     /// What it means, as one text.
     pub fn meaning(&self) -> String {
         let lines = self.about.lines();
@@ -44,7 +44,7 @@ mod tests {
 
     #[test]
     fn every_view_says_what_it_means() {
-        let views: Vec<View> = all().collect();
+        let views: Vec<SqlView> = all().collect();
         assert_eq!(views.len(), TEXT.matches("CREATE VIEW ").count());
         for view in views {
             assert!(!view.meaning().is_empty(), "{}", view.name);

@@ -14,7 +14,7 @@ mod records;
 use std::collections::BTreeMap;
 use std::time::Instant;
 use wisch_fleet::moves::batch::{Grouping, Incoming, write};
-use wisch_fleet::store::{Commit, Place, Snapshot};
+use wisch_fleet::store::{Commit, StorePlace, Snapshot};
 
 /// Episodes of one file of each table.
 const TOGETHER: usize = 50_000;
@@ -32,7 +32,7 @@ async fn main() -> Result<(), Box<dyn std::error::Error>> {
         number("--episodes", 10_000)?,
         number("--robots", 100)?.max(1),
     );
-    let place = Place::open(asked.get("--out").copied().unwrap_or("fleet"))?;
+    let place = StorePlace::open(asked.get("--out").copied().unwrap_or("fleet"))?;
     let mut snapshot = Snapshot::read(&place).await?;
     let begun = Instant::now();
     let each = episodes.div_ceil(robots);

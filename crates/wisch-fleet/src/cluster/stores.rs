@@ -1,6 +1,6 @@
 //! Stores that executors open when a plan names them.
 
-use crate::store::Place;
+use crate::store::StorePlace;
 use datafusion::common::{DataFusionError, Result};
 use datafusion::execution::object_store::{DefaultObjectStoreRegistry, ObjectStoreRegistry};
 use object_store::ObjectStore;
@@ -26,7 +26,7 @@ impl ObjectStoreRegistry for Stores {
         if let Ok(store) = self.known.get_store(url) {
             return Ok(store);
         }
-        let place = Place::open(&url[..Position::BeforePath])
+        let place = StorePlace::open(&url[..Position::BeforePath])
             .map_err(|error| DataFusionError::External(Box::new(error)))?;
         self.known.register_store(url, place.store());
         Ok(place.store())

@@ -1,6 +1,6 @@
 //! Rows of episodes on their way into a fleet's files.
 
-use crate::store::{Created, FileEntry, FleetError, Place, sha256};
+use crate::store::{Created, FileEntry, FleetError, StorePlace, sha256};
 use crate::tables::file::{VERSION, to_bytes};
 use crate::tables::{Keep, Projection, TABLES, Table, day_of, robot_of};
 use datafusion::arrow::array::RecordBatch;
@@ -35,7 +35,7 @@ pub enum Grouping {
 
 /// What a file's rows have in common.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Extent {
+pub struct BatchExtent {
     /// First and last robot by name.
     pub robots: [String; 2],
     /// First and last day, days since 1970.
@@ -86,7 +86,7 @@ pub fn day_text(day: i32) -> String {
 /// # Errors
 /// Telemetry that cannot be read, or what the store says.
 pub async fn write(
-    place: &Place,
+    place: &StorePlace,
     mut episodes: Vec<Incoming>,
     grouping: Grouping,
 ) -> Result<Vec<FileEntry>, FleetError> {
@@ -122,7 +122,7 @@ pub async fn write(
 /// # Errors
 /// The same.
 pub async fn write_telemetry(
-    place: &Place,
+    place: &StorePlace,
     episodes: Vec<Incoming>,
 ) -> Result<Vec<FileEntry>, FleetError> {
     let mut files = Vec::new();
@@ -139,9 +139,9 @@ pub async fn write_telemetry(
 
 /// Writes a file for each table that has rows.
 async fn write_tables(
-    place: &Place,
+    place: &StorePlace,
     projection: Projection,
-    extent: &Extent,
+    extent: &BatchExtent,
 ) -> Result<Vec<FileEntry>, FleetError> {
     let mut files = Vec::new();
     for mut rows in projection.into_tables() {
@@ -153,12 +153,12 @@ async fn write_tables(
 }
 
 /// What a file of these episodes says of itself. There is one at least.
-fn extent_of(group: &[Incoming]) -> Extent {
+fn extent_of(group: &[Incoming]) -> BatchExtent {
     let robots = || group.iter().map(|one| one.robot.clone());
     let days = || group.iter().map(Incoming::day);
     let starts = group.iter().map(|one| one.record.interval[0]);
     let ends = group.iter().map(|one| one.record.interval[1]);
-    Extent {
+    BatchExtent {
         robots: [
             robots().min().unwrap_or_default(),
             robots().max().unwrap_or_default(),
@@ -180,11 +180,11 @@ fn extent_of(group: &[Incoming]) -> Extent {
 /// # Errors
 /// What the store says.
 pub async fn write_file(
-    place: &Place,
+    place: &StorePlace,
     table: &Table,
     schema: SchemaRef,
     batches: &[RecordBatch],
-    extent: Extent,
+    extent: BatchExtent,
 ) -> Result<FileEntry, FleetError> {
     let bytes = to_bytes(table, schema, batches).map_err(DataFusionError::from)?;
     let sum = sha256(&bytes);

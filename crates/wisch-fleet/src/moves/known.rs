@@ -1,7 +1,7 @@
 //! Which episodes a fleet has: read from the files of the days in question.
 
 use super::batch::day_text;
-use crate::store::{FileEntry, FleetError, Place, Snapshot};
+use crate::store::{FileEntry, FleetError, StorePlace, Snapshot};
 use datafusion::arrow::array::{Array, AsArray};
 use datafusion::arrow::compute::cast;
 use datafusion::arrow::datatypes::DataType;
@@ -35,7 +35,7 @@ impl Known {
     /// What the store says, or a file that cannot be read.
     pub(super) async fn read(
         &mut self,
-        place: &Place,
+        place: &StorePlace,
         snapshot: &Snapshot,
         days: Option<[i32; 2]>,
     ) -> Result<(), FleetError> {

@@ -3,8 +3,8 @@
 
 use super::batch::{Grouping, Incoming, write, write_telemetry};
 use super::known::Known;
-use crate::ask::Source;
-use crate::store::{Commit, Committed, FleetError, Place, Snapshot};
+use crate::ask::SqlSource;
+use crate::store::{Commit, Committed, FleetError, StorePlace, Snapshot};
 use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -25,7 +25,7 @@ pub enum Part {
 /// Rows of a memory, and the folder that goes with them where the memory may not be written.
 pub struct Local {
     /// What is asked.
-    pub sources: Vec<Source>,
+    pub sources: Vec<SqlSource>,
     /// Episodes that cannot be read, with the reason.
     pub left_out: Vec<String>,
     _elsewhere: Option<tempfile::TempDir>,
@@ -49,7 +49,7 @@ pub async fn local(memory: &Memory, part: Part) -> Result<Local, FleetError> {
     };
     let mut left_out = Vec::new();
     let facts = up_to_date(memory, &folder.join("fleet"), Part::Facts, &mut left_out).await?;
-    let mut facts = Source::open(facts).await?;
+    let mut facts = SqlSource::open(facts).await?;
     if part == Part::Telemetry {
         let mut again = Vec::new();
         let place = folder.join("fleet").join("telemetry");
@@ -82,8 +82,8 @@ async fn up_to_date(
     folder: &Path,
     part: Part,
     left_out: &mut Vec<String>,
-) -> Result<Place, FleetError> {
-    let place = Place::open(&folder.display().to_string())?;
+) -> Result<StorePlace, FleetError> {
+    let place = StorePlace::open(&folder.display().to_string())?;
     let (mut snapshot, mut known) = match read(&place).await {
         Ok(found) => found,
         // Whatever is wrong with it, it can be made anew.
@@ -146,14 +146,14 @@ async fn up_to_date(
     Ok(place)
 }
 
-async fn read(place: &Place) -> Result<(Snapshot, Known), FleetError> {
+async fn read(place: &StorePlace) -> Result<(Snapshot, Known), FleetError> {
     let snapshot = Snapshot::read(place).await?;
     let mut known = Known::new();
     known.read(place, &snapshot, None).await?;
     Ok((snapshot, known))
 }
 
-async fn empty(folder: &Path, place: &Place) -> Result<(Snapshot, Known), FleetError> {
+async fn empty(folder: &Path, place: &StorePlace) -> Result<(Snapshot, Known), FleetError> {
     match fs::remove_dir_all(folder) {
         Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(FleetError::File {
             path: PathBuf::from(folder),

@@ -1,8 +1,8 @@
 //! Episodes out of a fleet into a memory: those that the filters select, byte for byte.
 
 use super::push::{archive_name, telemetry_name};
-use crate::ask::{Session, Source};
-use crate::store::{Archive, FleetError, Place, Snapshot, identity_of, is_telemetry};
+use crate::ask::{SqlSession, SqlSource};
+use crate::store::{Archive, FleetError, StorePlace, Snapshot, identity_of, is_telemetry};
 use datafusion::arrow::array::{Array, ArrayRef, AsArray, RecordBatch};
 use datafusion::arrow::compute::cast;
 use datafusion::arrow::datatypes::{DataType, Int64Type};
@@ -102,18 +102,18 @@ impl Filter {
 /// # Errors
 /// A log or a table that is damaged, or what the store or the system says. What came before stays.
 pub async fn pull(
-    place: &Place,
+    place: &StorePlace,
     memory: &Memory,
     filter: &Filter,
     report: &mut (dyn FnMut(usize, usize) + Send),
 ) -> Result<Pulled, FleetError> {
-    let source = Source::open(place.clone()).await?;
+    let source = SqlSource::open(place.clone()).await?;
     let snapshot = source.snapshot.clone();
     let of = snapshot
         .files_of("episodes")
         .map(|file| file.rows)
         .sum::<u64>();
-    let session = Session::new(&[source]).await?;
+    let session = SqlSession::new(&[source]).await?;
     let mut selected = Vec::new();
     for batch in session.rows(&filter.statement()).await? {
         selected.extend(kept(&batch)?);
@@ -203,7 +203,7 @@ enum Came {
 
 /// Brings one episode into the memory, if it is not there already.
 async fn bring(
-    place: &Place,
+    place: &StorePlace,
     memory: &Memory,
     snapshot: &Snapshot,
     one: &Kept,
@@ -227,7 +227,7 @@ async fn bring(
 
 /// Brings one episode into the memory.
 async fn fetch(
-    place: &Place,
+    place: &StorePlace,
     memory: &Memory,
     snapshot: &Snapshot,
     one: &Kept,
@@ -260,7 +260,7 @@ async fn fetch(
 
 /// The files of an archive that is what was written.
 pub(super) async fn checked(
-    place: &Place,
+    place: &StorePlace,
     name: &str,
     sum: &str,
 ) -> Result<Vec<(String, Vec<u8>)>, FleetError> {

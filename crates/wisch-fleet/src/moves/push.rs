@@ -2,7 +2,7 @@
 
 use super::batch::{Grouping, Incoming, write};
 use super::known::Known;
-use crate::store::{Archive, Commit, Committed, Created, FleetError, Place, Snapshot, identity_of};
+use crate::store::{Archive, Commit, Committed, Created, FleetError, StorePlace, Snapshot, identity_of};
 use crate::tables::{Keep, day_of};
 use std::collections::HashSet;
 use wisch_memory::{Catalogue, Episode, Memory};
@@ -39,7 +39,7 @@ pub struct Pushed {
 /// An episode that is damaged, or of the name of another one, or what the store says. What was committed before stays.
 pub async fn push(
     memory: &Memory,
-    place: &Place,
+    place: &StorePlace,
     options: &PushOptions,
     report: &mut (dyn FnMut(usize, usize) + Send),
 ) -> Result<Pushed, FleetError> {
@@ -112,7 +112,7 @@ fn days(catalogue: &Catalogue) -> [i32; 2] {
 }
 
 /// Whether what is there is the same episode.
-fn same(episode: &Episode, identity: &str, place: &Place, there: &str) -> Result<(), FleetError> {
+fn same(episode: &Episode, identity: &str, place: &StorePlace, there: &str) -> Result<(), FleetError> {
     if identity == there {
         return Ok(());
     }
@@ -137,7 +137,7 @@ pub(super) fn telemetry_name(id: &str) -> String {
 
 /// Brings an episode's archives in; they count when the commit does that names them.
 async fn archive(
-    place: &Place,
+    place: &StorePlace,
     episode: &Episode,
     identity: String,
     options: &PushOptions,
@@ -200,7 +200,7 @@ async fn archive(
 
 /// Writes the rows of a batch and commits them. What another writer has brought in meanwhile is left out.
 async fn commit(
-    place: &Place,
+    place: &StorePlace,
     snapshot: &mut Snapshot,
     mut batch: Vec<Incoming>,
     pushed: &mut Pushed,

@@ -1,9 +1,9 @@
 //! What keeps a fleet in order: few large files, no telemetry beyond its time, and nothing left of what has not counted for long.
 //! What somebody may be reading is never deleted: first it leaves the log, and objects go when they have not counted for long.
 
-use super::batch::{Extent, day_text, write_file};
-use crate::ask::{Session, Source};
-use crate::store::{Commit, Committed, FileEntry, FleetError, Place, Snapshot};
+use super::batch::{BatchExtent, day_text, write_file};
+use crate::ask::{SqlSession, SqlSource};
+use crate::store::{Commit, Committed, FileEntry, FleetError, StorePlace, Snapshot};
 use crate::tables::{TABLES, Table, day_of, table};
 use datafusion::arrow::array::RecordBatch;
 use std::collections::HashSet;
@@ -42,7 +42,7 @@ pub struct Retained {
 ///
 /// # Errors
 /// What the store says.
-pub async fn compact(place: &Place) -> Result<Compacted, FleetError> {
+pub async fn compact(place: &StorePlace) -> Result<Compacted, FleetError> {
     let mut compacted = Compacted::default();
     let mut snapshot = Snapshot::read(place).await?;
     for table in &TABLES {
@@ -68,7 +68,7 @@ pub async fn compact(place: &Place) -> Result<Compacted, FleetError> {
 
 /// Commits, unless a file that is to go has gone already: whether it did.
 async fn replace(
-    place: &Place,
+    place: &StorePlace,
     snapshot: &mut Snapshot,
     commit: &Commit,
 ) -> Result<bool, FleetError> {
@@ -120,7 +120,7 @@ fn groups(snapshot: &Snapshot, table: &Table) -> Vec<Vec<FileEntry>> {
 
 /// Writes what some files hold as one.
 async fn merged(
-    place: &Place,
+    place: &StorePlace,
     snapshot: &Snapshot,
     table: &Table,
     group: &[FileEntry],
@@ -130,11 +130,11 @@ async fn merged(
         files: files.collect(),
         ..snapshot.clone()
     };
-    let source = Source {
+    let source = SqlSource {
         place: place.clone(),
         snapshot: only,
     };
-    let session = Session::new(&[source]).await?;
+    let session = SqlSession::new(&[source]).await?;
     let within = if table.place("place").is_some() {
         "place"
     } else if table.name == "telemetry" {
@@ -177,7 +177,7 @@ async fn merged(
 }
 
 /// What the files of a group have in common.
-fn extent(group: &[FileEntry]) -> Extent {
+fn extent(group: &[FileEntry]) -> BatchExtent {
     let least =
         |of: fn(&FileEntry) -> &String| group.iter().map(of).min().cloned().unwrap_or_default();
     let greatest =
@@ -187,7 +187,7 @@ fn extent(group: &[FileEntry]) -> Extent {
         let zoned = date.and_then(|date| date.to_zoned(jiff::tz::TimeZone::UTC).ok());
         zoned.map_or(0, |zoned| day_of(zoned.timestamp().as_second() as f64))
     };
-    Extent {
+    BatchExtent {
         robots: [
             least(|file| &file.robots[0]),
             greatest(|file| &file.robots[1]),
@@ -214,7 +214,7 @@ fn extent(group: &[FileEntry]) -> Extent {
 ///
 /// # Errors
 /// What the store says.
-pub async fn retain(place: &Place, before: f64) -> Result<Retained, FleetError> {
+pub async fn retain(place: &StorePlace, before: f64) -> Result<Retained, FleetError> {
     let since = day_text(day_of(before));
     let mut snapshot = Snapshot::read(place).await?;
     for _ in 0..TRIES {
@@ -244,7 +244,7 @@ pub async fn retain(place: &Place, before: f64) -> Result<Retained, FleetError> 
 ///
 /// # Errors
 /// What the store says.
-pub async fn purge(place: &Place, before: f64) -> Result<usize, FleetError> {
+pub async fn purge(place: &StorePlace, before: f64) -> Result<usize, FleetError> {
     let mut snapshot = Snapshot::read(place).await?;
     let removed = snapshot
         .removed
@@ -282,16 +282,16 @@ pub async fn purge(place: &Place, before: f64) -> Result<usize, FleetError> {
 
 /// Archives of telemetry that is not kept any more and were written before this time.
 async fn telemetry_before(
-    place: &Place,
+    place: &StorePlace,
     snapshot: &Snapshot,
     before: f64,
 ) -> Result<Vec<String>, FleetError> {
     let since = snapshot.telemetry_since.clone().unwrap_or_default();
-    let source = Source {
+    let source = SqlSource {
         place: place.clone(),
         snapshot: snapshot.clone(),
     };
-    let session = Session::new(&[source]).await?;
+    let session = SqlSession::new(&[source]).await?;
     let old = format!(
         "SELECT episode FROM episodes WHERE day < '{since}' AND telemetry_sha256 IS NOT NULL"
     );

@@ -3,8 +3,8 @@
 use super::pull::{checked, texts};
 use super::push::{archive_name, telemetry_name};
 use super::upkeep::table_of;
-use crate::ask::{Session, Source};
-use crate::store::{FleetError, Place, sha256};
+use crate::ask::{SqlSession, SqlSource};
+use crate::store::{FleetError, StorePlace, sha256};
 use std::collections::HashSet;
 
 /// What was found.
@@ -23,10 +23,10 @@ pub struct Verified {
 /// # Errors
 /// If the log or the table of episodes cannot be read.
 pub async fn verify(
-    place: &Place,
+    place: &StorePlace,
     report: &mut (dyn FnMut(usize, usize) + Send),
 ) -> Result<Verified, FleetError> {
-    let source = Source::open(place.clone()).await?;
+    let source = SqlSource::open(place.clone()).await?;
     let files: Vec<_> = source.snapshot.files.values().cloned().collect();
     let since = source.snapshot.telemetry_since.clone().unwrap_or_default();
     let mut verified = Verified::default();
@@ -61,7 +61,7 @@ pub async fn verify(
     if !verified.faults.is_empty() {
         return Ok(verified);
     }
-    let session = Session::new(&[source]).await?;
+    let session = SqlSession::new(&[source]).await?;
     let all = "SELECT episode, CAST(day AS VARCHAR), archive_sha256, telemetry_sha256 FROM episodes ORDER BY episode";
     let mut seen = HashSet::new();
     for batch in session.rows(all).await? {

@@ -2,7 +2,7 @@
 //! number.
 
 use super::error::FleetError;
-use super::place::{Created, Place};
+use super::place::{Created, StorePlace};
 use crate::tables::file::VERSION;
 use bytes::Bytes;
 use serde::{Deserialize, Serialize};
@@ -121,7 +121,7 @@ impl Snapshot {
     ///
     /// # Errors
     /// What the store says, or a log that cannot be read.
-    pub async fn read(place: &Place) -> Result<Self, FleetError> {
+    pub async fn read(place: &StorePlace) -> Result<Self, FleetError> {
         let mut snapshot = Self::checkpoint(place).await?.unwrap_or(Self {
             version: VERSION,
             next: 0,
@@ -133,7 +133,7 @@ impl Snapshot {
         Ok(snapshot)
     }
 
-    async fn checkpoint(place: &Place) -> Result<Option<Self>, FleetError> {
+    async fn checkpoint(place: &StorePlace) -> Result<Option<Self>, FleetError> {
         let Some(latest) = place.find(LATEST).await? else {
             return Ok(None);
         };
@@ -153,7 +153,7 @@ impl Snapshot {
     ///
     /// # Errors
     /// What the store says, or a log that cannot be read.
-    pub async fn refresh(&mut self, place: &Place) -> Result<Vec<Commit>, FleetError> {
+    pub async fn refresh(&mut self, place: &StorePlace) -> Result<Vec<Commit>, FleetError> {
         let mut newer = Vec::new();
         loop {
             let name = commit_name(self.next);
@@ -199,7 +199,7 @@ impl Snapshot {
     /// What the store says.
     pub async fn commit(
         &mut self,
-        place: &Place,
+        place: &StorePlace,
         commit: &Commit,
     ) -> Result<Committed, FleetError> {
         let name = commit_name(self.next);
@@ -246,7 +246,7 @@ fn to_json(value: &impl Serialize) -> Bytes {
 
 /// A commit or a checkpoint; its version is looked at first, as what else it says may have changed.
 fn parsed<T: for<'a> Deserialize<'a>>(
-    place: &Place,
+    place: &StorePlace,
     name: &str,
     bytes: &[u8],
 ) -> Result<T, FleetError> {

@@ -26,4 +26,4 @@ pub use error::FleetError;
 #[cfg(feature = "cluster")]
 pub(crate) use error::without_echo;
 pub use log::{Commit, Committed, FileEntry, Removed, Snapshot, now};
-pub use place::{Created, Place};
+pub use place::{Created, StorePlace};

@@ -23,7 +23,7 @@ const LARGEST_OBJECT: u64 = 5 << 30;
 
 /// A fleet's place.
 #[derive(Debug, Clone)]
-pub struct Place {
+pub struct StorePlace {
     /// As it is printed.
     url: String,
     store: Arc<dyn ObjectStore>,
@@ -39,7 +39,7 @@ pub enum Created {
     There,
 }
 
-impl Place {
+impl StorePlace {
     /// The place of a URL: `s3://bucket/prefix`, `file:///folder`, or a folder.
     ///
     /// # Errors

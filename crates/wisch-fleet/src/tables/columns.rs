@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 /// What a column holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum ColumnKind {
     /// A text.
     Text,
     /// A number of double precision.
@@ -22,7 +22,7 @@ pub enum Kind {
     Day,
 }
 
-impl Kind {
+impl ColumnKind {
     /// As SQL calls it.
     pub const fn name(self) -> &'static str {
         match self {
@@ -56,7 +56,7 @@ pub struct Column {
     /// Its name, with the unit where it has one.
     pub name: &'static str,
     /// What it holds.
-    pub kind: Kind,
+    pub kind: ColumnKind,
     /// Its unit; `–` where there is none.
     pub unit: &'static str,
     /// What it means, and in which frame.
@@ -93,7 +93,7 @@ pub fn table(name: &str) -> Option<&'static Table> {
     TABLES.iter().find(|table| table.name == name)
 }
 
-const fn column(name: &'static str, kind: Kind, unit: &'static str, about: &'static str) -> Column {
+const fn column(name: &'static str, kind: ColumnKind, unit: &'static str, about: &'static str) -> Column {
     Column {
         name,
         kind,
@@ -104,91 +104,91 @@ const fn column(name: &'static str, kind: Kind, unit: &'static str, about: &'sta
 
 const ROBOT: Column = column(
     "robot",
-    Kind::Text,
+    ColumnKind::Text,
     "–",
     "who did it; `unknown` in logs that do not say",
 );
-const DAY: Column = column("day", Kind::Day, "–", "day on which the episode began, UTC");
-const EPISODE: Column = column("episode", Kind::Text, "–", "name of the episode");
-const ROUND: Column = column("round", Kind::Whole, "–", "number of the round, from 1");
+const DAY: Column = column("day", ColumnKind::Day, "–", "day on which the episode began, UTC");
+const EPISODE: Column = column("episode", ColumnKind::Text, "–", "name of the episode");
+const ROUND: Column = column("round", ColumnKind::Whole, "–", "number of the round, from 1");
 const PLACE: Column = column(
     "place",
-    Kind::Whole,
+    ColumnKind::Whole,
     "–",
     "place in the episode's record: `CLASS_EPISODE-PLACE` is its name in `wisch ask`",
 );
 const CLASS: Column = column(
     "class",
-    Kind::Text,
+    ColumnKind::Text,
     "–",
     "class in the ontology, without prefix",
 );
 const START: Column = column(
     "start_s",
-    Kind::Number,
+    ColumnKind::Number,
     "s",
     "when it began, since 1970 UTC",
 );
-const END: Column = column("end_s", Kind::Number, "s", "when it ended, since 1970 UTC");
-const TOOL: Column = column("tool", Kind::Text, "–", "tool it was done with");
+const END: Column = column("end_s", ColumnKind::Number, "s", "when it ended, since 1970 UTC");
+const TOOL: Column = column("tool", ColumnKind::Text, "–", "tool it was done with");
 const MEDIUM: Column = column(
     "medium",
-    Kind::Text,
+    ColumnKind::Text,
     "–",
     "what was to be wiped away or put on",
 );
-const SURFACE: Column = column("surface", Kind::Text, "–", "surface that was wiped");
+const SURFACE: Column = column("surface", ColumnKind::Text, "–", "surface that was wiped");
 const PREDICTED: Column = column(
     "predicted_performance",
-    Kind::Number,
+    ColumnKind::Number,
     "1",
     "performance that the plan promised, 0 to 1",
 );
 const PERFORMANCE: Column = column(
     "performance",
-    Kind::Number,
+    ColumnKind::Number,
     "1",
     "performance as it was estimated, 0 to 1",
 );
 const PERFORMANCE_LOW: Column = column(
     "performance_low",
-    Kind::Number,
+    ColumnKind::Number,
     "1",
     "lower end of the estimate's interval",
 );
 const PERFORMANCE_HIGH: Column = column(
     "performance_high",
-    Kind::Number,
+    ColumnKind::Number,
     "1",
     "upper end of the estimate's interval",
 );
 const TRUE_PERFORMANCE: Column = column(
     "true_performance",
-    Kind::Number,
+    ColumnKind::Number,
     "1",
     "performance as a simulated world knows it; null of a real one",
 );
 const SUCCEEDED: Column = column(
     "succeeded",
-    Kind::Truth,
+    ColumnKind::Truth,
     "–",
     "whether the goal counted as met",
 );
 const CONTACT_SHARE: Column = column(
     "contact_share",
-    Kind::Number,
+    ColumnKind::Number,
     "1",
     "share of the wiping time in contact",
 );
 const MEAN_FORCE: Column = column(
     "mean_normal_force_n",
-    Kind::Number,
+    ColumnKind::Number,
     "N",
     "mean force of the surroundings on the tool along the surface's normal, over contact",
 );
 const PEAK_FORCE: Column = column(
     "peak_force_n",
-    Kind::Number,
+    ColumnKind::Number,
     "N",
     "largest size of the outer force on the tool",
 );
@@ -204,23 +204,23 @@ pub const TABLES: [Table; 7] = [
             EPISODE,
             START,
             END,
-            column("task", Kind::Text, "–", "name of the task"),
+            column("task", ColumnKind::Text, "–", "name of the task"),
             column(
                 "origin",
-                Kind::Text,
+                ColumnKind::Text,
                 "–",
                 "`simulated`, `executor`, or the log that it was read from",
             ),
             column(
                 "program",
-                Kind::Text,
+                ColumnKind::Text,
                 "–",
                 "program and version that wrote it",
             ),
-            column("seed", Kind::Long, "–", "seed of the run"),
+            column("seed", ColumnKind::Long, "–", "seed of the run"),
             column(
                 "action",
-                Kind::Text,
+                ColumnKind::Text,
                 "–",
                 "class of what was to be done, such as `Absorbing`",
             ),
@@ -229,21 +229,21 @@ pub const TABLES: [Table; 7] = [
             SURFACE,
             column(
                 "strategy",
-                Kind::Text,
+                ColumnKind::Text,
                 "–",
                 "coverage strategy of the first plan",
             ),
-            column("goal", Kind::Text, "–", "the goal in PDDL"),
+            column("goal", ColumnKind::Text, "–", "the goal in PDDL"),
             column(
                 "target",
-                Kind::Number,
+                ColumnKind::Number,
                 "1",
                 "performance at which the goal counted as met",
             ),
-            column("rounds", Kind::Whole, "–", "how many rounds there were"),
+            column("rounds", ColumnKind::Whole, "–", "how many rounds there were"),
             column(
                 "collisions",
-                Kind::Whole,
+                ColumnKind::Whole,
                 "–",
                 "how many times somebody ran into the robot",
             ),
@@ -255,26 +255,26 @@ pub const TABLES: [Table; 7] = [
             SUCCEEDED,
             column(
                 "identity",
-                Kind::Text,
+                ColumnKind::Text,
                 "–",
                 "SHA-256 of the episode's `checksums.json`",
             ),
             column(
                 "archive_sha256",
-                Kind::Text,
+                ColumnKind::Text,
                 "–",
                 "SHA-256 of the archive; null of a local memory",
             ),
-            column("archive_bytes", Kind::Long, "byte", "length of the archive"),
+            column("archive_bytes", ColumnKind::Long, "byte", "length of the archive"),
             column(
                 "telemetry_sha256",
-                Kind::Text,
+                ColumnKind::Text,
                 "–",
                 "SHA-256 of the archive of its telemetry, if it has any",
             ),
             column(
                 "telemetry_bytes",
-                Kind::Long,
+                ColumnKind::Long,
                 "byte",
                 "length of that archive",
             ),
@@ -296,7 +296,7 @@ pub const TABLES: [Table; 7] = [
             SURFACE,
             column(
                 "strokes",
-                Kind::Whole,
+                ColumnKind::Whole,
                 "–",
                 "how many strokes were to be made",
             ),
@@ -309,35 +309,35 @@ pub const TABLES: [Table; 7] = [
             MEAN_FORCE,
             column(
                 "force_bias_n",
-                Kind::Number,
+                ColumnKind::Number,
                 "N",
                 "bias found in the sensor's normal force",
             ),
             column(
                 "plane_tilt_rad",
-                Kind::Number,
+                ColumnKind::Number,
                 "rad",
                 "angle between the plane found and the one believed",
             ),
             column(
                 "plane_offset_m",
-                Kind::Number,
+                ColumnKind::Number,
                 "m",
                 "where the plane found lies above the one believed, along its normal",
             ),
             column(
                 "verdict",
-                Kind::Text,
+                ColumnKind::Text,
                 "–",
                 "what followed from it, such as `goal met`",
             ),
             column(
                 "diagnosis",
-                Kind::Text,
+                ColumnKind::Text,
                 "–",
                 "what touch said of the surface, such as `localized`",
             ),
-            column("ending", Kind::Text, "–", "how its execution ended"),
+            column("ending", ColumnKind::Text, "–", "how its execution ended"),
             SUCCEEDED,
         ],
     },
@@ -352,7 +352,7 @@ pub const TABLES: [Table; 7] = [
             PLACE,
             column(
                 "stroke",
-                Kind::Whole,
+                ColumnKind::Whole,
                 "–",
                 "number of the stroke in its round, from 0",
             ),
@@ -384,24 +384,24 @@ pub const TABLES: [Table; 7] = [
             END,
             column(
                 "during",
-                Kind::Whole,
+                ColumnKind::Whole,
                 "–",
                 "place of the motion during which it was; null between motions",
             ),
-            column("during_class", Kind::Text, "–", "class of that motion"),
+            column("during_class", ColumnKind::Text, "–", "class of that motion"),
             TOOL,
-            column("samples", Kind::Whole, "–", "samples that it lasted"),
+            column("samples", ColumnKind::Whole, "–", "samples that it lasted"),
             MEAN_FORCE,
             PEAK_FORCE,
             column(
                 "peak_height_m",
-                Kind::Number,
+                ColumnKind::Number,
                 "m",
                 "height of the tool above the surface at the peak",
             ),
             column(
                 "edge_distance_m",
-                Kind::Number,
+                ColumnKind::Number,
                 "m",
                 "distance from the surface's edge where it began",
             ),
@@ -418,13 +418,13 @@ pub const TABLES: [Table; 7] = [
             CLASS,
             column(
                 "role",
-                Kind::Text,
+                ColumnKind::Text,
                 "–",
                 "relation in the ontology, such as `usesTool`",
             ),
             column(
                 "participant",
-                Kind::Text,
+                ColumnKind::Text,
                 "–",
                 "who or what, without prefix",
             ),
@@ -438,62 +438,62 @@ pub const TABLES: [Table; 7] = [
             DAY,
             EPISODE,
             ROUND,
-            column("time_s", Kind::Number, "s", "time since 1970 UTC"),
+            column("time_s", ColumnKind::Number, "s", "time since 1970 UTC"),
             column(
                 "round_time_s",
-                Kind::Number,
+                ColumnKind::Number,
                 "s",
                 "time since the round began",
             ),
-            column("motion", Kind::Whole, "–", "number of the motion"),
-            column("stroke", Kind::Whole, "–", "number of the stroke, or −1"),
+            column("motion", ColumnKind::Whole, "–", "number of the motion"),
+            column("stroke", ColumnKind::Whole, "–", "number of the stroke, or −1"),
             column(
                 "phase",
-                Kind::Text,
+                ColumnKind::Text,
                 "–",
                 "what the motion is for, such as `wipe`",
             ),
             column(
                 "commanded_x_m",
-                Kind::Single,
+                ColumnKind::Single,
                 "m",
                 "where the tool was told to be, in the world",
             ),
-            column("commanded_y_m", Kind::Single, "m", "likewise"),
-            column("commanded_z_m", Kind::Single, "m", "likewise"),
+            column("commanded_y_m", ColumnKind::Single, "m", "likewise"),
+            column("commanded_z_m", ColumnKind::Single, "m", "likewise"),
             column(
                 "measured_x_m",
-                Kind::Single,
+                ColumnKind::Single,
                 "m",
                 "where the tool is by the joints' positions, in the world",
             ),
-            column("measured_y_m", Kind::Single, "m", "likewise"),
-            column("measured_z_m", Kind::Single, "m", "likewise"),
+            column("measured_y_m", ColumnKind::Single, "m", "likewise"),
+            column("measured_z_m", ColumnKind::Single, "m", "likewise"),
             column(
                 "measured_qx",
-                Kind::Single,
+                ColumnKind::Single,
                 "1",
                 "how the tool is turned, as a quaternion x, y, z, w",
             ),
-            column("measured_qy", Kind::Single, "1", "likewise"),
-            column("measured_qz", Kind::Single, "1", "likewise"),
-            column("measured_qw", Kind::Single, "1", "likewise"),
+            column("measured_qy", ColumnKind::Single, "1", "likewise"),
+            column("measured_qz", ColumnKind::Single, "1", "likewise"),
+            column("measured_qw", ColumnKind::Single, "1", "likewise"),
             column(
                 "external_fx_n",
-                Kind::Single,
+                ColumnKind::Single,
                 "N",
                 "force of the surroundings on the tool, in the world's axes",
             ),
-            column("external_fy_n", Kind::Single, "N", "likewise"),
-            column("external_fz_n", Kind::Single, "N", "likewise"),
+            column("external_fy_n", ColumnKind::Single, "N", "likewise"),
+            column("external_fz_n", ColumnKind::Single, "N", "likewise"),
             column(
                 "external_mx_nm",
-                Kind::Single,
+                ColumnKind::Single,
                 "Nm",
                 "moment about the tool centre point, in the world's axes",
             ),
-            column("external_my_nm", Kind::Single, "Nm", "likewise"),
-            column("external_mz_nm", Kind::Single, "Nm", "likewise"),
+            column("external_my_nm", ColumnKind::Single, "Nm", "likewise"),
+            column("external_mz_nm", ColumnKind::Single, "Nm", "likewise"),
         ],
     },
 ];

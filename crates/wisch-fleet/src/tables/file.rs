@@ -1,6 +1,6 @@
 //! Rows as a Parquet file, laid out so that who asks for a robot, a day or a time reads little of it.
 
-use super::columns::{Kind, Table};
+use super::columns::{ColumnKind, Table};
 use datafusion::arrow::array::RecordBatch;
 use datafusion::arrow::datatypes::SchemaRef;
 use parquet::arrow::ArrowWriter;
@@ -35,7 +35,7 @@ pub fn properties(table: &Table) -> WriterProperties {
         )]));
     for column in table.columns {
         let path = ColumnPath::new(vec![column.name.to_owned()]);
-        if matches!(column.kind, Kind::Number | Kind::Single) {
+        if matches!(column.kind, ColumnKind::Number | ColumnKind::Single) {
             // Byte by byte, so that like stands beside like.
             properties = properties
                 .set_column_dictionary_enabled(path.clone(), false)

@@ -6,5 +6,5 @@ mod project;
 pub mod rows;
 mod telemetry;
 
-pub use columns::{Column, Kind, TABLES, Table, table};
+pub use columns::{Column, ColumnKind, TABLES, Table, table};
 pub use project::{Keep, Projection, day_of, robot_of};

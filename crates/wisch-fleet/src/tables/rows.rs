@@ -1,6 +1,6 @@
 //! Rows on their way into a table.
 
-use super::columns::{Kind, Table};
+use super::columns::{ColumnKind, Table};
 use datafusion::arrow::array::{
     ArrayRef, BooleanBuilder, Date32Builder, Float32Builder, Float64Builder, Int32Builder,
     Int64Builder, RecordBatch, StringBuilder,
@@ -10,19 +10,19 @@ use std::sync::Arc;
 /// A value of a row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Cell<'a> {
-    /// Of [`Kind::Text`].
+    /// Of [`ColumnKind::Text`].
     Text(Option<&'a str>),
-    /// Of [`Kind::Number`].
+    /// Of [`ColumnKind::Number`].
     Number(Option<f64>),
-    /// Of [`Kind::Single`].
+    /// Of [`ColumnKind::Single`].
     Single(Option<f32>),
-    /// Of [`Kind::Whole`].
+    /// Of [`ColumnKind::Whole`].
     Whole(Option<i32>),
-    /// Of [`Kind::Long`].
+    /// Of [`ColumnKind::Long`].
     Long(Option<i64>),
-    /// Of [`Kind::Truth`].
+    /// Of [`ColumnKind::Truth`].
     Truth(Option<bool>),
-    /// Of [`Kind::Day`]: days since 1970.
+    /// Of [`ColumnKind::Day`]: days since 1970.
     Day(i32),
 }
 
@@ -47,13 +47,13 @@ impl Rows {
     /// None yet.
     pub fn new(table: &'static Table) -> Self {
         let builder = |kind| match kind {
-            Kind::Text => Builder::Text(StringBuilder::new()),
-            Kind::Number => Builder::Number(Float64Builder::new()),
-            Kind::Single => Builder::Single(Float32Builder::new()),
-            Kind::Whole => Builder::Whole(Int32Builder::new()),
-            Kind::Long => Builder::Long(Int64Builder::new()),
-            Kind::Truth => Builder::Truth(BooleanBuilder::new()),
-            Kind::Day => Builder::Day(Date32Builder::new()),
+            ColumnKind::Text => Builder::Text(StringBuilder::new()),
+            ColumnKind::Number => Builder::Number(Float64Builder::new()),
+            ColumnKind::Single => Builder::Single(Float32Builder::new()),
+            ColumnKind::Whole => Builder::Whole(Int32Builder::new()),
+            ColumnKind::Long => Builder::Long(Int64Builder::new()),
+            ColumnKind::Truth => Builder::Truth(BooleanBuilder::new()),
+            ColumnKind::Day => Builder::Day(Date32Builder::new()),
         };
         Self {
             columns: table.columns.iter().map(|c| builder(c.kind)).collect(),

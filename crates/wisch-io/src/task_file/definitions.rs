@@ -4,7 +4,7 @@ use super::deserialize::At;
 use super::tables::{InteractionTable, MediumKindName, MediumTable, TaskTable, ToolTable};
 use super::tree::Source;
 use super::values::Name;
-use super::{TaskError, TaskFile};
+use super::{Intent, TaskError, TaskFile};
 use crate::knowledge::is_entry_name;
 use std::collections::BTreeSet;
 use wisch::geometry::Vector3;
@@ -46,12 +46,18 @@ pub(super) struct Definitions {
     interaction: Option<Overrides>,
 }
 
-/// The values of an interaction that a task file gives.
+/// How a tool is used on a medium, where it differs from the knowledge base's.
 #[derive(Debug, Clone, PartialEq)]
 struct Overrides {
     at: Place,
     /// Names of the tool and medium, which the file must say.
     pair: (String, String),
+    values: GivenValues,
+}
+
+/// The values of an interaction that a task file gives.
+#[derive(Debug, Clone, PartialEq, Default)]
+struct GivenValues {
     actions: Option<BTreeSet<Action>>,
     press_force_n: Option<f64>,
     stiffness_n_per_m: Option<f64>,
@@ -209,9 +215,7 @@ fn overrides(
         ),
         None => None,
     };
-    Ok(Overrides {
-        at: table.place(source),
-        pair: (tool.value.0.clone(), medium.value.0.clone()),
+    let values = GivenValues {
         actions,
         press_force_n: given.press_force_n.map(|force| force.0),
         stiffness_n_per_m: given.stiffness_n_per_m.map(|stiffness| stiffness.0),
@@ -226,6 +230,11 @@ fn overrides(
         redraw_length_m: given.redraw_length_m.map(|length| length.0),
         ln_redraw_length_spread: given.ln_redraw_length_spread.map(|spread| spread.0),
         kept_share: given.kept_share.map(|share| share.0),
+    };
+    Ok(Overrides {
+        at: table.place(source),
+        pair: (tool.value.0.clone(), medium.value.0.clone()),
+        values,
     })
 }
 
@@ -236,156 +245,130 @@ impl TaskFile {
     /// # Errors
     /// An interaction of a tool, medium or surface that neither the file nor the knowledge has.
     pub fn extend(&self, knowledge: &mut KnowledgeBase) -> Result<Vec<String>, TaskError> {
-        let Definitions {
-            tool,
-            medium,
-            surface,
-            interaction,
-        } = &self.definitions;
-        let is_new = tool.is_some() || medium.is_some();
-        tool.iter()
-            .for_each(|tool| knowledge.insert_tool(tool.clone()));
-        medium
-            .iter()
-            .for_each(|medium| knowledge.insert_medium(medium.clone()));
-        surface
-            .iter()
-            .for_each(|surface| knowledge.insert_surface(surface.clone()));
-        let surface = self.surface();
-        let pair = match (interaction, self.intent()) {
-            (Some(overrides), _) => overrides.pair.clone(),
-            (None, super::Intent::Action { tool, medium, .. }) if is_new => {
-                (tool.clone(), medium.clone())
+        let defined = &self.definitions;
+        defined.insert_entries(knowledge);
+        let bare;
+        let overrides = match (&defined.interaction, self.intent()) {
+            (Some(overrides), _) => overrides,
+            (None, Intent::Action { tool, medium, .. }) if defined.has_tool_or_medium() => {
+                bare = Overrides {
+                    at: self.tool_at.clone(),
+                    pair: (tool.clone(), medium.clone()),
+                    values: GivenValues::default(),
+                };
+                &bare
             }
             _ => return Ok(Vec::new()),
         };
-        let (tool, medium) = (&pair.0, &pair.1);
-        let at = interaction
-            .as_ref()
-            .map_or(&self.tool_at, |overrides| &overrides.at);
-        let unknown = |error: KnowledgeError| self.unknown(error, at);
-        let known = match knowledge.interaction(tool, medium, surface) {
-            Ok(known) => Some(known.clone()),
-            Err(KnowledgeError::NoInteraction { .. }) => None,
+        let (tool, medium) = &overrides.pair;
+        let surface = self.surface();
+        let unknown = |error: KnowledgeError| self.unknown(error, &overrides.at);
+        let (mut interaction, is_assumed) = match knowledge.interaction(tool, medium, surface) {
+            Ok(known) => (known.clone(), false),
+            Err(KnowledgeError::NoInteraction { .. }) => {
+                let tool = knowledge.tool(tool).map_err(unknown)?;
+                (assume_interaction(tool, medium, surface), true)
+            }
             Err(error) => return Err(unknown(error)),
         };
-        let is_assumed = known.is_none();
-        let mut assumed = Vec::new();
-        let mut interaction_now = match known {
-            Some(known) => known,
-            None => Interaction {
-                tool: tool.clone(),
-                medium: medium.clone(),
-                surface: SurfaceScope::Named(surface.to_owned()),
-                actions: Action::ALL.into_iter().collect(),
-                press_force_n: PRESS_FORCE,
-                stiffness_n_per_m: STIFFNESS,
-                damping_ratio: DAMPING_RATIO,
-                nullspace_posture_weight: POSTURE_WEIGHT,
-                compression_depth_m: knowledge.tool(tool).map_err(unknown)?.compression_depth_m,
-                gap_m: 0.0,
-                likelihood: LIKELIHOOD,
-                likelihood_spread: LogNormalSpread::default(),
-                redraw: Redraw::default(),
-            },
-        };
         // A scope of all surfaces stays as it is for the others.
-        interaction_now.surface = SurfaceScope::Named(surface.to_owned());
-        let none = Overrides::none(at, &pair);
-        let given = interaction.as_ref().unwrap_or(&none);
-        if let Some(actions) = &given.actions {
-            interaction_now.actions.clone_from(actions);
-        }
-        if let Some(length) = given.redraw_length_m {
-            interaction_now.redraw.length_m = Some(length);
-        }
-        for (given, value) in [
-            (
-                given.ln_redraw_length_spread,
-                &mut interaction_now.redraw.ln_length_spread,
-            ),
-            (given.kept_share, &mut interaction_now.redraw.kept_share),
-            (given.gap_m, &mut interaction_now.gap_m),
-        ] {
-            *value = given.unwrap_or(*value);
-        }
-        for (key, given, value) in [
-            (
-                "press_force_n",
-                given.press_force_n,
-                &mut interaction_now.press_force_n,
-            ),
-            (
-                "stiffness_n_per_m",
-                given.stiffness_n_per_m,
-                &mut interaction_now.stiffness_n_per_m,
-            ),
-            (
-                "damping_ratio",
-                given.damping_ratio,
-                &mut interaction_now.damping_ratio,
-            ),
-            (
-                "nullspace_posture_weight",
-                given.nullspace_posture_weight,
-                &mut interaction_now.nullspace_posture_weight,
-            ),
-            (
-                "compression_depth_m",
-                given.compression_depth_m,
-                &mut interaction_now.compression_depth_m,
-            ),
-            ("mu", given.mu, &mut interaction_now.likelihood.mu),
-            ("sigma", given.sigma, &mut interaction_now.likelihood.sigma),
-            (
-                "mu_spread",
-                given.mu_spread,
-                &mut interaction_now.likelihood_spread.mu,
-            ),
-            (
-                "ln_sigma_spread",
-                given.ln_sigma_spread,
-                &mut interaction_now.likelihood_spread.ln_sigma,
-            ),
-        ] {
-            match given {
-                Some(given) => *value = given,
-                None if is_assumed => assumed.push(format!("{key} = {value}")),
-                None => {}
-            }
-        }
-        knowledge
-            .insert_interaction(interaction_now)
-            .map_err(unknown)?;
-        if assumed.is_empty() {
+        interaction.surface = SurfaceScope::Named(surface.to_owned());
+        let kept = overrides.values.apply(&mut interaction);
+        knowledge.insert_interaction(interaction).map_err(unknown)?;
+        if !is_assumed || kept.is_empty() {
             return Ok(Vec::new());
         }
         Ok(vec![format!(
             "nothing is known of {tool} on {medium} on {surface}: assuming {} (set them in [interaction])",
-            assumed.join(", ")
+            kept.join(", ")
         )])
     }
 }
 
-impl Overrides {
-    fn none(at: &Place, pair: &(String, String)) -> Self {
-        Self {
-            at: at.clone(),
-            pair: pair.clone(),
-            actions: None,
-            press_force_n: None,
-            stiffness_n_per_m: None,
-            damping_ratio: None,
-            nullspace_posture_weight: None,
-            compression_depth_m: None,
-            gap_m: None,
-            mu: None,
-            sigma: None,
-            mu_spread: None,
-            ln_sigma_spread: None,
-            redraw_length_m: None,
-            ln_redraw_length_spread: None,
-            kept_share: None,
+/// Returns the interaction that stands in for a pair of which nothing is known.
+fn assume_interaction(tool: &ToolEntry, medium: &str, surface: &str) -> Interaction {
+    Interaction {
+        tool: tool.name.clone(),
+        medium: medium.to_owned(),
+        surface: SurfaceScope::Named(surface.to_owned()),
+        actions: Action::ALL.into_iter().collect(),
+        press_force_n: PRESS_FORCE,
+        stiffness_n_per_m: STIFFNESS,
+        damping_ratio: DAMPING_RATIO,
+        nullspace_posture_weight: POSTURE_WEIGHT,
+        compression_depth_m: tool.compression_depth_m,
+        gap_m: 0.0,
+        likelihood: LIKELIHOOD,
+        likelihood_spread: LogNormalSpread::default(),
+        redraw: Redraw::default(),
+    }
+}
+
+impl Definitions {
+    /// Adds the tool, medium and surface to the knowledge base.
+    fn insert_entries(&self, knowledge: &mut KnowledgeBase) {
+        if let Some(tool) = &self.tool {
+            knowledge.insert_tool(tool.clone());
         }
+        if let Some(medium) = &self.medium {
+            knowledge.insert_medium(medium.clone());
+        }
+        if let Some(surface) = &self.surface {
+            knowledge.insert_surface(surface.clone());
+        }
+    }
+
+    fn has_tool_or_medium(&self) -> bool {
+        self.tool.is_some() || self.medium.is_some()
+    }
+}
+
+impl GivenValues {
+    /// Sets the given values in an interaction, and returns `key = value` of each force, stiffness, damping, weight, depth
+    /// and likelihood parameter that is not given.
+    fn apply(&self, to: &mut Interaction) -> Vec<String> {
+        if let Some(actions) = &self.actions {
+            to.actions.clone_from(actions);
+        }
+        let redraw = &mut to.redraw;
+        redraw.length_m = self.redraw_length_m.or(redraw.length_m);
+        for (given, value) in [
+            (self.ln_redraw_length_spread, &mut redraw.ln_length_spread),
+            (self.kept_share, &mut redraw.kept_share),
+            (self.gap_m, &mut to.gap_m),
+        ] {
+            *value = given.unwrap_or(*value);
+        }
+        let mut kept = Vec::new();
+        let mut set = |key: &str, value: &mut f64, given: Option<f64>| match given {
+            Some(given) => *value = given,
+            None => kept.push(format!("{key} = {value}")),
+        };
+        set("press_force_n", &mut to.press_force_n, self.press_force_n);
+        set(
+            "stiffness_n_per_m",
+            &mut to.stiffness_n_per_m,
+            self.stiffness_n_per_m,
+        );
+        set("damping_ratio", &mut to.damping_ratio, self.damping_ratio);
+        set(
+            "nullspace_posture_weight",
+            &mut to.nullspace_posture_weight,
+            self.nullspace_posture_weight,
+        );
+        set(
+            "compression_depth_m",
+            &mut to.compression_depth_m,
+            self.compression_depth_m,
+        );
+        set("mu", &mut to.likelihood.mu, self.mu);
+        set("sigma", &mut to.likelihood.sigma, self.sigma);
+        set("mu_spread", &mut to.likelihood_spread.mu, self.mu_spread);
+        set(
+            "ln_sigma_spread",
+            &mut to.likelihood_spread.ln_sigma,
+            self.ln_sigma_spread,
+        );
+        kept
     }
 }

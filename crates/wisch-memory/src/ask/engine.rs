@@ -48,7 +48,7 @@ const PORTABLE: [&str; 11] = [
 
 /// What a query may use.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limits {
+pub struct AskLimits {
     /// Time for a query.
     pub time: Duration,
     /// Memory of the engine [bytes].
@@ -57,7 +57,7 @@ pub struct Limits {
     pub answers: usize,
 }
 
-impl Default for Limits {
+impl Default for AskLimits {
     /// A minute, 4 GiB and 10,000 answers.
     fn default() -> Self {
         Self {
@@ -97,7 +97,7 @@ impl EngineCommand {
     }
 
     /// The process, as it is begun with the predicates in a file.
-    fn process(&self, predicates: &Path, limits: &Limits) -> Command {
+    fn process(&self, predicates: &Path, limits: &AskLimits) -> Command {
         match self {
             Self::Scryer(program) => {
                 let mut process = Command::new(program);
@@ -121,7 +121,7 @@ impl EngineCommand {
     }
 
     /// What its process may map of memory [bytes]: what queries may use, and what the system itself takes.
-    fn address_space(&self, limits: &Limits) -> u64 {
+    fn address_space(&self, limits: &AskLimits) -> u64 {
         match self {
             Self::Scryer(_) => limits.memory,
             Self::Swi(_) => limits.memory.saturating_add(SWI_ITSELF),
@@ -199,7 +199,7 @@ impl Engine {
     ///
     /// # Errors
     /// If it cannot be begun.
-    pub fn start(command: &EngineCommand, limits: &Limits) -> Result<Self, AskError> {
+    pub fn start(command: &EngineCommand, limits: &AskLimits) -> Result<Self, AskError> {
         let mut program = NamedTempFile::with_suffix(".pl").map_err(AskError::CannotStart)?;
         let written = program.write_all(command.predicates().as_bytes());
         written.map_err(AskError::CannotStart)?;

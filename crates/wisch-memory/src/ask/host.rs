@@ -4,10 +4,10 @@ use super::assertions::Assertions;
 use super::error::{AskError, QueryFault};
 use super::facts::{SentFacts, in_lists};
 use super::intervals::{IntervalIndex, Relation};
-use super::join::{Budget, Indices, Joins, Solutions};
+use super::join::{Indices, Joins, Solutions, SolverBudget};
 use super::names::Names;
 use super::printed::formatted;
-use super::reply::{Cursor, Refusal, Reply, Rows};
+use super::reply::{AnswerRows, Cursor, HostRefusal, Reply};
 use super::rows::name_of;
 use super::streams::Knowledge;
 use super::telemetry_predicates::TelemetryPredicates;
@@ -128,7 +128,7 @@ impl Host {
         goals: &Term,
         wanted: &[Term],
         most: usize,
-        budget: Budget<'_>,
+        budget: SolverBudget<'_>,
     ) -> Result<Option<Solutions>, AskError> {
         if !self.joins_facts {
             return Ok(None);
@@ -153,15 +153,15 @@ impl Host {
         &mut self,
         goals: &Term,
         wanted: &[Term],
-        budget: Budget<'_>,
-    ) -> Result<Option<Rows>, AskError> {
-        let budget = Budget {
+        budget: SolverBudget<'_>,
+    ) -> Result<Option<AnswerRows>, AskError> {
+        let budget = SolverBudget {
             candidates: MOST_CANDIDATES,
             ..budget
         };
         let solved = self.solve(goals, wanted, MOST_JOINED, budget)?;
         let all = solved.filter(|solutions| !solutions.is_cut);
-        Ok(all.map(|solutions| Box::new(solutions.rows.into_iter().map(Term::List)) as Rows))
+        Ok(all.map(|solutions| Box::new(solutions.rows.into_iter().map(Term::List)) as AnswerRows))
     }
 
     /// What is to be sent in answer to a request.
@@ -171,7 +171,7 @@ impl Host {
     pub fn answer(
         &mut self,
         request: &Term,
-        budget: Budget<'_>,
+        budget: SolverBudget<'_>,
         reply: &mut String,
     ) -> Result<(), AskError> {
         if let Some(("join", [goals, Term::List(wanted)])) = request.parts() {
@@ -184,18 +184,18 @@ impl Host {
             }
             return Ok(());
         }
-        let (rows, size): (Rows, usize) = match self.rows(request) {
+        let (rows, size): (AnswerRows, usize) = match self.rows(request) {
             Ok(Reply::Facts(facts)) => (Box::new(facts.into_iter()), FACTS_AT_ONCE),
             Ok(Reply::Stream(rows)) => (rows, CHUNK[0]),
             Ok(Reply::More(cursor)) => {
                 self.next_chunk(cursor, reply);
                 return Ok(());
             }
-            Err(Refusal::Fault(fault)) => {
+            Err(HostRefusal::Fault(fault)) => {
                 Term::compound("fault", [fault.to_term()]).write_quoted(reply);
                 return Ok(());
             }
-            Err(Refusal::Error(error)) => return Err(error),
+            Err(HostRefusal::Error(error)) => return Err(error),
         };
         let rows = rows.peekable();
         self.next_chunk(Cursor { rows, size }, reply);
@@ -215,8 +215,8 @@ impl Host {
         Term::compound("chunk", [Term::Integer(number), Term::List(rows)]).write_quoted(reply);
     }
 
-    fn rows(&mut self, request: &Term) -> Result<Reply, Refusal> {
-        let malformed = || Refusal::Error(AskError::unexpected(request));
+    fn rows(&mut self, request: &Term) -> Result<Reply, HostRefusal> {
+        let malformed = || HostRefusal::Error(AskError::unexpected(request));
         let (name, arguments) = request.parts().ok_or_else(malformed)?;
         let known = &self.known;
         let names = &known.names;
@@ -303,7 +303,7 @@ impl Host {
     }
 
     /// What is read row by row; `None` of other requests.
-    fn stream(&mut self, request: &Term) -> Result<Option<Rows>, AskError> {
+    fn stream(&mut self, request: &Term) -> Result<Option<AnswerRows>, AskError> {
         let malformed = || AskError::unexpected(request);
         let known = &self.known;
         Ok(Some(match request.parts().ok_or_else(malformed)? {
@@ -344,7 +344,7 @@ impl Host {
     }
 
     /// Whether the engine keeps what a request finds (`few`), or is sent it each time (`many`).
-    fn size(&self, request: &Term) -> Result<&'static str, Refusal> {
+    fn size(&self, request: &Term) -> Result<&'static str, HostRefusal> {
         let is_many = match request.parts() {
             Some(("members", [Term::Atom(class)])) => {
                 self.known.catalogue.of_class(class).len() > MOST_MEMBERS
@@ -363,7 +363,7 @@ impl Host {
         property: &str,
         operator: &str,
         bound: &Term,
-    ) -> Result<(Vec<IndividualId>, Vec<Term>), Refusal> {
+    ) -> Result<(Vec<IndividualId>, Vec<Term>), HostRefusal> {
         #[allow(clippy::float_cmp, reason = "what is asked for")]
         let matches: fn(f64, f64) -> bool = match operator {
             "=<" => |value, bound| value <= bound,

@@ -23,7 +23,7 @@ mod term;
 mod trends;
 
 pub use assertions::Assertions;
-pub use engine::{EngineCommand, Limits};
+pub use engine::{AskLimits, EngineCommand};
 pub use error::{AskError, QueryFault};
 pub use listing::{Predicate, builtins, predicates};
 pub use telemetry_predicates::TelemetryPredicates;
@@ -34,7 +34,7 @@ use crate::catalogue::Catalogue;
 use crate::store::Memory;
 use engine::Engine;
 use host::Host;
-use join::Budget;
+use join::SolverBudget;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -66,7 +66,7 @@ impl Answers {
 /// Asks a memory; the engine stays, and keeps what it has learnt, until this is dropped.
 pub struct Asker {
     command: EngineCommand,
-    limits: Limits,
+    limits: AskLimits,
     host: Host,
     engine: Option<Engine>,
     /// What queries may call, as `member/2`.
@@ -83,14 +83,14 @@ impl Asker {
         let catalogue = Arc::new(memory.catalogue()?);
         let assertions = Assertions::read(memory.folder())?;
         let telemetry = TelemetryPredicates::of(memory);
-        let limits = Limits::default();
+        let limits = AskLimits::default();
         Ok(Self::new(command, limits, catalogue, telemetry, assertions))
     }
 
     /// Asks these episodes. The engine is begun with the first query.
     pub fn new(
         command: EngineCommand,
-        limits: Limits,
+        limits: AskLimits,
         catalogue: Arc<Catalogue>,
         telemetry: TelemetryPredicates,
         assertions: Assertions,
@@ -156,7 +156,7 @@ impl Asker {
             none => none.insert(Engine::start(&self.command, &self.limits)?),
         };
         self.interrupt.store(false, Ordering::Relaxed);
-        let budget = Budget {
+        let budget = SolverBudget {
             deadline,
             time: self.limits.time,
             interrupt: &self.interrupt,

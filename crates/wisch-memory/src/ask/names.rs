@@ -2,7 +2,7 @@
 
 use super::error::QueryFault;
 use super::term::Term;
-use crate::catalogue::{Catalogue, IndividualId, Node};
+use crate::catalogue::{Catalogue, CatalogueNode, IndividualId};
 use crate::ontology::{Ontology, TermKind};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -48,7 +48,7 @@ impl Names {
         }
         for (property, class) in CLASS_BY_RELATION {
             for (_, node) in catalogue.relations(property) {
-                if let Node::Shared(number) = node {
+                if let CatalogueNode::Shared(number) = node {
                     let name = &catalogue.shared()[*number as usize];
                     if !shared.contains_key(name) {
                         shared.insert(name.clone(), class.to_owned());
@@ -168,16 +168,16 @@ impl Names {
     }
 
     /// What relations lead to, of this full name.
-    pub fn node(&self, name: &str) -> Option<Node> {
+    pub fn node(&self, name: &str) -> Option<CatalogueNode> {
         if let Some(id) = self.individual(name) {
-            return Some(Node::Individual(id));
+            return Some(CatalogueNode::Individual(id));
         }
         let place = self
             .catalogue
             .shared()
             .iter()
             .position(|shared| shared == name)?;
-        u32::try_from(place).ok().map(Node::Shared)
+        u32::try_from(place).ok().map(CatalogueNode::Shared)
     }
 
     /// The class of something that episodes share.

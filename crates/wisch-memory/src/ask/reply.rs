@@ -5,14 +5,14 @@ use super::term::Term;
 use std::iter::Peekable;
 
 /// Rows that are made when they are asked for.
-pub type Rows = Box<dyn Iterator<Item = Term> + Send>;
+pub type AnswerRows = Box<dyn Iterator<Item = Term> + Send>;
 
 /// What is sent in answer.
 pub enum Reply {
     /// All at once.
     Facts(Vec<Term>),
     /// As they are asked for.
-    Stream(Rows),
+    Stream(AnswerRows),
     /// The rest of those.
     More(Cursor),
 }
@@ -20,26 +20,26 @@ pub enum Reply {
 /// A stream of which not all is sent yet.
 pub struct Cursor {
     /// What is left.
-    pub rows: Peekable<Rows>,
+    pub rows: Peekable<AnswerRows>,
     /// How many rows are sent next.
     pub size: usize,
 }
 
 /// Why nothing is sent.
-pub enum Refusal {
+pub enum HostRefusal {
     /// What the query did wrong.
     Fault(QueryFault),
     /// What the program did wrong.
     Error(AskError),
 }
 
-impl From<QueryFault> for Refusal {
+impl From<QueryFault> for HostRefusal {
     fn from(fault: QueryFault) -> Self {
         Self::Fault(fault)
     }
 }
 
-impl From<AskError> for Refusal {
+impl From<AskError> for HostRefusal {
     fn from(error: AskError) -> Self {
         Self::Error(error)
     }

@@ -1,7 +1,7 @@
 //! Rows of the catalogue, as the engine takes them for facts.
 
 use super::term::Term;
-use crate::catalogue::{Catalogue, IndividualId, Node, entries};
+use crate::catalogue::{Catalogue, CatalogueNode, IndividualId, entries};
 
 /// An individual's name, with prefix.
 pub fn name_of(catalogue: &Catalogue, id: IndividualId) -> Term {
@@ -9,10 +9,10 @@ pub fn name_of(catalogue: &Catalogue, id: IndividualId) -> Term {
 }
 
 /// The name of what a relation leads to, with prefix.
-pub fn node_name(catalogue: &Catalogue, node: Node) -> Term {
+pub fn node_name(catalogue: &Catalogue, node: CatalogueNode) -> Term {
     match node {
-        Node::Individual(id) => name_of(catalogue, id),
-        Node::Shared(number) => Term::atom(&catalogue.shared()[number as usize]),
+        CatalogueNode::Individual(id) => name_of(catalogue, id),
+        CatalogueNode::Shared(number) => Term::atom(&catalogue.shared()[number as usize]),
     }
 }
 
@@ -56,7 +56,12 @@ pub fn value_row(name: Term, property: &str, value: Term) -> Term {
 }
 
 /// A relation of an individual: `r/3`.
-pub fn relation_row(catalogue: &Catalogue, id: IndividualId, property: &str, node: Node) -> Term {
+pub fn relation_row(
+    catalogue: &Catalogue,
+    id: IndividualId,
+    property: &str,
+    node: CatalogueNode,
+) -> Term {
     let (name, object) = (name_of(catalogue, id), node_name(catalogue, node));
     Term::compound("r", [name, Term::atom(property), object])
 }

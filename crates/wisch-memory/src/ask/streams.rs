@@ -3,10 +3,10 @@
 use super::assertions::Assertions;
 use super::intervals::{IntervalIndex, Relation};
 use super::names::Names;
-use super::reply::Rows;
+use super::reply::AnswerRows;
 use super::rows::{individual_row, name_of, relation_row};
 use super::term::Term;
-use crate::catalogue::{Catalogue, EpisodeRow, IndividualId, Node};
+use crate::catalogue::{Catalogue, CatalogueNode, EpisodeRow, IndividualId};
 use std::sync::Arc;
 
 /// What answers are made of: the episodes, and what people added to them.
@@ -21,14 +21,14 @@ pub struct Knowledge {
 
 impl Knowledge {
     /// All individuals.
-    pub fn individuals(&self) -> Rows {
+    pub fn individuals(&self) -> AnswerRows {
         let catalogue = Arc::clone(&self.catalogue);
         let ids = 0..u32::try_from(catalogue.len()).unwrap_or(u32::MAX);
         Box::new(ids.map(move |id| individual_row(&catalogue, id)))
     }
 
     /// Values of a property, each with its thing.
-    pub fn column(&self, property: &str) -> Rows {
+    pub fn column(&self, property: &str) -> AnswerRows {
         let catalogue = Arc::clone(&self.catalogue);
         let property = property.to_owned();
         let asserted = self.assertions.values(&property);
@@ -50,9 +50,9 @@ impl Knowledge {
     }
 
     /// All values, by property.
-    pub fn all_values(&self) -> Rows {
+    pub fn all_values(&self) -> AnswerRows {
         let properties = self.catalogue.properties().to_vec();
-        let columns: Vec<Rows> = properties.iter().map(|p| self.column(p)).collect();
+        let columns: Vec<AnswerRows> = properties.iter().map(|p| self.column(p)).collect();
         let columns = properties.into_iter().zip(columns);
         Box::new(columns.flat_map(|(property, column)| {
             column.filter_map(move |pair| match pair {
@@ -66,7 +66,7 @@ impl Knowledge {
     }
 
     /// Relations, of one property or of all.
-    pub fn relations(&self, property: Option<&str>) -> Rows {
+    pub fn relations(&self, property: Option<&str>) -> AnswerRows {
         let properties = match property {
             Some(property) => vec![property.to_owned()],
             None => self.catalogue.properties().to_vec(),
@@ -76,7 +76,7 @@ impl Knowledge {
     }
 
     /// Relations that lead to a thing.
-    pub fn related_to(&self, object: &str) -> Rows {
+    pub fn related_to(&self, object: &str) -> AnswerRows {
         let asserted = self.assertions.related_to(object);
         let Some(wanted) = self.names.node(object) else {
             return Box::new(asserted.into_iter());
@@ -89,7 +89,7 @@ impl Knowledge {
     fn relation_rows(
         &self,
         properties: Vec<String>,
-        wanted: Option<Node>,
+        wanted: Option<CatalogueNode>,
     ) -> impl Iterator<Item = Term> + Send + use<> {
         let catalogue = Arc::clone(&self.catalogue);
         properties.into_iter().flat_map(move |property| {
@@ -104,13 +104,13 @@ impl Knowledge {
     }
 
     /// The names of individuals.
-    pub fn named(&self, found: Vec<IndividualId>) -> Rows {
+    pub fn named(&self, found: Vec<IndividualId>) -> AnswerRows {
         let catalogue = Arc::clone(&self.catalogue);
         Box::new((found.into_iter()).map(move |id| name_of(&catalogue, id)))
     }
 
     /// The names of individuals, with their times.
-    pub fn timed(&self, found: Vec<IndividualId>) -> Rows {
+    pub fn timed(&self, found: Vec<IndividualId>) -> AnswerRows {
         let catalogue = Arc::clone(&self.catalogue);
         Box::new(found.into_iter().map(move |id| {
             let [start, end] = catalogue.interval(id).unwrap_or_default().map(Term::Float);
@@ -119,7 +119,7 @@ impl Knowledge {
     }
 
     /// Pairs of individuals of which the first stands in a relation of time to the second.
-    pub fn pairs(&self, index: Arc<IntervalIndex>, relation: Relation) -> Rows {
+    pub fn pairs(&self, index: Arc<IntervalIndex>, relation: Relation) -> AnswerRows {
         let catalogue = Arc::clone(&self.catalogue);
         Box::new((0..index.len()).flat_map(move |place| {
             let (to, second) = index.entry(place);

@@ -1,10 +1,10 @@
 //! Where things were and what was felt, from the telemetry of episodes.
 
 use super::error::{AskError, QueryFault};
-use super::reply::Refusal;
+use super::reply::HostRefusal;
 use super::rows::name_of;
 use super::term::Term;
-use crate::catalogue::{Catalogue, EpisodeRow, Node, entries};
+use crate::catalogue::{Catalogue, CatalogueNode, EpisodeRow, entries};
 use crate::frames::{FrameError, Frames, PoseAt, Sampling};
 use crate::store::Memory;
 use crate::telemetry::Telemetry;
@@ -62,7 +62,7 @@ impl TelemetryPredicates {
         &mut self,
         catalogue: &Catalogue,
         request: &Term,
-    ) -> Result<Vec<Term>, Refusal> {
+    ) -> Result<Vec<Term>, HostRefusal> {
         let Some((name, arguments)) = request.parts() else {
             return Err(AskError::unexpected(request).into());
         };
@@ -317,7 +317,9 @@ pub(crate) fn tool_of(catalogue: &Catalogue, row: &EpisodeRow) -> String {
     let tools = catalogue.relations("semco:usesTool");
     let mut nodes = (row.first..row.first + row.len).flat_map(|id| entries(tools, id));
     match nodes.next() {
-        Some((_, Node::Shared(number))) => local(&catalogue.shared()[*number as usize]).to_owned(),
+        Some((_, CatalogueNode::Shared(number))) => {
+            local(&catalogue.shared()[*number as usize]).to_owned()
+        }
         _ => "tool".to_owned(),
     }
 }

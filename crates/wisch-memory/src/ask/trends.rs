@@ -6,7 +6,7 @@
 
 use super::rows::node_name;
 use super::term::Term;
-use crate::catalogue::{Catalogue, IndividualId, Node, entries};
+use crate::catalogue::{Catalogue, CatalogueNode, IndividualId, entries};
 use std::collections::{BTreeMap, HashMap};
 
 /// Fewest episodes that make a trend.
@@ -94,7 +94,7 @@ fn first_rounds(
     [relation, property]: [&str; 2],
     [from, to]: [f64; 2],
 ) -> BTreeMap<String, Vec<Point>> {
-    let mut by_node: HashMap<Node, Vec<Point>> = HashMap::new();
+    let mut by_node: HashMap<CatalogueNode, Vec<Point>> = HashMap::new();
     let values = catalogue.numbers(property);
     // Only rounds have a number.
     for &(round, number) in catalogue.numbers("semco:round") {

@@ -1,7 +1,7 @@
 //! A catalogue on disk: tables in Parquet, one row group per property, so that opening a memory of many episodes
 //! need not read them one by one.
 
-use super::{Catalogue, EpisodeRow, IndividualId, Interned, NONE, Node, at};
+use super::{Catalogue, CatalogueNode, EpisodeRow, IndividualId, Interned, NONE, at};
 use crate::checked_file::CheckedFile;
 use crate::columns::{Kind, Values, open, read_chunk, schema, with_encodings, write_group};
 use parquet::basic::{Compression, ZstdLevel};
@@ -361,10 +361,10 @@ pub(crate) fn read(folder: &Path) -> Result<Catalogue, CacheError> {
     for (group, &property) in head.relations.iter().enumerate() {
         let subjects = relations.subjects(group, head.individuals)?;
         let objects = relations.column::<Int32Type>(group, 1)?;
-        let nodes: Vec<Node> = objects.into_iter().map(node_of).collect();
-        let is_there = |node: &Node| match *node {
-            Node::Individual(id) => (id as usize) < head.individuals,
-            Node::Shared(place) => (place as usize) < head.shared.len(),
+        let nodes: Vec<CatalogueNode> = objects.into_iter().map(node_of).collect();
+        let is_there = |node: &CatalogueNode| match *node {
+            CatalogueNode::Individual(id) => (id as usize) < head.individuals,
+            CatalogueNode::Shared(place) => (place as usize) < head.shared.len(),
         };
         if !nodes.iter().all(is_there) {
             let what = format!("row group {group}: an object is not there");
@@ -458,17 +458,17 @@ fn unsigned(numbers: Vec<i32>) -> Vec<u32> {
     numbers.into_iter().map(|number| number as u32).collect()
 }
 
-fn code_of(node: Node) -> i32 {
+fn code_of(node: CatalogueNode) -> i32 {
     match node {
-        Node::Individual(id) => id as i32,
-        Node::Shared(place) => -1 - place as i32,
+        CatalogueNode::Individual(id) => id as i32,
+        CatalogueNode::Shared(place) => -1 - place as i32,
     }
 }
 
-fn node_of(code: i32) -> Node {
+fn node_of(code: i32) -> CatalogueNode {
     match u32::try_from(code) {
-        Ok(id) => Node::Individual(id),
-        Err(_) => Node::Shared(-(code + 1) as u32),
+        Ok(id) => CatalogueNode::Individual(id),
+        Err(_) => CatalogueNode::Shared(-(code + 1) as u32),
     }
 }
 

@@ -32,7 +32,7 @@ pub use document::GRAPH;
 pub use dump::DumpError;
 pub use import::{Triples, import, records};
 pub use meta::{NeemMeta, utc};
-pub use observation::{SeenRound, observations};
+pub use observation::{NeemRound, observations};
 pub use stored::PoseSource;
 pub use triples::{Object, Triple, ontology_triples, triples};
 pub use writer::{FrameSample, NeemConfig, NeemReport, NeemWriter, WrenchSample};

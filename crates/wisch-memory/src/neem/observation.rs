@@ -19,7 +19,7 @@ const TOPICS: [&str; 2] = ["dirt_before", "dirt_after"];
 
 /// Which round of which episode was looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SeenRound<'a> {
+pub struct NeemRound<'a> {
     /// The episode's name.
     pub episode: &'a str,
     /// The round in the episode, from 1.
@@ -37,7 +37,7 @@ impl NeemWriter {
     /// A number is not finite, or writing fails.
     pub fn observations(
         &mut self,
-        of: &SeenRound<'_>,
+        of: &NeemRound<'_>,
         seen: &RoundObservations,
     ) -> Result<(), NeemError> {
         seen.check().map_err(|fault| NeemError::Observations {

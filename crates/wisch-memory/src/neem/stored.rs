@@ -1,7 +1,7 @@
 //! From an episode in the store to a NEEM: its record, and what its telemetry tells.
 
 use super::NeemError;
-use super::observation::SeenRound;
+use super::observation::NeemRound;
 use super::writer::{FrameSample, NeemWriter, WrenchSample};
 use crate::frames::Frames;
 use crate::record::EpisodeRecord;
@@ -45,7 +45,7 @@ impl NeemWriter {
             if let Some(seen) = episode.observations(number)? {
                 // One round follows the other without a pause.
                 let end = record.rounds.get(number).copied();
-                let round = SeenRound {
+                let round = NeemRound {
                     episode: &record.id,
                     number,
                     interval: [start, end.unwrap_or(record.interval[1])],

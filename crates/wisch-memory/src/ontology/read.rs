@@ -1,6 +1,6 @@
 //! Reading of ontologies: the part of OWL in RDF/XML that states which term lies below which.
 
-use super::{Term, TermKind, compact};
+use super::{OntologyTerm, TermKind, compact};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::collections::BTreeMap;
 
@@ -61,7 +61,7 @@ pub enum OntologyError {
 pub(super) fn read_file(
     file: &str,
     text: &str,
-    terms: &mut BTreeMap<String, Term>,
+    terms: &mut BTreeMap<String, OntologyTerm>,
 ) -> Result<(), OntologyError> {
     let options = ParsingOptions {
         // Namespaces are written as entities.
@@ -76,7 +76,7 @@ pub(super) fn read_file(
     for node in document.root_element().children() {
         let Some(kind) = kind(&node) else { continue };
         let name = name(file, node.attribute((RDF, "about")))?;
-        let term = terms.entry(name.clone()).or_insert_with(|| Term {
+        let term = terms.entry(name.clone()).or_insert_with(|| OntologyTerm {
             kind,
             parents: Vec::new(),
             domain: None,
@@ -114,7 +114,7 @@ fn kind(node: &Node) -> Option<TermKind> {
     }
 }
 
-fn read_statement(file: &str, term: &mut Term, said: &Node) -> Result<(), OntologyError> {
+fn read_statement(file: &str, term: &mut OntologyTerm, said: &Node) -> Result<(), OntologyError> {
     let tag = said.tag_name();
     let resource = || name(file, said.attribute((RDF, "resource")));
     let text = || said.text().unwrap_or_default().trim().to_owned();

@@ -7,7 +7,7 @@ use crate::ask::Term;
 
 /// What is to be looked at.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Subject {
+pub enum ViewSubject {
     /// A thing where it is, by its name such as `semco:sponge`.
     Thing(String),
     /// The way of a thing.
@@ -42,7 +42,7 @@ pub enum Emphasis {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wish {
     /// What.
-    pub subject: Subject,
+    pub subject: ViewSubject,
     /// When.
     pub when: When,
     /// How.
@@ -53,14 +53,14 @@ pub struct Wish {
 
 /// A command of a query.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Command {
+pub enum ViewCommand {
     /// To look at these.
     Look(Vec<Wish>),
     /// To draw this.
     Plot(Plot),
 }
 
-impl Command {
+impl ViewCommand {
     /// From what a query's `show`, `highlight` or `data_vis` came to.
     ///
     /// # Errors
@@ -68,11 +68,11 @@ impl Command {
     ///
     /// ```
     /// use wisch_memory::ask::Term;
-    /// use wisch_memory::view::{Command, Subject, When};
+    /// use wisch_memory::view::{ViewCommand, ViewSubject, When};
     ///
     /// let term = Term::parse("show(trajectory('semco:sponge'),interval(10,12,dt(0.5)))")?;
-    /// let Command::Look(wishes) = Command::of(&term)? else { panic!() };
-    /// assert_eq!(wishes[0].subject, Subject::Trajectory("semco:sponge".to_owned()));
+    /// let ViewCommand::Look(wishes) = ViewCommand::of(&term)? else { panic!() };
+    /// assert_eq!(wishes[0].subject, ViewSubject::Trajectory("semco:sponge".to_owned()));
     /// assert_eq!(wishes[0].when, When::Every([10.0, 12.0], 0.5));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -97,7 +97,7 @@ impl Command {
             Some(("data_vis", [diagram, properties])) => {
                 Ok(Self::Plot(Plot::of(diagram, properties)?))
             }
-            _ => Err(ViewError::Command {
+            _ => Err(ViewError::ViewCommand {
                 found: term.to_string(),
             }),
         }
@@ -109,7 +109,7 @@ fn look(
     when: When,
     emphasis: Emphasis,
     colour: Option<Colour>,
-) -> Result<Command, ViewError> {
+) -> Result<ViewCommand, ViewError> {
     let subjects = subjects(what)?.into_iter();
     let wishes = subjects.map(|subject| Wish {
         subject,
@@ -117,11 +117,11 @@ fn look(
         emphasis,
         colour,
     });
-    Ok(Command::Look(wishes.collect()))
+    Ok(ViewCommand::Look(wishes.collect()))
 }
 
-fn subjects(what: &Term) -> Result<Vec<Subject>, ViewError> {
-    let refused = || ViewError::Subject {
+fn subjects(what: &Term) -> Result<Vec<ViewSubject>, ViewError> {
+    let refused = || ViewError::ViewSubject {
         found: what.to_string(),
     };
     match what {
@@ -129,18 +129,18 @@ fn subjects(what: &Term) -> Result<Vec<Subject>, ViewError> {
             let nested: Result<Vec<_>, _> = items.iter().map(subjects).collect();
             Ok(nested?.into_iter().flatten().collect())
         }
-        Term::Atom(name) => Ok(vec![Subject::Thing(name.clone())]),
+        Term::Atom(name) => Ok(vec![ViewSubject::Thing(name.clone())]),
         Term::Compound(kind, parts) => {
             let [of] = parts.as_slice() else {
                 return Err(refused());
             };
             let subject = match kind.as_str() {
-                "trajectory" => Subject::Trajectory,
-                "particles" => Subject::Particles,
+                "trajectory" => ViewSubject::Trajectory,
+                "particles" => ViewSubject::Particles,
                 _ => return Err(refused()),
             };
             let named = subjects(of)?.into_iter().map(|inner| match inner {
-                Subject::Thing(name) => Ok(subject(name)),
+                ViewSubject::Thing(name) => Ok(subject(name)),
                 _ => Err(refused()),
             });
             named.collect()

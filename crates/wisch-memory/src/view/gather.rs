@@ -2,11 +2,11 @@
 
 use super::posed::{figure, line, local, place};
 use super::{
-    Body, Command, Dirt, DirtState, Emphasis, Occurrence, ShownEpisode, ShownRound, Subject, Track,
-    View, ViewError, When, Wish,
+    DirtState, Emphasis, Occurrence, ShownBody, ShownDirt, ShownEpisode, ShownRound, Track, View,
+    ViewCommand, ViewError, ViewSubject, When, Wish,
 };
 use crate::ask::{Term, tool_of};
-use crate::catalogue::{Catalogue, EpisodeRow, IndividualId, Node, entries};
+use crate::catalogue::{Catalogue, CatalogueNode, EpisodeRow, IndividualId, entries};
 use crate::frames::{FrameError, Frames, Sampling};
 use crate::ontology::Ontology;
 use crate::store::{Episode, Memory};
@@ -61,14 +61,14 @@ pub fn gather(
     };
     let mut wishes: Vec<Wish> = Vec::new();
     for term in said {
-        match Command::of(term)? {
-            Command::Plot(plot) => {
+        match ViewCommand::of(term)? {
+            ViewCommand::Plot(plot) => {
                 let plots = &mut gathering.view.plots;
                 plots.retain(|other| (other.diagram, &other.id) != (plot.diagram, &plot.id));
                 plots.push(plot);
             }
             // Answers repeat what does not depend on them.
-            Command::Look(wanted) => {
+            ViewCommand::Look(wanted) => {
                 for wish in wanted {
                     if !wishes.contains(&wish) {
                         wishes.push(wish);
@@ -137,12 +137,13 @@ impl Gathering<'_> {
     }
 
     fn wish(&mut self, wish: &Wish) {
-        let (Subject::Thing(name) | Subject::Trajectory(name) | Subject::Particles(name)) =
-            &wish.subject;
+        let (ViewSubject::Thing(name)
+        | ViewSubject::Trajectory(name)
+        | ViewSubject::Particles(name)) = &wish.subject;
         // An event is looked at where the tool was while it lasted.
         if let Some((interval, _)) = self.event(name) {
             let tool = Wish {
-                subject: Subject::Trajectory("tool".to_owned()),
+                subject: ViewSubject::Trajectory("tool".to_owned()),
                 when: match wish.when {
                     When::Latest => When::During(interval),
                     when => when,
@@ -161,12 +162,12 @@ impl Gathering<'_> {
         };
         for stretch in stretches {
             let drawn = match &wish.subject {
-                Subject::Particles(_) => self.particles(wish, stretch),
-                Subject::Thing(_) if self.is_medium(stretch.round, name) => {
+                ViewSubject::Particles(_) => self.particles(wish, stretch),
+                ViewSubject::Thing(_) if self.is_medium(stretch.round, name) => {
                     self.particles(wish, stretch)
                 }
-                Subject::Thing(_) => self.bodies(name, wish, stretch),
-                Subject::Trajectory(_) => self.track(name, wish, stretch),
+                ViewSubject::Thing(_) => self.bodies(name, wish, stretch),
+                ViewSubject::Trajectory(_) => self.track(name, wish, stretch),
             };
             if let Err(error) = drawn {
                 let round = &self.view.rounds[stretch.round];
@@ -183,7 +184,7 @@ impl Gathering<'_> {
         }
         let mut found = false;
         match wish.subject {
-            Subject::Thing(_) => {
+            ViewSubject::Thing(_) => {
                 for body in self
                     .view
                     .bodies
@@ -195,7 +196,7 @@ impl Gathering<'_> {
                     found = true;
                 }
             }
-            Subject::Trajectory(_) => {
+            ViewSubject::Trajectory(_) => {
                 for track in self
                     .view
                     .tracks
@@ -207,7 +208,7 @@ impl Gathering<'_> {
                     found = true;
                 }
             }
-            Subject::Particles(_) => {
+            ViewSubject::Particles(_) => {
                 for dirt in &mut self.view.particles {
                     dirt.colour = wish.colour.or(dirt.colour);
                     found = true;
@@ -355,8 +356,10 @@ impl Gathering<'_> {
         let nodes = (row.first..row.first + row.len).flat_map(|id| entries(removed, id));
         let mut media: Vec<String> = nodes
             .filter_map(|(_, node)| match node {
-                Node::Shared(number) => Some(self.catalogue.shared()[*number as usize].clone()),
-                Node::Individual(_) => None,
+                CatalogueNode::Shared(number) => {
+                    Some(self.catalogue.shared()[*number as usize].clone())
+                }
+                CatalogueNode::Individual(_) => None,
             })
             .collect();
         media.dedup();
@@ -407,7 +410,7 @@ impl Gathering<'_> {
             return Ok(());
         }
         for at in poses {
-            let body = Body {
+            let body = ShownBody {
                 thing: name.to_owned(),
                 figure: figure(&frames, local(name), &at)?,
                 round,
@@ -456,13 +459,13 @@ impl Gathering<'_> {
         let file = format!("round-{}/{name}", round.number);
         let bytes = self.memory.episode(&id)?.attachment(&file)?;
         let positions = positions(&bytes).map_err(|what| ViewError::Particles { file, what })?;
-        let dirt = Dirt {
+        let dirt = ShownDirt {
             round: stretch.round,
             state,
             positions,
             colour: wish.colour,
         };
-        let same = |other: &Dirt| other.round == dirt.round && other.state == dirt.state;
+        let same = |other: &ShownDirt| other.round == dirt.round && other.state == dirt.state;
         if !self.view.particles.iter().any(same) {
             self.view.particles.push(dirt);
         }

@@ -1,6 +1,6 @@
 //! What a query wants to be looked at, as plain data for whatever draws it.
 //!
-//! [`Command`]s are what the query says; a [`View`] is what the memory has to show for them.
+//! [`ViewCommand`]s are what the query says; a [`View`] is what the memory has to show for them.
 
 mod colour;
 mod command;
@@ -11,7 +11,7 @@ mod posed;
 mod tests;
 
 pub use colour::Colour;
-pub use command::{Command, Emphasis, Subject, When, Wish};
+pub use command::{Emphasis, ViewCommand, ViewSubject, When, Wish};
 pub use gather::{MAX_POSES, Surroundings, gather};
 pub use plot::{Diagram, Plot, PlotData};
 
@@ -26,13 +26,13 @@ use wisch::robot::Shape;
 pub enum ViewError {
     /// No command to show anything.
     #[error("{found} cannot be drawn")]
-    Command {
+    ViewCommand {
         /// What stands there.
         found: String,
     },
     /// Nothing that can be shown.
     #[error("{found} is no thing, trajectory(Thing), particles(Thing) or list of these")]
-    Subject {
+    ViewSubject {
         /// What stands there.
         found: String,
     },
@@ -132,11 +132,11 @@ pub struct View {
     /// Their rounds of which something is shown in space.
     pub rounds: Vec<ShownRound>,
     /// Things at certain times.
-    pub bodies: Vec<Body>,
+    pub bodies: Vec<ShownBody>,
     /// Ways.
     pub tracks: Vec<Track>,
     /// Particles.
-    pub particles: Vec<Dirt>,
+    pub particles: Vec<ShownDirt>,
     /// Diagrams.
     pub plots: Vec<Plot>,
     /// How many of the things that were to be shown are not, because there are too many of them.
@@ -196,7 +196,7 @@ pub struct ShownRound {
 
 /// A thing at a time.
 #[derive(Debug, Clone)]
-pub struct Body {
+pub struct ShownBody {
     /// Its name.
     pub thing: String,
     /// What of it is to be seen.
@@ -217,7 +217,7 @@ pub enum Figure {
     /// All of a robot, with its tool.
     Robot {
         /// Its solids.
-        parts: Vec<Part>,
+        parts: Vec<ShownPart>,
         /// Where it holds the tool.
         world_from_tool: Pose,
     },
@@ -231,7 +231,7 @@ pub enum Figure {
 
 /// A solid of a robot.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Part {
+pub struct ShownPart {
     /// Its link.
     pub link: String,
     /// Where it is.
@@ -261,7 +261,7 @@ pub struct Track {
 
 /// Particles on a surface, as they were believed to lie.
 #[derive(Debug, Clone)]
-pub struct Dirt {
+pub struct ShownDirt {
     /// Place of its round among those shown.
     pub round: usize,
     /// Before or after that round.

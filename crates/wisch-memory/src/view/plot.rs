@@ -80,7 +80,7 @@ impl Plot {
     /// # Errors
     /// A diagram or data that cannot be drawn.
     pub fn of(diagram: &Term, properties: &Term) -> Result<Self, ViewError> {
-        let refused = || ViewError::Command {
+        let refused = || ViewError::ViewCommand {
             found: diagram.to_string(),
         };
         let (name, arguments) = diagram.parts().ok_or_else(refused)?;

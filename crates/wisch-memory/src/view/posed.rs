@@ -1,6 +1,6 @@
 //! Where things were, as they are seen.
 
-use super::{Figure, Part, ViewError};
+use super::{Figure, ShownPart, ViewError};
 use crate::frames::{Frames, PoseAt, Sampling};
 use wisch::geometry::Point3;
 use wisch::robot::RobotModel;
@@ -50,11 +50,11 @@ pub(super) fn figure(frames: &Frames, name: &str, at: &PoseAt) -> Result<Figure,
 }
 
 /// The robot's solids at a time.
-fn parts(frames: &Frames, robot: &RobotModel, time: f64) -> Result<Vec<Part>, ViewError> {
+fn parts(frames: &Frames, robot: &RobotModel, time: f64) -> Result<Vec<ShownPart>, ViewError> {
     let poses = frames.links(time)?;
     let links = robot.links().iter().zip(poses);
     let parts = links.flat_map(|(link, world_from_link)| {
-        link.collision.iter().map(move |solid| Part {
+        link.collision.iter().map(move |solid| ShownPart {
             link: link.name.clone(),
             world_from_shape: world_from_link * solid.link_from_shape,
             shape: solid.shape.clone(),

@@ -1,26 +1,26 @@
 use super::*;
 use crate::ask::Term;
 
-fn command(text: &str) -> Result<Command, String> {
-    Command::of(&Term::parse(text).unwrap()).map_err(|error| error.to_string())
+fn command(text: &str) -> Result<ViewCommand, String> {
+    ViewCommand::of(&Term::parse(text).unwrap()).map_err(|error| error.to_string())
 }
 
 fn wishes(text: &str) -> Vec<Wish> {
     match command(text).unwrap() {
-        Command::Look(wishes) => wishes,
-        Command::Plot(plot) => panic!("{plot:?}"),
+        ViewCommand::Look(wishes) => wishes,
+        ViewCommand::Plot(plot) => panic!("{plot:?}"),
     }
 }
 
 fn plot(text: &str) -> Plot {
     match command(text).unwrap() {
-        Command::Plot(plot) => plot,
-        Command::Look(wishes) => panic!("{wishes:?}"),
+        ViewCommand::Plot(plot) => plot,
+        ViewCommand::Look(wishes) => panic!("{wishes:?}"),
     }
 }
 
-fn thing(name: &str) -> Subject {
-    Subject::Thing(name.to_owned())
+fn thing(name: &str) -> ViewSubject {
+    ViewSubject::Thing(name.to_owned())
 }
 
 #[test]
@@ -41,12 +41,12 @@ fn every_way_to_show_is_understood() {
         ),
         (
             "show(trajectory('semco:sponge'),interval(1,2,dt(0.5)))",
-            Subject::Trajectory(sponge.to_owned()),
+            ViewSubject::Trajectory(sponge.to_owned()),
             When::Every([1.0, 2.0], 0.5),
         ),
         (
             "show(particles('semco:breadcrumbs'),3)",
-            Subject::Particles("semco:breadcrumbs".to_owned()),
+            ViewSubject::Particles("semco:breadcrumbs".to_owned()),
             When::At(3.0),
         ),
     ] {
@@ -64,8 +64,8 @@ fn every_way_to_show_is_understood() {
 #[test]
 fn lists_are_as_many_wishes() {
     let wishes = wishes("show([a,trajectory(b),trajectory([c,d])],1)");
-    let subjects: Vec<Subject> = wishes.into_iter().map(|wish| wish.subject).collect();
-    let way = |name: &str| Subject::Trajectory(name.to_owned());
+    let subjects: Vec<ViewSubject> = wishes.into_iter().map(|wish| wish.subject).collect();
+    let way = |name: &str| ViewSubject::Trajectory(name.to_owned());
     assert_eq!(subjects, [thing("a"), way("b"), way("c"), way("d")]);
 }
 

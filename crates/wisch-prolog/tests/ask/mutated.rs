@@ -7,7 +7,7 @@ use rand_chacha::ChaCha8Rng;
 use std::fs;
 use std::path::Path;
 use std::time::Duration;
-use wisch_memory::ask::{AskError, EngineCommand, Limits};
+use wisch_memory::ask::{AskError, AskLimits, EngineCommand};
 
 /// How many changed queries are asked, if `WISCH_QUERIES` does not say so.
 const QUERIES: u64 = 150;
@@ -68,7 +68,7 @@ fn whatever_is_asked_is_answered_or_refused() {
     let corpus = corpus();
     let changed = (0..count).map(|seed| changed(&corpus, seed));
     let queries: Vec<String> = corpus.iter().cloned().chain(changed).collect();
-    let limits = Limits {
+    let limits = AskLimits {
         time: Duration::from_secs(1),
         memory: 1 << 30,
         answers: 20,

@@ -6,13 +6,13 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 use wisch_memory::ask::{
-    AskError, Asker, Assertions, EngineCommand, Limits, QueryFault, TelemetryPredicates,
+    AskError, AskLimits, Asker, Assertions, EngineCommand, QueryFault, TelemetryPredicates,
 };
 use wisch_memory::{Catalogue, Memory};
 
 const COMMENT: &str = "tell(holds('Stroke_e0-5', semco:recordLog, pushed))";
 
-fn asker_of(folder: &Path, command: EngineCommand, limits: Limits) -> Asker {
+fn asker_of(folder: &Path, command: EngineCommand, limits: AskLimits) -> Asker {
     Asker::new(
         command,
         limits,
@@ -31,13 +31,13 @@ fn kept(folder: &Path) -> usize {
 fn what_is_told_is_kept_when_the_query_has_ended_well() {
     for command in engines() {
         let folder = tempfile::tempdir().unwrap();
-        let mut asker = asker_of(folder.path(), command.clone(), Limits::default());
+        let mut asker = asker_of(folder.path(), command.clone(), AskLimits::default());
         let query = format!("{COMMENT}, holds('Stroke_e0-5', semco:recordLog, X)");
         assert_eq!(shown(&asker.ask(&query).unwrap()), ["pushed"]);
         assert_eq!(kept(folder.path()), 1);
         assert!(asker.ask(COMMENT).unwrap().holds(), "it is known already");
         assert_eq!(kept(folder.path()), 1);
-        let mut later = asker_of(folder.path(), command, Limits::default());
+        let mut later = asker_of(folder.path(), command, AskLimits::default());
         let told = later.ask("holds(S, semco:recordLog, pushed)").unwrap();
         assert_eq!(shown(&told), ["semco:'Stroke_e0-5'"]);
     }
@@ -45,9 +45,9 @@ fn what_is_told_is_kept_when_the_query_has_ended_well() {
 
 #[test]
 fn a_query_that_does_not_end_well_tells_nothing() {
-    let limits = Limits {
+    let limits = AskLimits {
         time: Duration::from_secs(5),
-        ..Limits::default()
+        ..AskLimits::default()
     };
     for command in engines() {
         let folder = tempfile::tempdir().unwrap();
@@ -69,9 +69,9 @@ fn a_query_that_does_not_end_well_tells_nothing() {
 
 #[test]
 fn a_query_tells_no_more_than_it_may_answer() {
-    let limits = Limits {
+    let limits = AskLimits {
         answers: 5,
-        ..Limits::default()
+        ..AskLimits::default()
     };
     for command in engines() {
         let folder = tempfile::tempdir().unwrap();
@@ -141,7 +141,7 @@ fn what_was_told_of_an_episode_goes_with_it() {
 fn numbers_that_are_not_finite_cannot_be_told() {
     for command in engines() {
         let folder = tempfile::tempdir().unwrap();
-        let mut asker = asker_of(folder.path(), command, Limits::default());
+        let mut asker = asker_of(folder.path(), command, AskLimits::default());
         for number in ["inf", "nan", "'1.5NaN'", "'-inf'", "infinite"] {
             let query = format!("tell(holds('Stroke_e0-5', semco:peakForce, {number}))");
             let error = asker.ask(&query).expect_err(&query).to_string();
@@ -191,7 +191,7 @@ fn a_line_that_was_cut_off_is_passed_over_and_replaced() {
         let file = folder.path().join("told.jsonl");
         let whole = "[\"semco:Stroke_e0-5\",\"semco:recordLog\",\"first\"]\n";
         fs::write(&file, format!("{whole}[\"semco:Stroke_e0-5\",\"rdfs:co")).unwrap();
-        let mut asker = asker_of(folder.path(), command, Limits::default());
+        let mut asker = asker_of(folder.path(), command, AskLimits::default());
         assert!(asker.ask(COMMENT).unwrap().holds());
         let told = asker.ask("holds(_, semco:recordLog, X)").unwrap();
         assert_eq!(shown(&told), ["first", "pushed"]);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use wisch::geometry::{Edge, Point2};
-use wisch::plan::DensityMap;
+use wisch::plan::CoverageDensity;
 
 /// Most samples along one side of the map that are looked at.
 const MAX_SAMPLES: usize = 320;
@@ -11,14 +11,14 @@ const SAME: f64 = 1e-7;
 
 /// The density, sampled coarsely enough to draw.
 pub(crate) struct Contours<'a> {
-    density: &'a DensityMap,
+    density: &'a CoverageDensity,
     stride: usize,
     /// Largest sample.
     pub(crate) peak: f64,
 }
 
 impl<'a> Contours<'a> {
-    pub(crate) fn new(density: &'a DensityMap) -> Self {
+    pub(crate) fn new(density: &'a CoverageDensity) -> Self {
         let (columns, rows) = density.shape();
         let peak = (0..rows)
             .flat_map(|row| (0..columns).map(move |column| (column, row)))

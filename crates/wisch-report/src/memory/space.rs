@@ -5,7 +5,7 @@ use crate::scene::{Meshes, Solid, tenths, vector};
 use serde::Serialize;
 use wisch::geometry::{Bounds2, Point3, Polygon, Pose};
 use wisch_memory::view::{
-    Body, Colour, Dirt, DirtState, Emphasis, Figure, Part, ShownRound, Track, View,
+    Colour, DirtState, Emphasis, Figure, ShownBody, ShownDirt, ShownPart, ShownRound, Track, View,
 };
 
 /// Most triangles of one mesh.
@@ -133,7 +133,7 @@ impl Space {
         self.items.push(item);
     }
 
-    fn body(&mut self, view: &View, body: &Body, robots: usize) {
+    fn body(&mut self, view: &View, body: &ShownBody, robots: usize) {
         let round = &view.rounds[body.round];
         let at = moment(view, body.round, body.time);
         let name = format!("{} {at}", named(round, &body.thing));
@@ -168,7 +168,7 @@ impl Space {
         self.items.push(item);
     }
 
-    fn parts(&mut self, parts: &[Part]) -> Vec<Solid> {
+    fn parts(&mut self, parts: &[ShownPart]) -> Vec<Solid> {
         if let Some(base) = parts.first() {
             let at = vector(&base.world_from_shape.translation.vector);
             self.robot.get_or_insert(at);
@@ -205,7 +205,7 @@ impl Space {
         self.items.push(item);
     }
 
-    fn dirt(&mut self, view: &View, dirt: &Dirt) {
+    fn dirt(&mut self, view: &View, dirt: &ShownDirt) {
         let round = &view.rounds[dirt.round];
         let when = match dirt.state {
             DirtState::Before => "before",

@@ -2,8 +2,8 @@ use super::*;
 use wisch::geometry::{Mesh, Point2, Point3, Polygon, Pose, Vector2, Vector3};
 use wisch::robot::Shape;
 use wisch_memory::view::{
-    Body, Colour, Command, Dirt, DirtState, Emphasis, Figure, Occurrence, Part, ShownEpisode,
-    ShownRound, Track,
+    Colour, DirtState, Emphasis, Figure, Occurrence, ShownBody, ShownDirt, ShownEpisode, ShownPart,
+    ShownRound, Track, ViewCommand,
 };
 
 const QUERY: &str = "owl_individual_of(C, semco:'Collision'), occurs(C, [S, E]), S < E.";
@@ -31,7 +31,7 @@ fn view() -> View {
         is_collision,
         interval,
     };
-    let capsule = Part {
+    let capsule = ShownPart {
         link: "arm".to_owned(),
         world_from_shape: Pose::translation(0.0, -1.0, 0.8),
         shape: Shape::Capsule {
@@ -41,9 +41,9 @@ fn view() -> View {
     };
     let said =
         "data_vis(barchart(forces),[:(title,'How hard'),:(data,[[first,second],[20.5,31]])])";
-    let plot = match Command::of(&Term::parse(said).unwrap()).unwrap() {
-        Command::Plot(plot) => plot,
-        Command::Look(wishes) => panic!("{wishes:?}"),
+    let plot = match ViewCommand::of(&Term::parse(said).unwrap()).unwrap() {
+        ViewCommand::Plot(plot) => plot,
+        ViewCommand::Look(wishes) => panic!("{wishes:?}"),
     };
     View {
         episodes: vec![ShownEpisode {
@@ -70,7 +70,7 @@ fn view() -> View {
                 Mesh::cuboid(Vector3::new(1.0, 1.0, 0.7)).unwrap(),
             )],
         }],
-        bodies: vec![Body {
+        bodies: vec![ShownBody {
             thing: "semco:humanoid".to_owned(),
             figure: Figure::Robot {
                 parts: vec![capsule],
@@ -90,7 +90,7 @@ fn view() -> View {
             emphasis: Emphasis::Plain,
             colour: Some(Colour([1, 2, 255])),
         }],
-        particles: vec![Dirt {
+        particles: vec![ShownDirt {
             round: 0,
             state: DirtState::Before,
             positions: vec![Point2::new(0.05, 0.02); 9000],

@@ -1,6 +1,6 @@
 //! Where the base stands, seen from above.
 
-use super::input::{Contact, MotionInput, Phase, Placement, RatedPlace};
+use super::input::{MotionInput, ShownContact, ShownPhase, ShownPlace, ShownPlacement};
 use super::sampled::{SampledMotion, world_from_link};
 use crate::draw::{BANDS, Entry, Panel, Pen, View, WIDTH, hull, inset, legend, outline, px};
 use maud::{Markup, html};
@@ -117,7 +117,7 @@ fn footprint(robot: &RobotModel, base: LinkId) -> Vec<Point2> {
 
 /// The chosen placements, or else where the base is at first.
 fn stands(input: &MotionInput, frames: &SampledMotion, base: LinkId) -> Vec<PlanarPose> {
-    let stand = |p: &Placement| PlanarPose::new(Point2::new(p.x, p.y), p.yaw);
+    let stand = |p: &ShownPlacement| PlanarPose::new(Point2::new(p.x, p.y), p.yaw);
     let known =
         (input.placements.iter()).filter(|p| [p.x, p.y, p.yaw].iter().all(|v| v.is_finite()));
     let stands: Vec<PlanarPose> = known.map(stand).collect();
@@ -179,7 +179,7 @@ fn place_step(input: &MotionInput) -> usize {
 /// Rated places as dots, darker ones better, and blocked ones as crosses.
 fn places(input: &MotionInput, view: &View) -> Markup {
     let drawn = input.ratings.iter().step_by(place_step(input));
-    let drawn: Vec<&RatedPlace> = drawn
+    let drawn: Vec<&ShownPlace> = drawn
         .filter(|p| p.x.is_finite() && p.y.is_finite())
         .collect();
     let room = view.width() * view.height() / drawn.len().max(1) as f64;
@@ -218,7 +218,7 @@ fn tool_path(input: &MotionInput, frames: &SampledMotion, view: &View, path: &[P
     let wipes = |time: f64| {
         let next = input.phases.partition_point(|phase| phase.start <= time);
         next.checked_sub(1)
-            .is_some_and(|i| input.phases[i].contact == Contact::Wiping)
+            .is_some_and(|i| input.phases[i].contact == ShownContact::Wiping)
     };
     let (mut contact, mut lifted) = (Pen::default(), Pen::default());
     let mut from = 0;
@@ -278,8 +278,8 @@ fn numbers(view: &View, stands: &[PlanarPose]) -> Markup {
 /// What the marks mean, from a height on, and how high that is.
 fn legend(input: &MotionInput, drives: bool, top: f64) -> (Markup, f64) {
     const LEFT: f64 = 48.0;
-    let is_blocked = |place: &RatedPlace| place.blocked;
-    let wiping = |phase: &Phase| phase.contact == Contact::Wiping;
+    let is_blocked = |place: &ShownPlace| place.blocked;
+    let wiping = |phase: &ShownPhase| phase.contact == ShownContact::Wiping;
     let entries = [
         (
             true,

@@ -24,9 +24,9 @@ pub(crate) struct Demo {
     pub(crate) task: Task,
     pub(crate) plan: Plan,
     pub(crate) samples: Vec<TrajectorySample>,
-    pub(crate) phases: Vec<Phase>,
-    pub(crate) placements: Vec<Placement>,
-    pub(crate) ratings: Vec<RatedPlace>,
+    pub(crate) phases: Vec<ShownPhase>,
+    pub(crate) placements: Vec<ShownPlacement>,
+    pub(crate) ratings: Vec<ShownPlace>,
     pub(crate) particles: Vec<ParticleFrame>,
 }
 
@@ -53,7 +53,9 @@ impl Demo {
             plan,
             samples,
             phases: Vec::new(),
-            placements: [FROM, AT].map(|[x, y, yaw]| Placement { x, y, yaw }).into(),
+            placements: [FROM, AT]
+                .map(|[x, y, yaw]| ShownPlacement { x, y, yaw })
+                .into(),
             ratings: ratings(),
             particles: Vec::new(),
         };
@@ -196,9 +198,9 @@ fn reach(robot: &RobotModel, tcp: LinkId, moving: &[usize], q: &mut [f64], targe
 }
 
 /// Wiping, lifting and driving, from where the tool and the base are.
-fn phases(input: &MotionInput) -> Vec<Phase> {
+fn phases(input: &MotionInput) -> Vec<ShownPhase> {
     let surface_from_world = input.task.surface.world_from_surface.inverse();
-    let mut phases: Vec<Phase> = Vec::new();
+    let mut phases: Vec<ShownPhase> = Vec::new();
     let mut strokes = 0;
     for sample in input.samples {
         let kinematics = input
@@ -209,16 +211,16 @@ fn phases(input: &MotionInput) -> Vec<Phase> {
         let height = (surface_from_world * tool).translation.vector.z;
         let drives = sample.qd[..3].iter().any(|v| v.abs() > 1e-9);
         let (contact, name) = match () {
-            () if drives => (Contact::Lifted, "drive to the board"),
-            () if height < TOUCH => (Contact::Wiping, "stroke"),
-            () => (Contact::Lifted, "lifted"),
+            () if drives => (ShownContact::Lifted, "drive to the board"),
+            () if height < TOUCH => (ShownContact::Wiping, "stroke"),
+            () => (ShownContact::Lifted, "lifted"),
         };
         match phases.last_mut() {
             Some(last) if last.name.starts_with(name) => last.end = sample.time,
             _ => {
-                let stroke = (contact == Contact::Wiping).then_some(strokes);
+                let stroke = (contact == ShownContact::Wiping).then_some(strokes);
                 strokes += usize::from(stroke.is_some());
-                phases.push(Phase {
+                phases.push(ShownPhase {
                     name: stroke.map_or(name.to_owned(), |i| format!("{name} {}", i + 1)),
                     start: sample.time,
                     end: sample.time,
@@ -233,7 +235,12 @@ fn phases(input: &MotionInput) -> Vec<Phase> {
 
 /// The prediction's particles, evenly over the time in contact.
 fn particles(input: &MotionInput, plan: &Plan) -> Vec<ParticleFrame> {
-    let contact = || input.phases.iter().filter(|p| p.contact == Contact::Wiping);
+    let contact = || {
+        input
+            .phases
+            .iter()
+            .filter(|p| p.contact == ShownContact::Wiping)
+    };
     let total: f64 = contact().map(|p| p.end - p.start).sum();
     let when = |share: f64| {
         let mut left = share * total;
@@ -259,12 +266,12 @@ fn particles(input: &MotionInput, plan: &Plan) -> Vec<ParticleFrame> {
 }
 
 /// A grid of places before the table, the best a good arm's length from the board.
-fn ratings() -> Vec<RatedPlace> {
+fn ratings() -> Vec<ShownPlace> {
     let step = 0.1;
     let column = move |x: i32| (-17..=4).map(move |y| (f64::from(x) * step, f64::from(y) * step));
     (-12..=12)
         .flat_map(column)
-        .map(|(x, y)| RatedPlace {
+        .map(|(x, y)| ShownPlace {
             x,
             y,
             rating: (-((x.hypot(y) - 0.75) / 0.35).powi(2)).exp() * (0.7 - 0.3 * (y / 0.8).tanh()),

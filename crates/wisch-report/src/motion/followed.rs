@@ -1,6 +1,6 @@
 //! What is shown of a followed plan: sampled, with its phases and the particles over time.
 
-use super::{Contact, MotionInput, ParticleFrame, Phase, Placement, RatedPlace};
+use super::{MotionInput, ParticleFrame, ShownContact, ShownPhase, ShownPlace, ShownPlacement};
 use crate::prediction::frames::EffectFrames;
 use wisch::follow::{self, Followed, TrajectorySample, Workcell};
 use wisch::represent::Task;
@@ -13,9 +13,9 @@ const SHOWN_PERIOD: f64 = 0.05;
 pub struct ShownMotion<'a> {
     cell: &'a Workcell,
     samples: Vec<TrajectorySample>,
-    phases: Vec<Phase>,
-    placements: Vec<Placement>,
-    ratings: Vec<RatedPlace>,
+    phases: Vec<ShownPhase>,
+    placements: Vec<ShownPlacement>,
+    ratings: Vec<ShownPlace>,
     particles: Vec<ParticleFrame>,
 }
 
@@ -27,27 +27,27 @@ impl<'a> ShownMotion<'a> {
             .filter_map(|i| followed.sample((i as f64 * SHOWN_PERIOD).min(followed.duration())))
             .collect();
         let phases = (followed.motions.iter())
-            .map(|motion| Phase {
+            .map(|motion| ShownPhase {
                 name: motion.phase.as_str().to_owned(),
                 start: motion.start,
                 end: motion.end(),
                 contact: if motion.phase.is_contact() {
-                    Contact::Wiping
+                    ShownContact::Wiping
                 } else {
-                    Contact::Lifted
+                    ShownContact::Lifted
                 },
                 stroke: motion.phase.stroke(),
             })
             .collect();
         let placements = (followed.placements.iter())
-            .map(|placement| Placement {
+            .map(|placement| ShownPlacement {
                 x: placement.world_from_base.position.x,
                 y: placement.world_from_base.position.y,
                 yaw: placement.world_from_base.heading,
             })
             .collect();
         let ratings = (followed.rated.iter())
-            .map(|place| RatedPlace {
+            .map(|place| ShownPlace {
                 x: place.world_from_base.position.x,
                 y: place.world_from_base.position.y,
                 rating: place.rating.unwrap_or(0.0),

@@ -22,18 +22,18 @@ pub struct MotionInput<'a> {
     /// What is of another length, not finite or out of order is left out.
     pub samples: &'a [TrajectorySample],
     /// What is done when, by rising time.
-    pub phases: &'a [Phase],
+    pub phases: &'a [ShownPhase],
     /// Where the base is placed, in this order; none for a robot that stands still.
-    pub placements: &'a [Placement],
+    pub placements: &'a [ShownPlacement],
     /// Where the base could have been placed.
-    pub ratings: &'a [RatedPlace],
+    pub ratings: &'a [ShownPlace],
     /// The particles over time, by rising time.
     pub particles: &'a [ParticleFrame],
 }
 
 /// A stretch of time with a name.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Phase {
+pub struct ShownPhase {
     /// What is done, for the reader.
     pub name: String,
     /// When it begins [s].
@@ -41,14 +41,14 @@ pub struct Phase {
     /// When it ends [s].
     pub end: f64,
     /// Whether the tool wipes.
-    pub contact: Contact,
+    pub contact: ShownContact,
     /// The stroke that is wiped, counted from 0 as in the plan; `None` between strokes.
     pub stroke: Option<usize>,
 }
 
 /// Whether the tool touches the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Contact {
+pub enum ShownContact {
     /// It does.
     Wiping,
     /// It does not.
@@ -57,7 +57,7 @@ pub enum Contact {
 
 /// Where the robot's base stands, in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Placement {
+pub struct ShownPlacement {
     /// East of the origin [m].
     pub x: f64,
     /// North of the origin [m].
@@ -68,7 +68,7 @@ pub struct Placement {
 
 /// A place where the base could stand, in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RatedPlace {
+pub struct ShownPlace {
     /// East of the origin [m].
     pub x: f64,
     /// North of the origin [m].

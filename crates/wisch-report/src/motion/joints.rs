@@ -1,6 +1,6 @@
 //! Every joint over time: where it is between its limits, and how fast.
 
-use super::input::{Contact, MotionInput};
+use super::input::{MotionInput, ShownContact};
 use super::sampled::with_velocities;
 use crate::draw::{Panel, Pen, axes, decimals, metres, px, range, short, tick_step};
 use maud::{Markup, html};
@@ -244,7 +244,7 @@ fn contact(input: &MotionInput, times: &Times, bottom: f64) -> Markup {
     let wiping = input
         .phases
         .iter()
-        .filter(|phase| phase.contact == Contact::Wiping);
+        .filter(|phase| phase.contact == ShownContact::Wiping);
     let bands: Vec<(f64, f64)> = wiping
         .map(|phase| (times.across(phase.start), times.across(phase.end)))
         .filter(|(from, to)| to > from)

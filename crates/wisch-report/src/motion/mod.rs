@@ -11,7 +11,7 @@ mod sampled;
 mod tests;
 
 pub use followed::ShownMotion;
-pub use input::{Contact, MotionInput, ParticleFrame, Phase, Placement, RatedPlace};
+pub use input::{MotionInput, ParticleFrame, ShownContact, ShownPhase, ShownPlace, ShownPlacement};
 
 use crate::draw::Panel;
 use sampled::SampledMotion;

@@ -1,7 +1,7 @@
 //! The effect over time, kept while a prediction runs.
 
 use wisch::geometry::{PlanarPose, Point2};
-use wisch::plan::{Plan, Progress};
+use wisch::plan::{Plan, PredictionProgress};
 use wisch::represent::{Fate, GoalState, ParticleDistribution, Performance, Surface, Task};
 
 /// Most frames kept of one prediction, the beginning and the end included.
@@ -65,7 +65,7 @@ impl EffectFrames {
     }
 
     /// Takes note of one motion's outcome.
-    pub fn watch(&mut self, progress: &Progress) {
+    pub fn watch(&mut self, progress: &PredictionProgress) {
         // The n-th motion is kept where the share of motions seen passes a whole number of frames,
         // so that the last is always kept.
         let gaps = MAX_FRAMES - 1;

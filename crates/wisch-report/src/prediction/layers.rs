@@ -8,7 +8,7 @@ use crate::draw::{
 use crate::input::ReportInput;
 use maud::{Markup, html};
 use wisch::geometry::{Bounds2, Point2, Vector2};
-use wisch::plan::{DensityMap, NodeRole, data_bandwidth};
+use wisch::plan::{CoverageDensity, NodeRole, data_bandwidth};
 
 /// Most height of the surface in a picture.
 pub(crate) const HEIGHT: f64 = 560.0;
@@ -264,7 +264,7 @@ impl<'a> Drawing<'a> {
         let Some(bounds) = Bounds2::of(outline.outer().iter().copied()) else {
             return html! {};
         };
-        let map = DensityMap::new(&particles, bounds, self.bandwidth());
+        let map = CoverageDensity::new(&particles, bounds, self.bandwidth());
         let contours = Contours::new(&map);
         html! {
             clipPath id="on-surface" { path clip-rule="evenodd" d=(view.rings(outline.rings())) {} }

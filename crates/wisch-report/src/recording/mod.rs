@@ -15,7 +15,7 @@ mod story;
 mod tests;
 mod words;
 
-pub use story::Outcome;
+pub use story::RunOutcome;
 
 use crate::prediction::frames::EffectFrames;
 use crate::scene::Meshes;
@@ -254,7 +254,7 @@ impl<W: Write> RecordingWriter<W> {
     ///
     /// # Errors
     /// What the system says.
-    pub fn end(&mut self, outcome: &Outcome<'_>, episode: Option<&str>) -> io::Result<()> {
+    pub fn end(&mut self, outcome: &RunOutcome<'_>, episode: Option<&str>) -> io::Result<()> {
         write(&mut self.output, &Ended::new(outcome, episode))
     }
 

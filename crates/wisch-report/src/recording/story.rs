@@ -10,7 +10,7 @@ use wisch::run::{Ending, Round};
 
 /// How a run ended.
 #[derive(Debug, Clone, Copy)]
-pub struct Outcome<'a> {
+pub struct RunOutcome<'a> {
     /// What was to be done.
     pub task: &'a Task,
     /// The performance that was wanted, in [0, 1].
@@ -46,7 +46,7 @@ struct Story {
 }
 
 impl<'a> Ended<'a> {
-    pub(super) fn new(outcome: &Outcome<'a>, episode: Option<&'a str>) -> Self {
+    pub(super) fn new(outcome: &RunOutcome<'a>, episode: Option<&'a str>) -> Self {
         let asked = words::asked(outcome.task, outcome.target);
         let story = match outcome.last {
             Some((last, rounds)) => executed(outcome, asked, last, rounds),
@@ -63,7 +63,7 @@ impl<'a> Ended<'a> {
     }
 }
 
-fn executed(outcome: &Outcome<'_>, asked: String, last: &Round, rounds: usize) -> Story {
+fn executed(outcome: &RunOutcome<'_>, asked: String, last: &Round, rounds: usize) -> Story {
     let found = &last.interpretation;
     let rounds = match rounds {
         1 => "one round".to_owned(),
@@ -92,7 +92,7 @@ fn executed(outcome: &Outcome<'_>, asked: String, last: &Round, rounds: usize) -
     }
 }
 
-fn predicted(outcome: &Outcome<'_>, asked: String) -> Story {
+fn predicted(outcome: &RunOutcome<'_>, asked: String) -> Story {
     Story {
         asked,
         happened: format!(

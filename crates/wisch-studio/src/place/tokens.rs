@@ -3,7 +3,7 @@
 /// A token.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Token {
-    pub kind: Kind,
+    pub kind: TokenKind,
     /// From and to [bytes].
     pub start: usize,
     pub end: usize,
@@ -11,7 +11,7 @@ pub struct Token {
 
 /// What a token is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum TokenKind {
     /// An atom that is written with letters or in quotes.
     Name,
     Variable,
@@ -68,29 +68,36 @@ pub fn tokens(query: &str) -> Vec<Token> {
             }
             c if c.is_whitespace() => (None, c.len_utf8()),
             '\'' | '"' | '`' => quoted(rest, c),
-            '0'..='9' => (Some(Kind::Number), number(rest)),
+            '0'..='9' => (Some(TokenKind::Number), number(rest)),
             c if c.is_alphabetic() || c == '_' => {
                 let word = |c: char| c.is_alphanumeric() || c == '_';
                 let kind = if c.is_uppercase() || c == '_' {
-                    Kind::Variable
+                    TokenKind::Variable
                 } else {
-                    Kind::Name
+                    TokenKind::Name
                 };
                 (Some(kind), rest.find(|c| !word(c)).unwrap_or(rest.len()))
             }
-            ',' => (Some(Kind::Comma), 1),
-            '|' if !rest.starts_with("||") => (Some(Kind::Bar), 1),
-            '(' if follows_a_name(found.last(), at) => (Some(Kind::Call), 1),
-            '(' | '[' | '{' => (Some(Kind::Open), 1),
-            ')' | ']' | '}' => (Some(Kind::Close), 1),
-            '!' => (Some(Kind::Name), 1),
+            ',' => (Some(TokenKind::Comma), 1),
+            '|' if !rest.starts_with("||") => (Some(TokenKind::Bar), 1),
+            '(' if follows_a_name(found.last(), at) => (Some(TokenKind::Call), 1),
+            '(' | '[' | '{' => (Some(TokenKind::Open), 1),
+            ')' | ']' | '}' => (Some(TokenKind::Close), 1),
+            '!' => (Some(TokenKind::Name), 1),
             c if is_sign(c) => {
                 let len = rest.find(|c| !is_sign(c)).unwrap_or(rest.len());
                 let after = rest[len..].chars().next();
                 let is_stop = &rest[..len] == "." && after.is_none_or(char::is_whitespace);
-                (Some(if is_stop { Kind::Stop } else { Kind::Symbol }), len)
+                (
+                    Some(if is_stop {
+                        TokenKind::Stop
+                    } else {
+                        TokenKind::Symbol
+                    }),
+                    len,
+                )
             }
-            c => (Some(Kind::Symbol), c.len_utf8()),
+            c => (Some(TokenKind::Symbol), c.len_utf8()),
         };
         if let Some(kind) = kind {
             found.push(Token {
@@ -106,12 +113,16 @@ pub fn tokens(query: &str) -> Vec<Token> {
 
 fn follows_a_name(last: Option<&Token>, at: usize) -> bool {
     last.is_some_and(|token| {
-        token.end == at && matches!(token.kind, Kind::Name | Kind::Symbol | Kind::Variable)
+        token.end == at
+            && matches!(
+                token.kind,
+                TokenKind::Name | TokenKind::Symbol | TokenKind::Variable
+            )
     })
 }
 
 /// What begins with this quote.
-fn quoted(text: &str, mark: char) -> (Option<Kind>, usize) {
+fn quoted(text: &str, mark: char) -> (Option<TokenKind>, usize) {
     let mut chars = text.char_indices().skip(1).peekable();
     while let Some((at, c)) = chars.next() {
         if c == '\\' {
@@ -120,11 +131,15 @@ fn quoted(text: &str, mark: char) -> (Option<Kind>, usize) {
             if chars.next_if(|(_, next)| *next == mark).is_some() {
                 continue;
             }
-            let kind = if mark == '\'' { Kind::Name } else { Kind::Text };
+            let kind = if mark == '\'' {
+                TokenKind::Name
+            } else {
+                TokenKind::Text
+            };
             return (Some(kind), at + 1);
         }
     }
-    (Some(Kind::Unfinished), text.trim_end().len())
+    (Some(TokenKind::Unfinished), text.trim_end().len())
 }
 
 fn number(text: &str) -> usize {

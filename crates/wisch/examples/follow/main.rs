@@ -14,7 +14,7 @@ use wisch::plan::{CoverageStrategy, Plan, Strategy, predict};
 use wisch::represent::Action;
 use wisch::run::{NoExecutor, Session, Stage, unobserved};
 use wisch_io::{LoadOptions, LoadedTask, load_task};
-use wisch_testkit::{AnyError, Robot, TABLE_1, humanoid, scenario};
+use wisch_testkit::{AnyError, ShippedRobot, TABLE_1, humanoid, scenario};
 
 /// Table 1, KDE: action × scenario × (performance [%], execution time [s], computation time [s]).
 const PAPER: [[[f64; 3]; 3]; 3] = [
@@ -124,7 +124,7 @@ fn main() -> Result<(), AnyError> {
     Ok(())
 }
 
-fn trial(loaded: &LoadedTask, robot: &Robot) -> Result<Trial, AnyError> {
+fn trial(loaded: &LoadedTask, robot: &ShippedRobot) -> Result<Trial, AnyError> {
     let begin = Instant::now();
     let LoadedTask { file, task, .. } = loaded;
     let mut session = Session::new(task, loaded.run_config()).with_robot(robot.performer());

@@ -15,7 +15,7 @@ mod tests;
 pub use config::ControlConfig;
 pub use impedance::{Desired, ImpedanceController, Measured, Posture};
 pub use momentum_observer::MomentumObserver;
-pub use motion_controller::{Command, MotionController, pressed_in, tool_load};
+pub use motion_controller::{ControlCommand, MotionController, pressed_in, tool_load};
 
 use crate::geometry::Vector3;
 

@@ -53,7 +53,7 @@ pub fn tool_load(tip_from_tool: &Pose, extent: Vector2, mass: f64) -> Body {
 
 /// What the controller says at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Command {
+pub struct ControlCommand {
     /// Where the tool is, by forward kinematics.
     pub world_from_tool: Pose,
     /// Where it shall be and how it shall move, the press into the surface included.
@@ -64,7 +64,7 @@ pub struct Command {
     pub external: Wrench,
 }
 
-impl Command {
+impl ControlCommand {
     /// From where the tool is to where it is commanded, in the world [m].
     pub fn error(&self) -> Vector3 {
         self.desired.world_from_tool.translation.vector - self.world_from_tool.translation.vector
@@ -227,7 +227,7 @@ impl MotionController {
         time: f64,
         positions: &[f64],
         velocities: &[f64],
-    ) -> Option<Command> {
+    ) -> Option<ControlCommand> {
         for (k, &i) in self.articulation.variables().iter().enumerate() {
             self.q[k] = positions[i];
             self.qd[k] = velocities[i];
@@ -258,7 +258,7 @@ impl MotionController {
         for (effort, (asked, most)) in self.efforts.iter_mut().zip(asked) {
             *effort = asked.clamp(-most, *most);
         }
-        Some(Command {
+        Some(ControlCommand {
             world_from_tool,
             desired,
             controller,

@@ -174,99 +174,35 @@ impl fmt::Display for Doubt {
                 "the tool never came within {:.0} mm of the believed surface (closest: {closest:.3} m): the pose of the surface, the frame of the log or its unit of length may be another",
                 1e3 * NEAR
             ),
-            Self::NoFreeMotion => write!(
-                f,
-                "the log shows no calm free motion, so the bias of the force is not known"
+            Self::NoFreeMotion => f.write_str(
+                "the log shows no calm free motion, so the bias of the force is not known",
             ),
             Self::Curved {
                 radius,
                 axis,
                 is_convex,
-            } => {
-                let shape = if is_convex { "convex" } else { "concave" };
-                write!(
-                    f,
-                    "the contacts lie on a {shape} cylinder of radius {radius:.2} m, whose axis is at {:.0}° to the surface's x axis, not on a plane",
-                    axis.to_degrees()
-                )
-            }
+            } => write_curved(f, radius, axis, is_convex),
             Self::PressedOtherwise {
                 force,
                 declared,
                 matters,
-            } => {
-                write!(
-                    f,
-                    "the tool pressed with {force:.1} N, {:.2} × press_force_n ({declared:.1} N)",
-                    force / declared
-                )?;
-                if matters > MOST_BY_SCALE {
-                    write!(
-                        f,
-                        ", and what that wiped depends on whether the declared force or the scale of the measured one is right"
-                    )?;
-                }
-                write!(
-                    f,
-                    ": set interaction.press_force_n if {force:.1} N is the nominal force"
-                )
-            }
-            Self::SignTurned => write!(
-                f,
-                "the force of contact points into the surface: read with the opposite sign (--wrench-sign)"
+            } => write_pressed_otherwise(f, force, declared, matters),
+            Self::SignTurned => f.write_str(
+                "the force of contact points into the surface: read with the opposite sign (--wrench-sign)",
             ),
-            Self::FrameTurned {
-                direction: [x, y, z],
-                in_tool,
-            } => {
-                let frame = if in_tool { "tool" } else { "surface" };
-                write!(
-                    f,
-                    "the force of contact lies along ({x:.2}, {y:.2}, {z:.2}) in the axes of the {frame}, not along the normal: taken for the normal force (--wrench-frame)"
-                )
-            }
-            Self::ClocksApart { offset } => {
-                let late = if offset < 0.0 { "early" } else { "late" };
-                write!(
-                    f,
-                    "the force is {:.2} s {late} against the position: aligned",
-                    offset.abs()
-                )
-            }
+            Self::FrameTurned { direction, in_tool } => write_frame_turned(f, direction, in_tool),
+            Self::ClocksApart { offset } => write_clocks_apart(f, offset),
             Self::Incomplete {
                 begins,
                 ends,
                 missing,
-            } => {
-                let mut parts = Vec::new();
-                if begins {
-                    parts.push("begins while the tool presses".to_owned());
-                }
-                if ends {
-                    parts.push("ends while the tool presses".to_owned());
-                }
-                if missing > 0.0 {
-                    parts.push(format!("has no samples for {missing:.1} s"));
-                }
-                write!(
-                    f,
-                    "the log {}: what was wiped then is not counted",
-                    parts.join(" and ")
-                )
-            }
+            } => write_incomplete(f, begins, ends, missing),
             Self::LedByHand { share } => write!(
                 f,
                 "somebody leads the tool by hand for {:.0} % of the log",
                 100.0 * share
             ),
-            Self::PressedFarOff { height, searched } => {
-                let side = if height < 0.0 { "below" } else { "above" };
-                let height = height.abs();
-                write!(
-                    f,
-                    "the tool pressed {height:.3} m {side} the believed surface, and contact is looked for within {searched:.3} m of it"
-                )
-            }
+            Self::PressedFarOff { height, searched } => write_far_off(f, height, searched),
             Self::PressedBeside { share } => write!(
                 f,
                 "{:.0} % of the contact is beside the surface",
@@ -287,6 +223,93 @@ impl fmt::Display for Doubt {
             ),
         }
     }
+}
+
+/// Writes [`Doubt::Curved`].
+fn write_curved(
+    f: &mut fmt::Formatter<'_>,
+    radius: f64,
+    axis: f64,
+    is_convex: bool,
+) -> fmt::Result {
+    let shape = if is_convex { "convex" } else { "concave" };
+    write!(
+        f,
+        "the contacts lie on a {shape} cylinder of radius {radius:.2} m, whose axis is at {:.0}° to the surface's x axis, not on a plane",
+        axis.to_degrees()
+    )
+}
+
+/// Writes [`Doubt::PressedOtherwise`].
+fn write_pressed_otherwise(
+    f: &mut fmt::Formatter<'_>,
+    force: f64,
+    declared: f64,
+    matters: f64,
+) -> fmt::Result {
+    let consequence = if matters > MOST_BY_SCALE {
+        ", and what that wiped depends on whether the declared force or the scale of the measured one is right"
+    } else {
+        ""
+    };
+    write!(
+        f,
+        "the tool pressed with {force:.1} N, {:.2} × press_force_n ({declared:.1} N){consequence}: set interaction.press_force_n if {force:.1} N is the nominal force",
+        force / declared
+    )
+}
+
+/// Writes [`Doubt::FrameTurned`].
+fn write_frame_turned(
+    f: &mut fmt::Formatter<'_>,
+    [x, y, z]: [f64; 3],
+    in_tool: bool,
+) -> fmt::Result {
+    let frame = if in_tool { "tool" } else { "surface" };
+    write!(
+        f,
+        "the force of contact lies along ({x:.2}, {y:.2}, {z:.2}) in the axes of the {frame}, not along the normal: taken for the normal force (--wrench-frame)"
+    )
+}
+
+/// Writes [`Doubt::ClocksApart`].
+fn write_clocks_apart(f: &mut fmt::Formatter<'_>, offset: f64) -> fmt::Result {
+    let late = if offset < 0.0 { "early" } else { "late" };
+    write!(
+        f,
+        "the force is {:.2} s {late} against the position: aligned",
+        offset.abs()
+    )
+}
+
+/// Writes [`Doubt::Incomplete`].
+fn write_incomplete(
+    f: &mut fmt::Formatter<'_>,
+    begins: bool,
+    ends: bool,
+    missing: f64,
+) -> fmt::Result {
+    let parts = [
+        begins.then(|| "begins while the tool presses".to_owned()),
+        ends.then(|| "ends while the tool presses".to_owned()),
+        (missing > 0.0).then(|| format!("has no samples for {missing:.1} s")),
+    ];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    write!(
+        f,
+        "the log {}: what was wiped then is not counted",
+        parts.join(" and ")
+    )
+}
+
+/// Writes [`Doubt::PressedFarOff`].
+fn write_far_off(f: &mut fmt::Formatter<'_>, height: f64, searched: f64) -> fmt::Result {
+    let side = if height < 0.0 { "below" } else { "above" };
+    let height = height.abs();
+    write!(
+        f,
+        "the tool pressed {height:.3} m {side} the believed surface, and contact is looked for within {searched:.3} m of it"
+    )
 }
 
 /// What a log shows, with which its doubts are found.

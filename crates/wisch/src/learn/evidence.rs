@@ -78,12 +78,33 @@ impl<'a> RoundEvidence<'a> {
         index: usize,
         law: &dyn Fn() -> String,
     ) -> Result<Self, LearnError> {
-        let (before, after) = (&round.before.detections, &round.after.detections);
-        let expected = before.len();
-        let has_earlier = !round.earlier.is_empty();
+        round.check_counts(index, law)?;
+        round.check_ranges(index, law)?;
+        let detections = RoundDetections::of(round);
+        let mut groups = linked(&detections.places, detections.gate());
+        groups.retain(|group| group.len() <= MOST_JOINT);
+        let groups = groups.iter().map(|group| detections.group(group));
+        // Where nobody was touched, nothing depends on the law.
+        let groups = groups.filter(|group| group.members.iter().any(Member::is_touched));
+        Ok(Self {
+            groups: groups.collect(),
+        })
+    }
+
+    /// How many particles were touched and looked for.
+    pub(super) fn observed(&self) -> usize {
+        let members = self.groups.iter().flat_map(|group| &group.members);
+        members.filter(|member| member.is_touched()).count()
+    }
+}
+
+impl SeenRound {
+    /// Checks that each detection before has its exposures, and its earlier f′ where any has one.
+    fn check_counts(&self, index: usize, law: &dyn Fn() -> String) -> Result<(), LearnError> {
+        let expected = self.before.detections.len();
         let found = [
-            ("exposures", round.exposures.len(), true),
-            ("earlier", round.earlier.len(), has_earlier),
+            ("exposures", self.exposures.len(), true),
+            ("earlier", self.earlier.len(), !self.earlier.is_empty()),
         ];
         for (field, found, is_given) in found {
             if is_given && found != expected {
@@ -96,29 +117,20 @@ impl<'a> RoundEvidence<'a> {
                 });
             }
         }
-        let sensor = &round.sight.sensor;
+        Ok(())
+    }
+
+    /// Checks that the area and the sensor's properties are within their limits.
+    fn check_ranges(&self, index: usize, law: &dyn Fn() -> String) -> Result<(), LearnError> {
+        let Sight { sensor, detection } = self.sight;
+        let (alarms, error) = (sensor.false_alarms_per_m2, sensor.position_error_m);
         for (field, value, limits, expected) in [
-            ("area_m2", round.area_m2, (1e-9, 1e6), "1e-9 to 1e6 m²"),
-            (
-                "detection",
-                round.sight.detection,
-                (1e-3, 1.0),
-                "0.001 to 1",
-            ),
-            (
-                "false_alarms_per_m2",
-                sensor.false_alarms_per_m2,
-                (0.0, 1e9),
-                "0 to 1e9 1/m²",
-            ),
-            (
-                "position_error_m",
-                sensor.position_error_m,
-                (0.0, 1.0),
-                "0 to 1 m",
-            ),
+            ("area_m2", self.area_m2, 1e-9..=1e6, "1e-9 to 1e6 m²"),
+            ("detection", detection, 1e-3..=1.0, "0.001 to 1"),
+            ("false_alarms_per_m2", alarms, 0.0..=1e9, "0 to 1e9 1/m²"),
+            ("position_error_m", error, 0.0..=1.0, "0 to 1 m"),
         ] {
-            if !(limits.0..=limits.1).contains(&value) {
+            if !limits.contains(&value) {
                 return Err(LearnError::OutOfRange {
                     law: law(),
                     round: index,
@@ -128,75 +140,109 @@ impl<'a> RoundEvidence<'a> {
                 });
             }
         }
-        let deviation = 2.0_f64.sqrt() * sensor.position_error_m.max(LEAST_DEVIATION);
-        let gate = GATE * deviation;
-        let detection = round.sight.detection;
+        Ok(())
+    }
+}
+
+/// The detections of a round, and how likely those before and after are to be of the same particles.
+struct RoundDetections<'a> {
+    round: &'a SeenRound,
+    /// Detections before whose particles were looked for afterwards, and their places.
+    looked_for: Vec<usize>,
+    places: Vec<Point2>,
+    /// Detections afterwards that are of none of them.
+    unrelated: Vec<Point2>,
+    /// Standard deviation of the difference of two detections of a particle that stays [m].
+    deviation: f64,
+    /// Probability that a detection before is dirt [1].
+    real: f64,
+    /// Mean density of detections of nothing that was detected before [1/m²].
+    base: f64,
+}
+
+impl<'a> RoundDetections<'a> {
+    fn of(round: &'a SeenRound) -> Self {
+        let (before, after) = (&round.before.detections, &round.after.detections);
+        let Sight { sensor, detection } = round.sight;
         let alarms = sensor.false_alarms_per_m2 * round.area_m2;
-        let real = (1.0 - alarms / expected.max(1) as f64).clamp(LEAST_REAL, 1.0);
+        let real = (1.0 - alarms / before.len().max(1) as f64).clamp(LEAST_REAL, 1.0);
         // What was missed before and is seen now.
-        let missed = expected as f64 * real * (1.0 - detection);
-        let base = sensor.false_alarms_per_m2 + missed / round.area_m2;
-        let looked_for: Vec<usize> = (0..expected)
+        let missed = before.len() as f64 * real * (1.0 - detection);
+        let looked_for: Vec<usize> = (0..before.len())
             .filter(|&i| !round.after.is_hidden(before[i]) && !round.exposures[i].is_empty())
             .collect();
-        let near = |place: &Point2| {
-            let distances = looked_for.iter().map(|&i| (before[i] - place).norm());
+        let places: Vec<Point2> = looked_for.iter().map(|&i| before[i]).collect();
+        let deviation = 2.0_f64.sqrt() * sensor.position_error_m.max(LEAST_DEVIATION);
+        let nearest = |place: &Point2| {
+            let distances = places.iter().map(|known| (known - place).norm());
             distances.fold(f64::INFINITY, f64::min)
         };
-        let unrelated: Vec<Point2> = (after.iter().copied())
-            .filter(|place| near(place) > gate)
-            .collect();
-        let circle = std::f64::consts::PI * NEIGHBOURHOOD * NEIGHBOURHOOD;
-        let clutter = |place: &Point2| {
-            let close = unrelated
-                .iter()
-                .filter(|other| (*other - place).norm() <= NEIGHBOURHOOD);
-            (base + close.count() as f64 / circle).max(LEAST_CLUTTER)
-        };
-        let density = |place: &Point2, from: &Point2| {
-            let squared = (place - from).norm_squared() / (deviation * deviation);
-            if squared > GATE * GATE {
-                return 0.0;
-            }
-            libm::exp(-0.5 * squared) / (std::f64::consts::TAU * deviation * deviation)
-        };
-        let places: Vec<Point2> = looked_for.iter().map(|&i| before[i]).collect();
-        let mut groups = linked(&places, gate);
-        groups.retain(|group| group.len() <= MOST_JOINT);
-        let groups = groups.into_iter().map(|group| {
-            let members = group.iter().map(|&k| {
-                let i = looked_for[k];
-                Member {
-                    detected: real * detection,
-                    exposures: &round.exposures[i],
-                    earlier: if has_earlier { &round.earlier[i] } else { &[] },
-                }
-            });
-            let related = (after.iter())
-                .filter(|place| (group.iter()).any(|&k| (places[k] - **place).norm() <= gate));
-            let of_each = |place: &Point2| {
-                let others = (0..places.len()).filter(|k| !group.contains(k));
-                let others: f64 = others.map(|k| density(place, &places[k])).sum();
-                let clutter = clutter(place) + OTHERS * real * detection * others;
-                let ratios = group.iter().map(|&k| density(place, &places[k]) / clutter);
-                ratios.collect()
-            };
-            Group {
-                members: members.collect(),
-                seen: Seen(related.map(of_each).collect()),
-            }
-        });
-        // Where nobody was touched, nothing depends on the law.
-        let groups = groups.filter(|group| group.members.iter().any(Member::is_touched));
-        Ok(Self {
-            groups: groups.collect(),
-        })
+        let unrelated = (after.iter().copied()).filter(|place| nearest(place) > GATE * deviation);
+        Self {
+            round,
+            unrelated: unrelated.collect(),
+            looked_for,
+            places,
+            deviation,
+            real,
+            base: sensor.false_alarms_per_m2 + missed / round.area_m2,
+        }
     }
 
-    /// How many particles were touched and looked for.
-    pub(super) fn observed(&self) -> usize {
-        let members = self.groups.iter().flat_map(|group| &group.members);
-        members.filter(|member| member.is_touched()).count()
+    /// Farthest that the detections of a particle that stays lie apart [m].
+    fn gate(&self) -> f64 {
+        GATE * self.deviation
+    }
+
+    /// The particles at the places of these numbers, with the detections afterwards that may be of them.
+    fn group(&self, group: &[usize]) -> Group<'a> {
+        let round = self.round;
+        let members = group.iter().map(|&k| {
+            let i = self.looked_for[k];
+            Member {
+                detected: self.real * round.sight.detection,
+                exposures: &round.exposures[i],
+                earlier: round.earlier.get(i).map_or(&[][..], Vec::as_slice),
+            }
+        });
+        let is_near = |place: &&Point2| {
+            (group.iter()).any(|&k| (self.places[k] - **place).norm() <= self.gate())
+        };
+        let related = round.after.detections.iter().filter(is_near);
+        Group {
+            members: members.collect(),
+            seen: Seen(related.map(|place| self.ratios(place, group)).collect()),
+        }
+    }
+
+    /// How much more likely a detection afterwards is to be of each member of a group than of none [1].
+    fn ratios(&self, place: &Point2, group: &[usize]) -> Vec<f64> {
+        let others = (0..self.places.len()).filter(|k| !group.contains(k));
+        let others: f64 = others.map(|k| self.density(place, &self.places[k])).sum();
+        let detection = self.round.sight.detection;
+        let clutter = self.clutter(place) + OTHERS * self.real * detection * others;
+        let members = group.iter().map(|&k| &self.places[k]);
+        members
+            .map(|from| self.density(place, from) / clutter)
+            .collect()
+    }
+
+    /// Density of detections of nothing that was detected before, near a place [1/m²].
+    fn clutter(&self, place: &Point2) -> f64 {
+        let circle = std::f64::consts::PI * NEIGHBOURHOOD * NEIGHBOURHOOD;
+        let is_close = |other: &&Point2| (*other - place).norm() <= NEIGHBOURHOOD;
+        let close = self.unrelated.iter().filter(is_close).count();
+        (self.base + close as f64 / circle).max(LEAST_CLUTTER)
+    }
+
+    /// Probability density of detecting a particle at a place after it was detected at `from` [1/m²].
+    fn density(&self, place: &Point2, from: &Point2) -> f64 {
+        let variance = self.deviation * self.deviation;
+        let squared = (place - from).norm_squared() / variance;
+        if squared > GATE * GATE {
+            return 0.0;
+        }
+        libm::exp(-0.5 * squared) / (std::f64::consts::TAU * self.deviation * self.deviation)
     }
 }
 

@@ -20,7 +20,7 @@ mod posterior;
 
 pub use error::LearnError;
 pub use evidence::SeenRound;
-pub use posterior::Summary;
+pub use posterior::PosteriorSummary;
 
 use crate::represent::{Interaction, LogNormal, LogNormalSpread, Redraw};
 use evidence::RoundEvidence;
@@ -66,11 +66,11 @@ pub struct Lesson<'a> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct LearnedLaw {
     /// μ [1].
-    pub mu: Summary,
+    pub mu: PosteriorSummary,
     /// ln σ [1].
-    pub ln_sigma: Summary,
+    pub ln_sigma: PosteriorSummary,
     /// ln of ℓ in metres, if thresholds are drawn again.
-    pub ln_redraw_length: Summary,
+    pub ln_redraw_length: PosteriorSummary,
     /// Probability that a particle keeps its threshold for good [1].
     pub kept_share: f64,
     /// Rounds that it was fitted to.
@@ -223,9 +223,9 @@ impl Fit {
         let (mu, ln_sigma) = grid.marginals(weights);
         let (ln_length, kept_share) = grid.redraw(weights, &self.prior);
         LearnedLaw {
-            mu: Summary::of(&grid.mu, &mu),
-            ln_sigma: Summary::of(&grid.ln_sigma, &ln_sigma),
-            ln_redraw_length: Summary::of(&grid.ln_length, &ln_length),
+            mu: PosteriorSummary::of(&grid.mu, &mu),
+            ln_sigma: PosteriorSummary::of(&grid.ln_sigma, &ln_sigma),
+            ln_redraw_length: PosteriorSummary::of(&grid.ln_length, &ln_length),
             kept_share,
             rounds: self.rounds,
             particles: self.particles,

@@ -2,7 +2,7 @@
 
 /// What is believed of a number.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Summary {
+pub struct PosteriorSummary {
     /// Its mean.
     pub mean: f64,
     /// Its standard deviation.
@@ -11,7 +11,7 @@ pub struct Summary {
     pub interval: [f64; 2],
 }
 
-impl Summary {
+impl PosteriorSummary {
     /// Of weights, in any unit, of equally spaced nodes in ascending order.
     pub(super) fn of(nodes: &[f64], weights: &[f64]) -> Self {
         let sum: f64 = weights.iter().sum();
@@ -53,18 +53,18 @@ mod tests {
     fn a_normal_distribution_is_summed_up() {
         let nodes: Vec<f64> = (0..41).map(|i| -5.0 + 0.25 * f64::from(i)).collect();
         let weights: Vec<f64> = nodes.iter().map(|x| libm::exp(-0.5 * x * x)).collect();
-        let Summary {
+        let PosteriorSummary {
             mean,
             deviation,
             interval: [low, high],
-        } = Summary::of(&nodes, &weights);
+        } = PosteriorSummary::of(&nodes, &weights);
         assert!(mean.abs() < 1e-9 && (deviation - 1.0).abs() < 1e-3);
         // Φ(1.6449) = 0.95; spreading a node's weight evenly adds a little.
         assert!(
             (high - 1.645).abs() < 0.02 && (low + 1.645).abs() < 0.02,
             "{low} {high}"
         );
-        let one = Summary::of(&[0.3], &[2.0]);
+        let one = PosteriorSummary::of(&[0.3], &[2.0]);
         assert_eq!(
             (one.mean, one.deviation, one.interval),
             (0.3, 0.0, [0.3; 2])

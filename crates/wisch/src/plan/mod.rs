@@ -23,7 +23,8 @@ mod tree;
 pub use candidates::best_subplan_of_candidates;
 pub use clearance::FreeSpace;
 pub use coverage::{
-    CoverageStrategy, DensityMap, KdeConfig, MAX_NODES, RrtConfig, data_bandwidth, grid, kde, rrt,
+    CoverageDensity, CoverageStrategy, KdeConfig, MAX_NODES, RrtConfig, data_bandwidth, grid, kde,
+    rrt,
 };
 pub use error::PlanError;
 pub use given_strokes::{
@@ -37,7 +38,7 @@ pub(crate) use portfolio::most_worth;
 pub use portfolio::{
     Candidate, Portfolio, best_plan, plan, plan_around, plan_for_any, portfolio, worth,
 };
-pub use predict::{Prediction, Progress, predict};
+pub use predict::{Prediction, PredictionProgress, predict};
 pub use strategy::Strategy;
 pub use strokes::{Plan, Stroke, TcpWaypoint};
 pub use subplans::best_subplan;

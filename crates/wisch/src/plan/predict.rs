@@ -32,7 +32,7 @@ impl Prediction {
 
 /// The state after one motion of a prediction.
 #[derive(Debug, Clone, Copy)]
-pub struct Progress<'a> {
+pub struct PredictionProgress<'a> {
     /// Distance travelled in contact so far [m].
     pub distance: f64,
     /// Pose of the tool in the surface frame.
@@ -46,7 +46,7 @@ pub struct Progress<'a> {
 /// Plays the strokes of a plan through the effect model.
 ///
 /// `watch` is called after every motion; use `|_| ()` where nobody looks.
-pub fn predict(task: &Task, plan: &Plan, mut watch: impl FnMut(&Progress)) -> Prediction {
+pub fn predict(task: &Task, plan: &Plan, mut watch: impl FnMut(&PredictionProgress)) -> Prediction {
     let mut field = ParticleField::new(&task.particles);
     let mut model = EffectModel::new(&task.tool.footprint, plan.graph.goal.action().effect());
     let mut distance = 0.0;
@@ -54,7 +54,7 @@ pub fn predict(task: &Task, plan: &Plan, mut watch: impl FnMut(&Progress)) -> Pr
         for motion in motions {
             model.apply(&mut field, &task.surface, &motion);
             distance += motion.travel().1;
-            watch(&Progress {
+            watch(&PredictionProgress {
                 distance,
                 surface_from_tool: motion.to,
                 stroke,

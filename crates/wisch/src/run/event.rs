@@ -2,7 +2,7 @@
 
 use super::{Considered, PlannedRound, Round, TelemetrySample};
 use crate::follow::Audit;
-use crate::plan::{Plan, Progress};
+use crate::plan::{Plan, PredictionProgress};
 use crate::recover::Verdict;
 use crate::represent::{Observation, Task};
 use std::ops::ControlFlow;
@@ -47,7 +47,7 @@ pub enum RunEvent<'a> {
         /// The plan as the robot wipes it.
         wiped: &'a Plan,
         /// How far it has come.
-        progress: Progress<'a>,
+        progress: PredictionProgress<'a>,
     },
     /// The motion was checked.
     Audited {

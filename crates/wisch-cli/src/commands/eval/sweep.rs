@@ -10,7 +10,7 @@ use crate::terminal::Outcome;
 use serde::Serialize;
 use std::path::Path;
 use wisch_eval::{
-    Axis, Extent, Quantity, SweepCase, SweepCell, SweepRun, SweepSetup, cells, sweep_cells,
+    Axis, Quantity, SweepCase, SweepCell, SweepRun, SweepSetup, WipingExtent, cells, sweep_cells,
 };
 use wisch_io::{LoadOptions, load_task};
 
@@ -134,12 +134,12 @@ fn check(args: &SweepArgs) -> Result<String, Failure> {
 
 fn in_words(record: &SweepRecord) -> String {
     let mut quantities = vec![Quantity::Predicted, Quantity::PredictedLoss];
-    if record.setup.extent == Extent::Executed {
+    if record.setup.extent == WipingExtent::Executed {
         quantities.extend([Quantity::Estimated, Quantity::Truth, Quantity::TrueLoss]);
         quantities.push(Quantity::Rounds);
     }
     quantities.extend([Quantity::DistanceM, Quantity::Lifts]);
-    if record.setup.extent != Extent::Planned {
+    if record.setup.extent != WipingExtent::Planned {
         quantities.extend([Quantity::Abandoned, Quantity::ExecutionS]);
     }
     quantities.push(Quantity::ComputationS);
@@ -149,7 +149,7 @@ fn in_words(record: &SweepRecord) -> String {
         counted(record.runs.len(), "run"),
         record.setup.task,
     );
-    let is_executed = record.setup.extent == Extent::Executed;
+    let is_executed = record.setup.extent == WipingExtent::Executed;
     let claimed = is_executed.then(|| "claimed".to_owned());
     let names = quantities
         .iter()

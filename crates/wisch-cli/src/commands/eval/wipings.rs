@@ -2,7 +2,7 @@
 
 use super::super::words::internal;
 use crate::failure::Failure;
-use wisch_eval::{ExecutionScore, Quantity, Statistics, Summary, WipingScore};
+use wisch_eval::{ExecutionScore, Quantity, QuantitySummary, Statistics, WipingScore};
 
 /// What stands where there is nothing.
 pub(super) const NONE: &str = "–";
@@ -95,19 +95,23 @@ pub(super) fn figure(quantity: Quantity, value: f64) -> String {
 }
 
 /// The mean of a quantity in words.
-pub(super) fn mean(summary: &Summary, quantity: Quantity) -> String {
+pub(super) fn mean(summary: &QuantitySummary, quantity: Quantity) -> String {
     of(summary, quantity, |of| figure(quantity, of.mean))
 }
 
 /// The median and the quartiles of a quantity in words.
-pub(super) fn quartiles(summary: &Summary, quantity: Quantity) -> String {
+pub(super) fn quartiles(summary: &QuantitySummary, quantity: Quantity) -> String {
     of(summary, quantity, |of| {
         let [_, first, median, third, _] = of.quartiles.0.map(|value| figure(quantity, value));
         format!("{median} ({first} to {third})")
     })
 }
 
-fn of(summary: &Summary, quantity: Quantity, words: impl Fn(&Statistics) -> String) -> String {
+fn of(
+    summary: &QuantitySummary,
+    quantity: Quantity,
+    words: impl Fn(&Statistics) -> String,
+) -> String {
     summary
         .get(&quantity)
         .map_or_else(|| NONE.to_owned(), words)

@@ -3,7 +3,7 @@
 use super::super::words::{counted, percent};
 use super::Evidence;
 use serde::Serialize;
-use wisch::learn::{LearnedLaw, Summary};
+use wisch::learn::{LearnedLaw, PosteriorSummary};
 use wisch::represent::Interaction;
 
 /// What the object of `--json` is.
@@ -48,7 +48,7 @@ struct ParameterRecord {
 }
 
 /// The interval of a parameter of whose logarithm this is.
-pub(super) fn exp(summary: &Summary) -> [f64; 2] {
+pub(super) fn exp(summary: &PosteriorSummary) -> [f64; 2] {
     summary.interval.map(f64::exp)
 }
 
@@ -62,7 +62,7 @@ pub(super) fn law_record(evidence: &Evidence, law: &LearnedLaw) -> LawRecord {
         redraw,
         ..
     } = &evidence.interaction;
-    let of_log = |before: f64, summary: &Summary| {
+    let of_log = |before: f64, summary: &PosteriorSummary| {
         let [low, high] = exp(summary);
         ParameterRecord {
             before,

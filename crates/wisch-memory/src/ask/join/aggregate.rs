@@ -3,7 +3,7 @@
 use super::expression::{Binary, binary};
 use super::goal::{Aggregate, Block};
 use super::solver::{Flow, Solver, Stop};
-use super::value::{Pattern, Value, standard_order};
+use super::value::{JoinValue, Pattern, standard_order};
 use crate::ask::term::Term;
 use std::cmp::Ordering;
 
@@ -16,7 +16,7 @@ impl Solver<'_> {
         &mut self,
         block: &Block,
         aggregate: &Aggregate,
-    ) -> Result<Option<Value>, Stop> {
+    ) -> Result<Option<JoinValue>, Stop> {
         match aggregate {
             Aggregate::Count => {
                 let mut count = 0;
@@ -24,17 +24,17 @@ impl Solver<'_> {
                     count += 1;
                     Ok(Flow::Continue)
                 })?;
-                Ok(Some(Value::Integer(count)))
+                Ok(Some(JoinValue::Integer(count)))
             }
             Aggregate::All(pattern) => {
                 let all = self.instances_of(block, pattern)?;
-                Ok(Some(Value::Term(Term::List(all))))
+                Ok(Some(JoinValue::Term(Term::List(all))))
             }
             Aggregate::Set(pattern) => {
                 let mut all = self.instances_of(block, pattern)?;
                 sort(&mut all, |term| term)?;
                 all.dedup();
-                Ok(Some(Value::Term(Term::List(all))))
+                Ok(Some(JoinValue::Term(Term::List(all))))
             }
             Aggregate::Sum(of) => {
                 let (sum, _) = self.total(block, of)?;
@@ -49,7 +49,7 @@ impl Solver<'_> {
                 of,
                 witness,
             } => {
-                let mut best: Option<(Value, Option<Term>)> = None;
+                let mut best: Option<(JoinValue, Option<Term>)> = None;
                 self.solve(block, &mut |solver| {
                     let value = solver.evaluated(of)?;
                     let number = value.as_number().ok_or(Stop::Declined)?;
@@ -71,7 +71,7 @@ impl Solver<'_> {
                     Some(witness) => {
                         let name = if *is_max { "max" } else { "min" };
                         let pair = [value.to_term(catalogue), witness];
-                        Value::Term(Term::compound(name, pair))
+                        JoinValue::Term(Term::compound(name, pair))
                     }
                 }))
             }
@@ -84,8 +84,8 @@ impl Solver<'_> {
         block: &Block,
         key: &Pattern,
         number: &Pattern,
-    ) -> Result<Vec<[Value; 3]>, Stop> {
-        let mut all: Vec<(Term, Value)> = Vec::new();
+    ) -> Result<Vec<[JoinValue; 3]>, Stop> {
+        let mut all: Vec<(Term, JoinValue)> = Vec::new();
         self.solve(block, &mut |solver| {
             if all.len() == MOST_TERMS {
                 return Err(Stop::Declined);
@@ -96,13 +96,17 @@ impl Solver<'_> {
         })?;
         sort(&mut all, |(key, _)| key)?;
         let groups = all.chunk_by(|a, b| a.0 == b.0).map(|group| {
-            let mut sum = Value::Integer(0);
+            let mut sum = JoinValue::Integer(0);
             for (_, number) in group {
                 sum = binary(Binary::Plus, sum, number.clone()).ok_or(Stop::Declined)?;
             }
             let count = i64::try_from(group.len()).map_err(|_| Stop::Declined)?;
             let mean = quotient(sum, count)?;
-            Ok([Value::of(group[0].0.clone()), mean, Value::Integer(count)])
+            Ok([
+                JoinValue::of(group[0].0.clone()),
+                mean,
+                JoinValue::Integer(count),
+            ])
         });
         groups.collect()
     }
@@ -123,11 +127,11 @@ impl Solver<'_> {
         &mut self,
         block: &Block,
         of: &super::expression::Expression,
-    ) -> Result<(Value, i64), Stop> {
-        let (mut sum, mut count) = (Value::Integer(0), 0);
+    ) -> Result<(JoinValue, i64), Stop> {
+        let (mut sum, mut count) = (JoinValue::Integer(0), 0);
         self.solve(block, &mut |solver| {
             let value = solver.evaluated(of)?;
-            let before = std::mem::replace(&mut sum, Value::Integer(0));
+            let before = std::mem::replace(&mut sum, JoinValue::Integer(0));
             sum = binary(Binary::Plus, before, value).ok_or(Stop::Declined)?;
             count += 1;
             Ok(Flow::Continue)
@@ -136,8 +140,8 @@ impl Solver<'_> {
     }
 }
 
-fn quotient(sum: Value, count: i64) -> Result<Value, Stop> {
-    binary(Binary::Over, sum, Value::Integer(count)).ok_or(Stop::Declined)
+fn quotient(sum: JoinValue, count: i64) -> Result<JoinValue, Stop> {
+    binary(Binary::Over, sum, JoinValue::Integer(count)).ok_or(Stop::Declined)
 }
 
 /// Sorts by the standard order of a key; equal ones stay as they stood.

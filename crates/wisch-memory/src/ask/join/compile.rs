@@ -1,21 +1,15 @@
 //! From terms to goals: what names mean is looked up here, once. What is beyond joins is left to the engine.
 
+mod lookup;
+
 use super::expression::{Binary, Comparison, Expression, Unary};
-use super::goal::{Aggregate, Block, Goal, Side, Source};
+use super::goal::{Aggregate, Block, Goal};
 use super::order::ordered;
-use super::value::{Pattern, Value};
-use crate::ask::intervals::Relation;
+use super::value::{JoinValue, Pattern};
 use crate::ask::streams::Knowledge;
 use crate::ask::term::Term;
 use std::collections::{HashMap, HashSet};
 
-/// Properties that hold the other way round of others, where one side is known: left to the engine.
-const WITH_INVERSE: [&str; 4] = [
-    "dul:isConstituentOf",
-    "dul:isParticipantIn",
-    "dul:isExecutedIn",
-    "dul:classifies",
-];
 /// Most goals, nested ones counted: more are no question that a person asks.
 const MOST_GOALS: usize = 256;
 
@@ -141,7 +135,7 @@ impl<'a> Compiler<'a> {
                 let items = items.iter().map(|item| self.pattern(item));
                 Pattern::Compound(name.clone(), items.collect::<Option<_>>()?)
             }
-            ground => Pattern::Value(Value::of(ground.clone())),
+            ground => Pattern::JoinValue(JoinValue::of(ground.clone())),
         })
     }
 
@@ -155,7 +149,7 @@ impl<'a> Compiler<'a> {
     fn thing(&mut self, term: &Term) -> Option<Pattern> {
         match term {
             Term::Variable(name) => Some(Pattern::Variable(self.variable(name))),
-            ground if is_ground(ground) => Some(Pattern::Value(thing_of(self.known, ground)?)),
+            ground if is_ground(ground) => Some(Pattern::JoinValue(thing_of(self.known, ground)?)),
             _ => None,
         }
     }
@@ -164,142 +158,49 @@ impl<'a> Compiler<'a> {
     fn object(&mut self, term: &Term) -> Option<Pattern> {
         match term {
             Term::Variable(_) => self.thing(term),
-            ground if is_ground(ground) => Some(Pattern::Value(object_of(self.known, ground))),
+            ground if is_ground(ground) => Some(Pattern::JoinValue(object_of(self.known, ground))),
             _ => None,
         }
     }
 
+    /// Compiles a thing; `None` if it is a variable that may not be bound yet.
+    fn require_bound_thing(&mut self, term: &Term) -> Option<Pattern> {
+        let thing = self.thing(term)?;
+        self.is_bound(&thing).then_some(thing)
+    }
+
+    /// Compiles a pattern; `None` if a variable in it may not be bound yet.
+    fn require_bound_pattern(&mut self, term: &Term) -> Option<Pattern> {
+        let pattern = self.pattern(term)?;
+        self.is_bound(&pattern).then_some(pattern)
+    }
+
     /// The goal of a term; inside, `None` of one that always holds.
-    #[allow(
-        clippy::too_many_lines,
-        reason = "one line or two for each kind of goal"
-    )]
     fn goal(&mut self, term: &Term) -> Option<Option<Goal>> {
         let (name, arguments) = term.parts()?;
-        let names = &self.known.names;
-        Some(Some(match (name, arguments) {
-            ("true", []) => return Some(None),
-            ("instance_of", [thing, class]) => {
-                let class = is_ground(class).then_some(class)?;
-                let class = names.resolve("class", class).ok()?;
-                self.class(thing, &class)?
-            }
-            ("is_a" | "of_class", [thing, Term::Atom(class)]) => self.class(thing, class)?,
-            ("triple", [subject, property, object]) => {
-                let is_plain = matches!(property, Term::Atom(_))
-                    || matches!(property, Term::Compound(colon, _) if colon == ":");
-                let property = (is_plain && is_ground(property)).then_some(property)?;
-                let property = names.resolve("property", property).ok()?;
-                match (property.as_str(), object) {
-                    ("rdf:type", Term::Variable(_)) | ("rdfs:subClassOf", _) => return None,
-                    ("rdf:type", class) => {
-                        let class = names.resolve("class", class).ok()?;
-                        self.class(subject, &class)?
-                    }
-                    _ => self.stated(subject, &property, object)?,
-                }
-            }
-            ("stated", [subject, Term::Atom(property), object]) => {
-                self.stated(subject, property, object)?
-            }
-            ("has_data_value", [thing, condition]) => self.has_data_value(thing, condition)?,
-            ("value", [thing, Term::Atom(property), value]) => Goal::Statement {
-                subject: self.thing(thing)?,
-                object: self.pattern(value)?,
-                sources: self.without_assertions(Source::Values {
-                    property: property.clone(),
-                    is_lenient: false,
-                })?,
-            },
-            ("relation", [subject, Term::Atom(property), object]) => Goal::Statement {
-                subject: self.thing(subject)?,
-                object: self.thing(object)?,
-                sources: self.without_assertions(Source::Relations(property.clone()))?,
-            },
-            ("part", [whole, part]) => Goal::Statement {
-                subject: self.thing(whole)?,
-                object: self.thing(part)?,
-                sources: vec![Source::Parts],
-            },
-            ("timed", [event, start, end]) => Goal::Timed {
-                event: self.thing(event)?,
-                start: self.pattern(start)?,
-                end: self.pattern(end)?,
-            },
-            ("related", [Term::Atom(relation), first, second]) => Goal::Related {
-                relation: Relation::named(relation)?,
-                first: self.side(first)?,
-                second: self.side(second)?,
-            },
-            ("part_below", [whole, part, Term::Atom(class)]) => {
-                let whole = self.thing(whole)?;
-                let whole = self.is_bound(&whole).then_some(whole)?;
-                let (part, classes) = (self.thing(part)?, self.classes(class));
-                Goal::PartBelow {
-                    whole,
-                    part,
-                    classes,
-                }
-            }
-            ("above", [part, whole, Term::Atom(class)]) => {
-                let part = self.thing(part)?;
-                let part = self.is_bound(&part).then_some(part)?;
-                let (whole, classes) = (self.thing(whole)?, self.classes(class));
-                Goal::Above {
-                    part,
-                    whole,
-                    classes,
-                }
-            }
-            ("last_episode", [episode, time]) => Goal::LastEpisode {
-                episode: self.thing(episode)?,
-                time: self.pattern(time)?,
-            },
-            ("telemetry_in", [episode, channel, when, statistic, value]) => {
-                let known = [channel, when, statistic].map(|term| self.pattern(term));
-                let [channel, when, statistic] = known;
-                let (channel, when, statistic) = (channel?, when?, statistic?);
-                let are_bound = [&channel, &when, &statistic];
-                are_bound
-                    .into_iter()
-                    .all(|p| self.is_bound(p))
-                    .then_some(())?;
-                Goal::Telemetry {
-                    episode: self.thing(episode)?,
-                    channel,
-                    when,
-                    statistic,
-                    value: self.pattern(value)?,
-                }
-            }
-            ("episode", [episode, name]) => {
-                let episode_of = self.thing(episode)?;
-                let is_bound = self.is_bound(&episode_of);
-                let same = self.alias(episode_of.clone(), name)?;
-                match (is_bound, same) {
-                    (true, same) => return Some(same),
-                    (false, None) => self.class(episode, "semco:WipingEpisode")?,
-                    (false, Some(_)) => return None,
-                }
-            }
+        match (name, arguments) {
+            ("true", []) => Some(None),
+            ("episode", [episode, name]) => self.name_episode(episode, name),
             ("thing", [thing, name]) => {
                 let thing = self.thing(thing)?;
-                return self.alias(thing, name);
+                self.alias(thing, name)
             }
             ("known", [Term::Atom(kind), thing, name]) if kind == "thing" => {
-                let thing = self.thing(thing)?;
-                let thing = self.is_bound(&thing).then_some(thing)?;
-                return self.alias(thing, name);
+                let thing = self.require_bound_thing(thing)?;
+                self.alias(thing, name)
             }
-            ("=", [left, right]) => {
-                let left_pattern = self.pattern(left)?;
-                match (&left_pattern, right) {
-                    (Pattern::Variable(_), Term::Variable(_)) => {
-                        return self.alias(left_pattern, right);
-                    }
-                    _ => Goal::Same(left_pattern, self.pattern(right)?),
-                }
+            ("=", [left @ Term::Variable(_), right @ Term::Variable(_)]) => {
+                let left = self.pattern(left)?;
+                self.alias(left, right)
             }
+            _ => self.compile_condition(name, arguments).map(Some),
+        }
+    }
+
+    /// Compiles a goal that calculates, compares or goes over solutions; any other looks something up.
+    fn compile_condition(&mut self, name: &str, arguments: &[Term]) -> Option<Goal> {
+        Some(match (name, arguments) {
+            ("=", [left, right]) => Goal::Same(self.pattern(left)?, self.pattern(right)?),
             ("is", [result, expression]) => {
                 let expression = self.expression(expression)?;
                 Goal::Is(self.pattern(result)?, expression)
@@ -311,9 +212,7 @@ impl<'a> Compiler<'a> {
             ),
             ("number", [value]) => Goal::Number(self.pattern(value)?),
             ("length", [list, len]) => {
-                let list = self.pattern(list)?;
-                let list = self.is_bound(&list).then_some(list)?;
-                Goal::Length(list, self.pattern(len)?)
+                Goal::Length(self.require_bound_pattern(list)?, self.pattern(len)?)
             }
             ("\\+", [goals]) => Goal::Not(self.inner(goals)?),
             ("forall", [Term::List(goals), then]) => {
@@ -333,123 +232,21 @@ impl<'a> Compiler<'a> {
             }
             ("aggregate_all", [kind, goals, result]) => self.over(kind, goals, result)?,
             ("mean_by", [key, number, goals, of, mean, count]) => {
-                let (numbers, bound) = (self.numbers.clone(), self.bound.clone());
-                // What is known of the key narrows the goals down.
-                let block = self.block(goals)?;
-                let (key, number) = (self.pattern(key)?, self.pattern(number)?);
-                self.leave(numbers, &bound);
-                let result = [of, mean, count].map(|term| self.pattern(term));
-                let [of, mean, count] = result;
-                let result = [of?, mean?, count?];
-                Goal::MeanByKey {
-                    block,
-                    key,
-                    number,
-                    result,
-                }
+                self.compile_means([key, number], goals, [of, mean, count])?
             }
-            _ => return None,
-        }))
-    }
-
-    fn class(&mut self, thing: &Term, class: &str) -> Option<Goal> {
-        Some(Goal::Class {
-            thing: self.thing(thing)?,
-            classes: self.classes(class),
+            _ => self.compile_lookup(name, arguments)?,
         })
     }
 
-    fn classes(&self, class: &str) -> Vec<String> {
-        atoms(self.known.names.subclasses(class))
-    }
-
-    fn stated(&mut self, subject: &Term, property: &str, object: &Term) -> Option<Goal> {
-        if WITH_INVERSE.contains(&property) {
-            return None;
+    /// Compiles `episode/2`: another name of a known thing, or any wiping episode under both names.
+    fn name_episode(&mut self, episode: &Term, name: &Term) -> Option<Option<Goal>> {
+        let thing = self.thing(episode)?;
+        let is_bound = self.is_bound(&thing);
+        match self.alias(thing, name)? {
+            same if is_bound => Some(same),
+            None => self.class(episode, "semco:WipingEpisode").map(Some),
+            Some(_) => None,
         }
-        let mut sources = Vec::new();
-        for exact in atoms(self.known.names.subproperties(property)) {
-            if exact == "dul:hasConstituent" {
-                sources.push(Source::Parts);
-                continue;
-            }
-            sources.extend(self.without_assertions(Source::Relations(exact.clone()))?);
-            sources.push(Source::Values {
-                property: exact,
-                is_lenient: true,
-            });
-        }
-        Some(Goal::Statement {
-            subject: self.thing(subject)?,
-            object: self.object(object)?,
-            sources,
-        })
-    }
-
-    /// A source in a list of its own, unless people have added statements to it, which the catalogue does not hold.
-    fn without_assertions(&self, source: Source) -> Option<Vec<Source>> {
-        let of = match &source {
-            Source::Parts => return Some(vec![source]),
-            Source::Relations(property) | Source::Values { property, .. } => property,
-        };
-        (!self.known.assertions.has(of)).then(|| vec![source])
-    }
-
-    fn has_data_value(&mut self, thing: &Term, condition: &Term) -> Option<Goal> {
-        let Term::Compound(operator, arguments) = condition else {
-            return None;
-        };
-        let (property, operator, bound) = match arguments.as_slice() {
-            [property, bound] => (property.clone(), operator.as_str(), bound),
-            [bound] => (Term::atom(operator), "=", bound),
-            _ => return None,
-        };
-        let property = is_ground(&property).then_some(property)?;
-        let property = self.known.names.resolve("property", &property).ok()?;
-        let properties = atoms(self.known.names.subproperties(&property));
-        if properties
-            .iter()
-            .any(|exact| self.known.assertions.has(exact))
-        {
-            return None;
-        }
-        let subject = self.thing(thing)?;
-        Some(match operator {
-            "=" => {
-                let object = self.pattern(bound)?;
-                let source = |property| Source::Values {
-                    property,
-                    is_lenient: true,
-                };
-                let sources = properties.into_iter().map(source).collect();
-                Goal::Statement {
-                    subject,
-                    object,
-                    sources,
-                }
-            }
-            "=\\=" => return None,
-            _ => Goal::Compared {
-                thing: subject,
-                properties,
-                comparison: Comparison::named(operator)?,
-                bound: self.expression(bound)?,
-            },
-        })
-    }
-
-    fn side(&mut self, term: &Term) -> Option<Side> {
-        Some(match term {
-            Term::List(times) => {
-                let [start, end] = times.as_slice() else {
-                    return None;
-                };
-                let (start, end) = (self.pattern(start)?, self.pattern(end)?);
-                (self.is_bound(&start) && self.is_bound(&end)).then_some(())?;
-                Side::Times(start, end)
-            }
-            other => Side::Event(self.thing(other)?),
-        })
     }
 
     /// A second name of a pattern; inside, a goal that they are the same, where it has a meaning already.
@@ -519,6 +316,26 @@ impl<'a> Compiler<'a> {
             block,
             aggregate,
             result,
+        })
+    }
+
+    /// Compiles `mean_by/6`.
+    fn compile_means(
+        &mut self,
+        [key, number]: [&Term; 2],
+        goals: &Term,
+        [of, mean, count]: [&Term; 3],
+    ) -> Option<Goal> {
+        let (numbers, bound) = (self.numbers.clone(), self.bound.clone());
+        // What is known of the key narrows the goals down.
+        let block = self.block(goals)?;
+        let (key, number) = (self.pattern(key)?, self.pattern(number)?);
+        self.leave(numbers, &bound);
+        Some(Goal::MeanByKey {
+            block,
+            key,
+            number,
+            result: [self.pattern(of)?, self.pattern(mean)?, self.pattern(count)?],
         })
     }
 
@@ -597,25 +414,25 @@ pub fn is_ground(term: &Term) -> bool {
 }
 
 /// The thing of a name, if there is one.
-pub fn thing_of(known: &Knowledge, name: &Term) -> Option<Value> {
+pub fn thing_of(known: &Knowledge, name: &Term) -> Option<JoinValue> {
     let name = known.names.resolve("thing", name).ok()?;
     Some(named(known, name))
 }
 
 /// The thing of this full name.
-pub fn named(known: &Knowledge, name: String) -> Value {
+pub fn named(known: &Knowledge, name: String) -> JoinValue {
     match known.names.node(&name) {
-        Some(crate::catalogue::Node::Individual(id)) => Value::Individual(id),
-        Some(crate::catalogue::Node::Shared(number)) => Value::Shared(number),
-        None => Value::Term(Term::Atom(name)),
+        Some(crate::catalogue::CatalogueNode::Individual(id)) => JoinValue::Individual(id),
+        Some(crate::catalogue::CatalogueNode::Shared(number)) => JoinValue::Shared(number),
+        None => JoinValue::Term(Term::Atom(name)),
     }
 }
 
 /// What stands for an object: a thing where the name is one's, otherwise a value.
-pub fn object_of(known: &Knowledge, term: &Term) -> Value {
+pub fn object_of(known: &Knowledge, term: &Term) -> JoinValue {
     match term {
-        Term::Integer(_) | Term::Float(_) => Value::of(term.clone()),
-        other => thing_of(known, other).unwrap_or_else(|| Value::Term(other.clone())),
+        Term::Integer(_) | Term::Float(_) => JoinValue::of(term.clone()),
+        other => thing_of(known, other).unwrap_or_else(|| JoinValue::Term(other.clone())),
     }
 }
 

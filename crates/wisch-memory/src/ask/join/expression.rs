@@ -1,6 +1,6 @@
 //! Arithmetic, as far as all engines agree on it.
 
-use super::value::{Pattern, Value};
+use super::value::{JoinValue, Pattern};
 
 /// Whole numbers up to here are numbers of double precision, too.
 const EXACT: i64 = 1 << 53;
@@ -54,14 +54,14 @@ impl Expression {
     }
 
     /// Its value, if it has one on which all engines agree.
-    pub fn evaluate(&self, value: &impl Fn(&Pattern) -> Option<Value>) -> Option<Value> {
+    pub fn evaluate(&self, value: &impl Fn(&Pattern) -> Option<JoinValue>) -> Option<JoinValue> {
         match self {
             Self::Pattern(pattern) => {
                 let found = value(pattern)?;
                 let is_exact = |n: &i64| n.unsigned_abs() < EXACT.unsigned_abs();
                 match &found {
-                    Value::Integer(n) => is_exact(n).then_some(found),
-                    Value::Float(_) => Some(found),
+                    JoinValue::Integer(n) => is_exact(n).then_some(found),
+                    JoinValue::Float(_) => Some(found),
                     _ => None,
                 }
             }
@@ -73,22 +73,24 @@ impl Expression {
     }
 }
 
-fn unary(function: Unary, of: Value) -> Option<Value> {
+fn unary(function: Unary, of: JoinValue) -> Option<JoinValue> {
     Some(match (function, of) {
-        (Unary::Minus, Value::Integer(n)) => Value::Integer(-n),
-        (Unary::Minus, Value::Float(x)) => Value::Float(-x),
-        (Unary::Absolute, Value::Integer(n)) => Value::Integer(n.abs()),
-        (Unary::Absolute, Value::Float(x)) => Value::Float(x.abs()),
-        (Unary::Truncate, Value::Integer(n)) => Value::Integer(n),
+        (Unary::Minus, JoinValue::Integer(n)) => JoinValue::Integer(-n),
+        (Unary::Minus, JoinValue::Float(x)) => JoinValue::Float(-x),
+        (Unary::Absolute, JoinValue::Integer(n)) => JoinValue::Integer(n.abs()),
+        (Unary::Absolute, JoinValue::Float(x)) => JoinValue::Float(x.abs()),
+        (Unary::Truncate, JoinValue::Integer(n)) => JoinValue::Integer(n),
         #[allow(clippy::cast_possible_truncation, reason = "within what is exact")]
-        (Unary::Truncate, Value::Float(x)) if x.abs() < 1e15 => Value::Integer(x.trunc() as i64),
+        (Unary::Truncate, JoinValue::Float(x)) if x.abs() < 1e15 => {
+            JoinValue::Integer(x.trunc() as i64)
+        }
         _ => return None,
     })
 }
 
 /// The value of a function of two numbers.
-pub fn binary(function: Binary, left: Value, right: Value) -> Option<Value> {
-    if let (Value::Integer(a), Value::Integer(b)) = (&left, &right) {
+pub fn binary(function: Binary, left: JoinValue, right: JoinValue) -> Option<JoinValue> {
+    if let (JoinValue::Integer(a), JoinValue::Integer(b)) = (&left, &right) {
         let (a, b) = (*a, *b);
         let whole = match function {
             Binary::Plus => a.checked_add(b),
@@ -99,7 +101,7 @@ pub fn binary(function: Binary, left: Value, right: Value) -> Option<Value> {
         };
         return whole
             .filter(|n| n.unsigned_abs() < EXACT.unsigned_abs())
-            .map(Value::Integer);
+            .map(JoinValue::Integer);
     }
     let (a, b) = (left.as_number()?, right.as_number()?);
     let found = match function {
@@ -109,7 +111,7 @@ pub fn binary(function: Binary, left: Value, right: Value) -> Option<Value> {
         Binary::Over => a / b,
     };
     // What is no number is an error that the engine words.
-    found.is_finite().then_some(Value::Float(found))
+    found.is_finite().then_some(JoinValue::Float(found))
 }
 
 /// How two numbers compare.

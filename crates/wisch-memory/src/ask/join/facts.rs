@@ -1,13 +1,13 @@
 //! The facts of the catalogue, from whichever end they are known.
 
 use super::expression::{Comparison, Expression};
-use super::goal::{Side, Source};
+use super::goal::{GoalSource, Side};
 use super::indices::Children;
 use super::solver::{Flow, Next, Solver, Stop};
-use super::value::{Pattern, Value};
+use super::value::{JoinValue, Pattern};
 use crate::ask::intervals::Relation;
 use crate::ask::term::Term;
-use crate::catalogue::{IndividualId, Node, entries};
+use crate::catalogue::{CatalogueNode, IndividualId, entries};
 use std::slice;
 
 /// Passes a wish for no more on.
@@ -24,11 +24,11 @@ fn key(source: usize, place: usize) -> u64 {
     (source as u64) << 40 | place as u64
 }
 
-impl From<Node> for Value {
-    fn from(node: Node) -> Self {
+impl From<CatalogueNode> for JoinValue {
+    fn from(node: CatalogueNode) -> Self {
         match node {
-            Node::Individual(id) => Self::Individual(id),
-            Node::Shared(number) => Self::Shared(number),
+            CatalogueNode::Individual(id) => Self::Individual(id),
+            CatalogueNode::Shared(number) => Self::Shared(number),
         }
     }
 }
@@ -44,7 +44,7 @@ impl<'s> Solver<'s> {
         let place = |class: &str| classes.iter().position(|of| of == class);
         if let Some(found) = self.thing(thing)? {
             let key_of = match &found {
-                Value::Individual(id) => {
+                JoinValue::Individual(id) => {
                     place(known.catalogue.class(*id)).map(|class| key(class, *id as usize))
                 }
                 other => {
@@ -64,7 +64,7 @@ impl<'s> Solver<'s> {
         }
         for (number, class) in classes.iter().enumerate() {
             for &id in known.catalogue.of_class(class) {
-                let member = Value::Individual(id);
+                let member = JoinValue::Individual(id);
                 go_on!(self.candidate(&[(thing, member)], key(number, id as usize), next));
             }
             for name in known.names.shared_of(class) {
@@ -79,7 +79,7 @@ impl<'s> Solver<'s> {
         &mut self,
         subject: &Pattern,
         object: &Pattern,
-        sources: &[Source],
+        sources: &[GoalSource],
         next: Next<'_, 's>,
     ) -> Result<Flow, Stop> {
         let of = match self.individual(subject)? {
@@ -90,11 +90,11 @@ impl<'s> Solver<'s> {
         };
         for (number, source) in sources.iter().enumerate() {
             go_on!(match source {
-                Source::Parts => self.parts(number, (subject, of), object, next),
-                Source::Relations(property) => {
+                GoalSource::Parts => self.parts(number, (subject, of), object, next),
+                GoalSource::Relations(property) => {
                     self.relations(number, property, (subject, of), object, next)
                 }
-                Source::Values {
+                GoalSource::Values {
                     property,
                     is_lenient,
                 } => self.values((number, property), *is_lenient, (subject, of), object, next),
@@ -117,7 +117,7 @@ impl<'s> Solver<'s> {
             (Err(true), Some(of)) => {
                 let children = self.indices.children(catalogue);
                 for &id in children.of(of) {
-                    let pair = [(part, Value::Individual(id))];
+                    let pair = [(part, JoinValue::Individual(id))];
                     go_on!(self.candidate(&pair, key(source, id as usize), next));
                 }
                 return Ok(Flow::Continue);
@@ -130,8 +130,8 @@ impl<'s> Solver<'s> {
             };
             if of.is_none_or(|of| of == parent) {
                 let pairs = [
-                    (whole, Value::Individual(parent)),
-                    (part, Value::Individual(id)),
+                    (whole, JoinValue::Individual(parent)),
+                    (part, JoinValue::Individual(id)),
                 ];
                 go_on!(self.candidate(&pairs, key(source, id as usize), next));
             }
@@ -150,34 +150,34 @@ impl<'s> Solver<'s> {
         let catalogue = &self.known.catalogue;
         let column = catalogue.relations(property);
         let wanted = match self.instance(object) {
-            Some(Value::Integer(_) | Value::Float(_)) => return Ok(Flow::Continue),
-            Some(Value::Term(term)) => match super::compile::object_of(self.known, &term) {
-                Value::Term(_) => return Ok(Flow::Continue),
+            Some(JoinValue::Integer(_) | JoinValue::Float(_)) => return Ok(Flow::Continue),
+            Some(JoinValue::Term(term)) => match super::compile::object_of(self.known, &term) {
+                JoinValue::Term(_) => return Ok(Flow::Continue),
                 thing => Some(thing),
             },
             other => other,
         };
         if let (None, Some(wanted)) = (of, &wanted) {
             let node = match wanted {
-                Value::Individual(id) => Node::Individual(*id),
-                Value::Shared(number) => Node::Shared(*number),
+                JoinValue::Individual(id) => CatalogueNode::Individual(*id),
+                JoinValue::Shared(number) => CatalogueNode::Shared(*number),
                 _ => return Ok(Flow::Continue),
             };
             let index = self.indices.by_object(catalogue, property);
             for &place in index.get(&node).map_or(&[][..], Vec::as_slice) {
                 let (id, _) = column[place as usize];
-                let pairs = [(subject, Value::Individual(id))];
+                let pairs = [(subject, JoinValue::Individual(id))];
                 go_on!(self.candidate(&pairs, key(source, place as usize), next));
             }
             return Ok(Flow::Continue);
         }
         let (first, some) = part_of(column, of);
         for (place, (id, node)) in (first..).zip(some) {
-            let value = Value::from(*node);
+            let value = JoinValue::from(*node);
             if wanted.as_ref().is_some_and(|wanted| *wanted != value) {
                 continue;
             }
-            let pairs = [(subject, Value::Individual(*id)), (object, value)];
+            let pairs = [(subject, JoinValue::Individual(*id)), (object, value)];
             go_on!(self.candidate(&pairs, key(source, place), next));
         }
         Ok(Flow::Continue)
@@ -193,11 +193,11 @@ impl<'s> Solver<'s> {
     ) -> Result<Flow, Stop> {
         let catalogue = &self.known.catalogue;
         let wanted = self.instance(object);
-        let number = wanted.as_ref().and_then(Value::as_number);
+        let number = wanted.as_ref().and_then(JoinValue::as_number);
         let numbers = catalogue.numbers(property);
         let (first, some) = part_of(numbers, of);
         for (place, (id, value)) in (first..).zip(some) {
-            let subject = (subject, Value::Individual(*id));
+            let subject = (subject, JoinValue::Individual(*id));
             let key = key(source, place);
             #[allow(clippy::float_cmp, reason = "what is asked for")]
             let flow = match number {
@@ -207,7 +207,7 @@ impl<'s> Solver<'s> {
                     }
                     self.candidate(slice::from_ref(&subject), key, next)
                 }
-                _ => self.candidate(&[subject, (object, Value::Float(*value))], key, next),
+                _ => self.candidate(&[subject, (object, JoinValue::Float(*value))], key, next),
             };
             go_on!(flow);
         }
@@ -216,14 +216,14 @@ impl<'s> Solver<'s> {
         }
         let (first, some) = part_of(catalogue.texts(property), of);
         for (place, (id, text)) in (first + numbers.len()..).zip(some) {
-            if let Some(Value::Term(Term::Atom(wanted))) = &wanted
+            if let Some(JoinValue::Term(Term::Atom(wanted))) = &wanted
                 && wanted != text
             {
                 self.tick()?;
                 continue;
             }
-            let text = Value::Term(Term::atom(text));
-            let pairs = [(subject, Value::Individual(*id)), (object, text)];
+            let text = JoinValue::Term(Term::atom(text));
+            let pairs = [(subject, JoinValue::Individual(*id)), (object, text)];
             go_on!(self.candidate(&pairs, key(source, place), next));
         }
         Ok(Flow::Continue)
@@ -248,7 +248,7 @@ impl<'s> Solver<'s> {
             let (first, some) = part_of(catalogue.numbers(property), of);
             for (place, (id, value)) in (first..).zip(some) {
                 if comparison.holds(*value, bound) {
-                    let pair = [(thing, Value::Individual(*id))];
+                    let pair = [(thing, JoinValue::Individual(*id))];
                     go_on!(self.candidate(&pair, key(source, place), next));
                 } else {
                     self.tick()?;
@@ -279,7 +279,7 @@ impl<'s> Solver<'s> {
                         let found = timeline.intervals.related(Relation::Equals, [start, end]);
                         // As the engine takes them: the times are what was asked for, 1 or 1.0.
                         for id in found {
-                            let pair = [(event, Value::Individual(id))];
+                            let pair = [(event, JoinValue::Individual(id))];
                             go_on!(self.candidate(&pair, u64::from(id), next));
                         }
                         return Ok(Flow::Continue);
@@ -293,13 +293,13 @@ impl<'s> Solver<'s> {
                 continue;
             };
             // A time that is asked for need not be written as it is stored: 1 is 1.0.
-            let mut pairs = vec![(event, Value::Individual(id))];
+            let mut pairs = vec![(event, JoinValue::Individual(id))];
             let mut is_then = true;
             for (pattern, time) in [(start, from), (end, to)] {
                 match self.instance(pattern).and_then(|value| value.as_number()) {
                     #[allow(clippy::float_cmp, reason = "what is asked for")]
                     Some(asked) => is_then &= asked == time,
-                    None => pairs.push((pattern, Value::Float(time))),
+                    None => pairs.push((pattern, JoinValue::Float(time))),
                 }
             }
             if is_then {
@@ -333,7 +333,7 @@ impl<'s> Solver<'s> {
             (Known::Nothing(first), Known::Times(to, second)) => {
                 for id in timeline.intervals.related(relation, to) {
                     if Some(id) != second {
-                        let pair = [(first, Value::Individual(id))];
+                        let pair = [(first, JoinValue::Individual(id))];
                         go_on!(self.candidate(&pair, key(Some(id), second), next));
                     }
                 }
@@ -342,7 +342,7 @@ impl<'s> Solver<'s> {
             (Known::Times(to, first), Known::Nothing(second)) => {
                 for id in timeline.intervals.related(relation.inverse(), to) {
                     if Some(id) != first {
-                        let pair = [(second, Value::Individual(id))];
+                        let pair = [(second, JoinValue::Individual(id))];
                         go_on!(self.candidate(&pair, key(first, Some(id)), next));
                     }
                 }
@@ -356,8 +356,8 @@ impl<'s> Solver<'s> {
                             continue;
                         }
                         let pairs = [
-                            (first, Value::Individual(id)),
-                            (second, Value::Individual(of_second)),
+                            (first, JoinValue::Individual(id)),
+                            (second, JoinValue::Individual(of_second)),
                         ];
                         go_on!(self.candidate(&pairs, key(Some(id), Some(of_second)), next));
                     }
@@ -406,7 +406,7 @@ impl<'s> Solver<'s> {
                 .iter()
                 .any(|class| class == known.catalogue.class(id))
             {
-                go_on!(self.candidate(&[(part, Value::Individual(id))], place, next));
+                go_on!(self.candidate(&[(part, JoinValue::Individual(id))], place, next));
             }
         }
         Ok(Flow::Continue)
@@ -423,7 +423,7 @@ impl<'s> Solver<'s> {
         let mut at = self.individual(part)?.ok();
         while let Some(parent) = at.and_then(|id| catalogue.parent(id)) {
             if classes.iter().any(|class| class == catalogue.class(parent)) {
-                return self.candidate(&[(whole, Value::Individual(parent))], 0, next);
+                return self.candidate(&[(whole, JoinValue::Individual(parent))], 0, next);
             }
             at = Some(parent);
         }
@@ -439,8 +439,8 @@ impl<'s> Solver<'s> {
         let Some(last) = self.known.last_episode() else {
             return Ok(Flow::Continue);
         };
-        let end = Value::Float(last.interval[1]);
-        let pairs = [(episode, Value::Individual(last.first)), (time, end)];
+        let end = JoinValue::Float(last.interval[1]);
+        let pairs = [(episode, JoinValue::Individual(last.first)), (time, end)];
         self.candidate(&pairs, 0, next)
     }
 
@@ -451,7 +451,7 @@ impl<'s> Solver<'s> {
     ) -> Result<Flow, Stop> {
         let known = self.known;
         let (start, end, of) = match self.instance(when).ok_or(Stop::Declined)? {
-            Value::Term(Term::List(times)) => {
+            JoinValue::Term(Term::List(times)) => {
                 let [start, end] = times.as_slice() else {
                     return Err(Stop::Declined);
                 };
@@ -466,7 +466,7 @@ impl<'s> Solver<'s> {
                     return Err(Stop::Declined);
                 };
                 let [start, end] = known.catalogue.interval(event).ok_or(Stop::Declined)?;
-                let of = Value::Individual(event).to_term(&known.catalogue);
+                let of = JoinValue::Individual(event).to_term(&known.catalogue);
                 (Term::Float(start), Term::Float(end), of)
             }
         };
@@ -479,7 +479,7 @@ impl<'s> Solver<'s> {
                 && let Ok([Term::Atom(name), found]) = <[Term; 2]>::try_from(parts)
             {
                 let name = self.named(name);
-                let pairs = [(episode, name), (value, Value::of(found))];
+                let pairs = [(episode, name), (value, JoinValue::of(found))];
                 go_on!(self.candidate(&pairs, place, next));
             }
         }

@@ -21,7 +21,7 @@ pub enum Goal {
         /// The object.
         object: Pattern,
         /// Where such statements are, in the order in which they are gone through.
-        sources: Vec<Source>,
+        sources: Vec<GoalSource>,
     },
     /// A number of a thing meets a condition.
     Compared {
@@ -163,7 +163,7 @@ pub enum Side {
 
 /// Where statements are.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Source {
+pub enum GoalSource {
     /// The object is a part of the subject.
     Parts,
     /// Relations of exactly this property.

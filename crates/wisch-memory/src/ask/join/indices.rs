@@ -1,12 +1,12 @@
 //! What finds facts from their other end; made when it is needed first, and kept.
 
 use crate::ask::intervals::IntervalIndex;
-use crate::catalogue::{Catalogue, IndividualId, Node};
+use crate::catalogue::{Catalogue, CatalogueNode, IndividualId};
 use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Relations of a property by what they lead to: places in the column.
-pub type ByObject = HashMap<Node, Vec<u32>>;
+pub type ByObject = HashMap<CatalogueNode, Vec<u32>>;
 
 /// Intervals in the order of their starts.
 #[derive(Debug)]

@@ -20,7 +20,7 @@ mod value;
 mod tests;
 
 pub use indices::Indices;
-pub use solver::Budget;
+pub use solver::SolverBudget;
 
 use super::error::AskError;
 use super::streams::Knowledge;
@@ -60,7 +60,7 @@ impl Joins<'_> {
         goals: &Term,
         wanted: &[Term],
         most: usize,
-        budget: Budget<'_>,
+        budget: SolverBudget<'_>,
     ) -> Result<Option<Solutions>, AskError> {
         if goals.is_cut_short() {
             return Ok(None);

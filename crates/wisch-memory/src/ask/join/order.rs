@@ -1,6 +1,6 @@
 //! In which order goals are solved: the one that leaves the least to go through first.
 
-use super::goal::{Block, Goal, Side, Source};
+use super::goal::{Block, Goal, GoalSource, Side};
 use super::value::Pattern;
 use crate::ask::intervals::Relation;
 use crate::catalogue::Catalogue;
@@ -117,10 +117,10 @@ fn fan_out(goal: &Goal, known: &impl Fn(usize) -> bool, catalogue: &Catalogue) -
                 sources.iter().map(
                     |source| match (source, is_known(subject), is_known(object)) {
                         (_, true, true) => 0.5,
-                        (Source::Parts, true, false) => PARTS,
-                        (Source::Parts, false, true) => 1.0,
-                        (Source::Parts, false, false) => all,
-                        (Source::Relations(property), false, is_object) => {
+                        (GoalSource::Parts, true, false) => PARTS,
+                        (GoalSource::Parts, false, true) => 1.0,
+                        (GoalSource::Parts, false, false) => all,
+                        (GoalSource::Relations(property), false, is_object) => {
                             let relations = len(catalogue.relations(property).len());
                             if is_object {
                                 relations / 10.0
@@ -128,7 +128,7 @@ fn fan_out(goal: &Goal, known: &impl Fn(usize) -> bool, catalogue: &Catalogue) -
                                 relations
                             }
                         }
-                        (Source::Values { property, .. }, false, is_object) => {
+                        (GoalSource::Values { property, .. }, false, is_object) => {
                             let values =
                                 catalogue.numbers(property).len() + catalogue.texts(property).len();
                             if is_object {

@@ -2,9 +2,9 @@
 
 use super::compile::{named, thing_of};
 use super::expression::Expression;
-use super::goal::{Block, Goal};
+use super::goal::{Aggregate, Block, Goal};
 use super::indices::Indices;
-use super::value::{Pattern, Value};
+use super::value::{JoinValue, Pattern};
 use crate::ask::error::AskError;
 use crate::ask::streams::Knowledge;
 use crate::ask::telemetry_predicates::TelemetryPredicates;
@@ -38,7 +38,7 @@ pub enum Stop {
 
 /// What solving may take.
 #[derive(Debug, Clone, Copy)]
-pub struct Budget<'a> {
+pub struct SolverBudget<'a> {
     /// When the query has to be answered.
     pub deadline: Instant,
     /// How much time it had.
@@ -57,8 +57,8 @@ pub struct Solver<'s> {
     pub(super) known: &'s Knowledge,
     pub(super) indices: &'s mut Indices,
     pub(super) telemetry: &'s mut TelemetryPredicates,
-    budget: Budget<'s>,
-    bindings: Vec<Option<Value>>,
+    budget: SolverBudget<'s>,
+    bindings: Vec<Option<JoinValue>>,
     trail: Vec<usize>,
     /// Which solution of each goal this is: what solutions are sorted by where goals were moved.
     keys: Vec<u64>,
@@ -71,7 +71,7 @@ impl<'s> Solver<'s> {
         known: &'s Knowledge,
         indices: &'s mut Indices,
         telemetry: &'s mut TelemetryPredicates,
-        budget: Budget<'s>,
+        budget: SolverBudget<'s>,
         variables: usize,
     ) -> Self {
         Self {
@@ -99,7 +99,7 @@ impl<'s> Solver<'s> {
             return self.goals(&block.goals, next);
         }
         let len = block.goals.len();
-        let mut found: Vec<(Vec<u64>, Vec<Option<Value>>)> = Vec::new();
+        let mut found: Vec<(Vec<u64>, Vec<Option<JoinValue>>)> = Vec::new();
         self.goals(&block.goals, &mut |solver| {
             solver.tick()?;
             if found.len() == MOST_SORTED {
@@ -190,82 +190,140 @@ impl<'s> Solver<'s> {
                 statistic,
                 value,
             } => self.felt([episode, channel, when, statistic, value], next),
-            Goal::Is(result, expression) => {
-                let value = self.evaluated(expression)?;
-                self.candidate(&[(result, value)], 0, next)
-            }
+            Goal::Is(result, expression) => self.assign(result, expression, next),
             Goal::Comparison(comparison, left, right) => {
                 let (left, right) = (self.number(left)?, self.number(right)?);
                 self.only_if(comparison.holds(left, right), next)
             }
-            Goal::Same(left, right) => match (self.instance(left), self.instance(right)) {
-                (Some(left), Some(right)) => {
-                    let is_same = self.are_same(&left, &right).ok_or(Stop::Declined)?;
-                    self.only_if(is_same, next)
-                }
-                (Some(value), _) => self.candidate(&[(right, value)], 0, next),
-                (None, Some(value)) => self.candidate(&[(left, value)], 0, next),
-                (None, None) => Err(Stop::Declined),
-            },
-            Goal::Number(pattern) => {
-                let value = self.instance(pattern);
-                self.only_if(value.is_some_and(|value| value.as_number().is_some()), next)
-            }
-            Goal::Length(list, len) => match self.instance(list) {
-                Some(Value::Term(Term::List(items))) => {
-                    let found = i64::try_from(items.len()).map_err(|_| Stop::Declined)?;
-                    self.candidate(&[(len, Value::Integer(found))], 0, next)
-                }
-                _ => Err(Stop::Declined),
-            },
-            Goal::Not(block) => {
-                let mut is_found = false;
-                self.solve(block, &mut |_| {
-                    is_found = true;
-                    Ok(Flow::Stop)
-                })?;
-                self.only_if(!is_found, next)
-            }
-            Goal::Either(blocks) => {
-                for block in blocks {
-                    if self.solve(block, &mut |solver| next(solver, 0))? == Flow::Stop {
-                        return Ok(Flow::Stop);
-                    }
-                }
-                Ok(Flow::Continue)
-            }
-            Goal::Once(block) => {
-                let mut flow = Flow::Continue;
-                self.solve(block, &mut |solver| {
-                    flow = next(solver, 0)?;
-                    Ok(Flow::Stop)
-                })?;
-                Ok(flow)
-            }
+            Goal::Same(left, right) => self.equate(left, right, next),
+            Goal::Number(pattern) => self.check_number(pattern, next),
+            Goal::Length(list, len) => self.measure_length(list, len, next),
+            Goal::Not(block) => self.solve_negation(block, next),
+            Goal::Either(blocks) => self.solve_each(blocks, next),
+            Goal::Once(block) => self.solve_once(block, next),
             Goal::Over {
                 block,
                 aggregate,
                 result,
-            } => match self.aggregated(block, aggregate)? {
-                Some(value) => self.candidate(&[(result, value)], 0, next),
-                None => Ok(Flow::Continue),
-            },
+            } => self.aggregate(block, aggregate, result, next),
             Goal::MeanByKey {
                 block,
                 key,
                 number,
-                result: [of, mean, count],
-            } => {
-                for (place, group) in (0..).zip(self.means(block, key, number)?) {
-                    let [key, average, members] = group;
-                    let pairs = [(of, key), (mean, average), (count, members)];
-                    if self.candidate(&pairs, place, next)? == Flow::Stop {
-                        return Ok(Flow::Stop);
-                    }
-                }
-                Ok(Flow::Continue)
+                result,
+            } => self.average_by_key(block, [key, number], result, next),
+        }
+    }
+
+    /// Unifies a pattern with the value of an expression.
+    fn assign(
+        &mut self,
+        result: &Pattern,
+        expression: &Expression,
+        next: Next<'_, 's>,
+    ) -> Result<Flow, Stop> {
+        let value = self.evaluated(expression)?;
+        self.candidate(&[(result, value)], 0, next)
+    }
+
+    /// Goes on if two known patterns are the same, or unifies an unknown one with the other.
+    fn equate(
+        &mut self,
+        left: &Pattern,
+        right: &Pattern,
+        next: Next<'_, 's>,
+    ) -> Result<Flow, Stop> {
+        match (self.instance(left), self.instance(right)) {
+            (Some(left), Some(right)) => {
+                let is_same = self.are_same(&left, &right).ok_or(Stop::Declined)?;
+                self.only_if(is_same, next)
+            }
+            (Some(value), None) => self.candidate(&[(right, value)], 0, next),
+            (None, Some(value)) => self.candidate(&[(left, value)], 0, next),
+            (None, None) => Err(Stop::Declined),
+        }
+    }
+
+    /// Goes on if a pattern is a number.
+    fn check_number(&mut self, pattern: &Pattern, next: Next<'_, 's>) -> Result<Flow, Stop> {
+        let value = self.instance(pattern);
+        self.only_if(value.is_some_and(|value| value.as_number().is_some()), next)
+    }
+
+    /// Unifies a pattern with the length of a known list.
+    fn measure_length(
+        &mut self,
+        list: &Pattern,
+        len: &Pattern,
+        next: Next<'_, 's>,
+    ) -> Result<Flow, Stop> {
+        let Some(JoinValue::Term(Term::List(items))) = self.instance(list) else {
+            return Err(Stop::Declined);
+        };
+        let found = i64::try_from(items.len()).map_err(|_| Stop::Declined)?;
+        self.candidate(&[(len, JoinValue::Integer(found))], 0, next)
+    }
+
+    /// Goes on if a block has no solution.
+    fn solve_negation(&mut self, block: &Block, next: Next<'_, 's>) -> Result<Flow, Stop> {
+        let mut is_found = false;
+        self.solve(block, &mut |_| {
+            is_found = true;
+            Ok(Flow::Stop)
+        })?;
+        self.only_if(!is_found, next)
+    }
+
+    /// Goes on with the solutions of each block, one block after the other.
+    fn solve_each(&mut self, blocks: &[Block], next: Next<'_, 's>) -> Result<Flow, Stop> {
+        for block in blocks {
+            if self.solve(block, &mut |solver| next(solver, 0))? == Flow::Stop {
+                return Ok(Flow::Stop);
             }
         }
+        Ok(Flow::Continue)
+    }
+
+    /// Goes on with the first solution of a block.
+    fn solve_once(&mut self, block: &Block, next: Next<'_, 's>) -> Result<Flow, Stop> {
+        let mut flow = Flow::Continue;
+        self.solve(block, &mut |solver| {
+            flow = next(solver, 0)?;
+            Ok(Flow::Stop)
+        })?;
+        Ok(flow)
+    }
+
+    /// Unifies a pattern with an aggregate over the solutions of a block, if there is one.
+    fn aggregate(
+        &mut self,
+        block: &Block,
+        aggregate: &Aggregate,
+        result: &Pattern,
+        next: Next<'_, 's>,
+    ) -> Result<Flow, Stop> {
+        match self.aggregated(block, aggregate)? {
+            Some(value) => self.candidate(&[(result, value)], 0, next),
+            None => Ok(Flow::Continue),
+        }
+    }
+
+    /// Unifies `Key`, `Mean` and `Count` with those of each group of solutions of a block.
+    fn average_by_key(
+        &mut self,
+        block: &Block,
+        [key, number]: [&Pattern; 2],
+        [of, mean, count]: &[Pattern; 3],
+        next: Next<'_, 's>,
+    ) -> Result<Flow, Stop> {
+        for (place, group) in (0..).zip(self.means(block, key, number)?) {
+            let [key, average, members] = group;
+            let pairs = [(of, key), (mean, average), (count, members)];
+            if self.candidate(&pairs, place, next)? == Flow::Stop {
+                return Ok(Flow::Stop);
+            }
+        }
+        Ok(Flow::Continue)
     }
 
     pub(super) fn only_if(&mut self, holds: bool, next: Next<'_, 's>) -> Result<Flow, Stop> {
@@ -279,7 +337,7 @@ impl<'s> Solver<'s> {
     /// Goes on with these patterns unified with these values, if they can be; then takes that back.
     pub(super) fn candidate(
         &mut self,
-        pairs: &[(&Pattern, Value)],
+        pairs: &[(&Pattern, JoinValue)],
         key: u64,
         next: Next<'_, 's>,
     ) -> Result<Flow, Stop> {
@@ -316,7 +374,7 @@ impl<'s> Solver<'s> {
     }
 
     /// Whether two values are the same as the engine's `same/2` has it; `None` where names have to be looked up.
-    fn are_same(&self, left: &Value, right: &Value) -> Option<bool> {
+    fn are_same(&self, left: &JoinValue, right: &JoinValue) -> Option<bool> {
         if left.is_same(right, &self.known.catalogue) {
             return Some(true);
         }
@@ -324,25 +382,26 @@ impl<'s> Solver<'s> {
             #[allow(clippy::float_cmp, reason = "what is asked for")]
             return Some(left == right);
         }
-        let may_name = |value: &Value| match value {
-            Value::Individual(_) | Value::Shared(_) => true,
-            Value::Term(Term::Atom(_)) => true,
-            Value::Term(Term::Compound(colon, _)) => colon == ":",
+        let may_name = |value: &JoinValue| match value {
+            JoinValue::Individual(_) | JoinValue::Shared(_) => true,
+            JoinValue::Term(Term::Atom(_)) => true,
+            JoinValue::Term(Term::Compound(colon, _)) => colon == ":",
             _ => false,
         };
-        let has_prefix = |value: &Value| match value {
-            Value::Individual(_) | Value::Shared(_) => true,
-            Value::Term(Term::Atom(name)) => name.contains(':'),
+        let has_prefix = |value: &JoinValue| match value {
+            JoinValue::Individual(_) | JoinValue::Shared(_) => true,
+            JoinValue::Term(Term::Atom(name)) => name.contains(':'),
             _ => true,
         };
-        let is_full = |value: &Value| matches!(value, Value::Individual(_) | Value::Shared(_));
+        let is_full =
+            |value: &JoinValue| matches!(value, JoinValue::Individual(_) | JoinValue::Shared(_));
         if !may_name(left) || !may_name(right) || (is_full(left) && is_full(right)) {
             return Some(false);
         }
         (!has_prefix(left) && !has_prefix(right)).then_some(false)
     }
 
-    fn bind(&mut self, variable: usize, value: Value) {
+    fn bind(&mut self, variable: usize, value: JoinValue) {
         self.bindings[variable] = Some(value);
         self.trail.push(variable);
     }
@@ -353,7 +412,7 @@ impl<'s> Solver<'s> {
         }
     }
 
-    fn unify(&mut self, pattern: &Pattern, value: &Value) -> bool {
+    fn unify(&mut self, pattern: &Pattern, value: &JoinValue) -> bool {
         match (pattern, value) {
             (Pattern::Variable(variable), _) => match &self.bindings[*variable] {
                 Some(found) => found.is_same(value, &self.known.catalogue),
@@ -362,11 +421,11 @@ impl<'s> Solver<'s> {
                     true
                 }
             },
-            (Pattern::Value(found), _) => found.is_same(value, &self.known.catalogue),
-            (Pattern::List(patterns), Value::Term(Term::List(items))) => {
+            (Pattern::JoinValue(found), _) => found.is_same(value, &self.known.catalogue),
+            (Pattern::List(patterns), JoinValue::Term(Term::List(items))) => {
                 self.unify_all(patterns, items)
             }
-            (Pattern::Compound(name, patterns), Value::Term(Term::Compound(other, items))) => {
+            (Pattern::Compound(name, patterns), JoinValue::Term(Term::Compound(other, items))) => {
                 name == other && self.unify_all(patterns, items)
             }
             _ => false,
@@ -376,18 +435,18 @@ impl<'s> Solver<'s> {
     fn unify_all(&mut self, patterns: &[Pattern], items: &[Term]) -> bool {
         let mut pairs = patterns.iter().zip(items);
         patterns.len() == items.len()
-            && pairs.all(|(pattern, item)| self.unify(pattern, &Value::of(item.clone())))
+            && pairs.all(|(pattern, item)| self.unify(pattern, &JoinValue::of(item.clone())))
     }
 
     /// What a pattern stands for, if all of it is known.
-    pub(super) fn instance(&self, pattern: &Pattern) -> Option<Value> {
+    pub(super) fn instance(&self, pattern: &Pattern) -> Option<JoinValue> {
         match pattern {
             Pattern::Variable(variable) => self.bindings[*variable].clone(),
-            Pattern::Value(value) => Some(value.clone()),
-            Pattern::List(items) => Some(Value::Term(Term::List(self.instances(items)?))),
+            Pattern::JoinValue(value) => Some(value.clone()),
+            Pattern::List(items) => Some(JoinValue::Term(Term::List(self.instances(items)?))),
             Pattern::Compound(name, items) => {
                 let items = self.instances(items)?;
-                Some(Value::Term(Term::compound(name, items)))
+                Some(JoinValue::Term(Term::compound(name, items)))
             }
         }
     }
@@ -421,16 +480,16 @@ impl<'s> Solver<'s> {
     }
 
     /// The thing that a pattern stands for; `None` of a variable that is not bound.
-    pub(super) fn thing(&self, pattern: &Pattern) -> Result<Option<Value>, Stop> {
+    pub(super) fn thing(&self, pattern: &Pattern) -> Result<Option<JoinValue>, Stop> {
         match self.instance(pattern) {
             // Only under its full name is it the same as what is found.
-            Some(Value::Term(Term::Atom(name))) => {
+            Some(JoinValue::Term(Term::Atom(name))) => {
                 let thing = thing_of(self.known, &Term::atom(&name)).ok_or(Stop::Declined)?;
                 let is_full = thing.to_term(&self.known.catalogue).as_atom() == Some(&name);
                 is_full.then_some(Some(thing)).ok_or(Stop::Declined)
             }
-            Some(Value::Term(_)) => Err(Stop::Declined),
-            Some(Value::Integer(_) | Value::Float(_)) => Err(Stop::Declined),
+            Some(JoinValue::Term(_)) => Err(Stop::Declined),
+            Some(JoinValue::Integer(_) | JoinValue::Float(_)) => Err(Stop::Declined),
             other => Ok(other),
         }
     }
@@ -439,18 +498,18 @@ impl<'s> Solver<'s> {
     /// another thing.
     pub(super) fn individual(&self, pattern: &Pattern) -> Result<Result<IndividualId, bool>, Stop> {
         Ok(match self.thing(pattern)? {
-            Some(Value::Individual(id)) => Ok(id),
+            Some(JoinValue::Individual(id)) => Ok(id),
             Some(_) => Err(false),
             None => Err(true),
         })
     }
 
     /// The thing of a full name.
-    pub(super) fn named(&self, name: String) -> Value {
+    pub(super) fn named(&self, name: String) -> JoinValue {
         named(self.known, name)
     }
 
-    pub(super) fn evaluated(&self, expression: &Expression) -> Result<Value, Stop> {
+    pub(super) fn evaluated(&self, expression: &Expression) -> Result<JoinValue, Stop> {
         let value = expression.evaluate(&|pattern| self.instance(pattern));
         value.ok_or(Stop::Declined)
     }

@@ -1,6 +1,6 @@
 //! Goals over two small episodes, solved without an engine.
 
-use super::{Budget, Indices, Joins, Solutions};
+use super::{Indices, Joins, Solutions, SolverBudget};
 use crate::ask::assertions::Assertions;
 use crate::ask::error::AskError;
 use crate::ask::names::Names;
@@ -95,7 +95,7 @@ fn solve_within(
         indices: &mut Indices::default(),
         telemetry: &mut TelemetryPredicates::default(),
     };
-    let budget = Budget {
+    let budget = SolverBudget {
         deadline: Instant::now() + time,
         time,
         interrupt: &AtomicBool::new(false),

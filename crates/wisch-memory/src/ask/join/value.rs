@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 
 /// What a variable holds: always something definite.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Value {
+pub enum JoinValue {
     /// An individual of an episode.
     Individual(IndividualId),
     /// Something that episodes share: its place in [`Catalogue::shared`].
@@ -20,7 +20,7 @@ pub enum Value {
     Term(Term),
 }
 
-impl Value {
+impl JoinValue {
     /// A term without variables; names in it stay names.
     pub fn of(term: Term) -> Self {
         match term {
@@ -106,7 +106,7 @@ pub enum Pattern {
     /// A variable, by its number.
     Variable(usize),
     /// A value.
-    Value(Value),
+    JoinValue(JoinValue),
     /// A list of which something is a variable.
     List(Vec<Pattern>),
     /// A term of which something is a variable.
@@ -118,7 +118,7 @@ impl Pattern {
     pub fn variables(&self, found: &mut Vec<usize>) {
         match self {
             Self::Variable(number) => found.push(*number),
-            Self::Value(_) => {}
+            Self::JoinValue(_) => {}
             Self::List(items) | Self::Compound(_, items) => {
                 for item in items {
                     item.variables(found);

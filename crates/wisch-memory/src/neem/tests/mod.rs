@@ -311,7 +311,7 @@ fn an_export_has_the_bytes_of_the_recorded_one() {
         };
         writer.wrench(&wrench).unwrap();
     }
-    let round = SeenRound {
+    let round = NeemRound {
         episode: &bumped().id,
         number: 1,
         interval: bumped().interval,

@@ -1,5 +1,6 @@
 //! Robot, tool and scene as one: what is to move, where it may move, and what is in the way.
 
+mod collisions;
 mod grasp;
 mod group;
 pub(super) mod second_arm;
@@ -9,29 +10,25 @@ pub use group::{PlanarBase, PlanningGroup};
 pub use second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE, SecondArm};
 
 use crate::follow::{FollowError, FollowerLimit, JointLimit, JointLimits, ToolPose};
-use crate::geometry::{PlanarPose, Point2, Point3, Polygon, Pose, Vector3};
+use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::plan::Plan;
-use crate::represent::{SceneObject, ScenePart, Task};
+use crate::represent::{SecondGrip, Task, Tool};
 use crate::robot::{
     CollisionModel, IkConfig, IkSolver, Joint, JointKind, LinkId, READY_STATE, Range, RobotModel,
     Srdf,
 };
-use grasp::{relaxed, tip_from_tool, without_rim};
-use group::{hand_and_holder, planar_base, put_in, standing_links};
+use collisions::{MountedTool, WorkcellCollisions};
+use grasp::tip_from_tool;
+use group::{planar_base, put_in};
 use nalgebra::{Translation3, UnitQuaternion};
-use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 pub(in crate::follow) use target_surface::HandBelow;
-use target_surface::{TargetSurface, ToolMount, hand_below, is_tool_behind};
+use target_surface::{ToolMount, hand_below};
 
 /// How far a base may stand off the plane of its floor before that is an error [m, rad].
 const FLOOR_TOLERANCE: f64 = 1e-6;
 /// Random starts from which the second hand is brought to its grip in the ready posture.
 const SECOND_STARTS: u64 = 40;
-
-/// How much less than the margin the sides of the tool keep clear of the scene while it wipes [m]. A corner
-/// loses √3 times as much, which is still less than the usual margin.
-const TOOL_RIM: f64 = 2.8e-3;
 
 /// What the tool may touch while a motion is checked for collisions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -90,14 +87,9 @@ pub struct Workcell {
     arm_variables: Vec<usize>,
     base: Option<PlanarBase>,
     ready: Vec<f64>,
-    collisions: CollisionModel,
-    collisions_in_contact: CollisionModel,
-    base_collisions: CollisionModel,
-    arm_collisions: CollisionModel,
-    arm_collisions_in_contact: CollisionModel,
+    collisions: WorkcellCollisions,
     limits: JointLimits,
     limit_margin: f64,
-    obstacles: BTreeSet<String>,
 }
 
 impl Workcell {
@@ -118,181 +110,53 @@ impl Workcell {
         task: &Task,
         config: &WorkcellConfig,
     ) -> Result<Self, FollowError> {
-        let PlanningGroup {
-            base: base_link,
-            tip,
-            mut ready,
-        } = PlanningGroup::choose(&robot, srdf, config.group.as_deref())?;
-        put_in(
-            &mut ready,
-            srdf,
-            &format!("{READY_STATE}_{}", task.tool.name),
-        );
-        let base = planar_base(&robot, base_link)?;
-        let world_from_robot = config.world_from_robot.unwrap_or_else(Pose::identity);
-        let world_from_root = match base {
-            None => world_from_robot,
-            Some(base) => {
-                let on_floor = on_floor(&world_from_robot)?;
-                ready[base.x] = on_floor.position.x;
-                ready[base.y] = on_floor.position.y;
-                ready[base.yaw] = on_floor.heading;
-                Pose::identity()
-            }
-        };
+        let mut group = PlanningGroup::choose(&robot, srdf, config.group.as_deref())?;
+        let ready_with_tool = format!("{READY_STATE}_{}", task.tool.name);
+        put_in(&mut group.ready, srdf, &ready_with_tool);
+        let base = planar_base(&robot, group.base)?;
+        let world_from_root = place_base(base, config.world_from_robot, &mut group.ready)?;
         let tip_from_tool = (config.tip_from_tool)
-            .unwrap_or_else(|| tip_from_tool(&robot, tip, &task.tool, config.hand_lean));
-        let ik = IkSolver::new(&robot, base_link, tip, tip_from_tool)?;
-        let posture: Vec<f64> = ik.chain().variables().iter().map(|&i| ready[i]).collect();
-        let ik = (ik.with_posture(&posture)?).with_limit_margin(config.limit_margin)?;
+            .unwrap_or_else(|| tip_from_tool(&robot, group.tip, &task.tool, config.hand_lean));
+        let ik = make_tool_solver(&robot, &group, tip_from_tool, config.limit_margin)?;
         let second = match &config.second_group {
             None => None,
             Some(name) => {
-                let grip = task
-                    .tool
-                    .second_grip
-                    .ok_or_else(|| FollowError::NoSecondGrip {
-                        tool: task.tool.name.clone(),
-                        group: name.clone(),
-                    })?;
-                let tip = PlanningGroup::choose(&robot, srdf, Some(name))?.tip;
-                Some(SecondArm::new(
-                    &robot,
-                    &ik,
-                    tip_from_tool,
-                    tip,
-                    grip,
-                    &ready,
-                    config.limit_margin,
-                )?)
+                let (tip, grip) = find_second_grip(&robot, srdf, &task.tool, name)?;
+                let (ready, margin) = (&group.ready, config.limit_margin);
+                let arm = SecondArm::new(&robot, &ik, tip_from_tool, tip, grip, ready, margin)?;
+                Some(arm)
             }
         };
         let mut arm_variables = ik.chain().variables().to_vec();
         if let Some(second) = &second {
             arm_variables.extend_from_slice(second.chain().variables());
         }
-
-        let tool = unlike(&robot, &task.tool.name);
-        let bare = CollisionModel::new(&robot, srdf)?;
-        // Nothing presses a tool in free motion.
-        let relaxed = relaxed(&task.tool.mesh, task.interaction.compression_depth_m)?;
-        let mut collisions = bare.clone();
-        collisions.attach(&tool, tip, tip_from_tool, &relaxed)?;
-        let mut in_contact = bare.clone();
-        in_contact.attach(&tool, tip, tip_from_tool, &task.tool.mesh)?;
-        // Whole against the robot, without its rim against the scene.
-        let mut slim = bare;
-        let core = unlike(&robot, &format!("core of {}", task.tool.name));
-        let core_mesh = without_rim(&task.tool.mesh, TOOL_RIM)?;
-        slim.attach(&tool, tip, tip_from_tool, &task.tool.mesh)?;
-        slim.attach(&core, tip, tip_from_tool, &core_mesh)?;
-        for link in robot.links() {
-            slim.allow(&core, &link.name)?;
-        }
-        if let Some(second) = &second {
-            for link in hand_and_holder(&robot, second.chain().tip()) {
-                for model in [&mut collisions, &mut in_contact, &mut slim] {
-                    model.allow(&tool, &link)?;
-                }
-            }
-        }
-        let on_wheels = base.map_or(vec![], |base| standing_links(&robot, &base));
-        let root_from_world = world_from_root.inverse();
-        let standing = (task.scene.iter())
-            .filter(|object| !matches!(object.part, ScenePart::Robot | ScenePart::Tool));
-        let named: Vec<(String, &SceneObject)> = standing
-            .map(|object| (unlike(&robot, &object.name), object))
-            .collect();
-        for model in [&mut collisions, &mut in_contact, &mut slim] {
-            let placed = named.iter().map(|(name, object)| {
-                let root_from_object = root_from_world * object.world_from_object;
-                (name.as_str(), root_from_object, &object.mesh)
-            });
-            model.add_obstacles(placed)?;
-        }
-        let tool_mount = ToolMount {
+        let mount = ToolMount {
             world_from_root,
-            tip,
+            tip: group.tip,
             tip_from_tool,
         };
-        let waits_behind = is_tool_behind(task, &robot.forward_kinematics(&ready)?, &tool_mount);
-        let is_taken = |name: &str| {
-            let bodies = [tool.as_str(), core.as_str()];
-            let mut objects = named.iter().map(|(name, _)| name.as_str());
-            bodies.contains(&name) || objects.any(|known| known == name)
-        };
-        let unused = |name: &str| {
-            let mut name = unlike(&robot, name);
-            while is_taken(&name) {
-                name.push_str(" (target)");
-            }
-            name
-        };
-        let models = &mut [&mut collisions, &mut in_contact, &mut slim];
-        let surface = TargetSurface::add(task, &root_from_world, &unused, waits_behind, models)?;
-        for (name, object) in &named {
-            for link in on_wheels.iter().filter(|_| is_below_floor(object)) {
-                for model in [&mut collisions, &mut in_contact, &mut slim] {
-                    model.allow(link, name)?;
-                }
-            }
-            slim.allow(&tool, name)?;
-            if object.part == ScenePart::Carrier {
-                in_contact.allow(&tool, name)?;
-                slim.allow(&core, name)?;
-            }
+        let mut tool = MountedTool::attach(&robot, srdf, task, &mount)?;
+        if let Some(second) = &second {
+            tool.allow_second_hand(second.chain().tip())?;
         }
-        let is_floor =
-            is_below_floor_plane(&task.surface.world_from_surface, &task.surface.outline);
-        for link in on_wheels.iter().filter(|_| is_floor) {
-            for model in [&mut collisions, &mut in_contact, &mut slim] {
-                model.allow(link, &surface.face)?;
-            }
-        }
-        for name in [Some(&surface.face), surface.behind.as_ref()]
-            .into_iter()
-            .flatten()
-        {
-            in_contact.allow(&tool, name)?;
-            slim.allow(&tool, name)?;
-            slim.allow(&core, name)?;
-        }
-        if let Some(behind) = &surface.behind {
-            for link in robot.links() {
-                for model in [&mut collisions, &mut in_contact, &mut slim] {
-                    model.allow(&link.name, behind)?;
-                }
-            }
-        }
-        let obstacles = (named.into_iter().map(|(name, _)| name))
-            .chain([surface.face])
-            .chain(surface.behind)
-            .collect();
-        let arm_collisions = collisions.for_variables(&arm_variables);
-        let arm_collisions_in_contact = slim.for_variables(&arm_variables);
-        let base_variables = base.map_or(vec![], |base| vec![base.x, base.y, base.yaw]);
-        let base_collisions = collisions.for_variables(&base_variables);
+        let collisions = tool.place_in_scene(base, &group.ready, &arm_variables)?;
         let limits = limits(&robot)?;
         if let Some(second) = &second {
-            grip_with_second_hand(&robot, second, &ik, &collisions, &mut ready)?;
+            grip_with_second_hand(&robot, second, &ik, &collisions.free, &mut group.ready)?;
         }
         Ok(Self {
             world_from_root,
-            tip,
+            tip: group.tip,
             tip_from_tool,
             ik,
             second,
             arm_variables,
             base,
-            ready,
+            ready: group.ready,
             collisions,
-            collisions_in_contact: in_contact,
-            base_collisions,
-            arm_collisions,
-            arm_collisions_in_contact,
             limits,
             limit_margin: config.limit_margin,
-            obstacles,
             robot,
         })
     }
@@ -345,27 +209,27 @@ impl Workcell {
 
     /// Robot, tool and scene with all pairs that may not touch in free motion.
     pub const fn collisions(&self) -> &CollisionModel {
-        &self.collisions
+        &self.collisions.free
     }
 
     /// What may not touch while the tool touches this.
     pub const fn all_collisions(&self, allowed: AllowedContact) -> &CollisionModel {
         match allowed {
-            AllowedContact::None => &self.collisions,
-            AllowedContact::Surface => &self.collisions_in_contact,
+            AllowedContact::None => &self.collisions.free,
+            AllowedContact::Surface => &self.collisions.in_contact,
         }
     }
 
     /// What may not touch, as far as the base's variables can change it.
     pub(in crate::follow) const fn base_collisions(&self) -> &CollisionModel {
-        &self.base_collisions
+        &self.collisions.base
     }
 
     /// What may not touch, as far as the group's variables can change it.
     pub const fn arm_collisions(&self, allowed: AllowedContact) -> &CollisionModel {
         match allowed {
-            AllowedContact::None => &self.arm_collisions,
-            AllowedContact::Surface => &self.arm_collisions_in_contact,
+            AllowedContact::None => &self.collisions.arm,
+            AllowedContact::Surface => &self.collisions.arm_in_contact,
         }
     }
 
@@ -385,7 +249,7 @@ impl Workcell {
 
     /// Whether a name in a contact is one of the scene's objects.
     pub(in crate::follow) fn is_obstacle(&self, name: &str) -> bool {
-        self.obstacles.contains(name)
+        self.collisions.obstacles.contains(name)
     }
 
     /// The part of the hand that would be below the target surface wherever the tool touches it at the nodes of a plan; `None`
@@ -451,6 +315,51 @@ impl Workcell {
     }
 }
 
+/// Puts a planar base where the robot starts, and returns the pose of the robot's root in the world.
+fn place_base(
+    base: Option<PlanarBase>,
+    world_from_robot: Option<Pose>,
+    ready: &mut [f64],
+) -> Result<Pose, FollowError> {
+    let world_from_robot = world_from_robot.unwrap_or_else(Pose::identity);
+    let Some(base) = base else {
+        return Ok(world_from_robot);
+    };
+    let on_floor = on_floor(&world_from_robot)?;
+    ready[base.x] = on_floor.position.x;
+    ready[base.y] = on_floor.position.y;
+    ready[base.yaw] = on_floor.heading;
+    Ok(Pose::identity())
+}
+
+/// Makes the inverse kinematics of the tool, which prefers the ready posture.
+fn make_tool_solver(
+    robot: &RobotModel,
+    group: &PlanningGroup,
+    tip_from_tool: Pose,
+    limit_margin: f64,
+) -> Result<IkSolver, FollowError> {
+    let ik = IkSolver::new(robot, group.base, group.tip, tip_from_tool)?;
+    let variables = ik.chain().variables().iter();
+    let posture: Vec<f64> = variables.map(|&i| group.ready[i]).collect();
+    Ok((ik.with_posture(&posture)?).with_limit_margin(limit_margin)?)
+}
+
+/// Finds the link that is to hold the tool's second grip, and that grip.
+fn find_second_grip(
+    robot: &RobotModel,
+    srdf: Option<&Srdf>,
+    tool: &Tool,
+    group: &str,
+) -> Result<(LinkId, SecondGrip), FollowError> {
+    let grip = tool.second_grip.ok_or_else(|| FollowError::NoSecondGrip {
+        tool: tool.name.clone(),
+        group: group.to_owned(),
+    })?;
+    let tip = PlanningGroup::choose(robot, srdf, Some(group))?.tip;
+    Ok((tip, grip))
+}
+
 /// Brings the second hand to its grip in the ready posture: where it touches nothing, if there is such a way.
 fn grip_with_second_hand(
     robot: &RobotModel,
@@ -491,19 +400,6 @@ fn grip_with_second_hand(
     Ok(())
 }
 
-/// Whether no point of an outline is above the floor on which the base moves.
-fn is_below_floor_plane(world_from_surface: &Pose, outline: &Polygon) -> bool {
-    let mut corners = outline.outer().iter();
-    corners.all(|p| (world_from_surface * Point3::new(p.x, p.y, 0.0)).z <= FLOOR_TOLERANCE)
-}
-
-/// Whether no point of an object is above the floor on which the base moves.
-fn is_below_floor(object: &SceneObject) -> bool {
-    let vertices = object.mesh.vertices().iter();
-    let heights = vertices.map(|vertex| (object.world_from_object * vertex).z);
-    heights.fold(f64::NEG_INFINITY, f64::max) <= FLOOR_TOLERANCE
-}
-
 fn on_floor(world_from_robot: &Pose) -> Result<PlanarPose, FollowError> {
     let (roll, pitch, yaw) = world_from_robot.rotation.euler_angles();
     let at = world_from_robot.translation.vector;
@@ -515,15 +411,7 @@ fn on_floor(world_from_robot: &Pose) -> Result<PlanarPose, FollowError> {
     Ok(PlanarPose::new(Point2::new(at.x, at.y), yaw))
 }
 
-/// A name that no link has.
-fn unlike(robot: &RobotModel, name: &str) -> String {
-    if robot.links().iter().any(|link| link.name == name) {
-        format!("{name} (scene)")
-    } else {
-        name.to_owned()
-    }
-}
-
+/// The limits of a robot's variables, and of the joints that follow them.
 fn limits(robot: &RobotModel) -> Result<JointLimits, FollowError> {
     let of_variable = |i: usize| {
         let joint = robot.variable(i);

@@ -97,7 +97,7 @@ impl Belief {
             random.set_stream(STREAM ^ index as u64);
             let was = &weighted.replays()[member];
             let state = weighted.states.get(member);
-            look.places(was, state, &believed, is_first, &mut random)
+            look.update_member(was, state, &believed, is_first, &mut random)
         });
         weighted.after_look(members.collect(), weights)
     }
@@ -170,27 +170,36 @@ impl Look<'_> {
         !self.observation.is_hidden(place)
     }
 
+    /// The region in which a place lies.
+    fn region(&self, place: Point2) -> usize {
+        usize::from(self.is_met_at(place))
+    }
+
+    /// Counts places by region.
+    fn count_by_region(&self, places: impl Iterator<Item = Point2>) -> [usize; REGIONS] {
+        let mut counts = [0; REGIONS];
+        for place in places {
+            counts[self.region(place)] += 1;
+        }
+        counts
+    }
+
     /// The members' weights by how much each has left where the goal wants it and elsewhere.
     fn weights(&self, belief: &Belief) -> Vec<f64> {
-        let counts = |places: &mut dyn Iterator<Item = Point2>| {
-            let mut counts = [0.0; REGIONS];
-            for place in places {
-                counts[usize::from(self.is_met_at(place))] += 1.0;
-            }
-            counts
-        };
-        let seen = counts(&mut self.observation.detections.iter().copied());
+        let detections = self.observation.detections.iter().copied();
+        let seen = self.count_by_region(detections);
         // A false alarm within the goal is as likely as its share of the surface, which is small.
         let alarms = self.sight.sensor.false_alarms_per_m2 * self.surface.outline.area();
         let [share, number] = COUNT_ERROR;
         let fit = |member: &ParticleDistribution| {
-            let left = counts(&mut member.remaining().filter(|place| self.is_visible(*place)));
+            let visible = member.remaining().filter(|place| self.is_visible(*place));
+            let left = self.count_by_region(visible).map(|count| count as f64);
             let fits = [0, 1].map(|k| {
                 let expected = self.sight.detection * left[k] + if k == 0 { alarms } else { 0.0 };
                 let misses = self.sight.detection * (1.0 - self.sight.detection) * left[k];
                 let other = share * left[k] + number;
                 let variance = misses + alarms + other * other;
-                let off = seen[k] - expected;
+                let off = seen[k] as f64 - expected;
                 -0.5 * (off * off / variance + libm::log(variance))
             });
             fits[0] + fits[1]
@@ -205,8 +214,8 @@ impl Look<'_> {
         weights.into_iter().map(|weight| weight / sum).collect()
     }
 
-    /// A member's dirt after the look, with the thresholds of what it recognises.
-    fn places(
+    /// Returns a member's dirt after the look, with the thresholds of what it recognises.
+    fn update_member(
         &self,
         was: &ParticleDistribution,
         state: Option<&MemberState>,
@@ -214,98 +223,29 @@ impl Look<'_> {
         is_first: bool,
         random: &mut ChaCha8Rng,
     ) -> (ParticleDistribution, Option<MemberState>) {
-        let mut particles: Vec<(Point2, Fate)> = was.iter().collect();
-        let visible: Vec<usize> = (0..particles.len())
-            .filter(|&i| particles[i].1 == Fate::OnSurface && self.is_visible(particles[i].0))
-            .collect();
-        let at: Vec<Point2> = visible.iter().map(|&i| particles[i].0).collect();
+        let mut update = MemberUpdate {
+            look: self,
+            random,
+            particles: was.iter().collect(),
+            unassigned: Vec::new(),
+            free: Vec::new(),
+        };
+        let visible = update.visible();
+        let left = self.count_by_region(visible.iter().map(|&i| update.particles[i].0));
         let hidden = was.tally().remaining - visible.len();
-        let mut left = [0; REGIONS];
-        for place in &at {
-            left[usize::from(self.is_met_at(*place))] += 1;
-        }
-        let mut real = [const { Vec::new() }; REGIONS];
-        let radius = (MATCHED * self.sight.sensor.position_error_m).max(1e-6);
-        let mut grid = PointGrid::of(&at, radius / 2.0);
-        let mut is_taken = vec![false; visible.len()];
-        let mut found = Vec::new();
-        for (place, probability) in self.observation.detections.iter().zip(&believed.real) {
-            if random.random::<f64>() >= *probability {
-                continue;
-            }
-            let there = self.scattered(*place, random);
-            real[usize::from(self.is_met_at(*place))].push(there);
-            match grid.nearest_within(*place, radius, MOST_MATCHES) {
-                Some(index) => {
-                    grid.remove(index, at[index]);
-                    is_taken[index] = true;
-                    particles[visible[index]].0 = there;
-                }
-                None => found.push(there),
-            }
-        }
-        // What is visible and was not seen was missed, or is not there.
-        let unseen = (visible.iter().zip(&is_taken)).filter(|(_, taken)| !**taken);
-        let mut unseen: Vec<usize> = unseen.map(|(&index, _)| index).collect();
-        unseen.shuffle(random);
         let most = if is_first {
             usize::MAX
         } else {
             was.len() - hidden
         };
-        let missed = self.missed(left, &real, most, random);
-        let mut free: Vec<usize> = Vec::new();
-        for (region, mut missed) in missed.into_iter().enumerate() {
-            for &index in &unseen {
-                if usize::from(self.is_met_at(particles[index].0)) != region {
-                    continue;
-                }
-                if missed > 0 {
-                    missed -= 1;
-                } else {
-                    free.push(index);
-                }
-            }
-            // More were missed than this member has unseen: they lie where others were seen.
-            let seen = &real[region];
-            if !seen.is_empty() {
-                let anyone = (0..missed).map(|_| seen[random.random_range(0..seen.len())]);
-                found.extend(anyone);
-            }
-        }
+        let (real, unseen) = update.match_detections(&visible, believed);
+        let missed = self.missed(left, &real, most, update.random);
+        update.keep_missed(missed, &unseen, &real);
         if !is_first {
-            // What was believed gone may be what lies there, in the order in which it was given.
-            let gone = (0..particles.len()).filter(|&i| particles[i].1 != Fate::OnSurface);
-            let gone: Vec<usize> = gone.collect();
-            free.splice(0..0, gone.into_iter().rev());
+            update.free_gone();
         }
-        let mut renewed = Vec::new();
-        for there in found {
-            match free.pop() {
-                Some(index) => {
-                    particles[index] = (there, Fate::OnSurface);
-                    renewed.push(index);
-                }
-                None => particles.push((there, Fate::OnSurface)),
-            }
-        }
-        // What the member has over edges tells over which the tool has wiped.
-        let crossed: Vec<u16> = (was.iter())
-            .filter_map(|(_, fate)| match fate {
-                Fate::OffSurface { edge } => Some(edge),
-                Fate::OnSurface | Fate::Absorbed | Fate::Treated { .. } => None,
-            })
-            .collect();
-        let mut is_there = vec![true; particles.len()];
-        for index in free {
-            if particles[index].1 == Fate::OnSurface {
-                is_there[index] = !is_first;
-                particles[index].1 = self.fate_of_missing(particles[index].0, &crossed, random);
-            }
-        }
-        let mut is_there = is_there.into_iter();
-        // Before anything was wiped, nobody has thresholds yet.
-        particles.retain(|_| is_there.next().unwrap_or(true));
+        let renewed = update.assign_particles();
+        let particles = update.remove_free(was, is_first);
         let state = state.map(|state| {
             let mut state = state.clone();
             state.activation.renew(&renewed, particles.len());
@@ -394,6 +334,133 @@ impl Look<'_> {
                 }
             }
         }
+    }
+}
+
+/// A member's dirt while a look changes it.
+struct MemberUpdate<'a> {
+    look: &'a Look<'a>,
+    random: &'a mut ChaCha8Rng,
+    particles: Vec<(Point2, Fate)>,
+    /// Grains that were detected or missed, and that no particle stands for yet.
+    unassigned: Vec<Point2>,
+    /// Particles that may stand for other grains; the last is taken first.
+    free: Vec<usize>,
+}
+
+impl MemberUpdate<'_> {
+    /// The particles on the surface that nothing hides.
+    fn visible(&self) -> Vec<usize> {
+        let is_visible = |&i: &usize| {
+            let (place, fate) = self.particles[i];
+            fate == Fate::OnSurface && self.look.is_visible(place)
+        };
+        (0..self.particles.len()).filter(is_visible).collect()
+    }
+
+    /// Draws which detections are dirt, and moves the nearest particles there. Returns the grains detected, by region,
+    /// and in random order the particles that were not detected: they were missed, or are not there.
+    fn match_detections(
+        &mut self,
+        visible: &[usize],
+        believed: &Intensity,
+    ) -> ([Vec<Point2>; REGIONS], Vec<usize>) {
+        let look = self.look;
+        let at: Vec<Point2> = visible.iter().map(|&i| self.particles[i].0).collect();
+        let radius = (MATCHED * look.sight.sensor.position_error_m).max(1e-6);
+        let mut grid = PointGrid::of(&at, radius / 2.0);
+        let mut is_detected = vec![false; visible.len()];
+        let mut real = [const { Vec::new() }; REGIONS];
+        for (place, probability) in look.observation.detections.iter().zip(&believed.real) {
+            if self.random.random::<f64>() >= *probability {
+                continue;
+            }
+            let there = look.scattered(*place, self.random);
+            real[look.region(*place)].push(there);
+            match grid.nearest_within(*place, radius, MOST_MATCHES) {
+                Some(index) => {
+                    grid.remove(index, at[index]);
+                    is_detected[index] = true;
+                    self.particles[visible[index]].0 = there;
+                }
+                None => self.unassigned.push(there),
+            }
+        }
+        let unseen = (visible.iter().zip(is_detected)).filter(|(_, is_detected)| !is_detected);
+        let mut unseen: Vec<usize> = unseen.map(|(&index, _)| index).collect();
+        unseen.shuffle(self.random);
+        (real, unseen)
+    }
+
+    /// Keeps as many unseen particles as were `missed` in each region, and frees the others.
+    fn keep_missed(
+        &mut self,
+        missed: [usize; REGIONS],
+        unseen: &[usize],
+        real: &[Vec<Point2>; REGIONS],
+    ) {
+        for (region, (mut missed, seen)) in missed.into_iter().zip(real).enumerate() {
+            for &index in unseen {
+                if self.look.region(self.particles[index].0) != region {
+                    continue;
+                }
+                if missed > 0 {
+                    missed -= 1;
+                } else {
+                    self.free.push(index);
+                }
+            }
+            // More were missed than this member has unseen: they lie where others were seen.
+            if !seen.is_empty() {
+                let anyone = (0..missed).map(|_| seen[self.random.random_range(0..seen.len())]);
+                self.unassigned.extend(anyone);
+            }
+        }
+    }
+
+    /// Frees the particles believed gone, which may be what lies there; they are taken after the unseen, in their order.
+    fn free_gone(&mut self) {
+        let particles = self.particles.iter().enumerate().rev();
+        let gone = particles.filter(|(_, (_, fate))| *fate != Fate::OnSurface);
+        self.free.splice(0..0, gone.map(|(index, _)| index));
+    }
+
+    /// Gives each unassigned grain a free particle or a new one, and returns the particles that were free.
+    fn assign_particles(&mut self) -> Vec<usize> {
+        let mut renewed = Vec::new();
+        for there in self.unassigned.drain(..) {
+            match self.free.pop() {
+                Some(index) => {
+                    self.particles[index] = (there, Fate::OnSurface);
+                    renewed.push(index);
+                }
+                None => self.particles.push((there, Fate::OnSurface)),
+            }
+        }
+        renewed
+    }
+
+    /// Removes the free particles from the surface, at the first look altogether, and returns all particles.
+    fn remove_free(mut self, was: &ParticleDistribution, is_first: bool) -> Vec<(Point2, Fate)> {
+        // What the member has over edges tells over which the tool has wiped.
+        let crossed: Vec<u16> = (was.iter())
+            .filter_map(|(_, fate)| match fate {
+                Fate::OffSurface { edge } => Some(edge),
+                Fate::OnSurface | Fate::Absorbed | Fate::Treated { .. } => None,
+            })
+            .collect();
+        let mut is_there = vec![true; self.particles.len()];
+        for index in self.free {
+            let (place, fate) = &mut self.particles[index];
+            if *fate == Fate::OnSurface {
+                is_there[index] = !is_first;
+                *fate = self.look.fate_of_missing(*place, &crossed, self.random);
+            }
+        }
+        let mut is_there = is_there.into_iter();
+        // Before anything was wiped, nobody has thresholds yet.
+        self.particles.retain(|_| is_there.next().unwrap_or(true));
+        self.particles
     }
 }
 

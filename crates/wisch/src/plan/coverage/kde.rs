@@ -47,7 +47,7 @@ pub fn data_bandwidth(points: &[Point2], radius: f64) -> f64 {
 /// Particles are shared out to the samples round them, then smoothed by the separable Gaussian. The
 /// relative error stays below 1e-3 where the density is above a hundredth of its peak.
 #[derive(Debug, Clone, PartialEq)]
-pub struct DensityMap {
+pub struct CoverageDensity {
     origin: Point2,
     step: f64,
     columns: usize,
@@ -55,7 +55,7 @@ pub struct DensityMap {
     values: Vec<f64>,
 }
 
-impl DensityMap {
+impl CoverageDensity {
     /// Samples the density of `points` over `bounds` with bandwidth h [m].
     pub fn new(points: &[Point2], bounds: Bounds2, bandwidth: f64) -> Self {
         let size = bounds.size();
@@ -90,7 +90,7 @@ impl DensityMap {
     /// Density K at sample (column, row), by (2).
     ///
     /// # Panics
-    /// Beyond [`DensityMap::shape`].
+    /// Beyond [`CoverageDensity::shape`].
     pub fn sample(&self, column: usize, row: usize) -> f64 {
         self.values[row * self.columns + column]
     }
@@ -181,7 +181,7 @@ pub fn kde(space: &FreeSpace, particles: &[Point2], config: &KdeConfig) -> Vec<P
     let bandwidth = config
         .bandwidth
         .unwrap_or_else(|| data_bandwidth(particles, radius));
-    let density = DensityMap::new(particles, bounds, bandwidth);
+    let density = CoverageDensity::new(particles, bounds, bandwidth);
     let (columns, rows) = density.shape();
     let mut places: Vec<(f64, Point2)> = (0..rows)
         .flat_map(|row| (0..columns).map(move |column| (column, row)))
@@ -234,7 +234,7 @@ mod tests {
             bandwidth in 0.02..0.1f64,
         ) {
             let bounds = Bounds2 { min: Point2::new(-0.2, -0.14), max: Point2::new(0.2, 0.14) };
-            let map = DensityMap::new(&points, bounds, bandwidth);
+            let map = CoverageDensity::new(&points, bounds, bandwidth);
             let (columns, rows) = map.shape();
             let samples: Vec<(f64, f64)> = (0..rows)
                 .flat_map(|row| (0..columns).map(move |column| (column, row)))

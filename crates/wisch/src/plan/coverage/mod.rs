@@ -6,7 +6,7 @@ mod rrt;
 
 use grid::cell_count;
 pub use grid::grid;
-pub use kde::{DensityMap, KdeConfig, data_bandwidth, kde};
+pub use kde::{CoverageDensity, KdeConfig, data_bandwidth, kde};
 pub use rrt::{RrtConfig, rrt};
 
 use super::{FreeSpace, PlanError};

@@ -1,14 +1,14 @@
 //! Whether a URDF makes sense: every rule that a robot must or should obey.
 
+mod limits;
+
 use super::collision::{Collision, load_shapes};
 use super::diagnostics::{Diagnostics, words};
-use super::elements::{Urdf, UrdfInertial, UrdfJoint, UrdfLimit};
+use super::elements::{Urdf, UrdfInertial, UrdfJoint};
 use super::units;
-use crate::robot::{
-    ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, Diagnostic, DiagnosticKind, RobotError, Severity,
-    Subject,
-};
+use crate::robot::{Diagnostic, DiagnosticKind, RobotError, Severity, Subject};
 use crate::source_location::UnknownName;
+use limits::check_limits;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Most links between the root and a tip; a deeper URDF is refused.
@@ -251,133 +251,7 @@ fn joint_alone(j: &UrdfJoint, urdf: &Urdf, report: &mut Diagnostics) {
         report.add(Severity::Warning, DiagnosticKind::Axis, subject(), j.at, w);
     }
     let follows = urdf.mimics.iter().any(|m| m.joint == j.name);
-    limits(j, follows, report);
-}
-
-fn limits(j: &UrdfJoint, follows: bool, report: &mut Diagnostics) {
-    let unit = if j.kind == "prismatic" { "m" } else { "rad" };
-    if let Some([lower, upper]) = j.soft_limits {
-        let w = words(
-            format!("its safety controller keeps it within {lower} and {upper} {unit}"),
-            "soft limits inside the hard ones",
-            "these are its limits here; remove <safety_controller> to use the hard ones",
-        );
-        let kind = DiagnosticKind::Limit;
-        report.add(Severity::Note, kind, joint(&j.name), j.at, w);
-    }
-    let force = if j.kind == "prismatic" { "N" } else { "Nm" };
-    let limit = j.limit.unwrap_or_default();
-    let UrdfLimit { lower, upper, .. } = limit;
-    if j.kind != "continuous" {
-        match (lower, upper) {
-            (Some(lower), Some(upper)) if lower > upper => {
-                let w = words(
-                    format!("lower {lower} {unit} is above upper {upper} {unit}"),
-                    "lower <= upper",
-                    "exchange or correct them",
-                );
-                report.error(DiagnosticKind::Limit, joint(&j.name), j.at, w);
-            }
-            (Some(lower), Some(upper)) if lower == upper && !follows => {
-                let w = words(
-                    format!("lower = upper = {lower} {unit}"),
-                    "lower < upper",
-                    "widen the limits, or make the joint fixed",
-                );
-                report.add(
-                    Severity::Warning,
-                    DiagnosticKind::Limit,
-                    joint(&j.name),
-                    j.at,
-                    w,
-                );
-            }
-            (Some(_), Some(_)) => {}
-            _ if follows => {}
-            _ => {
-                let w = words(
-                    "it has no finite position limits",
-                    format!("lower and upper [{unit}]"),
-                    "add <limit lower upper>, or make the joint continuous",
-                );
-                report.add(
-                    Severity::Warning,
-                    DiagnosticKind::LimitMissing,
-                    joint(&j.name),
-                    j.at,
-                    w,
-                );
-            }
-        }
-    }
-    if follows {
-        return;
-    }
-    let [velocity, acceleration] = match j.kind.as_str() {
-        "prismatic" => ASSUMED_SLIDE_RATES,
-        _ => ASSUMED_TURN_RATES,
-    };
-    let rates = [
-        (
-            "velocity",
-            limit.velocity,
-            format!("{unit}/s"),
-            Severity::Warning,
-            Some(velocity),
-        ),
-        (
-            "effort",
-            limit.effort,
-            force.to_owned(),
-            Severity::Warning,
-            None,
-        ),
-        (
-            "acceleration",
-            limit.acceleration,
-            format!("{unit}/s2"),
-            Severity::Note,
-            Some(acceleration),
-        ),
-    ];
-    for (what, value, unit, severity, assumed) in rates {
-        match value {
-            None => {
-                let w = words(
-                    format!("it has no finite {what} limit"),
-                    format!("{what} above 0 {unit}"),
-                    match assumed {
-                        Some(assumed) => {
-                            format!("add <limit {what}>; without it {assumed} {unit} is assumed")
-                        }
-                        None => format!("add <limit {what}>; without it none is kept"),
-                    },
-                );
-                report.add(
-                    severity,
-                    DiagnosticKind::LimitMissing,
-                    joint(&j.name),
-                    j.at,
-                    w,
-                );
-            }
-            Some(value) if value <= 0.0 => {
-                let w = words(
-                    format!("its {what} limit is {value} {unit}"),
-                    format!("above 0 {unit}"),
-                    "give the limit of the drive; with this one the joint cannot move",
-                );
-                report.add(
-                    Severity::Warning,
-                    DiagnosticKind::Limit,
-                    joint(&j.name),
-                    j.at,
-                    w,
-                );
-            }
-            Some(_) => {}
-        }
-    }
+    check_limits(j, follows, report);
 }
 
 /// Robots that were made stiff for some purpose keep the `<mimic>` of joints that are fixed now: it says nothing.

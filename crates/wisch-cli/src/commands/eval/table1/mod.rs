@@ -15,7 +15,7 @@ use std::path::Path;
 use wisch::plan::Strategy;
 use wisch::represent::Action;
 use wisch_eval::{
-    Extent, Quantity, Table1Case, Table1Row, Table1Run, Table1Setup, TaskCase, table1_rows,
+    Quantity, Table1Case, Table1Row, Table1Run, Table1Setup, TaskCase, WipingExtent, table1_rows,
 };
 use wisch_io::load_task;
 
@@ -111,7 +111,7 @@ fn check(cases: &[(u64, Table1Case)], setup: &Table1Setup) -> Result<(), Failure
 
 fn in_words(record: &Table1Record) -> String {
     let columns = columns(&record.setup);
-    let is_executed = record.setup.extent == Extent::Executed;
+    let is_executed = record.setup.extent == WipingExtent::Executed;
     let mut text = lead(record) + "\n\n";
     let names = columns.iter().flat_map(|(quantity, paper)| {
         let paper = paper.map(|_| "paper".to_owned());

@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use std::path::Path;
 use wisch::geometry::Point2;
 use wisch::represent::{Action, Task};
-use wisch_eval::{Extent, Picture, Quantity, Table1Row, Table1Run, TaskCase, WipingScore};
+use wisch_eval::{Picture, Quantity, Table1Row, Table1Run, TaskCase, WipingExtent, WipingScore};
 use wisch_io::{LoadOptions, load_task};
 use wisch_report::{
     ActionRows, ComparedFigure, StrategyColumn, SurfaceColumns, Table1Input, WipedSurface,
@@ -89,9 +89,9 @@ pub(super) fn page(record: &Table1Record) -> Result<String, Failure> {
             "Seed {}, seen from above: {}.",
             record.setup.pictured_seed,
             match record.setup.extent {
-                Extent::Executed => "the dirt as it really lay before the first and after the last round",
-                Extent::Followed => "what the robot's strokes are predicted to do",
-                Extent::Planned => "what the plans are predicted to do",
+                WipingExtent::Executed => "the dirt as it really lay before the first and after the last round",
+                WipingExtent::Followed => "what the robot's strokes are predicted to do",
+                WipingExtent::Planned => "what the plans are predicted to do",
             }
         ),
         notes: [

@@ -3,7 +3,7 @@
 use super::super::super::words::counted;
 use super::super::Provenance;
 use serde::Serialize;
-use wisch_eval::{Extent, PaperFigures, Quantity, Table1Row, Table1Run, Table1Setup};
+use wisch_eval::{PaperFigures, Quantity, Table1Row, Table1Run, Table1Setup, WipingExtent};
 
 /// What is written of an evaluation.
 #[derive(Debug, Serialize)]
@@ -24,20 +24,20 @@ pub(super) type Column = (Quantity, Option<fn(&PaperFigures) -> f64>);
 pub(super) fn columns(setup: &Table1Setup) -> Vec<Column> {
     let predicted: Column = (Quantity::Predicted, Some(|paper| paper.performance_percent));
     let mut columns = vec![predicted];
-    if setup.extent != Extent::Planned {
+    if setup.extent != WipingExtent::Planned {
         columns.push((Quantity::Planned, None));
     }
     if setup.is_limited {
         columns.push((Quantity::Limited, None));
     }
-    if setup.extent == Extent::Executed {
+    if setup.extent == WipingExtent::Executed {
         columns.extend([(Quantity::Estimated, None), (Quantity::Truth, None)]);
         columns.extend([(Quantity::TrueLoss, None), (Quantity::Rounds, None)]);
     }
     columns.push((Quantity::OutOfReach, None));
     columns.push((Quantity::DistanceM, Some(|paper| paper.distance_m)));
     columns.push((Quantity::Lifts, None));
-    if setup.extent != Extent::Planned {
+    if setup.extent != WipingExtent::Planned {
         columns.push((Quantity::Abandoned, None));
         columns.push((Quantity::ExecutionS, Some(|paper| paper.execution_s)));
     }

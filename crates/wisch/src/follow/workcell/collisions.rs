@@ -1,0 +1,268 @@
+//! Collision models of a robot with its tool before a scene, by what the tool may touch.
+
+use super::FLOOR_TOLERANCE;
+use super::grasp::{relaxed, without_rim};
+use super::group::{PlanarBase, hand_and_holder, standing_links};
+use super::target_surface::{TargetSurface, ToolMount, is_tool_behind};
+use crate::follow::FollowError;
+use crate::geometry::Point3;
+use crate::represent::{SceneObject, ScenePart, Surface, Task};
+use crate::robot::{CollisionModel, LinkId, RobotError, RobotModel, Srdf};
+use std::collections::BTreeSet;
+
+/// How much less than the margin the sides of the tool keep clear of the scene while it wipes [m]. A corner
+/// loses √3 times as much, which is still less than the usual margin.
+const TOOL_RIM: f64 = 2.8e-3;
+
+/// What may not touch, by what the tool may touch and which variables move.
+#[derive(Debug, Clone)]
+pub(super) struct WorkcellCollisions {
+    /// In free motion.
+    pub(super) free: CollisionModel,
+    /// While the tool touches the surface.
+    pub(super) in_contact: CollisionModel,
+    /// In free motion, as far as the base's variables can change it.
+    pub(super) base: CollisionModel,
+    /// In free motion, as far as the arm's variables can change it.
+    pub(super) arm: CollisionModel,
+    /// While the tool touches the surface, as far as the arm's variables can change it: without the tool's rim.
+    pub(super) arm_in_contact: CollisionModel,
+    /// Names of the scene's objects and of the target surface.
+    pub(super) obstacles: BTreeSet<String>,
+}
+
+/// A robot with its tool, not yet before the scene of a task.
+pub(super) struct MountedTool<'a> {
+    robot: &'a RobotModel,
+    task: &'a Task,
+    mount: &'a ToolMount,
+    /// Name of the tool among the bodies of the models.
+    tool: String,
+    /// Name of the tool without its rim.
+    core: String,
+    models: ContactModels,
+}
+
+/// An object of the scene, with its name among the obstacles.
+type NamedObject<'a> = (String, &'a SceneObject);
+
+impl<'a> MountedTool<'a> {
+    /// Fixes the tool of a task to its link.
+    pub(super) fn attach(
+        robot: &'a RobotModel,
+        srdf: Option<&Srdf>,
+        task: &'a Task,
+        mount: &'a ToolMount,
+    ) -> Result<Self, FollowError> {
+        let tool = rename_if_link(robot, &task.tool.name);
+        let core = rename_if_link(robot, &format!("core of {}", task.tool.name));
+        let mesh = &task.tool.mesh;
+        let (tip, tip_from_tool) = (mount.tip, mount.tip_from_tool);
+        let bare = CollisionModel::new(robot, srdf)?;
+        // Nothing presses a tool in free motion.
+        let relaxed = relaxed(mesh, task.interaction.compression_depth_m)?;
+        let mut free = bare.clone();
+        free.attach(&tool, tip, tip_from_tool, &relaxed)?;
+        let mut in_contact = bare.clone();
+        in_contact.attach(&tool, tip, tip_from_tool, mesh)?;
+        // Whole against the robot, without its rim against the scene.
+        let mut rimless = bare;
+        let core_mesh = without_rim(mesh, TOOL_RIM)?;
+        rimless.attach(&tool, tip, tip_from_tool, mesh)?;
+        rimless.attach(&core, tip, tip_from_tool, &core_mesh)?;
+        for link in robot.links() {
+            rimless.allow(&core, &link.name)?;
+        }
+        let models = ContactModels {
+            free,
+            in_contact,
+            rimless,
+        };
+        Ok(Self {
+            robot,
+            task,
+            mount,
+            tool,
+            core,
+            models,
+        })
+    }
+
+    /// Lets a second hand touch the tool that it holds.
+    pub(super) fn allow_second_hand(&mut self, tip: LinkId) -> Result<(), FollowError> {
+        for link in hand_and_holder(self.robot, tip) {
+            self.models.allow_in_all(&self.tool, &link)?;
+        }
+        Ok(())
+    }
+
+    /// Puts the robot before the scene of the task. `ready`: where it starts, all n variables [rad or m];
+    /// `arm`: the variables of its arms.
+    pub(super) fn place_in_scene(
+        mut self,
+        base: Option<PlanarBase>,
+        ready: &[f64],
+        arm: &[usize],
+    ) -> Result<WorkcellCollisions, FollowError> {
+        let objects = self.add_objects()?;
+        let surface = self.add_surface(&objects, ready)?;
+        if let Some(base) = base {
+            self.allow_driving(&base, &objects, &surface.face)?;
+        }
+        self.allow_wiping(&objects, &surface)?;
+        if let Some(behind) = &surface.behind {
+            for link in self.robot.links() {
+                self.models.allow_in_all(&link.name, behind)?;
+            }
+        }
+        let names = objects.into_iter().map(|(name, _)| name);
+        let base_variables = base.map_or(vec![], |base| vec![base.x, base.y, base.yaw]);
+        let ContactModels {
+            free,
+            in_contact,
+            rimless,
+        } = self.models;
+        Ok(WorkcellCollisions {
+            base: free.for_variables(&base_variables),
+            arm: free.for_variables(arm),
+            arm_in_contact: rimless.for_variables(arm),
+            free,
+            in_contact,
+            obstacles: names.chain([surface.face]).chain(surface.behind).collect(),
+        })
+    }
+
+    /// Adds the objects of the scene that are neither the robot nor its tool.
+    fn add_objects(&mut self) -> Result<Vec<NamedObject<'a>>, FollowError> {
+        let is_own = |part| matches!(part, ScenePart::Robot | ScenePart::Tool);
+        let objects: Vec<NamedObject<'a>> = (self.task.scene.iter())
+            .filter(|object| !is_own(object.part))
+            .map(|object| (rename_if_link(self.robot, &object.name), object))
+            .collect();
+        let root_from_world = self.mount.world_from_root.inverse();
+        for model in self.models.all() {
+            let placed = objects.iter().map(|(name, object)| {
+                let root_from_object = root_from_world * object.world_from_object;
+                (name.as_str(), root_from_object, &object.mesh)
+            });
+            model.add_obstacles(placed)?;
+        }
+        Ok(objects)
+    }
+
+    /// Adds the target surface, and the space behind it unless the tool waits there.
+    fn add_surface(
+        &mut self,
+        objects: &[NamedObject<'_>],
+        ready: &[f64],
+    ) -> Result<TargetSurface, FollowError> {
+        let root_from_world = self.mount.world_from_root.inverse();
+        let kinematics = self.robot.forward_kinematics(ready)?;
+        let waits_behind = is_tool_behind(self.task, &kinematics, self.mount);
+        let is_taken = |name: &String| {
+            [&self.tool, &self.core].contains(&name)
+                || objects.iter().any(|(known, _)| known == name)
+        };
+        let unused = |name: &str| {
+            let mut name = rename_if_link(self.robot, name);
+            while is_taken(&name) {
+                name.push_str(" (target)");
+            }
+            name
+        };
+        let models = &mut self.models.all();
+        TargetSurface::add(self.task, &root_from_world, &unused, waits_behind, models)
+    }
+
+    /// Lets the links that stand on the floor touch what is not above it.
+    fn allow_driving(
+        &mut self,
+        base: &PlanarBase,
+        objects: &[NamedObject<'_>],
+        face: &str,
+    ) -> Result<(), FollowError> {
+        let floors = (objects.iter())
+            .filter(|(_, object)| is_object_on_floor(object))
+            .map(|(name, _)| name.as_str())
+            .chain(is_surface_on_floor(&self.task.surface).then_some(face));
+        let wheels = standing_links(self.robot, base);
+        for floor in floors {
+            for link in &wheels {
+                self.models.allow_in_all(link, floor)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Lets the tool touch the surface and its carrier while it wipes, and its rim the other objects.
+    fn allow_wiping(
+        &mut self,
+        objects: &[NamedObject<'_>],
+        surface: &TargetSurface,
+    ) -> Result<(), FollowError> {
+        let ContactModels {
+            in_contact,
+            rimless,
+            ..
+        } = &mut self.models;
+        let faces = || std::iter::once(&surface.face).chain(&surface.behind);
+        for name in objects.iter().map(|(name, _)| name).chain(faces()) {
+            rimless.allow(&self.tool, name)?;
+        }
+        let carriers = (objects.iter()).filter(|(_, object)| object.part == ScenePart::Carrier);
+        for name in carriers.map(|(name, _)| name).chain(faces()) {
+            in_contact.allow(&self.tool, name)?;
+            rimless.allow(&self.core, name)?;
+        }
+        Ok(())
+    }
+}
+
+/// Models of the same bodies that differ in what the tool may touch.
+struct ContactModels {
+    /// Nothing, and nothing presses it.
+    free: CollisionModel,
+    /// The surface and its carrier.
+    in_contact: CollisionModel,
+    /// The same, and the other objects with its rim.
+    rimless: CollisionModel,
+}
+
+impl ContactModels {
+    /// Every model, to change it.
+    const fn all(&mut self) -> [&mut CollisionModel; 3] {
+        [&mut self.free, &mut self.in_contact, &mut self.rimless]
+    }
+
+    /// Lets two bodies touch in every model.
+    fn allow_in_all(&mut self, a: &str, b: &str) -> Result<(), RobotError> {
+        self.all()
+            .into_iter()
+            .try_for_each(|model| model.allow(a, b))
+    }
+}
+
+/// Returns a name, marked as one of the scene if a link has it.
+fn rename_if_link(robot: &RobotModel, name: &str) -> String {
+    if robot.links().iter().any(|link| link.name == name) {
+        format!("{name} (scene)")
+    } else {
+        name.to_owned()
+    }
+}
+
+/// Whether no point of a surface is above the floor on which the base moves.
+fn is_surface_on_floor(surface: &Surface) -> bool {
+    let mut corners = surface.outline.outer().iter();
+    corners.all(|p| {
+        let corner = surface.world_from_surface * Point3::new(p.x, p.y, 0.0);
+        corner.z <= FLOOR_TOLERANCE
+    })
+}
+
+/// Whether no point of an object is above the floor on which the base moves.
+fn is_object_on_floor(object: &SceneObject) -> bool {
+    let vertices = object.mesh.vertices().iter();
+    let heights = vertices.map(|vertex| (object.world_from_object * vertex).z);
+    heights.fold(f64::NEG_INFINITY, f64::max) <= FLOOR_TOLERANCE
+}
