@@ -7,14 +7,14 @@ use std::cell::RefCell;
 use std::sync::Arc;
 use std::time::Duration;
 use wisch_memory::Catalogue;
-use wisch_memory::ask::{AskError, Asker, Assertions, EngineCommand, Limits, TelemetryPredicates};
+use wisch_memory::ask::{AskError, Asker, Assertions, EngineCommand, AskLimits, TelemetryPredicates};
 
 thread_local! {
     static ASKER: RefCell<Asker> = RefCell::new(asker());
 }
 
 fn asker() -> Asker {
-    let limits = Limits {
+    let limits = AskLimits {
         time: Duration::from_secs(2),
         memory: 1 << 30,
         answers: 100,
