@@ -5,7 +5,9 @@ use libfuzzer_sys::fuzz_target;
 use wisch::geometry::{Mesh, MeshFormat, footprint};
 
 fuzz_target!(|bytes: &[u8]| {
-    let Some((&choice, rest)) = bytes.split_first() else { return };
+    let Some((&choice, rest)) = bytes.split_first() else {
+        return;
+    };
     let format = match choice % 3 {
         0 => MeshFormat::Stl,
         1 => MeshFormat::Obj,

@@ -7,7 +7,9 @@ use std::cell::RefCell;
 use std::sync::Arc;
 use std::time::Duration;
 use wisch_memory::Catalogue;
-use wisch_memory::ask::{AskError, Asker, Assertions, EngineCommand, AskLimits, TelemetryPredicates};
+use wisch_memory::ask::{
+    AskError, AskLimits, Asker, Assertions, EngineCommand, TelemetryPredicates,
+};
 
 thread_local! {
     static ASKER: RefCell<Asker> = RefCell::new(asker());

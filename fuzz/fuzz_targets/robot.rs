@@ -7,7 +7,9 @@ use wisch::robot::{Appearance, RobotModel};
 
 fuzz_target!(|text: &str| {
     let mut no_meshes = |_: &str| Err("no meshes".to_owned());
-    let Ok(robot) = RobotModel::from_urdf("fuzz.urdf", text, &mut no_meshes) else { return };
+    let Ok(robot) = RobotModel::from_urdf("fuzz.urdf", text, &mut no_meshes) else {
+        return;
+    };
     let looks = Appearance::from_urdf("fuzz.urdf", text, &robot, &mut no_meshes);
     looks.expect("what makes a robot is a URDF");
     let q = vec![0.5; robot.dof()];

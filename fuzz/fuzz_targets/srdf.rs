@@ -11,12 +11,16 @@ static ROBOT: LazyLock<RobotModel> = LazyLock::new(|| {
 });
 
 fuzz_target!(|text: &str| {
-    let Ok(srdf) = Srdf::parse("fuzz.srdf", text, &ROBOT) else { return };
+    let Ok(srdf) = Srdf::parse("fuzz.srdf", text, &ROBOT) else {
+        return;
+    };
     for state in &srdf.states {
         state.applied_to(&vec![0.0; ROBOT.dof()]);
     }
     for group in &srdf.groups {
-        ROBOT.chain(group.base, group.tip).expect("the tip hangs on the base");
+        ROBOT
+            .chain(group.base, group.tip)
+            .expect("the tip hangs on the base");
     }
     CollisionModel::new(&ROBOT, Some(&srdf)).expect("of the same robot");
 });

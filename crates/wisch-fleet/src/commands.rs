@@ -8,7 +8,7 @@ use serde::Serialize;
 use std::io::{self, IsTerminal, Read, Write};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
-use wisch_fleet::ask::{Form, SqlLimits, SqlSession, SqlSource, LimitWatch, views, write};
+use wisch_fleet::ask::{Form, LimitWatch, SqlLimits, SqlSession, SqlSource, views, write};
 use wisch_fleet::moves::{self, Filter, Local, Part, PushOptions};
 use wisch_fleet::store::{FleetError, StorePlace, now};
 use wisch_fleet::tables::TABLES;
@@ -133,7 +133,11 @@ async fn answer(
     Ok(())
 }
 
-async fn prompt(session: &SqlSession, watch: &LimitWatch, form: &Form) -> Result<Outcome, FleetError> {
+async fn prompt(
+    session: &SqlSession,
+    watch: &LimitWatch,
+    form: &Form,
+) -> Result<Outcome, FleetError> {
     let broken = |error: rustyline::error::ReadlineError| {
         at("terminal")(io::Error::other(error.to_string()))
     };

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use wisch_fleet::ask::SqlSession;
 use wisch_fleet::moves::{Part, PushOptions, local, push};
 use wisch_memory::catalogue::entries;
-use wisch_memory::{Catalogue, EpisodeRecord, IndividualId, CatalogueNode};
+use wisch_memory::{Catalogue, CatalogueNode, EpisodeRecord, IndividualId};
 
 /// Rows as texts; numbers in full.
 fn texts(batches: &[RecordBatch]) -> Vec<Vec<String>> {

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 use wisch_fleet::ask::SqlSession;
 use wisch_fleet::moves::{Filter, PushOptions, compact, pull, purge, push, retain, verify};
-use wisch_fleet::store::{StorePlace, Snapshot, now};
+use wisch_fleet::store::{Snapshot, StorePlace, now};
 use wisch_memory::Memory;
 
 fn quiet() -> impl FnMut(usize, usize) {

@@ -238,7 +238,9 @@ impl PyMemory {
         let failed = |error: MemoryError| kept(&self.folder, error);
         let start = SystemTime::now().duration_since(UNIX_EPOCH);
         // It is over by now.
-        let duration: f64 = (rounds.iter()).map(|round| round.round.execution.duration).sum();
+        let duration: f64 = (rounds.iter())
+            .map(|round| round.round.execution.duration)
+            .sum();
         let start = start.unwrap_or_default().as_secs_f64() - duration;
         let writer = begun(&self.memory()?, start).map_err(failed)?;
         let mut logs = Vec::new();

@@ -296,7 +296,9 @@ pub fn read_log(
         Some(other) => return Err(refused("wrench_sign", other, "\"on-tool\" or \"by-tool\"")),
     };
     if let Some(name) = orientation {
-        let named = OrientationForm::ALL.into_iter().find(|form| form.as_str() == name);
+        let named = OrientationForm::ALL
+            .into_iter()
+            .find(|form| form.as_str() == name);
         let known = || OrientationForm::ALL.map(OrientationForm::as_str).join(", ");
         options.orientation = Some(named.ok_or_else(|| refused("orientation", name, known()))?);
     }

@@ -7,6 +7,6 @@ mod session;
 mod statement;
 pub mod views;
 
-pub use limits::{SqlLimits, STACK, LimitWatch};
+pub use limits::{LimitWatch, STACK, SqlLimits};
 pub use output::{Form, write};
 pub use session::{SqlSession, SqlSource};

@@ -5,7 +5,7 @@ use crate::tables::Table;
 use crate::tables::file::VERSION;
 use async_trait::async_trait;
 use datafusion::arrow::datatypes::{DataType, Field, Schema, SchemaRef};
-use datafusion::catalog::{SqlSession, TableProvider};
+use datafusion::catalog::{Session, TableProvider};
 use datafusion::common::pruning::PrunableStatistics;
 use datafusion::common::stats::Precision;
 use datafusion::common::{
@@ -149,7 +149,7 @@ impl FleetTable {
     }
 
     /// The files that may hold rows for which all this is true.
-    fn needed(&self, state: &dyn SqlSession, filters: &[Expr]) -> Result<Vec<&(Path, FileEntry)>> {
+    fn needed(&self, state: &dyn Session, filters: &[Expr]) -> Result<Vec<&(Path, FileEntry)>> {
         let filter = conjunction(filters.to_vec()).filter(|_| !self.files.is_empty());
         let Some(filter) = filter else {
             return Ok(self.files.iter().collect());
@@ -193,7 +193,7 @@ impl TableProvider for FleetTable {
 
     async fn scan(
         &self,
-        state: &dyn SqlSession,
+        state: &dyn Session,
         projection: Option<&Vec<usize>>,
         filters: &[Expr],
         limit: Option<usize>,

@@ -5,7 +5,7 @@ use super::provider::{FleetTable, schema_in_memory};
 use super::views;
 #[cfg(feature = "cluster")]
 use crate::cluster::{Address, on_cluster};
-use crate::store::{FleetError, StorePlace, Snapshot};
+use crate::store::{FleetError, Snapshot, StorePlace};
 use crate::tables::{TABLES, Table};
 use datafusion::arrow::array::{RecordBatch, StringArray};
 use datafusion::arrow::compute::cast;
@@ -112,7 +112,11 @@ impl SqlSession {
         Ok(session)
     }
 
-    async fn over(sources: &[SqlSource], texts: Texts, limits: SqlLimits) -> Result<Self, FleetError> {
+    async fn over(
+        sources: &[SqlSource],
+        texts: Texts,
+        limits: SqlLimits,
+    ) -> Result<Self, FleetError> {
         let mut config = SessionConfig::new()
             .with_information_schema(true)
             .with_target_partitions(thread::available_parallelism().map_or(1, usize::from));

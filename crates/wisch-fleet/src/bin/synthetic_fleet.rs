@@ -14,7 +14,7 @@ mod records;
 use std::collections::BTreeMap;
 use std::time::Instant;
 use wisch_fleet::moves::batch::{Grouping, Incoming, write};
-use wisch_fleet::store::{Commit, StorePlace, Snapshot};
+use wisch_fleet::store::{Commit, Snapshot, StorePlace};
 
 /// Episodes of one file of each table.
 const TOGETHER: usize = 50_000;

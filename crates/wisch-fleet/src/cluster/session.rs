@@ -7,7 +7,7 @@ use crate::store::{FleetError, without_echo};
 use async_trait::async_trait;
 use ballista_core::extension::{SessionConfigExt, SessionStateExt};
 use ballista_core::planner::BallistaQueryPlanner;
-use datafusion::catalog::SqlSession;
+use datafusion::catalog::Session;
 use datafusion::common::Result;
 use datafusion::execution::SessionStateBuilder;
 use datafusion::execution::context::QueryPlanner;
@@ -58,7 +58,7 @@ impl QueryPlanner for Planner {
     async fn create_physical_plan(
         &self,
         plan: &LogicalPlan,
-        session: &dyn SqlSession,
+        session: &dyn Session,
     ) -> Result<Arc<dyn ExecutionPlan>> {
         match plan {
             LogicalPlan::DescribeTable(_) => {

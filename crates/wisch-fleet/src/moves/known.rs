@@ -1,7 +1,7 @@
 //! Which episodes a fleet has: read from the files of the days in question.
 
 use super::batch::day_text;
-use crate::store::{FileEntry, FleetError, StorePlace, Snapshot};
+use crate::store::{FileEntry, FleetError, Snapshot, StorePlace};
 use datafusion::arrow::array::{Array, AsArray};
 use datafusion::arrow::compute::cast;
 use datafusion::arrow::datatypes::DataType;

@@ -4,7 +4,7 @@
 use super::batch::{Grouping, Incoming, write, write_telemetry};
 use super::known::Known;
 use crate::ask::SqlSource;
-use crate::store::{Commit, Committed, FleetError, StorePlace, Snapshot};
+use crate::store::{Commit, Committed, FleetError, Snapshot, StorePlace};
 use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};

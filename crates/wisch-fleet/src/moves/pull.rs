@@ -2,7 +2,7 @@
 
 use super::push::{archive_name, telemetry_name};
 use crate::ask::{SqlSession, SqlSource};
-use crate::store::{Archive, FleetError, StorePlace, Snapshot, identity_of, is_telemetry};
+use crate::store::{Archive, FleetError, Snapshot, StorePlace, identity_of, is_telemetry};
 use datafusion::arrow::array::{Array, ArrayRef, AsArray, RecordBatch};
 use datafusion::arrow::compute::cast;
 use datafusion::arrow::datatypes::{DataType, Int64Type};

@@ -2,7 +2,9 @@
 
 use super::batch::{Grouping, Incoming, write};
 use super::known::Known;
-use crate::store::{Archive, Commit, Committed, Created, FleetError, StorePlace, Snapshot, identity_of};
+use crate::store::{
+    Archive, Commit, Committed, Created, FleetError, Snapshot, StorePlace, identity_of,
+};
 use crate::tables::{Keep, day_of};
 use std::collections::HashSet;
 use wisch_memory::{Catalogue, Episode, Memory};
@@ -112,7 +114,12 @@ fn days(catalogue: &Catalogue) -> [i32; 2] {
 }
 
 /// Whether what is there is the same episode.
-fn same(episode: &Episode, identity: &str, place: &StorePlace, there: &str) -> Result<(), FleetError> {
+fn same(
+    episode: &Episode,
+    identity: &str,
+    place: &StorePlace,
+    there: &str,
+) -> Result<(), FleetError> {
     if identity == there {
         return Ok(());
     }

@@ -3,7 +3,7 @@
 
 use super::batch::{BatchExtent, day_text, write_file};
 use crate::ask::{SqlSession, SqlSource};
-use crate::store::{Commit, Committed, FileEntry, FleetError, StorePlace, Snapshot};
+use crate::store::{Commit, Committed, FileEntry, FleetError, Snapshot, StorePlace};
 use crate::tables::{TABLES, Table, day_of, table};
 use datafusion::arrow::array::RecordBatch;
 use std::collections::HashSet;

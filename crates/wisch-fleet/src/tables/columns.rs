@@ -93,7 +93,12 @@ pub fn table(name: &str) -> Option<&'static Table> {
     TABLES.iter().find(|table| table.name == name)
 }
 
-const fn column(name: &'static str, kind: ColumnKind, unit: &'static str, about: &'static str) -> Column {
+const fn column(
+    name: &'static str,
+    kind: ColumnKind,
+    unit: &'static str,
+    about: &'static str,
+) -> Column {
     Column {
         name,
         kind,
@@ -108,9 +113,19 @@ const ROBOT: Column = column(
     "–",
     "who did it; `unknown` in logs that do not say",
 );
-const DAY: Column = column("day", ColumnKind::Day, "–", "day on which the episode began, UTC");
+const DAY: Column = column(
+    "day",
+    ColumnKind::Day,
+    "–",
+    "day on which the episode began, UTC",
+);
 const EPISODE: Column = column("episode", ColumnKind::Text, "–", "name of the episode");
-const ROUND: Column = column("round", ColumnKind::Whole, "–", "number of the round, from 1");
+const ROUND: Column = column(
+    "round",
+    ColumnKind::Whole,
+    "–",
+    "number of the round, from 1",
+);
 const PLACE: Column = column(
     "place",
     ColumnKind::Whole,
@@ -129,7 +144,12 @@ const START: Column = column(
     "s",
     "when it began, since 1970 UTC",
 );
-const END: Column = column("end_s", ColumnKind::Number, "s", "when it ended, since 1970 UTC");
+const END: Column = column(
+    "end_s",
+    ColumnKind::Number,
+    "s",
+    "when it ended, since 1970 UTC",
+);
 const TOOL: Column = column("tool", ColumnKind::Text, "–", "tool it was done with");
 const MEDIUM: Column = column(
     "medium",
@@ -240,7 +260,12 @@ pub const TABLES: [Table; 7] = [
                 "1",
                 "performance at which the goal counted as met",
             ),
-            column("rounds", ColumnKind::Whole, "–", "how many rounds there were"),
+            column(
+                "rounds",
+                ColumnKind::Whole,
+                "–",
+                "how many rounds there were",
+            ),
             column(
                 "collisions",
                 ColumnKind::Whole,
@@ -265,7 +290,12 @@ pub const TABLES: [Table; 7] = [
                 "–",
                 "SHA-256 of the archive; null of a local memory",
             ),
-            column("archive_bytes", ColumnKind::Long, "byte", "length of the archive"),
+            column(
+                "archive_bytes",
+                ColumnKind::Long,
+                "byte",
+                "length of the archive",
+            ),
             column(
                 "telemetry_sha256",
                 ColumnKind::Text,
@@ -388,7 +418,12 @@ pub const TABLES: [Table; 7] = [
                 "–",
                 "place of the motion during which it was; null between motions",
             ),
-            column("during_class", ColumnKind::Text, "–", "class of that motion"),
+            column(
+                "during_class",
+                ColumnKind::Text,
+                "–",
+                "class of that motion",
+            ),
             TOOL,
             column("samples", ColumnKind::Whole, "–", "samples that it lasted"),
             MEAN_FORCE,
@@ -446,7 +481,12 @@ pub const TABLES: [Table; 7] = [
                 "time since the round began",
             ),
             column("motion", ColumnKind::Whole, "–", "number of the motion"),
-            column("stroke", ColumnKind::Whole, "–", "number of the stroke, or −1"),
+            column(
+                "stroke",
+                ColumnKind::Whole,
+                "–",
+                "number of the stroke, or −1",
+            ),
             column(
                 "phase",
                 ColumnKind::Text,
