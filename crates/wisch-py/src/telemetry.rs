@@ -302,21 +302,13 @@ pub fn read_log(
         let known = || OrientationForm::ALL.map(OrientationForm::as_str).join(", ");
         options.orientation = Some(named.ok_or_else(|| refused("orientation", name, known()))?);
     }
-    for (name, value) in [
+    check_positive([
         ("rate_hz", rate_hz),
         ("force_unit_n", force_unit_n),
         ("length_unit_m", length_unit_m),
         ("time_unit_s", time_unit_s),
         ("max_gap_s", Some(max_gap_s)),
-    ] {
-        if value.is_some_and(|value| !(value.is_finite() && value > 0.0)) {
-            return Err(refused(
-                name,
-                value.unwrap_or(0.0),
-                "a finite number above 0",
-            ));
-        }
-    }
+    ])?;
     let posed = |name, given: Option<&Bound<'_, PyAny>>| -> PyResult<Option<Pose>> {
         given.map(|given| arrays::pose(name, given)).transpose()
     };
@@ -341,4 +333,16 @@ pub fn read_log(
         columns.push(&TelemetrySample::of_touch(touch, 0, Phase::FreeMotion));
     }
     PyTelemetry::of(py, log.round.unwrap_or_default(), columns)
+}
+
+/// Refuses a number that is given and not above 0, by its name.
+fn check_positive<const N: usize>(numbers: [(&str, Option<f64>); N]) -> PyResult<()> {
+    for (name, number) in numbers {
+        if let Some(number) = number
+            && !(number.is_finite() && number > 0.0)
+        {
+            return Err(refused(name, number, "a finite number above 0"));
+        }
+    }
+    Ok(())
 }
