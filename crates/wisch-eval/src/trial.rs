@@ -147,7 +147,7 @@ impl WorldCase {
         let prior = loaded.belief();
         let session = Session::new(&loaded.task, config).with_belief(prior.clone());
         let mut session = session.with_robot(robot.performer());
-        let mut record = SensesRecord::default();
+        let mut record = SensingRecord::default();
         session
             .run(&mut world, &mut |event| {
                 record.add(event);
@@ -190,14 +190,14 @@ impl WorldCase {
 
 /// What the robot perceived during a session.
 #[derive(Debug, Default)]
-struct SensesRecord {
+struct SensingRecord {
     /// The observation before the first round.
     first_observation: Option<Observation>,
     /// Touch samples of each executed round.
     touch: Vec<Vec<TouchSample>>,
 }
 
-impl SensesRecord {
+impl SensingRecord {
     /// Adds what an event tells of the senses.
     fn add(&mut self, event: &RunEvent<'_>) {
         match event {

@@ -20,7 +20,7 @@ const DRAWS: usize = 10_000;
 
 /// Which look it is: after how many rounds, and which since then.
 #[derive(Debug, Clone, Copy)]
-pub struct CameraLook {
+pub struct ObservationIndex {
     /// Of the world.
     pub seed: u64,
     /// Rounds so far.
@@ -37,7 +37,7 @@ pub fn observe(
     world_from_real: &Pose,
     dirt: &Dirt,
     hidden: &[Vec<Point2>],
-    look: CameraLook,
+    look: ObservationIndex,
 ) -> Option<Observation> {
     let sensor = settings.camera?.sensor;
     let mut random = ChaCha8Rng::seed_from_u64(look.seed ^ LOOK_SEED);

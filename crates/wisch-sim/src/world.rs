@@ -1,6 +1,6 @@
 //! The simulated world over the rounds of a session.
 
-use crate::camera::{CameraLook, observe};
+use crate::camera::{ObservationIndex, observe};
 use crate::{Dirt, GroundTruth, SimulationError, SimulationSettings, Site, execute};
 use wisch::control::ControlConfig;
 use wisch::geometry::Pose;
@@ -94,7 +94,7 @@ impl Executor for World {
         if self.dirt.grains().is_empty() {
             return Ok(None);
         }
-        let look = CameraLook {
+        let look = ObservationIndex {
             seed: self.seed,
             rounds: self.truth.len() as u64,
             number: self.looks,

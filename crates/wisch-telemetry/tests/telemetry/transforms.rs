@@ -9,7 +9,7 @@ use wisch::robot::joint_transforms;
 use wisch_telemetry::{Axes, AxesSource, LogOptions, TopicChoice, read};
 
 /// A robot whose base stands off the world, with a force sensor at its flange that is turned by a quarter about x. The
-/// flange goes 0.1 m along x of the base; where `is_moving`, its transforms are told, too.
+/// flange goes 0.1 m along x of the base; where `is_moving`, its transforms are published too.
 fn with_transforms(path: &Path, is_moving: bool) {
     let mut bag = Foreign::create(path);
     let [fixed, moving] = ["/tf_static", "/tf"].map(|name| bag.transforms(name));

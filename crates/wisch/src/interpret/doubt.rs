@@ -191,7 +191,7 @@ impl fmt::Display for Doubt {
                 "the force of contact points into the surface: read with the opposite sign (--wrench-sign)",
             ),
             Self::FrameTurned { direction, in_tool } => write_frame_turned(f, direction, in_tool),
-            Self::ClocksApart { offset } => write_clocks_apart(f, offset),
+            Self::ClocksApart { offset } => write_clock_offset(f, offset),
             Self::Incomplete {
                 begins,
                 ends,
@@ -273,7 +273,7 @@ fn write_frame_turned(
 }
 
 /// Writes [`Doubt::ClocksApart`].
-fn write_clocks_apart(f: &mut fmt::Formatter<'_>, offset: f64) -> fmt::Result {
+fn write_clock_offset(f: &mut fmt::Formatter<'_>, offset: f64) -> fmt::Result {
     let late = if offset < 0.0 { "early" } else { "late" };
     write!(
         f,

@@ -11,8 +11,7 @@ pub(super) fn pack(map: &CapabilityMap) -> Vec<u8> {
     let count = map.directions.count();
     let mut cells: Vec<u8> = map.rows.iter().map(|row| u8::from(*row != 0)).collect();
     cells.extend_from_slice(&map.values[count..]);
-    // Only a failing writer or reader could be an error, and a slice is neither.
-    zstd::encode_all(&cells[..], LEVEL).unwrap_or_default()
+    zstd::encode_all(&cells[..], LEVEL).expect("neither slice nor vector fails")
 }
 
 /// Rows of the voxels and values of the rows, of `count` directions each, of which as many are expected besides the empty one.

@@ -1,0 +1,154 @@
+//! Which plan comes next in a session.
+
+use super::Session;
+use crate::plan::{
+    Plan, PlanConfig, PlanError, Strategy, best_plan, best_subplan, best_subplan_of_candidates,
+    is_gainful, most_worth, plan_for_any, portfolio,
+};
+use crate::recover::{PLANNING_DRAWS, Pace, recovery_candidates, unfinished};
+use crate::represent::{ParticleDistribution, Task};
+use crate::run::considered::{followed, unfollowed, within_reach};
+use crate::run::{Considered, Observer, PlannedRound, RunError, RunEvent, unobserved};
+
+/// What is to be done in a round.
+#[derive(Debug)]
+pub(super) enum NextPlan {
+    /// A plan for which no motion was looked for yet.
+    Alone(Plan),
+    /// A plan that was chosen for its motion.
+    Followed(Box<PlannedRound>),
+}
+
+impl NextPlan {
+    pub(super) fn plan(&self) -> &Plan {
+        match self {
+            Self::Alone(plan) => plan,
+            Self::Followed(planned) => &planned.plan,
+        }
+    }
+}
+
+impl Session<'_> {
+    /// A plan for what is not yet done; in later rounds none where none is predicted to bring anything.
+    pub(super) fn next_plan(
+        &mut self,
+        observer: &mut Observer<'_>,
+    ) -> Result<Option<NextPlan>, RunError> {
+        let (task, config) = (&self.task, &self.config);
+        if let (Some(own), None) = (&self.own, &self.given) {
+            let plan = own.plan(task, config.plan.lift_height)?;
+            let is_wanted = self.goal.is_none() || is_gainful(task, &plan);
+            return Ok(is_wanted.then_some(NextPlan::Alone(plan)));
+        }
+        let whole = match (self.given.take(), self.goal.as_ref()) {
+            (Some(plan), _) => NextPlan::Alone(plan),
+            (None, None) if config.plan.strategy.is_searched() => self.searched_plan(observer)?,
+            (None, None) => {
+                let variants = if self.first_observation().is_some() {
+                    // A prediction for dirt that was seen is worth choosing by, as one for what is left over is.
+                    let more = recovery_candidates(&task.tool.footprint);
+                    config.variants.max(more)
+                } else {
+                    config.variants
+                };
+                NextPlan::Alone(best_plan(task, &task.particles, &config.plan, variants)?)
+            }
+            (None, Some(goal)) => {
+                let treated = task.treatment.and_then(|_| self.belief.median_passes());
+                let is_treated = treated.is_some();
+                let task = &Task {
+                    particles: match treated {
+                        Some(places) => places,
+                        None => self.belief.draws(PLANNING_DRAWS, task.seed)?,
+                    },
+                    ..task.clone()
+                };
+                let mut open = unfinished(task, goal)?;
+                if is_treated {
+                    // A round goes only where it is believed that something is missing.
+                    if open.is_empty() {
+                        return Ok(None);
+                    }
+                    // What is done is to get no more than it may.
+                    open = task.particles.clone();
+                }
+                let left = PlanConfig {
+                    strategy: Strategy::for_what_is_left(task.action),
+                    seed: task.seed,
+                    ..config.plan.clone()
+                };
+                let count = recovery_candidates(&task.tool.footprint);
+                let next = match config.pace {
+                    Pace::Whole if config.plan.strategy.is_searched() => {
+                        self.searched_plan(observer)?
+                    }
+                    Pace::Whole => match best_plan(task, &open, &left, count) {
+                        // What is missing lies where another pass would give too many to what is done.
+                        Err(PlanError::NoFreeNode { .. }) if is_treated => return Ok(None),
+                        plan => NextPlan::Alone(plan?),
+                    },
+                    Pace::Greedy => {
+                        NextPlan::Alone(best_subplan_of_candidates(task, &open, &left, count)?)
+                    }
+                };
+                return Ok(Some(next).filter(|next| is_gainful(task, next.plan())));
+            }
+        };
+        Ok(Some(match config.pace {
+            Pace::Whole => whole,
+            Pace::Greedy => NextPlan::Alone(best_subplan(task, whole.plan())?),
+        }))
+    }
+
+    /// The plans of all strategies for the dirt as it is believed to lie, whichever of them the session plans with; each
+    /// as its robot does it, if it has one.
+    ///
+    /// # Errors
+    /// Geometry that the libraries refuse.
+    pub fn considered(&self) -> Result<Vec<Considered>, RunError> {
+        let (considered, _) = self.consider_plans()?;
+        Ok(considered)
+    }
+
+    /// The same, and the motion of the plan that is worth most, if a robot is to follow it.
+    fn consider_plans(&self) -> Result<(Vec<Considered>, Option<Box<PlannedRound>>), RunError> {
+        let (task, dirt, config) = (&self.task, self.dirt(), &self.config.plan);
+        let portfolio = portfolio(task, &dirt, config)?;
+        Ok(match self.performer {
+            Some(_) => followed(task, &dirt, config, portfolio, |plan| {
+                self.followed(plan, &mut unobserved)
+            }),
+            None => (unfollowed(task, portfolio), None),
+        })
+    }
+
+    /// The dirt as it may lie.
+    fn dirt(&self) -> Vec<ParticleDistribution> {
+        self.belief.members(PLANNING_DRAWS, self.task.seed)
+    }
+
+    /// A plan for all that the belief holds possible; with the best of several, that which is worth most with the robot.
+    fn searched_plan(&self, observer: &mut Observer<'_>) -> Result<NextPlan, RunError> {
+        let (task, dirt, config) = (&self.task, self.dirt(), &self.config.plan);
+        if config.strategy == Strategy::Best {
+            let (considered, best) = self.consider_plans()?;
+            let _ = observer(&RunEvent::Considered {
+                round: self.number(),
+                considered: &considered,
+            });
+            return Ok(match best {
+                Some(planned) => NextPlan::Followed(planned),
+                None => {
+                    NextPlan::Alone(most_worth(considered.into_iter().map(|one| one.candidate))?)
+                }
+            });
+        }
+        let plan = plan_for_any(task, &dirt, config)?;
+        if self.performer.is_none() {
+            return Ok(NextPlan::Alone(plan));
+        }
+        let follow = |plan| self.followed(plan, &mut unobserved);
+        let (_, round) = within_reach(task, &dirt, config, plan, &follow)?;
+        Ok(NextPlan::Followed(Box::new(round)))
+    }
+}
