@@ -1,6 +1,7 @@
 //! Errors as the user reads them: one sentence, and what to do about it.
 
 use std::path::Path;
+use wisch_record::RecordError;
 
 /// Why a command could not do its work.
 #[derive(Debug, thiserror::Error)]
@@ -47,5 +48,31 @@ impl From<wisch_io::Error> for Failure {
             sentence: error.to_string(),
             help: error.help(),
         }
+    }
+}
+
+impl From<RecordError> for Failure {
+    fn from(error: RecordError) -> Self {
+        let help = match &error {
+            RecordError::Memory(_) => {
+                "--memory DIR keeps the episode elsewhere, --no-memory nowhere"
+            }
+            RecordError::Bag(_) | RecordError::State { .. } => "choose another folder with --out",
+            RecordError::Results(error) => match error.help() {
+                Some(help) => return Self::new(error).with_help(help),
+                None => return Self::new(error),
+            },
+            RecordError::Live { .. } => {
+                "--memory DIR keeps the episode elsewhere, and without --live nobody can look on"
+            }
+            RecordError::Sink(_) => "choose another file with --events",
+            RecordError::Unreadable { .. } | RecordError::TooLong { .. } => {
+                return Self::new(error);
+            }
+            RecordError::Nothing | RecordError::Internal(_) => {
+                "this is a fault of wisch, not of your files; please report it"
+            }
+        };
+        Self::new(error).with_help(help)
     }
 }

@@ -50,6 +50,8 @@ pub struct LoadedTask {
     pub text: String,
     /// The task file.
     pub file: TaskFile,
+    /// Values laid over the file's.
+    pub settings: Vec<(String, String)>,
     /// What had to be assumed of a tool, medium or interaction that the file defines, and what is most likely in other units: a
     /// sentence each.
     pub assumptions: Vec<String>,
@@ -314,6 +316,7 @@ pub fn task_of_text(
     Ok(LoadedTask {
         path: path.to_owned(),
         text,
+        settings: options.settings.clone(),
         assumptions,
         file,
         task,

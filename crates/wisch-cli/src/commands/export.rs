@@ -1,6 +1,6 @@
 //! `wisch memory export`: episodes in the form in which openEASE and KnowRob keep theirs.
 
-use super::episode::{PROGRAM, now};
+use super::PROGRAM;
 use super::memory::{broken, open};
 use super::words::counted;
 use crate::args::{ExportArgs, GlobalArgs};
@@ -10,6 +10,7 @@ use crate::terminal::{Outcome, print};
 use std::collections::BTreeSet;
 use wisch_memory::neem::{NeemConfig, NeemError, NeemMeta, NeemReport, NeemWriter, PoseSource};
 use wisch_memory::{Episode, EpisodeRecord, Memory, Ontology};
+use wisch_record::now;
 
 /// Writes the episodes that are named, or all, as one NEEM.
 pub fn export(args: &ExportArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {

@@ -1,10 +1,10 @@
 //! `wisch memory import`: a log of some robot as an episode.
 
-use super::episode::{PROGRAM, attach_task, begin_from, cannot_keep};
+use super::PROGRAM;
 use super::interpret::{Interpreted, interpret_log, task_args};
 use super::prepare::Prepared;
 use super::words::{counted, json, percent};
-use crate::args::{GlobalArgs, ImportArgs, LoggedArgs};
+use crate::args::{GlobalArgs, ImportArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, remark};
@@ -18,6 +18,7 @@ use wisch_memory::{
     Catalogue, EpisodeHeader, EpisodeRecord, EpisodeWriter, Mark, Memory, MemoryError,
     RoundObservations, RoundScene, Value, remember_log,
 };
+use wisch_record::{RecordError, attach_task, begin_episode};
 use wisch_telemetry::Log;
 
 /// Columns of a log's telemetry.
@@ -45,7 +46,7 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     progress.say("looking whether the log is there already");
     let digest = digest_of(&source.log)
         .map_err(|error| Failure::new(format!("{}: {error}", source.log.display())))?;
-    let memory = Memory::create(&args.memory.memory).map_err(|error| cannot_keep(&error))?;
+    let memory = Memory::create(&args.memory.memory).map_err(cannot_keep)?;
     progress.say("reading the task");
     let mut prepared = Prepared::read(&task_args)?;
     let reading = reading(args, &prepared);
@@ -97,16 +98,16 @@ fn keep(
     let log = &interpreted.log;
     let start = (args.start_s).unwrap_or(log.start as f64 / NANOSECONDS_PER_SECOND);
     // The name comes from the log: whoever imports the same one at the same time meets this one.
-    let writer = begin_from(memory, start, digest.hash as u16).map_err(|e| cannot_keep(&e))?;
+    let writer = begin_episode(memory, start, digest.hash as u16).map_err(cannot_keep)?;
     let believed = prepared.task.surface.world_from_surface;
     let seen = RoundObservations {
         round: log.round,
         world_from_surface: log.world_from_surface.unwrap_or(believed),
         observations: log.observations.clone(),
     };
-    write_telemetry(&writer, log, prepared, &seen).map_err(|error| cannot_keep(&error))?;
-    (writer.observations(1, &seen)).map_err(|error| cannot_keep(&error))?;
-    attach(&writer, &args.source, (prepared, reading), interpreted)?;
+    write_telemetry(&writer, log, prepared, &seen).map_err(cannot_keep)?;
+    (writer.observations(1, &seen)).map_err(cannot_keep)?;
+    attach(&writer, (prepared, reading), interpreted)?;
     let header = EpisodeHeader {
         id: writer.id().to_owned(),
         start,
@@ -136,22 +137,21 @@ fn keep(
         let remarks = remarks.join("; ");
         set_text(&mut record, "semco:WipingRound", "semco:logRemark", remarks);
     }
-    (writer.commit(&record)).map_err(|error| cannot_keep(&error))?;
+    (writer.commit(&record)).map_err(cannot_keep)?;
     Ok(record)
 }
 
 /// Attaches the task, how the log was understood, and what was found in it.
 fn attach(
     writer: &EpisodeWriter,
-    source: &LoggedArgs,
     (prepared, reading): (&Prepared, &str),
     interpreted: &Interpreted,
 ) -> Result<(), Failure> {
     let attach = |name: &str, contents: &[u8]| {
         let attached = writer.attach(name, contents);
-        attached.map_err(|error| cannot_keep(&error))
+        attached.map_err(cannot_keep)
     };
-    attach_task(&task_args(source), prepared, &attach)?;
+    attach_task(writer, &prepared.loaded)?;
     attach(READING_FILE, reading.as_bytes())?;
     let estimated = interpreted.estimated(prepared)?;
     let name = format!("round-1/{PARTICLES_ESTIMATED_FILE}");
@@ -159,6 +159,10 @@ fn attach(
     let name = format!("round-1/{INTERPRETATION_FILE}");
     attach(&name, json(&interpreted.record)?.as_bytes())?;
     attach(REPORT_FILE, interpreted.page(prepared).as_bytes())
+}
+
+fn cannot_keep(error: MemoryError) -> Failure {
+    RecordError::from(error).into()
 }
 
 /// How a log is understood, whatever it is called.
@@ -223,7 +227,7 @@ fn known(
     args: &ImportArgs,
     global: &GlobalArgs,
 ) -> Result<Outcome, Failure> {
-    let episode = memory.episode(id).map_err(|error| cannot_keep(&error))?;
+    let episode = memory.episode(id).map_err(cannot_keep)?;
     let log = args.source.log.display();
     if episode.attachment(READING_FILE).ok().as_deref() != Some(reading.as_bytes()) {
         return Err(Failure::new(format!(
@@ -231,7 +235,7 @@ fn known(
         ))
         .with_help(format!("wisch memory forget {id} removes that episode, then the log can be imported anew")));
     }
-    let record = episode.record().map_err(|error| cannot_keep(&error))?;
+    let record = episode.record().map_err(cannot_keep)?;
     say(&record, args, global, |place| {
         format!(
             "{}: this log is in the memory already, so nothing was added\n  episode  {place}\n",
@@ -243,7 +247,7 @@ fn known(
 
 /// The episode that was imported from a log of this digest.
 fn episode_of(memory: &Memory, digest: &LogDigest) -> Result<Option<String>, Failure> {
-    let catalogue: Catalogue = memory.catalogue().map_err(|error| cannot_keep(&error))?;
+    let catalogue: Catalogue = memory.catalogue().map_err(cannot_keep)?;
     let digests = catalogue.texts("semco:logDigest");
     let wanted = digest.to_string();
     let found = (catalogue.episodes().iter()).find(|row| {

@@ -1,8 +1,8 @@
 //! `wisch interpret`: what a log of poses and forces says about the dirt and the surface.
 
 use super::log_report::page;
+use super::out_folder::folder_name;
 use super::prepare::Prepared;
-use super::results::folder_name;
 use super::run::given_plan;
 use super::words::{counted, internal, json, percent};
 use crate::args::{GlobalArgs, InterpretArgs, LogArgs, LoggedArgs, TaskArgs};

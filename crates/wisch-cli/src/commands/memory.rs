@@ -1,6 +1,5 @@
 //! `wisch memory`: what is in the memory of episodes.
 
-use super::episode::now;
 use super::words::{counted, internal, percent};
 use crate::args::{EpisodeArgs, GlobalArgs, MemoryArgs, MemoryListArgs, MemoryVerifyArgs};
 use crate::failure::Failure;
@@ -240,7 +239,7 @@ pub fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, F
 
 /// Episodes that are not over yet by this machine's clock.
 fn dated_ahead(catalogue: &Catalogue) -> Vec<String> {
-    let now = now();
+    let now = wisch_record::now();
     let ahead = catalogue
         .episodes()
         .iter()

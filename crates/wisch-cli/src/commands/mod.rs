@@ -5,7 +5,6 @@ mod budget;
 mod check;
 mod companion;
 mod engine;
-mod episode;
 mod eval;
 mod explain;
 mod export;
@@ -22,11 +21,9 @@ mod look;
 mod map;
 mod memory;
 mod new;
-mod packed;
+mod out_folder;
 mod prepare;
-mod recording;
 mod report;
-mod results;
 mod robot;
 mod round_views;
 mod rounds;
@@ -41,6 +38,9 @@ mod words;
 use crate::args::{Cli, Command, EvalCommand, MemoryCommand, RobotCommand};
 use crate::failure::Failure;
 use crate::terminal::Outcome;
+
+/// What writes results and episodes.
+const PROGRAM: &str = concat!("wisch ", env!("CARGO_PKG_VERSION"));
 
 /// Does what the command line says.
 pub fn run(cli: &Cli) -> Result<Outcome, Failure> {

@@ -1,7 +1,6 @@
 //! `wisch report`: an episode, a folder of results or a log as one page.
 
 use super::interpret::{interpret_log, task_args};
-use super::packed::read_packed;
 use super::prepare::Prepared;
 use crate::args::{GlobalArgs, LoggedArgs, ReportArgs};
 use crate::failure::Failure;
@@ -84,7 +83,7 @@ fn name_of(name: Option<&OsStr>) -> String {
 fn page_of(folder: &Path) -> Result<String, Failure> {
     let recording = folder.join(RECORDING_FILE);
     if recording.is_file() {
-        let text = read_packed(&recording)?;
+        let text = wisch_record::read_recording(&recording)?;
         return Ok(wisch_web::report_page(
             &title(&text, &name_of(folder.file_name())),
             &text,

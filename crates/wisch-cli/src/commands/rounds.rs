@@ -1,13 +1,10 @@
-//! The closed loop of `wisch run`: rounds of planning, wiping and interpreting, with a bag of each.
+//! The closed loop of `wisch run`: rounds of planning, wiping and interpreting, and what is kept of them.
 
-use super::episode::{EpisodeRecorder, KeptEpisode};
-use super::follow::Following;
+use super::PROGRAM;
 use super::interrupt::say_how_to_resume;
-use super::job::{Done, Job, Results};
-use super::packed::packed;
+use super::job::{Job, known_truths};
 use super::prepare::Prepared;
-use super::recording::RunRecording;
-use super::watch::{Recorder, Watch, bag_name};
+use super::watch::Watch;
 use super::words::{counted, internal, json};
 use crate::args::LoopArgs;
 use crate::failure::Failure;
@@ -18,21 +15,26 @@ use std::io::{BufWriter, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
 use wisch::plan::Plan;
-use wisch::represent::Observation;
-use wisch::run::{Executor, NoExecutor, Recording, Round, RunEvent, Session, Stage};
-use wisch_io::{EventWriter, ExecutedBy, PlanRecord, ProcessExecutor, Robot};
+use wisch::run::{Executor, NoExecutor, Recording, Round, RunError, RunEvent, Session, Stage};
+use wisch_io::{ExecutedBy, PlanRecord, ProcessExecutor, Robot};
+use wisch_record::{
+    EpisodeTarget, EventSink, KeptEpisode, RecordError, RecordOptions, RunRecord, RunResults,
+    bag_name,
+};
 use wisch_sim::{Checkpoints, GroundTruth, KeptRound, Site, World};
-use wisch_telemetry::WriteError;
+
+/// In the state of a run: the names of its episodes.
+const EPISODES_FILE: &str = "episodes";
 
 /// An episode that is kept, if one is wanted, or why it is not.
 pub type Kept = Result<Option<KeptEpisode>, Failure>;
 
 /// What came of a run.
 pub struct Executed {
-    pub results: Results,
+    pub results: RunResults,
     pub kept: Kept,
     /// Why it ended before its end, if something failed: what was done until then is in the results.
     pub broken: Option<Failure>,
@@ -45,91 +47,96 @@ pub fn execute(
     given: Option<Plan>,
     stop: Option<&Arc<AtomicBool>>,
 ) -> Result<Executed, Failure> {
-    let Job {
-        prepared,
-        folder,
-        progress,
-        ..
-    } = *job;
-    let (_, robot) = job.robot.ok_or_else(|| internal("there is no robot"))?;
-    let mut episode = EpisodeRecorder::begin(args, &folder.state())?;
-    let recording = match (args.live, episode.id()) {
-        (true, Some(id)) => RunRecording::begin_live(job, &args.memory.memory, id)?,
-        _ => RunRecording::begin(job)?,
-    };
-    let identity = identity(prepared, robot, args, given.as_ref())?;
-    let checkpoints = Checkpoints::new(&folder.state(), identity);
-    let kept = rounds_of_killed_run(job, &checkpoints)?;
-    if kept.is_empty() {
+    let (chosen, robot) = job.robot.ok_or_else(|| internal("there is no robot"))?;
+    let identity = identity(job.prepared, robot, args, given.as_ref())?;
+    let checkpoints = Checkpoints::new(&job.folder.state(), identity);
+    let killed = rounds_of_killed_run(job, &checkpoints)?;
+    let taken_over: Vec<f64> = killed.iter().map(|round| round.executing_s).collect();
+    let workcell = super::follow::workcell_config(chosen, job.prepared);
+    let options = record_options(job, args, taken_over.len(), workcell);
+    let mut record = RunRecord::begin(&job.prepared.loaded, Some(robot), options)?;
+    record.remarks().iter().for_each(|text| remark(text));
+    if let (true, Some(episode)) = (killed.is_empty(), record.episode_mut()) {
         episode.resume_nothing();
     }
-    if args.resume && folder.found().is_taken_over {
-        let rounds = counted(kept.len(), "round");
-        progress.aside(|| remark(&format!("{rounds} of the killed run taken over")));
+    if args.resume && job.folder.found().is_taken_over {
+        let rounds = counted(killed.len(), "round");
+        let text = format!("{rounds} of the killed run taken over");
+        job.progress.aside(|| remark(&text));
     }
     // Where a run ends in order it is not resumed, and of what another program executes nothing is kept to go on with.
     let kept_count = match stop {
-        None => Some(say_how_to_resume(progress, kept.len())?),
+        None => Some(say_how_to_resume(job.progress, killed.len())?),
         Some(_) => None,
     };
-    let executed_s: Vec<f64> = kept.iter().map(|round| round.executing_s).collect();
-    let mut executor = executing(job, args, kept, stop)?;
-    let events = (args.events.as_deref())
-        .map(|path| Ok::<_, Failure>((path, event_writer(path)?)))
-        .transpose()?;
+    if let Some(path) = &args.events {
+        record.add(Box::new(event_sink(path)?));
+    }
+    let mut executor = executing(job, args, killed, stop)?;
     let mut sinks = Sinks {
-        watch: Watch::new(job),
-        recorder: Recorder::new(job, checkpoints, executed_s.len(), args.realtime),
-        recording,
-        episode,
-        events,
-        no_bag: None,
-        is_ended: false,
+        watch: Watch::new(job, checkpoints, taken_over.len(), args.realtime),
+        record,
         stop,
     };
     let is_given = given.is_some();
     let mut session = job.session(job.config(Some(args)), given);
-    let result = loop {
-        let finished = session.rounds().len();
-        let stage = session.step(executor.as_dyn(), &mut |event| sinks.see(event));
-        // One that broke off is no round to go on from.
-        if stage.is_ok()
-            && let [.., round] = &session.rounds()[finished..]
-        {
-            let number = round.motion.number;
-            if let Some(seconds) = executed_s.get(finished) {
-                sinks.watch.round(number).times.executing_s = *seconds;
-            } else if let Some(truth) = executor.truth().last()
-                && sinks.checkpoint(round, session.first_observation(), truth)?
-                && let Some(count) = &kept_count
-            {
-                count.store(number, Ordering::SeqCst);
-            }
-        }
-        match stage {
-            Ok(Stage::Ended) => break Ok(()),
-            Ok(_) => {}
-            Err(error) => break Err(error),
-        }
-    };
-    if let Err(failure) = sinks.recorder.end().map_err(cannot_write) {
-        sinks.no_bag.get_or_insert(failure);
-    }
+    let run = sinks.run(
+        &mut session,
+        &mut executor,
+        &taken_over,
+        kept_count.as_ref(),
+    );
+    sinks.record.end_bags();
     // The child that was told to stop is gone before the results are written.
     executor.end();
-    let failed = result.err().map(|error| job.failed(error));
+    let run = run.err().map(|error| job.failed(error));
     let finished = session.rounds().len();
-    let broken = match sinks.watch.failure.take().or(failed) {
+    let broken = match sinks.record.take_failure().map(Failure::from).or(run) {
         Some(failure) if finished == 0 => return Err(failure),
         broken => broken,
     };
-    sinks.say_if_interrupted(finished, progress)?;
+    sinks.say_if_interrupted(finished, job.progress)?;
     let first_look = session.first_observation().cloned();
-    let mut results = results(job, args, session, executor.truth(), &mut sinks.watch)?;
+    let Sinks { mut record, .. } = sinks;
+    let mut results = results(job, args, session, executor.truth(), &mut record)?;
     if is_given {
         results.planning_time_s = None;
     }
-    sinks.end(job, first_look, broken, results)
+    let kept = record.keep(&job.prepared.loaded, Some(robot), results, first_look)?;
+    let episode = kept.episode.map_err(Failure::from);
+    if let Some(error) = kept.no_bag {
+        say_where(&episode);
+        return Err(error.into());
+    }
+    Ok(Executed {
+        results: kept.results,
+        kept: episode,
+        broken,
+    })
+}
+
+/// What is kept of the run, beside the results.
+fn record_options(
+    job: &Job<'_>,
+    args: &LoopArgs,
+    taken_over: usize,
+    workcell: wisch::follow::WorkcellConfig,
+) -> RecordOptions {
+    let bags = job.folder.place(&bag_name(1));
+    let episode = (!args.memory.no_memory).then(|| EpisodeTarget {
+        memory: args.memory.memory.clone(),
+        executor: args.executor.as_deref().map(program_of),
+        names: Some(job.folder.state().join(EPISODES_FILE)),
+    });
+    RecordOptions {
+        program: PROGRAM.to_owned(),
+        bags: bags.parent().map(Path::to_path_buf),
+        taken_over,
+        episode,
+        is_live: args.live,
+        workcell: Some(workcell),
+        ..RecordOptions::default()
+    }
 }
 
 /// The rounds of a killed run that are whole; their bags stay in the folder.
@@ -176,26 +183,17 @@ fn results(
     args: &LoopArgs,
     session: Session<'_>,
     truth: &[GroundTruth],
-    watch: &mut Watch<'_>,
-) -> Result<Results, Failure> {
+    record: &mut RunRecord,
+) -> Result<RunResults, Failure> {
     let prepared = job.prepared;
-    let following = Following::of(&session, watch.round(1).times.following_s);
-    let (planned, _) = (session.first()).ok_or_else(|| internal("no round was planned"))?;
-    let (plan, prediction) = (planned.plan.clone(), planned.prediction.clone());
-    let task = planned.task.clone();
-    let planning_s = watch.round(1).times.planning_s;
-    let predicted = Some((prediction, watch.round(1).effect(&task, &planned.wiped())));
+    let mut results = RunResults::of(&session, record.stages_mut())?;
     let executed_by = match &args.executor {
         Some(_) => ExecutedBy::Executor,
         None => ExecutedBy::SimulatedWorld,
     };
-    let done = session.into_rounds().into_iter().enumerate();
-    let done = done.map(|(i, round)| {
-        let watched = std::mem::take(watch.round(round.motion.number));
-        Done::new(round, truth.get(i), watched, executed_by, prepared)
-            .map_err(|error| prepared.failure(job.task_args, error))
-    });
-    let rounds: Vec<Done> = done.collect::<Result<_, Failure>>()?;
+    let rounds = session.into_rounds();
+    let truths = known_truths(prepared, &rounds, truth)
+        .map_err(|error| prepared.failure(job.task_args, error))?;
     let later = prepared.reality.pushes.iter().map(|push| push.round);
     let later = later.filter(|_| args.executor.is_none());
     for round in later.filter(|round| *round > rounds.len()) {
@@ -203,34 +201,50 @@ fn results(
         let text = format!("the push of round {round} did not happen: the run ended after {count}");
         job.progress.aside(|| remark(&text));
     }
-    Ok(Results {
-        task,
-        plan,
-        planning_time_s: Some(planning_s),
-        following,
-        predicted,
-        considered: None,
-        rounds,
-        recording: Vec::new(),
-    })
+    results.add_rounds(rounds, record.stages_mut(), executed_by, truths);
+    Ok(results)
 }
 
-/// What looks on while the loop runs, and keeps something of it.
+/// What takes in the events of the loop.
 struct Sinks<'a> {
     watch: Watch<'a>,
-    recorder: Recorder<'a>,
-    recording: RunRecording,
-    episode: EpisodeRecorder,
-    events: Option<(&'a Path, EventWriter<Box<dyn Write>>)>,
-    /// Why the results go without bags, if they do.
-    no_bag: Option<Failure>,
-    /// Whether a reader of the events that has gone asks for an end in order.
-    is_ended: bool,
-    /// Whether somebody asks for one.
+    record: RunRecord,
+    /// Whether somebody asks for an end in order.
     stop: Option<&'a Arc<AtomicBool>>,
 }
 
 impl Sinks<'_> {
+    /// Goes on with the session to its end, and keeps after each round what a killed run can be resumed with.
+    fn run(
+        &mut self,
+        session: &mut Session<'_>,
+        executor: &mut Executing,
+        taken_over: &[f64],
+        kept_count: Option<&Arc<AtomicUsize>>,
+    ) -> Result<(), RunError> {
+        loop {
+            let finished = session.rounds().len();
+            let stage = session.step(executor.as_dyn(), &mut |event| self.on_event(event));
+            // One that broke off is no round to go on from.
+            if stage.is_ok()
+                && let [.., round] = &session.rounds()[finished..]
+            {
+                let number = round.motion.number;
+                if let Some(seconds) = taken_over.get(finished) {
+                    self.record.stages_mut().round(number).times.executing_s = *seconds;
+                } else if let Some(truth) = executor.truth().last()
+                    && self.keep_checkpoint(session, round, truth)
+                    && let Some(count) = kept_count
+                {
+                    count.store(number, Ordering::SeqCst);
+                }
+            }
+            if stage? == Stage::Ended {
+                return Ok(());
+            }
+        }
+    }
+
     fn is_stopped(&self) -> bool {
         self.stop.is_some_and(|stop| stop.load(Ordering::SeqCst))
     }
@@ -250,96 +264,40 @@ impl Sinks<'_> {
         Ok(())
     }
 
-    /// Shows an event to all of them; whether the loop goes on.
-    fn see(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
-        self.watch.see(event)?;
-        self.watch.flow(self.recording.see(event))?;
-        if let Some((path, writer)) = &mut self.events
-            && let Err(error) = writer.write(event)
-        {
-            // Whoever read them has gone: the round is ended in order, and kept.
-            let gone = self.watch.flow(Err(no_event(path, &error)));
-            self.events = None;
-            self.is_ended |= gone.is_break();
-        }
-        self.recorder.round_of(event);
-        self.episode.see(event);
-        if !self.recorder.is_taken_over()
-            && let Err(failure) = self.recorder.see(event).map_err(cannot_write)
-            && let Err(failure) = self.go_on_without_bag(failure)
-        {
-            return self.watch.flow(Err(failure));
-        }
-        // What was begun is ended in order, and all have seen it by now.
-        if self.is_ended || self.is_stopped() {
+    /// Passes an event on; whether the loop goes on.
+    fn on_event(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
+        let flow = self.record.on_event(event);
+        self.watch.on_event(event);
+        // What was begun is ended in order, and all sinks have taken it in by now.
+        if self.is_stopped() {
             return ControlFlow::Break(());
         }
-        ControlFlow::Continue(())
-    }
-
-    /// An episode does not depend on the results, nor on where they go: with one the loop goes on.
-    fn go_on_without_bag(&mut self, failure: Failure) -> Result<(), Failure> {
-        if !self.episode.is_kept() {
-            return Err(failure);
-        }
-        self.recorder.give_up();
-        self.no_bag.get_or_insert(failure);
-        Ok(())
+        flow
     }
 
     /// Keeps what a killed run can be resumed with after a round; whether there is such a thing now.
-    fn checkpoint(
+    fn keep_checkpoint(
         &mut self,
+        session: &Session<'_>,
         round: &Round,
-        first_look: Option<&Observation>,
         truth: &GroundTruth,
-    ) -> Result<bool, Failure> {
-        if self.watch.failure.is_some() || self.no_bag.is_some() {
-            return Ok(false);
+    ) -> bool {
+        if self.record.has_failed() {
+            return false;
         }
-        let seconds = self.watch.round(round.motion.number).times.executing_s;
-        let checkpoints = &mut self.recorder.checkpoints;
-        let Err(error) = checkpoints.keep(round, first_look, truth, seconds) else {
-            return Ok(true);
-        };
-        let place = self.recorder.folder.state();
-        let failure = Failure::new(format!("{}: cannot write there: {error}", place.display()))
-            .with_help("choose another folder with --out");
-        self.go_on_without_bag(failure)?;
-        Ok(false)
-    }
-
-    /// Ends the recording with what came of the run, and puts the episode into the memory.
-    fn end(
-        self,
-        job: &Job<'_>,
-        first_look: Option<Observation>,
-        broken: Option<Failure>,
-        mut results: Results,
-    ) -> Result<Executed, Failure> {
-        let (_, robot) = job.robot.ok_or_else(|| internal("there is no robot"))?;
-        let (prepared, mut recording) = (job.prepared, self.recording);
-        results.recording = recording.end(prepared, &results)?;
-        let kept = self.episode.commit(
-            &results.rounds,
-            first_look,
-            prepared,
-            job.task_args,
-            &robot.files,
-            &packed(&results.recording)?,
-        );
-        let kept_in = kept.as_ref().ok().and_then(Option::as_ref);
-        let name = kept_in.and_then(|kept| kept.place.file_name()?.to_str());
-        recording.leave(prepared, &results, name);
-        if let Some(failure) = self.no_bag {
-            say_where(&kept);
-            return Err(failure);
-        }
-        Ok(Executed {
-            results,
-            kept,
-            broken,
-        })
+        let stages = self.record.stages_mut().round(round.motion.number);
+        let seconds = stages.times.executing_s;
+        let first_look = session.first_observation();
+        let kept = self
+            .watch
+            .checkpoints
+            .keep(round, first_look, truth, seconds);
+        let kept = kept.map_err(|error| RecordError::State {
+            place: self.watch.state.clone(),
+            error,
+        });
+        kept.map_err(|error| self.record.give_up_bags(error))
+            .is_ok()
     }
 }
 
@@ -420,23 +378,27 @@ fn start(
     })
 }
 
-fn cannot_write(error: WriteError) -> Failure {
-    Failure::new(error).with_help("choose another folder with --out")
+/// The name of the program of `--executor`, without its folder.
+fn program_of(command: &str) -> String {
+    let program = shlex::split(command).and_then(|words| words.into_iter().next());
+    let name = program.as_deref().map(Path::new).and_then(Path::file_name);
+    name.map_or_else(
+        || "executor".to_owned(),
+        |name| name.to_string_lossy().into_owned(),
+    )
 }
 
 /// Where `--events` go.
-fn event_writer(path: &Path) -> Result<EventWriter<Box<dyn Write>>, Failure> {
-    let output: Box<dyn Write> = if path == Path::new("-") {
+fn event_sink(path: &Path) -> Result<EventSink<Box<dyn Write + Send>>, Failure> {
+    let place = path.display().to_string();
+    let output: Box<dyn Write + Send> = if path == Path::new("-") {
         Box::new(std::io::stdout())
     } else {
-        let file = File::create(path).map_err(|error| no_event(path, &error))?;
+        let file = File::create(path).map_err(|error| {
+            Failure::new(format!("{place}: cannot write there: {error}"))
+                .with_help("choose another file with --events")
+        })?;
         Box::new(BufWriter::new(file))
     };
-    Ok(EventWriter::new(output))
-}
-
-fn no_event(path: &Path, error: &std::io::Error) -> Failure {
-    let place = path.display();
-    Failure::new(format!("{place}: cannot write there: {error}"))
-        .with_help("choose another file with --events")
+    Ok(EventSink::new(place, output))
 }

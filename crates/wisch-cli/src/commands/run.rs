@@ -1,16 +1,15 @@
 //! `wisch run`, `wisch plan`, `wisch predict` and `wisch follow`: the stages, and the folder with their results.
 
+use super::PROGRAM;
 use super::budget::in_evaluations;
-use super::episode::KeptEpisode;
-use super::follow::{Chosen, Following, performer};
+use super::follow::{Chosen, performer};
 use super::interrupt::end_in_order;
-use super::job::{Job, Results};
+use super::job::Job;
+use super::out_folder::out_folder;
 use super::prepare::Prepared;
-use super::recording::RunRecording;
-use super::results::{out_folder, write};
 use super::rounds::{Executed, Kept, execute, say_where};
 use super::summary::{in_words, summary};
-use super::watch::Watch;
+use super::watch::show;
 use super::words::{counted, internal};
 use crate::args::{
     FollowArgs, GlobalArgs, LoopArgs, PlanArgs, PredictArgs, ResultArgs, RobotArgs, TaskArgs,
@@ -28,6 +27,7 @@ use wisch::run::{Ending, NoExecutor, RunEvent, Stage};
 use wisch_io::OutputFolder;
 use wisch_io::{Found, Leftover, Replaceable};
 use wisch_io::{PlanRecord, read_text};
+use wisch_record::{KeptEpisode, RecordOptions, RunRecord, RunResults, StageSink, write_results};
 use wisch_report::EffectFrames;
 
 /// Most particles of a run: the least members of a belief take 2 GiB for so many.
@@ -173,7 +173,7 @@ fn work(
         },
     };
     progress.say("writing the results");
-    let written = write(&folder, &prepared, &results_of);
+    let written = write_results(&folder, &prepared.loaded, &results_of).map_err(Failure::from);
     let written = written.and_then(|()| Ok(folder.finish()?));
     drop(progress);
     if written.is_err() || broken.is_some() {
@@ -298,7 +298,7 @@ fn remark_on(kept: &KeptEpisode) -> Result<(), Failure> {
 }
 
 /// Whether a person or a safety system ended the last round, and nothing followed.
-fn waits_for_the_operator(results: &Results) -> bool {
+fn waits_for_the_operator(results: &RunResults) -> bool {
     results.rounds.last().is_some_and(|done| {
         let ending = &done.round.execution.ending;
         matches!(ending, Ending::ProtectiveStop { .. } | Ending::Stopped)
@@ -322,7 +322,7 @@ fn simulate_effect(
     job: &Job<'_>,
     extent: Extent<'_>,
     given: Option<Plan>,
-) -> Result<Results, Failure> {
+) -> Result<RunResults, Failure> {
     let is_given = given.is_some();
     let mut session = job.session(job.config(None), given);
     if let Extent::Plan {
@@ -339,48 +339,63 @@ fn simulate_effect(
         }
         _ => None,
     };
-    let mut watch = Watch::new(job);
     let until = match (extent, job.robot) {
         (Extent::Plan { .. }, _) | (_, None) => Stage::Planned,
         (_, Some(_)) => Stage::Audited,
     };
-    let mut recording = RunRecording::begin(job)?;
+    let loaded = &job.prepared.loaded;
+    let options = RecordOptions {
+        program: PROGRAM.to_owned(),
+        workcell: Some(job.config(None).workcell),
+        ..RecordOptions::default()
+    };
+    let robot = job.robot.map(|(_, robot)| robot);
+    let mut record = RunRecord::begin(loaded, robot, options)?;
+    record.remarks().iter().for_each(|text| remark(text));
     let mut look = |event: &RunEvent<'_>| {
-        watch.see(event)?;
-        let seen = recording.see(event);
-        watch.flow(seen)
+        show(job.progress, event);
+        record.on_event(event)
     };
     (session.run_until(until, &mut NoExecutor, &mut look)).map_err(|error| job.failed(error))?;
-    let plan = session.plan().ok_or_else(|| internal("no plan was made"))?;
-    let task = &job.prepared.task;
-    let predicted = match (extent, session.planned()) {
-        (Extent::Plan { .. }, _) => None,
-        (_, Some(planned)) => {
-            let frames = watch.round(1).effect(task, &planned.wiped());
-            Some((planned.prediction.clone(), frames))
-        }
-        (_, None) => {
-            let strokes = counted(plan.strokes.len(), "stroke");
-            job.progress.say(format!("predicting {strokes}"));
-            let mut frames = EffectFrames::new(task, plan);
-            Some((predict(task, plan, |p| frames.watch(p)), frames))
-        }
+    let mut results = match (session.plan(), session.first()) {
+        (_, Some(_)) => RunResults::of(&session, record.stages_mut())?,
+        (Some(plan), None) => predicted_only(job, extent, plan, record.stages_mut()),
+        (None, None) => return Err(internal("no plan was made")),
     };
-    let times = watch.round(1).times;
-    let mut results = Results {
+    results.considered = considered;
+    if is_given {
+        results.planning_time_s = None;
+    }
+    if results.predicted.is_none() {
+        return Ok(results);
+    }
+    Ok(record.keep(loaded, robot, results, None)?.results)
+}
+
+/// A plan that no robot follows, with what it is predicted to do where that is asked for.
+fn predicted_only(
+    job: &Job<'_>,
+    extent: Extent<'_>,
+    plan: &Plan,
+    stages: &mut StageSink,
+) -> RunResults {
+    let task = &job.prepared.task;
+    let predicted = (!matches!(extent, Extent::Plan { .. })).then(|| {
+        let strokes = counted(plan.strokes.len(), "stroke");
+        job.progress.say(format!("predicting {strokes}"));
+        let mut frames = EffectFrames::new(task, plan);
+        (predict(task, plan, |p| frames.watch(p)), frames)
+    });
+    RunResults {
         task: task.clone(),
         plan: plan.clone(),
-        planning_time_s: (!is_given).then_some(times.planning_s),
-        following: Following::of(&session, times.following_s),
+        planning_time_s: Some(stages.round(1).times.planning_s),
+        following: None,
         predicted,
-        considered,
+        considered: None,
         rounds: Vec::new(),
         recording: Vec::new(),
-    };
-    if results.predicted.is_some() {
-        results.recording = recording.end(job.prepared, &results)?;
     }
-    Ok(results)
 }
 
 /// Reads a plan, and takes over what it was made with.

@@ -1,10 +1,8 @@
 //! What a command says in the end: one record, and its words for people.
 
 use super::explain::{candidates, table};
-use super::follow::Following;
-use super::job::{Done, Results};
 use super::prepare::Prepared;
-use super::round_views::{rounds_in_words, summary as summary_of_round};
+use super::round_views::rounds_in_words;
 use super::words::{counted, percent};
 use std::path::Path;
 use wisch::recover::Verdict;
@@ -13,16 +11,17 @@ use wisch_io::{FOLLOWING_FILE, PLAN_FILE, REPORT_FILE, path_in_results};
 use wisch_io::{
     FollowingSummary, LoopSummary, PredictionSummary, SUMMARY_SCHEMA, Summary, TreatmentSummary,
 };
+use wisch_record::{FinishedRound, Following, RunResults};
 
 /// Members of a belief over which a treatment is averaged.
 const SUMMARISED: usize = 64;
 
 /// The record.
-pub(super) fn summary(prepared: &Prepared, results: &Results, out: &Path) -> Summary {
+pub(super) fn summary(prepared: &Prepared, results: &RunResults, out: &Path) -> Summary {
     let task = &prepared.task;
     let plan = &results.plan;
     let prediction = results.predicted.as_ref().map(|(prediction, _)| prediction);
-    let execution = LoopSummary::new(results.rounds.iter().map(summary_of_round).collect());
+    let execution = LoopSummary::new(results.rounds.iter().map(FinishedRound::summary).collect());
     let [in_contact, in_all] = match &execution {
         Some(rounds) => [
             rounds.total(|round| round.distance_in_contact_m) + 0.0,
@@ -67,12 +66,12 @@ pub(super) fn summary(prepared: &Prepared, results: &Results, out: &Path) -> Sum
 }
 
 /// What is done to each place of a surface that is treated: as estimated after the last round, or else as predicted.
-fn treatment(prepared: &Prepared, results: &Results) -> Option<TreatmentSummary> {
+fn treatment(prepared: &Prepared, results: &RunResults) -> Option<TreatmentSummary> {
     let task = &prepared.task;
     task.treatment?;
     let places: Vec<ParticleDistribution> = match results.rounds.last() {
-        Some(done) => {
-            let belief = &done.round.interpretation.belief;
+        Some(last) => {
+            let belief = &last.round.interpretation.belief;
             belief.members(SUMMARISED, prepared.config.seed)
         }
         None => vec![results.predicted.as_ref()?.0.particles.clone()],
@@ -91,10 +90,10 @@ fn treatment(prepared: &Prepared, results: &Results) -> Option<TreatmentSummary>
 }
 
 /// The summary for people.
-pub(super) fn in_words(summary: &Summary, rounds: &[Done], out: &Path) -> String {
+pub(super) fn in_words(summary: &Summary, rounds: &[FinishedRound], out: &Path) -> String {
     let mut lines = vec![];
     if let Some(prediction) = &summary.prediction {
-        let verdict = match rounds.last().map(|done| done.round.verdict) {
+        let verdict = match rounds.last().map(|last| last.round.verdict) {
             _ if prediction.goal_met => "met",
             Some(Verdict::UnknowableByTouch) => "cannot be told by touch alone",
             Some(Verdict::CannotBeTold) => "cannot be told",

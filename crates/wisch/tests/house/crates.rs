@@ -4,11 +4,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The crates in the order in which data walks through them; those of a row do not know each other.
-const LAYERS: [&[&str]; 6] = [
+const LAYERS: [&[&str]; 7] = [
     &["wisch", "wisch-web"],
     &["wisch-io"],
     &["wisch-sim", "wisch-telemetry", "wisch-memory"],
     &["wisch-report"],
+    &["wisch-record"],
     &["wisch-eval"],
     &["wisch-cli"],
 ];
@@ -26,6 +27,7 @@ const APART: [(&str, &[&str]); 5] = [
             "wisch-telemetry",
             "wisch-memory",
             "wisch-report",
+            "wisch-record",
             "wisch-cli",
         ],
     ),

@@ -1,67 +1,38 @@
-//! The files with the results of the stages.
+//! The files with the results of a run.
 
-use super::job::Results;
-use super::packed::packed;
-use super::prepare::Prepared;
-use super::round_views::{input, summary as summary_of_round, views};
-use super::words::{internal, json, percent};
-use crate::args::ResultArgs;
-use crate::failure::Failure;
-use std::path::{Path, PathBuf};
+use crate::error::{RecordError, internal};
+use crate::packed::packed;
+use crate::results::{FinishedRound, RunResults};
+use crate::words::{json, percent};
 use wisch::follow::{Followed, MotionFault, Workcell};
 use wisch::plan::{Plan, Prediction};
 use wisch::run::PlannedRound;
-use wisch_io::RoundSummary;
 use wisch_io::{
-    FOLLOWING_FILE, OutputFolder, PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE,
-    PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE, RECORDING_FILE, REPORT_FILE,
-    ROUNDS_FILE, TCP_PATH_FILE, TRAJECTORY_FILE, of_round,
+    FOLLOWING_FILE, FollowedRecord, LoadedTask, OutputFolder, PARTICLES_AFTER_FILE,
+    PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE, PlanRecord,
+    RECORDING_FILE, REPORT_FILE, ROUNDS_FILE, RobotTrajectory, RoundSummary, TCP_PATH_FILE,
+    TRAJECTORY_FILE, of_round, particles_to_csv, planned_path_csv, tcp_path_csv,
 };
-use wisch_io::{
-    FollowedRecord, PlanRecord, RobotTrajectory, particles_to_csv, planned_path_csv, tcp_path_csv,
+use wisch_report::{
+    self as report, EffectFrames, ReportInput, RoundView, RoundsInput, ShownMotion,
 };
-use wisch_report::{self as report, EffectFrames, ReportInput, ShownMotion};
 use wisch_web::report_page;
 
 /// Pixels per unit of a picture's own size.
 #[cfg(feature = "png")]
 const PNG_SCALE: f32 = 2.0;
 
-/// Longest name of a folder that is derived from a task's [characters]; file systems take 255 bytes.
-const MAX_NAME_LEN: usize = 60;
-
-/// Where the results go: those of a run into a folder of the task's name, those of less beside it, under that name and
-/// what was done.
-pub(super) fn out_folder(results: &ResultArgs, prepared: &Prepared, done: &str) -> PathBuf {
-    results.out.clone().unwrap_or_else(|| {
-        let name = folder_name(&prepared.task.name);
-        Path::new("out").join(format!("{name}{done}"))
-    })
-}
-
-/// A task's name as that of a folder: a name may be anything, a path may not.
-pub(super) fn folder_name(task: &str) -> String {
-    let plain = |c: char| {
-        if c.is_alphanumeric() || "-_.".contains(c) {
-            c
-        } else {
-            '-'
-        }
-    };
-    let name: String = task.chars().map(plain).take(MAX_NAME_LEN).collect();
-    match name.trim_start_matches('.') {
-        "" => "task".to_owned(),
-        name => name.to_owned(),
-    }
-}
-
-/// Writes all of them.
-pub(super) fn write(
+/// Writes the results of a run into a folder in the making: plan, particles, motions, rounds, figures, recording and report.
+/// The bags are written by a [`BagSink`](crate::BagSink).
+///
+/// # Errors
+/// What the system says.
+pub fn write_results(
     folder: &OutputFolder,
-    prepared: &Prepared,
-    results: &Results,
-) -> Result<(), Failure> {
-    let record = PlanRecord::new(&results.task, &results.plan, prepared.config.seed);
+    loaded: &LoadedTask,
+    results: &RunResults,
+) -> Result<(), RecordError> {
+    let record = PlanRecord::new(&results.task, &results.plan, loaded.config.seed);
     folder.write(PLAN_FILE, json(&record)?)?;
     folder.write(
         PARTICLES_BEFORE_FILE,
@@ -70,8 +41,8 @@ pub(super) fn write(
     if let Some(following) = &results.following {
         let (followed, cell) = (&following.followed, &following.cell);
         let faults = &following.audit.faults;
-        write_motion(folder, prepared, 1, (followed, cell, faults))?;
-        for done in results.rounds.iter().skip(1) {
+        write_motion(folder, loaded, 1, (followed, cell, faults))?;
+        for finished in results.rounds.iter().skip(1) {
             let PlannedRound {
                 number,
                 task,
@@ -79,14 +50,14 @@ pub(super) fn write(
                 cell,
                 followed,
                 ..
-            } = &done.round.motion;
+            } = &finished.round.motion;
             let record = PlanRecord::new(task, plan, task.seed);
             folder.write(&of_round(PLAN_FILE, *number), json(&record)?)?;
-            let faults = &done.round.audit.faults;
-            write_motion(folder, prepared, *number, (followed, cell, faults))?;
+            let faults = &finished.round.audit.faults;
+            write_motion(folder, loaded, *number, (followed, cell, faults))?;
         }
     } else if results.rounds.is_empty() {
-        let config = prepared.follow_config();
+        let config = loaded.follow_config();
         let path = planned_path_csv(&results.task, &results.plan, &config);
         folder.write(TCP_PATH_FILE, path)?;
     }
@@ -95,20 +66,20 @@ pub(super) fn write(
             PARTICLES_AFTER_FILE,
             particles_to_csv(&prediction.particles),
         )?;
-        write_figures(folder, prepared, results, prediction, frames)?;
-        write_report(folder, prepared, &results.recording)?;
+        write_figures(folder, loaded, results, prediction, frames)?;
+        write_report(folder, loaded, &results.recording)?;
     }
     if let Some(last) = results.rounds.last() {
         let interpretation = &last.round.interpretation;
         let estimated = interpretation
             .belief
-            .sample(prepared.task.seed)
+            .sample(loaded.task.seed)
             .map_err(internal)?;
         folder.write(PARTICLES_ESTIMATED_FILE, particles_to_csv(&estimated))?;
-        if let Some(truth) = &last.truth {
+        if let Some(truth) = (last.truth.as_ref()).and_then(|known| known.particles.as_ref()) {
             folder.write(PARTICLES_TRUE_FILE, particles_to_csv(truth))?;
         }
-        let summaries = results.rounds.iter().map(summary_of_round);
+        let summaries = results.rounds.iter().map(FinishedRound::summary);
         let rounds: Vec<_> = summaries.map(RoundSummary::without_timing).collect();
         folder.write(ROUNDS_FILE, json(&rounds)?)?;
     }
@@ -118,10 +89,10 @@ pub(super) fn write(
 /// Writes the motion of a round: how the plan is followed, its trajectory, and the tool's path.
 fn write_motion(
     folder: &OutputFolder,
-    prepared: &Prepared,
+    loaded: &LoadedTask,
     round: usize,
     (followed, cell, faults): (&Followed, &Workcell, &[MotionFault]),
-) -> Result<(), Failure> {
+) -> Result<(), RecordError> {
     let name = |file: &str| of_round(file, round);
     let faults = faults.iter().map(ToString::to_string);
     let record = FollowedRecord::new(cell.robot().name(), followed, faults.collect());
@@ -129,33 +100,38 @@ fn write_motion(
     let trajectory = RobotTrajectory::new(followed, cell);
     let message = trajectory.to_json().map_err(internal)?;
     folder.write(&name(TRAJECTORY_FILE), message)?;
-    let path = tcp_path_csv(followed, cell, &prepared.task.interaction);
+    let path = tcp_path_csv(followed, cell, &loaded.task.interaction);
     folder.write(&name(TCP_PATH_FILE), path)?;
     Ok(())
 }
 
 fn write_figures(
     folder: &OutputFolder,
-    prepared: &Prepared,
-    results: &Results,
+    loaded: &LoadedTask,
+    results: &RunResults,
     prediction: &Prediction,
     frames: &EffectFrames,
-) -> Result<(), Failure> {
+) -> Result<(), RecordError> {
     let following = results.following.as_ref();
-    let wiped = following.map_or_else(|| results.plan.clone(), |f| f.plan(&results.plan));
+    let wiped = results.wiped();
     let shown = following.map(|f| ShownMotion::of(&f.cell, &f.followed, frames));
     let motion = shown.as_ref().map(|shown| shown.input(&results.task));
     let views = views(&results.rounds);
-    let rounds = input(&results.rounds, &views, prepared);
+    let rounds = results.rounds.first().map(|first| RoundsInput {
+        task: &loaded.task,
+        goal: &first.round.motion.plan.graph.goal,
+        target: loaded.file.target_performance(),
+        rounds: &views,
+    });
     let input = ReportInput {
-        title: &title(prepared),
+        title: &title(loaded),
         task: &results.task,
         plan: &wiped,
         motion: motion.as_ref(),
         rounds: rounds.as_ref(),
         prediction,
         frames,
-        bandwidth: prepared.config.bandwidth,
+        bandwidth: loaded.config.bandwidth,
     };
     for (name, svg) in report::pictures(&input) {
         folder.write(&format!("{name}.svg"), &svg)?;
@@ -168,35 +144,54 @@ fn write_figures(
     Ok(())
 }
 
+/// What figures show of the rounds.
+fn views(finished: &[FinishedRound]) -> Vec<RoundView<'_>> {
+    (finished.iter())
+        .map(|finished| {
+            let FinishedRound { round, truth, .. } = finished;
+            let known = truth.as_ref();
+            RoundView {
+                number: round.motion.number,
+                plan: Some(&round.motion.plan),
+                believed: &round.motion.task.particles,
+                predicted: round.motion.prediction.performance.ratio(),
+                interpretation: &round.interpretation,
+                truth: known.and_then(|known| known.particles.as_ref().zip(known.performance)),
+                pushes: known.map_or(&[], |known| &known.pushes),
+            }
+        })
+        .collect()
+}
+
 fn write_report(
     folder: &OutputFolder,
-    prepared: &Prepared,
+    loaded: &LoadedTask,
     recording: &[u8],
-) -> Result<(), Failure> {
+) -> Result<(), RecordError> {
     let text = std::str::from_utf8(recording).map_err(internal)?;
     folder.write(RECORDING_FILE, packed(recording)?)?;
-    folder.write(REPORT_FILE, report_page(&title(prepared), text))?;
+    folder.write(REPORT_FILE, report_page(&title(loaded), text))?;
     Ok(())
 }
 
 /// What the report says beside its pictures.
-pub(super) fn facts_of(prepared: &Prepared, results: &Results) -> Vec<(String, String)> {
+pub(crate) fn facts_of(loaded: &LoadedTask, results: &RunResults) -> Vec<(String, String)> {
     let Some((prediction, _)) = &results.predicted else {
         return Vec::new();
     };
     let following = results.following.as_ref();
-    let wiped = following.map_or_else(|| results.plan.clone(), |f| f.plan(&results.plan));
+    let wiped = results.wiped();
     let distance = match (following, results.rounds.is_empty()) {
         (Some(following), false) => following.total.distance,
         _ => [wiped.contact_distance(), wiped.total_distance()],
     };
-    let mut facts = facts(prepared, &wiped, prediction, distance);
+    let mut facts = facts(loaded, &wiped, prediction, distance);
     facts.extend(following.iter().flat_map(|following| following.facts()));
     facts
 }
 
-pub(super) fn title(prepared: &Prepared) -> String {
-    let task = &prepared.task;
+pub(crate) fn title(loaded: &LoadedTask) -> String {
+    let task = &loaded.task;
     format!(
         "{}: {} {} with {} on {}",
         task.name, task.action, task.medium, task.tool.name, task.surface.name
@@ -207,7 +202,7 @@ pub(super) fn title(prepared: &Prepared) -> String {
 ///
 /// `distance`: of the tool in contact and in all, in all rounds [m].
 fn facts(
-    prepared: &Prepared,
+    loaded: &LoadedTask,
     plan: &Plan,
     prediction: &Prediction,
     distance: [f64; 2],
@@ -218,7 +213,7 @@ fn facts(
         ("Predicted performance", percent(performance.ratio())),
         (
             "Target performance",
-            percent(prepared.file.target_performance()),
+            percent(loaded.file.target_performance()),
         ),
         ("Particles", tally.initial.to_string()),
         ("Still on the surface", tally.remaining.to_string()),
@@ -241,30 +236,17 @@ fn facts(
             "Collision sphere",
             format!("r_s = {:.4} m", plan.collision_radius),
         ),
-        ("Strategy", prepared.strategy().to_string()),
-        ("Seed", prepared.config.seed.to_string()),
+        ("Strategy", loaded.config.strategy.to_string()),
+        ("Seed", loaded.config.seed.to_string()),
     ]
     .map(|(label, value)| (label.to_owned(), value))
     .to_vec();
     if let Some(longest) = plan.graph.max_edge_length {
         facts.push(("Longest edge allowed".to_owned(), format!("{longest:.3} m")));
     }
-    if let Some(derived) = &prepared.derived {
+    if let Some(derived) = &loaded.derived {
         facts.push(("Goal".to_owned(), derived.goal.clone()));
         facts.push(("Steps".to_owned(), derived.steps.join(" ")));
     }
     facts
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_name_cannot_lead_out_of_the_folder() {
-        assert_eq!(folder_name("chopping-board"), "chopping-board");
-        assert_eq!(folder_name("../../etc"), "-..-etc");
-        assert_eq!(folder_name(".."), "task");
-        assert_eq!(folder_name("my board/2"), "my-board-2");
-    }
 }

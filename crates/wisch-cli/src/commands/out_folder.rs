@@ -1,0 +1,46 @@
+//! Where results go.
+
+use super::prepare::Prepared;
+use crate::args::ResultArgs;
+use std::path::{Path, PathBuf};
+
+/// Longest name of a folder that is derived from a task's [characters]; file systems take 255 bytes.
+const MAX_NAME_LEN: usize = 60;
+
+/// Where the results go: those of a run into a folder of the task's name, those of less beside it, under that name and
+/// what was done.
+pub(super) fn out_folder(results: &ResultArgs, prepared: &Prepared, done: &str) -> PathBuf {
+    results.out.clone().unwrap_or_else(|| {
+        let name = folder_name(&prepared.task.name);
+        Path::new("out").join(format!("{name}{done}"))
+    })
+}
+
+/// A task's name as that of a folder: a name may be anything, a path may not.
+pub(super) fn folder_name(task: &str) -> String {
+    let plain = |c: char| {
+        if c.is_alphanumeric() || "-_.".contains(c) {
+            c
+        } else {
+            '-'
+        }
+    };
+    let name: String = task.chars().map(plain).take(MAX_NAME_LEN).collect();
+    match name.trim_start_matches('.') {
+        "" => "task".to_owned(),
+        name => name.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_cannot_lead_out_of_the_folder() {
+        assert_eq!(folder_name("chopping-board"), "chopping-board");
+        assert_eq!(folder_name("../../etc"), "-..-etc");
+        assert_eq!(folder_name(".."), "task");
+        assert_eq!(folder_name("my board/2"), "my-board-2");
+    }
+}

@@ -1,0 +1,91 @@
+//! How long the stages of each round took, and what it was predicted to do.
+
+use crate::sink::{RunSink, SinkError};
+use std::time::Instant;
+use wisch::plan::Plan;
+use wisch::represent::Task;
+use wisch::run::RunEvent;
+use wisch_io::RoundTimes;
+use wisch_report::EffectFrames;
+
+/// What is kept of a round while it goes on.
+#[derive(Debug, Clone, Default)]
+pub struct RoundStages {
+    /// How long its stages took.
+    pub times: RoundTimes,
+    /// What it was predicted to do, over time; `None` for a plan without strokes, which does nothing.
+    pub frames: Option<EffectFrames>,
+}
+
+impl RoundStages {
+    /// What the round was predicted to do to a task's particles, over time.
+    pub fn effect(&self, task: &Task, wiped: &Plan) -> EffectFrames {
+        let frames = self.frames.clone();
+        frames.unwrap_or_else(|| EffectFrames::new(task, wiped))
+    }
+}
+
+/// Takes the time of every stage, and keeps the effect that is predicted. It never fails.
+#[derive(Debug)]
+pub struct StageSink {
+    /// The rounds that have begun, in order.
+    rounds: Vec<RoundStages>,
+    since: Instant,
+}
+
+impl Default for StageSink {
+    /// Begins to take the time.
+    fn default() -> Self {
+        Self {
+            rounds: Vec::new(),
+            since: Instant::now(),
+        }
+    }
+}
+
+impl StageSink {
+    /// A round, counted from 1.
+    pub fn round(&mut self, number: usize) -> &mut RoundStages {
+        self.rounds
+            .resize(self.rounds.len().max(number), RoundStages::default());
+        &mut self.rounds[number - 1]
+    }
+
+    /// Books the time since the last booking.
+    fn take(&mut self, round: usize, part: impl Fn(&mut RoundTimes) -> &mut f64) {
+        let seconds = self.since.elapsed().as_secs_f64();
+        *part(&mut self.round(round).times) += seconds;
+        self.since = Instant::now();
+    }
+}
+
+impl RunSink for StageSink {
+    fn on_event(&mut self, event: &RunEvent<'_>) -> Result<(), SinkError> {
+        match event {
+            RunEvent::Planning { .. } => self.since = Instant::now(),
+            RunEvent::Planned { round, .. } => self.take(*round, |times| &mut times.planning_s),
+            RunEvent::Predicting {
+                round,
+                task,
+                wiped,
+                progress,
+            } => {
+                let frames = &mut self.round(*round).frames;
+                let begin = || EffectFrames::new(task, wiped);
+                frames.get_or_insert_with(begin).watch(progress);
+            }
+            RunEvent::Audited { round, .. } => self.take(*round, |times| &mut times.following_s),
+            RunEvent::Interpreting { round } => self.take(*round, |times| &mut times.executing_s),
+            RunEvent::Judged(round) => {
+                self.take(round.motion.number, |times| &mut times.interpreting_s);
+            }
+            RunEvent::Considered { .. }
+            | RunEvent::Following { .. }
+            | RunEvent::Sample(_)
+            | RunEvent::Executing(_)
+            | RunEvent::Observed { .. }
+            | RunEvent::Ended(_) => {}
+        }
+        Ok(())
+    }
+}
