@@ -145,7 +145,7 @@ fn the_plans_of_all_strategies_are_listed_with_why_one_is_taken() {
             );
         }
     }
-    assert!(plan(&["--explain"]).contains(" is worth most, 0."));
+    assert!(plan(&["--explain"]).contains(" has the highest score, 0."));
     // Another than the best is said to be that.
     let grid = plan(&["--explain", "--strategy", "grid"]);
     assert!(grid.contains("  * grid "), "{grid}");

@@ -10,7 +10,7 @@
 use rayon::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
-use wisch::plan::{Plan, PlanConfig, Strategy, plan, portfolio, predict};
+use wisch::plan::{Plan, PlanConfig, Planner, Strategy, plan, predict};
 use wisch::represent::{Action, Task};
 use wisch_testkit::{AnyError, any_task};
 
@@ -97,7 +97,7 @@ fn row(seed: u64) -> Result<Row, AnyError> {
         seed,
         ..PlanConfig::default()
     };
-    let candidates = portfolio(&task, std::slice::from_ref(&task.particles), &config)?;
+    let candidates = Planner::new(&task, &config).plan_by_every_strategy()?;
     let of_three = candidates.into_iter().filter_map(|(strategy, candidate)| {
         let candidate = candidate.ok()?;
         (!strategy.is_searched()).then(|| effect(&task, &candidate.plan))

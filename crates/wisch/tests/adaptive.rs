@@ -1,13 +1,12 @@
 //! Strokes that are searched for: better than those of the coverage strategies, the same however they are computed, and
 //! right for dirt that lies a little elsewhere.
 
-use std::slice;
 
 use rayon::ThreadPoolBuilder;
 use wisch::geometry::{Mesh, Point2, Pose, Vector2, Vector3};
 use wisch::plan::{
-    Candidate, CoverageStrategy, FreeSpace, Plan, PlanConfig, PlanError, SearchConfig, Strategy,
-    plan, plan_for_any, portfolio, predict,
+    Candidate, CoverageStrategy, FreeSpace, Plan, PlanConfig, PlanError, PlanScore, Planner,
+    SearchConfig, Strategy, plan, predict,
 };
 use wisch::random::normal_pair;
 use wisch::represent::{
@@ -144,66 +143,77 @@ fn the_same_plan_is_found_on_any_number_of_threads() {
 }
 
 #[test]
-fn what_is_found_is_worth_more_than_what_it_began_with() {
+fn the_search_finds_a_plan_with_a_higher_score_than_it_began_with() {
     let task = task("chopping-board", Action::Skim, 1);
-    let worth = |evaluations| {
+    let score = |evaluations| {
         let search = SearchConfig { evaluations, ..FEW };
-        let candidates = portfolio(
-            &task,
-            slice::from_ref(&task.particles),
-            &config(Strategy::Best, search),
-        )
-        .unwrap();
+        let config = config(Strategy::Best, search);
+        let candidates = Planner::new(&task, &config).plan_by_every_strategy();
+        let candidates = candidates.unwrap();
         assert_eq!(candidates.len(), 4);
         let (strategy, searched) = candidates.last().unwrap();
         assert_eq!(*strategy, Strategy::Adaptive);
-        searched.as_ref().unwrap().worth
+        searched.as_ref().unwrap().score.total
     };
     // One plan for each search: nothing but the beginning is judged.
-    let worths = [1, 6_000].map(worth);
-    assert!(worths[0] < worths[1], "{worths:?}");
+    let scores = [1, 6_000].map(score);
+    assert!(scores[0] < scores[1], "{scores:?}");
 }
 
 #[test]
-fn a_plan_is_worth_what_it_does() {
+fn the_score_of_a_plan_is_what_it_does_less_what_it_costs() {
     // Of a coverage strategy, whose strokes turn and carry dirt on: as they are.
     let task = task("chopping-board", Action::Collect, 1);
-    let dirt = slice::from_ref(&task.particles);
-    let found = portfolio(&task, dirt, &config(Strategy::Best, FEW)).unwrap();
+    let config = config(Strategy::Best, FEW);
+    let found = Planner::new(&task, &config)
+        .plan_by_every_strategy()
+        .unwrap();
     for (strategy, candidate) in found {
         let candidate = candidate.unwrap();
+        let score = candidate.score;
         let performance = predict(&task, &candidate.plan, |_| ()).performance;
         let share = |count: usize| count as f64 / performance.initial as f64;
         let most = share(performance.achieved);
+        assert!(score.total <= most, "{strategy} {score:?} {most}");
+        let PlanScore {
+            in_place,
+            lost,
+            at_risk,
+            away,
+            way,
+            too_long,
+            time,
+            total,
+        } = score;
+        let terms = in_place - lost - at_risk - away - way - too_long - time;
+        assert!((terms - total).abs() < 1e-12, "{strategy} {score:?}");
         assert!(
-            candidate.worth <= most,
-            "{strategy} {} {most}",
-            candidate.worth
+            in_place > 0.0 && way > 0.0 && too_long == 0.0 && time == 0.0,
+            "{score:?}"
         );
+        assert_eq!(score.with_motion(100.0).total, total - 0.03);
         // The tool is thought a little smaller, and its way costs something.
         let least = most - 3.0 * share(performance.lost) - 0.25;
-        assert!(
-            candidate.worth >= least,
-            "{strategy} {} {least}",
-            candidate.worth
-        );
+        assert!(score.total >= least, "{strategy} {score:?} {least}");
     }
 }
 
 #[test]
-fn the_best_of_all_is_the_one_that_is_worth_most() {
+fn the_best_of_all_has_the_highest_score() {
     let task = task("chopping-board", Action::Collect, 1);
     for evaluations in [4, 6_000] {
         let search = SearchConfig { evaluations, ..FEW };
         let config = config(Strategy::Best, search);
-        let candidates = portfolio(&task, slice::from_ref(&task.particles), &config).unwrap();
+        let candidates = Planner::new(&task, &config)
+            .plan_by_every_strategy()
+            .unwrap();
         let candidates: Vec<Candidate> = (candidates.into_iter())
             .map(|(_, one)| one.unwrap())
             .collect();
         let best = plan(&task, &config).unwrap();
-        let most = (candidates.iter().map(|one| one.worth)).fold(f64::NEG_INFINITY, f64::max);
+        let most = (candidates.iter().map(|one| one.score.total)).fold(f64::NEG_INFINITY, f64::max);
         let chosen = candidates.iter().find(|one| one.plan == best).unwrap();
-        assert_eq!(chosen.worth, most);
+        assert_eq!(chosen.score.total, most);
         assert_ne!(best.strategy, Strategy::Best);
     }
 }
@@ -233,8 +243,9 @@ fn a_plan_for_all_that_may_be_fails_less_on_what_comes() {
     let possible: Vec<_> = (0..6)
         .map(|seed| moved(&task.particles, &task, seed))
         .collect();
-    let for_any = plan_for_any(&task, &possible, &config).unwrap();
-    let for_one = plan_for_any(&task, &possible[..1], &config).unwrap();
+    let planner = Planner::new(&task, &config);
+    let for_any = planner.with_possible_dirt(&possible).plan().unwrap();
+    let for_one = planner.with_possible_dirt(&possible[..1]).plan().unwrap();
     assert_eq!(faults(&task, &for_any), [""; 0]);
     // Dirt that is elsewhere again, and a goal that is a little smaller, as heaps take room.
     let mean = |plan: &Plan| {

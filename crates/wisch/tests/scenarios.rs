@@ -4,10 +4,7 @@
 use rayon::prelude::*;
 use std::ops::RangeInclusive;
 use wisch::geometry::Mesh;
-use wisch::plan::{
-    CoverageStrategy, NodeRole, Plan, PlanConfig, best_plan, best_subplan,
-    best_subplan_of_candidates, plan, predict,
-};
+use wisch::plan::{CoverageStrategy, NodeRole, Plan, PlanConfig, Planner, plan, predict};
 use wisch::recover::unfinished;
 use wisch::represent::{Action, OccupiedArea, Task};
 use wisch_io::{LoadOptions, LoadedTask, TaskFile, load_task};
@@ -232,7 +229,9 @@ fn segment_by_segment_the_board_is_wiped() {
             };
             let whole = plan(&task, &config).expect("there is room");
             let goal = whole.graph.goal;
-            let mut segment = best_subplan(&task, &whole).expect("a scene");
+            let mut segment = Planner::new(&task, &config)
+                .best_subplan(&whole)
+                .expect("a scene");
             let mut performance = 0.0;
             for _ in 0..MOST {
                 let Some(stroke) = segment.strokes.first() else {
@@ -255,7 +254,9 @@ fn segment_by_segment_the_board_is_wiped() {
                 if open.is_empty() {
                     break;
                 }
-                segment = best_subplan_of_candidates(&task, &open, &config, VARIANTS)
+                segment = Planner::new(&task, &config)
+                    .with_remaining(&open)
+                    .best_subplan_of(VARIANTS)
                     .expect("there is room");
             }
             assert!(performance >= 0.90, "{action} {seed}: {performance}");
@@ -273,7 +274,9 @@ fn among_variants_a_plan_that_pushes_less_over_the_edge_is_chosen() {
     };
     let lost = |seed, count| {
         let task = task("chopping-board", Action::Collect, seed);
-        let plan = best_plan(&task, &task.particles, &config(seed), count).expect("a plan");
+        let plan = Planner::new(&task, &config(seed))
+            .best_of(count)
+            .expect("a plan");
         predict(&task, &plan, |_| ()).performance.lost
     };
     let (one, many): (usize, usize) = (1..=3).fold((0, 0), |(one, many), seed| {

@@ -406,7 +406,7 @@ fn an_executor_has_to_leave_all_joints_somewhere() {
 }
 
 #[test]
-fn the_best_of_all_plans_is_worth_most_with_the_robot() {
+fn the_best_of_all_plans_has_the_highest_score_with_the_robot() {
     let mut loaded = loaded();
     loaded.config.strategy = Strategy::Best;
     loaded.config.search.evaluations = 2_000;
@@ -434,9 +434,9 @@ fn the_best_of_all_plans_is_worth_most_with_the_robot() {
         }
         as_planned += 1;
         // All is reached: what the robot changes is what its time costs, a part in a hundred for half a minute.
-        let [worth, without] =
-            [one, alone].map(|one| one.candidate.as_ref().expect("a plan").worth);
-        let cost = without - worth;
+        let [score, without] =
+            [one, alone].map(|one| one.candidate.as_ref().expect("a plan").score.total);
+        let cost = without - score;
         assert!(
             (cost - 0.01 * motion.duration / 30.0).abs() < 0.15 * cost,
             "{cost}"
@@ -455,8 +455,8 @@ fn the_best_of_all_plans_is_worth_most_with_the_robot() {
         .expect("a plan");
     let strategies: Vec<Strategy> = considered.iter().map(|one| one.strategy).collect();
     assert_eq!(told, [(1, strategies)], "who looks on is told once");
-    let worth = |one: &Considered| one.candidate.as_ref().expect("a plan").worth;
-    let best = (considered.iter()).max_by(|a, b| worth(a).total_cmp(&worth(b)));
+    let score = |one: &Considered| one.candidate.as_ref().expect("a plan").score.total;
+    let best = (considered.iter()).max_by(|a, b| score(a).total_cmp(&score(b)));
     let best = best.and_then(|best| best.candidate.as_ref().ok());
     assert_eq!(session.plan(), best.map(|best| &best.plan));
 

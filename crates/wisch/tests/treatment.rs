@@ -4,7 +4,7 @@ use wisch::geometry::{PlanarPose, Point2, Polygon, Pose, Region, Vector2, Vector
 use wisch::interpret::{
     Belief, Diagnosis, InterpretConfig, Interpretation, TouchSample, Uncertainty, interpret,
 };
-use wisch::plan::{CoverageStrategy, Plan, PlanConfig, Strategy, best_plan, plan, predict};
+use wisch::plan::{CoverageStrategy, Plan, PlanConfig, Planner, Strategy, plan, predict};
 use wisch::recover::unfinished;
 use wisch::represent::{
     Action, Effect, EffectModel, Fate, GoalState, Interaction, ParticleDistribution, ParticleField,
@@ -195,7 +195,10 @@ fn only_what_is_missing_is_gone_over_again() {
     after.particles = predict(&task, &half, |_| ()).particles;
     let open = unfinished(&after, &goal).unwrap();
     assert!(open.len() < task.particles.len() * 3 / 4);
-    let rest = best_plan(&after, &open, &lanes(), 1).unwrap();
+    let rest = Planner::new(&after, &lanes())
+        .with_remaining(&open)
+        .best_of(1)
+        .unwrap();
     assert!(rest.contact_distance() < 0.8 * whole.contact_distance());
     assert_eq!(share(&after, &rest), 1.0);
     let mut done = after.clone();

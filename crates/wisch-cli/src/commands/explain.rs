@@ -6,8 +6,8 @@ use wisch::represent::{GoalState, Task};
 use wisch::run::Considered;
 use wisch_io::CandidateSummary;
 
-/// What a plan's worth is.
-const WORTH: &str = "the dirt brought where it belongs, on average over all places where \
+/// What a plan's score is.
+const SCORE: &str = "the dirt brought where it belongs, on average over all places where \
                      it may lie, less three times what is lost, less way and time";
 
 /// All that was considered, with which of it became the plan.
@@ -28,7 +28,7 @@ pub(super) fn candidates(
         CandidateSummary {
             strategy: one.strategy.to_string(),
             chosen: one.strategy == chosen.strategy,
-            worth: found.map(|found| found.worth),
+            worth: found.map(|found| found.score.total),
             predicted_performance: performance.map(|performance| performance.ratio()),
             lost_share: performance.map(|p| p.lost as f64 / p.initial.max(1) as f64),
             covered_share: plan.map(|plan| covered(plan, task)),
@@ -55,7 +55,7 @@ pub(super) fn table(candidates: &[CandidateSummary]) -> String {
     let has_motion = candidates.iter().any(|one| one.execution_time_s.is_some());
     let mut text = format!(
         "\n    {:<9} {:>6} {:>9} {:>7} {:>7} {:>11} {:>7} {:>7}",
-        "strategy", "worth", "predicted", "lost", "covered", "in contact", "in all", "strokes"
+        "strategy", "score", "predicted", "lost", "covered", "in contact", "in all", "strokes"
     );
     if has_motion {
         text += &format!(" {:>7} {:>9}", "time", "abandoned");
@@ -91,20 +91,22 @@ pub(super) fn table(candidates: &[CandidateSummary]) -> String {
 
 /// Why the plan is what it is.
 fn reason(candidates: &[CandidateSummary]) -> String {
-    let mut by_worth: Vec<(&str, f64)> = (candidates.iter())
+    let mut by_score: Vec<(&str, f64)> = (candidates.iter())
         .filter_map(|one| Some((one.strategy.as_str(), one.worth?)))
         .collect();
-    by_worth.sort_by(|a, b| b.1.total_cmp(&a.1));
+    by_score.sort_by(|a, b| b.1.total_cmp(&a.1));
     let Some(chosen) = candidates.iter().find(|one| one.chosen) else {
         return String::new();
     };
     let name = &chosen.strategy;
-    match by_worth[..] {
-        [(best, worth), (next, less), ..] if best == name.as_str() => {
-            format!("\n    {name} is worth most, {worth:.3} against {less:.3} of {next}: {WORTH}\n")
+    match by_score[..] {
+        [(best, score), (next, less), ..] if best == name.as_str() => {
+            format!(
+                "\n    {name} has the highest score, {score:.3} against {less:.3} of {next}: {SCORE}\n"
+            )
         }
         [(best, _), _, ..] => format!(
-            "\n    {name} is what was asked for; --strategy best would take {best}, which is worth most: {WORTH}\n"
+            "\n    {name} is what was asked for; --strategy best would take {best}, which has the highest score: {SCORE}\n"
         ),
         _ => format!("\n    {name} is the only one with a plan\n"),
     }

@@ -33,7 +33,7 @@ impl ConsideredRecord {
         Self {
             strategy: one.strategy.as_str(),
             chosen: false,
-            worth: found.ok().map(|found| rounded(found.worth, 1e4)),
+            worth: found.ok().map(|found| rounded(found.score.total, 1e4)),
             predicted: performance.map(|found| rounded(found.ratio(), 1e4)),
             lost: performance
                 .map(|found| rounded(found.lost as f64 / found.initial.max(1) as f64, 1e4)),

@@ -2,7 +2,7 @@ use super::*;
 use serde_json::Value;
 use wisch::follow::{FollowConfig, follow};
 use wisch::geometry::Point2;
-use wisch::plan::{Candidate, PlanError, predict};
+use wisch::plan::{Candidate, PlanError, PlanScore, predict};
 use wisch::represent::Action;
 use wisch::run::Considered;
 use wisch_testkit as kit;
@@ -161,7 +161,10 @@ fn a_round_says_among_which_plans_its_own_was_chosen() {
         .expect("there are several");
     let found = Candidate {
         plan: plan.clone(),
-        worth: 0.751_23,
+        score: PlanScore {
+            total: 0.751_23,
+            ..PlanScore::default()
+        },
     };
     let considered = [
         Considered {

@@ -15,7 +15,7 @@ use super::{
     RatedPlace, ToolPose, Workcell, schedule,
 };
 use crate::geometry::{PlanarPose, Point2};
-use crate::plan::{Plan, joined_anew, predict};
+use crate::plan::{Plan, predict, rejoin_nodes};
 use crate::represent::{Action, Task};
 use crate::robot::{CapabilityMap, JointPositions};
 use rayon::prelude::*;
@@ -418,7 +418,7 @@ impl Follower<'_> {
         let from = left
             .first()
             .map_or(self.plan.tool_start, |w| w.corner.pose.position);
-        let strokes = joined_anew(self.task, self.plan, nodes, from, self.config.seed).ok()?;
+        let strokes = rejoin_nodes(self.task, self.plan, nodes, from, self.config.seed).ok()?;
         let stroke_of = |node: usize| {
             let planned = left.iter().find(|waiting| waiting.node == node);
             planned.map_or(0, |waiting| waiting.stroke)

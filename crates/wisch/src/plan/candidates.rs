@@ -1,7 +1,7 @@
 //! Candidate plans for the same dirt, of which the predicted effect chooses one.
 
-use super::planner::{covering, some_of};
-use super::subplans::{best_of, composed, space_of};
+use super::policies::{covering, some_of};
+use super::subplans::composed;
 use super::{CoverageStrategy, FreeSpace, Plan, PlanConfig, PlanError};
 use crate::represent::{Action, ParticleDistribution, Task};
 
@@ -43,31 +43,8 @@ pub(super) fn candidate_plans(
     Ok(plans)
 }
 
-/// The best subplan ([`best_subplan`](super::best_subplan)) of `count` plans, the candidates of [`best_plan`](super::best_plan).
-///
-/// # Errors
-/// Those of [`plan`], if no candidate gives a plan.
-pub fn best_subplan_of_candidates(
-    task: &Task,
-    to_plan_on: &ParticleDistribution,
-    config: &PlanConfig,
-    count: usize,
-) -> Result<Plan, PlanError> {
-    let space = space_of(task)?;
-    let task = &some_to_compare(task);
-    let plans = varied_plans(
-        task,
-        &some_of(to_plan_on, MOST_COMPARED),
-        &space,
-        config.strategy.covering(),
-        config,
-        count,
-    )?;
-    Ok(best_of(task, &plans, &space))
-}
-
 /// Up to `count` plans, at least one; the first is the plan as configured, unless that fails.
-fn varied_plans(
+pub(super) fn varied_plans(
     task: &Task,
     to_plan_on: &ParticleDistribution,
     space: &FreeSpace,

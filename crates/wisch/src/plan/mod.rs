@@ -4,6 +4,7 @@
 mod adaptive;
 mod candidates;
 mod clearance;
+mod config;
 mod coverage;
 mod error;
 mod given_strokes;
@@ -12,16 +13,17 @@ mod heading;
 mod lanes;
 mod objective;
 mod planner;
-mod portfolio;
+mod policies;
 mod predict;
+mod score;
 mod strategy;
 mod strokes;
 mod subplans;
 mod tour;
 mod tree;
 
-pub use candidates::best_subplan_of_candidates;
 pub use clearance::FreeSpace;
+pub use config::{PlanConfig, SearchConfig};
 pub use coverage::{
     CoverageDensity, CoverageStrategy, KdeConfig, MAX_NODES, RrtConfig, data_bandwidth, grid, kde,
     rrt,
@@ -33,15 +35,13 @@ pub use given_strokes::{
 pub use graph::{Node, NodeRole, SemanticDirectedGraph};
 pub use heading::HeadingRule;
 pub use objective::is_gainful;
-pub use planner::{PlanConfig, SearchConfig, cheapest_chains, joined_anew};
-pub(crate) use portfolio::most_worth;
-pub use portfolio::{
-    Candidate, Portfolio, best_plan, plan, plan_around, plan_for_any, portfolio, worth,
-};
+pub(crate) use planner::highest_score;
+pub use planner::{Candidate, Planner, Portfolio, plan};
+pub(crate) use policies::{order_nodes, rejoin_nodes};
 pub use predict::{Prediction, PredictionProgress, predict};
+pub use score::PlanScore;
 pub use strategy::Strategy;
 pub use strokes::{Plan, Stroke, TcpWaypoint};
-pub use subplans::best_subplan;
 pub use tour::{
     CostMatrix, MAX_TOUR_COST, MAX_TOUR_NODES, TourConfig, TourError, shortest_path_from,
     shortest_tour,

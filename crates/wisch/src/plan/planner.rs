@@ -1,527 +1,328 @@
-//! The planner: nodes by strategy, graph by policy, strokes by order.
+//! The planner: one request, and plans by any strategy that answer it.
 
-use super::coverage::CoverageInput;
-use super::heading::Headings;
-use super::lanes::lanes;
+use super::adaptive::{Judge, score, searched};
+use super::candidates::{MOST_COMPARED, candidate_plans, some_to_compare, varied_plans};
 use super::objective::best_by_objective;
-use super::tree::{branches, forest};
-use super::{
-    CostMatrix, CoverageStrategy, FreeSpace, HeadingRule, MAX_TOUR_NODES, Node, NodeRole, Plan,
-    PlanError, SemanticDirectedGraph, Strategy, Stroke, TourConfig, TourError, predict,
-    shortest_path_from,
-};
-use crate::geometry::{Bounds2, Edge, Point2};
-use crate::represent::{Action, GoalState, ParticleDistribution, Task};
-use rand::RngExt;
-use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
+use super::policies::{covering, some_of};
+use super::subplans::{best_of, space_of};
+use super::{CoverageStrategy, FreeSpace, Plan, PlanConfig, PlanError, PlanScore, Strategy};
+use crate::geometry::Point2;
+use crate::represent::{ParticleDistribution, Task};
 
-/// Headings are chosen by their effect on no more particles than this.
-const CHOSEN_BY: usize = 2000;
+/// Plans of the other strategies from which strokes are searched for: so many settings of each.
+const BEGUN_WITH: [(CoverageStrategy, usize); 2] =
+    [(CoverageStrategy::Kde, 9), (CoverageStrategy::Grid, 1)];
 
-/// Nodes of a tile of a tour that is made of tiles.
-const TILE_NODES: usize = 500;
-/// Random kicks per node of such a tile, of which there are many.
-const TILE_KICKS: usize = 5;
+/// Strokes are searched for with no more particles than this: a random choice of more.
+const MAX_PARTICLES: usize = 250;
 
-/// Where a goal is chosen by trying, nodes times goals that are tried at most, which is what that takes time by; and how many
-/// goals are tried however many nodes there are.
-const TRIED_GOAL_NODES: usize = 250_000;
-const FEWEST_GOALS: usize = 9;
-
-/// How nodes are placed and the tool is lifted; what is to be done with what is said by the task.
+/// A plan, and its predicted score.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PlanConfig {
-    /// How strokes are found.
-    pub strategy: Strategy,
-    /// Seed of the random tree, of the tour's kicks and of the search for strokes.
-    pub seed: u64,
-    /// Bandwidth of the density estimate [m]; `None` takes it from the data.
-    pub bandwidth: Option<f64>,
-    /// How the tool is turned along the strokes of a coverage strategy.
-    pub heading: HeadingRule,
-    /// How high the tool is lifted between strokes [m].
-    pub lift_height: f64,
-    /// How far the tool may go in contact [m]; `None` as far as it takes.
-    pub max_distance: Option<f64>,
-    /// How long strokes are searched for.
-    pub search: SearchConfig,
+pub struct Candidate {
+    /// The plan; its strategy says where it comes from.
+    pub plan: Plan,
+    /// Its score.
+    pub score: PlanScore,
 }
 
-/// How strokes are searched for ([`Strategy::Adaptive`]).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SearchConfig {
-    /// Plans that are tried: the same plan for the same number, however long that takes.
-    pub evaluations: usize,
-    /// By how much the tool may be off its way to either side, and still do what the plan says [m]. What only the tool exactly on
-    /// its way reaches counts half.
-    pub margin_m: f64,
+/// A candidate by each strategy, or why it has none, in the order of [`Strategy::ALL`].
+pub type Portfolio = Vec<(Strategy, Result<Candidate, PlanError>)>;
+
+/// Plans the wiping motion of a task for its particles, with [`Planner`].
+///
+/// # Errors
+/// No free place on the surface, a goal node that is not free, a skim without an edge to push over,
+/// or geometry and costs that the libraries refuse.
+pub fn plan(task: &Task, config: &PlanConfig) -> Result<Plan, PlanError> {
+    Planner::new(task, config).plan()
 }
 
-impl Default for PlanConfig {
-    /// By a grid, lifted by 5 cm, as far as it takes.
-    fn default() -> Self {
+/// Plans for a task, its settings, and what is known of the dirt.
+///
+/// ```
+/// use wisch::plan::{PlanConfig, Planner};
+/// # fn shown(task: &wisch::represent::Task, config: &PlanConfig) -> Result<(), wisch::plan::PlanError> {
+/// let planner = Planner::new(task, config);
+/// for (strategy, candidate) in planner.plan_by_every_strategy()? {
+///     match candidate {
+///         Ok(candidate) => println!("{strategy:10} {:.3}", candidate.score.total),
+///         Err(error) => println!("{strategy:10} {error}"),
+///     }
+/// }
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct Planner<'a> {
+    task: &'a Task,
+    config: &'a PlanConfig,
+    /// Where the dirt may lie; empty for where the task's lies.
+    dirt: &'a [ParticleDistribution],
+    /// The dirt that is not yet where it belongs; `None` is all of the task's.
+    remaining: Option<&'a ParticleDistribution>,
+}
+
+impl<'a> Planner<'a> {
+    /// A planner for the particles of a task, as if it were known that they lie there.
+    pub fn new(task: &'a Task, config: &'a PlanConfig) -> Self {
         Self {
-            strategy: CoverageStrategy::Grid.into(),
-            seed: 0,
-            bandwidth: None,
-            heading: HeadingRule::default(),
-            lift_height: 0.05,
-            max_distance: None,
-            search: SearchConfig::default(),
+            task,
+            config,
+            dirt: &[],
+            remaining: None,
         }
     }
-}
 
-impl Default for SearchConfig {
-    /// As many as take about a second for 80 particles on a board, and the tracking error of a compliant arm.
-    fn default() -> Self {
-        Self {
-            evaluations: 60_000,
-            margin_m: 0.003,
-        }
+    /// The same for dirt that may lie like any of these; coverage strategies take the first for certain.
+    ///
+    /// With several, the tool is held a little differently in each, heaps need room and contact begins late: what is right to
+    /// the millimetre for one is not for the next.
+    #[must_use]
+    pub fn with_possible_dirt(self, dirt: &'a [ParticleDistribution]) -> Self {
+        Self { dirt, ..self }
     }
-}
 
-/// Plans with the strokes of a coverage strategy and of the action's policy.
-pub(super) fn covering(
-    task: &Task,
-    space: &FreeSpace,
-    strategy: CoverageStrategy,
-    config: &PlanConfig,
-) -> Result<Plan, PlanError> {
-    let radius = space.radius();
-    let particles: Vec<Point2> = task.particles.remaining().collect();
-    let coverage = strategy.nodes(&CoverageInput {
-        space,
-        particles: &particles,
-        tool_start: task.tool_start,
-        tool_reach: task.tool.reach(),
-        seed: config.seed,
-        bandwidth: config.bandwidth,
-    })?;
-    if coverage.is_empty() && !particles.is_empty() {
-        return Err(PlanError::NoFreeNode {
-            surface: task.surface.name.clone(),
-            diameter: 2.0 * radius,
+    /// The same where only this much of the task's dirt is not yet where it belongs: coverage strategies place their nodes there.
+    #[must_use]
+    pub fn with_remaining(self, remaining: &'a ParticleDistribution) -> Self {
+        let remaining = Some(remaining);
+        Self { remaining, ..self }
+    }
+
+    /// Plans by the configured strategy; [`Strategy::Best`] is the best of all.
+    ///
+    /// # Errors
+    /// A strategy that does not fit the action, no free place on the surface, a goal node that is not free, a skim without an
+    /// edge to push over, or geometry and costs that the libraries refuse.
+    pub fn plan(&self) -> Result<Plan, PlanError> {
+        let (strategy, config) = (self.config.strategy, self.config);
+        check_fits(strategy, self.task)?;
+        if strategy == Strategy::Best {
+            let candidates = self.plan_by_every_strategy()?;
+            return highest_score(candidates.into_iter().map(|(_, candidate)| candidate));
+        }
+        let (task, few, space) = self.prepare()?;
+        let plan = plan_by(strategy, &task, &few, &space, config)?;
+        Ok(finish(plan, &task, &space, config))
+    }
+
+    /// Plans by the configured strategy. A coverage strategy tries `count` settings, which differ in the bandwidth of the density
+    /// and in where strokes begin, and keeps the one with the best predicted effect; of equal ones that with the shortest way in
+    /// contact. The others search anyway.
+    ///
+    /// # Errors
+    /// Those of [`Self::plan`], if no setting gives a plan.
+    pub fn best_of(&self, count: usize) -> Result<Plan, PlanError> {
+        let (task, config) = (self.task, self.config);
+        check_fits(config.strategy, task)?;
+        if config.strategy.turns_tool() {
+            return self.plan();
+        }
+        let space = space_of(task)?;
+        let remaining = self.remaining.unwrap_or(&task.particles);
+        let strategy = config.strategy.covering();
+        let few = some_to_compare(task);
+        let some = match task.action.treats() {
+            true => remaining.clone(),
+            false => some_of(remaining, MOST_COMPARED),
+        };
+        let plans = candidate_plans(&few, &some, &space, strategy, config, count)?;
+        let plan = best_by_objective(&few, plans)
+            .map_or_else(|| covering(&few, &space, strategy, config), Ok)?;
+        let on = Task {
+            particles: remaining.clone(),
+            ..task.clone()
+        };
+        Ok(finish(plan, &on, &space, config))
+    }
+
+    /// The best subplan ([`Self::best_subplan`]) of the plans of a coverage strategy with `count` settings.
+    ///
+    /// # Errors
+    /// Those of [`Self::plan`], if no setting gives a plan.
+    pub fn best_subplan_of(&self, count: usize) -> Result<Plan, PlanError> {
+        let space = space_of(self.task)?;
+        let task = &some_to_compare(self.task);
+        let remaining = self.remaining.unwrap_or(&self.task.particles);
+        let some = some_of(remaining, MOST_COMPARED);
+        let strategy = self.config.strategy.covering();
+        let plans = varied_plans(task, &some, &space, strategy, self.config, count)?;
+        Ok(best_of(task, &plans, &space))
+    }
+
+    /// Reduces a plan to that one of its subplans which is predicted to gain most; to no stroke, if none is predicted to gain
+    /// anything.
+    ///
+    /// A subplan is what makes sense by itself: of a tree, the way from any node on to the goal, along the tree
+    /// or straight, for half of it would bring nothing to where it belongs; of a tour, a piece of three tool
+    /// widths. What counts is the predicted number of particles that reach the goal, less several for each
+    /// that leaves the surface over a wrong edge; among equals the shorter way. Paper §4.3.
+    ///
+    /// # Errors
+    /// If the scene's geometry cannot be used.
+    pub fn best_subplan(&self, plan: &Plan) -> Result<Plan, PlanError> {
+        let plans = std::slice::from_ref(plan);
+        Ok(best_of(self.task, plans, &space_of(self.task)?))
+    }
+
+    /// Plans by every strategy that fits the action, and scores each plan.
+    ///
+    /// # Errors
+    /// Geometry that the libraries refuse.
+    pub fn plan_by_every_strategy(&self) -> Result<Portfolio, PlanError> {
+        let (task, few, space) = self.prepare()?;
+        let (task, config) = (&task, self.config);
+        let judge = Judge::new(task, &few, &space, config.search.margin_m, None);
+        let strategies = (Strategy::ALL.into_iter())
+            .filter(|&strategy| strategy != Strategy::Best && strategy.fits(task.action));
+        let candidates = strategies.map(|strategy| {
+            let plan = plan_by(strategy, task, &few, &space, config);
+            let candidate = plan.map(|plan| {
+                let plan = finish(plan, task, &space, config);
+                let score = score(&judge, &plan);
+                Candidate { plan, score }
+            });
+            (strategy, candidate)
         });
+        Ok(candidates.collect())
     }
-    let mut plan = match task.action {
-        Action::Absorb => absorb(task, config, space, coverage)?,
-        Action::Collect => match task.collect_goal {
-            Some(goal) => collect(task, config, space, coverage, goal)?,
-            None => best_collect(task, config, space, &coverage)?,
-        },
-        Action::Skim => skim(task, config, space, coverage)?,
-        Action::Polish | Action::Emit => return lanes(task, space, config),
-    };
-    plan.strategy = strategy.into();
-    Ok(plan)
+
+    /// Changes a plan so that the tool comes to none of some places, such as those to which a robot does not lead it, and brings
+    /// as much as it can without.
+    ///
+    /// # Parameters
+    /// - `avoid`: the places, in the frame of the surface [m].
+    ///
+    /// # Errors
+    /// Geometry that the libraries refuse.
+    pub fn plan_around(&self, plan: &Plan, avoid: &[Point2]) -> Result<Plan, PlanError> {
+        let (task, few, space) = self.prepare()?;
+        let begun_with = std::slice::from_ref(plan);
+        let found = searched(&task, &few, &space, begun_with, Some(avoid), self.config);
+        let found = found.unwrap_or_else(|| plan.clone());
+        Ok(finish(found, &task, &space, self.config))
+    }
+
+    /// Scores a plan.
+    ///
+    /// # Errors
+    /// Geometry that the libraries refuse.
+    pub fn score(&self, plan: &Plan) -> Result<PlanScore, PlanError> {
+        let (task, few, space) = self.prepare()?;
+        let margin = self.config.search.margin_m;
+        let judge = Judge::new(&task, &few, &space, margin, None);
+        Ok(score(&judge, plan))
+    }
+
+    /// The task with the first of the possible places for its dirt, as much of each as strokes are searched for with, and the free
+    /// space.
+    fn prepare(&self) -> Result<(Task, Vec<ParticleDistribution>, FreeSpace), PlanError> {
+        let dirt = match self.dirt {
+            [] => std::slice::from_ref(&self.task.particles),
+            some => some,
+        };
+        let of_first = Task {
+            particles: dirt[0].clone(),
+            ..self.task.clone()
+        };
+        let few = dirt.iter().map(|dirt| some_of(dirt, MAX_PARTICLES));
+        Ok((of_first, few.collect(), space_of(self.task)?))
+    }
 }
 
-/// New strokes through some nodes of a plan, such as those that a robot reaches. To absorb, an open tour from the one
-/// nearest to `from`, in the surface frame [m]; else trees that lead to those of them that are goals, worked off from
-/// there. A node that no way leads from to any goal is in no stroke.
+/// Of some candidates the plan with the highest score.
 ///
 /// # Errors
-/// Geometry and costs that the libraries refuse.
-pub fn joined_anew(
-    task: &Task,
-    plan: &Plan,
-    nodes: &[usize],
-    from: Point2,
-    seed: u64,
-) -> Result<Vec<Stroke>, PlanError> {
-    let scene: Vec<_> = task.obstacles_in_surface().collect();
-    let space = FreeSpace::new(&task.surface, &scene, plan.collision_radius)?;
-    let positions: Vec<Point2> = nodes
-        .iter()
-        .map(|&node| plan.graph.position(node))
-        .collect();
-    let absorbs = task.action == Action::Absorb;
-    let chains = if absorbs {
-        nearest_tour(&space, &positions, from, plan.lift_height, seed)?
+/// That of the first candidate, if none has a plan.
+///
+/// # Panics
+/// Without any candidate.
+pub(crate) fn highest_score<E>(
+    candidates: impl IntoIterator<Item = Result<Candidate, E>>,
+) -> Result<Plan, E> {
+    let best = candidates
+        .into_iter()
+        .reduce(|best, next| match (&best, &next) {
+            (Err(_), Ok(_)) => next,
+            (Ok(a), Ok(b)) if b.score.total > a.score.total => next,
+            _ => best,
+        });
+    let best = best.expect("there is more than one strategy");
+    best.map(|candidate| candidate.plan)
+}
+
+/// Refuses a strategy that does not plan the task's action.
+fn check_fits(strategy: Strategy, task: &Task) -> Result<(), PlanError> {
+    let action = task.action;
+    if strategy.fits(action) {
+        Ok(())
     } else {
-        let is_goal = |i: &usize| plan.graph.nodes[nodes[*i]].role == NodeRole::Goal;
-        let goals: Vec<usize> = (0..nodes.len()).filter(is_goal).collect();
-        let forest = forest(&space, &positions, &goals, 2.0 * plan.collision_radius);
-        branches(&positions, &forest.parent, from)
-    };
-    let named = |chain: Vec<usize>| chain.into_iter().map(|i| nodes[i]).collect();
-    let chains: Vec<Vec<usize>> = chains.into_iter().map(named).collect();
-    // Where a robot reaches just some nodes, it is the less able to turn the tool on the spot.
-    Ok(Headings::Blended.strokes(task, &plan.graph, &chains))
+        Err(PlanError::StrategyDoesNotFit {
+            strategy: strategy.as_str(),
+            fitting: Strategy::names_for(action),
+            action,
+        })
+    }
 }
 
-/// Chains of some nodes of a plan to absorb, each number one among `nodes`: an open tour of them from `start`, one of these
-/// numbers, of little cost, cut where the tool has to be lifted. `cost` is that of moving the tool between two of them,
-/// `lift` that of lifting and lowering it, such as the movement of joints.
-///
-/// # Errors
-/// A cost that is not a number, more nodes than a tour may have, or geometry that the libraries refuse.
-pub fn cheapest_chains(
+/// The plan of one strategy; none is [`Strategy::Best`] by itself.
+fn plan_by(
+    strategy: Strategy,
     task: &Task,
-    plan: &Plan,
-    nodes: &[usize],
-    start: usize,
-    cost: impl Fn(usize, usize) -> f64,
-    lift: f64,
-    seed: u64,
-) -> Result<Vec<Vec<usize>>, PlanError> {
-    let scene: Vec<_> = task.obstacles_in_surface().collect();
-    let space = FreeSpace::new(&task.surface, &scene, plan.collision_radius)?;
-    let nodes: Vec<Point2> = (nodes.iter())
-        .map(|&node| plan.graph.position(node))
-        .collect();
-    let config = TourConfig {
-        seed,
-        ..TourConfig::default()
-    };
-    tour(&space, &nodes, start, cost, lift, &config)
-}
-
-/// Absorb: an open tour from the node nearest the tool; paper §3.2.
-fn absorb(
-    task: &Task,
+    dirt: &[ParticleDistribution],
+    space: &FreeSpace,
     config: &PlanConfig,
-    space: &FreeSpace,
-    nodes: Vec<Point2>,
 ) -> Result<Plan, PlanError> {
-    let chains = nearest_tour(
-        space,
-        &nodes,
-        task.tool_start,
-        config.lift_height,
-        config.seed,
-    )?;
-    let edges = chains
-        .iter()
-        .flat_map(|chain| chain.windows(2).map(|pair| (pair[0], pair[1])))
-        .collect();
-    let graph = SemanticDirectedGraph {
-        nodes: coverage_nodes(nodes),
-        edges,
-        goal: GoalState::Absorbed,
-        max_edge_length: None,
-        unreachable: Vec::new(),
-    };
-    Ok(assemble(task, config, space, graph, chains))
-}
-
-/// A short open tour of all nodes from the one nearest to a place, cut where the tool is lifted.
-fn nearest_tour(
-    space: &FreeSpace,
-    nodes: &[Point2],
-    from: Point2,
-    lift_height: f64,
-    seed: u64,
-) -> Result<Vec<Vec<usize>>, PlanError> {
-    let length = |i: usize, j: usize| (nodes[i] - nodes[j]).norm();
-    if nodes.len() > MAX_TOUR_NODES {
-        return tour_by_tiles(space, nodes, from, lift_height, seed);
-    }
-    let config = TourConfig {
-        seed,
-        ..TourConfig::default()
-    };
-    match nearest(nodes, from) {
-        Some(start) => tour(space, nodes, start, length, 2.0 * lift_height, &config),
-        None => Ok(Vec::new()),
+    match strategy {
+        Strategy::Coverage(_) | Strategy::Lanes => {
+            covering(task, space, strategy.covering(), config)
+        }
+        Strategy::Adaptive | Strategy::Best | Strategy::Own => {
+            search_strokes(task, dirt, space, config)
+        }
     }
 }
 
-/// A tour of more nodes than one may have: tiles of at most [`TILE_NODES`] nodes are passed in columns to and fro, and each
-/// has a tour of its own from the node nearest to where the one before ends (after Karp, 1977). Time is proportional to the
-/// number of nodes.
-fn tour_by_tiles(
+/// The plan no longer than it may be, with what share of the task's dirt no pose of the tool covers.
+fn finish(plan: Plan, task: &Task, space: &FreeSpace, config: &PlanConfig) -> Plan {
+    let places: Vec<Point2> = task.particles.remaining().collect();
+    let plan = match config.max_distance {
+        Some(most) if plan.contact_distance() > most => plan.cut_off(most),
+        _ => plan,
+    };
+    Plan {
+        unreachable_share: space.out_of_reach(&places, &task.tool.footprint),
+        ..plan
+    }
+}
+
+/// Strokes that are searched for, begun with those of coverage strategies for the task's dirt.
+fn search_strokes(
+    task: &Task,
+    dirt: &[ParticleDistribution],
     space: &FreeSpace,
-    nodes: &[Point2],
-    from: Point2,
-    lift_height: f64,
-    seed: u64,
-) -> Result<Vec<Vec<usize>>, PlanError> {
-    let mut at = from;
-    let mut chains: Vec<Vec<usize>> = Vec::new();
-    for tile in tiles(nodes, from) {
-        let places: Vec<Point2> = tile.iter().map(|&node| nodes[node]).collect();
-        let length = |i: usize, j: usize| (places[i] - places[j]).norm();
-        let Some(start) = nearest(&places, at) else {
-            continue;
-        };
-        let config = TourConfig {
-            kicks_per_node: TILE_KICKS,
-            seed,
-        };
-        for chain in tour(space, &places, start, length, 2.0 * lift_height, &config)? {
-            let chain: Vec<usize> = chain.into_iter().map(|place| tile[place]).collect();
-            let (Some(&first), Some(&last)) = (chain.first(), chain.last()) else {
-                continue;
-            };
-            at = nodes[last];
-            match chains.last_mut() {
-                Some(before)
-                    if (before.last())
-                        .is_some_and(|&end| space.is_clear_between(nodes[end], nodes[first])) =>
-                {
-                    before.extend(chain);
-                }
-                _ => chains.push(chain),
+    config: &PlanConfig,
+) -> Result<Plan, PlanError> {
+    let first = dirt.first().unwrap_or(&task.particles);
+    let task = &Task {
+        particles: first.clone(),
+        ..task.clone()
+    };
+    let mut begun_with = Vec::new();
+    let mut failure = None;
+    for (strategy, count) in BEGUN_WITH {
+        match candidate_plans(task, first, space, strategy, config, count) {
+            Ok(plans) => begun_with.extend(plans),
+            Err(error) => {
+                failure.get_or_insert(error);
             }
         }
     }
-    Ok(chains)
-}
-
-/// Numbers of nodes in tiles of neighbours, in columns to and fro from the corner nearest to a place.
-fn tiles(nodes: &[Point2], from: Point2) -> Vec<Vec<usize>> {
-    let Some(bounds) = Bounds2::of(nodes.iter().copied()) else {
-        return Vec::new();
-    };
-    let (size, center) = (bounds.size(), bounds.center());
-    let count = nodes.len().div_ceil(TILE_NODES);
-    let columns = (count as f64 * size.x / size.y.max(1e-9)).sqrt().round();
-    let columns = (columns as usize).clamp(1, count);
-    let per_column = nodes.len().div_ceil(columns);
-    let [away_x, away_y] =
-        [from.x <= center.x, from.y <= center.y].map(|is_low| if is_low { 1.0 } else { -1.0 });
-    let by = |key: &dyn Fn(usize) -> f64, numbers: &mut [usize]| {
-        numbers.sort_by(|&a, &b| key(a).total_cmp(&key(b)).then(a.cmp(&b)));
-    };
-    let mut numbers: Vec<usize> = (0..nodes.len()).collect();
-    by(&|node| away_x * nodes[node].x, &mut numbers);
-    let mut tiles = Vec::new();
-    for (column, numbers) in numbers.chunks_mut(per_column).enumerate() {
-        let up = if column % 2 == 0 { away_y } else { -away_y };
-        by(&|node| up * nodes[node].y, numbers);
-        let per_tile = numbers.len().div_ceil(numbers.len().div_ceil(TILE_NODES));
-        tiles.extend(numbers.chunks(per_tile).map(<[usize]>::to_vec));
-    }
-    tiles
-}
-
-/// An open tour of all nodes from one of them, cut where the tool is lifted.
-///
-/// A move that would drag the tool through an obstacle is lifted instead: it costs its length once more, and the
-/// way up and down.
-fn tour(
-    space: &FreeSpace,
-    nodes: &[Point2],
-    start: usize,
-    cost: impl Fn(usize, usize) -> f64,
-    lift: f64,
-    config: &TourConfig,
-) -> Result<Vec<Vec<usize>>, PlanError> {
-    if nodes.len() > MAX_TOUR_NODES {
-        let count = nodes.len();
-        return Err(TourError::TooManyNodes { count }.into());
-    }
-    let mut clear = vec![true; nodes.len() * nodes.len()];
-    let costs = CostMatrix::from_fn(nodes.len(), |i, j| {
-        let cost = cost(i, j);
-        if space.is_clear_between(nodes[i], nodes[j]) {
-            cost
-        } else {
-            clear[i * nodes.len() + j] = false;
-            clear[j * nodes.len() + i] = false;
-            2.0 * cost + lift
-        }
-    })?;
-    let order = shortest_path_from(&costs, start, config)?;
-    let chains = order.chunk_by(|&a, &b| clear[a * nodes.len() + b]);
-    Ok(chains.map(<[usize]>::to_vec).collect())
-}
-
-/// Collect: a minimum spanning tree rooted at the goal node; paper §3.2.
-fn collect(
-    task: &Task,
-    config: &PlanConfig,
-    space: &FreeSpace,
-    mut nodes: Vec<Point2>,
-    goal: Point2,
-) -> Result<Plan, PlanError> {
-    if !space.is_free(goal) {
-        return Err(PlanError::GoalNotFree {
-            surface: task.surface.name.clone(),
-            x: goal.x,
-            y: goal.y,
-            distance: space.distance(goal),
-            radius: space.radius(),
-        });
-    }
-    nodes.retain(|node| (node - goal).norm() > 1e-9);
-    let state = GoalState::Collected {
-        center: goal,
-        radius: space.radius(),
-    };
-    Ok(rooted(task, config, space, nodes, &[goal], state))
-}
-
-/// Collect without a given goal: the node with the best predicted performance, then the shortest way. Of many nodes, some
-/// that are evenly spread among them are tried, fewer the more there are.
-fn best_collect(
-    task: &Task,
-    config: &PlanConfig,
-    space: &FreeSpace,
-    nodes: &[Point2],
-) -> Result<Plan, PlanError> {
-    let mut best: Option<((usize, f64), Plan)> = None;
-    let apart = nodes
-        .len()
-        .div_ceil((TRIED_GOAL_NODES / nodes.len().max(1)).max(FEWEST_GOALS));
-    for &goal in nodes.iter().step_by(apart.max(1)) {
-        let plan = collect(task, config, space, nodes.to_vec(), goal)?;
-        let achieved = predict(task, &plan, |_| ()).performance.achieved;
-        let distance = plan.contact_distance();
-        let better = best
-            .as_ref()
-            .is_none_or(|((a, d), _)| achieved > *a || (achieved == *a && distance < *d));
-        if better {
-            best = Some(((achieved, distance), plan));
-        }
-    }
-    best.map(|(_, plan)| plan)
-        .ok_or_else(|| PlanError::NoFreeNode {
+    match searched(task, dirt, space, &begun_with, None, config) {
+        Some(plan) => Ok(plan),
+        None => Err(failure.unwrap_or_else(|| PlanError::NoFreeNode {
             surface: task.surface.name.clone(),
             diameter: 2.0 * space.radius(),
-        })
-}
-
-/// Skim: a forest of minimum spanning trees, one for each goal node beyond the edge; paper §3.2.
-fn skim(
-    task: &Task,
-    config: &PlanConfig,
-    space: &FreeSpace,
-    nodes: Vec<Point2>,
-) -> Result<Plan, PlanError> {
-    let goals = skim_goals(space);
-    if goals.is_empty() {
-        return Err(PlanError::NoSkimEdge {
-            surface: task.surface.name.clone(),
-        });
+        })),
     }
-    Ok(rooted(
-        task,
-        config,
-        space,
-        nodes,
-        &goals,
-        GoalState::Skimmed,
-    ))
-}
-
-/// Places beyond the skim edges at a pitch of at most r_s, r_s outside the border.
-///
-/// At that distance the leading edge, which lies within r_s of the tool centre point, has passed the
-/// border whichever way the tool comes.
-fn skim_goals(space: &FreeSpace) -> Vec<Point2> {
-    let radius = space.radius();
-    let edges: Vec<Edge> = space.surface().outline.edges().collect();
-    space
-        .surface()
-        .skim_edges
-        .iter()
-        .filter_map(|&index| edges.get(index))
-        .flat_map(|edge| {
-            let along = edge.end - edge.start;
-            let outward = nalgebra::Vector2::new(along.y, -along.x).normalize();
-            let count = (along.norm() / radius).ceil().max(1.0) as usize;
-            (0..count).map(move |i| {
-                edge.start + along * ((i as f64 + 0.5) / count as f64) + outward * radius
-            })
-        })
-        .filter(|&goal| space.is_clear(goal))
-        .collect()
-}
-
-/// Trees that lead the nodes to the goals, and their branches as strokes.
-fn rooted(
-    task: &Task,
-    config: &PlanConfig,
-    space: &FreeSpace,
-    nodes: Vec<Point2>,
-    goals: &[Point2],
-    state: GoalState,
-) -> Plan {
-    let coverage = nodes.len();
-    let positions: Vec<Point2> = nodes.iter().chain(goals).copied().collect();
-    let roots: Vec<usize> = (coverage..positions.len()).collect();
-    let forest = forest(space, &positions, &roots, 2.0 * space.radius());
-    let chains = branches(&positions, &forest.parent, task.tool_start);
-    let mut graph_nodes = coverage_nodes(nodes);
-    graph_nodes.extend(goals.iter().map(|&position| Node {
-        position,
-        role: NodeRole::Goal,
-    }));
-    let graph = SemanticDirectedGraph {
-        nodes: graph_nodes,
-        edges: forest
-            .parent
-            .iter()
-            .enumerate()
-            .filter_map(|(from, to)| to.map(|to| (from, to)))
-            .collect(),
-        goal: state,
-        max_edge_length: Some(forest.edge_length),
-        unreachable: forest.unreachable,
-    };
-    assemble(task, config, space, graph, chains)
-}
-
-fn assemble(
-    task: &Task,
-    config: &PlanConfig,
-    space: &FreeSpace,
-    graph: SemanticDirectedGraph,
-    chains: Vec<Vec<usize>>,
-) -> Plan {
-    let plan = Plan {
-        strategy: config.strategy,
-        strokes: Vec::new(),
-        graph,
-        collision_radius: space.radius(),
-        unreachable_share: 0.0,
-        tool_start: task.tool_start,
-        lift_height: config.lift_height,
-    };
-    best_headed(task, &plan, config.heading, &chains)
-}
-
-/// The plan with strokes through these chains of its nodes, headed so that their predicted effect is best.
-fn best_headed(task: &Task, plan: &Plan, rule: HeadingRule, chains: &[Vec<usize>]) -> Plan {
-    let headed = rule.choices(task).into_iter().map(|headings| Plan {
-        strokes: headings.strokes(task, &plan.graph, chains),
-        ..plan.clone()
-    });
-    let few = Task {
-        particles: some_of(&task.particles, CHOSEN_BY),
-        ..task.clone()
-    };
-    best_by_objective(&few, headed).expect("a rule has at least one heading")
-}
-
-/// Some dirt, or a random choice of so many of its particles.
-pub(super) fn some_of(dirt: &ParticleDistribution, most: usize) -> ParticleDistribution {
-    if dirt.len() <= most {
-        return dirt.clone();
-    }
-    let mut random = ChaCha8Rng::seed_from_u64(dirt.len() as u64);
-    let mut numbers: Vec<usize> = (0..dirt.len()).collect();
-    for i in 0..most {
-        let other = random.random_range(i..numbers.len());
-        numbers.swap(i, other);
-    }
-    dirt.chosen(&numbers[..most])
-}
-
-fn coverage_nodes(positions: Vec<Point2>) -> Vec<Node> {
-    positions
-        .into_iter()
-        .map(|position| Node {
-            position,
-            role: NodeRole::Coverage,
-        })
-        .collect()
-}
-
-fn nearest(nodes: &[Point2], to: Point2) -> Option<usize> {
-    (0..nodes.len()).min_by(|&a, &b| (nodes[a] - to).norm().total_cmp(&(nodes[b] - to).norm()))
 }

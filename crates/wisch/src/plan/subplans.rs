@@ -15,20 +15,6 @@ const MAX_BEGINNINGS: usize = 500;
 /// Subplans of a plan that is made of nothing else, at most.
 const MAX_SUBPLANS: usize = 24;
 
-/// The plan with nothing but that one of its subplans which is predicted to gain most; without any stroke,
-/// if none is predicted to gain anything.
-///
-/// A subplan is what makes sense by itself: of a tree, the way from any node on to the goal, along the tree
-/// or straight, for half of it would bring nothing to where it belongs; of a tour, a piece of three tool
-/// widths. What counts is the predicted number of particles that reach the goal, less several for each
-/// that leaves the surface over a wrong edge; among equals the shorter way.
-///
-/// # Errors
-/// If the scene's geometry cannot be used.
-pub fn best_subplan(task: &Task, plan: &Plan) -> Result<Plan, PlanError> {
-    Ok(best_of(task, std::slice::from_ref(plan), &space_of(task)?))
-}
-
 /// A plan made of subplans, the best first and each chosen by what those before are predicted to leave.
 ///
 /// Straight ways do not turn the tool, which near an edge pushes over it what lies beside the tool.

@@ -1,16 +1,10 @@
 //! What is considered before a plan is chosen: each candidate as a robot would do it.
 
 use super::{PlannedRound, RunError};
-use crate::plan::{
-    Candidate, Plan, PlanConfig, Portfolio, Prediction, Strategy, plan_around, predict, worth,
-};
-use crate::represent::{ParticleDistribution, Task};
+use crate::plan::{Candidate, Plan, PlanScore, Planner, Portfolio, Prediction, Strategy, predict};
+use crate::represent::Task;
 use rayon::prelude::*;
 use std::sync::{Mutex, PoisonError};
-
-/// Share of the dirt that a second of motion is worth [1/s]: half a minute, about as long as it takes to wipe a board
-/// once, is worth one part in a hundred.
-const PER_SECOND: f64 = 3e-4;
 
 /// What a robot may lose of a plan before other strokes are searched for, in shares of the dirt [1].
 const LOST: f64 = 0.01;
@@ -22,8 +16,8 @@ const REPLANNED: usize = 3;
 pub struct Considered {
     /// How its strokes were found.
     pub strategy: Strategy,
-    /// The plan, and what it is worth; if a robot is to follow it, what it wipes, less a hundredth for half a minute of its
-    /// motion. Or why there is none, or no motion.
+    /// The plan and its score; if a robot is to follow it, that of what it wipes, with the duration of its motion. Or why there is
+    /// none, or no motion.
     pub candidate: Result<Candidate, RunError>,
     /// Its predicted effect on the task's dirt; `None` without a plan.
     pub prediction: Option<Prediction>,
@@ -54,12 +48,10 @@ pub(super) fn unfollowed(task: &Task, portfolio: Portfolio) -> Vec<Considered> {
     considered.collect()
 }
 
-/// Each plan of a portfolio as the robot does it, and the motion of the one that is worth most. Plans are followed side by
+/// Each plan of a portfolio as the robot does it, and the motion of the one with the highest score. Plans are followed side by
 /// side: the result is the same on any number of threads.
 pub(super) fn followed(
-    task: &Task,
-    dirt: &[ParticleDistribution],
-    config: &PlanConfig,
+    planner: &Planner<'_>,
     portfolio: Portfolio,
     follow: impl Fn(Plan) -> Result<PlannedRound, RunError> + Sync,
 ) -> (Vec<Considered>, Option<Box<PlannedRound>>) {
@@ -68,9 +60,9 @@ pub(super) fn followed(
     let considered = considered.map(|(index, (strategy, candidate))| {
         let (mut prediction, mut motion) = (None, None);
         let candidate = candidate.map_err(RunError::from).and_then(|candidate| {
-            let (worth, round) = match strategy {
-                Strategy::Adaptive => within_reach(task, dirt, config, candidate.plan, &follow)?,
-                _ => as_done(task, dirt, config, candidate.plan, &follow)?,
+            let (score, round) = match strategy {
+                Strategy::Adaptive => within_reach(planner, candidate.plan, &follow)?,
+                _ => as_done(planner, candidate.plan, &follow)?,
             };
             motion = Some(ConsideredMotion {
                 duration: round.followed.duration(),
@@ -81,16 +73,16 @@ pub(super) fn followed(
             let mut best = best.lock().unwrap_or_else(PoisonError::into_inner);
             if best
                 .as_ref()
-                .is_none_or(|best| best.is_surpassed(worth, index))
+                .is_none_or(|best| best.is_surpassed(&score, index))
             {
                 let round = Box::new(round);
                 *best = Some(Best {
-                    worth,
+                    score,
                     index,
                     round,
                 });
             }
-            Ok(Candidate { worth, plan })
+            Ok(Candidate { plan, score })
         });
         Considered {
             strategy,
@@ -104,58 +96,54 @@ pub(super) fn followed(
     (considered, best.map(|best| best.round))
 }
 
-/// The plan that is worth most so far: of several the first in the portfolio.
+/// The plan with the highest score so far: of several the first in the portfolio.
 struct Best {
-    worth: f64,
+    score: PlanScore,
     index: usize,
     round: Box<PlannedRound>,
 }
 
 impl Best {
-    fn is_surpassed(&self, worth: f64, index: usize) -> bool {
-        worth > self.worth || (worth == self.worth && index < self.index)
+    fn is_surpassed(&self, score: &PlanScore, index: usize) -> bool {
+        let (next, best) = (score.total, self.score.total);
+        next > best || (next == best && index < self.index)
     }
 }
 
-/// What a plan is worth as the robot does it [1], and that.
+/// The score of a plan as the robot does it, and that.
 fn as_done(
-    task: &Task,
-    dirt: &[ParticleDistribution],
-    config: &PlanConfig,
+    planner: &Planner<'_>,
     plan: Plan,
     follow: &impl Fn(Plan) -> Result<PlannedRound, RunError>,
-) -> Result<(f64, PlannedRound), RunError> {
+) -> Result<(PlanScore, PlannedRound), RunError> {
     let round = follow(plan)?;
-    let worth =
-        worth(task, dirt, &round.wiped(), &config.search)? - PER_SECOND * round.followed.duration();
-    Ok((worth, round))
+    let score = planner.score(&round.wiped())?;
+    Ok((score.with_motion(round.followed.duration()), round))
 }
 
 /// The same of a plan that is searched for: where the robot does not reach all of it, strokes are searched for that do
 /// without the places where it failed.
 pub(super) fn within_reach(
-    task: &Task,
-    dirt: &[ParticleDistribution],
-    config: &PlanConfig,
+    planner: &Planner<'_>,
     plan: Plan,
     follow: &impl Fn(Plan) -> Result<PlannedRound, RunError>,
-) -> Result<(f64, PlannedRound), RunError> {
-    let mut best = as_done(task, dirt, config, plan, follow)?;
+) -> Result<(PlanScore, PlannedRound), RunError> {
+    let mut best = as_done(planner, plan, follow)?;
     let mut last = best.1.clone();
     let mut avoid = Vec::new();
     for _ in 0..REPLANNED {
         let wiped = last.wiped();
-        let planned = worth(task, dirt, &last.plan, &config.search)?;
-        let lost = planned - worth(task, dirt, &wiped, &config.search)?;
+        let planned = planner.score(&last.plan)?.total;
+        let lost = planned - planner.score(&wiped)?.total;
         if last.followed.abandoned.is_empty() && lost < LOST {
             break;
         }
         let failed = last.followed.abandoned.iter();
         avoid.extend(failed.map(|abandoned| last.plan.graph.position(abandoned.node)));
-        let around = plan_around(task, dirt, &wiped, &avoid, config)?;
-        let next = as_done(task, dirt, config, around, follow)?;
+        let around = planner.plan_around(&wiped, &avoid)?;
+        let next = as_done(planner, around, follow)?;
         last = next.1.clone();
-        if next.0 > best.0 {
+        if next.0.total > best.0.total {
             best = next;
         }
     }

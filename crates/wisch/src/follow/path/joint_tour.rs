@@ -7,7 +7,7 @@ use super::arm::{Arm, widest_step};
 use super::free_yaw::starts;
 use super::taut::{drawn_taut, movement, put_back, way};
 use crate::geometry::Point2;
-use crate::plan::{Plan, cheapest_chains};
+use crate::plan::{Plan, order_nodes};
 use crate::robot::JointPositions;
 use rayon::prelude::*;
 
@@ -61,7 +61,7 @@ pub(in crate::follow) fn joint_tour(
         way(&at[a], &at[b]) + WAY_SHARE * rate * (places[a] - places[b]).norm()
     };
     let lift = 2.0 * plan.lift_height * rate;
-    let strokes = cheapest_chains(arm.task, plan, nodes, start, cost, lift, seed).ok()?;
+    let strokes = order_nodes(arm.task, plan, nodes, start, cost, lift, seed).ok()?;
     let taut = |order: &[usize]| {
         let line: Vec<Point2> = order.iter().map(|&i| places[i]).collect();
         let mut row: Vec<JointPositions> = order.iter().map(|&i| at[i]).collect();

@@ -10,7 +10,9 @@ mod trials;
 mod value;
 mod ways;
 
-use super::{FreeSpace, Node, NodeRole, Plan, PlanConfig, SemanticDirectedGraph, Strategy, Stroke};
+use super::{
+    FreeSpace, Node, NodeRole, Plan, PlanConfig, PlanScore, SemanticDirectedGraph, Strategy, Stroke,
+};
 use crate::geometry::{PlanarPose, Point2};
 use crate::represent::{EffectModel, GoalState, ParticleDistribution, Task, ToolMotion};
 use draft::{Draft, Mutator};
@@ -130,10 +132,10 @@ fn without_idle(mut draft: Draft, judge: &Judge<'_>) -> Draft {
     draft
 }
 
-/// What a plan is worth to the search, in shares of the dirt [1].
-pub(super) fn worth(judge: &Judge<'_>, plan: &Plan) -> f64 {
+/// The score of a plan, term by term.
+pub(super) fn score(judge: &Judge<'_>, plan: &Plan) -> PlanScore {
     let draft = Draft::exactly(plan);
-    Trials::new(judge, &draft.goal).value(&draft).worth
+    Trials::new(judge, &draft.goal).score(&draft)
 }
 
 fn annealed(

@@ -3,6 +3,7 @@
 use super::draft::Draft;
 use super::value::{Judge, State, Value, World};
 use crate::geometry::PlanarPose;
+use crate::plan::PlanScore;
 use crate::plan::objective::EdgeMargin;
 use crate::represent::{Effect, EffectModel, GoalState, Task, ToolMotion};
 use std::rc::Rc;
@@ -109,6 +110,18 @@ impl<'a> Trials<'a> {
 
     /// What a draft is worth on average.
     pub(super) fn value(&mut self, draft: &Draft) -> Value {
+        let after = self.simulate(draft);
+        self.judge.value(draft, &after)
+    }
+
+    /// The score of a draft, term by term.
+    pub(super) fn score(&mut self, draft: &Draft) -> PlanScore {
+        let after = self.simulate(draft);
+        self.judge.score(draft, &after)
+    }
+
+    /// How a draft leaves its worlds.
+    fn simulate(&mut self, draft: &Draft) -> Vec<State> {
         let steps = steps_of(draft);
         let pairs = steps.iter().zip(&self.kept.steps);
         let common = pairs.take_while(|(one, other)| one == other).count();
@@ -126,7 +139,7 @@ impl<'a> Trials<'a> {
             });
         let after: Vec<State> = after.collect();
         self.tried = Rollout { steps, states };
-        self.judge.value(draft, &after)
+        after
     }
 
     /// Keeps the draft that was valued last: the next ones are like it.

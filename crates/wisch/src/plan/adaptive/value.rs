@@ -2,9 +2,9 @@
 
 use super::draft::Draft;
 use crate::geometry::{Bounds2, Edge, PlanarPose, Point2, Region};
-use crate::plan::FreeSpace;
 use crate::plan::objective::{EdgeMargin, RISK};
 use crate::plan::predict::LOSS;
+use crate::plan::{FreeSpace, PlanScore};
 use crate::random::normal_pair;
 use crate::represent::{
     GoalState, ParticleDistribution, ParticleField, Performance, Task, ToolMotion,
@@ -33,6 +33,14 @@ pub(super) struct Value {
     pub(super) worth: f64,
     /// Where dirt is left that does not belong there [m].
     pub(super) left: Vec<Point2>,
+}
+
+/// What a plan gains and loses in one world, in particles.
+struct Terms {
+    in_place: f64,
+    lost: f64,
+    at_risk: f64,
+    away: f64,
 }
 
 /// How much it counts what the tool does exactly as it is, beside what one does that is smaller by the margin [1].
@@ -197,6 +205,19 @@ impl<'a> Judge<'a> {
     /// The share of the dirt that is brought where it belongs in a world, less what is lost or at risk [1]; and where dirt is
     /// left.
     fn gain(&self, world: &World, state: &State, goal: &GoalState, left: &mut Vec<Point2>) -> f64 {
+        let terms = self.terms(world, state, goal, left);
+        let gain = terms.in_place - terms.lost - terms.at_risk - terms.away;
+        gain / world.dirt.len().max(1) as f64
+    }
+
+    /// What a draft that leaves a world so gains and loses there, in particles; and where dirt is left.
+    fn terms(
+        &self,
+        world: &World,
+        state: &State,
+        goal: &GoalState,
+        left: &mut Vec<Point2>,
+    ) -> Terms {
         let surface = &self.task.surface;
         let after = state.field.distribution();
         let wanted = match *goal {
@@ -216,14 +237,33 @@ impl<'a> Judge<'a> {
                 left.push(place);
             }
         }
-        let risk = state.margin.as_ref().map_or(0.0, |margin| {
-            RISK * margin.nearness() + margin.beyond(&wanted, &surface.outline)
-        });
-        let gain = performance.achieved as f64
-            - LOSS as f64 * performance.lost as f64
-            - risk
-            - AWAY * away / self.diagonal;
-        gain / world.dirt.len().max(1) as f64
+        Terms {
+            in_place: performance.achieved as f64,
+            lost: LOSS as f64 * performance.lost as f64,
+            at_risk: state.margin.as_ref().map_or(0.0, |margin| {
+                RISK * margin.nearness() + margin.beyond(&wanted, &surface.outline)
+            }),
+            away: AWAY * away / self.diagonal,
+        }
+    }
+
+    /// The score of a draft that leaves its worlds so, term by term.
+    pub(super) fn score(&self, draft: &Draft, after: &[State]) -> PlanScore {
+        let mut score = PlanScore {
+            total: self.value(draft, after).worth,
+            way: self.per_metre * self.cost(draft),
+            too_long: BEYOND * (draft.distance() - self.max_distance).max(0.0),
+            ..PlanScore::default()
+        };
+        for (world, state) in self.worlds.iter().zip(after) {
+            let terms = self.terms(world, state, &draft.goal, &mut Vec::new());
+            let weight = world.weight / world.dirt.len().max(1) as f64;
+            score.in_place += weight * terms.in_place;
+            score.lost += weight * terms.lost;
+            score.at_risk += weight * terms.at_risk;
+            score.away += weight * terms.away;
+        }
+        score
     }
 
     /// How far dirt is from where it belongs [m].

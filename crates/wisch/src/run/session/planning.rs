@@ -1,10 +1,7 @@
 //! Which plan comes next in a session.
 
 use super::Session;
-use crate::plan::{
-    Plan, PlanConfig, PlanError, Strategy, best_plan, best_subplan, best_subplan_of_candidates,
-    is_gainful, most_worth, plan_for_any, portfolio,
-};
+use crate::plan::{Plan, PlanConfig, PlanError, Planner, Strategy, highest_score, is_gainful};
 use crate::recover::{PLANNING_DRAWS, Pace, recovery_candidates, unfinished};
 use crate::represent::{ParticleDistribution, Task};
 use crate::run::considered::{followed, unfollowed, within_reach};
@@ -51,7 +48,7 @@ impl Session<'_> {
                 } else {
                     config.variants
                 };
-                NextPlan::Alone(best_plan(task, &task.particles, &config.plan, variants)?)
+                NextPlan::Alone(Planner::new(task, &config.plan).best_of(variants)?)
             }
             (None, Some(goal)) => {
                 let treated = task.treatment.and_then(|_| self.belief.median_passes());
@@ -77,26 +74,28 @@ impl Session<'_> {
                     seed: task.seed,
                     ..config.plan.clone()
                 };
+                let planner = Planner::new(task, &left).with_remaining(&open);
                 let count = recovery_candidates(&task.tool.footprint);
                 let next = match config.pace {
                     Pace::Whole if config.plan.strategy.is_searched() => {
                         self.searched_plan(observer)?
                     }
-                    Pace::Whole => match best_plan(task, &open, &left, count) {
+                    Pace::Whole => match planner.best_of(count) {
                         // What is missing lies where another pass would give too many to what is done.
                         Err(PlanError::NoFreeNode { .. }) if is_treated => return Ok(None),
                         plan => NextPlan::Alone(plan?),
                     },
-                    Pace::Greedy => {
-                        NextPlan::Alone(best_subplan_of_candidates(task, &open, &left, count)?)
-                    }
+                    Pace::Greedy => NextPlan::Alone(planner.best_subplan_of(count)?),
                 };
                 return Ok(Some(next).filter(|next| is_gainful(task, next.plan())));
             }
         };
         Ok(Some(match config.pace {
             Pace::Whole => whole,
-            Pace::Greedy => NextPlan::Alone(best_subplan(task, whole.plan())?),
+            Pace::Greedy => {
+                let planner = Planner::new(task, &config.plan);
+                NextPlan::Alone(planner.best_subplan(whole.plan())?)
+            }
         }))
     }
 
@@ -113,9 +112,10 @@ impl Session<'_> {
     /// The same, and the motion of the plan that is worth most, if a robot is to follow it.
     fn consider_plans(&self) -> Result<(Vec<Considered>, Option<Box<PlannedRound>>), RunError> {
         let (task, dirt, config) = (&self.task, self.dirt(), &self.config.plan);
-        let portfolio = portfolio(task, &dirt, config)?;
+        let planner = Planner::new(task, config).with_possible_dirt(&dirt);
+        let portfolio = planner.plan_by_every_strategy()?;
         Ok(match self.performer {
-            Some(_) => followed(task, &dirt, config, portfolio, |plan| {
+            Some(_) => followed(&planner, portfolio, |plan| {
                 self.followed(plan, &mut unobserved)
             }),
             None => (unfollowed(task, portfolio), None),
@@ -138,17 +138,18 @@ impl Session<'_> {
             });
             return Ok(match best {
                 Some(planned) => NextPlan::Followed(planned),
-                None => {
-                    NextPlan::Alone(most_worth(considered.into_iter().map(|one| one.candidate))?)
-                }
+                None => NextPlan::Alone(highest_score(
+                    considered.into_iter().map(|one| one.candidate),
+                )?),
             });
         }
-        let plan = plan_for_any(task, &dirt, config)?;
+        let planner = Planner::new(task, config).with_possible_dirt(&dirt);
+        let plan = planner.plan()?;
         if self.performer.is_none() {
             return Ok(NextPlan::Alone(plan));
         }
         let follow = |plan| self.followed(plan, &mut unobserved);
-        let (_, round) = within_reach(task, &dirt, config, plan, &follow)?;
+        let (_, round) = within_reach(&planner, plan, &follow)?;
         Ok(NextPlan::Followed(Box::new(round)))
     }
 }
