@@ -7,6 +7,7 @@ use wisch::robot::RobotError;
 use wisch::run::RunError;
 use wisch::source_location::Place;
 use wisch_io::{Error, TaskError};
+use wisch_record::RecordError;
 
 pyo3::import_exception!(wisch._errors, WischError);
 
@@ -84,6 +85,14 @@ pub fn of_file(error: Error) -> PyErr {
     }
     details.help = details.help.or(help);
     failed(error, details)
+}
+
+/// The exception of a run that cannot be kept.
+pub fn of_record(error: RecordError) -> PyErr {
+    match error {
+        RecordError::Results(error) => of_file(error),
+        error => plain(error),
+    }
 }
 
 fn file(path: impl Display) -> Details {

@@ -2,27 +2,22 @@
 
 use crate::arrays::vector;
 use crate::error::{Details, failed, plain};
-use crate::session::PySession;
+use crate::session::{PROGRAM, PySession};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
-use wisch_io::{PLAN_FILE, PlanRecord};
+use std::time::Duration;
+use wisch::run::RunEvent;
+use wisch_io::ExecutedBy;
+use wisch_memory::Memory;
 use wisch_memory::ask::{Answers, AskError, Asker, EngineCommand, Term};
-use wisch_memory::{
-    EpisodeHeader, EpisodeRound, EpisodeWriter, Memory, MemoryError, RobotText, RoundLog,
-    RoundScene, episode_id, remember,
-};
+use wisch_record::{EpisodeSink, EpisodeTarget, FinishedRound, RecordError, RoundStages, RunSink};
 
-/// What wrote an episode.
-const PROGRAM: &str = concat!("wisch-py ", env!("CARGO_PKG_VERSION"));
 /// How often it is looked for Ctrl-C.
 const LOOK: Duration = Duration::from_millis(50);
-/// How often another name is tried where one is taken.
-const NAMES_TRIED: u16 = 100;
 /// What brings a Prolog engine.
 const NO_ENGINE: &str = "install SWI-Prolog (swipl), or wisch-prolog from wisch's source: cargo install --path crates/wisch-prolog --locked";
 
@@ -235,83 +230,42 @@ impl PyMemory {
         if rounds.is_empty() {
             return Err(plain("the session has no round that is over"));
         }
-        let failed = |error: MemoryError| kept(&self.folder, error);
-        let start = SystemTime::now().duration_since(UNIX_EPOCH);
-        // It is over by now.
-        let duration: f64 = (rounds.iter())
-            .map(|round| round.round.execution.duration)
-            .sum();
-        let start = start.unwrap_or_default().as_secs_f64() - duration;
-        let writer = begun(&self.memory()?, start).map_err(failed)?;
-        let mut logs = Vec::new();
+        let refused = |error: RecordError| kept(&self.folder, error);
+        let target = EpisodeTarget {
+            memory: self.folder.clone(),
+            executor: session.executor(),
+            names: None,
+        };
+        let mut sink = EpisodeSink::begin(target).map_err(refused)?.of_past_run();
+        let mut finished = Vec::new();
         for round in &rounds {
             let motion = &round.round.motion;
-            let mut log = RoundLog::default();
             if let Some(telemetry) = &round.telemetry {
-                let robot = motion.cell.robot();
-                let joints = (0..robot.dof()).map(|i| robot.variable(i).name.clone());
-                let head = RoundScene::of(motion).head(joints.collect());
-                let mut file = writer.telemetry(motion.number, head).map_err(failed)?;
+                let mut tell = |event: &RunEvent<'_>| sink.on_event(event);
+                tell(&RunEvent::Executing(motion)).map_err(plain)?;
                 telemetry.get().each(py, &motion.followed, |sample| {
-                    log.push(sample);
-                    file.write(sample)
+                    tell(&RunEvent::Sample(sample))
                 })?;
-                file.finish().map_err(|error| kept(&self.folder, error))?;
+                let round = motion.number;
+                tell(&RunEvent::Interpreting { round }).map_err(plain)?;
             }
-            logs.push(log);
-            let plan = PlanRecord::new(&motion.task, &motion.plan, motion.task.seed);
-            let plan = serde_json::to_string_pretty(&plan).map_err(plain)? + "\n";
-            let name = format!("round-{}/{PLAN_FILE}", motion.number);
-            writer.attach(&name, plan).map_err(failed)?;
+            finished.push(FinishedRound {
+                round: (*round.round).clone(),
+                stages: RoundStages::default(),
+                executed_by: ExecutedBy::Executor,
+                truth: None,
+            });
         }
-        writer
-            .attach("task.toml", &session.task.text)
-            .map_err(failed)?;
-        if let Some(files) = session.robot_files() {
-            let robot = RobotText {
-                urdf: files.urdf.clone(),
-                srdf: files.srdf.clone(),
-                meshes: files.meshes.clone(),
-            };
-            robot.attach_to(&writer).map_err(failed)?;
-        }
-        let header = EpisodeHeader {
-            id: writer.id().to_owned(),
-            start,
-            target: session.task.file.target_performance(),
-            seed: session.task.task.seed,
-            program: PROGRAM.to_owned(),
-        };
-        let told: Vec<EpisodeRound<'_>> = (rounds.iter().zip(&logs))
-            .map(|(round, log)| EpisodeRound {
-                motion: &round.round.motion,
-                log,
-                duration: round.round.execution.duration,
-                ending: &round.round.execution.ending,
-                interpretation: &round.round.interpretation,
-                verdict: round.round.verdict,
-                simulated_performance: None,
-            })
-            .collect();
-        let record = remember(&header, &told);
-        writer.commit(&record).map_err(failed)?;
+        let first_look = session.first_observation(py)?;
+        let (loaded, files) = (&session.task, session.robot_files());
+        let episode = sink.commit(&finished, first_look, loaded, files, None, PROGRAM);
+        let episode = episode.map_err(refused)?;
         // What was asked before does not know of it.
         *self.asking.lock().unwrap_or_else(PoisonError::into_inner) = None;
-        Ok(header.id)
+        Ok(episode.id)
     }
 
     fn __repr__(&self) -> String {
         format!("<wisch.Memory in {:?}>", self.folder)
     }
-}
-
-/// An episode under the first name that is free.
-fn begun(memory: &Memory, start: f64) -> Result<EpisodeWriter, MemoryError> {
-    for salt in 0..NAMES_TRIED {
-        match memory.begin(&episode_id(start, salt)) {
-            Err(MemoryError::Exists { .. }) => {}
-            begun => return begun,
-        }
-    }
-    memory.begin(&episode_id(start, 0))
 }

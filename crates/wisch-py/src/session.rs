@@ -5,7 +5,7 @@
 //! hold what belongs to one thread, such as a window.
 
 use crate::arrays::{self, Matrix};
-use crate::error::{of_run, plain, refused};
+use crate::error::{of_record, of_run, plain, refused};
 use crate::executor::PyExecutor;
 use crate::motion::PyMotion;
 use crate::pictures;
@@ -27,8 +27,11 @@ use wisch::run::{
     Execution, Executor, ExecutorError, MotionOrder, NoExecutor, OwnStrategy, Round, RunConfig,
     RunError, RunEvent, SampleSink, Session, Stage,
 };
-use wisch_io::{EventWriter, LoadedTask, Robot, RobotFiles};
+use wisch_io::{EventWriter, ExecutedBy, LoadedTask, Robot, RobotFiles};
+use wisch_record::{RecordError, RunRecord, RunResults};
 
+/// What writes results and episodes.
+pub const PROGRAM: &str = concat!("wisch-py ", env!("CARGO_PKG_VERSION"));
 /// How often it is looked for Ctrl-C.
 const LOOK: Duration = Duration::from_millis(50);
 
@@ -62,6 +65,25 @@ pub struct PySession {
     is_running: AtomicBool,
     telemetry: Mutex<Vec<Py<PyTelemetry>>>,
     rounds: Mutex<Vec<Py<PyRound>>>,
+    /// What is being kept of it, until that is written.
+    record: Arc<Mutex<Option<RunRecord>>>,
+    kept: Mutex<Option<KeptPlaces>>,
+    /// The class of the executor that was given last.
+    executor: Mutex<Option<String>>,
+}
+
+/// What was kept of a session, and where.
+#[derive(Debug, Clone)]
+struct KeptPlaces {
+    episode: Option<String>,
+    remarks: Vec<String>,
+}
+
+/// Passes an event on to what keeps the run.
+fn keep(record: &Mutex<Option<RunRecord>>, event: &RunEvent<'_>) -> ControlFlow<()> {
+    let mut record = locked(record);
+    let flow = record.as_mut().map(|record| record.on_event(event));
+    flow.unwrap_or(ControlFlow::Continue(()))
 }
 
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -150,6 +172,7 @@ impl PySession {
         robot: Option<Arc<Robot>>,
         config: RunConfig,
         given: Given,
+        record: Option<RunRecord>,
     ) -> Self {
         let belief = loaded.belief();
         let wiping = Wiping::new(robot.clone(), |robot| {
@@ -173,6 +196,9 @@ impl PySession {
             is_running: AtomicBool::new(false),
             telemetry: Mutex::default(),
             rounds: Mutex::default(),
+            record: Arc::new(Mutex::new(record)),
+            kept: Mutex::default(),
+            executor: Mutex::default(),
         }
     }
 
@@ -226,8 +252,75 @@ impl PySession {
         look(wiping.borrow_dependent())
     }
 
-    fn run_until(&self, py: Python<'_>, until: Stage, mut call: Call<'_>) -> PyResult<()> {
+    /// The class of the executor that was given last.
+    pub fn executor(&self) -> Option<String> {
+        locked(&self.executor).clone()
+    }
+
+    /// What was seen before the first round, if anything looked.
+    pub fn first_observation(&self, py: Python<'_>) -> PyResult<Option<Observation>> {
+        self.look(py, |session| Ok(session.first_observation().cloned()))
+    }
+
+    fn run_until(&self, py: Python<'_>, until: Stage, call: Call<'_>) -> PyResult<()> {
         let _running = self.begin()?;
+        let run = self.go_on(py, until, call);
+        if self.reached(py)? != Some(Stage::Ended) {
+            return run;
+        }
+        let kept = self.finish_record(py);
+        run.and(kept)
+    }
+
+    /// Writes what is kept of the session, as far as it has come, once.
+    fn finish_record(&self, py: Python<'_>) -> PyResult<()> {
+        let wiping = self.lock(py)?;
+        let Some(mut record) = locked(&self.record).take() else {
+            return Ok(());
+        };
+        if let (Some(name), Some(episode)) = (self.executor(), record.episode_mut()) {
+            episode.set_executor(name);
+        }
+        let session = wiping.borrow_dependent();
+        let mut results = match RunResults::of(session, record.stages_mut()) {
+            // What has not begun leaves nothing.
+            Err(RecordError::Nothing) => return Ok(()),
+            results => results.map_err(of_record)?,
+        };
+        let rounds = session.rounds().to_vec();
+        results.add_rounds(
+            rounds,
+            record.stages_mut(),
+            ExecutedBy::Executor,
+            Vec::new(),
+        );
+        let first_look = session.first_observation().cloned();
+        let robot = self.robot.as_deref();
+        let kept = py.detach(|| record.finish_with(&self.task, robot, results, first_look));
+        let kept = kept.map_err(of_record)?;
+        if let Some(error) = kept.no_bag.or(kept.failure) {
+            return Err(of_record(error));
+        }
+        let episode = kept.episode.map_err(of_record)?;
+        *locked(&self.kept) = Some(KeptPlaces {
+            episode: episode.as_ref().map(|kept| kept.id.clone()),
+            remarks: episode.map_or_else(Vec::new, |mut kept| {
+                let without = kept
+                    .without
+                    .iter()
+                    .map(|what| format!("kept without {what}"));
+                kept.remarks.extend(without);
+                kept.remarks
+            }),
+        });
+        Ok(())
+    }
+
+    fn go_on(&self, py: Python<'_>, until: Stage, mut call: Call<'_>) -> PyResult<()> {
+        if let Some(executor) = &call.executor {
+            let class = executor.object.get_type().name()?;
+            *locked(&self.executor) = Some(class.to_string());
+        }
         loop {
             let before = self.reached(py)?;
             let reached = if before == Some(Stage::Audited) && call.executor.is_some() {
@@ -257,6 +350,7 @@ impl PySession {
         let (wiping, verdict) = (Arc::clone(&self.wiping), Arc::clone(&self.verdict));
         let stage = Arc::clone(&self.stage);
         let tells = call.on_event.is_some();
+        let record = Arc::clone(&self.record);
         std::thread::spawn(move || {
             let mut wiping = locked(&wiping);
             let mut events = EventWriter::new(std::io::sink());
@@ -269,6 +363,7 @@ impl PySession {
                     if let RunEvent::Ended(end) = event {
                         *locked(&verdict) = *end;
                     }
+                    keep(&record, event)?;
                     let told = tells.then(|| described(&mut events, event)).flatten();
                     let Some(told) = told else {
                         return ControlFlow::Continue(());
@@ -343,6 +438,7 @@ impl PySession {
                     RunEvent::Sample(sample) => columns.push(sample),
                     _ => {}
                 }
+                keep(&self.record, event)?;
                 if call.on_event.is_none() {
                     return ControlFlow::Continue(());
                 }
@@ -558,6 +654,38 @@ impl PySession {
             let seen = session.first_observation();
             Ok(seen.map(|seen| arrays::points(py, seen.detections.iter().copied())))
         })
+    }
+
+    /// Writes what is kept of the session, if it is kept and has not been written; the end of a session does so by itself.
+    fn close(&self, py: Python<'_>) -> PyResult<()> {
+        let _running = self.begin()?;
+        self.finish_record(py)
+    }
+
+    fn __enter__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    fn __exit__(
+        &self,
+        py: Python<'_>,
+        _class: Option<&Bound<'_, PyAny>>,
+        _error: Option<&Bound<'_, PyAny>>,
+        _trace: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<()> {
+        self.close(py)
+    }
+
+    /// The episode in which the session is kept, once it has ended; `None` without a memory.
+    #[getter]
+    fn episode(&self) -> Option<String> {
+        locked(&self.kept).as_ref()?.episode.clone()
+    }
+
+    /// What is odd about what was kept, a sentence each.
+    #[getter]
+    fn remarks(&self) -> Vec<String> {
+        (locked(&self.kept).as_ref()).map_or_else(Vec::new, |kept| kept.remarks.clone())
     }
 
     /// The rounds as a table, for notebooks.

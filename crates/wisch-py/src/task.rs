@@ -1,11 +1,11 @@
 //! Tasks: from a file, or from Python objects by way of the same file's keys.
 
 use crate::arrays::{self, Matrix, Vector, pose_array, rows};
-use crate::error::{of_file, plain, refused};
+use crate::error::{of_file, of_record, plain, refused};
 use crate::interpret::PyInterpretation;
 use crate::plan::PyPlan;
 use crate::robot::PyRobot;
-use crate::session::{Given, PySession};
+use crate::session::{Given, PROGRAM, PySession};
 use crate::telemetry::{PyTelemetry, touches};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyInt, PyMapping};
@@ -16,6 +16,7 @@ use wisch::plan::plan_of_strokes;
 use wisch::represent::{ParticleDistribution, ScenePart, Task};
 use wisch::run::OwnStrategy;
 use wisch_io::{LoadOptions, LoadedTask, PlanRecord, beside, particles_to_csv};
+use wisch_record::{EpisodeTarget, RecordOptions, RunRecord};
 
 /// Under this name a task that is made of objects finds the particles that came as an array.
 const GIVEN_PARTICLES: &str = "particles given as an array.csv";
@@ -396,7 +397,7 @@ impl PyTask {
         Ok(robot.map(PyRobot::of_task))
     }
 
-    #[pyo3(signature = (robot = None, *, world_from_robot = None, group = None, rounds = None, target = None, pace = None, end_strokes_early = None, plan = None))]
+    #[pyo3(signature = (robot = None, *, world_from_robot = None, group = None, rounds = None, target = None, pace = None, end_strokes_early = None, plan = None, out = None, memory = None))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn session(
         &self,
@@ -408,6 +409,8 @@ impl PyTask {
         pace: Option<&str>,
         end_strokes_early: Option<bool>,
         plan: Option<&Bound<'_, PyAny>>,
+        out: Option<PathBuf>,
+        memory: Option<PathBuf>,
     ) -> PyResult<PySession> {
         let given = plan.map_or(Ok(Given::Nothing), |plan| self.given(plan))?;
         let robot = robot.map(PyRobot::given).transpose()?;
@@ -440,11 +443,26 @@ impl PyTask {
             Some("greedy") => config.pace = wisch::run::Pace::Greedy,
             Some(other) => return Err(refused("pace", other, "\"whole\" or \"greedy\"")),
         }
+        let record = (out.is_some() || memory.is_some()).then(|| RecordOptions {
+            program: PROGRAM.to_owned(),
+            out,
+            episode: memory.map(|memory| EpisodeTarget {
+                memory,
+                ..EpisodeTarget::default()
+            }),
+            workcell: Some(config.workcell.clone()),
+            ..RecordOptions::default()
+        });
+        let record = record
+            .map(|options| RunRecord::begin(&self.loaded, robot.as_deref(), options))
+            .transpose()
+            .map_err(of_record)?;
         Ok(PySession::new(
             Arc::clone(&self.loaded),
             robot,
             config,
             given,
+            record,
         ))
     }
 

@@ -157,6 +157,8 @@ class Task:
         pace: Literal["whole", "greedy"] | None = None,
         end_strokes_early: bool | None = None,
         plan: Plan | Sequence[ArrayLike] | Callable[[Task], Sequence[ArrayLike]] | None = None,
+        out: Path | None = None,
+        memory: Path | None = None,
     ) -> Session:
         """A session that has not planned yet. It plans for all places where the dirt may lie; ``plan_known_dirt`` plans for the
         one draw of ``particles``, which takes a shorter way and is predicted to do more for that draw.
@@ -168,6 +170,10 @@ class Task:
         ``plan`` takes the place of the task's strategy: a Plan or one's own strokes, as for ``plan_of_strokes``, for the first
         round; or a function for every round, which is given a Task whose particles lie where they are estimated to lie by then,
         and returns strokes.
+
+        ``out`` is a folder for what ``wisch run`` leaves: report, figures, plans, trajectories, and a bag (MCAP) of each round,
+        written while it is executed. ``memory`` is a folder in which the session is kept as an episode. Both are complete when
+        the session has ended, or when ``close()`` is called or a ``with`` block is left.
         """
     def interpret(
         self,
@@ -406,6 +412,16 @@ class Session:
     @property
     def first_look(self) -> Floats | None:
         """What was seen before the first round, (k, 2) in the frame of the surface [m]."""
+    @property
+    def episode(self) -> str | None:
+        """The name of the episode in which the session is kept; None without ``memory``, and before the session has ended."""
+    @property
+    def remarks(self) -> list[str]:
+        """What is odd about what was kept, a sentence each."""
+    def close(self) -> None:
+        """Write what is kept of a session that has not ended; one without ``out`` and ``memory`` has nothing to write."""
+    def __enter__(self) -> Session: ...
+    def __exit__(self, *error: object) -> None: ...
     def _repr_html_(self) -> str: ...
 
 class Audit:
