@@ -72,7 +72,6 @@
 
 pub mod control;
 pub mod follow;
-pub mod geometry;
 pub mod goal;
 pub mod interpret;
 pub mod learn;
@@ -80,9 +79,9 @@ pub mod plan;
 pub mod random;
 pub mod recover;
 pub mod represent;
-pub mod robot;
 pub mod run;
-pub mod source_location;
+
+pub use wisch_robot::{self as robot, geometry, source_location};
 
 /// The README's example runs.
 #[cfg(doctest)]

@@ -1,7 +1,6 @@
 //! Strokes that are searched for: better than those of the coverage strategies, the same however they are computed, and
 //! right for dirt that lies a little elsewhere.
 
-
 use rayon::ThreadPoolBuilder;
 use wisch::geometry::{Mesh, Point2, Pose, Vector2, Vector3};
 use wisch::plan::{

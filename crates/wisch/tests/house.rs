@@ -9,12 +9,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The stages in the order in which data walks through them.
-const STAGES: [&str; 11] = [
-    "geometry",
+const STAGES: [&str; 9] = [
     "represent",
     "goal",
     "plan",
-    "robot",
     "follow",
     "control",
     "interpret",
@@ -25,6 +23,11 @@ const STAGES: [&str; 11] = [
 
 fn source() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
+}
+
+/// The sources of the libraries that read no clock, file or network.
+fn libraries() -> [PathBuf; 2] {
+    [source(), source().join("../../wisch-robot/src")]
 }
 
 fn rust_files(folder: &Path) -> Vec<PathBuf> {
@@ -121,7 +124,7 @@ fn the_library_reads_no_clock_file_or_network_and_serializes_no_domain_type() {
         "todo!",
         "unimplemented!",
     ];
-    for file in rust_files(&source()) {
+    for file in libraries().iter().flat_map(|folder| rust_files(folder)) {
         let path = file.to_string_lossy();
         if path.ends_with("tests.rs") || path.contains("/tests/") {
             continue;
@@ -188,7 +191,7 @@ fn field_mutators(text: &str) -> Vec<&str> {
 
 #[test]
 fn only_the_effect_model_moves_particles() {
-    for file in rust_files(&source()) {
+    for file in libraries().iter().flat_map(|folder| rust_files(folder)) {
         let text = code(&fs::read_to_string(&file).unwrap());
         let is_effect_model = file.ends_with("represent/effect.rs");
         let expected: &[&str] = if is_effect_model {
@@ -338,6 +341,18 @@ fn the_audit_of_motions_and_what_accepts_them_share_no_code() {
     let folder = source().join("follow");
     let audit = folder.join("audit");
     assert!(rust_files(&audit).len() > 1);
+    let check = source().join("../../wisch-robot/src/timing/check.rs");
+    let uses = used_paths(&production(&fs::read_to_string(&check).unwrap()));
+    let data = [
+        "super::JointLimits",
+        "super::JointPath",
+        "super::TrajectorySample",
+        "thiserror::Error",
+    ];
+    assert_eq!(
+        uses, data,
+        "what checks a timing knows nothing of how it is made"
+    );
     for file in rust_files(&folder) {
         let text = fs::read_to_string(&file).unwrap();
         if file.starts_with(&audit) {

@@ -15,7 +15,6 @@ mod path;
 mod placement;
 mod retreat;
 mod schedule;
-mod timing;
 mod workcell;
 
 pub use audit::{
@@ -29,7 +28,7 @@ pub use motion::{
     Placement, RatedPlace, ToolPose,
 };
 pub use retreat::retreat;
-pub use timing::{
+pub use wisch_robot::timing::{
     FollowerLimit, JointLimit, JointLimits, JointPath, MAX_GRID_INTERVALS, MAX_WAYPOINTS,
     MIN_BLEND_TOLERANCE, SAMPLE_PERIOD, TimingConfig, TimingError, Trajectory, TrajectorySample,
     time_path,

@@ -4,8 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The crates in the order in which data walks through them; those of a row do not know each other.
-const LAYERS: [&[&str]; 7] = [
-    &["wisch", "wisch-web"],
+const LAYERS: [&[&str]; 8] = [
+    &["wisch-robot", "wisch-web"],
+    &["wisch"],
     &["wisch-io"],
     &["wisch-sim", "wisch-telemetry", "wisch-memory"],
     &["wisch-report"],

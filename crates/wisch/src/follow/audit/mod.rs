@@ -10,9 +10,8 @@ mod dynamics;
 mod kinematics;
 mod line;
 mod surface;
-mod trajectory;
 
-pub use trajectory::{CheckConfig, End, Rate, TrajectoryFault, trajectory_faults};
+pub use wisch_robot::timing::{CheckConfig, End, Rate, TrajectoryFault, trajectory_faults};
 
 use crate::follow::{
     AllowedContact, FollowConfig, FollowError, Followed, GRIP_TOLERANCE, GripDeviation, JointLimit,

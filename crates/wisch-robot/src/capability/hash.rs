@@ -1,0 +1,152 @@
+//! What tells robots apart whose reach differs.
+
+use crate::geometry::{Mesh, Pose};
+use crate::{JointKind, RobotModel, Shape};
+use std::fmt;
+
+/// A hash of what the reach of a robot depends on: the tree of links, the frames, axes and position
+/// limits of its joints, and its shapes for collision checks.
+///
+/// Lengths and rotations count to 1e-9 (m, or of a unit quaternion). Comments, white space, masses,
+/// velocity and effort limits do not count. FNV-1a of 128 bits (Fowler, Noll, Vo; IETF
+/// draft-eastlake-fnv); no protection against somebody who seeks two robots of one hash.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct RobotHash(pub(super) [u8; 16]);
+
+impl fmt::Display for RobotHash {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:032x}", u128::from_le_bytes(self.0))
+    }
+}
+
+/// FNV-1a of 128 bits.
+pub(super) struct Fnv(u128);
+
+impl Fnv {
+    pub(super) const fn new() -> Self {
+        Self(0x6c62_272e_07bb_0142_62b8_2175_6295_c58d)
+    }
+
+    pub(super) fn bytes(&mut self, bytes: &[u8]) {
+        const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;
+        for &byte in bytes {
+            self.0 = (self.0 ^ u128::from(byte)).wrapping_mul(PRIME);
+        }
+    }
+
+    pub(super) const fn sum(&self) -> [u8; 16] {
+        self.0.to_le_bytes()
+    }
+
+    fn count(&mut self, value: usize) {
+        self.bytes(&(value as u64).to_le_bytes());
+    }
+
+    fn name(&mut self, name: &str) {
+        self.count(name.len());
+        self.bytes(name.as_bytes());
+    }
+
+    /// A number to 1e-9, so that sines that differ in the last place on another machine do not count.
+    fn number(&mut self, value: f64) {
+        self.bytes(&((value * 1e9).round() as i64).to_le_bytes());
+    }
+
+    fn pose(&mut self, pose: &Pose) {
+        pose.translation.vector.iter().for_each(|&v| self.number(v));
+        // q and −q are the same rotation, and near w = 0 either may come out: columns do not differ.
+        let columns = pose.rotation.to_rotation_matrix();
+        columns.matrix().iter().for_each(|&v| self.number(v));
+    }
+
+    fn mesh(&mut self, mesh: &Mesh) {
+        self.count(mesh.vertices().len());
+        for vertex in mesh.vertices() {
+            vertex.iter().for_each(|&v| self.number(v));
+        }
+        for triangle in mesh.triangles() {
+            triangle.iter().for_each(|&i| self.bytes(&i.to_le_bytes()));
+        }
+    }
+}
+
+impl RobotHash {
+    /// The hash of a robot.
+    ///
+    /// ```
+    /// # use wisch_robot::{RobotHash, RobotModel};
+    /// let read = |text: &str| RobotModel::from_urdf("r", text, &mut |_| Err(String::new()));
+    /// let arm = |upper: f64| format!(r#"<robot name="r"><link name="wall"/><link name="rod"/>
+    ///     <joint name="pivot" type="revolute"><parent link="wall"/><child link="rod"/>
+    ///       <limit lower="-1" upper="{upper}"/></joint></robot>"#);
+    /// let hash = RobotHash::of(&read(&arm(1.0))?);
+    /// assert_eq!(hash, RobotHash::of(&read(&arm(1.0).replace(' ', "  "))?));
+    /// assert_ne!(hash, RobotHash::of(&read(&arm(1.5))?));
+    /// # Ok::<(), wisch_robot::RobotError>(())
+    /// ```
+    pub fn of(robot: &RobotModel) -> Self {
+        let mut hash = Fnv::new();
+        hash.count(robot.links().len());
+        for link in robot.links() {
+            hash.name(&link.name);
+            hash.count(link.collision.len());
+            for collision in &link.collision {
+                hash.pose(&collision.link_from_shape);
+                hash_shape(&mut hash, &collision.shape);
+            }
+        }
+        for joint in robot.joints() {
+            hash.name(&joint.name);
+            hash.count(match joint.kind {
+                JointKind::Fixed => 0,
+                JointKind::Revolute => 1,
+                JointKind::Prismatic => 2,
+            });
+            hash.count(joint.parent.index());
+            hash.pose(&joint.parent_from_joint);
+            joint.axis.iter().for_each(|&v| hash.number(v));
+            hash.number(joint.drive.offset);
+            hash.count(joint.drive.terms.len());
+            for &(variable, factor) in &joint.drive.terms {
+                hash.count(variable);
+                hash.number(factor);
+            }
+            match joint.limits.position {
+                None => hash.count(0),
+                Some(range) => {
+                    hash.count(1);
+                    hash.number(range.lower);
+                    hash.number(range.upper);
+                }
+            }
+        }
+        Self(hash.sum())
+    }
+}
+
+fn hash_shape(hash: &mut Fnv, shape: &Shape) {
+    match shape {
+        Shape::Box { size } => {
+            hash.count(0);
+            size.iter().for_each(|&v| hash.number(v));
+        }
+        Shape::Cylinder { radius, length } => {
+            hash.count(1);
+            hash.number(*radius);
+            hash.number(*length);
+        }
+        Shape::Capsule { radius, length } => {
+            hash.count(2);
+            hash.number(*radius);
+            hash.number(*length);
+        }
+        Shape::Sphere { radius } => {
+            hash.count(3);
+            hash.number(*radius);
+        }
+        Shape::Mesh(mesh) => {
+            hash.count(4);
+            hash.mesh(mesh);
+        }
+    }
+}

@@ -1,0 +1,463 @@
+//! Whether a URDF makes sense: every rule that a robot must or should obey.
+
+mod limits;
+
+use super::collision::{Collision, load_shapes};
+use super::diagnostics::{Diagnostics, words};
+use super::elements::{Urdf, UrdfInertial, UrdfJoint};
+use super::units;
+use crate::source_location::UnknownName;
+use crate::{Diagnostic, DiagnosticKind, RobotError, Severity, Subject};
+use limits::check_limits;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Most links between the root and a tip; a deeper URDF is refused.
+pub const MAX_DEPTH: usize = 200;
+
+/// How far the length of an axis may be from one: what six digits leave.
+const AXIS_TOLERANCE: f64 = 1e-5;
+
+/// How far principal inertias may break the triangle inequality, as a share of the greatest: what
+/// four printed digits leave.
+const TRIANGLE_TOLERANCE: f64 = 1e-4;
+
+/// Everything that is missing or odd in a URDF; `name` is used in messages, and `meshes` returns the
+/// bytes of a collision mesh by the file name that the URDF gives it.
+///
+/// An [`Severity::Error`] means that [`RobotModel::from_urdf`](super::RobotModel::from_urdf) refuses the text.
+///
+/// ```
+/// use wisch_robot::{DiagnosticKind, check};
+/// let text = r#"<robot name="r"><link name="a"/><link name="b"/>
+///   <joint name="j" type="revolute"><parent link="a"/><child link="b"/><axis xyz="0 0 2"/></joint>
+/// </robot>"#;
+/// let diagnostics = check("r.urdf", text, &mut |_| Err("no meshes here".into()))?;
+/// assert!(diagnostics.iter().any(|f| f.kind == DiagnosticKind::Axis && f.at.line == 2));
+/// # Ok::<(), wisch_robot::RobotError>(())
+/// ```
+///
+/// # Errors
+/// If the text is no XML or no URDF, or larger than is read.
+pub fn check(
+    name: &str,
+    text: &str,
+    meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
+) -> Result<Vec<Diagnostic>, RobotError> {
+    Ok(Checked::new(name, text, meshes)?.diagnostics)
+}
+
+/// A URDF with what was found in it, and its collision shapes by link.
+pub(crate) struct Checked {
+    pub urdf: Urdf,
+    pub diagnostics: Vec<Diagnostic>,
+    pub collision: Vec<Vec<Collision>>,
+}
+
+impl Checked {
+    pub fn new(
+        name: &str,
+        text: &str,
+        meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
+    ) -> Result<Self, RobotError> {
+        let mut urdf = Urdf::read(name, text)?;
+        let mut report = Diagnostics {
+            file: name,
+            text,
+            diagnostics: Vec::new(),
+        };
+        names(&urdf, &mut report);
+        tree(&urdf, &mut report);
+        for joint in &urdf.joints {
+            joint_alone(joint, &urdf, &mut report);
+        }
+        drop_mimics_of_fixed(&mut urdf, &mut report);
+        mimics(&urdf, &mut report);
+        inertias(&urdf, &mut report);
+        let reach = units::reach(&urdf);
+        units::check(&urdf, reach, &mut report);
+        let collision = load_shapes(&urdf, reach, meshes, &mut report);
+        let mut diagnostics = report.diagnostics;
+        diagnostics.sort_by_key(|f| (f.at.line, f.at.column));
+        Ok(Self {
+            urdf,
+            diagnostics,
+            collision,
+        })
+    }
+}
+
+fn link(name: &str) -> Subject {
+    Subject::Link(name.to_owned())
+}
+
+fn joint(name: &str) -> Subject {
+    Subject::Joint(name.to_owned())
+}
+
+/// Duplicate and unknown names.
+fn names(urdf: &Urdf, report: &mut Diagnostics) {
+    let unique = "a name of its own";
+    let mut seen = BTreeSet::new();
+    for l in &urdf.links {
+        if !seen.insert(&l.name) {
+            let w = words(
+                "the name is taken by an earlier link",
+                unique,
+                "rename one of them",
+            );
+            report.error(DiagnosticKind::DuplicateName, link(&l.name), l.at, w);
+        }
+    }
+    let mut joints = BTreeSet::new();
+    for j in &urdf.joints {
+        if !joints.insert(&j.name) {
+            let w = words(
+                "the name is taken by an earlier joint",
+                unique,
+                "rename one of them",
+            );
+            report.error(DiagnosticKind::DuplicateName, joint(&j.name), j.at, w);
+        }
+        for (role, end) in [("parent", &j.parent), ("child", &j.child)] {
+            if !seen.contains(end) {
+                let unknown = UnknownName::new("link", end, seen.iter().map(|name| name.as_str()));
+                let w = words(
+                    format!("its {role} is {unknown}"),
+                    "a link of this robot",
+                    "correct the name or add the link",
+                );
+                report.error(DiagnosticKind::UnknownName, joint(&j.name), j.at, w);
+            }
+        }
+    }
+}
+
+/// One root, one parent per link, no circle, not too deep.
+fn tree(urdf: &Urdf, report: &mut Diagnostics) {
+    let mut parent_of: BTreeMap<&str, &UrdfJoint> = BTreeMap::new();
+    for j in &urdf.joints {
+        if let Some(first) = parent_of.get(j.child.as_str()) {
+            let w = words(
+                format!("link {:?} already hangs on joint {:?}", j.child, first.name),
+                "one parent per link",
+                "remove one of the joints; closed loops are not read",
+            );
+            report.error(DiagnosticKind::SeveralParents, joint(&j.name), j.at, w);
+        } else {
+            parent_of.insert(&j.child, j);
+        }
+    }
+    let referenced: BTreeSet<&str> = urdf
+        .joints
+        .iter()
+        .flat_map(|j| [j.parent.as_str(), j.child.as_str()])
+        .collect();
+    let is_root = |name: &str| !parent_of.contains_key(name);
+    let mut roots = urdf.links.iter().filter(|l| is_root(&l.name));
+    let first_root = roots.find(|l| urdf.links.len() == 1 || referenced.contains(l.name.as_str()));
+    for l in urdf.links.iter().filter(|l| is_root(&l.name)) {
+        if first_root.is_some_and(|first| std::ptr::eq(first, l)) {
+            continue;
+        }
+        if !referenced.contains(l.name.as_str()) && urdf.links.len() > 1 {
+            let w = words(
+                "no joint names it",
+                "a parent or a child of some joint",
+                "attach it by a joint (type fixed) or remove it",
+            );
+            report.error(DiagnosticKind::UnreferencedLink, link(&l.name), l.at, w);
+        } else {
+            let root = first_root.map_or("", |first| first.name.as_str());
+            let w = words(
+                format!("it has no parent, and neither has link {root:?}"),
+                "one root",
+                "attach it by a joint",
+            );
+            report.error(DiagnosticKind::SeveralRoots, link(&l.name), l.at, w);
+        }
+    }
+    depth(urdf, &parent_of, report);
+}
+
+/// Walks from each link to its root, stopping where an earlier walk has been.
+fn depth(urdf: &Urdf, parent_of: &BTreeMap<&str, &UrdfJoint>, report: &mut Diagnostics) {
+    let mut depth_of: BTreeMap<&str, usize> = BTreeMap::new();
+    for l in &urdf.links {
+        let mut path: Vec<&str> = Vec::new();
+        let mut on_path = BTreeSet::new();
+        let mut at = l.name.as_str();
+        let base = loop {
+            if let Some(&known) = depth_of.get(at) {
+                break known;
+            }
+            if !on_path.insert(at) {
+                let w = words("it holds itself", "a tree", "remove a joint of the circle");
+                report.error(DiagnosticKind::Cycle, link(at), l.at, w);
+                break 0;
+            }
+            path.push(at);
+            match parent_of.get(at) {
+                Some(j) => at = &j.parent,
+                None => break 0,
+            }
+        };
+        for (i, name) in path.iter().rev().enumerate() {
+            depth_of.insert(name, base + i + 1);
+        }
+        if base + path.len() > MAX_DEPTH + 1 {
+            let w = words(
+                format!("it hangs on {} joints", base + path.len() - 1),
+                format!("at most {MAX_DEPTH}"),
+                "join links that do not move against each other",
+            );
+            report.error(DiagnosticKind::Depth, link(&l.name), l.at, w);
+        }
+    }
+}
+
+/// Type, axis and limits of one joint.
+fn joint_alone(j: &UrdfJoint, urdf: &Urdf, report: &mut Diagnostics) {
+    let subject = || joint(&j.name);
+    match j.kind.as_str() {
+        "fixed" => return,
+        // A planar joint that is left has no axis.
+        "revolute" | "continuous" | "prismatic" | "planar" => {}
+        "floating" => {
+            let w = words(
+                format!("type {:?}", j.kind),
+                "fixed, revolute, continuous, prismatic or planar",
+                "write it as prismatic x, prismatic y, continuous yaw (and so on), one after the other",
+            );
+            return report.error(DiagnosticKind::JointType, subject(), j.at, w);
+        }
+        other => {
+            let known = ["fixed", "revolute", "continuous", "prismatic", "planar"];
+            let unknown = UnknownName::new("joint type", other, known);
+            let w = words(unknown.to_string(), known.join(", "), "correct the type");
+            return report.error(DiagnosticKind::JointType, subject(), j.at, w);
+        }
+    }
+    let length = j.axis.norm();
+    let how = "make the axis a unit vector";
+    if length < AXIS_TOLERANCE {
+        let w = words(format!("its axis has length {length}"), "length 1", how);
+        report.error(DiagnosticKind::Axis, subject(), j.at, w);
+    } else if (length - 1.0).abs() > AXIS_TOLERANCE {
+        let w = words(
+            format!("its axis has length {length}"),
+            "length 1",
+            format!("{how}; it is normalised here"),
+        );
+        report.add(Severity::Warning, DiagnosticKind::Axis, subject(), j.at, w);
+    }
+    let follows = urdf.mimics.iter().any(|m| m.joint == j.name);
+    check_limits(j, follows, report);
+}
+
+/// Robots that were made stiff for some purpose keep the `<mimic>` of joints that are fixed now: it says nothing.
+fn drop_mimics_of_fixed(urdf: &mut Urdf, report: &mut Diagnostics) {
+    let kinds = urdf.joints.iter().map(|j| (&j.name, &j.kind));
+    let fixed: BTreeSet<&String> = kinds
+        .filter(|(_, kind)| *kind == "fixed")
+        .map(|(name, _)| name)
+        .collect();
+    urdf.mimics.retain(|m| {
+        let is_fixed = fixed.contains(&m.joint);
+        if is_fixed {
+            let w = words(
+                "it is fixed and has a <mimic>, which is passed over",
+                "a joint that moves",
+                "remove the mimic",
+            );
+            report.add(
+                Severity::Note,
+                DiagnosticKind::Mimic,
+                joint(&m.joint),
+                m.at,
+                w,
+            );
+        }
+        !is_fixed
+    });
+}
+
+/// Joints that follow others: the others exist, can move, and do not follow back.
+fn mimics(urdf: &Urdf, report: &mut Diagnostics) {
+    let by_name: BTreeMap<&str, &UrdfJoint> =
+        urdf.joints.iter().map(|j| (j.name.as_str(), j)).collect();
+    let mut seen = BTreeSet::new();
+    for m in &urdf.mimics {
+        let subject = || joint(&m.joint);
+        let mut names = vec![&m.joint];
+        names.extend(m.terms.iter().map(|(name, _)| name));
+        for name in names {
+            match by_name.get(name.as_str()) {
+                None => {
+                    let unknown = UnknownName::new("joint", name, by_name.keys().copied());
+                    let w = words(
+                        unknown.to_string(),
+                        "a joint of this robot",
+                        "correct the name",
+                    );
+                    report.error(DiagnosticKind::UnknownName, subject(), m.at, w);
+                }
+                Some(j) if j.kind == "fixed" => {
+                    let w = words(
+                        format!("joint {name:?} is fixed"),
+                        "joints that move",
+                        "remove the mimic",
+                    );
+                    report.error(DiagnosticKind::Mimic, subject(), m.at, w);
+                }
+                Some(_) => {}
+            }
+        }
+        if !seen.insert(&m.joint) {
+            let w = words(
+                "it follows others by two rules",
+                "one <mimic>",
+                "keep one of them",
+            );
+            report.error(DiagnosticKind::Mimic, subject(), m.at, w);
+        }
+        if m.terms.is_empty() {
+            let w = words("it follows no joint", "a <term>", "add one");
+            report.error(DiagnosticKind::Mimic, subject(), m.at, w);
+        }
+    }
+    // Whatever cannot be reduced to joints that follow none follows itself.
+    let mut waiting: Vec<_> = urdf.mimics.iter().collect();
+    loop {
+        let names: BTreeSet<&str> = waiting.iter().map(|m| m.joint.as_str()).collect();
+        let before = waiting.len();
+        waiting.retain(|m| {
+            m.terms
+                .iter()
+                .any(|(name, _)| names.contains(name.as_str()))
+        });
+        if waiting.len() == before {
+            break;
+        }
+    }
+    for m in waiting {
+        let w = words(
+            "it follows itself, or joints that do",
+            "joints that follow none in the end",
+            "remove a mimic of the circle",
+        );
+        report.error(DiagnosticKind::Mimic, joint(&m.joint), m.at, w);
+    }
+}
+
+/// Bodies that no matter could form, and joints that move nothing.
+fn inertias(urdf: &Urdf, report: &mut Diagnostics) {
+    for l in &urdf.links {
+        if let Some(inertial) = &l.inertial {
+            impossible_inertia(&l.name, inertial, report);
+        }
+    }
+    // What a joint moves before the next moving joints: its child and what is fixed to it.
+    let mut children: BTreeMap<&str, Vec<&UrdfJoint>> = BTreeMap::new();
+    for j in &urdf.joints {
+        children.entry(j.parent.as_str()).or_default().push(j);
+    }
+    let mass: BTreeMap<&str, f64> = urdf
+        .links
+        .iter()
+        .map(|l| (l.name.as_str(), l.inertial.as_ref().map_or(0.0, |i| i.mass)))
+        .collect();
+    for j in urdf.joints.iter().filter(|j| j.kind != "fixed") {
+        let mut group = vec![j.child.as_str()];
+        let mut visited = BTreeSet::new();
+        let mut total = 0.0;
+        let mut holds_others = false;
+        while let Some(name) = group.pop() {
+            if !visited.insert(name) {
+                continue;
+            }
+            total += mass.get(name).copied().unwrap_or(0.0);
+            for below in children.get(name).into_iter().flatten() {
+                match below.kind.as_str() {
+                    "fixed" => group.push(&below.child),
+                    _ => holds_others = true,
+                }
+            }
+        }
+        if total <= 0.0 {
+            let severity = match holds_others {
+                true => Severity::Note,
+                false => Severity::Warning,
+            };
+            let w = words(
+                "it and what is fixed to it have no mass",
+                "above 0 kg",
+                match holds_others {
+                    true => "fine for an auxiliary link, as its children have their own",
+                    false => "add <inertial> with mass and inertia: dynamics need them",
+                },
+            );
+            report.add(
+                severity,
+                DiagnosticKind::InertiaMissing,
+                link(&j.child),
+                j.at,
+                w,
+            );
+        }
+    }
+}
+
+fn impossible_inertia(name: &str, inertial: &UrdfInertial, report: &mut Diagnostics) {
+    let mut warn = |value: String, limit: &str, advice: &str| {
+        let w = words(value, limit, advice);
+        report.add(
+            Severity::Warning,
+            DiagnosticKind::Inertia,
+            link(name),
+            inertial.at,
+            w,
+        );
+    };
+    if inertial.mass < 0.0 {
+        warn(
+            format!("its mass is {} kg", inertial.mass),
+            "above 0 kg",
+            "correct it",
+        );
+        return;
+    }
+    let mut principal: Vec<f64> = inertial
+        .about_center
+        .symmetric_eigenvalues()
+        .iter()
+        .copied()
+        .collect();
+    principal.sort_by(f64::total_cmp);
+    let [least, middle, greatest] = principal[..] else {
+        return;
+    };
+    let shown =
+        format!("its principal inertias are {least:.3e}, {middle:.3e}, {greatest:.3e} kg m2");
+    if inertial.mass == 0.0 && greatest == 0.0 {
+        return;
+    }
+    if inertial.mass == 0.0 {
+        warn(
+            format!("{shown}, but its mass is 0 kg"),
+            "mass above 0 kg",
+            "add the mass",
+        );
+    } else if least <= 0.0 {
+        warn(
+            shown,
+            "above 0 kg m2",
+            "compute them from the shape and the mass",
+        );
+    } else if greatest - least - middle > TRIANGLE_TOLERANCE * greatest {
+        warn(
+            shown,
+            "none greater than the sum of the others (triangle inequality)",
+            "no body has these: compute them from the shape and the mass",
+        );
+    }
+}

@@ -1,0 +1,151 @@
+//! Whether the limits of a joint make sense: of its position, velocity, effort and acceleration.
+
+use super::joint;
+use crate::description::diagnostics::{Diagnostics, Words, words};
+use crate::description::elements::{UrdfJoint, UrdfLimit};
+use crate::{ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, DiagnosticKind, Severity};
+
+/// Checks the limits of one joint. One that follows others needs none of its own.
+pub(super) fn check_limits(j: &UrdfJoint, follows: bool, report: &mut Diagnostics) {
+    let unit = if j.kind == "prismatic" { "m" } else { "rad" };
+    if let Some([lower, upper]) = j.soft_limits {
+        let w = words(
+            format!("its safety controller keeps it within {lower} and {upper} {unit}"),
+            "soft limits inside the hard ones",
+            "these are its limits here; remove <safety_controller> to use the hard ones",
+        );
+        add_of_joint(report, Severity::Note, DiagnosticKind::Limit, j, w);
+    }
+    let limit = j.limit.unwrap_or_default();
+    if j.kind != "continuous" {
+        check_position_limits(j, &limit, unit, follows, report);
+    }
+    if !follows {
+        for rate in rate_limits(j, &limit) {
+            check_rate_limit(j, &rate, report);
+        }
+    }
+}
+
+/// Checks that a joint has position limits, the lower below the upper.
+fn check_position_limits(
+    j: &UrdfJoint,
+    limit: &UrdfLimit,
+    unit: &str,
+    follows: bool,
+    report: &mut Diagnostics,
+) {
+    match (limit.lower, limit.upper) {
+        (Some(lower), Some(upper)) if lower > upper => {
+            let w = words(
+                format!("lower {lower} {unit} is above upper {upper} {unit}"),
+                "lower <= upper",
+                "exchange or correct them",
+            );
+            add_of_joint(report, Severity::Error, DiagnosticKind::Limit, j, w);
+        }
+        (Some(lower), Some(upper)) if lower == upper && !follows => {
+            let w = words(
+                format!("lower = upper = {lower} {unit}"),
+                "lower < upper",
+                "widen the limits, or make the joint fixed",
+            );
+            add_of_joint(report, Severity::Warning, DiagnosticKind::Limit, j, w);
+        }
+        (Some(_), Some(_)) => {}
+        _ if follows => {}
+        _ => {
+            let w = words(
+                "it has no finite position limits",
+                format!("lower and upper [{unit}]"),
+                "add <limit lower upper>, or make the joint continuous",
+            );
+            add_of_joint(
+                report,
+                Severity::Warning,
+                DiagnosticKind::LimitMissing,
+                j,
+                w,
+            );
+        }
+    }
+}
+
+/// A limit of velocity, effort or acceleration.
+struct RateLimit {
+    /// The attribute that gives it.
+    what: &'static str,
+    value: Option<f64>,
+    unit: &'static str,
+    /// How much it matters that it is missing.
+    severity: Severity,
+    /// What stands in for a missing one.
+    assumed: Option<f64>,
+}
+
+/// The limits of a joint's velocity, effort and acceleration.
+fn rate_limits(j: &UrdfJoint, limit: &UrdfLimit) -> [RateLimit; 3] {
+    let (units, [velocity, acceleration]) = match j.kind.as_str() {
+        "prismatic" => (["m/s", "N", "m/s2"], ASSUMED_SLIDE_RATES),
+        _ => (["rad/s", "Nm", "rad/s2"], ASSUMED_TURN_RATES),
+    };
+    let rate = |what, value, unit, severity, assumed| RateLimit {
+        what,
+        value,
+        unit,
+        severity,
+        assumed,
+    };
+    let [per_s, force, per_s2] = units;
+    let (warning, note) = (Severity::Warning, Severity::Note);
+    [
+        rate("velocity", limit.velocity, per_s, warning, Some(velocity)),
+        rate("effort", limit.effort, force, warning, None),
+        rate(
+            "acceleration",
+            limit.acceleration,
+            per_s2,
+            note,
+            Some(acceleration),
+        ),
+    ]
+}
+
+/// Checks that a joint has a limit of velocity, effort or acceleration, above zero.
+fn check_rate_limit(j: &UrdfJoint, rate: &RateLimit, report: &mut Diagnostics) {
+    let RateLimit { what, unit, .. } = rate;
+    match rate.value {
+        None => {
+            let otherwise = match rate.assumed {
+                Some(assumed) => format!("{assumed} {unit} is assumed"),
+                None => "none is kept".to_owned(),
+            };
+            let w = words(
+                format!("it has no finite {what} limit"),
+                format!("{what} above 0 {unit}"),
+                format!("add <limit {what}>; without it {otherwise}"),
+            );
+            add_of_joint(report, rate.severity, DiagnosticKind::LimitMissing, j, w);
+        }
+        Some(value) if value <= 0.0 => {
+            let w = words(
+                format!("its {what} limit is {value} {unit}"),
+                format!("above 0 {unit}"),
+                "give the limit of the drive; with this one the joint cannot move",
+            );
+            add_of_joint(report, Severity::Warning, DiagnosticKind::Limit, j, w);
+        }
+        Some(_) => {}
+    }
+}
+
+/// Reports a diagnostic of a joint.
+fn add_of_joint(
+    report: &mut Diagnostics,
+    severity: Severity,
+    kind: DiagnosticKind,
+    j: &UrdfJoint,
+    w: Words,
+) {
+    report.add(severity, kind, joint(&j.name), j.at, w);
+}

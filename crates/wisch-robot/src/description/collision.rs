@@ -1,0 +1,304 @@
+//! Shapes of links, for collision checks: what the URDF's `<collision>` elements become.
+
+use super::diagnostics::{Diagnostics, words};
+use super::elements::{Urdf, UrdfGeometry, UrdfShape};
+use crate::geometry::{LikelyUnit, Mesh, MeshFormat, Point3, Pose, Vector3};
+use crate::{DiagnosticKind, Severity, Subject};
+use nalgebra::{Translation3, UnitQuaternion};
+
+/// Longest a mesh may be before it is taken for one in millimetres, whatever the robot [m].
+pub const MAX_MESH_EXTENT: f64 = 20.0;
+/// The same over the reach of the robot [1], and the least that this comes to [m]: a cell's walls are part of some URDFs.
+const MESH_PER_REACH: f64 = 3.0;
+const LEAST_MESH_LIMIT: f64 = 2.0;
+/// Shortest a mesh of a link is [m].
+const MIN_MESH_EXTENT: f64 = 1e-3;
+
+/// Longest a mesh of a robot of this reach [m] may be [m].
+fn mesh_limit(reach: f64) -> f64 {
+    if reach > 0.0 {
+        (MESH_PER_REACH * reach).clamp(LEAST_MESH_LIMIT, MAX_MESH_EXTENT)
+    } else {
+        MAX_MESH_EXTENT
+    }
+}
+
+/// How far a sphere may be from the end of a cylinder, in place and radius, to make it a capsule [m].
+const CAPSULE_TOLERANCE: f64 = 1e-6;
+
+/// A `<collision>` element of a URDF: a shape that is fixed to a link.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Collision {
+    /// Pose of the shape in the link frame.
+    pub link_from_shape: Pose,
+    /// The shape in its own frame.
+    pub shape: Shape,
+}
+
+/// A solid in its own frame.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape {
+    /// A box about the origin.
+    Box {
+        /// Extent along x, y and z [m].
+        size: Vector3,
+    },
+    /// A cylinder about the origin along z.
+    Cylinder {
+        /// Radius [m].
+        radius: f64,
+        /// Extent along z [m].
+        length: f64,
+    },
+    /// A cylinder about the origin along z with a half ball on either end. In a URDF: a cylinder and
+    /// two balls of its radius at its ends, or `<capsule>`.
+    Capsule {
+        /// Radius [m].
+        radius: f64,
+        /// Distance of the centres of the half balls [m].
+        length: f64,
+    },
+    /// A ball about the origin.
+    Sphere {
+        /// Radius [m].
+        radius: f64,
+    },
+    /// A mesh, scaled to metres, in its file's axes.
+    Mesh(Mesh),
+}
+
+/// Segments round a shape that is turned into a mesh: a rim of 0.1 m radius is off by 0.5 mm.
+const SEGMENTS: u32 = 32;
+/// Least size of a shape that is turned into a mesh [m]: one without any thickness is still there.
+const LEAST_SIZE: f64 = 1e-6;
+
+impl Collision {
+    /// The shape as a mesh in the link frame; round shapes have corners on their surface. `None` for sizes that no mesh has.
+    pub fn mesh_in_link(&self) -> Option<Mesh> {
+        let least = |size: f64| size.max(LEAST_SIZE);
+        let mesh = match &self.shape {
+            Shape::Box { size } => Mesh::cuboid(size.map(least)),
+            &Shape::Cylinder { radius, length } => {
+                Mesh::cylinder(least(radius), least(length), SEGMENTS)
+            }
+            &Shape::Capsule { radius, length } => {
+                Mesh::capsule(least(radius), least(length), SEGMENTS)
+            }
+            &Shape::Sphere { radius } => Mesh::sphere(least(radius), SEGMENTS),
+            Shape::Mesh(mesh) => Ok(mesh.clone()),
+        };
+        Some(mesh.ok()?.transformed(&self.link_from_shape))
+    }
+}
+
+/// The shapes of every link, in the order of the links; what cannot be had is reported. `reach` is the robot's [m].
+pub(crate) fn load_shapes(
+    urdf: &Urdf,
+    reach: f64,
+    meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
+    report: &mut Diagnostics,
+) -> Vec<Vec<Collision>> {
+    let nothing = urdf.links.iter().all(|link| link.shapes.is_empty());
+    if nothing {
+        let w = words(
+            "no link has collision geometry",
+            "<collision> on the links that can touch something",
+            "add capsules or boxes round the links: without them no collision is seen",
+        );
+        report.add(
+            Severity::Warning,
+            DiagnosticKind::CollisionMissing,
+            Subject::Robot,
+            0,
+            w,
+        );
+    }
+    let mut all = Vec::with_capacity(urdf.links.len());
+    for link in &urdf.links {
+        let heavy = link.inertial.as_ref().is_some_and(|i| i.mass > 0.0);
+        if !nothing && heavy && link.shapes.is_empty() {
+            let w = words(
+                "it has mass but no collision geometry",
+                "<collision>",
+                "add a shape unless another link's covers it",
+            );
+            let subject = Subject::Link(link.name.clone());
+            report.add(
+                Severity::Note,
+                DiagnosticKind::CollisionMissing,
+                subject,
+                link.at,
+                w,
+            );
+        }
+        let shapes = link
+            .shapes
+            .iter()
+            .filter_map(|shape| load(&link.name, shape, reach, meshes, report))
+            .collect();
+        all.push(with_capsules(shapes));
+    }
+    all
+}
+
+pub(super) fn load(
+    link: &str,
+    shape: &UrdfShape,
+    reach: f64,
+    meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
+    report: &mut Diagnostics,
+) -> Option<Collision> {
+    let solid = match &shape.geometry {
+        UrdfGeometry::Box(size) => Shape::Box { size: *size },
+        &UrdfGeometry::Cylinder { radius, length } => Shape::Cylinder { radius, length },
+        &UrdfGeometry::Capsule { radius, length } => Shape::Capsule { radius, length },
+        &UrdfGeometry::Sphere(radius) => Shape::Sphere { radius },
+        UrdfGeometry::Mesh { file, scale } => {
+            let subject = || Subject::Link(link.to_owned());
+            let mesh = match read_mesh(file, *scale, meshes) {
+                Ok(mesh) => mesh,
+                Err(problem) => {
+                    let w = words(
+                        format!("mesh {file:?}: {problem}"),
+                        "a readable STL, OBJ or COLLADA mesh",
+                        "correct the path or the file",
+                    );
+                    report.add(
+                        Severity::Error,
+                        DiagnosticKind::Mesh,
+                        subject(),
+                        shape.at,
+                        w,
+                    );
+                    return None;
+                }
+            };
+            let (extent, most) = (mesh.extent(), mesh_limit(reach));
+            if !(MIN_MESH_EXTENT..=most).contains(&extent) {
+                let unit = LikelyUnit::of(extent, MIN_MESH_EXTENT, most.min(LEAST_MESH_LIMIT));
+                let w = words(
+                    format!("mesh {file:?} is {extent:.3e} m long"),
+                    match extent > most {
+                        true if reach > 0.0 => {
+                            format!("at most {most:.1} m on a robot of {reach:.2} m reach")
+                        }
+                        true => format!("at most {most} m"),
+                        false => format!("at least {MIN_MESH_EXTENT} m"),
+                    },
+                    unit.map_or("correct the scale".to_owned(), |unit| {
+                        let [x, y, z] = (scale * unit.metres).into();
+                        format!(
+                            "it is probably in {}: use scale=\"{} {} {}\"",
+                            unit.name,
+                            rounded(x),
+                            rounded(y),
+                            rounded(z)
+                        )
+                    }),
+                );
+                report.add(
+                    Severity::Warning,
+                    DiagnosticKind::MeshScale,
+                    subject(),
+                    shape.at,
+                    w,
+                );
+            }
+            Shape::Mesh(mesh)
+        }
+    };
+    Some(Collision {
+        link_from_shape: shape.link_from_shape,
+        shape: solid,
+    })
+}
+
+/// A factor as one writes it, without what rounding leaves.
+fn rounded(factor: f64) -> f64 {
+    format!("{factor:.6e}").parse().unwrap_or(factor)
+}
+
+fn read_mesh(
+    file: &str,
+    scale: Vector3,
+    meshes: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
+) -> Result<Mesh, String> {
+    let format = MeshFormat::from_file_name(file)
+        .ok_or_else(|| "its name does not end in .stl, .obj or .dae".to_owned())?;
+    let bytes = meshes(file)?;
+    let mesh = Mesh::parse(&bytes, format, file).map_err(|error| error.to_string())?;
+    if scale == Vector3::repeat(1.0) {
+        return Ok(mesh);
+    }
+    let vertices = mesh
+        .vertices()
+        .iter()
+        .map(|p| Point3::from(p.coords.component_mul(&scale)))
+        .collect();
+    // A mirrored mesh is turned inside out again.
+    let mirrored = scale.product() < 0.0;
+    let triangles = mesh
+        .triangles()
+        .iter()
+        .map(|&[a, b, c]| if mirrored { [a, c, b] } else { [a, b, c] })
+        .collect();
+    Mesh::new(vertices, triangles).map_err(|error| format!("scaled by {scale:?}: {error}"))
+}
+
+/// Joins each cylinder with the balls on both its ends.
+fn with_capsules(mut shapes: Vec<Collision>) -> Vec<Collision> {
+    let mut at = 0;
+    while at < shapes.len() {
+        if let Shape::Cylinder { radius, length } = shapes[at].shape {
+            let end = |side: f64| {
+                let center =
+                    shapes[at].link_from_shape * Point3::new(0.0, 0.0, side * length / 2.0);
+                shapes.iter().position(|ball| {
+                    matches!(ball.shape, Shape::Sphere { radius: r } if (r - radius).abs() < CAPSULE_TOLERANCE)
+                        && (ball.link_from_shape.translation.vector - center.coords).norm()
+                            < CAPSULE_TOLERANCE
+                })
+            };
+            if let (Some(below), Some(above)) = (end(-1.0), end(1.0))
+                && below != above
+            {
+                shapes[at].shape = Shape::Capsule { radius, length };
+                shapes.remove(below.max(above));
+                shapes.remove(below.min(above));
+                at = at.saturating_sub(2);
+                continue;
+            }
+        }
+        at += 1;
+    }
+    shapes
+}
+
+impl Collision {
+    /// A capsule between two points of the link frame [m].
+    ///
+    /// ```
+    /// use wisch_robot::geometry::Point3;
+    /// use wisch_robot::{Collision, Shape};
+    /// let arm = Collision::capsule(Point3::origin(), Point3::new(0.3, 0.0, 0.0), 0.14);
+    /// assert_eq!(arm.shape, Shape::Capsule { radius: 0.14, length: 0.3 });
+    /// assert!((arm.link_from_shape * Point3::new(0.0, 0.0, 0.15)).x > 0.29);
+    /// ```
+    pub fn capsule(from: Point3, to: Point3, radius: f64) -> Self {
+        let along = to - from;
+        let rotation =
+            UnitQuaternion::rotation_between(&Vector3::z(), &along).unwrap_or_else(|| {
+                UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI)
+            });
+        let middle = nalgebra::center(&from, &to);
+        let length = along.norm();
+        Self {
+            link_from_shape: Pose::from_parts(Translation3::from(middle.coords), rotation),
+            shape: if length > 0.0 {
+                Shape::Capsule { radius, length }
+            } else {
+                Shape::Sphere { radius }
+            },
+        }
+    }
+}

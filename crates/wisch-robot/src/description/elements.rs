@@ -1,0 +1,75 @@
+//! The elements of a URDF as typed.
+
+use crate::geometry::{Pose, Vector3};
+use nalgebra::Matrix3;
+
+pub(crate) struct Urdf {
+    pub robot: String,
+    pub links: Vec<UrdfLink>,
+    pub joints: Vec<UrdfJoint>,
+    /// Of the extension.
+    pub mimics: Vec<UrdfMimic>,
+}
+
+pub(crate) struct UrdfLink {
+    pub name: String,
+    /// Where its element starts [byte].
+    pub at: usize,
+    pub inertial: Option<UrdfInertial>,
+    pub shapes: Vec<UrdfShape>,
+}
+
+#[derive(Clone)]
+pub(crate) struct UrdfInertial {
+    /// Where its element starts [byte].
+    pub at: usize,
+    pub mass: f64,
+    pub link_from_inertia: Pose,
+    pub about_center: Matrix3<f64>,
+}
+
+pub(crate) struct UrdfShape {
+    /// Where its element starts [byte].
+    pub at: usize,
+    pub link_from_shape: Pose,
+    pub geometry: UrdfGeometry,
+}
+
+pub(crate) enum UrdfGeometry {
+    Box(Vector3),
+    Cylinder { radius: f64, length: f64 },
+    Capsule { radius: f64, length: f64 },
+    Sphere(f64),
+    Mesh { file: String, scale: Vector3 },
+}
+
+pub(crate) struct UrdfJoint {
+    pub name: String,
+    pub kind: String,
+    /// Where its element starts [byte].
+    pub at: usize,
+    pub parent: String,
+    pub child: String,
+    pub parent_from_joint: Pose,
+    pub axis: Vector3,
+    pub limit: Option<UrdfLimit>,
+    /// The limits of its safety controller, where those are narrower; `limit` has them already.
+    pub soft_limits: Option<[f64; 2]>,
+}
+
+#[derive(Clone, Copy, Default)]
+pub(crate) struct UrdfLimit {
+    pub lower: Option<f64>,
+    pub upper: Option<f64>,
+    pub velocity: Option<f64>,
+    pub effort: Option<f64>,
+    pub acceleration: Option<f64>,
+}
+
+pub(crate) struct UrdfMimic {
+    /// Where its element starts [byte].
+    pub at: usize,
+    pub joint: String,
+    pub offset: f64,
+    pub terms: Vec<(String, f64)>,
+}

@@ -1,0 +1,531 @@
+//! What a URDF does not say: groups of joints, named postures, links that may touch. MoveIt's format.
+
+use super::diagnostics::{Diagnostics, Words, words};
+use super::urdf::{Reader, elements};
+use crate::source_location::{Place, UnknownName};
+use crate::{
+    Diagnostic, DiagnosticKind, Joint, JointKind, LinkId, RobotError, RobotModel, Severity, Subject,
+};
+use roxmltree::Node;
+use std::collections::BTreeSet;
+
+/// Name of the state in which the arm waits and travels. A state of this name with `_` and the tool's name after it goes
+/// before, for tools that need a posture of their own.
+pub const READY_STATE: &str = "ready";
+
+/// Most groups.
+const MAX_GROUPS: usize = 1000;
+
+/// An SRDF, read for one robot.
+///
+/// ```
+/// # use wisch_robot::RobotModel;
+/// # let urdf = r#"<robot name="r"><link name="wall"/><link name="rod"/>
+/// #   <joint name="pivot" type="continuous"><parent link="wall"/><child link="rod"/></joint>
+/// # </robot>"#;
+/// # let robot = RobotModel::from_urdf("r", urdf, &mut |_| Err(String::new()))?;
+/// use wisch_robot::Srdf;
+/// let text = r#"<robot name="r">
+///   <group name="arm"><chain base_link="wall" tip_link="rod"/></group>
+///   <group_state name="ready" group="arm"><joint name="pivot" value="0.5"/></group_state>
+/// </robot>"#;
+/// let srdf = Srdf::parse("r.srdf", text, &robot)?;
+/// let ready = srdf.state("ready")?;
+/// assert_eq!(ready.applied_to(&[0.0]), [0.5]);
+///
+/// let fault = Srdf::parse("r.srdf", &text.replace("pivot", "pivto"), &robot).unwrap_err();
+/// assert_eq!(fault.to_string(), "r.srdf:3:41: unknown variable joint \"pivto\"; nearest: pivot");
+/// # Ok::<(), wisch_robot::RobotError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Srdf {
+    /// The groups that are chains, in the order of the text: those of a `<chain>`, and after them those whose joints
+    /// lie one behind the other and of which at least two move by themselves.
+    pub groups: Vec<Group>,
+    /// Named postures of groups.
+    pub states: Vec<GroupState>,
+    /// Pairs of links that are not checked against each other.
+    pub disabled: Vec<DisabledPair>,
+    /// Groups that are not read: those of links, of other groups, or of joints that are no chain. Virtual and passive
+    /// joints and end effectors are passed over.
+    pub ignored: Vec<Ignored>,
+    /// What is passed over without harm to the groups that wipe: pairs with a link that the robot does not have (a warning), and
+    /// postures of joints that are fixed, absent or of no group (a note).
+    pub passed_over: Vec<Diagnostic>,
+    /// The robot that the text says it is of, if that is not this one, and where it says so [byte].
+    other_robot: Option<(usize, String)>,
+}
+
+/// The joints from one link out to another.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Group {
+    /// Its name.
+    pub name: String,
+    /// The link that its poses are relative to.
+    pub base: LinkId,
+    /// The link at its end.
+    pub tip: LinkId,
+}
+
+/// A named posture: positions of some variables.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GroupState {
+    /// Its name.
+    pub name: String,
+    /// The group that it is one of, which need not be a chain.
+    pub group: String,
+    /// Pairs of a variable and its position [rad or m]. Joints that follow others are left out, as
+    /// those say where they are.
+    pub positions: Vec<(usize, f64)>,
+}
+
+/// Two links that may touch: a `<disable_collisions>` element of an SRDF.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct DisabledPair {
+    /// One.
+    pub a: LinkId,
+    /// The other.
+    pub b: LinkId,
+    /// Why, as the text has it, such as "Adjacent"; empty if it does not say.
+    pub reason: String,
+}
+
+/// A group that is not read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Ignored {
+    /// Where it is.
+    pub at: Place,
+    /// What it is, such as `group "hand" of a joint, not a chain`.
+    pub what: String,
+}
+
+impl GroupState {
+    /// The positions `q` (n) with those of this posture put in; variables that `q` does not have are
+    /// passed over.
+    pub fn applied_to(&self, q: &[f64]) -> Vec<f64> {
+        let mut q = q.to_vec();
+        for &(variable, position) in &self.positions {
+            if let Some(entry) = q.get_mut(variable) {
+                *entry = position;
+            }
+        }
+        q
+    }
+}
+
+impl Srdf {
+    /// Reads an SRDF of a robot; `name` is used in messages.
+    ///
+    /// # Errors
+    /// If the text is no SRDF or larger than is read; if a group names a link, or a posture of a chain a joint, that does not
+    /// exist, or a posture a group; if a chain's tip does not hang on its base; if two groups, or two postures of a group,
+    /// have one name; or if a posture is outside the position limits.
+    pub fn parse(name: &str, text: &str, robot: &RobotModel) -> Result<Self, RobotError> {
+        let (srdf, faults) = Self::read(name, text, robot)?;
+        faults.into_iter().next().map_or(Ok(srdf), Err)
+    }
+
+    /// Everything that is wrong with an SRDF or odd in it: an error for each reason for which
+    /// [`Srdf::parse`] refuses the text, an unknown name once; a warning if it says that it is another robot's, and on links of
+    /// pairs that the robot does not have; a note on each group and posture that is not read. `name` is used in messages.
+    ///
+    /// ```
+    /// # use wisch_robot::RobotModel;
+    /// # let urdf = r#"<robot name="r"><link name="wall"/></robot>"#;
+    /// # let robot = RobotModel::from_urdf("r", urdf, &mut |_| Err(String::new()))?;
+    /// use wisch_robot::Srdf;
+    /// let text = r#"<robot name="r"><disable_collisions link1="wall" link2="wal"/></robot>"#;
+    /// let found = Srdf::check("r.srdf", text, &robot);
+    /// assert!(found[0].to_string().starts_with("r.srdf:1:17: robot: unknown link \"wal\"; nearest: wall"));
+    /// # Ok::<(), wisch_robot::RobotError>(())
+    /// ```
+    pub fn check(name: &str, text: &str, robot: &RobotModel) -> Vec<Diagnostic> {
+        let mut report = Diagnostics {
+            file: name,
+            text,
+            diagnostics: Vec::new(),
+        };
+        let (srdf, faults) = match Self::read(name, text, robot) {
+            Ok((srdf, faults)) => (srdf, faults),
+            Err(fault) => (Self::default(), vec![fault]),
+        };
+        let mut unknown_names = BTreeSet::new();
+        for fault in &faults {
+            let is_new = match fault {
+                RobotError::UnknownAt { unknown, .. } => {
+                    unknown_names.insert((unknown.kind, &unknown.name))
+                }
+                _ => true,
+            };
+            if is_new {
+                report.diagnostics.push(diagnostic(fault, name, robot));
+            }
+        }
+        if let Some((at, other)) = srdf.other_robot {
+            let w = words(
+                format!("the SRDF is of robot {other:?}"),
+                format!("robot {:?}", robot.name()),
+                "give the SRDF of this robot, or correct its name",
+            );
+            let subject = Subject::Robot;
+            report.add(Severity::Warning, DiagnosticKind::Srdf, subject, at, w);
+        }
+        report.diagnostics.extend(srdf.passed_over);
+        for Ignored { at, what } in srdf.ignored {
+            report.diagnostics.push(Diagnostic {
+                severity: Severity::Note,
+                at,
+                subject: Subject::Robot,
+                kind: DiagnosticKind::Srdf,
+                value: format!("{what}: it is not read"),
+                limit: "a group that is one chain, to wipe with it".to_owned(),
+                advice: "fine if it is for other programs or for postures only".to_owned(),
+            });
+        }
+        report.diagnostics.sort_by_key(|f| (f.at.line, f.at.column));
+        report.diagnostics
+    }
+
+    /// What can be read, and all that cannot; groups first, then postures, then pairs.
+    ///
+    /// # Errors
+    /// If the text is no SRDF or larger than is read.
+    fn read(
+        name: &str,
+        text: &str,
+        robot: &RobotModel,
+    ) -> Result<(Self, Vec<RobotError>), RobotError> {
+        let reader = Reader::new(name, text);
+        let document = reader.document()?;
+        let root = reader.robot(&document)?;
+        let mut srdf = Self {
+            other_robot: (root.attribute("name"))
+                .filter(|name| *name != robot.name())
+                .map(|name| (root.range().start, name.to_owned())),
+            ..Self::default()
+        };
+        let mut faults = Vec::new();
+        let mut groups = BTreeSet::new();
+        let mut of_joints = Vec::new();
+        // Postures may come before their groups.
+        for node in elements(root, "group") {
+            match srdf.read_group(&reader, node, &mut groups, robot) {
+                Ok(group) => of_joints.extend(group),
+                Err(fault) => faults.push(fault),
+            }
+            if groups.len() > MAX_GROUPS {
+                return Err(reader.too_large("groups", groups.len(), MAX_GROUPS));
+            }
+        }
+        srdf.groups.append(&mut of_joints);
+        let mut states = BTreeSet::new();
+        for node in elements(root, "group_state") {
+            if let Some(why) = srdf.why_no_posture(node, robot) {
+                let name = node.attribute("name").unwrap_or_default();
+                let w = words(
+                    format!("posture {name:?}: {why}"),
+                    "joints that move, of a group",
+                    "fine if it is for other programs: it is passed over",
+                );
+                let found = noted(Severity::Note, reader.at(node), w);
+                srdf.passed_over.push(found);
+                continue;
+            }
+            match reader.state(node, &groups, robot) {
+                Ok(state) if states.insert((state.group.clone(), state.name.clone())) => {
+                    srdf.states.push(state);
+                }
+                Ok(GroupState { name, group, .. }) => {
+                    let problem = format!("state {name:?} of group {group:?} is there twice");
+                    faults.push(reader.fault(node, problem));
+                }
+                Err(fault) => faults.push(fault),
+            }
+        }
+        let mut stale = BTreeSet::new();
+        for node in elements(root, "disable_collisions") {
+            let link = |attribute| reader.link_of(node, attribute, robot);
+            match (link("link1"), link("link2")) {
+                (Ok(a), Ok(b)) => srdf.disabled.push(DisabledPair {
+                    a,
+                    b,
+                    reason: node.attribute("reason").unwrap_or_default().to_owned(),
+                }),
+                (a, b) => {
+                    for fault in a.err().into_iter().chain(b.err()) {
+                        match fault {
+                            RobotError::UnknownAt { at, unknown } => {
+                                let is_same = |fault: &RobotError| matches!(fault, RobotError::UnknownAt { unknown: known, .. } if known.name == unknown.name);
+                                let is_told = faults.iter().any(is_same);
+                                if !is_told && stale.insert(unknown.name.clone()) {
+                                    let w = words(
+                                        unknown.to_string(),
+                                        format!("a link of robot {:?}", robot.name()),
+                                        "pairs with it are passed over: remove them, or give the SRDF of this robot",
+                                    );
+                                    let found = noted(Severity::Warning, at, w);
+                                    srdf.passed_over.push(found);
+                                }
+                            }
+                            fault => faults.push(fault),
+                        }
+                    }
+                }
+            }
+        }
+        Ok((srdf, faults))
+    }
+
+    /// The group of a name.
+    ///
+    /// # Errors
+    /// If there is none; the error has the nearest names.
+    pub fn group(&self, name: &str) -> Result<&Group, RobotError> {
+        let found = self.groups.iter().find(|group| group.name == name);
+        let known = self.groups.iter().map(|group| group.name.as_str());
+        found.ok_or_else(|| unknown("group that is a chain", name, known))
+    }
+
+    /// The first posture of a name.
+    ///
+    /// # Errors
+    /// If there is none; the error has the nearest names.
+    pub fn state(&self, name: &str) -> Result<&GroupState, RobotError> {
+        let found = self.states.iter().find(|state| state.name == name);
+        let known = self.states.iter().map(|state| state.name.as_str());
+        found.ok_or_else(|| unknown("group state", name, known))
+    }
+
+    /// Why a posture is none of a group that wipes and cannot be taken; `None` where it is to be read. A joint that a chain's
+    /// posture or the ready one names wrongly stays a fault, as the robot would start elsewhere.
+    fn why_no_posture(&self, node: Node, robot: &RobotModel) -> Option<String> {
+        let name = node.attribute("name").map_or("", str::trim);
+        let group = node.attribute("group").map_or("", str::trim);
+        if name.starts_with(READY_STATE) {
+            return None;
+        }
+        if group.is_empty() {
+            return Some("it is of no group".to_owned());
+        }
+        if self.groups.iter().any(|known| known.name == group) {
+            return None;
+        }
+        elements(node, "joint").find_map(|joint| {
+            let name = joint.attribute("name")?.trim();
+            match robot.joint(name) {
+                Ok(id) if robot.joints()[id.index()].kind == JointKind::Fixed => {
+                    Some(format!("joint {name:?} is fixed"))
+                }
+                Ok(_) => None,
+                Err(_) => Some(format!("the robot has no joint {name:?}")),
+            }
+        })
+    }
+
+    fn ignore(&mut self, reader: &Reader, node: Node, what: String) {
+        let at = reader.at(node);
+        self.ignored.push(Ignored { at, what });
+    }
+
+    /// Puts a chain among the groups, and returns a group of joints that is one.
+    fn read_group(
+        &mut self,
+        reader: &Reader,
+        node: Node,
+        names: &mut BTreeSet<String>,
+        robot: &RobotModel,
+    ) -> Result<Option<Group>, RobotError> {
+        let name = reader.name(node, "name")?;
+        if !names.insert(name.clone()) {
+            return Err(reader.fault(node, format!("group {name:?} is there twice")));
+        }
+        if let Some((base, tip)) = joints_in_line(node, robot) {
+            return Ok(Some(Group { name, base, tip }));
+        }
+        let mut members = node.children().filter(Node::is_element);
+        let (Some(chain), None) = (members.next(), members.next()) else {
+            self.ignore(reader, node, format!("group {name:?}: not one chain"));
+            return Ok(None);
+        };
+        if !chain.has_tag_name("chain") {
+            let what = chain.tag_name().name();
+            self.ignore(
+                reader,
+                node,
+                format!("group {name:?} of a {what}, not a chain"),
+            );
+            return Ok(None);
+        }
+        let base = reader.link_of(chain, "base_link", robot)?;
+        let tip = reader.link_of(chain, "tip_link", robot)?;
+        if !robot.hangs_on(tip, base) {
+            let [tip, base] = [tip, base].map(|link| &robot.links()[link.index()].name);
+            let problem = format!("group {name:?}: link {tip:?} does not hang on link {base:?}");
+            return Err(reader.fault(chain, problem));
+        }
+        self.groups.push(Group { name, base, tip });
+        Ok(None)
+    }
+}
+
+/// What is odd in an SRDF and no fault.
+fn noted(severity: Severity, at: Place, words: Words) -> Diagnostic {
+    Diagnostic {
+        severity,
+        at,
+        subject: Subject::Robot,
+        kind: DiagnosticKind::Srdf,
+        value: words.value,
+        limit: words.limit,
+        advice: words.advice,
+    }
+}
+
+/// The ends of a group that lists joints one behind the other, as most SRDFs of arms do; fixed joints may be left out.
+fn joints_in_line(group: Node, robot: &RobotModel) -> Option<(LinkId, LinkId)> {
+    let mut line: Option<(LinkId, LinkId)> = None;
+    let mut moving = 0;
+    for member in group.children().filter(Node::is_element) {
+        let name = member.attribute("name")?.trim();
+        let id = robot.joint(name).ok()?;
+        if !member.has_tag_name("joint") {
+            return None;
+        }
+        let joint = &robot.joints()[id.index()];
+        moving += usize::from(robot.variables().contains(&id));
+        let base = match line {
+            None => joint.parent,
+            Some((base, tip)) => {
+                let fixed = |joint: &&Joint| joint.kind == JointKind::Fixed;
+                let mut held = robot.joints_above(joint.parent).take_while(fixed);
+                let follows = joint.parent == tip || held.any(|joint| joint.parent == tip);
+                follows.then_some(base)?
+            }
+        };
+        line = Some((base, joint.child));
+    }
+    line.filter(|_| moving >= 2)
+}
+
+/// What keeps an SRDF from being read, as a diagnostic.
+fn diagnostic(fault: &RobotError, file: &str, robot: &RobotModel) -> Diagnostic {
+    let (at, value, limit) = fault.parts("an SRDF of this robot");
+    let limit = match fault {
+        RobotError::UnknownAt { unknown, .. } => {
+            format!("a {} of robot {:?}", unknown.kind, robot.name())
+        }
+        _ => limit,
+    };
+    let start = || Place::at_offset(file, "", 0);
+    Diagnostic {
+        severity: Severity::Error,
+        at: at.cloned().unwrap_or_else(start),
+        subject: Subject::Robot,
+        kind: DiagnosticKind::Srdf,
+        value,
+        limit,
+        advice: "correct it, or give the SRDF of this robot".to_owned(),
+    }
+}
+
+fn unknown<'a>(kind: &'static str, name: &str, known: impl Iterator<Item = &'a str>) -> RobotError {
+    RobotError::NoSuch(Box::new(UnknownName::new(kind, name, known)))
+}
+
+impl RobotModel {
+    /// Whether joints lead from one link to another, or they are the same.
+    fn hangs_on(&self, tip: LinkId, base: LinkId) -> bool {
+        let mut at = tip;
+        while at != base {
+            let Some(joint) = self.links()[at.index()].parent else {
+                return false;
+            };
+            at = self.joints()[joint.index()].parent;
+        }
+        true
+    }
+}
+
+impl Reader<'_> {
+    fn unknown_at<'n>(
+        &self,
+        node: Node,
+        kind: &'static str,
+        name: &str,
+        known: impl Iterator<Item = &'n str>,
+    ) -> RobotError {
+        RobotError::UnknownAt {
+            at: self.at(node),
+            unknown: Box::new(UnknownName::new(kind, name, known)),
+        }
+    }
+
+    fn state(
+        &self,
+        node: Node,
+        groups: &BTreeSet<String>,
+        robot: &RobotModel,
+    ) -> Result<GroupState, RobotError> {
+        let name = self.name(node, "name")?;
+        let group = self.name(node, "group")?;
+        if !groups.contains(&group) {
+            let known = groups.iter().map(String::as_str);
+            return Err(self.unknown_at(node, "group", &group, known));
+        }
+        let mut positions: Vec<(usize, f64)> = Vec::new();
+        for joint in elements(node, "joint") {
+            let joint_name = self.name(joint, "name")?;
+            let position = self.needed(joint, "value")?;
+            let Some(variable) = self.variable_of(joint, &joint_name, robot)? else {
+                continue;
+            };
+            if positions.iter().any(|&(known, _)| known == variable) {
+                let problem = format!("joint {joint_name:?} is there twice");
+                return Err(self.fault(joint, problem));
+            }
+            let limits = robot.variable(variable).limits.position;
+            if limits.is_some_and(|l| position < l.lower || position > l.upper) {
+                let expected = "a position within the joint's limits";
+                return Err(self.attribute_fault(joint, "value", expected));
+            }
+            positions.push((variable, position));
+        }
+        Ok(GroupState {
+            name,
+            group,
+            positions,
+        })
+    }
+
+    fn link_of(
+        &self,
+        node: Node,
+        attribute: &'static str,
+        robot: &RobotModel,
+    ) -> Result<LinkId, RobotError> {
+        let name = self.name(node, attribute)?;
+        robot.link(&name).map_err(|_| {
+            let known = robot.links().iter().map(|link| link.name.as_str());
+            self.unknown_at(node, "link", &name, known)
+        })
+    }
+
+    /// The variable of a joint; `None` if it follows others.
+    fn variable_of(
+        &self,
+        node: Node,
+        name: &str,
+        robot: &RobotModel,
+    ) -> Result<Option<usize>, RobotError> {
+        let joint = robot.joint(name).ok();
+        if let Some(id) = joint {
+            let variable = robot.variables().iter().position(|known| *known == id);
+            let follows = !robot.joints()[id.index()].drive.terms.is_empty();
+            if variable.is_some() || follows {
+                return Ok(variable);
+            }
+        }
+        let variables = (0..robot.dof()).map(|i| robot.variable(i).name.as_str());
+        Err(self.unknown_at(node, "variable joint", name, variables))
+    }
+}

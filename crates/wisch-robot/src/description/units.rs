@@ -1,0 +1,142 @@
+//! Whether lengths, masses and angles of a URDF are in metres, kilograms and radians.
+
+use super::diagnostics::{Diagnostics, words};
+use super::elements::{Urdf, UrdfJoint};
+use crate::geometry::LikelyUnit;
+use crate::{DiagnosticKind, Severity, Subject};
+use std::collections::BTreeMap;
+
+/// Reach of a robot from its root to its farthest link, along its joints [m]: longer and shorter than that of any robot arm
+/// that wipes, and longer than any place that a task has.
+const USUAL_REACH: [f64; 2] = [0.02, 20.0];
+const MOST_REACH: f64 = 100.0;
+/// Mass over the cube of the reach [kg/m³], of robots of more than so many kilograms: an industrial arm has 150, a mobile
+/// manipulator 1300.
+const MOST_MASS_PER_REACH: f64 = 3000.0;
+const LIGHT: f64 = 500.0;
+/// A limit of a joint that turns is rarely beyond [rad]; and in degrees, hardly ever beyond.
+const MOST_TURN: f64 = 30.0;
+const MOST_DEGREES: f64 = 720.0;
+/// Radius of gyration of a link over the reach of the robot [1], and the least that this comes to [m].
+const GYRATION_PER_REACH: f64 = 3.0;
+const LEAST_GYRATION: f64 = 1.0;
+
+/// How far the farthest link is from the root along the origins of the joints [m]; 0 of a single link.
+pub(super) fn reach(urdf: &Urdf) -> f64 {
+    let parents = urdf
+        .joints
+        .iter()
+        .map(|joint| (joint.child.as_str(), joint));
+    let parent_of: BTreeMap<&str, &UrdfJoint> = parents.collect();
+    let length = |link: &str| {
+        let above = std::iter::successors(parent_of.get(link), |joint| {
+            parent_of.get(joint.parent.as_str())
+        });
+        let lengths = above.map(|joint| joint.parent_from_joint.translation.vector.norm());
+        // Of links in a circle, which are an error of their own, the way has no end.
+        lengths.take(urdf.links.len()).sum::<f64>()
+    };
+    let links = urdf.links.iter().map(|link| length(&link.name));
+    links.fold(0.0, f64::max)
+}
+
+/// Reports what is most likely in other units; `reach` is [`reach`] [m].
+pub(super) fn check(urdf: &Urdf, reach: f64, report: &mut Diagnostics) {
+    let [least, most] = USUAL_REACH;
+    let is_arm = urdf
+        .joints
+        .iter()
+        .filter(|joint| joint.kind == "revolute")
+        .count()
+        > 2;
+    if reach > most || is_arm && reach > 0.0 && reach < least {
+        let severity = match reach > MOST_REACH {
+            true => Severity::Error,
+            false => Severity::Warning,
+        };
+        let unit = LikelyUnit::of(reach, 10.0 * least, most / 5.0);
+        let advice = match unit {
+            Some(unit) => format!("{unit}, in origins, shapes and limits of joints that slide"),
+            None => "give lengths in metres".to_owned(),
+        };
+        let w = words(
+            format!("its joints are {reach:.3e} m from the root to the farthest link"),
+            format!("{least} m to {most} m"),
+            advice,
+        );
+        report.add(severity, DiagnosticKind::Units, Subject::Robot, 0, w);
+    }
+    masses(urdf, reach, report);
+    for joint in urdf.joints.iter().filter(|joint| joint.kind == "revolute") {
+        angles(joint, report);
+    }
+}
+
+fn masses(urdf: &Urdf, reach: f64, report: &mut Diagnostics) {
+    let bodies = || {
+        let links = urdf.links.iter();
+        links.filter_map(|link| Some((link, link.inertial.as_ref()?)))
+    };
+    let mass: f64 = bodies().map(|(_, body)| body.mass).sum();
+    let most = MOST_MASS_PER_REACH * reach.powi(3);
+    if reach > 0.0 && mass > LIGHT.max(most) {
+        let w = words(
+            format!("it weighs {mass:.0} kg and reaches {reach:.2} m"),
+            format!("at most {:.0} kg", LIGHT.max(most)),
+            "its masses are probably in grams: multiply masses and inertias by 0.001",
+        );
+        report.add(
+            Severity::Warning,
+            DiagnosticKind::Units,
+            Subject::Robot,
+            0,
+            w,
+        );
+    }
+    let most = (GYRATION_PER_REACH * reach).max(LEAST_GYRATION);
+    for (link, body) in bodies().filter(|(_, body)| body.mass > 0.0) {
+        let greatest = body.about_center.symmetric_eigenvalues().max();
+        let gyration = (greatest / body.mass).sqrt();
+        if gyration > most {
+            let w = words(
+                format!(
+                    "its inertia of {greatest:.3e} kg m2 is that of {} kg that lie {gyration:.1} m from their centre",
+                    body.mass
+                ),
+                format!("at most {most:.1} m"),
+                "it is probably in kg mm2, or in g mm2: multiply by 1e-6, or by 1e-9",
+            );
+            let subject = Subject::Link(link.name.clone());
+            report.add(
+                Severity::Warning,
+                DiagnosticKind::Units,
+                subject,
+                body.at,
+                w,
+            );
+        }
+    }
+}
+
+fn angles(joint: &UrdfJoint, report: &mut Diagnostics) {
+    let limit = joint.limit.unwrap_or_default();
+    let (Some(lower), Some(upper)) = (limit.lower, limit.upper) else {
+        return;
+    };
+    let widest = lower.abs().max(upper.abs());
+    if widest > MOST_TURN && widest <= MOST_DEGREES {
+        let w = words(
+            format!("it turns from {lower} to {upper} rad"),
+            format!("within {MOST_TURN} rad"),
+            "its limits are probably in degrees: multiply by 0.0174533; a joint that turns without end is continuous",
+        );
+        let subject = Subject::Joint(joint.name.clone());
+        report.add(
+            Severity::Warning,
+            DiagnosticKind::Units,
+            subject,
+            joint.at,
+            w,
+        );
+    }
+}

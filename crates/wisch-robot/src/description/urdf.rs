@@ -1,0 +1,462 @@
+//! A URDF as typed: what the text says, not yet whether it makes sense.
+//!
+//! Read with `roxmltree` rather than `urdf-rs`, which fills in what is missing (so that an absent
+//! limit cannot be told from a zero), drops elements it does not know (`<wisch>` below) and keeps
+//! no places for messages.
+//!
+//! Beyond URDF, `<limit acceleration="…">` of URDF 1.2 and `<capsule>` are read, and an extension
+//! that other readers skip, for a joint that follows several others:
+//!
+//! ```xml
+//! <wisch>
+//!   <mimic joint="torso_4" offset="0">
+//!     <term joint="torso_2" multiplier="-1"/>
+//!     <term joint="torso_3" multiplier="-1"/>
+//!   </mimic>
+//! </wisch>
+//! ```
+//!
+//! The limits of such a joint are limits of the sum: this is how coupled limits are written.
+
+use super::elements::{
+    Urdf, UrdfGeometry, UrdfInertial, UrdfJoint, UrdfLimit, UrdfLink, UrdfMimic, UrdfShape,
+};
+use super::planar;
+use crate::RobotError;
+use crate::geometry::{MAX_ATTRIBUTES, Pose, Vector3, most_attributes};
+use crate::source_location::Place;
+use nalgebra::{Matrix3, Translation3, UnitQuaternion};
+use roxmltree::{Document, Node, ParsingOptions};
+
+/// Longest text that is read [bytes].
+pub const MAX_URDF_BYTES: usize = 8 << 20;
+/// Most links a robot may have; a URDF with more is refused.
+pub const MAX_LINKS: usize = 1000;
+/// Most shapes of a robot's collision geometry.
+pub const MAX_SHAPES: usize = 10_000;
+/// Most nodes (elements, texts, comments) of the XML; bounds the memory a small file can ask for.
+const MAX_NODES: u32 = 500_000;
+/// Most terms of all joints that follow others.
+const MAX_TERMS: usize = 10_000;
+/// Greatest number that is read, in any unit.
+const MAX_NUMBER: f64 = 1e9;
+
+/// The text of a file, for messages with places.
+pub(crate) struct Reader<'a> {
+    file: &'a str,
+    text: &'a str,
+}
+
+impl Urdf {
+    pub fn read(file: &str, text: &str) -> Result<Self, RobotError> {
+        let reader = Reader { file, text };
+        let document = reader.document()?;
+        let root = reader.robot(&document)?;
+        let too_large = |what, value, limit| reader.too_large(what, value, limit);
+        let mut urdf = Self {
+            robot: root.attribute("name").unwrap_or_default().to_owned(),
+            links: Vec::new(),
+            joints: Vec::new(),
+            mimics: Vec::new(),
+        };
+        reader.refuse_xacro(root)?;
+        for node in root.children().filter(Node::is_element) {
+            match node.tag_name().name() {
+                "link" => urdf.links.push(reader.link(node)?),
+                "joint" => {
+                    let (joint, mimic) = reader.joint(node)?;
+                    let (joints, links) = planar::split(joint);
+                    urdf.joints.extend(joints);
+                    urdf.links.extend(links);
+                    urdf.mimics.extend(mimic);
+                }
+                "wisch" => {
+                    for mimic in elements(node, "mimic") {
+                        urdf.mimics.push(reader.sum_mimic(mimic)?);
+                    }
+                }
+                _ => {}
+            }
+            if urdf.links.len() > MAX_LINKS {
+                return Err(too_large("links", urdf.links.len(), MAX_LINKS));
+            }
+            if urdf.joints.len() > MAX_LINKS {
+                return Err(too_large("joints", urdf.joints.len(), MAX_LINKS));
+            }
+        }
+        let shapes = urdf.links.iter().map(|link| link.shapes.len()).sum();
+        let terms = urdf.mimics.iter().map(|mimic| mimic.terms.len()).sum();
+        if terms > MAX_TERMS {
+            return Err(too_large("terms of mimics", terms, MAX_TERMS));
+        }
+        if urdf.mimics.len() > MAX_LINKS {
+            return Err(too_large("mimics", urdf.mimics.len(), MAX_LINKS));
+        }
+        if shapes > MAX_SHAPES {
+            return Err(too_large("collision shapes", shapes, MAX_SHAPES));
+        }
+        if urdf.links.is_empty() {
+            return Err(reader.fault(root, "there is no <link>".to_owned()));
+        }
+        Ok(urdf)
+    }
+}
+
+pub(crate) fn elements<'a, 'i>(
+    node: Node<'a, 'i>,
+    name: &'static str,
+) -> impl Iterator<Item = Node<'a, 'i>> {
+    node.children()
+        .filter(move |child| child.has_tag_name(name))
+}
+
+pub(crate) fn element<'a, 'i>(node: Node<'a, 'i>, name: &'static str) -> Option<Node<'a, 'i>> {
+    elements(node, name).next()
+}
+
+impl<'a> Reader<'a> {
+    pub fn new(file: &'a str, text: &'a str) -> Self {
+        Self { file, text }
+    }
+
+    /// The XML, unless there is more than is read.
+    pub fn document(&self) -> Result<Document<'a>, RobotError> {
+        if self.text.len() > MAX_URDF_BYTES {
+            return Err(self.too_large("bytes", self.text.len(), MAX_URDF_BYTES));
+        }
+        let attributes = most_attributes(self.text);
+        if attributes > MAX_ATTRIBUTES {
+            let what = "attributes of an element";
+            return Err(self.too_large(what, attributes, MAX_ATTRIBUTES));
+        }
+        let options = ParsingOptions {
+            nodes_limit: MAX_NODES,
+            ..ParsingOptions::default()
+        };
+        Document::parse_with_options(self.text, options).map_err(|error| {
+            let at = Place {
+                file: self.file.to_owned(),
+                line: error.pos().row as usize,
+                column: error.pos().col as usize,
+            };
+            let problem = error.to_string();
+            RobotError::Syntax { at, problem }
+        })
+    }
+
+    /// The root element, which URDF and SRDF call robot.
+    pub fn robot<'d>(&self, document: &'d Document<'a>) -> Result<Node<'d, 'a>, RobotError> {
+        let root = document.root_element();
+        if root.tag_name().name() == "robot" {
+            return Ok(root);
+        }
+        let problem = format!("expected <robot>, found <{}>", root.tag_name().name());
+        Err(self.fault(root, problem))
+    }
+
+    /// # Errors
+    /// If some element is one that xacro replaces by others: what it would make is the robot.
+    fn refuse_xacro(&self, root: Node) -> Result<(), RobotError> {
+        let is_xacro = |node: &Node| {
+            let namespace = node.tag_name().namespace();
+            namespace.is_some_and(|namespace| namespace.contains("xacro"))
+        };
+        match root.descendants().filter(Node::is_element).find(is_xacro) {
+            Some(node) => {
+                let name = node.tag_name().name();
+                let problem = format!(
+                    "<xacro:{name}> is not expanded; expected plain URDF: xacro robot.xacro > robot.urdf expands it"
+                );
+                Err(self.fault(node, problem))
+            }
+            None => Ok(()),
+        }
+    }
+
+    pub fn too_large(&self, what: &'static str, value: usize, limit: usize) -> RobotError {
+        let file = self.file.to_owned();
+        RobotError::TooLarge {
+            file,
+            what,
+            value,
+            limit,
+        }
+    }
+
+    pub fn at(&self, node: Node) -> Place {
+        Place::at_offset(self.file, self.text, node.range().start)
+    }
+
+    pub fn fault(&self, node: Node, problem: String) -> RobotError {
+        RobotError::Syntax {
+            at: self.at(node),
+            problem,
+        }
+    }
+
+    pub fn attribute_fault(
+        &self,
+        node: Node,
+        attribute: &'static str,
+        expected: &'static str,
+    ) -> RobotError {
+        RobotError::Attribute {
+            at: self.at(node),
+            element: node.tag_name().name().to_owned(),
+            attribute,
+            text: node.attribute(attribute).unwrap_or_default().to_owned(),
+            expected,
+        }
+    }
+
+    pub fn name(&self, node: Node, attribute: &'static str) -> Result<String, RobotError> {
+        match node.attribute(attribute).map(str::trim) {
+            Some(name) if !name.is_empty() => Ok(name.to_owned()),
+            _ => Err(self.attribute_fault(node, attribute, "a name")),
+        }
+    }
+
+    /// As many numbers as asked for; `None` if there is no such attribute.
+    pub fn numbers<const N: usize>(
+        &self,
+        node: Node,
+        attribute: &'static str,
+    ) -> Result<Option<[f64; N]>, RobotError> {
+        let Some(text) = node.attribute(attribute) else {
+            return Ok(None);
+        };
+        let mut numbers = [0.0; N];
+        let mut words = text.split_ascii_whitespace();
+        for number in &mut numbers {
+            *number = words
+                .next()
+                .and_then(|word| word.parse().ok())
+                .filter(|value: &f64| value.abs() <= MAX_NUMBER)
+                .ok_or_else(|| self.attribute_fault(node, attribute, expected(N)))?;
+        }
+        match words.next() {
+            None => Ok(Some(numbers)),
+            Some(_) => Err(self.attribute_fault(node, attribute, expected(N))),
+        }
+    }
+
+    fn number(&self, node: Node, attribute: &'static str) -> Result<Option<f64>, RobotError> {
+        Ok(self.numbers::<1>(node, attribute)?.map(|[value]| value))
+    }
+
+    /// A limit, which may be infinite: then there is none.
+    fn limit(&self, node: Node, attribute: &'static str) -> Result<Option<f64>, RobotError> {
+        let infinite = node
+            .attribute(attribute)
+            .and_then(|text| text.trim().parse::<f64>().ok())
+            .is_some_and(|value| value.is_infinite() || value.abs() > MAX_NUMBER);
+        if infinite {
+            Ok(None)
+        } else {
+            self.number(node, attribute)
+        }
+    }
+
+    pub fn needed(&self, node: Node, attribute: &'static str) -> Result<f64, RobotError> {
+        self.number(node, attribute)?
+            .ok_or_else(|| self.attribute_fault(node, attribute, expected(1)))
+    }
+
+    /// A size: above zero.
+    fn size(&self, node: Node, attribute: &'static str) -> Result<f64, RobotError> {
+        let value = self.needed(node, attribute)?;
+        if value > 0.0 {
+            Ok(value)
+        } else {
+            Err(self.attribute_fault(node, attribute, "a length above 0 m"))
+        }
+    }
+
+    fn origin(&self, node: Node) -> Result<Pose, RobotError> {
+        let Some(origin) = element(node, "origin") else {
+            return Ok(Pose::identity());
+        };
+        let [x, y, z] = self.numbers(origin, "xyz")?.unwrap_or_default();
+        let [roll, pitch, yaw] = self.numbers(origin, "rpy")?.unwrap_or_default();
+        Ok(Pose::from_parts(
+            Translation3::new(x, y, z),
+            UnitQuaternion::from_euler_angles(roll, pitch, yaw),
+        ))
+    }
+
+    fn link(&self, node: Node) -> Result<UrdfLink, RobotError> {
+        let mut link = UrdfLink {
+            name: self.name(node, "name")?,
+            at: node.range().start,
+            inertial: element(node, "inertial")
+                .map(|inertial| self.inertial(inertial))
+                .transpose()?,
+            shapes: Vec::new(),
+        };
+        for collision in elements(node, "collision") {
+            link.shapes.push(self.shape(collision)?);
+        }
+        Ok(link)
+    }
+
+    fn inertial(&self, node: Node) -> Result<UrdfInertial, RobotError> {
+        let mass = match element(node, "mass") {
+            Some(mass) => self.needed(mass, "value")?,
+            None => 0.0,
+        };
+        let mut about_center = Matrix3::zeros();
+        if let Some(inertia) = element(node, "inertia") {
+            let entry = |name| Ok(self.number(inertia, name)?.unwrap_or(0.0));
+            let (xx, yy, zz) = (entry("ixx")?, entry("iyy")?, entry("izz")?);
+            let (xy, xz, yz) = (entry("ixy")?, entry("ixz")?, entry("iyz")?);
+            about_center = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+        }
+        Ok(UrdfInertial {
+            at: node.range().start,
+            mass,
+            link_from_inertia: self.origin(node)?,
+            about_center,
+        })
+    }
+
+    /// Of a `<collision>` or a `<visual>`.
+    pub fn shape(&self, node: Node) -> Result<UrdfShape, RobotError> {
+        let geometry = element(node, "geometry")
+            .and_then(|geometry| geometry.children().find(Node::is_element))
+            .ok_or_else(|| {
+                let element = node.tag_name().name();
+                self.fault(node, format!("<{element}> has no <geometry>"))
+            })?;
+        let shape = match geometry.tag_name().name() {
+            "box" => {
+                let [x, y, z] = self
+                    .numbers(geometry, "size")?
+                    .filter(|size| size.iter().all(|side| *side > 0.0))
+                    .ok_or_else(|| {
+                        self.attribute_fault(geometry, "size", "three lengths above 0 m")
+                    })?;
+                UrdfGeometry::Box(Vector3::new(x, y, z))
+            }
+            "cylinder" => UrdfGeometry::Cylinder {
+                radius: self.size(geometry, "radius")?,
+                length: self.size(geometry, "length")?,
+            },
+            "capsule" => UrdfGeometry::Capsule {
+                radius: self.size(geometry, "radius")?,
+                length: self.size(geometry, "length")?,
+            },
+            "sphere" => UrdfGeometry::Sphere(self.size(geometry, "radius")?),
+            "mesh" => {
+                let [x, y, z] = self.numbers(geometry, "scale")?.unwrap_or([1.0; 3]);
+                UrdfGeometry::Mesh {
+                    file: self.name(geometry, "filename")?,
+                    scale: Vector3::new(x, y, z),
+                }
+            }
+            other => {
+                let problem =
+                    format!("unknown shape <{other}>; known: box, cylinder, capsule, sphere, mesh");
+                return Err(self.fault(geometry, problem));
+            }
+        };
+        Ok(UrdfShape {
+            at: geometry.range().start,
+            link_from_shape: self.origin(node)?,
+            geometry: shape,
+        })
+    }
+
+    fn joint(&self, node: Node) -> Result<(UrdfJoint, Option<UrdfMimic>), RobotError> {
+        let name = self.name(node, "name")?;
+        let end = |tag: &'static str| match element(node, tag) {
+            Some(end) => self.name(end, "link"),
+            None => Err(self.fault(node, format!("joint {name:?} has no <{tag}>"))),
+        };
+        let axis = match element(node, "axis") {
+            Some(axis) => self
+                .numbers(axis, "xyz")?
+                .ok_or_else(|| self.attribute_fault(axis, "xyz", expected(3)))?,
+            None => [1.0, 0.0, 0.0],
+        };
+        let limit = |limit| {
+            Ok(UrdfLimit {
+                lower: self.limit(limit, "lower")?,
+                upper: self.limit(limit, "upper")?,
+                velocity: self.limit(limit, "velocity")?,
+                effort: self.limit(limit, "effort")?,
+                acceleration: self.limit(limit, "acceleration")?,
+            })
+        };
+        let mimic = |mimic| {
+            let multiplier = self.number(mimic, "multiplier")?.unwrap_or(1.0);
+            Ok(UrdfMimic {
+                at: mimic.range().start,
+                joint: name.clone(),
+                offset: self.number(mimic, "offset")?.unwrap_or(0.0),
+                terms: vec![(self.name(mimic, "joint")?, multiplier)],
+            })
+        };
+        let mimic = element(node, "mimic").map(mimic).transpose()?;
+        let kind = self.name(node, "type")?;
+        let mut limit = element(node, "limit").map(limit).transpose()?;
+        let soft_limits = match (&mut limit, element(node, "safety_controller")) {
+            (Some(limit), Some(soft)) if matches!(kind.as_str(), "revolute" | "prismatic") => {
+                self.narrow(limit, soft)?
+            }
+            _ => None,
+        };
+        let joint = UrdfJoint {
+            at: node.range().start,
+            kind,
+            parent: end("parent")?,
+            child: end("child")?,
+            parent_from_joint: self.origin(node)?,
+            axis: Vector3::from(axis),
+            limit,
+            soft_limits,
+            name,
+        };
+        Ok((joint, mimic))
+    }
+
+    /// Narrows position limits to the soft ones of a safety controller, within which a controller keeps the joint; returns those if
+    /// they are narrower. Without a range of its own it has none: absent soft limits count as 0 and 0.
+    fn narrow(&self, limit: &mut UrdfLimit, soft: Node) -> Result<Option<[f64; 2]>, RobotError> {
+        let lower = self.limit(soft, "soft_lower_limit")?;
+        let upper = self.limit(soft, "soft_upper_limit")?;
+        let (Some(lower), Some(upper)) = (lower, upper) else {
+            return Ok(None);
+        };
+        let narrowed = [
+            limit.lower.map_or(lower, |hard| hard.max(lower)),
+            limit.upper.map_or(upper, |hard| hard.min(upper)),
+        ];
+        let is_narrower = limit.lower != Some(narrowed[0]) || limit.upper != Some(narrowed[1]);
+        if lower >= upper || narrowed[0] >= narrowed[1] || !is_narrower {
+            return Ok(None);
+        }
+        [limit.lower, limit.upper] = narrowed.map(Some);
+        Ok(Some(narrowed))
+    }
+
+    fn sum_mimic(&self, node: Node) -> Result<UrdfMimic, RobotError> {
+        let term = |term| {
+            let multiplier = self.number(term, "multiplier")?.unwrap_or(1.0);
+            Ok((self.name(term, "joint")?, multiplier))
+        };
+        Ok(UrdfMimic {
+            at: node.range().start,
+            joint: self.name(node, "joint")?,
+            offset: self.number(node, "offset")?.unwrap_or(0.0),
+            terms: elements(node, "term").map(term).collect::<Result<_, _>>()?,
+        })
+    }
+}
+
+const fn expected(count: usize) -> &'static str {
+    match count {
+        1 => "a number within 1e9",
+        3 => "three numbers within 1e9, with spaces between them",
+        _ => "four numbers within 1e9, with spaces between them",
+    }
+}

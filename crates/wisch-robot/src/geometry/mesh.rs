@@ -1,0 +1,515 @@
+//! Triangle meshes: primitives, changes of frame, cuts, and files in memory.
+
+mod collada;
+mod obj_faces;
+mod read;
+
+pub(crate) use collada::{MAX_ATTRIBUTES, most_attributes};
+pub use read::MeshFormat;
+
+use super::{DisjointSets, Point3, Pose, Vector3};
+use std::collections::{BTreeMap, HashMap};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// Largest coordinate a mesh may hold, either sign [m].
+pub const MAX_COORDINATE: f64 = 1e4;
+
+/// Most triangles a mesh may hold.
+pub const MAX_TRIANGLES: usize = 5_000_000;
+
+/// Fewest and most segments round a primitive.
+const SEGMENTS: std::ops::RangeInclusive<u32> = 3..=1024;
+
+/// A surface made of triangles, in a frame that the owner states.
+///
+/// A triangle's corners run counter-clockwise as seen from outside the solid. Every index names a
+/// vertex, every coordinate is finite and at most [`MAX_COORDINATE`], and there is at least one triangle.
+///
+/// ```
+/// use wisch_robot::geometry::{Mesh, Vector3};
+/// let sponge = Mesh::cuboid(Vector3::new(0.07, 0.11, 0.05))?;
+/// assert_eq!(sponge.triangles().len(), 12);
+/// assert_eq!(sponge.extent(), 0.11);
+/// # Ok::<(), wisch_robot::geometry::MeshError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mesh {
+    vertices: Vec<Point3>,
+    triangles: Vec<[u32; 3]>,
+}
+
+/// Why bytes or arrays are no mesh.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MeshError {
+    /// A fault in the mesh of this name.
+    #[error("mesh {name:?}: {fault}")]
+    InMesh {
+        /// The name that the reader was given.
+        name: String,
+        /// What is wrong.
+        fault: Box<MeshError>,
+    },
+    /// Nothing to see.
+    #[error("it holds no triangle")]
+    Empty,
+    /// A triangle names a vertex that does not exist.
+    #[error(
+        "triangle {triangle} names vertex {index}, but there are {vertices} vertices (counted from 0)"
+    )]
+    IndexOutOfRange {
+        /// Position of the triangle, from 0.
+        triangle: usize,
+        /// The vertex it names.
+        index: u32,
+        /// How many vertices there are.
+        vertices: usize,
+    },
+    /// A coordinate that is not finite or too large.
+    #[error("vertex {vertex}: {axis} = {value} m exceeds the limit of ±{MAX_COORDINATE} m")]
+    CoordinateOutOfRange {
+        /// Position of the vertex, from 0.
+        vertex: usize,
+        /// x, y or z.
+        axis: char,
+        /// The coordinate [m].
+        value: f64,
+    },
+    /// More triangles than [`MAX_TRIANGLES`].
+    #[error("{count} triangles exceed the limit of {MAX_TRIANGLES}")]
+    TooManyTriangles {
+        /// How many triangles there would be.
+        count: usize,
+    },
+    /// More pieces in one file than the reader takes.
+    #[error("{count} {what} exceed the limit of {limit}")]
+    TooManyParts {
+        /// What was counted.
+        what: &'static str,
+        /// How many there are.
+        count: usize,
+        /// How many are allowed.
+        limit: usize,
+    },
+    /// A size of a primitive that is not a length.
+    #[error("{what} = {value} m is not above 0 m and at most {MAX_COORDINATE} m")]
+    Size {
+        /// The name of the size.
+        what: &'static str,
+        /// Its value [m].
+        value: f64,
+    },
+    /// Too few or too many segments round a primitive.
+    #[error("{segments} segments are not within {} to {}", SEGMENTS.start(), SEGMENTS.end())]
+    Segments {
+        /// How many were asked for.
+        segments: u32,
+    },
+    /// A binary STL that ends before the triangles it announces.
+    #[error(
+        "its header announces {declared} triangles, but its {bytes} bytes have room for {room}"
+    )]
+    Truncated {
+        /// Triangles announced.
+        declared: u32,
+        /// Length of the file.
+        bytes: usize,
+        /// Triangles that fit.
+        room: usize,
+    },
+    /// Text that does not follow its format.
+    #[error("line {line}: {reason}")]
+    SyntaxAt {
+        /// Line, from 1.
+        line: usize,
+        /// What is wrong there.
+        reason: String,
+    },
+    /// Bytes that do not follow their format; the reason ends in line:column where they are known.
+    #[error("{reason}")]
+    Syntax {
+        /// What is wrong.
+        reason: String,
+    },
+}
+
+impl Mesh {
+    /// A mesh from vertices [m] and triangles (three indices into the vertices, counter-clockwise
+    /// seen from outside).
+    ///
+    /// # Errors
+    /// If there is no triangle or more than [`MAX_TRIANGLES`], an index names no vertex, or a
+    /// coordinate is not finite or beyond [`MAX_COORDINATE`].
+    pub fn new(vertices: Vec<Point3>, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
+        if triangles.is_empty() {
+            return Err(MeshError::Empty);
+        }
+        if triangles.len() > MAX_TRIANGLES {
+            let count = triangles.len();
+            return Err(MeshError::TooManyTriangles { count });
+        }
+        for (vertex, point) in vertices.iter().enumerate() {
+            for (axis, value) in [('x', point.x), ('y', point.y), ('z', point.z)] {
+                if value.is_nan() || value.abs() > MAX_COORDINATE {
+                    return Err(MeshError::CoordinateOutOfRange {
+                        vertex,
+                        axis,
+                        value,
+                    });
+                }
+            }
+        }
+        for (triangle, corners) in triangles.iter().enumerate() {
+            if let Some(&index) = corners.iter().find(|&&i| i as usize >= vertices.len()) {
+                let vertices = vertices.len();
+                return Err(MeshError::IndexOutOfRange {
+                    triangle,
+                    index,
+                    vertices,
+                });
+            }
+        }
+        Ok(Self {
+            vertices,
+            triangles,
+        })
+    }
+
+    /// A box centred on the origin, `size` = extent along x, y and z [m].
+    ///
+    /// # Errors
+    /// If a size is not above zero or beyond [`MAX_COORDINATE`].
+    pub fn cuboid(size: Vector3) -> Result<Self, MeshError> {
+        checked_size("size along x", size.x)?;
+        checked_size("size along y", size.y)?;
+        checked_size("size along z", size.z)?;
+        let vertices = (0..8)
+            .map(|i| {
+                let side = |bit: u32| if i & bit == 0 { -0.5 } else { 0.5 };
+                Point3::new(side(1) * size.x, side(2) * size.y, side(4) * size.z)
+            })
+            .collect();
+        let quads = [
+            [0, 2, 3, 1],
+            [4, 5, 7, 6],
+            [0, 1, 5, 4],
+            [2, 6, 7, 3],
+            [0, 4, 6, 2],
+            [1, 3, 7, 5],
+        ];
+        let triangles = quads
+            .iter()
+            .flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]])
+            .collect();
+        Self::new(vertices, triangles)
+    }
+
+    /// A cylinder centred on the origin, axis along z; its rim is a regular polygon with a corner
+    /// on the x axis, inscribed in the circle of `radius` [m]; `height` [m].
+    ///
+    /// # Errors
+    /// If a size is not above zero or beyond [`MAX_COORDINATE`], or `segments` not within 3 to 1024.
+    pub fn cylinder(radius: f64, height: f64, segments: u32) -> Result<Self, MeshError> {
+        checked_size("radius", radius)?;
+        checked_size("height", height)?;
+        let z = height / 2.0;
+        Self::turned(&[(radius, -z), (radius, z)], -z, z, segments)
+    }
+
+    /// A sphere of `radius` [m] about the origin, from `segments` meridians and half as many rows;
+    /// its corners, the poles on the z axis among them, lie on the sphere.
+    ///
+    /// # Errors
+    /// If the radius is not above zero or beyond [`MAX_COORDINATE`], or `segments` not within 3 to 1024.
+    pub fn sphere(radius: f64, segments: u32) -> Result<Self, MeshError> {
+        checked_size("radius", radius)?;
+        let rows = (segments / 2).max(2);
+        let rings: Vec<_> = (1..rows)
+            .map(|row| {
+                let latitude = PI * f64::from(row) / f64::from(rows) - FRAC_PI_2;
+                (radius * latitude.cos(), radius * latitude.sin())
+            })
+            .collect();
+        Self::turned(&rings, -radius, radius, segments)
+    }
+
+    /// A cylinder with hemispheres on both ends, axis along z, centred on the origin; `height` is
+    /// the distance between the centres of the hemispheres [m], `radius` theirs [m].
+    ///
+    /// # Errors
+    /// If a size is not above zero or beyond [`MAX_COORDINATE`], or `segments` not within 3 to 1024.
+    pub fn capsule(radius: f64, height: f64, segments: u32) -> Result<Self, MeshError> {
+        checked_size("radius", radius)?;
+        checked_size("height", height)?;
+        let rows = (segments / 4).max(1);
+        let cap = |row: u32, sign: f64| {
+            let latitude = FRAC_PI_2 * f64::from(row) / f64::from(rows);
+            (
+                radius * latitude.cos(),
+                sign * (height / 2.0 + radius * latitude.sin()),
+            )
+        };
+        let lower = (0..rows).rev().map(|row| cap(row, -1.0));
+        let rings: Vec<_> = lower.chain((0..rows).map(|row| cap(row, 1.0))).collect();
+        let pole = height / 2.0 + radius;
+        Self::turned(&rings, -pole, pole, segments)
+    }
+
+    /// A solid of revolution about z: rings (radius, z) from bottom to top between two poles.
+    fn turned(
+        rings: &[(f64, f64)],
+        bottom: f64,
+        top: f64,
+        segments: u32,
+    ) -> Result<Self, MeshError> {
+        if !SEGMENTS.contains(&segments) {
+            return Err(MeshError::Segments { segments });
+        }
+        let mut vertices = vec![Point3::new(0.0, 0.0, bottom)];
+        for &(radius, z) in rings {
+            vertices.extend((0..segments).map(|i| {
+                let angle = TAU * f64::from(i) / f64::from(segments);
+                Point3::new(radius * angle.cos(), radius * angle.sin(), z)
+            }));
+        }
+        let pole = vertices.len() as u32;
+        vertices.push(Point3::new(0.0, 0.0, top));
+        let at = |ring: usize, i: u32| 1 + ring as u32 * segments + i % segments;
+        let last = rings.len() - 1;
+        let mut triangles = Vec::new();
+        for i in 0..segments {
+            triangles.push([0, at(0, i + 1), at(0, i)]);
+            for ring in 0..last {
+                let (a, b) = (at(ring, i), at(ring, i + 1));
+                let (c, d) = (at(ring + 1, i + 1), at(ring + 1, i));
+                triangles.extend([[a, b, c], [a, c, d]]);
+            }
+            triangles.push([pole, at(last, i), at(last, i + 1)]);
+        }
+        Self::new(vertices, triangles)
+    }
+
+    /// All given meshes, which share a frame, as one.
+    ///
+    /// # Errors
+    /// If there is no mesh, or more than [`MAX_TRIANGLES`] triangles together.
+    pub fn merged(meshes: impl IntoIterator<Item = Self>) -> Result<Self, MeshError> {
+        let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+        for mesh in meshes {
+            let count = triangles.len() + mesh.triangles.len();
+            if count > MAX_TRIANGLES {
+                return Err(MeshError::TooManyTriangles { count });
+            }
+            let first = vertices.len() as u32;
+            vertices.extend(mesh.vertices);
+            triangles.extend(mesh.triangles.iter().map(|t| t.map(|i| i + first)));
+        }
+        Self::new(vertices, triangles)
+    }
+
+    /// The vertices in the mesh's own frame [m].
+    pub fn vertices(&self) -> &[Point3] {
+        &self.vertices
+    }
+
+    /// The triangles, three indices into the vertices each.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// The corners of each triangle in turn [m].
+    pub fn corners(&self) -> impl Iterator<Item = [Point3; 3]> + '_ {
+        self.triangles
+            .iter()
+            .map(|t| t.map(|i| self.vertices[i as usize]))
+    }
+
+    /// The vertices of each part of the mesh that hangs together by its triangles, in the mesh's own frame [m].
+    /// Vertices at one place are one.
+    pub fn parts(&self) -> Vec<Vec<Point3>> {
+        let key = |p: &Point3| [p.x, p.y, p.z].map(f64::to_bits);
+        let mut places: BTreeMap<[u64; 3], usize> = BTreeMap::new();
+        let at: Vec<usize> = (self.vertices.iter())
+            .map(|p| {
+                let next = places.len();
+                *places.entry(key(p)).or_insert(next)
+            })
+            .collect();
+        let mut sets = DisjointSets::new(places.len());
+        for [a, b, c] in &self.triangles {
+            sets.union(at[*a as usize], at[*b as usize]);
+            sets.union(at[*a as usize], at[*c as usize]);
+        }
+        let mut parts: BTreeMap<usize, Vec<Point3>> = BTreeMap::new();
+        for (place, vertex) in at.iter().zip(&self.vertices) {
+            parts.entry(sets.find(*place)).or_default().push(*vertex);
+        }
+        parts.into_values().collect()
+    }
+
+    /// The same mesh in another frame: `other_from_mesh` maps this mesh's frame into it.
+    ///
+    /// The result is not held against [`MAX_COORDINATE`] again.
+    pub fn transformed(&self, other_from_mesh: &Pose) -> Self {
+        Self {
+            vertices: self
+                .vertices
+                .iter()
+                .map(|&point| other_from_mesh * point)
+                .collect(),
+            triangles: self.triangles.clone(),
+        }
+    }
+
+    /// Least and greatest coordinates of the triangles' corners [m].
+    pub fn bounds(&self) -> (Point3, Point3) {
+        let nowhere = Point3::from(Vector3::repeat(f64::INFINITY));
+        self.corners()
+            .flatten()
+            .fold((nowhere, -nowhere), |(min, max), p| {
+                (min.inf(&p), max.sup(&p))
+            })
+    }
+
+    /// The longest side of the bounding box [m].
+    ///
+    /// A hand tool longer than some 20 m was most likely drawn in millimetres.
+    pub fn extent(&self) -> f64 {
+        let (min, max) = self.bounds();
+        (max - min).max()
+    }
+
+    /// The part of the surface at or above the plane z = `z` [m], as triangles; none if all lies below.
+    /// The cut is left open.
+    pub fn clipped_above(&self, z: f64) -> Vec<[Point3; 3]> {
+        self.corners()
+            .flat_map(|corners| {
+                let kept = cut(corners, z, Side::Above);
+                (2..kept.len()).map(move |i| [kept[0], kept[i - 1], kept[i]])
+            })
+            .collect()
+    }
+
+    /// Whether the surface encloses a solid: every edge is run through as often one way as the
+    /// other. Vertices at the same place count as one, so it does not matter how a file shares them.
+    pub fn is_watertight(&self) -> bool {
+        let mut balance: HashMap<(u32, u32), i64> = HashMap::new();
+        for [a, b, c] in self.welded_triangles() {
+            for (from, to) in [(a, b), (b, c), (c, a)] {
+                if from != to {
+                    *balance.entry((from.min(to), from.max(to))).or_default() +=
+                        if from < to { 1 } else { -1 };
+                }
+            }
+        }
+        balance.values().all(|&b| b == 0)
+    }
+
+    /// The triangles with each index replaced by the first vertex at the same place.
+    pub(super) fn welded_triangles(&self) -> impl Iterator<Item = [u32; 3]> + '_ {
+        let mut first_at = HashMap::new();
+        let first: Vec<u32> = (0u32..)
+            .zip(&self.vertices)
+            .map(|(i, p)| *first_at.entry(place(*p)).or_insert(i))
+            .collect();
+        self.triangles
+            .iter()
+            .map(move |t| t.map(|i| first[i as usize]))
+    }
+
+    /// The same mesh with vertices at the same place merged and unused ones dropped.
+    fn welded(&self) -> Self {
+        let mut index_at = HashMap::new();
+        let mut vertices = Vec::new();
+        let triangles = self
+            .corners()
+            .map(|corners| {
+                corners.map(|p| {
+                    *index_at.entry(place(p)).or_insert_with(|| {
+                        vertices.push(p);
+                        vertices.len() as u32 - 1
+                    })
+                })
+            })
+            .collect();
+        Self {
+            vertices,
+            triangles,
+        }
+    }
+
+    /// The mesh as a binary STL in metres, coordinates rounded to `f32`.
+    pub fn to_binary_stl(&self) -> Vec<u8> {
+        let mut bytes = b"binary STL, lengths in metres, written by wisch".to_vec();
+        bytes.resize(80, b' ');
+        bytes.extend((self.triangles.len() as u32).to_le_bytes());
+        for [a, b, c] in self.corners() {
+            let normal = (b - a)
+                .cross(&(c - a))
+                .try_normalize(0.0)
+                .unwrap_or_default();
+            for v in [normal, a.coords, b.coords, c.coords] {
+                bytes.extend(v.iter().flat_map(|&x| (x as f32).to_le_bytes()));
+            }
+            bytes.extend(0u16.to_le_bytes());
+        }
+        bytes
+    }
+}
+
+/// Which side of a horizontal plane is kept.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Side {
+    Above,
+    Below,
+}
+
+/// The part of a triangle on one side of the plane z = `z`, as a convex polygon running the same way.
+pub(super) fn cut(corners: [Point3; 3], z: f64, side: Side) -> Vec<Point3> {
+    let inside = |p: Point3| {
+        if side == Side::Above {
+            p.z >= z
+        } else {
+            p.z <= z
+        }
+    };
+    let mut kept = Vec::with_capacity(4);
+    for i in 0..3 {
+        let (here, next) = (corners[i], corners[(i + 1) % 3]);
+        if inside(here) {
+            kept.push(here);
+        }
+        if inside(here) != inside(next) && here.z != z && next.z != z {
+            kept.push(crossing(here, next, z));
+        }
+    }
+    if kept.len() < 3 {
+        kept.clear();
+    }
+    kept
+}
+
+/// Where the edge between two points of different height meets the plane z = `z`. The two triangles
+/// that share an edge get the very same point.
+pub(super) fn crossing(a: Point3, b: Point3, z: f64) -> Point3 {
+    let (low, high) = if a.z < b.z { (a, b) } else { (b, a) };
+    let mut point = low + (high - low) * ((z - low.z) / (high.z - low.z));
+    point.z = z;
+    point
+}
+
+/// A key that is equal for equal coordinates (adding zero turns −0 into 0).
+fn place(point: Point3) -> [u64; 3] {
+    [point.x, point.y, point.z].map(|c| (c + 0.0).to_bits())
+}
+
+fn checked_size(what: &'static str, value: f64) -> Result<(), MeshError> {
+    if value > 0.0 && value <= MAX_COORDINATE {
+        Ok(())
+    } else {
+        Err(MeshError::Size { what, value })
+    }
+}
+
+#[cfg(test)]
+mod tests;

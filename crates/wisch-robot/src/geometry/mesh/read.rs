@@ -1,0 +1,197 @@
+//! Mesh files from bytes in memory: STL, OBJ, COLLADA.
+//!
+//! STL and OBJ are parsed by the `mesh-loader` crate after checks that bound what it allocates.
+//! COLLADA is read here (`collada.rs`): mesh-loader 0.1.13 does not return from a `<Name_array>`,
+//! panics or aborts on inconsistent counts, ignores node transforms under 1 cm and misplaces
+//! nested nodes. Concave faces of an OBJ are cut into triangles before mesh-loader sees them (`obj_faces.rs`): it cuts every
+//! face as a fan.
+
+use super::{MAX_TRIANGLES, Mesh, MeshError, Point3, collada, obj_faces};
+use std::io;
+use std::path::Path;
+
+/// Most solids, groups or material changes in one file. Each costs the parser about a kilobyte.
+const MAX_PARTS: usize = 100_000;
+
+/// Length of a binary STL's header with the triangle count, and of one triangle [bytes].
+const STL_HEADER: usize = 84;
+const STL_TRIANGLE: usize = 50;
+
+/// The mesh formats that [`Mesh::parse`] reads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MeshFormat {
+    /// STL, ASCII or binary.
+    Stl,
+    /// Wavefront OBJ; materials are ignored.
+    Obj,
+    /// COLLADA 1.4 and 1.5.
+    Collada,
+}
+
+impl MeshFormat {
+    /// The format by the ending of a file name, in any case: stl, obj or dae.
+    ///
+    /// ```
+    /// use wisch_robot::geometry::MeshFormat;
+    /// assert_eq!(MeshFormat::from_file_name("tools/Sponge.STL"), Some(MeshFormat::Stl));
+    /// assert_eq!(MeshFormat::from_file_name("sponge.step"), None);
+    /// ```
+    pub fn from_file_name(name: &str) -> Option<Self> {
+        let extension = Path::new(name).extension()?.to_str()?.to_ascii_lowercase();
+        match extension.as_str() {
+            "stl" => Some(Self::Stl),
+            "obj" => Some(Self::Obj),
+            "dae" => Some(Self::Collada),
+            _ => None,
+        }
+    }
+}
+
+impl Mesh {
+    /// A mesh from the bytes of a file; `name` is used in error messages only. Several meshes in
+    /// one file become one; vertices at the same place are merged.
+    ///
+    /// STL and OBJ carry no unit and are taken as metres. COLLADA's unit and node transforms are
+    /// applied. Its `up_axis` is not, as ROS does it: coordinates stay in the axes they are written in.
+    ///
+    /// # Errors
+    /// If the bytes do not follow the format, or hold no mesh by the rules of [`Mesh::new`].
+    pub fn parse(bytes: &[u8], format: MeshFormat, name: &str) -> Result<Self, MeshError> {
+        let mesh = match format {
+            MeshFormat::Stl => parse_stl(bytes),
+            MeshFormat::Obj => parse_obj(bytes),
+            MeshFormat::Collada => collada::parse(bytes),
+        };
+        mesh.map(|mesh| mesh.welded())
+            .map_err(|fault| MeshError::InMesh {
+                name: name.to_owned(),
+                fault: Box::new(fault),
+            })
+    }
+}
+
+fn parse_stl(bytes: &[u8]) -> Result<Mesh, MeshError> {
+    let scene = if is_ascii_stl(bytes) {
+        mesh_loader::stl::from_slice(&with_plain_solids(bytes)?)
+    } else {
+        mesh_loader::stl::from_slice(&exact_binary_stl(bytes)?)
+    };
+    from_scene(scene)
+}
+
+/// Whether bytes that begin with "solid" are text. A binary header may begin so too, but only
+/// there do bytes 80 to 84 count triangles that fit: as text they announce at least 9e9 bytes.
+fn is_ascii_stl(bytes: &[u8]) -> bool {
+    let room = bytes.len().saturating_sub(STL_HEADER) / STL_TRIANGLE;
+    bytes.trim_ascii_start().starts_with(b"solid")
+        && declared_triangles(bytes).is_none_or(|declared| declared as usize > room)
+}
+
+fn declared_triangles(bytes: &[u8]) -> Option<u32> {
+    Some(u32::from_le_bytes(bytes.get(80..84)?.try_into().ok()?))
+}
+
+/// The header and exactly the announced triangles: mesh-loader ignores the count, and takes a
+/// header that begins with "solid" for text.
+fn exact_binary_stl(bytes: &[u8]) -> Result<Vec<u8>, MeshError> {
+    let Some(declared) = declared_triangles(bytes) else {
+        let reason = format!(
+            "neither text that begins with \"solid\" nor a binary STL: {} bytes, a header has {STL_HEADER}",
+            bytes.len()
+        );
+        return Err(MeshError::Syntax { reason });
+    };
+    let room = (bytes.len() - STL_HEADER) / STL_TRIANGLE;
+    if declared as usize > room {
+        return Err(MeshError::Truncated {
+            declared,
+            bytes: bytes.len(),
+            room,
+        });
+    }
+    if declared as usize > MAX_TRIANGLES {
+        return Err(MeshError::TooManyTriangles {
+            count: declared as usize,
+        });
+    }
+    let mut exact = vec![b' '; 80];
+    exact.extend(&bytes[80..STL_HEADER + declared as usize * STL_TRIANGLE]);
+    Ok(exact)
+}
+
+/// The text with plain solid lines. For a solid without a name, or with one that is not ASCII,
+/// mesh-loader would fall back to reading the text as binary triangles.
+fn with_plain_solids(bytes: &[u8]) -> Result<Vec<u8>, MeshError> {
+    let mut plain = Vec::with_capacity(bytes.len() + 16);
+    let mut solids = 0;
+    for line in bytes.split_inclusive(|b| matches!(b, b'\n' | b'\r')) {
+        let trimmed = line.trim_ascii_start();
+        if trimmed.starts_with(b"solid") {
+            solids += 1;
+            plain.extend(b"solid -\n");
+        } else if trimmed.starts_with(b"endsolid") {
+            plain.extend(b"endsolid\n");
+        } else {
+            plain.extend(line);
+        }
+    }
+    checked_parts("solids", solids)?;
+    Ok(plain)
+}
+
+fn parse_obj(bytes: &[u8]) -> Result<Mesh, MeshError> {
+    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+        // mesh-loader would decode it, past the counts below.
+        let reason = "UTF-16 is not read, save it as UTF-8".to_owned();
+        return Err(MeshError::Syntax { reason });
+    }
+    let (mut triangles, mut parts) = (0, 0);
+    for line in bytes.split(|b| matches!(b, b'\n' | b'\r')) {
+        let mut words = line
+            .split(|b| matches!(b, b' ' | b'\t'))
+            .filter(|word| !word.is_empty());
+        match words.next() {
+            Some(b"f") => triangles += words.count().saturating_sub(2),
+            Some(b"g" | b"usemtl") => parts += 1,
+            _ => {}
+        }
+    }
+    checked_parts("groups and materials", parts)?;
+    if triangles > MAX_TRIANGLES {
+        return Err(MeshError::TooManyTriangles { count: triangles });
+    }
+    let no_material_files = |_: &Path| io::Result::<Vec<u8>>::Err(io::ErrorKind::NotFound.into());
+    let read = |bytes: &[u8]| {
+        from_scene(mesh_loader::obj::from_slice(bytes, None, |path: &Path| {
+            no_material_files(path)
+        }))
+    };
+    // The file as it is first, so that errors name its lines.
+    let mesh = read(bytes)?;
+    obj_faces::with_concave_faces_cut(bytes).map_or(Ok(mesh), |cut| read(&cut))
+}
+
+fn checked_parts(what: &'static str, count: usize) -> Result<(), MeshError> {
+    if count > MAX_PARTS {
+        let limit = MAX_PARTS;
+        return Err(MeshError::TooManyParts { what, count, limit });
+    }
+    Ok(())
+}
+
+fn from_scene(scene: io::Result<mesh_loader::Scene>) -> Result<Mesh, MeshError> {
+    let scene = scene.map_err(|e| MeshError::Syntax {
+        reason: e.to_string(),
+    })?;
+    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+    for mesh in scene.meshes {
+        let first = vertices.len() as u32;
+        vertices.extend(
+            mesh.vertices
+                .iter()
+                .map(|&v| Point3::from(v.map(f64::from))),
+        );
+        triangles.extend(mesh.faces.iter().map(|face| face.map(|i| i + first)));
+    }
+    Mesh::new(vertices, triangles)
+}

@@ -1,0 +1,32 @@
+//! Frames, poses, polygons, meshes, and the footprint that a tool's mesh leaves on a surface.
+
+mod disjoint_sets;
+mod footprint;
+mod mesh;
+mod point_grid;
+mod polygon;
+mod pose;
+mod triangulation;
+mod units;
+
+pub use disjoint_sets::DisjointSets;
+pub use footprint::{
+    FootprintError, MAX_FOOTPRINT_EDGES, MIN_COMPRESSION_DEPTH, RIGID_DEPTH, footprint,
+};
+pub(crate) use mesh::{MAX_ATTRIBUTES, most_attributes};
+pub use mesh::{MAX_COORDINATE, MAX_TRIANGLES, Mesh, MeshError, MeshFormat};
+pub use point_grid::PointGrid;
+pub use polygon::encloses;
+pub use polygon::{Bounds2, Edge, Polygon, Region};
+pub use pose::{PlanarPose, Pose, wrap_angle};
+pub use triangulation::prism_below;
+pub use units::LikelyUnit;
+
+/// A point in a plane [m].
+pub type Point2 = nalgebra::Point2<f64>;
+/// A vector in a plane [m].
+pub type Vector2 = nalgebra::Vector2<f64>;
+/// A point in space [m]; names say in which frame, as in `point_in_tool`.
+pub type Point3 = nalgebra::Point3<f64>;
+/// A vector in space, in metres unless another unit is said; names say in the axes of which frame.
+pub type Vector3 = nalgebra::Vector3<f64>;

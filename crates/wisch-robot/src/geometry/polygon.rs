@@ -1,0 +1,327 @@
+//! Polygons with holes and regions made of several of them.
+
+use super::{Point2, Vector2};
+
+/// One straight piece of a boundary; the interior lies to its left.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Edge {
+    /// Where the edge begins [m].
+    pub start: Point2,
+    /// Where the edge ends [m].
+    pub end: Point2,
+}
+
+impl Edge {
+    /// Distance from a point to the closed edge [m].
+    pub fn distance(&self, point: Point2) -> f64 {
+        let along: Vector2 = self.end - self.start;
+        let squared = along.norm_squared();
+        let t = if squared > 0.0 {
+            ((point - self.start).dot(&along) / squared).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        (point - (self.start + along * t)).norm()
+    }
+}
+
+/// A simple polygon with holes. The outer ring runs counter-clockwise, the holes clockwise.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Polygon {
+    outer: Vec<Point2>,
+    holes: Vec<Vec<Point2>>,
+    is_convex: bool,
+}
+
+impl Polygon {
+    /// Builds a polygon and turns its rings the right way round. Rings are closed implicitly.
+    pub fn new(outer: Vec<Point2>, holes: Vec<Vec<Point2>>) -> Self {
+        let turned = |ring: Vec<Point2>, counter_clockwise: bool| {
+            if (signed_area(&ring) > 0.0) == counter_clockwise {
+                ring
+            } else {
+                ring.into_iter().rev().collect()
+            }
+        };
+        let outer = turned(outer, true);
+        Self {
+            is_convex: holes.is_empty() && turns_left_once(&outer),
+            outer,
+            holes: holes.into_iter().map(|hole| turned(hole, false)).collect(),
+        }
+    }
+
+    /// An axis-aligned rectangle centred on the origin, `size` = extent along x and y [m].
+    pub fn rectangle(size: Vector2) -> Self {
+        let (x, y) = (size.x / 2.0, size.y / 2.0);
+        Self::new(
+            vec![
+                Point2::new(-x, -y),
+                Point2::new(x, -y),
+                Point2::new(x, y),
+                Point2::new(-x, y),
+            ],
+            Vec::new(),
+        )
+    }
+
+    /// The outer ring, counter-clockwise [m]; its last vertex joins its first, which is not repeated.
+    pub fn outer(&self) -> &[Point2] {
+        &self.outer
+    }
+
+    /// The rings of the holes, clockwise [m]; empty for a simple polygon.
+    pub fn holes(&self) -> &[Vec<Point2>] {
+        &self.holes
+    }
+
+    /// Outer ring first, then the holes.
+    pub fn rings(&self) -> impl Iterator<Item = &[Point2]> {
+        std::iter::once(self.outer.as_slice()).chain(self.holes.iter().map(Vec::as_slice))
+    }
+
+    /// All edges: the outer ring's in order (edge i starts at vertex i), then the holes'.
+    pub fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
+        self.rings().flat_map(|ring| {
+            (0..ring.len()).map(move |i| Edge {
+                start: ring[i],
+                end: ring[if i + 1 < ring.len() { i + 1 } else { 0 }],
+            })
+        })
+    }
+
+    /// Whether a straight line between any two of its points stays in it.
+    pub fn is_convex(&self) -> bool {
+        self.is_convex
+    }
+
+    /// Area without the holes [m²].
+    pub fn area(&self) -> f64 {
+        self.rings().map(signed_area).sum()
+    }
+
+    /// Whether the point lies inside (even–odd rule; points on the boundary fall to either side).
+    pub fn contains(&self, point: Point2) -> bool {
+        encloses(self.edges(), point)
+    }
+}
+
+/// Whether a ring never turns right, and goes around once: along x it changes its direction twice.
+fn turns_left_once(ring: &[Point2]) -> bool {
+    let count = ring.len();
+    let along = |i: usize| ring[(i + 1) % count] - ring[i % count];
+    let turns_left = (0..count).all(|i| along(i).perp(&along(i + 1)) >= 0.0);
+    let ahead: Vec<bool> = (0..count)
+        .map(|i| along(i).x)
+        .filter(|&x| x != 0.0)
+        .map(|x| x > 0.0)
+        .collect();
+    let changes = (0..ahead.len()).filter(|&i| ahead[i] != ahead[(i + 1) % ahead.len()]);
+    turns_left && changes.count() <= 2
+}
+
+/// Whether a point lies inside a boundary of edges in any order (even–odd rule).
+pub fn encloses(edges: impl IntoIterator<Item = Edge>, point: Point2) -> bool {
+    let mut inside = false;
+    for Edge { start, end } in edges {
+        if (start.y > point.y) != (end.y > point.y) {
+            let x = start.x + (point.y - start.y) / (end.y - start.y) * (end.x - start.x);
+            inside ^= point.x < x;
+        }
+    }
+    inside
+}
+
+/// Several disjoint polygons, such as the footprint of a brush.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Region {
+    polygons: Vec<Polygon>,
+}
+
+impl Polygon {
+    /// The same, so many times as large about the origin.
+    fn scaled(&self, factor: f64) -> Self {
+        let ring = |ring: &Vec<Point2>| ring.iter().map(|corner| corner * factor).collect();
+        Self {
+            outer: ring(&self.outer),
+            holes: self.holes.iter().map(ring).collect(),
+            is_convex: self.is_convex,
+        }
+    }
+}
+
+impl Region {
+    /// A region from polygons of one frame, which must not overlap: areas are added up.
+    pub fn new(polygons: Vec<Polygon>) -> Self {
+        Self { polygons }
+    }
+
+    /// The disjoint pieces, in the order in which they were given.
+    pub fn polygons(&self) -> &[Polygon] {
+        &self.polygons
+    }
+
+    /// The same, so many times as large about the origin; a factor above 0.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        let scaled = |polygon: &Polygon| polygon.scaled(factor);
+        Self::new(self.polygons.iter().map(scaled).collect())
+    }
+
+    /// The same, narrower by a margin on each side of its box [m], but never by more than half.
+    #[must_use]
+    pub fn narrowed(&self, margin: f64) -> Self {
+        let Some(bounds) = self.bounds() else {
+            return self.clone();
+        };
+        let center = bounds.center();
+        let share = bounds
+            .size()
+            .map(|size| (1.0 - 2.0 * margin / size).clamp(0.5, 1.0));
+        let moved = |corner: &Point2| center + (corner - center).component_mul(&share);
+        let ring = |ring: &Vec<Point2>| ring.iter().map(moved).collect();
+        let narrowed = |polygon: &Polygon| Polygon {
+            outer: ring(&polygon.outer),
+            holes: polygon.holes.iter().map(ring).collect(),
+            ..polygon.clone()
+        };
+        Self::new(self.polygons.iter().map(narrowed).collect())
+    }
+
+    /// The edges of all pieces, piece by piece, in the order of [`Polygon::edges`].
+    pub fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
+        self.polygons.iter().flat_map(Polygon::edges)
+    }
+
+    /// Area of all pieces [m²].
+    pub fn area(&self) -> f64 {
+        self.polygons.iter().map(Polygon::area).sum()
+    }
+
+    /// Whether any piece contains the point.
+    pub fn contains(&self, point: Point2) -> bool {
+        self.polygons.iter().any(|polygon| polygon.contains(point))
+    }
+
+    /// Distance from the point to the nearest boundary [m]; infinite for an empty region.
+    pub fn boundary_distance(&self, point: Point2) -> f64 {
+        self.edges()
+            .map(|edge| edge.distance(point))
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    /// Smallest axis-aligned box round all pieces; `None` for an empty region.
+    pub fn bounds(&self) -> Option<Bounds2> {
+        Bounds2::of(self.polygons.iter().flat_map(|p| p.outer().iter().copied()))
+    }
+}
+
+/// An axis-aligned box in the plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds2 {
+    /// Smallest x and y [m].
+    pub min: Point2,
+    /// Largest x and y [m].
+    pub max: Point2,
+}
+
+impl Bounds2 {
+    /// The box round the points; `None` if there are none.
+    pub fn of(points: impl IntoIterator<Item = Point2>) -> Option<Self> {
+        points.into_iter().fold(None, |bounds, p| {
+            Some(match bounds {
+                None => Self { min: p, max: p },
+                Some(b) => Self {
+                    min: b.min.inf(&p),
+                    max: b.max.sup(&p),
+                },
+            })
+        })
+    }
+
+    /// Whether a point is inside or on the edge.
+    pub fn contains(&self, point: Point2) -> bool {
+        (self.min.x..=self.max.x).contains(&point.x) && (self.min.y..=self.max.y).contains(&point.y)
+    }
+
+    /// Extent along x and y [m].
+    pub fn size(&self) -> Vector2 {
+        self.max - self.min
+    }
+
+    /// Its corners, counter-clockwise from the smallest x and y [m].
+    pub fn corners(&self) -> [Point2; 4] {
+        let Self { min, max } = *self;
+        [
+            min,
+            Point2::new(max.x, min.y),
+            max,
+            Point2::new(min.x, max.y),
+        ]
+    }
+
+    /// The middle of the box [m].
+    pub fn center(&self) -> Point2 {
+        nalgebra::center(&self.min, &self.max)
+    }
+}
+
+/// Shoelace area of a ring: positive when it runs counter-clockwise [m²].
+fn signed_area(ring: &[Point2]) -> f64 {
+    let Some(&origin) = ring.first() else {
+        return 0.0;
+    };
+    ring.windows(2)
+        .map(|pair| (pair[0] - origin).perp(&(pair[1] - origin)))
+        .sum::<f64>()
+        / 2.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square_with_hole() -> Polygon {
+        let hole = Polygon::rectangle(Vector2::new(1.0, 1.0)).outer().to_vec();
+        let outer = Polygon::rectangle(Vector2::new(2.0, 2.0)).outer().to_vec();
+        Polygon::new(outer.into_iter().rev().collect(), vec![hole])
+    }
+
+    #[test]
+    fn a_hole_is_taken_from_the_area_and_not_contained() {
+        let polygon = square_with_hole();
+        assert!((polygon.area() - 3.0).abs() < 1e-12);
+        assert!(!polygon.contains(Point2::origin()));
+        assert!(polygon.contains(Point2::new(0.75, 0.0)));
+        assert!(!polygon.contains(Point2::new(1.25, 0.0)));
+    }
+
+    #[test]
+    fn what_has_a_notch_a_hole_or_goes_around_twice_is_not_convex() {
+        let ring = |corners: &[[f64; 2]]| corners.iter().map(|&[x, y]| Point2::new(x, y)).collect();
+        let polygon = |corners: &[[f64; 2]]| Polygon::new(ring(corners), Vec::new());
+        assert!(Polygon::rectangle(Vector2::new(2.0, 1.0)).is_convex());
+        assert!(polygon(&[[0.0, 0.0], [0.0, 1.0], [2.0, 0.5]]).is_convex());
+        let on_a_side = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [1.0, 1.0]];
+        assert!(polygon(&on_a_side).is_convex());
+        assert!(!square_with_hole().is_convex());
+        let notched = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 0.5], [0.0, 1.0]];
+        assert!(!polygon(&notched).is_convex());
+        // A five-pointed star in one line never turns right, and goes around twice.
+        let star = [0.0_f64, 2.0, 4.0, 1.0, 3.0].map(|i| {
+            let angle = i * std::f64::consts::TAU / 5.0;
+            [angle.cos(), angle.sin()]
+        });
+        assert!(!polygon(&star).is_convex());
+    }
+
+    #[test]
+    fn the_interior_lies_left_of_every_edge() {
+        let polygon = square_with_hole();
+        for edge in polygon.edges() {
+            let along = edge.end - edge.start;
+            let left = Vector2::new(-along.y, along.x).normalize() * 1e-6;
+            assert!(polygon.contains(nalgebra::center(&edge.start, &edge.end) + left));
+        }
+    }
+}

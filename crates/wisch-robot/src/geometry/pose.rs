@@ -1,0 +1,78 @@
+//! Poses in space and in the plane of a surface.
+
+use super::{Point2, Vector2};
+use std::f64::consts::{PI, TAU};
+
+/// A rigid transform in space; names say what it does: `world_from_surface * point_in_surface`.
+pub type Pose = nalgebra::Isometry3<f64>;
+
+/// Pose of a tool in the plane of the surface: position of its tool centre point and heading.
+///
+/// The heading is the angle [rad] from the surface's x axis to the tool's x axis. The tool's y axis
+/// is its broad side, so a tool with heading `h` wipes best when it moves along direction `h`.
+///
+/// ```
+/// use wisch_robot::geometry::{PlanarPose, Point2};
+/// let surface_from_tool = PlanarPose::new(Point2::new(1.0, 0.0), std::f64::consts::FRAC_PI_2);
+/// let tip_in_surface = surface_from_tool.transform(Point2::new(0.5, 0.0));
+/// assert!((tip_in_surface - Point2::new(1.0, 0.5)).norm() < 1e-12);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlanarPose {
+    /// Tool centre point in the surface frame [m].
+    pub position: Point2,
+    /// Heading of the tool's x axis in the surface frame [rad].
+    pub heading: f64,
+}
+
+impl PlanarPose {
+    /// A pose from position [m] and heading [rad].
+    pub const fn new(position: Point2, heading: f64) -> Self {
+        Self { position, heading }
+    }
+
+    /// Maps a point of the tool frame into the surface frame.
+    pub fn transform(&self, point_in_tool: Point2) -> Point2 {
+        let (sin, cos) = self.heading.sin_cos();
+        Point2::new(
+            self.position.x + cos * point_in_tool.x - sin * point_in_tool.y,
+            self.position.y + sin * point_in_tool.x + cos * point_in_tool.y,
+        )
+    }
+
+    /// Maps a point of the surface frame into the tool frame.
+    pub fn inverse_transform(&self, point_in_surface: Point2) -> Point2 {
+        let (sin, cos) = self.heading.sin_cos();
+        let d: Vector2 = point_in_surface - self.position;
+        Point2::new(cos * d.x + sin * d.y, -sin * d.x + cos * d.y)
+    }
+}
+
+/// The same angle in (−π, π] [rad].
+pub fn wrap_angle(angle: f64) -> f64 {
+    let wrapped = angle.rem_euclid(TAU);
+    if wrapped > PI { wrapped - TAU } else { wrapped }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn inverse_undoes_transform(x in -5.0..5.0, y in -5.0..5.0, h in -10.0..10.0, u in -1.0..1.0, v in -1.0..1.0) {
+            let surface_from_tool = PlanarPose::new(Point2::new(x, y), h);
+            let point_in_tool = Point2::new(u, v);
+            let back = surface_from_tool.inverse_transform(surface_from_tool.transform(point_in_tool));
+            prop_assert!((back - point_in_tool).norm() < 1e-12);
+        }
+
+        #[test]
+        fn wrapped_angles_are_equal_modulo_a_turn(a in -100.0..100.0) {
+            let w = wrap_angle(a);
+            prop_assert!(w > -PI && w <= PI);
+            prop_assert!(((w - a) / TAU - ((w - a) / TAU).round()).abs() < 1e-9);
+        }
+    }
+}

@@ -1,0 +1,10 @@
+//! The tests of robots and geometry, one module for each of their parts.
+
+mod articulation;
+mod capability;
+mod clearance;
+mod ik;
+mod robot;
+mod srdf;
+mod timing;
+mod tool_meshes;
