@@ -1,15 +1,15 @@
-//! The robot: links, joints and limits from a URDF, kinematics and dynamics. It knows nothing of wiping.
+//! The robot: links, joints and limits from a URDF, with kinematics and dynamics. This module does not depend on
+//! wiping.
 //!
-//! A [`RobotModel`] is constant. What depends on where the joints are is a value that a function
-//! returns: [`RobotModel::forward_kinematics`] gives [`Kinematics`], which has the Jacobian;
-//! [`RobotModel::dynamics`] gives [`Dynamics`], which has the mass matrix. [`Chain`] is the same from
-//! one link to another without any allocation, for loops.
+//! A [`RobotModel`] is constant. Configuration-dependent quantities are values that functions return:
+//! [`RobotModel::forward_kinematics`] returns [`Kinematics`], which has the Jacobian, and [`RobotModel::dynamics`]
+//! returns [`Dynamics`], which has the mass matrix. [`Chain`] computes the same between two links without allocation,
+//! for inner loops.
 //!
-//! A robot has as many variables as joints that move by themselves, n. Arrays of positions,
-//! velocities and efforts have n entries in the order of [`RobotModel::variables`]: along the tree,
-//! siblings in the order of the file. Joints that follow others (`<mimic>`, or a sum of several) are
-//! no variables. [m], [rad], [N], [Nm]; spatial quantities linear first; the world is the frame of
-//! the root link.
+//! A robot has n variables, one per joint that moves by itself. Arrays of positions, velocities and efforts have n
+//! entries in the order of [`RobotModel::variables`]: along the tree, siblings in the order of the file. Joints that
+//! follow others (`<mimic>`, or a sum of several) are not variables. Units are [m], [rad], [N] and [Nm]; spatial
+//! quantities are linear first; the world is the frame of the root link.
 
 mod articulation;
 mod capability;
