@@ -110,7 +110,7 @@ fn subtypes_and_constants_count_as_objects() {
 }
 
 #[test]
-fn what_an_action_adds_outlasts_what_it_deletes() {
+fn added_facts_outlast_deleted_ones() {
     let domain = "(define (domain d) (:predicates (a) (b))
         (:action go :effect (and (a) (not (a)) (b))))";
     let problem = "(define (problem p) (:domain d) (:init) (:goal (and (a) (b))))";

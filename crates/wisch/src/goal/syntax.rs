@@ -60,7 +60,7 @@ impl Atom {
     }
 }
 
-/// What a typed list declares.
+/// Kind of the entries of a typed list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Listed {
     /// Types, constants or objects.

@@ -149,7 +149,7 @@ impl SeenRound {
 struct RoundDetections<'a> {
     round: &'a SeenRound,
     /// Indices of detections before the round whose places were observed after it.
-    looked_for: Vec<usize>,
+    observed_indices: Vec<usize>,
     places: Vec<Point2>,
     /// Detections after the round that belong to none of them.
     unrelated: Vec<Point2>,
@@ -169,10 +169,10 @@ impl<'a> RoundDetections<'a> {
         let real = (1.0 - alarms / before.len().max(1) as f64).clamp(LEAST_REAL, 1.0);
         // Expected number of grains that were missed before and are detected now.
         let missed = before.len() as f64 * real * (1.0 - detection);
-        let looked_for: Vec<usize> = (0..before.len())
+        let observed_indices: Vec<usize> = (0..before.len())
             .filter(|&i| !round.after.is_hidden(before[i]) && !round.exposures[i].is_empty())
             .collect();
-        let places: Vec<Point2> = looked_for.iter().map(|&i| before[i]).collect();
+        let places: Vec<Point2> = observed_indices.iter().map(|&i| before[i]).collect();
         let deviation = 2.0_f64.sqrt() * sensor.position_error_m.max(LEAST_DEVIATION);
         let nearest = |place: &Point2| {
             let distances = places.iter().map(|known| (known - place).norm());
@@ -182,7 +182,7 @@ impl<'a> RoundDetections<'a> {
         Self {
             round,
             unrelated: unrelated.collect(),
-            looked_for,
+            observed_indices,
             places,
             deviation,
             real,
@@ -199,7 +199,7 @@ impl<'a> RoundDetections<'a> {
     fn group(&self, group: &[usize]) -> Group<'a> {
         let round = self.round;
         let members = group.iter().map(|&k| {
-            let i = self.looked_for[k];
+            let i = self.observed_indices[k];
             Member {
                 detected: self.real * round.sight.detection,
                 exposures: &round.exposures[i],
@@ -327,7 +327,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ways_are_summed_as_if_each_were_written_down() {
+    fn the_sum_over_associations_equals_their_enumeration() {
         // Two members, two detections, the second of which may be of either.
         let ratios = [vec![5.0, 0.0], vec![2.0, 3.0]];
         let [a, b] = [0.7, 0.4];
@@ -345,7 +345,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_close_belongs_together() {
+    fn close_places_form_a_group() {
         let at = |x: f64| Point2::new(x, 0.0);
         let groups = connected_groups(&[at(0.0), at(0.9), at(3.0), at(1.8)], 1.0);
         assert_eq!(groups, [vec![0, 1, 3], vec![2]]);

@@ -121,6 +121,7 @@ impl Common {
 
     /// Returns the conditional mean of one deviation, given those of the other laws.
     fn mean_of(&self, index: usize, scores: &[f64]) -> f64 {
+        // Conditional mean of a zero-mean normal with precision P: −Σⱼ≠ᵢ Pᵢⱼ xⱼ / Pᵢᵢ.
         let others = scores.iter().enumerate().filter(|(i, _)| *i != index);
         let pull: f64 = others
             .map(|(i, score)| self.precision[(index, i)] * score)

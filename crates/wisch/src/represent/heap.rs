@@ -15,6 +15,7 @@ pub const HEAP_DEPTH: f64 = 0.35;
 /// Returns the depth [m] of a heap that holds this share of the particles, if a heap of all of them has `depth_of_all`
 /// [m]: the covered area is proportional to the number of particles.
 pub fn heap_depth(depth_of_all: f64, share: f64) -> f64 {
+    // The area is proportional to the share, so the depth is to its square root.
     depth_of_all * share.max(0.0).sqrt()
 }
 

@@ -70,7 +70,7 @@ pub struct SensorModel {
 /// Detection of a medium's dirt by a robot's camera.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sight {
-    /// How well dirt is seen.
+    /// Detection rate and noise of the camera.
     pub sensor: SensorModel,
     /// Probability that a grain of this medium is detected where nothing hides it [1]; see
     /// [`SensorModel::mean_detection`].

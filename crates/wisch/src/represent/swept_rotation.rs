@@ -461,6 +461,7 @@ impl Curve {
         let missing = -along.perp(&(self.start - edge.start));
         let rate = along.perp(&self.velocity);
         let bend = along.perp(&self.acceleration);
+        // Root of bend u²/2 + rate u − missing = 0, in the form that does not cancel.
         let root = (rate * rate + 2.0 * bend * missing).max(0.0).sqrt();
         2.0 * missing / (rate + root)
     }

@@ -201,6 +201,7 @@ impl Look<'_> {
                 let other = share * left[k] + number;
                 let variance = misses + alarms + other * other;
                 let off = seen[k] as f64 - expected;
+                // Log-likelihood of the count, a normal distribution about the expected one.
                 -0.5 * (off * off / variance + libm::log(variance))
             });
             fits[0] + fits[1]
@@ -475,8 +476,8 @@ impl MemberUpdate<'_> {
     }
 }
 
-/// Draws as [`Look::draw_missed_in_region`] does, by logarithms, for counts whose likelihood exceeds the range of `f64`; `place` in
-/// [0, 1) is the quantile.
+/// Draws as [`Look::draw_missed_in_region`] does, by logarithms, for counts whose likelihood exceeds the range of `f64`.
+/// `place` in [0, 1) is the quantile.
 fn draw_missed_of_many(
     (left, deviation): (f64, f64),
     (seen, miss): (usize, f64),

@@ -187,8 +187,8 @@ fn widen(
     let Some(wide) = fit_plane(touching, &config.plane, config.seed) else {
         return first;
     };
-    let ours = (confident.iter()).filter(|point| is_on(&first, point, config));
-    let (count, shared) = ours.fold((0_usize, 0_usize), |(count, shared), point| {
+    let own = (confident.iter()).filter(|point| is_on(&first, point, config));
+    let (count, shared) = own.fold((0_usize, 0_usize), |(count, shared), point| {
         (count + 1, shared + usize::from(is_on(&wide, point, config)))
     });
     if 2 * shared >= count { wide } else { first }

@@ -202,6 +202,7 @@ fn circle(
         normal += row * row.transpose();
         right -= row * (u * u + z * z);
     }
+    // Circle u² + z² + d u + e z + f = 0 by linear least squares; radius² = (d² + e²)/4 − f.
     let [d, e, f]: [f64; 3] = normal.try_inverse().map(|inverse| inverse * right)?.into();
     let square = 0.25 * (d * d + e * e) - f;
     (square > 0.0 && most > least).then(|| (square.sqrt(), most - least))

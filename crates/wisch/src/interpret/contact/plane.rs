@@ -117,6 +117,7 @@ fn search(
 
 /// Returns the number of hypotheses after which, with this confidence, at least one was drawn from inliers alone.
 fn hypotheses(inlier_share: f64, points: usize, confidence: f64) -> usize {
+    // n = log(1 − confidence) / log(1 − wᵏ), with inlier share w and k points per hypothesis.
     let all_inliers = inlier_share.powi(points as i32);
     let needed = libm::log(1.0 - confidence) / libm::log(1.0 - all_inliers);
     // With inliers only, the logarithm is −∞ and the ratio 0; without inliers, no number is enough.
@@ -261,6 +262,7 @@ impl Spread {
     fn least_squares(&self, min_spread: f64) -> PlaneFit {
         let (mean, [xx, xy, yy, xz, yz]) = self.central();
         let axes = self.axes(min_spread);
+        // The principal axes are uncorrelated, so the slope along each axis a is cov(a, z) / var(a).
         let slope = axes.iter().fold(Vector2::zeros(), |slope, axis| {
             let variance = axis.x * axis.x * xx + 2.0 * axis.x * axis.y * xy + axis.y * axis.y * yy;
             slope + axis * ((axis.x * xz + axis.y * yz) / variance)

@@ -82,6 +82,7 @@ fn middle(mean: f64, half: Vector2) -> f64 {
     }
     let largest = half.max();
     let half = half.map(|one| one.max(LEAST_RATIO * largest));
+    // Clipping only raises the mean, so the middle is at most `mean`; bisect for it.
     let (mut low, mut high) = (-half.sum(), mean);
     for _ in 0..HALVINGS {
         let between = 0.5 * (low + high);
@@ -108,7 +109,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_mean_of_what_is_pressed_is_the_force() {
+    fn the_mean_of_the_pressure_is_the_force() {
         for (mean, half) in [
             (0.02, Vector2::new(0.3, 0.0)),
             (0.3, Vector2::new(0.2, 0.5)),

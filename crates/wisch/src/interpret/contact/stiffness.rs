@@ -65,6 +65,7 @@ impl StiffnessBelief {
         if off.abs() > FARTHEST * (variance + error).sqrt() {
             return self;
         }
+        // Kalman gain of a scalar: prior variance over the sum of prior and measurement variance.
         let gain = variance / (variance + error);
         Self {
             ln_scale: self.ln_scale + gain * off,
@@ -268,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_measured_moves_every_member_and_narrows_their_spread() {
+    fn a_measurement_moves_every_member_and_narrows_their_spread() {
         let prior = StiffnessBelief::prior(0.2);
         let measured = MeasuredStiffness {
             ln_scale: 0.3,
@@ -284,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_known_or_impossible_changes_nothing() {
+    fn an_exact_belief_or_an_impossible_measurement_changes_nothing() {
         let prior = StiffnessBelief::prior(0.2);
         let absurd = MeasuredStiffness {
             ln_scale: 1.2,

@@ -114,7 +114,7 @@ pub struct AngleRange {
 }
 
 impl AngleRange {
-    /// From −π to π.
+    /// The range from −π to π, which permits every angle.
     pub const FULL: Self = Self {
         min_rad: -std::f64::consts::PI,
         max_rad: std::f64::consts::PI,
