@@ -276,8 +276,8 @@ impl InterpretConfig {
         Ok(())
     }
 
-    /// Returns the settings for a log whose nominal force is `reference` [N]. The tool compresses under it as far as
-    /// under the declared force.
+    /// Returns the settings for a log whose nominal force is `reference` [N]. The tool compresses by the same distance
+    /// under it as under the declared force.
     #[must_use]
     pub(super) fn with_reference_force(&self, reference: f64) -> Self {
         let ratio = reference / self.nominal_force();

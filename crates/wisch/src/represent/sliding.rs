@@ -171,7 +171,7 @@ mod tests {
         assert_eq!((steep.lay, steep.left), (3, 3));
         assert!((steep.slope - 0.7).abs() < 1e-12);
         for ((before, _), (after, fate)) in dirt().iter().zip(slid.iter()) {
-            // Straight down to x = −0.3 or 0.3, whichever is lower.
+            // Straight down to x = −0.3 or 0.3, the lower of the two.
             let world_from_surface = leaning(0.7).world_from_surface;
             let lower = |p: Point2| (world_from_surface * nalgebra::Point3::new(p.x, p.y, 0.0)).z;
             assert!(lower(after) < lower(before));
